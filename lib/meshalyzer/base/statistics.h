@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace meshalyzer {
+
+/// Equal-width bins from the smallest to the largest value.
+struct Histogram {
+  static constexpr std::size_t kBins = 16;
+  /// Ascending; bin i holds edges[i] <= value < edges[i + 1], the last bin its upper edge too.
+  std::array<double, kBins + 1> edges{};
+  std::array<std::size_t, kBins> counts{};
+};
+
+/// What is said of a set of real values in a few figures.
+struct Summary {
+  /// Finite values: the only ones that the figures below are of.
+  std::size_t count = 0;
+  /// Infinite values, counted apart and kept out of everything else.
+  std::size_t infinite = 0;
+  double min = 0.0;
+  double max = 0.0;
+  double mean = 0.0;
+  /// The middle value; the mean of the two middle ones where count is even.
+  double median = 0.0;
+  /// With n - 1 in the denominator; 0 where count is 1.
+  double variance = 0.0;
+  double total = 0.0;
+};
+
+/// A summary with the distribution of the values.
+struct Statistics : Summary {
+  Histogram histogram;
+};
+
+/// Summarises values. With count 0 every figure is 0 and means nothing.
+///
+/// Sums are compensated and their order depends on the number of values alone, so that the result
+/// is the same for any number of threads.
+///
+/// @param values  Reordered: the median is found by selection in place. Must not hold NaN.
+/// @complexity    O(n) time, O(1) memory beside the input.
+[[nodiscard]] Statistics summarize(std::span<double> values);
+
+}  // namespace meshalyzer
