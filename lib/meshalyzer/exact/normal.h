@@ -1,0 +1,15 @@
+#pragma once
+
+#include "meshalyzer/base/types.h"
+
+namespace meshalyzer {
+
+/// The vector (b - a) x (c - a), twice the area of the triangle long, with a relative error of its
+/// length below 1e-9 for any shape: slivers, for which the floating-point product has no correct
+/// digit, are evaluated exactly and rounded.
+///
+/// Zero exactly when the points are collinear, or when the result underflows. Overflows to infinity
+/// where the true value does.
+[[nodiscard]] Vec3 accurate_normal(const Vec3& a, const Vec3& b, const Vec3& c);
+
+}  // namespace meshalyzer
