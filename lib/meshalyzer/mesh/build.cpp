@@ -1,0 +1,79 @@
+#include "meshalyzer/mesh/build.h"
+
+#include "meshalyzer/base/error.h"
+#include "meshalyzer/mesh/corners.h"
+#include "meshalyzer/mesh/edge_pairs.h"
+#include "meshalyzer/mesh/fans.h"
+#include "meshalyzer/mesh/link.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+constexpr std::size_t kMaxVertices = std::size_t{1} << 31U;
+constexpr std::size_t kMaxFaces = std::size_t{1} << 30U;
+
+void check_corners(const Soup& soup) {
+  const std::size_t n_vertices = soup.n_vertices();
+  for (std::size_t face = 0; face < soup.n_faces(); ++face) {
+    for (const Index v : soup.triangles[face]) {
+      if (v >= n_vertices && v != kNoIndex) {
+        throw InvalidArgument("build: face " + std::to_string(face) + " names vertex " +
+                              std::to_string(v) + " of " + std::to_string(n_vertices));
+      }
+    }
+  }
+}
+
+/// A side table that knows which faces the mesh holds, and nothing else yet.
+SideTable sort_out_faces(const Soup& soup) {
+  SideTable side;
+  side.n_file_vertices = soup.n_vertices();
+  side.faces.resize(soup.n_faces());
+  std::size_t n = 0;
+  for (Index face = 0; face < soup.n_faces(); ++face) {
+    if (is_in_complex(soup.triangles[face])) {
+      side.faces[n++] = face;
+    } else {
+      side.rejected_faces.push_back(face);
+    }
+  }
+  side.faces.resize(n);
+  return side;
+}
+
+CutEdges cut_edges(CornerLists sides, const EdgeNumbers& edges) {
+  CutEdges cut;
+  cut.begin = std::move(sides.begin);
+  cut.halfedges.reserve(sides.corners.size());
+  for (const Index side : sides.corners)
+    cut.halfedges.emplace_back(static_cast<int>(edges.halfedge[side]));
+  return cut;
+}
+
+}  // namespace
+
+CutMesh build(const Soup& soup) {
+  if (soup.n_vertices() > kMaxVertices) throw InvalidArgument("build: more than 2^31 vertices");
+  check_corners(soup);
+  SideTable side = sort_out_faces(soup);
+  if (side.faces.size() > kMaxFaces) throw InvalidArgument("build: more than 2^30 faces");
+
+  const Complex complex{
+      .n_vertices = soup.n_vertices(), .triangles = soup.triangles, .faces = side.faces};
+  EdgePairs pairs = pair_edges(complex);
+  Fans fans = find_fans(complex, pairs);
+  const EdgeNumbers edges = number_edges(std::move(pairs.opposite));
+  side.non_manifold_edges = cut_edges(std::move(pairs.non_manifold), edges);
+  side.flipped_edges = cut_edges(std::move(pairs.flipped), edges);
+  side.non_manifold_vertices = std::move(fans.non_manifold_vertices);
+  side.copies = fans.copies;
+  // The mesh is made in its place: OpenMesh's meshes know no move, so that a named one would be
+  // copied.
+  return {link_mesh(complex, soup.positions, edges, fans), std::move(side)};
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,39 @@
+#include "meshalyzer/mesh/complex_edges.h"
+
+#include <cstdint>
+
+namespace meshalyzer {
+namespace {
+
+std::size_t edge_of(HalfedgeHandle h) {
+  return static_cast<std::size_t>(h.idx()) / 2;
+}
+
+/// Marks the mesh edges of each cut edge but the first.
+void mark_repeated(const CutEdges& edges, std::vector<std::uint8_t>& repeated) {
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    for (const HalfedgeHandle h : edges[i].halfedges.subspan(1)) {
+      repeated[edge_of(h)] = 1;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<HalfedgeHandle> complex_edges(const CutMesh& cut) {
+  const TriMesh& mesh = cut.mesh;
+  std::vector<std::uint8_t> repeated(mesh.n_edges(), 0);
+  mark_repeated(cut.side.non_manifold_edges, repeated);
+  mark_repeated(cut.side.flipped_edges, repeated);
+  std::vector<HalfedgeHandle> edges;
+  edges.reserve(mesh.n_edges());
+  for (const EdgeHandle e : mesh.edges()) {
+    if (repeated[static_cast<std::size_t>(e.idx())] == 0) {
+      const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
+      edges.push_back(mesh.is_boundary(h) ? mesh.opposite_halfedge_handle(h) : h);
+    }
+  }
+  return edges;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "meshalyzer/mesh/tri_mesh.h"
+
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// An edge of the file's complex that the half-edge mesh holds as several border edges.
+struct CutEdge {
+  /// One inner half-edge (the one that has a face) for each face at the edge, in order of the
+  /// file's faces.
+  std::span<const HalfedgeHandle> halfedges;
+};
+
+/// A list of cut edges, flat.
+struct CutEdges {
+  /// #edges + 1: where each edge's half-edges begin in `halfedges`.
+  std::vector<Index> begin{0};
+  std::vector<HalfedgeHandle> halfedges;
+
+  [[nodiscard]] std::size_t size() const { return begin.size() - 1; }
+  [[nodiscard]] CutEdge operator[](std::size_t i) const {
+    return {std::span(halfedges).subspan(begin[i], begin[i + 1] - begin[i])};
+  }
+};
+
+/// What a half-edge mesh cannot hold of a file's complex: how the pieces of the cut mesh belong
+/// together.
+///
+/// Two mesh vertices are copies of one file vertex exactly when vertex() says so. Together with the
+/// mesh this is the file's complex, nothing more and nothing less: see unbuild() and validate().
+struct SideTable {
+  /// Vertex records of the file: mesh vertices 0 ... n_file_vertices - 1 are these, in file order.
+  std::size_t n_file_vertices = 0;
+  /// File vertex of mesh vertex n_file_vertices + i: the copies that cutting made, in order of
+  /// their file vertex.
+  std::vector<Index> copies;
+  /// #mesh faces: the file's face of each, ascending.
+  std::vector<Index> faces;
+  /// Faces of the file that no half-edge mesh can hold: a vertex named twice, or never defined.
+  /// Ascending.
+  std::vector<Index> rejected_faces;
+  /// Edges with more than two faces, in order of their two file vertices (smaller first).
+  CutEdges non_manifold_edges;
+  /// Edges with exactly two faces, both of which cross it in the same direction; same order.
+  CutEdges flipped_edges;
+  /// File vertices whose faces are not one fan (faces joined through two-face edges, whichever way
+  /// they are oriented), the ends of non-manifold edges included. Ascending.
+  std::vector<Index> non_manifold_vertices;
+
+  /// The file's vertex that a mesh vertex is, or is a copy of.
+  [[nodiscard]] Index vertex(VertexHandle v) const {
+    const auto i = static_cast<Index>(v.idx());
+    return i < n_file_vertices ? i : copies[i - n_file_vertices];
+  }
+  /// The file's face that a mesh face is.
+  [[nodiscard]] Index face(FaceHandle f) const { return faces[static_cast<std::size_t>(f.idx())]; }
+};
+
+/// A file's complex as a half-edge mesh, cut open wherever the complex is not a consistently
+/// oriented 2-manifold, and the table that says how the pieces belong together.
+struct CutMesh {
+  TriMesh mesh;
+  SideTable side;
+};
+
+}  // namespace meshalyzer

@@ -1,0 +1,96 @@
+#pragma once
+
+#include "meshalyzer/base/types.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meshalyzer {
+
+/// What a file was read as.
+enum class Format { Mesh, Inria, Obj, Off, Stl, Ply };
+
+/// The lower-case name that reports use: "mesh", "inria", "obj", "off", "stl", "ply".
+[[nodiscard]] std::string_view format_name(Format format);
+
+/// The file's ids of its vertices or faces, by record.
+///
+/// Formats that number their records silently (all but `.mesh`) keep no list: the id of record i is
+/// first + i.
+struct Ids {
+  std::int32_t first = 1;
+  /// One id a record where the file names them, else empty.
+  std::vector<std::int32_t> named;
+
+  [[nodiscard]] std::int64_t of(Index record) const {
+    return named.empty() ? std::int64_t{first} + record : named[record];
+  }
+};
+
+/// A corner of a face that names a vertex which no record defines.
+struct MissingReference {
+  Index face = 0;
+  /// 0, 1 or 2: which corner of the triangle.
+  std::uint8_t corner = 0;
+  /// The id that the file names.
+  std::int64_t id = 0;
+};
+
+/// A named run of faces (OBJ `g` or `o`).
+struct Group {
+  std::string name;
+  /// First face of the run; it ends where the next group's begins, or with the last face.
+  Index first_face = 0;
+};
+
+/// A mesh file, faithfully: every record in file order, nothing cleaned, merged, reordered or
+/// dropped.
+///
+/// STL is the one exception: it names no vertices, so its bit-identical points become one vertex,
+/// numbered by first appearance (0.0 and -0.0 are the same place); n_merged_points tells how many
+/// were merged.
+struct Soup {
+  Format format = Format::Mesh;
+  /// #V positions, one a vertex record; all finite.
+  std::vector<Vec3> positions;
+  /// #F triangles as indices into `positions`; kNoIndex at a corner whose vertex no record defines.
+  /// A polygon of k corners stands here as k - 2 triangles (fanned from its first corner); a
+  /// "polygon" of two corners a, b as the degenerate triangle a b b, of one corner as a a a. Where
+  /// several records define one id, the first counts.
+  std::vector<Triangle> triangles;
+  Ids vertex_ids;
+  Ids face_ids;
+  /// In face order, then corner order.
+  std::vector<MissingReference> missing;
+  /// 1-based line of each record, where the file is text and read by lines; else empty.
+  std::vector<std::uint32_t> vertex_lines;
+  std::vector<std::uint32_t> face_lines;
+  /// `.mesh` only: 1-based lines that begin with a number instead of Vertex or Face, the remains of
+  /// a torn record. They hold no record that could be read.
+  std::vector<std::uint32_t> torn_lines;
+  /// In file order; empty where the file names none. Faces before the first group belong to none.
+  std::vector<Group> groups;
+  /// Normals that the file gives, in file order; empty where none.
+  std::vector<Vec3> normals;
+  /// #F, indices into `normals` of each corner (kNoIndex: none); empty where the file gives no
+  /// normals.
+  std::vector<Triangle> corner_normals;
+  /// STL only: corners whose point had been met before.
+  std::size_t n_merged_points = 0;
+  /// Face records with more than three corners, each fanned into triangles.
+  std::size_t n_polygons = 0;
+
+  [[nodiscard]] std::size_t n_vertices() const { return positions.size(); }
+  [[nodiscard]] std::size_t n_faces() const { return triangles.size(); }
+};
+
+/// Whether a face names all three vertices, all defined, all different: only such faces are in the
+/// complex.
+[[nodiscard]] constexpr bool is_in_complex(const Triangle& t) {
+  return t[0] != kNoIndex && t[1] != kNoIndex && t[2] != kNoIndex && t[0] != t[1] && t[1] != t[2] &&
+         t[2] != t[0];
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "meshalyzer/mesh/side_table.h"
+
+#include <vector>
+
+namespace meshalyzer {
+
+/// Glues a cut mesh together again: the triangles of the file's complex, by file vertex.
+///
+/// @return #mesh faces triangles, in face order; each starts at an arbitrary corner but keeps its
+/// orientation.
+/// @complexity O(#F).
+[[nodiscard]] std::vector<Triangle> unbuild(const CutMesh& cut);
+
+}  // namespace meshalyzer

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "meshalyzer/mesh/soup.h"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+
+/// A soup of these faces over n vertices on a curve where no three are in line: for tests of
+/// connectivity alone.
+[[nodiscard]] inline Soup soup_of(std::size_t n_vertices, std::vector<Triangle> triangles) {
+  Soup soup;
+  for (std::size_t i = 0; i < n_vertices; ++i) {
+    const auto x = static_cast<double>(i);
+    soup.positions.emplace_back(x, x * x, x * x * x);
+  }
+  soup.triangles = std::move(triangles);
+  return soup;
+}
+
+}  // namespace meshalyzer
