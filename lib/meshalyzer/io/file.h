@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace meshalyzer {
+
+/// The bytes of a file: mapped where it is a regular file, else read to its end.
+class FileContent {
+ public:
+  /// @param path  "-" reads standard input; a pipe or device is read as a stream.
+  /// @throws IoError if the file cannot be opened or read, or is a directory.
+  explicit FileContent(const std::string& path);
+  ~FileContent();
+  FileContent(const FileContent&) = delete;
+  FileContent& operator=(const FileContent&) = delete;
+
+  /// Valid as long as this object. While mapped, the file must not be cut short by anyone.
+  [[nodiscard]] std::string_view bytes() const { return bytes_; }
+
+ private:
+  void* mapping_ = nullptr;
+  std::size_t mapped_bytes_ = 0;
+  std::string buffer_;
+  std::string_view bytes_;
+};
+
+/// Puts `bytes` in the place of the file at `path`, all of them or none.
+///
+/// They are written to a new file in the same folder, flushed to the disk and renamed; on failure
+/// that file is removed and the old one stays as it was. An existing file keeps its permissions; a
+/// symbolic link keeps pointing to its file; what is no regular file (a pipe, a device) is written
+/// into.
+///
+/// @throws IoError if that fails.
+void replace_file(const std::string& path, std::string_view bytes);
+
+}  // namespace meshalyzer

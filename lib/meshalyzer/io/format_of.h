@@ -1,0 +1,20 @@
+#pragma once
+
+#include "meshalyzer/mesh/soup.h"
+
+#include <optional>
+#include <string_view>
+
+namespace meshalyzer {
+
+/// The format that the ending of a file name stands for, in any case of letters; `.mesh` is
+/// Format::Mesh.
+[[nodiscard]] std::optional<Format> format_of_name(std::string_view name);
+
+/// The format that a file's content looks like: its first word, or a binary STL's size.
+[[nodiscard]] std::optional<Format> format_of_content(std::string_view content);
+
+/// Whether the first word of the content is MeshVersionFormatted.
+[[nodiscard]] bool is_inria(std::string_view content);
+
+}  // namespace meshalyzer

@@ -1,0 +1,214 @@
+#include "meshalyzer/io/inria.h"
+
+#include "meshalyzer/base/numbers.h"
+#include "meshalyzer/io/references.h"
+#include "meshalyzer/io/text_scanner.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// A section that says nothing about the triangles: a count, then records of so many numbers.
+struct SkippedSection {
+  std::string_view keyword;
+  std::size_t numbers_a_record;
+};
+
+constexpr std::array<SkippedSection, 38> kSkippedSections = {{
+    {"Edges", 3},
+    {"EdgesP2", 4},
+    {"TrianglesP2", 7},
+    {"Tetrahedra", 5},
+    {"TetrahedraP2", 11},
+    {"Hexahedra", 9},
+    {"Hexaedra", 9},
+    {"Prisms", 7},
+    {"Pentahedra", 7},
+    {"Pyramids", 6},
+    {"Corners", 1},
+    {"Ridges", 1},
+    {"RequiredVertices", 1},
+    {"RequiredEdges", 1},
+    {"RequiredTriangles", 1},
+    {"RequiredQuadrilaterals", 1},
+    {"RequiredTetrahedra", 1},
+    {"ParallelTriangles", 1},
+    {"ParallelEdges", 1},
+    {"SharedVertices", 1},
+    {"Normals", 3},
+    {"NormalAtVertices", 2},
+    {"NormalAtTriangleVertices", 3},
+    {"NormalAtQuadrilateralVertices", 3},
+    {"Tangents", 3},
+    {"TangentAtVertices", 2},
+    {"TangentAtEdges", 3},
+    {"TangentAtEdgeVertices", 3},
+    {"SubDomain", 4},
+    {"SubDomainFromMesh", 4},
+    {"SubDomainFromGeom", 4},
+    {"VertexOnGeometricVertex", 2},
+    {"VertexOnGeometricEdge", 3},
+    {"VertexOnGeometricTriangle", 4},
+    {"EdgeOnGeometricEdge", 2},
+    {"TriangleOnGeometricTriangle", 2},
+    {"VertexOnSupportVertex", 2},
+    {"VertexOnSupportEdge", 3},
+}};
+
+/// Reads the sections of one file in order; line ends mean nothing.
+class InriaParser {
+ public:
+  explicit InriaParser(std::string_view text) : in_(text) {}
+
+  Soup parse() {
+    soup_.format = Format::Inria;
+    parse_header();
+    while (in_.next_record()) {
+      const std::string_view keyword = in_.word();
+      if (keyword == "End") {
+        break;
+      }
+      parse_section(keyword);
+    }
+    resolve_indices(soup_);
+    return std::move(soup_);
+  }
+
+ private:
+  void parse_header() {
+    in_.require_record("its keyword MeshVersionFormatted");
+    if (in_.word() != "MeshVersionFormatted") {
+      in_.fault("the keyword MeshVersionFormatted does not stand first");
+    }
+    in_.require_record("its version");
+    static_cast<void>(in_.integer());
+  }
+
+  void parse_section(std::string_view keyword) {
+    if (keyword == "Dimension") {
+      parse_dimension();
+    } else if (keyword == "Vertices") {
+      parse_vertices();
+    } else if (keyword == "Triangles") {
+      parse_faces(3);
+    } else if (keyword == "Quadrilaterals") {
+      parse_faces(4);
+    } else if (keyword == "AngleOfCornerBound") {
+      skip_numbers(1);
+    } else if (keyword == "BoundingBox") {
+      skip_numbers(6);
+    } else if (keyword == "Geometry" || keyword == "Identifier") {
+      in_.skip_record();
+    } else {
+      skip_section(keyword);
+    }
+  }
+
+  void parse_dimension() {
+    in_.require_record("its dimension");
+    if (in_.integer() != 3) {
+      in_.fault("only meshes of dimension 3 are read");
+    }
+  }
+
+  void parse_vertices() {
+    if (has_vertices_) {
+      in_.fault("a second section Vertices");
+    }
+    has_vertices_ = true;
+    const std::size_t n = begin_records(4, "vertices");
+    for (std::size_t i = 0; i < n; ++i) {
+      in_.require_record("vertex " + std::to_string(i + 1) + " of " + std::to_string(n));
+      soup_.vertex_lines.push_back(static_cast<std::uint32_t>(in_.line()));
+      Vec3 position;
+      for (double& coordinate : position) {
+        in_.require_record("a coordinate");
+        coordinate = in_.real();
+      }
+      soup_.positions.push_back(position);
+      parse_attribute();
+    }
+  }
+
+  void parse_faces(std::size_t n_corners) {
+    const std::size_t n = begin_records(n_corners + 1, "faces");
+    for (std::size_t i = 0; i < n; ++i) {
+      in_.require_record("face " + std::to_string(i + 1) + " of " + std::to_string(n));
+      const std::size_t line = in_.line();
+      corners_.clear();
+      for (std::size_t k = 0; k < n_corners; ++k) {
+        in_.require_record("a corner");
+        corners_.push_back(in_.index(1) - 1);
+      }
+      append_polygon(soup_, corners_, line);
+      parse_attribute();
+    }
+  }
+
+  /// The number, called a reference by the format, by which records are marked.
+  void parse_attribute() {
+    in_.require_record("a reference");
+    static_cast<void>(in_.integer());
+  }
+
+  void skip_section(std::string_view keyword) {
+    const auto* const section =
+        std::find_if(kSkippedSections.begin(), kSkippedSections.end(),
+                     [&](const SkippedSection& s) { return s.keyword == keyword; });
+    if (section == kSkippedSections.end()) {
+      in_.fault(quoted(keyword) + " is no keyword of INRIA's format");
+    }
+    skip_numbers(begin_records(section->numbers_a_record, keyword) * section->numbers_a_record);
+  }
+
+  /// Each number takes a digit and a blank at least.
+  std::size_t begin_records(std::size_t numbers_a_record, std::string_view what) {
+    in_.require_record("the count of " + std::string(what));
+    return in_.count(2 * numbers_a_record, what);
+  }
+
+  void skip_numbers(std::size_t n) {
+    for (std::size_t i = 0; i < n; ++i) {
+      in_.require_record("a number");
+      in_.skip_number();
+    }
+  }
+
+  TextScanner in_;
+  Soup soup_;
+  bool has_vertices_ = false;
+  /// Of the face being read.
+  std::vector<Index> corners_;
+};
+
+}  // namespace
+
+Soup parse_inria(std::string_view text, const std::string& name) {
+  return name_fault(name, [&] { return InriaParser(text).parse(); });
+}
+
+std::string print_inria(const Soup& soup) {
+  require_all_vertices(soup);
+  std::string text = "MeshVersionFormatted 2\nDimension 3\n";
+  text += "Vertices\n" + std::to_string(soup.n_vertices()) + '\n';
+  for (const Vec3& position : soup.positions) {
+    for (const double coordinate : position) {
+      append_shortest(text, coordinate);
+      text += ' ';
+    }
+    text += "0\n";
+  }
+  text += "Triangles\n" + std::to_string(soup.n_faces()) + '\n';
+  for (const Triangle& t : soup.triangles) {
+    for (const Index corner : t) {
+      text += std::to_string(std::uint64_t{corner} + 1) + ' ';
+    }
+    text += "0\n";
+  }
+  return text + "End\n";
+}
+
+}  // namespace meshalyzer

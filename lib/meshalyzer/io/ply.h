@@ -1,0 +1,25 @@
+#pragma once
+
+#include "meshalyzer/mesh/soup.h"
+
+#include <string>
+#include <string_view>
+
+namespace meshalyzer {
+
+/// Reads PLY 1.0, ASCII or binary in either byte order: x y z, nx ny nz and the faces'
+/// vertex_indices (or vertex_index); every other property and element is skipped.
+///
+/// @param name  Stands in messages.
+/// @throws IoError with the first faulty line, in binary content with the byte offset.
+/// @complexity O(bytes) time and memory, whatever the header counts.
+[[nodiscard]] Soup parse_ply(std::string_view content, const std::string& name);
+
+/// Writes coordinates, and normals where the soup has one a vertex, as doubles.
+/// @throws InvalidArgument if a face has a corner without a vertex.
+[[nodiscard]] std::string print_ascii_ply(const Soup& soup);
+
+/// The same in little-endian binary.
+[[nodiscard]] std::string print_binary_ply(const Soup& soup);
+
+}  // namespace meshalyzer

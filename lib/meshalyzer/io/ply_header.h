@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meshalyzer {
+
+enum class PlyEncoding { Ascii, LittleEndian, BigEndian };
+
+enum class PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 };
+
+/// Bytes that one number of the type takes in binary.
+[[nodiscard]] std::size_t size_of(PlyType type);
+
+[[nodiscard]] constexpr bool is_integer(PlyType type) {
+  return type != PlyType::Float32 && type != PlyType::Float64;
+}
+
+struct PlyProperty {
+  std::string name;
+  /// Of the number, or of each item of the list.
+  PlyType type = PlyType::Float32;
+  /// Of the number of items, where the property is a list.
+  std::optional<PlyType> list_size_type;
+};
+
+struct PlyElement {
+  std::string name;
+  std::size_t count = 0;
+  /// Where the header counts it, from 1.
+  std::size_t line = 0;
+  std::vector<PlyProperty> properties;
+};
+
+/// What the header of a PLY file says. Names are unique; `vertex` has x, y and z, `face` one list
+/// of vertex indices.
+struct PlyHeader {
+  PlyEncoding encoding = PlyEncoding::Ascii;
+  std::vector<PlyElement> elements;
+  /// Lines and bytes to the end of the line `end_header`.
+  std::size_t n_lines = 0;
+  std::size_t n_bytes = 0;
+};
+
+/// Whether this property of a face is the list of its corners.
+[[nodiscard]] bool is_corner_list(const PlyProperty& property);
+
+/// @throws TextFault with the first faulty line.
+[[nodiscard]] PlyHeader parse_ply_header(std::string_view content);
+
+}  // namespace meshalyzer

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "meshalyzer/base/types.h"
+#include "meshalyzer/io/ply_header.h"
+#include "meshalyzer/io/text_scanner.h"
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace meshalyzer {
+
+/// The numbers of an ASCII PLY file behind its header; a line a record. Faults are TextFaults.
+class AsciiPlySource {
+ public:
+  AsciiPlySource(std::string_view content, const PlyHeader& header)
+      : in_(content.substr(header.n_bytes), header.n_lines + 1) {}
+
+  /// Refuses a count that the rest of the file cannot hold.
+  void check_count(const PlyElement& element) const;
+
+  void begin_record(const PlyElement& element) { in_.require_record("the last " + element.name); }
+  void end_record() { in_.end_record(); }
+  /// 1-based line of the record.
+  [[nodiscard]] std::size_t line() const { return in_.line(); }
+
+  /// A finite number.
+  [[nodiscard]] double real(PlyType /*type*/) { return in_.real(); }
+  /// A vertex index.
+  [[nodiscard]] Index index(PlyType /*type*/) { return in_.index(0); }
+  [[nodiscard]] std::size_t list_size(const PlyProperty& /*list*/) {
+    return in_.count(2, "list items");
+  }
+  void skip(PlyType /*type*/) { in_.skip_number(); }
+
+  /// Faults where anything is left.
+  void finish();
+
+  [[noreturn]] void fault(const std::string& what) const { in_.fault(what); }
+
+ private:
+  TextScanner in_;
+};
+
+/// The numbers of a binary PLY file behind its header. Faults are IoErrors with the byte offset.
+class BinaryPlySource {
+ public:
+  BinaryPlySource(std::string_view content, const PlyHeader& header, const std::string& name);
+
+  void check_count(const PlyElement& element) const;
+
+  void begin_record(const PlyElement& /*element*/) {}
+  void end_record() {}
+  /// Binary records have no line.
+  [[nodiscard]] static std::size_t line() { return 0; }
+
+  [[nodiscard]] double real(PlyType type);
+  [[nodiscard]] Index index(PlyType type);
+  [[nodiscard]] std::size_t list_size(const PlyProperty& list);
+  void skip(PlyType type) { static_cast<void>(take(size_of(type))); }
+
+  void finish();
+
+  [[noreturn]] void fault(const std::string& what) const { fault_at(at_, what); }
+
+ private:
+  [[noreturn]] void fault_at(std::size_t offset, const std::string& what) const;
+  /// The next bytes; faults where the file ends within them.
+  const char* take(std::size_t n);
+  /// The next number, whatever its type: a double holds each exactly.
+  double number(PlyType type);
+  /// The next number, of an integer type.
+  std::int64_t integer(PlyType type);
+
+  std::string_view content_;
+  std::size_t at_;
+  std::endian order_;
+  const std::string& name_;
+};
+
+}  // namespace meshalyzer

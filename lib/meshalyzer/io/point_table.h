@@ -1,0 +1,65 @@
+#pragma once
+
+#include "meshalyzer/base/types.h"
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Numbers points by first appearance; points whose coordinates are equal are one (0.0 equals
+/// -0.0).
+///
+/// An open-addressing hash table of indices into the list of points, at most half full.
+class PointTable {
+ public:
+  /// Appends the point to `points` where it is new. `points` must be the same list at every call.
+  /// @return its index.
+  [[nodiscard]] Index insert(std::vector<Vec3>& points, const Vec3& point) {
+    if (points.size() * 2 >= slots_.size()) {
+      grow(points);
+    }
+    const std::size_t slot = find_slot(points, point);
+    if (slots_[slot] == kNoIndex) {
+      slots_[slot] = static_cast<Index>(points.size());
+      points.push_back(point);
+    }
+    return slots_[slot];
+  }
+
+ private:
+  /// Adding 0.0 turns -0.0 into 0.0 and changes nothing else.
+  static std::uint64_t hash(const Vec3& point) {
+    std::uint64_t mixed = 0;
+    for (const double coordinate : point) {
+      mixed = (mixed ^ std::bit_cast<std::uint64_t>(coordinate + 0.0)) * 0x9E3779B97F4A7C15U;
+      mixed ^= mixed >> 32U;
+    }
+    return mixed;
+  }
+
+  [[nodiscard]] std::size_t find_slot(const std::vector<Vec3>& points, const Vec3& point) const {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t slot = hash(point) & mask;
+    while (slots_[slot] != kNoIndex && points[slots_[slot]] != point) {
+      slot = (slot + 1) & mask;
+    }
+    return slot;
+  }
+
+  void grow(const std::vector<Vec3>& points) {
+    constexpr std::size_t kFirstSize = 1024;
+    slots_.assign(slots_.empty() ? kFirstSize : slots_.size() * 2, kNoIndex);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      slots_[find_slot(points, points[i])] = static_cast<Index>(i);
+    }
+  }
+
+  /// A power of two of them; kNoIndex where free.
+  std::vector<Index> slots_;
+};
+
+}  // namespace meshalyzer

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "meshalyzer/mesh/soup.h"
+
+#include <string>
+#include <string_view>
+
+namespace meshalyzer {
+
+/// Reads a mesh file.
+///
+/// The format is that of the name's ending (.mesh .obj .off .stl .ply, any case); `.mesh` is
+/// INRIA's where the content begins with MeshVersionFormatted, `.stl` is binary or ASCII by
+/// content, and a name with another ending is read as what its content looks like. See
+/// doc/formats.md for each grammar.
+///
+/// @param path  "-" reads standard input.
+/// @throws IoError with the file and line (binary: byte offset) of the first fault.
+/// @complexity O(bytes) time and memory, whatever a header claims.
+[[nodiscard]] Soup read_mesh(const std::string& path);
+
+/// The same for content already in memory; `name` stands in messages and decides the format as a
+/// path would.
+[[nodiscard]] Soup parse_mesh(std::string_view content, const std::string& name);
+
+}  // namespace meshalyzer

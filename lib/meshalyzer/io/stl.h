@@ -1,0 +1,32 @@
+#pragma once
+
+#include "meshalyzer/mesh/soup.h"
+
+#include <string>
+#include <string_view>
+
+namespace meshalyzer {
+
+/// Reads STL, binary where the size is that of a binary file (is_binary_stl()) or the text holds
+/// zero bytes.
+///
+/// Bit-identical points become one vertex, see Soup. The facets' normals are not kept.
+///
+/// @param name  Stands in messages.
+/// @throws IoError with the first faulty line, in binary content with the byte offset.
+/// @complexity O(bytes) time and memory, whatever the header counts.
+[[nodiscard]] Soup parse_stl(std::string_view content, const std::string& name);
+
+/// Writes doubles in full and the facets' unit normals; no vertex that is used by no face.
+/// @throws InvalidArgument if a face has a corner without a vertex.
+[[nodiscard]] std::string print_ascii_stl(const Soup& soup);
+
+/// Writes the nearest 32-bit floats.
+/// @throws InvalidArgument if a face has a corner without a vertex, or a coordinate is beyond the
+/// floats.
+[[nodiscard]] std::string print_binary_stl(const Soup& soup);
+
+/// Whether the size is 84 + 50 n bytes, n being the 32-bit number at byte 80.
+[[nodiscard]] bool is_binary_stl(std::string_view content);
+
+}  // namespace meshalyzer

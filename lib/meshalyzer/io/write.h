@@ -1,0 +1,27 @@
+#pragma once
+
+#include "meshalyzer/mesh/soup.h"
+
+#include <string>
+
+namespace meshalyzer {
+
+/// Which flavour to write, where a format has several.
+enum class Encoding { Text, Binary };
+
+/// Writes a soup to a file; the format is that of the name's ending, `.mesh` the native one.
+///
+/// Every double is written so that it reads back to the last bit (STL: its 32-bit floats cannot;
+/// the text flavour does). The file is written beside the target, flushed and renamed, so that a
+/// failure leaves the old file as it was.
+///
+/// @throws IoError if the file cannot be written; InvalidArgument if the ending is of no known
+/// format, the format has
+///         no such encoding (Binary: STL and PLY only), or a face has a corner without a vertex.
+void write_mesh(const Soup& soup, const std::string& path, Encoding encoding = Encoding::Text);
+
+/// The bytes that write_mesh() would write.
+[[nodiscard]] std::string print_mesh(const Soup& soup, Format format,
+                                     Encoding encoding = Encoding::Text);
+
+}  // namespace meshalyzer

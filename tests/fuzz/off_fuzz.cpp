@@ -1,0 +1,8 @@
+#include "check_parser.h"
+#include "meshalyzer/io/off.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  meshalyzer::check_parser(meshalyzer::as_text(data, size), meshalyzer::parse_off,
+                           meshalyzer::print_off);
+  return 0;
+}

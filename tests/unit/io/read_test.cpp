@@ -1,0 +1,114 @@
+#include "meshalyzer/io/read.h"
+
+#include "io_cases.h"
+#include "temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+const std::string kNativeMesh = "Vertex 1 0 0 0\n";
+const std::string kInriaMesh = "MeshVersionFormatted 1\nDimension 3\nVertices 1\n0 0 0 0\nEnd\n";
+
+/// The regular files of a folder of the corpus; none where there is no corpus.
+std::vector<std::string> corpus_files(const std::string& folder) {
+  std::vector<std::string> files;
+  const std::filesystem::path path = std::filesystem::path(MESHALYZER_CORPUS) / folder;
+  if (std::filesystem::is_directory(path)) {
+    for (const auto& entry : std::filesystem::directory_iterator(path)) {
+      files.push_back(entry.path().string());
+    }
+  }
+  return files;
+}
+
+TEST(ParseMesh, TheNameDecidesTheFormat) {
+  EXPECT_EQ(parse_mesh("v 0 0 0\n", "a.obj").format, Format::Obj);
+  EXPECT_EQ(error_of([] { return parse_mesh("v 0 0 0\n", "a.mesh"); }),
+            "a.mesh:1: \"v\" is neither Vertex nor Face");
+}
+
+TEST(ParseMesh, ThoseOfInriaAreKnownByTheirContent) {
+  EXPECT_EQ(parse_mesh(kInriaMesh, "a.mesh").format, Format::Inria);
+  EXPECT_EQ(parse_mesh(kNativeMesh, "a.mesh").format, Format::Mesh);
+}
+
+TEST(ParseMesh, WithoutAKnownEndingTheContentDecides) {
+  EXPECT_EQ(parse_mesh(kNativeMesh, "-").format, Format::Mesh);
+  EXPECT_EQ(parse_mesh(kInriaMesh, "-").format, Format::Inria);
+  EXPECT_EQ(parse_mesh("OFF 1 0 0\n0 0 0\n", "a.txt").format, Format::Off);
+  EXPECT_EQ(error_of([] { return parse_mesh("hello\n", "-"); }),
+            "-:1: neither the name nor the content is that of a known mesh format");
+}
+
+TEST(ParseMesh, WithoutAnyRecordThereIsNoMesh) {
+  for (const char* name : {"a.mesh", "a.obj", "a.off", "a.stl", "a.ply", "-"}) {
+    EXPECT_EQ(error_of([&] { return parse_mesh("", name); }),
+              std::string(name) + ":1: the file is empty");
+  }
+  for (const char* content : {"# nothing\n", "\n", "12 13\n"}) {
+    const std::string begin = "a.mesh:1: no mesh in it";
+    EXPECT_EQ(begin_like(error_of([&] { return parse_mesh(content, "a.mesh"); }), begin), begin);
+  }
+  EXPECT_EQ(
+      begin_like(error_of([] { return parse_mesh("OFF\n0 0 0\n", "a.off"); }), "a.off:1: no mesh"),
+      "a.off:1: no mesh");
+  EXPECT_EQ(begin_like(error_of([] { return parse_mesh("solid a\nendsolid a\n", "a.stl"); }),
+                       "a.stl:1: no mesh"),
+            "a.stl:1: no mesh");
+}
+
+TEST(ParseMesh, VerticesWithoutFacesAreAMesh) {
+  EXPECT_EQ(parse_mesh(kNativeMesh, "a.mesh").n_faces(), 0U);
+}
+
+TEST(ReadMesh, ReadsAFile) {
+  const TemporaryFolder folder;
+  write_bytes(folder.file("a.mesh"), kNativeMesh);
+  EXPECT_EQ(read_mesh(folder.file("a.mesh")).n_vertices(), 1U);
+}
+
+TEST(ReadMesh, AMessageBeginsWithThePath) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.mesh");
+  write_bytes(path, kNativeMesh + "Vertex 2 0 0\n");
+  EXPECT_EQ(begin_like(error_of([&] { return read_mesh(path); }), path + ":2: "), path + ":2: ");
+}
+
+TEST(ReadMesh, WhatIsNoFileIsNamed) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(error_of([&] { return read_mesh(folder.path()); }), folder.path() + ": is a directory");
+  EXPECT_EQ(error_of([&] { return read_mesh(folder.file("no.mesh")); }),
+            folder.file("no.mesh") + ": cannot be opened: No such file or directory");
+}
+
+TEST(ReadMesh, ReadsTheRealMeshesOfTheCorpus) {
+  std::size_t n_read = 0;
+  for (const char* folder : {"lab", "models", "neuropil", "neuropil_set", "printing"}) {
+    for (const std::string& path : corpus_files(folder)) {
+      EXPECT_EQ(error_of([&] { return read_mesh(path); }), "accepted");
+      ++n_read;
+    }
+  }
+  if (n_read == 0) {
+    GTEST_SKIP() << "no corpus at " << MESHALYZER_CORPUS;
+  }
+}
+
+TEST(ReadMesh, RefusesTheCorpusFilesThatAreNoMesh) {
+  const std::vector<std::string> paths = corpus_files("unreadable");
+  for (const std::string& path : paths) {
+    EXPECT_EQ(begin_like(error_of([&] { return read_mesh(path); }), path + ":"), path + ":");
+  }
+  if (paths.empty()) {
+    GTEST_SKIP() << "no corpus at " << MESHALYZER_CORPUS;
+  }
+}
+
+}  // namespace
+}  // namespace meshalyzer
