@@ -1,0 +1,38 @@
+#include "meshalyzer/topology/border.h"
+
+#include "meshalyzer/topology/edges.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace meshalyzer {
+namespace {
+
+struct BorderEdge {
+  /// Smaller file vertex in the upper half, larger in the lower. No two border edges are the same.
+  std::uint64_t ends = 0;
+  HalfedgeHandle halfedge;
+};
+
+}  // namespace
+
+std::vector<HalfedgeHandle> find_border_edges(const CutMesh& cut) {
+  const TriMesh& mesh = cut.mesh;
+  const std::vector<EdgeKind> kinds = classify_edges(cut);
+  std::vector<BorderEdge> borders;
+  for (const EdgeHandle e : mesh.all_edges()) {
+    if (kinds[static_cast<std::size_t>(e.idx())] != EdgeKind::Border) continue;
+    const HalfedgeHandle first = mesh.halfedge_handle(e, 0);
+    const HalfedgeHandle inner = mesh.is_boundary(first) ? mesh.halfedge_handle(e, 1) : first;
+    const auto [a, b] = file_ends(cut, inner);
+    borders.push_back({std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), inner});
+  }
+  std::sort(borders.begin(), borders.end(),
+            [](const BorderEdge& a, const BorderEdge& b) { return a.ends < b.ends; });
+  std::vector<HalfedgeHandle> halfedges;
+  halfedges.reserve(borders.size());
+  for (const BorderEdge& border : borders) halfedges.push_back(border.halfedge);
+  return halfedges;
+}
+
+}  // namespace meshalyzer

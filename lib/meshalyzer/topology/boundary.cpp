@@ -1,0 +1,122 @@
+#include "meshalyzer/topology/boundary.h"
+
+#include "meshalyzer/topology/border.h"
+#include "meshalyzer/topology/edges.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+namespace meshalyzer {
+namespace {
+
+/// Which end of a half-edge.
+enum class End : std::uint8_t { From, To };
+
+End other(End end) {
+  return end == End::From ? End::To : End::From;
+}
+
+/// One end of a border edge, by its inner half-edge.
+struct EdgeEnd {
+  HalfedgeHandle halfedge;
+  End end = End::To;
+};
+
+/// Goes from border edge to border edge through the fans between them.
+class BorderWalk {
+ public:
+  explicit BorderWalk(const CutMesh& cut)
+      : cut_(cut), kinds_(classify_edges(cut)), visited_(cut.mesh.n_edges(), 0) {
+    const CutEdges& flipped = cut.side.flipped_edges;
+    if (flipped.size() == 0) return;
+    twins_.resize(cut.mesh.n_edges());
+    for (std::size_t i = 0; i < flipped.size(); ++i) {
+      const auto pair = flipped[i].halfedges;
+      twins_[edge(pair[0])] = pair[1];
+      twins_[edge(pair[1])] = pair[0];
+    }
+  }
+
+  [[nodiscard]] bool is_visited(HalfedgeHandle h) const { return visited_[edge(h)] != 0; }
+
+  /// Walks from an end of a border edge on, until round a loop or to the end of a chain, and marks
+  /// the edges as visited. Begins with the edge itself.
+  [[nodiscard]] BoundaryLoop walk(EdgeEnd start) {
+    BoundaryLoop loop;
+    std::optional<EdgeEnd> at = start;
+    do {
+      visited_[edge(at->halfedge)] = 1;
+      loop.halfedges.push_back(at->halfedge);
+      at = across_fan(*at);
+      if (at) at->end = other(at->end);
+    } while (at && at->halfedge != start.halfedge);
+    loop.shape = at ? BoundaryShape::Loop : BoundaryShape::Chain;
+    return loop;
+  }
+
+ private:
+  [[nodiscard]] std::size_t edge(HalfedgeHandle h) const {
+    return static_cast<std::size_t>(cut_.mesh.edge_handle(h).idx());
+  }
+
+  /// The other border edge of the fan that a border edge begins at one of its ends, and which of
+  /// its ends is in that fan; nothing where a non-manifold edge ends the fan.
+  [[nodiscard]] std::optional<EdgeEnd> across_fan(EdgeEnd at) const {
+    const TriMesh& mesh = cut_.mesh;
+    for (;;) {
+      // The other edge at the same vertex of the same face.
+      at.halfedge = at.end == End::To ? mesh.next_halfedge_handle(at.halfedge)
+                                      : mesh.prev_halfedge_handle(at.halfedge);
+      at.end = other(at.end);
+      switch (kinds_[edge(at.halfedge)]) {
+        case EdgeKind::Border:
+          return at;
+        case EdgeKind::NonManifold:
+          return std::nullopt;
+        case EdgeKind::Inner:
+          at.halfedge = mesh.opposite_halfedge_handle(at.halfedge);
+          at.end = other(at.end);
+          break;
+        case EdgeKind::Flipped:
+          // Both faces cross the edge in the same direction: the end stays the same.
+          at.halfedge = twins_[edge(at.halfedge)];
+          break;
+      }
+    }
+  }
+
+  const CutMesh& cut_;
+  std::vector<EdgeKind> kinds_;
+  /// #mesh edges: the half-edge of the other face of a flipped edge. Empty where no edge is
+  /// flipped.
+  std::vector<HalfedgeHandle> twins_;
+  std::vector<std::uint8_t> visited_;
+};
+
+/// The boundary that an unvisited border edge is on.
+BoundaryLoop trace(BorderWalk& border, HalfedgeHandle lowest) {
+  BoundaryLoop onwards = border.walk({lowest, End::To});
+  if (onwards.shape == BoundaryShape::Loop) return onwards;
+  // The walk began in the middle of a chain: put what lies before it in front.
+  BoundaryLoop chain = border.walk({lowest, End::From});
+  std::reverse(chain.halfedges.begin(), chain.halfedges.end());
+  chain.halfedges.insert(chain.halfedges.end(), onwards.halfedges.begin() + 1,
+                         onwards.halfedges.end());
+  return chain;
+}
+
+}  // namespace
+
+std::vector<BoundaryLoop> find_boundary_loops(const CutMesh& cut) {
+  std::vector<BoundaryLoop> loops;
+  const std::vector<HalfedgeHandle> border_edges = find_border_edges(cut);
+  if (border_edges.empty()) return loops;
+  BorderWalk border(cut);
+  for (const HalfedgeHandle h : border_edges) {
+    if (!border.is_visited(h)) loops.push_back(trace(border, h));
+  }
+  return loops;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "meshalyzer/mesh/side_table.h"
+#include "meshalyzer/topology/boundary.h"
+#include "meshalyzer/topology/components.h"
+#include "meshalyzer/topology/orientation.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// What count_by_component() needs to be found before. All for the same mesh; only referred to.
+struct ComponentCountsInput {
+  /// As find_components() returns them.
+  const Components& components;
+  /// As find_edge_components() returns them.
+  const Components& edge_components;
+  /// As find_orientability() returns it.
+  const Orientability& orientability;
+  /// As find_boundary_loops() returns them.
+  std::span<const BoundaryLoop> boundaries;
+};
+
+/// The topological counts of one component of a complex.
+struct ComponentCounts {
+  /// The lowest face record in it, by index in the file.
+  Index first_face = kNoIndex;
+  std::size_t faces = 0;
+  /// File vertices that its faces use.
+  std::size_t vertices = 0;
+  std::size_t edges = 0;
+  std::size_t edge_components = 0;
+  std::size_t boundaries = 0;
+  std::size_t border_edges = 0;
+  std::size_t non_manifold_edges = 0;
+  std::size_t non_manifold_vertices = 0;
+  std::size_t flipped_edges = 0;
+  /// Whether the faces of each of its edge components can be given a consistent orientation.
+  bool orientable = true;
+};
+
+/// Counts by component what the finders of this module found.
+///
+/// @return     One for each component, in their order. Each count sums up to that of the mesh.
+/// @complexity O(#V + #E).
+[[nodiscard]] std::vector<ComponentCounts> count_by_component(const CutMesh& cut,
+                                                              const ComponentCountsInput& input);
+
+}  // namespace meshalyzer

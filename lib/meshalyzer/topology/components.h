@@ -1,0 +1,35 @@
+#pragma once
+
+#include "meshalyzer/mesh/side_table.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace meshalyzer {
+
+/// The parts that the faces of a complex fall into.
+struct Components {
+  std::size_t count = 0;
+  /// #mesh faces, the component of each: 0 ... count - 1, numbered in order of their lowest face.
+  std::vector<Index> of_face;
+};
+
+/// Finds the faces that hang together through shared file vertices: the separate objects in a file.
+///
+/// @complexity O(#V + #E log #V) time, near linear in practice; two indices a vertex of temporary
+/// memory.
+[[nodiscard]] Components find_components(const CutMesh& cut);
+
+/// Finds the faces that hang together through shared edges of the complex, flipped and non-manifold
+/// edges included.
+///
+/// @complexity O(#E log #F) time, near linear in practice; one index a face of temporary memory.
+[[nodiscard]] Components find_edge_components(const CutMesh& cut);
+
+/// Finds the faces that hang together in the cut mesh: through edges with two faces that cross them
+/// in opposite directions. Each is consistently oriented.
+///
+/// @complexity As find_edge_components().
+[[nodiscard]] Components find_oriented_patches(const CutMesh& cut);
+
+}  // namespace meshalyzer
