@@ -1,0 +1,88 @@
+#include "meshalyzer/geometry/edge_measures.h"
+
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/exact/normal.h"
+#include "meshalyzer/exact/predicates.h"
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace meshalyzer {
+namespace {
+
+/// Angle between two directions, 0 ... 180 degrees, accurate at both ends.
+double angle_between_degrees(const Vec3& a, const Vec3& b) {
+  const Vec3 u = a.stableNormalized();
+  const Vec3 v = b.stableNormalized();
+  return std::atan2(u.cross(v).norm(), u.dot(v)) * (180.0 / std::numbers::pi);
+}
+
+/// For points in one plane: whether c and d are on different sides of the line a b.
+bool on_different_sides(const std::array<Vec3, 3>& abc, const Vec3& d) {
+  const Axis axis = *projection_axis(abc[0], abc[1], abc[2]);
+  return orient2d(axis, abc[0], abc[1], abc[2]) * orient2d(axis, abc[0], abc[1], d) < 0;
+}
+
+bool has_angle(const TriMesh& mesh, EdgeHandle e, std::span<const std::uint8_t> is_thin) {
+  if (mesh.is_boundary(e)) {
+    return false;
+  }
+  const auto thin = [&](unsigned side) {
+    return is_thin[static_cast<std::size_t>(
+               mesh.face_handle(mesh.halfedge_handle(e, side)).idx())] != 0;
+  };
+  return is_thin.empty() || (!thin(0) && !thin(1));
+}
+
+}  // namespace
+
+std::vector<double> edge_lengths(const TriMesh& mesh, std::span<const HalfedgeHandle> edges) {
+  std::vector<double> lengths(edges.size());
+  parallel_chunks(edges.size(), [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const Vec3& from = mesh.point(mesh.from_vertex_handle(edges[i]));
+      const Vec3& to = mesh.point(mesh.to_vertex_handle(edges[i]));
+      lengths[i] = (to - from).stableNorm();
+    }
+  });
+  return lengths;
+}
+
+double edge_angle_degrees(const TriMesh& mesh, HalfedgeHandle halfedge) {
+  const HalfedgeHandle opposite = mesh.opposite_halfedge_handle(halfedge);
+  const Vec3& a = mesh.point(mesh.from_vertex_handle(halfedge));
+  const Vec3& b = mesh.point(mesh.to_vertex_handle(halfedge));
+  const Vec3& c = mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(halfedge)));
+  const Vec3& d = mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(opposite)));
+  const Sign side = orient3d(a, b, c, d);
+  if (side == 0) {
+    return on_different_sides({a, b, c}, d) ? 180.0 : 0.0;
+  }
+  // The second face lies below the first at a convex edge: there the angle outside is more than
+  // half a turn.
+  return 180.0 - side * angle_between_degrees(accurate_normal(a, b, c), accurate_normal(b, a, d));
+}
+
+EdgeAngles measure_edge_angles(const TriMesh& mesh, std::span<const FaceHandle> zero_area) {
+  std::vector<std::uint8_t> is_thin(zero_area.empty() ? 0 : mesh.n_faces(), 0);
+  for (const FaceHandle f : zero_area) {
+    is_thin[static_cast<std::size_t>(f.idx())] = 1;
+  }
+  EdgeAngles angles;
+  angles.edges.reserve(mesh.n_edges());
+  for (const EdgeHandle e : mesh.edges()) {
+    if (has_angle(mesh, e, is_thin)) {
+      angles.edges.push_back(mesh.halfedge_handle(e, 0));
+    }
+  }
+  angles.degrees.resize(angles.edges.size());
+  parallel_chunks(angles.edges.size(), [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      angles.degrees[i] = edge_angle_degrees(mesh, angles.edges[i]);
+    }
+  });
+  return angles;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "meshalyzer/mesh/side_table.h"
+
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Lengths of edges, in the mesh's unit.
+///
+/// @param edges  Any half-edge of each, see complex_edges().
+/// @return       One a half-edge, in the same order.
+[[nodiscard]] std::vector<double> edge_lengths(const TriMesh& mesh,
+                                               std::span<const HalfedgeHandle> edges);
+
+/// Angles at the edges that have two consistently oriented faces of non-zero area.
+struct EdgeAngles {
+  /// In order of the mesh's edges.
+  std::vector<HalfedgeHandle> edges;
+  /// One an edge, see edge_angle().
+  std::vector<double> degrees;
+};
+
+/// The angle at the edge of a half-edge from its face round to the other one, on the side that
+/// their normals point to: 0 ... 360 degrees; 180 where they are flat, 270 at the edges of an
+/// outward cube, 90 where two walls meet (M 9).
+///
+/// On which side of 180 it lies is decided exactly; faces in one plane give exactly 180, or 0 where
+/// they are folded onto each other.
+///
+/// @param halfedge  Both it and its opposite have a face of non-zero area.
+[[nodiscard]] double edge_angle_degrees(const TriMesh& mesh, HalfedgeHandle halfedge);
+
+/// Measures all edges that have an angle.
+///
+/// @param zero_area  The mesh's faces of zero area, ascending: their edges have none.
+/// @complexity       O(#E).
+[[nodiscard]] EdgeAngles measure_edge_angles(const TriMesh& mesh,
+                                             std::span<const FaceHandle> zero_area);
+
+}  // namespace meshalyzer

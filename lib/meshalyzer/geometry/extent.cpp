@@ -1,0 +1,114 @@
+#include "meshalyzer/geometry/extent.h"
+
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/sum.h"
+#include "meshalyzer/exact/volume_sign.h"
+#include "meshalyzer/geometry/face_measures.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace meshalyzer {
+namespace {
+
+/// Six times the volume of the tetrahedron of a face and the origin, and a bound for what its
+/// rounding is relative to.
+struct Term {
+  double value;
+  double magnitude;
+};
+
+Term term(const std::array<Vec3, 3>& p, const Vec3& origin) {
+  const Vec3 a = p[0] - origin;
+  const Vec3 b = p[1] - origin;
+  const Vec3 c = p[2] - origin;
+  return {a.dot(b.cross(c)), a.lpNorm<1>() * b.lpNorm<1>() * c.lpNorm<1>()};
+}
+
+struct PartSum {
+  CompensatedSum value;
+  double magnitude = 0.0;
+};
+
+std::vector<PartSum> sum_terms(const TriMesh& mesh, const FaceParts& parts,
+                               std::span<const Box3> boxes) {
+  std::vector<Term> terms(mesh.n_faces());
+  parallel_chunks(terms.size(), [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      if (parts.of_face[i] == kNoIndex) {
+        continue;
+      }
+      const Box3& box = boxes[parts.of_face[i]];
+      terms[i] =
+          term(face_corners(mesh, FaceHandle(static_cast<int>(i))), box.min() / 2 + box.max() / 2);
+    }
+  });
+  std::vector<PartSum> sums(parts.count);
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    if (parts.of_face[i] != kNoIndex) {
+      sums[parts.of_face[i]].value.add(terms[i].value);
+      sums[parts.of_face[i]].magnitude += terms[i].magnitude;
+    }
+  }
+  return sums;
+}
+
+/// The sign of a sum where it cannot be rounding: each term is off by less than 16 u times its
+/// magnitude.
+Sign sign_if_sure(const PartSum& sum) {
+  const double bound = 0x1p-48 * sum.magnitude;
+  const bool sure =
+      std::isfinite(bound) && sum.magnitude > 1e-280 && std::abs(sum.value.value()) > bound;
+  return sure ? (sum.value.value() > 0 ? 1 : -1) : 0;
+}
+
+/// Settles the parts that sign_if_sure() left open.
+void settle_exactly(const TriMesh& mesh, const FaceParts& parts,
+                    std::vector<SignedVolume>& volumes) {
+  std::vector<ExactVolume> exact(parts.count);
+  for (const FaceHandle f : mesh.faces()) {
+    const Index part = parts.of_face[static_cast<std::size_t>(f.idx())];
+    if (part != kNoIndex && volumes[part].sign == 0) {
+      const std::array<Vec3, 3> p = face_corners(mesh, f);
+      exact[part].add(p[0], p[1], p[2]);
+    }
+  }
+  for (std::size_t i = 0; i < parts.count; ++i) {
+    if (volumes[i].sign == 0) {
+      volumes[i].sign = exact[i].sign();
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Box3> bounding_boxes(const TriMesh& mesh, const FaceParts& parts) {
+  std::vector<Box3> boxes(parts.count);
+  for (const FaceHandle f : mesh.faces()) {
+    const Index part = parts.of_face[static_cast<std::size_t>(f.idx())];
+    if (part == kNoIndex) {
+      continue;
+    }
+    for (const Vec3& corner : face_corners(mesh, f)) {
+      boxes[part].extend(corner);
+    }
+  }
+  return boxes;
+}
+
+std::vector<SignedVolume> signed_volumes(const TriMesh& mesh, const FaceParts& parts,
+                                         std::span<const Box3> boxes) {
+  const std::vector<PartSum> sums = sum_terms(mesh, parts, boxes);
+  std::vector<SignedVolume> volumes(parts.count);
+  bool all_sure = true;
+  for (std::size_t i = 0; i < parts.count; ++i) {
+    volumes[i] = {sums[i].value.value() / 6, sign_if_sure(sums[i])};
+    all_sure = all_sure && volumes[i].sign != 0;
+  }
+  if (!all_sure) {
+    settle_exactly(mesh, parts, volumes);
+  }
+  return volumes;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "meshalyzer/exact/predicates.h"
+#include "meshalyzer/mesh/face_parts.h"
+#include "meshalyzer/mesh/side_table.h"
+
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// The boxes of the vertices that the faces of each part use.
+///
+/// @return One a part; empty boxes for parts without faces.
+[[nodiscard]] std::vector<Box3> bounding_boxes(const TriMesh& mesh, const FaceParts& parts);
+
+/// A volume by the divergence theorem.
+struct SignedVolume {
+  /// In the mesh's unit cubed; positive when the normals point outward.
+  double value = 0.0;
+  /// The sign of the true value: exact for any input, also where `value` is but rounding noise.
+  Sign sign = 0;
+};
+
+/// The signed volume of each part: the sum of det(a, b, c) / 6 over its faces.
+///
+/// It is the enclosed volume only for a closed, consistently oriented part; for another it depends
+/// on where the origin lies. Summed about the centre of the part's box, so that a mesh far from the
+/// origin keeps its digits, and compensated.
+///
+/// @param boxes  As bounding_boxes() returns them.
+/// @complexity   O(#F); exact arithmetic only for parts whose sign floating point cannot tell.
+[[nodiscard]] std::vector<SignedVolume> signed_volumes(const TriMesh& mesh, const FaceParts& parts,
+                                                       std::span<const Box3> boxes);
+
+}  // namespace meshalyzer

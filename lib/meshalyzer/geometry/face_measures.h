@@ -1,0 +1,32 @@
+#pragma once
+
+#include "meshalyzer/mesh/side_table.h"
+
+#include <vector>
+
+namespace meshalyzer {
+
+/// The corners of a mesh face, counter-clockwise seen from the side its normal points to.
+[[nodiscard]] std::array<Vec3, 3> face_corners(const TriMesh& mesh, FaceHandle face);
+
+/// What is measured of each face.
+struct FaceMeasures {
+  /// #mesh faces, in the mesh's unit squared.
+  std::vector<double> area;
+  /// #mesh faces: longest edge over shortest altitude, at least 2 / sqrt(3); infinite for a face of
+  /// zero area.
+  std::vector<double> aspect_ratio;
+  /// Mesh faces whose corners are collinear, decided exactly. Ascending.
+  std::vector<FaceHandle> zero_area;
+};
+
+/// Measures the faces of a mesh.
+///
+/// Slivers keep their digits: where floating point would lose them the area is evaluated exactly
+/// and then rounded. The figures do not depend on which corner of a face comes first, but for ties
+/// of edge length.
+///
+/// @complexity O(#F).
+[[nodiscard]] FaceMeasures measure_faces(const TriMesh& mesh);
+
+}  // namespace meshalyzer
