@@ -1,0 +1,206 @@
+#include "meshalyzer/spatial/degenerate_contact.h"
+
+#include "meshalyzer/exact/predicates.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// What collinear corners span; u == v for a point.
+struct Segment {
+  Vec3 u;
+  Vec3 v;
+};
+
+bool lexicographically_less(const Vec3& a, const Vec3& b) {
+  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+}
+
+/// Along a line, lexicographic order is the order on the line.
+Segment hull(const Corners& t) {
+  const auto [low, high] = std::minmax_element(t.begin(), t.end(), lexicographically_less);
+  return {*low, *high};
+}
+
+bool is_point(const Segment& s) {
+  return s.u == s.v;
+}
+
+/// For x on the line of s.
+bool is_within(const Segment& s, const Vec3& x) {
+  return !lexicographically_less(x, s.u) && !lexicographically_less(s.v, x);
+}
+
+bool is_on(const Segment& s, const Vec3& x) {
+  return are_collinear(s.u, s.v, x) && is_within(s, x);
+}
+
+/// Whether b and c lie in the same direction from a, none of them at a itself.
+bool same_direction(const Vec3& a, const Vec3& b, const Vec3& c) {
+  if (a == b || a == c || !are_collinear(a, b, c)) {
+    return false;
+  }
+  return lexicographically_less(a, b) == lexicographically_less(a, c);
+}
+
+/// For segments in one plane that projects properly along `axis`, not all of it on one line.
+bool cross_in_plane(Axis axis, const Segment& s, const Segment& t) {
+  return orient2d(axis, s.u, s.v, t.u) * orient2d(axis, s.u, s.v, t.v) <= 0 &&
+         orient2d(axis, t.u, t.v, s.u) * orient2d(axis, t.u, t.v, s.v) <= 0;
+}
+
+bool segments_meet(const Segment& s, const Segment& t) {
+  if (is_point(s)) {
+    return is_on(t, s.u);
+  }
+  if (is_point(t)) {
+    return is_on(s, t.u);
+  }
+  if (orient3d(s.u, s.v, t.u, t.v) != 0) {
+    return false;
+  }
+  auto axis = projection_axis(s.u, s.v, t.u);
+  if (!axis) {
+    axis = projection_axis(s.u, s.v, t.v);
+  }
+  if (!axis) {
+    return is_within(s, t.u) || is_within(s, t.v) || is_within(t, s.u);
+  }
+  return cross_in_plane(*axis, s, t);
+}
+
+/// A triangle of non-zero area, seen along an axis that shows it counter-clockwise.
+struct PlanarTriangle {
+  Corners corners;
+  Axis axis;
+};
+
+PlanarTriangle planar(const Corners& t) {
+  const Axis axis = *projection_axis(t[0], t[1], t[2]);
+  return orient2d(axis, t[0], t[1], t[2]) > 0 ? PlanarTriangle{t, axis}
+                                              : PlanarTriangle{{t[0], t[2], t[1]}, axis};
+}
+
+/// Whether a segment in the plane of t meets it: no edge of t, nor the segment itself, separates
+/// the two.
+bool meets_in_plane(const PlanarTriangle& t, const Segment& s) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3& a = t.corners[i];
+    const Vec3& b = t.corners[(i + 1) % 3];
+    if (orient2d(t.axis, a, b, s.u) < 0 && orient2d(t.axis, a, b, s.v) < 0) {
+      return false;
+    }
+  }
+  if (is_point(s)) {
+    return true;
+  }
+  Sign low = 1;
+  Sign high = -1;
+  for (const Vec3& corner : t.corners) {
+    const Sign side = orient2d(t.axis, s.u, s.v, corner);
+    low = std::min(low, side);
+    high = std::max(high, side);
+  }
+  return low <= 0 && high >= 0;
+}
+
+/// Where the line of a segment that is not in the plane of t passes it.
+enum class Pass { Outside, Border, Inside };
+
+Pass pass_of_line(const Corners& t, const Segment& s) {
+  Sign low = 1;
+  Sign high = -1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Sign side = orient3d(s.u, s.v, t[i], t[(i + 1) % 3]);
+    low = std::min(low, side);
+    high = std::max(high, side);
+  }
+  if (low < 0 && high > 0) {
+    return Pass::Outside;
+  }
+  return low == 0 || high == 0 ? Pass::Border : Pass::Inside;
+}
+
+std::optional<ContactKind> contact_with_segment(const Corners& t, const Segment& s) {
+  const Sign at_u = orient3d(t[0], t[1], t[2], s.u);
+  const Sign at_v = orient3d(t[0], t[1], t[2], s.v);
+  if (at_u * at_v > 0) {
+    return std::nullopt;
+  }
+  if (at_u == 0 && at_v == 0) {
+    return meets_in_plane(planar(t), s) ? std::optional(ContactKind::Touching) : std::nullopt;
+  }
+  const Pass pass = pass_of_line(t, s);
+  if (pass == Pass::Outside) {
+    return std::nullopt;
+  }
+  return pass == Pass::Inside && at_u != 0 && at_v != 0 ? ContactKind::Crossing
+                                                        : ContactKind::Touching;
+}
+
+/// t has non-zero area, and its first corner is a point of s: does s go on inside t?
+bool segment_goes_into(const Corners& t, const Segment& s) {
+  const PlanarTriangle flat = planar(t);
+  const Vec3& a = flat.corners[0];
+  const auto is_inside = [&](const Vec3& end) {
+    return end != a && orient3d(t[0], t[1], t[2], end) == 0 &&
+           orient2d(flat.axis, a, flat.corners[1], end) >= 0 &&
+           orient2d(flat.axis, a, end, flat.corners[2]) >= 0;
+  };
+  return is_inside(s.u) || is_inside(s.v);
+}
+
+/// Two segments through the point a: do they go on in the same direction?
+bool segments_go_together(const Vec3& a, const Segment& s, const Segment& t) {
+  return same_direction(a, s.u, t.u) || same_direction(a, s.u, t.v) ||
+         same_direction(a, s.v, t.u) || same_direction(a, s.v, t.v);
+}
+
+/// Two segments that both hold the common edge a b: do both go beyond the same end of it?
+bool segments_outreach(const Corners& p, const Corners& q) {
+  const auto [low, high] = std::minmax(p[0], p[1], lexicographically_less);
+  const Segment s = hull(p);
+  const Segment t = hull(q);
+  const bool below = lexicographically_less(s.u, low) && lexicographically_less(t.u, low);
+  const bool above = lexicographically_less(high, s.v) && lexicographically_less(high, t.v);
+  return below || above;
+}
+
+std::optional<ContactKind> found_if(bool contact, ContactKind kind) {
+  return contact ? std::optional(kind) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<ContactKind> find_degenerate_contact(const Corners& p, const Corners& q,
+                                                   Common common) {
+  const bool thin_p = are_collinear(p[0], p[1], p[2]);
+  const bool thin_q = are_collinear(q[0], q[1], q[2]);
+  if (!thin_p) {
+    return find_degenerate_contact(q, p, common);
+  }
+  const bool edge_has_length = common == Common::Edge && p[0] != p[1];
+  if (thin_q) {
+    if (common == Common::Nothing) {
+      return found_if(segments_meet(hull(p), hull(q)), ContactKind::Touching);
+    }
+    if (edge_has_length) {
+      return found_if(segments_outreach(p, q), ContactKind::FoldOver);
+    }
+    const ContactKind kind = common == Common::Edge ? ContactKind::FoldOver : ContactKind::Touching;
+    return found_if(segments_go_together(p[0], hull(p), hull(q)), kind);
+  }
+  switch (common) {
+    case Common::Nothing:
+      return contact_with_segment(q, hull(p));
+    case Common::Vertex:
+      return found_if(segment_goes_into(q, hull(p)), ContactKind::Touching);
+    default:
+      // The edge is the whole of what the line of p and the triangle q share.
+      return std::nullopt;
+  }
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "meshalyzer/spatial/triangle_contact.h"
+
+#include <optional>
+
+namespace meshalyzer {
+
+/// find_contact() for two triangles of which at least one has zero area: it counts as the segment
+/// or point it is.
+[[nodiscard]] std::optional<ContactKind> find_degenerate_contact(const Corners& p, const Corners& q,
+                                                                 Common common);
+
+}  // namespace meshalyzer

@@ -1,0 +1,182 @@
+#include "meshalyzer/spatial/face_tree.h"
+
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/mesh/unbuild.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace meshalyzer {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr std::size_t kWidth = 8;
+/// Below this many faces a split is not worth a task of its own.
+constexpr std::size_t kParallelSplit = 32768;
+
+/// The middle of a face's box, and the face.
+struct Item {
+  std::array<float, 3> middle;
+  Index face;
+};
+
+std::size_t widest_axis(std::span<const Item> items) {
+  std::array<float, 3> low = items.front().middle;
+  std::array<float, 3> high = low;
+  for (const Item& item : items) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], item.middle[k]);
+      high[k] = std::max(high[k], item.middle[k]);
+    }
+  }
+  std::array<float, 3> width{high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+  return static_cast<std::size_t>(std::max_element(width.begin(), width.end()) - width.begin());
+}
+
+/// Sorts items so that every aligned run of 8, 16, 32, ... is one side of a split at a median.
+void split(std::span<Item> items) {
+  if (items.size() <= kWidth) {
+    return;
+  }
+  const std::size_t leaves = (items.size() + kWidth - 1) / kWidth;
+  const std::size_t left = kWidth * (std::bit_ceil(leaves) / 2);
+  const std::size_t axis = widest_axis(items);
+  const auto less = [axis](const Item& a, const Item& b) {
+    return a.middle[axis] != b.middle[axis] ? a.middle[axis] < b.middle[axis] : a.face < b.face;
+  };
+  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(left), items.end(),
+                   less);
+  if (items.size() < kParallelSplit) {
+    split(items.first(left));
+    split(items.subspan(left));
+  } else {
+    parallel_invoke({[&] { split(items.first(left)); }, [&] { split(items.subspan(left)); }});
+  }
+}
+
+}  // namespace
+
+EightBoxes EightBoxes::empty() {
+  EightBoxes boxes;
+  for (std::size_t k = 0; k < 3; ++k) {
+    boxes.min[k].fill(kInfinity);
+    boxes.max[k].fill(-kInfinity);
+  }
+  return boxes;
+}
+
+unsigned EightBoxes::meeting(const TreeBox& other) const {
+  std::array<float, kWidth> gap;
+  gap.fill(0.0F);
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < kWidth; ++i) {
+      gap[i] = std::max({gap[i], min[k][i] - other.high[k], other.low[k] - max[k][i]});
+    }
+  }
+  unsigned bits = 0;
+  for (std::size_t i = 0; i < kWidth; ++i) {
+    bits |= static_cast<unsigned>(gap[i] <= 0.0F) << i;
+  }
+  return bits;
+}
+
+TreeBox TreeBox::around(const EightBoxes& boxes) {
+  TreeBox box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] = *std::min_element(boxes.min[k].begin(), boxes.min[k].end());
+    box.high[k] = *std::max_element(boxes.max[k].begin(), boxes.max[k].end());
+  }
+  return box;
+}
+
+FaceTree::FaceTree(const CutMesh& cut) : points_(cut.mesh.points(), cut.mesh.n_vertices()) {
+  const std::vector<Triangle> triangles = unbuild(cut);
+  choose_map(triangles);
+  order_faces(triangles);
+  box_faces();
+  box_levels();
+}
+
+std::array<float, 3> FaceTree::map(const Vec3& point) const {
+  // Rounded subtraction, multiplication by a positive factor, and conversion are each monotone, so
+  // this is too.
+  return {static_cast<float>((point.x() - centre_.x()) * scale_),
+          static_cast<float>((point.y() - centre_.y()) * scale_),
+          static_cast<float>((point.z() - centre_.z()) * scale_)};
+}
+
+void FaceTree::choose_map(std::span<const Triangle> triangles) {
+  Box3 bounds;
+  for (const Triangle& t : triangles) {
+    for (const Index v : t) {
+      bounds.extend(points_[v]);
+    }
+  }
+  if (bounds.isEmpty()) {
+    return;
+  }
+  // Halves before the sum and the difference: these may overflow where the coordinates do not.
+  centre_ = bounds.min() / 2 + bounds.max() / 2;
+  const double half = (bounds.max() / 2 - bounds.min() / 2).maxCoeff();
+  scale_ = half > 0.0 ? std::min(1.0 / half, std::numeric_limits<double>::max()) : 1.0;
+}
+
+void FaceTree::order_faces(std::span<const Triangle> triangles) {
+  std::vector<Item> items(triangles.size());
+  parallel_chunks(items.size(), [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const auto a = map(points_[triangles[i][0]]);
+      const auto b = map(points_[triangles[i][1]]);
+      const auto c = map(points_[triangles[i][2]]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        items[i].middle[k] = std::min({a[k], b[k], c[k]}) + std::max({a[k], b[k], c[k]});
+      }
+      items[i].face = static_cast<Index>(i);
+    }
+  });
+  split(items);
+  triangles_.resize(items.size());
+  mesh_faces_.resize(items.size());
+  parallel_chunks(items.size(), [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      mesh_faces_[i] = items[i].face;
+      triangles_[i] = triangles[items[i].face];
+    }
+  });
+}
+
+void FaceTree::box_faces() {
+  levels_.emplace_back(std::max<std::size_t>(1, (triangles_.size() + kWidth - 1) / kWidth),
+                       EightBoxes::empty());
+  parallel_chunks(triangles_.size(), [&](Chunk chunk) {
+    for (std::size_t slot = chunk.begin; slot < chunk.end; ++slot) {
+      EightBoxes& leaf = levels_.front()[slot / kWidth];
+      for (const Index v : triangles_[slot]) {
+        const auto p = map(points_[v]);
+        for (std::size_t k = 0; k < 3; ++k) {
+          leaf.min[k][slot % kWidth] = std::min(leaf.min[k][slot % kWidth], p[k]);
+          leaf.max[k][slot % kWidth] = std::max(leaf.max[k][slot % kWidth], p[k]);
+        }
+      }
+    }
+  });
+}
+
+void FaceTree::box_levels() {
+  while (levels_.back().size() > 1) {
+    const std::vector<EightBoxes>& below = levels_.back();
+    std::vector<EightBoxes> level((below.size() + kWidth - 1) / kWidth, EightBoxes::empty());
+    for (std::size_t i = 0; i < below.size(); ++i) {
+      const TreeBox box = TreeBox::around(below[i]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        level[i / kWidth].min[k][i % kWidth] = box.low[k];
+        level[i / kWidth].max[k][i % kWidth] = box.high[k];
+      }
+    }
+    levels_.push_back(std::move(level));
+  }
+}
+
+}  // namespace meshalyzer

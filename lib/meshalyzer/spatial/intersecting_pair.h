@@ -1,0 +1,39 @@
+#pragma once
+
+#include "meshalyzer/base/types.h"
+
+#include <cstdint>
+#include <string_view>
+
+namespace meshalyzer {
+
+/// How two faces share points (contract 2). The first that holds, in the order given here.
+enum class ContactKind : std::uint8_t {
+  /// The faces have the same three vertices by id.
+  Duplicate,
+  /// The contact is gone when vertices at identical places count as one: a seam that was never
+  /// welded.
+  Unwelded,
+  /// They share an edge by id, lie in one plane, and overlap: folded back by 180 degrees.
+  FoldOver,
+  /// They lie in one plane and share an area.
+  CoplanarOverlap,
+  /// A point inside one face (not on its border) is inside the other, and the planes differ.
+  Crossing,
+  /// They share points of the border of one or both only.
+  Touching,
+};
+
+/// "duplicate", "unwelded", "fold-over", "coplanar-overlap", "crossing", "touching".
+[[nodiscard]] std::string_view contact_name(ContactKind kind);
+
+/// Two intersecting faces of one file, by index of their records; face_a < face_b.
+struct IntersectingPair {
+  Index face_a = 0;
+  Index face_b = 0;
+  ContactKind kind = ContactKind::Touching;
+
+  friend bool operator==(const IntersectingPair&, const IntersectingPair&) = default;
+};
+
+}  // namespace meshalyzer

@@ -1,0 +1,157 @@
+#include "meshalyzer/spatial/nesting.h"
+
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/spatial/ray_parity.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace meshalyzer {
+namespace {
+
+/// The slots of the tree, by part.
+struct SlotsByPart {
+  std::vector<Index> begin;
+  std::vector<Index> slots;
+};
+
+SlotsByPart group_slots(const FaceTree& tree, const FaceParts& parts) {
+  SlotsByPart groups{std::vector<Index>(parts.count + 1, 0), std::vector<Index>(tree.n_faces())};
+  for (std::size_t slot = 0; slot < tree.n_faces(); ++slot) {
+    ++groups.begin[parts.of_face[tree.mesh_face(slot)] + 1];
+  }
+  std::partial_sum(groups.begin.begin(), groups.begin.end(), groups.begin.begin());
+  std::vector<Index> next(groups.begin.begin(), groups.begin.end() - 1);
+  for (std::size_t slot = 0; slot < tree.n_faces(); ++slot) {
+    groups.slots[next[parts.of_face[tree.mesh_face(slot)]]++] = static_cast<Index>(slot);
+  }
+  return groups;
+}
+
+/// What is seen of a part that touches another without crossing it.
+struct TouchingPart {
+  Index part = 0;
+  bool seen_inside = false;
+  bool seen_outside = false;
+};
+
+bool contains(const std::vector<Index>& sorted, Index x) {
+  return std::binary_search(sorted.begin(), sorted.end(), x);
+}
+
+class Nester {
+ public:
+  Nester(const FaceTree& tree, const NestingInput& input)
+      : tree_(tree),
+        input_(input),
+        slots_(group_slots(tree, input.parts)),
+        contacts_(input.parts.count) {
+    for (const PartContact& contact : input.contacts) {
+      contacts_[contact.a].push_back({contact.b, contact.crosses});
+      contacts_[contact.b].push_back({contact.a, contact.crosses});
+    }
+  }
+
+  /// The closed parts that enclose a part, ascending.
+  [[nodiscard]] std::vector<Index> enclosers(Index part) const {
+    const Triangle& first = tree_.triangle(slots_.slots[slots_.begin[part]]);
+    std::vector<Index> found = locate(tree_, input_.parts, tree_.point(first[0])).odd;
+    std::erase_if(found, [&](Index other) {
+      return other == part || !is_closed(other) || touches(part, other);
+    });
+    for (const TouchingPart& other : look_at_touching(part)) {
+      if (other.seen_inside && !other.seen_outside) {
+        found.push_back(other.part);
+      }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+ private:
+  struct Contact {
+    Index part;
+    bool crosses;
+  };
+
+  [[nodiscard]] bool is_closed(Index part) const { return input_.is_closed[part] != 0; }
+
+  [[nodiscard]] bool touches(Index part, Index other) const {
+    const auto found = std::lower_bound(
+        contacts_[part].begin(), contacts_[part].end(), other,
+        [](const Contact& contact, Index wanted) { return contact.part < wanted; });
+    return found != contacts_[part].end() && found->part == other;
+  }
+
+  /// Locates every vertex of a part with regard to the closed parts that it touches without
+  /// crossing.
+  [[nodiscard]] std::vector<TouchingPart> look_at_touching(Index part) const {
+    std::vector<TouchingPart> others;
+    for (const Contact& contact : contacts_[part]) {
+      if (!contact.crosses && is_closed(contact.part)) {
+        others.push_back({.part = contact.part});
+      }
+    }
+    if (others.empty()) {
+      return others;
+    }
+    for (const Index vertex : vertices_of(part)) {
+      const PointLocation place = locate(tree_, input_.parts, tree_.point(vertex));
+      for (TouchingPart& other : others) {
+        if (!contains(place.on, other.part)) {
+          (contains(place.odd, other.part) ? other.seen_inside : other.seen_outside) = true;
+        }
+      }
+    }
+    return others;
+  }
+
+  [[nodiscard]] std::vector<Index> vertices_of(Index part) const {
+    std::vector<Index> vertices;
+    for (Index i = slots_.begin[part]; i < slots_.begin[part + 1]; ++i) {
+      const Triangle& t = tree_.triangle(slots_.slots[i]);
+      vertices.insert(vertices.end(), t.begin(), t.end());
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+  }
+
+  const FaceTree& tree_;
+  const NestingInput& input_;
+  SlotsByPart slots_;
+  /// Ascending for each part, since NestingInput::contacts is.
+  std::vector<std::vector<Contact>> contacts_;
+};
+
+}  // namespace
+
+Nesting find_nesting(const FaceTree& tree, const NestingInput& input) {
+  const std::size_t n = input.parts.count;
+  Nesting nesting{std::vector<Index>(n, 0), std::vector<Index>(n, kNoIndex)};
+  const auto n_closed =
+      std::count_if(input.is_closed.begin(), input.is_closed.end(), [](auto c) { return c != 0; });
+  if (n < 2 || n_closed == 0) {
+    return nesting;
+  }
+  const Nester nester(tree, input);
+  std::vector<std::vector<Index>> enclosers(n);
+  parallel_chunks(n, 16, [&](Chunk chunk) {
+    for (std::size_t part = chunk.begin; part < chunk.end; ++part) {
+      enclosers[part] = nester.enclosers(static_cast<Index>(part));
+      nesting.depth[part] = static_cast<Index>(enclosers[part].size());
+    }
+  });
+  for (std::size_t part = 0; part < n; ++part) {
+    // Of the parts round this one, the innermost is itself inside the most.
+    const auto deepest =
+        std::max_element(enclosers[part].begin(), enclosers[part].end(),
+                         [&](Index a, Index b) { return nesting.depth[a] < nesting.depth[b]; });
+    if (deepest != enclosers[part].end()) {
+      nesting.inside[part] = *deepest;
+    }
+  }
+  return nesting;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "meshalyzer/mesh/face_parts.h"
+#include "meshalyzer/spatial/face_tree.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Two parts of a mesh of which faces intersect; a < b.
+struct PartContact {
+  Index a = 0;
+  Index b = 0;
+  /// Whether some pair of their faces crosses (ContactKind::Crossing): then neither can enclose the
+  /// other.
+  bool crosses = false;
+};
+
+/// What find_nesting() needs to know of the parts. Only referred to.
+struct NestingInput {
+  /// The part of each mesh face; every face is in one.
+  FaceParts parts;
+  /// #parts: 1 for the closed ones, which alone can enclose others.
+  std::span<const std::uint8_t> is_closed;
+  /// All pairs of parts that touch or cross, ascending by (a, b), each once.
+  std::span<const PartContact> contacts;
+};
+
+/// How the parts of a mesh lie within each other.
+struct Nesting {
+  /// #parts: by how many closed parts each is enclosed.
+  std::vector<Index> depth;
+  /// #parts: the innermost closed part that encloses each; kNoIndex where none does.
+  std::vector<Index> inside;
+};
+
+/// Finds which closed parts enclose which, exactly: a ray from a vertex leaves a part an odd number
+/// of times when it lies inside. The ray is displaced symbolically, so it never grazes an edge or a
+/// vertex.
+///
+/// Parts that touch without crossing are decided by all vertices that do not lie on the other part:
+/// they must all be inside. The answer does not depend on numbering.
+///
+/// @complexity O(#parts log #F + hits) for parts that do not touch; times their vertices for those
+/// that do.
+[[nodiscard]] Nesting find_nesting(const FaceTree& tree, const NestingInput& input);
+
+}  // namespace meshalyzer

@@ -1,0 +1,113 @@
+#include "meshalyzer/spatial/ray_parity.h"
+
+#include "meshalyzer/exact/predicates.h"
+#include "meshalyzer/spatial/triangle_contact.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+namespace meshalyzer {
+namespace {
+
+Sign sign_of_difference(double a, double b) {
+  return static_cast<Sign>(a > b) - static_cast<Sign>(a < b);
+}
+
+/// On which side of the line u v the displaced point lies, in the projection along x; 0 only where
+/// u and v project to the same place.
+Sign displaced_side(const Vec3& u, const Vec3& v, const Vec3& point) {
+  if (const Sign side = orient2d(Axis::X, u, v, point)) {
+    return side;
+  }
+  // The derivatives of the determinant by the displacement: first along y, then along z.
+  if (const Sign along_y = sign_of_difference(u.z(), v.z())) {
+    return along_y;
+  }
+  return sign_of_difference(v.y(), u.y());
+}
+
+/// Whether the ray meets a triangle that the point does not lie on.
+bool is_met(const Corners& t, const Vec3& point) {
+  const Sign turn = displaced_side(t[0], t[1], point);
+  if (turn == 0 || displaced_side(t[1], t[2], point) != turn ||
+      displaced_side(t[2], t[0], point) != turn) {
+    return false;
+  }
+  // Seen counter-clockwise along x the normal points to larger x: the triangle lies ahead if the
+  // point is behind it.
+  return orient3d(t[0], t[1], t[2], point) * turn < 0;
+}
+
+/// Collects what one ray meets.
+class Ray {
+ public:
+  Ray(const FaceTree& tree, const FaceParts& parts, const Vec3& point)
+      : tree_(tree), parts_(parts), point_(point), box_{tree.map(point), tree.map(point)} {
+    box_.high[0] = std::numeric_limits<float>::infinity();
+  }
+
+  PointLocation follow() {
+    if (tree_.n_faces() != 0) {
+      descend(tree_.n_levels() - 1, 0);
+    }
+    return {odd_ones(std::move(met_)), distinct(std::move(on_))};
+  }
+
+ private:
+  void descend(std::size_t level, std::size_t i) {
+    for (unsigned bits = tree_.node(level, i).meeting(box_); bits != 0; bits &= bits - 1) {
+      const std::size_t child = 8 * i + static_cast<std::size_t>(std::countr_zero(bits));
+      if (level == 0) {
+        meet_face(child);
+      } else {
+        descend(level - 1, child);
+      }
+    }
+  }
+
+  void meet_face(std::size_t slot) {
+    const Triangle& t = tree_.triangle(slot);
+    const Corners corners{tree_.point(t[0]), tree_.point(t[1]), tree_.point(t[2])};
+    const Index part = parts_.of_face[tree_.mesh_face(slot)];
+    if (find_contact({point_, point_, point_}, corners, Common::Nothing)) {
+      on_.push_back(part);
+    } else if (is_met(corners, point_)) {
+      met_.push_back(part);
+    }
+  }
+
+  static std::vector<Index> distinct(std::vector<Index> parts) {
+    std::sort(parts.begin(), parts.end());
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    return parts;
+  }
+
+  static std::vector<Index> odd_ones(std::vector<Index> parts) {
+    std::sort(parts.begin(), parts.end());
+    std::vector<Index> odd;
+    for (auto begin = parts.begin(); begin != parts.end();) {
+      const auto end = std::upper_bound(begin, parts.end(), *begin);
+      if ((end - begin) % 2 == 1) {
+        odd.push_back(*begin);
+      }
+      begin = end;
+    }
+    return odd;
+  }
+
+  const FaceTree& tree_;
+  const FaceParts& parts_;
+  Vec3 point_;
+  TreeBox box_;
+  std::vector<Index> met_;
+  std::vector<Index> on_;
+};
+
+}  // namespace
+
+PointLocation locate(const FaceTree& tree, const FaceParts& parts, const Vec3& point) {
+  return Ray(tree, parts, point).follow();
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "meshalyzer/spatial/face_tree.h"
+#include "meshalyzer/spatial/intersecting_pair.h"
+
+#include <vector>
+
+namespace meshalyzer {
+
+/// Finds all pairs of faces of one mesh that intersect (contract 2), each with its kind.
+///
+/// Two faces intersect when their closed triangles share a point that is not on a vertex or edge
+/// which both have by file id. Exact for every pair; a face of zero area takes part as the segment
+/// or point it is.
+///
+/// @param tree  Over the faces of `cut`.
+/// @return      By file face, ascending; the same for any number of threads.
+/// @complexity  O(#F log #F + candidates), where a candidate is a pair of faces whose boxes meet.
+[[nodiscard]] std::vector<IntersectingPair> find_self_intersections(const CutMesh& cut,
+                                                                    const FaceTree& tree);
+
+}  // namespace meshalyzer

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "meshalyzer/spatial/face_tree.h"
+
+#include <array>
+#include <atomic>
+#include <vector>
+
+namespace meshalyzer {
+
+/// The corners of the faces of one leaf of a FaceTree, coordinate by coordinate, in the tree's
+/// coordinates.
+///
+/// Leaves with fewer than eight faces repeat one of theirs.
+struct LeafCorners {
+  static constexpr std::size_t kCorners = 24;
+  std::array<std::array<float, kCorners>, 3> coordinates;
+
+  LeafCorners(const FaceTree& tree, std::size_t leaf);
+};
+
+/// Two slabs across the long side of a bundle of faces, which all its corners lie in.
+struct Slabs {
+  /// Directions of length 1, in the tree's coordinates.
+  std::array<std::array<float, 3>, 2> axis{};
+  /// Low and high along each, widened by more than any rounding.
+  std::array<float, 2> low{};
+  std::array<float, 2> high{};
+  /// Whether the bundle is much thinner than its axis-aligned box: only then are the slabs worth a
+  /// question.
+  bool is_useful = false;
+
+  /// Whether the corners surely lie all on one side of one of the slabs, so that no face of the
+  /// leaf meets the bundle.
+  [[nodiscard]] bool exclude(const LeafCorners& corners) const;
+};
+
+/// Oriented slabs for those nodes of a FaceTree that axis-aligned boxes serve badly: bundles of
+/// long faces that run askew to the axes, whose boxes meet by the million although the faces are
+/// far apart.
+class SlabTree {
+ public:
+  /// @complexity O(#F) where no node is such a bundle, else O(#F log #F).
+  explicit SlabTree(const FaceTree& tree);
+
+  /// Of all faces below FaceTree::node(level, i).
+  [[nodiscard]] const Slabs& slabs(std::size_t level, std::size_t i) const {
+    return levels_[level][i];
+  }
+  /// Whether any node has slabs worth a question.
+  [[nodiscard]] bool has_useful() const { return has_useful_; }
+
+ private:
+  std::vector<std::vector<Slabs>> levels_;
+  std::atomic<bool> has_useful_ = false;
+};
+
+}  // namespace meshalyzer

@@ -1,0 +1,323 @@
+#include "meshalyzer/spatial/self_intersection.h"
+
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/mesh/build.h"
+#include "support/exact_oracle.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <random>
+#include <string>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+constexpr unsigned kSeed = 20261121;
+using Random = std::mt19937;
+using Pairs = std::vector<IntersectingPair>;
+
+Pairs self_intersections(const Soup& soup) {
+  const CutMesh cut = build(soup);
+  return find_self_intersections(cut, FaceTree(cut));
+}
+
+/// Two faces with their common vertices first, `same` telling what common means.
+struct Aligned {
+  Triangle p;
+  Triangle q;
+  int n_common = 0;
+};
+
+Aligned aligned(const Triangle& p, const Triangle& q,
+                const std::function<bool(Index, Index)>& same) {
+  Aligned best;
+  std::array<int, 3> order{0, 1, 2};
+  const auto pick = [](const Triangle& t, const std::array<int, 3>& o) {
+    return Triangle{t[static_cast<std::size_t>(o[0])], t[static_cast<std::size_t>(o[1])],
+                    t[static_cast<std::size_t>(o[2])]};
+  };
+  best = {p, q, -1};
+  do {
+    std::array<int, 3> other{0, 1, 2};
+    do {
+      const Triangle a = pick(p, order);
+      const Triangle b = pick(q, other);
+      int n = 0;
+      while (n < 3 && same(a[static_cast<std::size_t>(n)], b[static_cast<std::size_t>(n)])) {
+        ++n;
+      }
+      if (n > best.n_common) {
+        best = {a, b, n};
+      }
+    } while (std::next_permutation(other.begin(), other.end()));
+  } while (std::next_permutation(order.begin(), order.end()));
+  return best;
+}
+
+std::optional<ContactKind> oracle(const Soup& soup, const Aligned& pair) {
+  const auto corners = [&](const Triangle& t) {
+    return Corners{soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]};
+  };
+  return test::oracle_contact(corners(pair.p), corners(pair.q), static_cast<Common>(pair.n_common));
+}
+
+/// All pairs, straight from the definition in contract 2, evaluated over the rationals.
+Pairs brute_force(const Soup& soup) {
+  Pairs pairs;
+  for (Index f = 0; f < soup.n_faces(); ++f) {
+    for (Index g = f + 1; g < soup.n_faces(); ++g) {
+      if (!is_in_complex(soup.triangles[f]) || !is_in_complex(soup.triangles[g])) {
+        continue;
+      }
+      const Aligned by_id =
+          aligned(soup.triangles[f], soup.triangles[g], [](Index a, Index b) { return a == b; });
+      const auto kind = oracle(soup, by_id);
+      if (!kind) {
+        continue;
+      }
+      const Aligned by_place = aligned(soup.triangles[f], soup.triangles[g], [&](Index a, Index b) {
+        return soup.positions[a] == soup.positions[b];
+      });
+      const bool unwelded = by_place.n_common > by_id.n_common && !oracle(soup, by_place);
+      pairs.push_back({f, g, unwelded ? ContactKind::Unwelded : *kind});
+    }
+  }
+  return pairs;
+}
+
+std::string listed(const Pairs& pairs) {
+  std::string text;
+  for (const IntersectingPair& pair : pairs) {
+    text += std::to_string(pair.face_a) + "-" + std::to_string(pair.face_b) + " " +
+            std::string(contact_name(pair.kind)) + "\n";
+  }
+  return text;
+}
+
+Soup random_soup(std::size_t n_vertices, std::size_t n_faces,
+                 const std::function<Vec3(Random&)>& point, Random& random) {
+  Soup soup;
+  for (std::size_t i = 0; i < n_vertices; ++i) {
+    soup.positions.push_back(point(random));
+  }
+  std::uniform_int_distribution<Index> vertex(0, static_cast<Index>(n_vertices - 1));
+  for (std::size_t i = 0; i < n_faces; ++i) {
+    soup.triangles.push_back({vertex(random), vertex(random), vertex(random)});
+  }
+  return soup;
+}
+
+void expect_brute_force(const std::function<Vec3(Random&)>& point) {
+  Random random(kSeed);
+  for (int round = 0; round < 12; ++round) {
+    const Soup soup = random_soup(14, 40, point, random);
+    const Pairs expected = brute_force(soup);
+    ASSERT_EQ(listed(self_intersections(soup)), listed(expected))
+        << "round " << round << " seed " << kSeed;
+    EXPECT_FALSE(expected.empty());
+  }
+}
+
+double lattice(Random& random, int n) {
+  return std::uniform_int_distribution<>(0, n - 1)(random);
+}
+
+TEST(FindSelfIntersections, EqualsBruteForceOnRandomSoups) {
+  const auto real = [](Random& r) { return std::uniform_real_distribution<>(-1, 1)(r); };
+  expect_brute_force([&](Random& r) { return Vec3(real(r), real(r), real(r)); });
+}
+
+TEST(FindSelfIntersections, EqualsBruteForceOnLatticesWhereNearlyAllIsCoplanarOrTouching) {
+  expect_brute_force([](Random& r) { return Vec3(lattice(r, 3), lattice(r, 3), lattice(r, 3)); });
+  expect_brute_force([](Random& r) { return Vec3(lattice(r, 4), lattice(r, 4), 0); });
+  expect_brute_force([](Random& r) { return Vec3(lattice(r, 3), lattice(r, 3), lattice(r, 2)); });
+}
+
+TEST(FindSelfIntersections, EqualsBruteForceNearlyInOnePlane) {
+  expect_brute_force([](Random& r) {
+    const double x = 0.1 * lattice(r, 4);
+    const double y = 0.1 * lattice(r, 4);
+    return Vec3(x, y, 0.3 * x + 0.7 * y);
+  });
+}
+
+TEST(FindSelfIntersections, EqualsBruteForceOneUlpFromTouching) {
+  expect_brute_force([](Random& r) {
+    const auto nudged = [&r](double x) { return r() % 3 == 0 ? std::nextafter(x, 9.0) : x; };
+    return Vec3(nudged(lattice(r, 3)), nudged(lattice(r, 3)), nudged(lattice(r, 3)));
+  });
+}
+
+TEST(FindSelfIntersections, EqualsBruteForceFarFromTheOrigin) {
+  expect_brute_force([](Random& r) {
+    return Vec3(1e9 + lattice(r, 3), 1e9 - lattice(r, 3), 1e-3 * lattice(r, 3));
+  });
+}
+
+TEST(FindSelfIntersections, ClosedGoodMeshesHaveNone) {
+  for (const Soup& soup :
+       {shapes::cube(), shapes::uv_sphere(20, 30), shapes::icosphere(3),
+        shapes::torus(2, 0.5, 30, 20), shapes::genus_block(3), shapes::grid(20, 20),
+        shapes::nested_cubes(shapes::InnerShell::Cavity)}) {
+    EXPECT_EQ(listed(self_intersections(soup)), "");
+  }
+}
+
+TEST(FindSelfIntersections, MeshesOfManyLeavesEqualBruteForce) {
+  // Two spheres through each other: enough faces for a tree of several levels.
+  const Soup soup = shapes::merged(shapes::uv_sphere(9, 14),
+                                   shapes::translated(shapes::uv_sphere(8, 13), {0.9, 0.3, 0.2}));
+  const Pairs expected = brute_force(soup);
+  EXPECT_GT(expected.size(), 20u);
+  EXPECT_EQ(listed(self_intersections(soup)), listed(expected));
+}
+
+/// A closed tube of n sides along a diagonal of space, its faces much longer than wide.
+Soup sliver_tube(std::size_t n, const Vec3& along) {
+  Soup soup;
+  const Vec3 u = along.unitOrthogonal();
+  const Vec3 v = along.normalized().cross(u);
+  for (std::size_t end = 0; end < 2; ++end) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(n);
+      soup.positions.push_back(along * static_cast<double>(end) + std::cos(angle) * u +
+                               std::sin(angle) * v);
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto a = static_cast<Index>(i);
+    const auto b = static_cast<Index>((i + 1) % n);
+    const auto m = static_cast<Index>(n);
+    soup.triangles.push_back({a, b, b + m});
+    soup.triangles.push_back({a, b + m, a + m});
+  }
+  return soup;
+}
+
+TEST(FindSelfIntersections, BundlesOfSliversEqualBruteForce) {
+  const Soup one = sliver_tube(120, {20, 22, 18});
+  EXPECT_EQ(listed(self_intersections(one)), "");
+  const Soup two =
+      shapes::merged(one, shapes::translated(sliver_tube(60, {20, 21, 19}), {0.3, -0.4, 0.1}));
+  const Pairs expected = brute_force(two);
+  EXPECT_GT(expected.size(), 10u);
+  EXPECT_EQ(listed(self_intersections(two)), listed(expected));
+}
+
+/// n faces round one vertex; of every `bent` points of the rim two are pulled far out of line (0:
+/// none).
+Soup wide_fan(std::size_t n, std::size_t bent) {
+  Soup soup;
+  soup.positions = {Vec3(0, 0, 1)};
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(n);
+    const double turn = bent != 0 && i % bent == 1 ? angle + 0.4 : angle;
+    soup.positions.emplace_back(std::cos(turn), std::sin(turn),
+                                bent != 0 && i % bent == 2 ? 0.9 : 0.0);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    soup.triangles.push_back({0, static_cast<Index>(1 + i), static_cast<Index>(1 + (i + 1) % n)});
+  }
+  return soup;
+}
+
+/// Two fans round vertex 0: n wide faces in the plane z = 0, and n small ones that pass through it.
+Soup fan_through_fan(std::size_t n) {
+  Soup soup;
+  soup.positions = {Vec3(0, 0, 0)};
+  const auto add_fan = [&](const Vec3& u, const Vec3& v) {
+    const auto first = static_cast<Index>(soup.n_vertices());
+    for (std::size_t i = 0; i <= n; ++i) {
+      const double angle = 2.0 * static_cast<double>(i) / static_cast<double>(n) - 0.9;
+      soup.positions.emplace_back(std::cos(angle) * u + std::sin(angle) * v);
+    }
+    for (Index i = 0; i < n; ++i) {
+      soup.triangles.push_back({0, first + i, first + i + 1});
+    }
+  };
+  add_fan({100, 0, 0}, {0, 100, 0});
+  add_fan({1, 0.1, 0}, {0, 0, 1});
+  return soup;
+}
+
+TEST(FindSelfIntersections, SmallFanThroughAWideOneEqualsBruteForce) {
+  const Soup soup = fan_through_fan(64);
+  const Pairs expected = brute_force(soup);
+  EXPECT_FALSE(expected.empty());
+  EXPECT_EQ(listed(self_intersections(soup)), listed(expected));
+}
+
+TEST(FindSelfIntersections, WideFansEqualBruteForce) {
+  EXPECT_EQ(listed(self_intersections(wide_fan(200, 0))), "");
+  const Soup bent = wide_fan(160, 16);
+  const Pairs expected = brute_force(bent);
+  EXPECT_GE(expected.size(), 10u);
+  EXPECT_EQ(listed(self_intersections(bent)), listed(expected));
+}
+
+TEST(FindSelfIntersections, ThreadCountDoesNotMatter) {
+  const Soup soup = shapes::merged(shapes::uv_sphere(90, 90),
+                                   shapes::translated(shapes::uv_sphere(80, 90), {0.9, 0.3, 0.2}));
+  Pairs by_one;
+  {
+    const ThreadLimit one(1);
+    by_one = self_intersections(soup);
+  }
+  const ThreadLimit two(2);
+  EXPECT_EQ(listed(self_intersections(soup)), listed(by_one));
+  EXPECT_FALSE(by_one.empty());
+}
+
+TEST(FindSelfIntersections, FaceOrderMovesOnlyTheNumbers) {
+  const Soup soup = shapes::merged(shapes::uv_sphere(9, 14),
+                                   shapes::translated(shapes::uv_sphere(8, 13), {0.9, 0.3, 0.2}));
+  std::vector<Index> order(soup.n_faces());
+  std::iota(order.begin(), order.end(), Index{0});
+  Random random(kSeed);
+  std::shuffle(order.begin(), order.end(), random);
+  Soup shuffled = soup;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    shuffled.triangles[i] = soup.triangles[order[i]];
+  }
+  Pairs back = self_intersections(shuffled);
+  for (IntersectingPair& pair : back) {
+    const auto [low, high] = std::minmax(order[pair.face_a], order[pair.face_b]);
+    pair = {low, high, pair.kind};
+  }
+  std::sort(back.begin(), back.end(), [](const IntersectingPair& a, const IntersectingPair& b) {
+    return std::pair(a.face_a, a.face_b) < std::pair(b.face_a, b.face_b);
+  });
+  EXPECT_EQ(listed(back), listed(self_intersections(soup)));
+}
+
+TEST(FindSelfIntersections, SeamThatWasNeverWeldedIsUnwelded) {
+  // Two triangles of a square, each with vertices of its own.
+  const Soup soup = shapes::make({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                                 {{0, 1, 2}, {3, 4, 5}});
+  EXPECT_EQ(listed(self_intersections(soup)), "0-1 unwelded\n");
+}
+
+TEST(FindSelfIntersections, UnweldedNeighbourFoldedOverIsNoSeam) {
+  const Soup soup = shapes::make({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}},
+                                 {{0, 1, 2}, {4, 3, 5}});
+  EXPECT_EQ(listed(self_intersections(soup)), "0-1 coplanar-overlap\n");
+}
+
+TEST(FindSelfIntersections, PillowIsDuplicate) {
+  EXPECT_EQ(listed(self_intersections(shapes::pillow())), "0-1 duplicate\n");
+}
+
+TEST(FindSelfIntersections, EmptyAndSingleFaceMeshesHaveNone) {
+  EXPECT_EQ(listed(self_intersections(Soup())), "");
+  EXPECT_EQ(
+      listed(self_intersections(shapes::make({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}))), "");
+}
+
+}  // namespace
+}  // namespace meshalyzer
