@@ -1,0 +1,64 @@
+#pragma once
+
+#include "meshalyzer/analysis/analysis.h"
+#include "meshalyzer/base/progress.h"
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace meshalyzer {
+
+/// The thresholds of -g (contract 3).
+struct GoodnessThresholds {
+  /// The largest aspect ratio must be below this.
+  double aspect_ratio = 0.0;
+  /// The smallest edge angle must be above this, in degrees.
+  double edge_angle_degrees = 0.0;
+  /// The shortest edge must be longer than this.
+  double edge_length = 0.0;
+};
+
+/// How much of a mesh to look at.
+enum class Scope {
+  /// Everything of contract 1 and 2.
+  Everything,
+  /// The five attributes, the integrity of the file, and what follows from the topology alone (-a).
+  AttributesOnly,
+};
+
+/// What to analyse, and which elements to name.
+struct AnalysisOptions {
+  Scope scope = Scope::Everything;
+  /// Judge goodness against these (-g).
+  std::optional<GoodnessThresholds> goodness;
+  /// Name edges shorter / longer than this (-b, -c).
+  std::optional<double> shorter_than;
+  std::optional<double> longer_than;
+  /// Name edges with an angle smaller / larger than this, in degrees (-d, -e).
+  std::optional<double> angle_below_degrees;
+  std::optional<double> angle_above_degrees;
+  /// Name faces with an aspect ratio larger than this (-f).
+  std::optional<double> aspect_above;
+  /// Indistinguishable vertices: only those at exactly the same place (--exact-coincidence).
+  bool exact_coincidence = false;
+  /// Keep positions and triangles in the result, for reports that print them (-q).
+  bool keep_geometry = false;
+  PhaseListener on_phase;
+};
+
+/// Analyses one mesh.
+///
+/// The result is the same for any number of threads, and but for numbering for any order of the
+/// records.
+///
+/// @param soup     The file. Taken by value: its arrays are freed as soon as they are no longer
+/// needed.
+/// @param path     What the report calls it.
+/// @complexity     O(n log n) in the number of faces for meshes whose faces meet few others.
+[[nodiscard]] Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options = {});
+
+/// Adds up the analyses of the meshes of a folder.
+[[nodiscard]] SetAnalysis analyze_set(std::span<const Analysis> meshes, std::size_t unreadable);
+
+}  // namespace meshalyzer

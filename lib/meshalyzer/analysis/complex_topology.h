@@ -1,0 +1,30 @@
+#pragma once
+
+#include "meshalyzer/analysis/analysis.h"
+#include "meshalyzer/mesh/side_table.h"
+#include "meshalyzer/topology/component_counts.h"
+#include "meshalyzer/topology/components.h"
+
+#include <vector>
+
+namespace meshalyzer {
+
+/// All that follows from which faces name which vertices.
+struct ComplexTopology {
+  Components components;
+  /// One a component.
+  std::vector<ComponentCounts> counts;
+  std::size_t n_edges = 0;
+  std::size_t n_edge_components = 0;
+  std::size_t n_boundaries = 0;
+  bool orientable = true;
+};
+
+/// Analyses the topology of a complex.
+///
+/// @param offenders  Receives border, non-manifold and flipped edges, non-manifold and pinched
+/// vertices, duplicate faces.
+/// @complexity       Near O(#V + #F).
+[[nodiscard]] ComplexTopology analyze_topology(const CutMesh& cut, Offenders& offenders);
+
+}  // namespace meshalyzer

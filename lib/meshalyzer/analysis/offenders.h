@@ -1,0 +1,76 @@
+#pragma once
+
+#include "meshalyzer/base/types.h"
+#include "meshalyzer/spatial/intersecting_pair.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Where numbering stops being 1, 2, ..., n: the ids of the records round the first offender.
+struct NumberingBreak {
+  /// Up to five ids in file order: the first offender and its two neighbours on each side.
+  std::vector<std::int64_t> ids;
+  /// Which of `ids` is the offender.
+  std::size_t offender = 0;
+};
+
+/// Edges by their two file vertices (smaller first), each with all its faces; flat.
+struct EdgeList {
+  /// #edges, ascending.
+  std::vector<std::array<Index, 2>> ends;
+  /// #edges + 1: where each edge's faces begin in `faces`.
+  std::vector<Index> begin{0};
+  /// Ascending for each edge.
+  std::vector<Index> faces;
+  /// #edges: the measured value where the list is of one (a length, an angle in degrees); else
+  /// empty.
+  std::vector<double> values;
+
+  [[nodiscard]] std::size_t size() const { return ends.size(); }
+};
+
+/// Faces with a measured value.
+struct FaceList {
+  std::vector<Index> faces;
+  std::vector<double> values;
+};
+
+/// Every offending element, by index of its record in the file, in ascending order.
+struct Offenders {
+  EdgeList border_edges;
+  EdgeList non_manifold_edges;
+  EdgeList flipped_edges;
+  std::vector<Index> non_manifold_vertices;
+  /// Those of non_manifold_vertices that are on no non-manifold edge.
+  std::vector<Index> pinched_vertices;
+  std::vector<IntersectingPair> intersecting_pairs;
+  std::vector<Index> orphan_vertices;
+  /// Ids, not record indices: these have no record.
+  std::vector<std::int64_t> missing_vertices;
+  std::vector<Index> faces_with_missing_vertices;
+  std::vector<Index> degenerate_faces;
+  /// Records that repeat an id met before.
+  std::vector<Index> duplicate_vertex_records;
+  std::vector<Index> duplicate_face_records;
+  /// 1-based line numbers.
+  std::vector<std::int64_t> torn_lines;
+  std::vector<Index> indistinguishable_vertices;
+  EdgeList indistinguishable_edges;
+  std::vector<Index> zero_area_faces;
+  /// Faces with the same three vertices as an earlier face.
+  std::vector<Index> duplicate_faces;
+  std::optional<NumberingBreak> vertex_numbering;
+  std::optional<NumberingBreak> face_numbering;
+  /// -b, -c, -d, -e, -f: present where asked for.
+  std::optional<EdgeList> short_edges;
+  std::optional<EdgeList> long_edges;
+  std::optional<EdgeList> small_angles;
+  std::optional<EdgeList> large_angles;
+  std::optional<FaceList> large_aspect_ratios;
+};
+
+}  // namespace meshalyzer
