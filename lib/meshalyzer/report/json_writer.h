@@ -1,0 +1,85 @@
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meshalyzer {
+
+/// How the members of a JSON object or array are laid out.
+enum class JsonLayout {
+  /// One a line, indented: for what a person looks through and a diff compares.
+  Lines,
+  /// All on one line: for short rows and for runs of numbers.
+  Row,
+};
+
+/// Writes JSON text from its beginning to its end.
+///
+/// Streaming, because a tree of values costs gigabytes where a mesh has millions of offenders; and
+/// our own, because each real must be the shortest text that reads back the same (Grisu2, which the
+/// usual library prints with, is sometimes longer). What is finite is written exactly, what is not
+/// as null.
+///
+/// The caller balances begin_ and end_, and writes a key before each value of an object.
+class JsonWriter {
+ public:
+  void begin_object(JsonLayout layout = JsonLayout::Lines) { begin('{', layout); }
+  void end_object() { end('}'); }
+  void begin_array(JsonLayout layout = JsonLayout::Lines) { begin('[', layout); }
+  void end_array() { end(']'); }
+
+  void key(std::string_view name);
+
+  void null();
+  void value(double real);
+  /// Bytes that are not UTF-8 become U+FFFD, so that a path in any encoding leaves a report that
+  /// can be read.
+  void value(std::string_view text);
+  /// A template, so that no pointer converts to bool.
+  template <std::same_as<bool> Bool>
+  void value(Bool truth) {
+    literal(truth ? "true" : "false");
+  }
+  template <std::integral Integer>
+  requires(!std::same_as<Integer, bool>) void value(Integer integer) {
+    literal(std::to_string(integer));
+  }
+  template <typename T>
+  void value(const std::optional<T>& maybe) {
+    maybe ? value(*maybe) : null();
+  }
+
+  /// key() and value() in one.
+  template <typename T>
+  void member(std::string_view name, const T& content) {
+    key(name);
+    value(content);
+  }
+
+  /// The text, ended by a line feed; leaves the writer empty.
+  [[nodiscard]] std::string take();
+
+ private:
+  struct Level {
+    JsonLayout layout = JsonLayout::Lines;
+    bool empty = true;
+  };
+
+  void begin(char bracket, JsonLayout layout);
+  void end(char bracket);
+  void literal(std::string_view text);
+  void quoted(std::string_view text);
+  /// Puts what stands between two members: comma, line feed and indentation, or blank.
+  void separate();
+  void new_line();
+
+  std::string text_;
+  std::vector<Level> levels_;
+  bool after_key_ = false;
+};
+
+}  // namespace meshalyzer

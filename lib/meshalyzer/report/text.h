@@ -1,0 +1,25 @@
+#pragma once
+
+#include "meshalyzer/analysis/analysis.h"
+
+#include <string>
+
+namespace meshalyzer {
+
+/// How offending elements are named in the text report.
+enum class OffenderStyle {
+  /// Not at all: counts only.
+  None,
+  /// By their file ids (-p).
+  Ids,
+  /// As -p, but vertices as DReAMM custom points, `x y z 1 0 0 1` a line (-q).
+  CustomPoints,
+};
+
+/// The report of one mesh for people: three sections, one `name: value` a line.
+[[nodiscard]] std::string text_report(const Analysis& analysis, OffenderStyle offenders);
+
+/// The totals of a folder, in the same manner.
+[[nodiscard]] std::string text_report(const SetAnalysis& set);
+
+}  // namespace meshalyzer

@@ -1,0 +1,82 @@
+#include "meshalyzer/report/text_components.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <iterator>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+using Row = std::vector<std::string>;
+
+std::string cell(std::optional<bool> truth) {
+  return !truth ? "-" : *truth ? "yes" : "no";
+}
+
+template <typename Integer>
+std::string cell_of(const std::optional<Integer>& number) {
+  return number ? std::to_string(*number) : "-";
+}
+
+Row titles() {
+  return {"component",  "first face", "faces",    "vertices",   "edges",
+          "boundaries", "closed",     "manifold", "consistent", "outward",
+          "inside",     "genus",      "area",     "volume",     "intersecting pairs"};
+}
+
+Row row_of(const Analysis& analysis, std::size_t i) {
+  const ComponentAnalysis& component = analysis.components[i];
+  return {std::to_string(i),
+          std::to_string(analysis.face_ids.of(component.first_face)),
+          std::to_string(component.faces),
+          std::to_string(component.vertices),
+          std::to_string(component.edges),
+          std::to_string(component.boundaries),
+          cell(component.closed),
+          cell(component.manifold),
+          cell(component.consistent),
+          cell(component.outward),
+          cell_of(component.inside),
+          cell_of(component.genus),
+          readable(component.area),
+          component.volume ? readable(*component.volume) : "-",
+          std::to_string(component.intersecting_pairs)};
+}
+
+void append_table(std::string& text, const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const Row& row : rows) {
+    std::transform(
+        row.begin(), row.end(), widths.begin(), widths.begin(),
+        [](const std::string& entry, std::size_t width) { return std::max(entry.size(), width); });
+  }
+  for (const Row& row : rows) {
+    for (std::size_t column = 0; column < row.size(); ++column) {
+      fmt::format_to(std::back_inserter(text), "  {:>{}}", row[column], widths[column]);
+    }
+    text += '\n';
+  }
+}
+
+}  // namespace
+
+void append_components(TextLines& lines, const Analysis& analysis) {
+  const std::size_t n = analysis.components.size();
+  if (n < 2) {
+    return;
+  }
+  const std::size_t n_shown = std::min(n, kMaxComponentRows);
+  std::vector<Row> rows{titles()};
+  for (std::size_t i = 0; i < n_shown; ++i) {
+    rows.push_back(row_of(analysis, i));
+  }
+  lines.line("components, one a row",
+             n_shown == n ? "all" : fmt::format("the first {} of {}", n_shown, n));
+  append_table(lines.text(), rows);
+  if (n_shown < n) {
+    lines.line("components not shown", fmt::format("{} (--json has them all)", n - n_shown));
+  }
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "meshalyzer/analysis/analysis.h"
+#include "meshalyzer/report/text_lines.h"
+
+namespace meshalyzer {
+
+/// How many components the text report shows; JSON has them all.
+inline constexpr std::size_t kMaxComponentRows = 20;
+
+/// Appends a table of the first components, a row each; nothing where there are fewer than two.
+void append_components(TextLines& lines, const Analysis& analysis);
+
+}  // namespace meshalyzer

@@ -1,0 +1,26 @@
+#include "meshalyzer/report/text_lines.h"
+
+#include <fmt/format.h>
+
+namespace meshalyzer {
+
+std::string readable(double value) {
+  return fmt::format("{:.10g}", value + 0.0);  // -0.0 + 0.0 is 0.0
+}
+
+void TextLines::heading(std::string_view title) {
+  if (!text_.empty()) {
+    text_ += '\n';
+  }
+  text_ += title;
+  text_ += '\n';
+}
+
+void TextLines::line(std::string_view name, std::string_view value) {
+  text_ += name;
+  text_ += ": ";
+  text_ += value;
+  text_ += '\n';
+}
+
+}  // namespace meshalyzer
