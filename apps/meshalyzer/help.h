@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string_view>
+
+namespace meshalyzer {
+
+/// What --help prints. By hand, for an eye and 80 columns.
+[[nodiscard]] std::string_view help_text();
+
+}  // namespace meshalyzer

@@ -1,0 +1,69 @@
+# Runs PROGRAM as the folder CASE says, and compares what it does with what stands there, byte for byte:
+#
+#   args       one argument a line; @SCRATCH@ is an empty folder, made anew
+#   stdin      optional: standard input
+#   stdout_to  optional: the file that standard output goes to instead of being compared
+#   files/     optional: where the program runs; otherwise in MESHES
+#   exit, stdout, stderr   what is expected; a stream without a file is empty
+#   written/   optional: the files that must then be in @SCRATCH@, and no others
+#
+# UPDATE=1 in the environment rewrites exit, stdout, stderr and written/; review them with git diff.
+cmake_minimum_required(VERSION 3.25)
+
+function(read_if_exists file variable)
+  set(content "")
+  if(EXISTS ${file})
+    file(READ ${file} content)
+  endif()
+  set(${variable} "${content}" PARENT_SCOPE)
+endfunction()
+
+# Compares `got` with the file of that name in CASE, or rewrites it; an empty one needs no file.
+function(check name got)
+  if("$ENV{UPDATE}")
+    if(got STREQUAL "")
+      file(REMOVE ${CASE}/${name})
+    else()
+      file(WRITE ${CASE}/${name} "${got}")
+    endif()
+    return()
+  endif()
+  read_if_exists(${CASE}/${name} expected)
+  if(NOT got STREQUAL expected)
+    message(SEND_ERROR "${CASE}: ${name} differs\n--- expected\n${expected}\n--- got\n${got}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${SCRATCH})
+file(MAKE_DIRECTORY ${SCRATCH})
+file(STRINGS ${CASE}/args args)
+list(TRANSFORM args REPLACE "@SCRATCH@" "${SCRATCH}")
+
+set(redirections INPUT_FILE /dev/null OUTPUT_VARIABLE stdout)
+if(EXISTS ${CASE}/stdin)
+  list(TRANSFORM redirections REPLACE "/dev/null" "${CASE}/stdin")
+endif()
+if(EXISTS ${CASE}/stdout_to)
+  file(STRINGS ${CASE}/stdout_to target)
+  list(TRANSFORM redirections REPLACE "OUTPUT_VARIABLE" "OUTPUT_FILE")
+  list(TRANSFORM redirections REPLACE "^stdout$" "${target}")
+endif()
+set(folder ${MESHES})
+if(EXISTS ${CASE}/files)
+  set(folder ${CASE}/files)
+endif()
+execute_process(COMMAND ${PROGRAM} ${args} WORKING_DIRECTORY ${folder} ${redirections}
+  RESULT_VARIABLE exit ERROR_VARIABLE stderr)
+
+foreach(stream IN ITEMS stdout stderr)
+  string(REPLACE "${SCRATCH}" "@SCRATCH@" ${stream} "${${stream}}")
+  check(${stream} "${${stream}}")
+endforeach()
+check(exit "${exit}\n")
+
+file(GLOB_RECURSE written RELATIVE ${SCRATCH} ${SCRATCH}/*)
+file(GLOB_RECURSE expected RELATIVE ${CASE}/written ${CASE}/written/*)
+foreach(name IN LISTS written expected)
+  read_if_exists(${SCRATCH}/${name} content)
+  check(written/${name} "${content}")
+endforeach()
