@@ -1,0 +1,25 @@
+#pragma once
+
+#include "meshalyzer/mesh/soup.h"
+
+#include <string>
+#include <string_view>
+
+namespace meshalyzer::bench {
+
+/// Makes a mesh of about `faces` faces that is hard in one named way:
+///
+/// - `wavy`: a torus with waves on it, closed, one component, nothing coplanar: what a scan or a
+/// reconstruction is like
+/// - `flat`: a cube whose sides are grids, so that nearly all neighbours are coplanar: subdivided
+/// or CAD meshes
+/// - `slivers`: a closed tube along a diagonal of space of faces a thousand times longer than wide
+/// - `crossing`: two wavy tori through each other
+/// - `onion`: cubes in each other, a thousand deep, turned outward and inward in turn
+/// - `fan`: a double cone, so that two vertices have half of all faces each
+/// - `shards`: triangles without common vertices, touching nothing
+///
+/// @throws InvalidArgument for another name.
+[[nodiscard]] Soup big_mesh(std::string_view kind, std::size_t faces);
+
+}  // namespace meshalyzer::bench

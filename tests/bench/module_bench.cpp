@@ -1,0 +1,89 @@
+#include "big_meshes.h"
+#include "meshalyzer/io/read.h"
+#include "meshalyzer/io/write.h"
+#include "meshalyzer/mesh/build.h"
+#include "meshalyzer/spatial/self_intersection.h"
+#include "meshalyzer/topology/components.h"
+
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+namespace {
+
+using namespace meshalyzer;
+
+constexpr std::size_t kFaces = 1000000;
+
+const Soup& soup_of(const std::string& kind) {
+  static std::string held;
+  static Soup soup;
+  if (held != kind) {
+    soup = bench::big_mesh(kind, kFaces);
+    held = kind;
+  }
+  return soup;
+}
+
+void per_face(benchmark::State& state, std::size_t faces) {
+  state.counters["s_per_face"] =
+      benchmark::Counter(static_cast<double>(faces), benchmark::Counter::kIsIterationInvariantRate |
+                                                         benchmark::Counter::kInvert);
+}
+
+void parse_mesh_text(benchmark::State& state) {
+  const std::string text = print_mesh(soup_of("wavy"), Format::Mesh);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(parse_mesh(text, "wavy.mesh"));
+  }
+  state.SetBytesProcessed(static_cast<std::int64_t>(text.size() * state.iterations()));
+}
+BENCHMARK(parse_mesh_text)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
+void build_half_edges(benchmark::State& state) {
+  const Soup& soup = soup_of("wavy");
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(build(soup));
+  }
+  per_face(state, soup.n_faces());
+}
+BENCHMARK(build_half_edges)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
+void find_components_wavy(benchmark::State& state) {
+  const CutMesh cut = build(soup_of("wavy"));
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(find_components(cut));
+  }
+  per_face(state, cut.mesh.n_faces());
+}
+BENCHMARK(find_components_wavy)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
+void self_intersections(benchmark::State& state, const std::string& kind) {
+  const CutMesh cut = build(soup_of(kind));
+  for (auto _ : state) {
+    const FaceTree tree(cut);
+    benchmark::DoNotOptimize(find_self_intersections(cut, tree));
+  }
+  per_face(state, cut.mesh.n_faces());
+}
+BENCHMARK_CAPTURE(self_intersections, wavy, "wavy")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(self_intersections, flat, "flat")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(self_intersections, crossing, "crossing")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+
+void self_intersections_of_slivers(benchmark::State& state) {
+  const CutMesh cut = build(bench::big_mesh("slivers", 20000));
+  for (auto _ : state) {
+    const FaceTree tree(cut);
+    benchmark::DoNotOptimize(find_self_intersections(cut, tree));
+  }
+  per_face(state, cut.mesh.n_faces());
+}
+BENCHMARK(self_intersections_of_slivers)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
+}  // namespace
