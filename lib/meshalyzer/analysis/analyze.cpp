@@ -11,6 +11,7 @@
 #include "meshalyzer/spatial/self_intersection.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace meshalyzer {
@@ -38,25 +39,22 @@ void box_components(const CutMesh& cut, const Components& components, Analysis& 
 
 void count_pairs(const CutMesh& cut, const Components& components, Analysis& analysis) {
   const std::vector<IntersectingPair>& pairs = analysis.offenders.intersecting_pairs;
-  const auto component_of = [&](Index file_face) {
-    const auto found = std::lower_bound(cut.side.faces.begin(), cut.side.faces.end(), file_face);
-    return components.of_face[static_cast<std::size_t>(found - cut.side.faces.begin())];
+  std::vector<std::uint8_t> intersects(cut.mesh.n_faces(), 0);
+  const auto meet = [&](Index file_face) {
+    const std::size_t mesh_face = cut.side.mesh_face(file_face);
+    intersects[mesh_face] = 1;
+    return components.of_face[mesh_face];
   };
-  std::vector<Index> faces;
-  faces.reserve(2 * pairs.size());
   for (const IntersectingPair& pair : pairs) {
-    const Index a = component_of(pair.face_a);
-    const Index b = component_of(pair.face_b);
+    const Index a = meet(pair.face_a);
+    const Index b = meet(pair.face_b);
     ++analysis.components[a].intersecting_pairs;
     analysis.components[b].intersecting_pairs += a == b ? 0 : 1;
     analysis.characteristics.unwelded_pairs += pair.kind == ContactKind::Unwelded ? 1 : 0;
-    faces.push_back(pair.face_a);
-    faces.push_back(pair.face_b);
   }
-  std::sort(faces.begin(), faces.end());
-  const auto distinct = std::unique(faces.begin(), faces.end()) - faces.begin();
   analysis.characteristics.intersecting_pairs = pairs.size();
-  analysis.characteristics.intersecting_faces = static_cast<std::size_t>(distinct);
+  analysis.characteristics.intersecting_faces =
+      static_cast<std::size_t>(std::count(intersects.begin(), intersects.end(), 1));
 }
 
 }  // namespace

@@ -16,32 +16,35 @@ bool bounds_a_solid(const ComponentAnalysis& c) {
   return c.closed && c.manifold && c.consistent.value_or(false);
 }
 
-/// The mesh face that is a face of the file.
-Index mesh_face(const SideTable& side, Index file_face) {
-  return static_cast<Index>(std::lower_bound(side.faces.begin(), side.faces.end(), file_face) -
-                            side.faces.begin());
+/// Leaves each pair of components once, ascending; it crosses if any did.
+void merge_contacts(std::vector<PartContact>& contacts) {
+  const auto key = [](const PartContact& c) { return std::tuple(c.a, c.b, !c.crosses); };
+  std::sort(contacts.begin(), contacts.end(),
+            [&](const PartContact& x, const PartContact& y) { return key(x) < key(y); });
+  const auto same_parts = [](const PartContact& x, const PartContact& y) {
+    return x.a == y.a && x.b == y.b;
+  };
+  contacts.erase(std::unique(contacts.begin(), contacts.end(), same_parts), contacts.end());
 }
 
 /// The pairs of components that intersect, each once, ascending.
 std::vector<PartContact> find_contacts(const CutMesh& cut, const Components& components,
                                        std::span<const IntersectingPair> pairs) {
   std::vector<PartContact> contacts;
+  // Merged now and then, so that memory follows the pairs of components, not those of faces.
+  std::size_t enough = std::size_t{1} << 16;
   for (const IntersectingPair& pair : pairs) {
-    const Index a = components.of_face[mesh_face(cut.side, pair.face_a)];
-    const Index b = components.of_face[mesh_face(cut.side, pair.face_b)];
+    const Index a = components.of_face[cut.side.mesh_face(pair.face_a)];
+    const Index b = components.of_face[cut.side.mesh_face(pair.face_b)];
     if (a != b) {
       contacts.push_back({std::min(a, b), std::max(a, b), pair.kind == ContactKind::Crossing});
     }
+    if (contacts.size() == enough) {
+      merge_contacts(contacts);
+      enough = std::max(enough, 2 * contacts.size());
+    }
   }
-  const auto key = [](const PartContact& c) { return std::tuple(c.a, c.b, !c.crosses); };
-  std::sort(contacts.begin(), contacts.end(),
-            [&](const PartContact& x, const PartContact& y) { return key(x) < key(y); });
-  // Of each pair the first stays, which crosses if any does.
-  contacts.erase(std::unique(contacts.begin(), contacts.end(),
-                             [](const PartContact& x, const PartContact& y) {
-                               return x.a == y.a && x.b == y.b;
-                             }),
-                 contacts.end());
+  merge_contacts(contacts);
   return contacts;
 }
 

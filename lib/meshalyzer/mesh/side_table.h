@@ -2,6 +2,7 @@
 
 #include "meshalyzer/mesh/tri_mesh.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -57,6 +58,11 @@ struct SideTable {
   }
   /// The file's face that a mesh face is.
   [[nodiscard]] Index face(FaceHandle f) const { return faces[static_cast<std::size_t>(f.idx())]; }
+  /// The index of the mesh face that is this face of the file, which must not be a rejected one.
+  [[nodiscard]] std::size_t mesh_face(Index file_face) const {
+    return static_cast<std::size_t>(std::lower_bound(faces.begin(), faces.end(), file_face) -
+                                    faces.begin());
+  }
 };
 
 /// A file's complex as a half-edge mesh, cut open wherever the complex is not a consistently

@@ -166,7 +166,12 @@ std::vector<IntersectingPair> find_self_intersections(const CutMesh& cut, const 
       LeafVisitor(scene, leaf, parts[chunk.number]).visit();
     }
   });
+  std::size_t n_pairs = 0;
+  for (const Pairs& part : parts) {
+    n_pairs += part.size();
+  }
   Pairs pairs;
+  pairs.reserve(n_pairs);
   for (Pairs& part : parts) {
     pairs.insert(pairs.end(), part.begin(), part.end());
     Pairs().swap(part);
