@@ -1,6 +1,7 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/mesh/validate.h"
+#include "support/random_soups.h"
 #include "support/shapes.h"
 #include "support/soups.h"
 
@@ -18,11 +19,6 @@ namespace meshalyzer {
 namespace {
 
 constexpr std::uint32_t kSeeds = 3000;
-
-/// A whole number below n. Not std::uniform_int_distribution, which differs between libraries.
-Index below(std::mt19937& random, Index n) {
-  return static_cast<Index>(random() % n);
-}
 
 /// Any faces whatever over few vertices: nearly every edge is non-manifold, many faces come more
 /// than once, some are degenerate or name a missing vertex.
@@ -47,15 +43,7 @@ Soup random_damage(std::uint32_t seed) {
                                    shapes::two_tetrahedra_sharing_edge()};
   Soup soup = surfaces[below(random, static_cast<Index>(surfaces.size()))];
   const Index rarity = 2 + below(random, 30);
-  std::vector<Triangle> kept;
-  for (Triangle t : soup.triangles) {
-    if (below(random, rarity) == 0) continue;
-    if (below(random, rarity) == 0) kept.push_back(t);
-    if (below(random, rarity) == 0) std::swap(t[0], t[1]);
-    kept.push_back(t);
-  }
-  soup.triangles = std::move(kept);
-  return soup;
+  return damaged(std::move(soup), rarity, random);
 }
 
 /// A cut mesh without its numbering: each fan by file vertex and faces, each cut edge by vertices

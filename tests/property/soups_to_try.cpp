@@ -2,6 +2,7 @@
 
 #include "meshalyzer/io/format_of.h"
 #include "meshalyzer/io/read.h"
+#include "support/random_soups.h"
 #include "support/shapes.h"
 
 #include <algorithm>
@@ -14,11 +15,6 @@ namespace meshalyzer {
 namespace {
 
 constexpr std::uint32_t kSeeds = 300;
-
-/// A whole number below n, the same on every platform.
-Index below(std::mt19937& random, Index n) {
-  return static_cast<Index>(random() % n);
-}
 
 /// Any faces over the points of a small lattice: degenerate, flat, duplicate, with missing
 /// vertices.
@@ -53,15 +49,7 @@ Soup damaged_soup(std::uint32_t seed) {
   const Vec3 by(0.25 * below(random, 12), 0.25 * below(random, 12), 0.25 * below(random, 12));
   Soup soup = shapes::merged(any(), shapes::translated(any(), by));
   const Index rarity = 20 + below(random, 300);
-  std::vector<Triangle> kept;
-  for (Triangle t : soup.triangles) {
-    if (below(random, rarity) == 0) continue;
-    if (below(random, rarity) == 0) kept.push_back(t);
-    if (below(random, rarity) == 0) std::swap(t[0], t[1]);
-    kept.push_back(t);
-  }
-  soup.triangles = std::move(kept);
-  return soup;
+  return damaged(std::move(soup), rarity, random);
 }
 
 std::vector<NamedSoup> make_soups() {

@@ -1,8 +1,8 @@
 #include "meshalyzer/io/mesh_format.h"
 
 #include "meshalyzer/base/error.h"
-#include "meshalyzer/base/numbers.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/io/print_record.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/text_scanner.h"
 
@@ -169,12 +169,7 @@ std::string print_mesh_format(const Soup& soup) {
   const PrintedIds face_ids(soup.face_ids);
   std::string text;
   for (std::size_t v = 0; v < soup.n_vertices(); ++v) {
-    text += "Vertex " + vertex_ids.of(v);
-    for (const double coordinate : soup.positions[v]) {
-      text += ' ';
-      append_shortest(text, coordinate);
-    }
-    text += '\n';
+    print_record(text, "Vertex " + vertex_ids.of(v), soup.positions[v]);
   }
   for (std::size_t f = 0; f < soup.n_faces(); ++f) {
     text += "Face " + face_ids.of(f);

@@ -1,6 +1,6 @@
 #include "meshalyzer/io/obj.h"
 
-#include "meshalyzer/base/numbers.h"
+#include "meshalyzer/io/print_record.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/text_scanner.h"
 
@@ -169,15 +169,6 @@ class ObjParser {
   bool uses_normals_ = false;
 };
 
-void print_vector(std::string& text, std::string_view keyword, const Vec3& vector) {
-  text += keyword;
-  for (const double coordinate : vector) {
-    text += ' ';
-    append_shortest(text, coordinate);
-  }
-  text += '\n';
-}
-
 void print_face(std::string& text, const Soup& soup, std::size_t face) {
   text += 'f';
   for (std::size_t k = 0; k < 3; ++k) {
@@ -205,10 +196,10 @@ std::string print_obj(const Soup& soup) {
   require_all_vertices(soup);
   std::string text;
   for (const Vec3& position : soup.positions) {
-    print_vector(text, "v", position);
+    print_record(text, "v", position);
   }
   for (const Vec3& normal : soup.normals) {
-    print_vector(text, "vn", normal);
+    print_record(text, "vn", normal);
   }
   auto group = soup.groups.begin();
   for (std::size_t f = 0; f <= soup.n_faces(); ++f) {

@@ -4,6 +4,7 @@
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/bytes.h"
 #include "meshalyzer/io/point_table.h"
+#include "meshalyzer/io/print_record.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/text_scanner.h"
 
@@ -163,15 +164,6 @@ Vec3 unit_normal(const Soup& soup, const Triangle& triangle) {
   return length > 0.0 && std::isfinite(length) ? Vec3(normal / length) : Vec3(0.0, 0.0, 0.0);
 }
 
-void print_vector(std::string& text, std::string_view keyword, const Vec3& vector) {
-  text += keyword;
-  for (const double coordinate : vector) {
-    text += ' ';
-    append_shortest(text, coordinate);
-  }
-  text += '\n';
-}
-
 void append_floats(std::string& content, const Vec3& vector) {
   for (const double coordinate : vector) {
     if (std::abs(coordinate) > std::numeric_limits<float>::max()) {
@@ -196,10 +188,10 @@ std::string print_ascii_stl(const Soup& soup) {
   require_all_vertices(soup);
   std::string text = "solid mesh\n";
   for (const Triangle& triangle : soup.triangles) {
-    print_vector(text, "facet normal", unit_normal(soup, triangle));
+    print_record(text, "facet normal", unit_normal(soup, triangle));
     text += "outer loop\n";
     for (const Index corner : triangle) {
-      print_vector(text, "vertex", soup.positions[corner]);
+      print_record(text, "vertex", soup.positions[corner]);
     }
     text += "endloop\nendfacet\n";
   }

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "meshalyzer/mesh/soup.h"
+
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+
+/// A whole number below n. Not std::uniform_int_distribution, which differs between libraries.
+[[nodiscard]] inline Index below(std::mt19937& random, Index n) {
+  return static_cast<Index>(random() % n);
+}
+
+/// A surface that has lost some faces and had others given twice or turned over: of `rarity` faces
+/// about one each.
+[[nodiscard]] inline Soup damaged(Soup soup, Index rarity, std::mt19937& random) {
+  std::vector<Triangle> kept;
+  for (Triangle t : soup.triangles) {
+    if (below(random, rarity) == 0) continue;
+    if (below(random, rarity) == 0) kept.push_back(t);
+    if (below(random, rarity) == 0) std::swap(t[0], t[1]);
+    kept.push_back(t);
+  }
+  soup.triangles = std::move(kept);
+  return soup;
+}
+
+}  // namespace meshalyzer
