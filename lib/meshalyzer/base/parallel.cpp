@@ -29,6 +29,10 @@ void parallel_sort(std::vector<std::uint64_t>& keys) {
   tbb::parallel_sort(keys.begin(), keys.end());
 }
 
+std::size_t max_threads() {
+  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+}
+
 struct ThreadLimit::Control {
   explicit Control(std::size_t n) : limit(tbb::global_control::max_allowed_parallelism, n) {}
   tbb::global_control limit;

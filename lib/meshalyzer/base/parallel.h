@@ -51,6 +51,9 @@ void parallel_invoke(const std::vector<std::function<void()>>& functions);
 /// fully.
 void parallel_sort(std::vector<std::uint64_t>& keys);
 
+/// So many threads work in parallel here, at most.
+[[nodiscard]] std::size_t max_threads();
+
 /// While it lives, at most `n` threads work in parallel (0: as many as the machine has cores).
 class ThreadLimit {
  public:

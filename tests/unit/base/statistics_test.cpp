@@ -51,6 +51,13 @@ TEST(Summarize, MedianOfAnEvenCountIsTheMeanOfTheMiddleTwo) {
   EXPECT_EQ(summarize(values).median, 4.5);
 }
 
+TEST(Summarize, MedianOfTheSmallestDoublesIsNotRoundedAway) {
+  // Half of it is no double: halves added up would give 0.
+  constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
+  std::vector<double> values = {kSmallest, kSmallest};
+  EXPECT_EQ(summarize(values).median, kSmallest);
+}
+
 TEST(Summarize, ASingleValueHasNoVariance) {
   std::vector<double> values = {3.5};
   const Statistics s = summarize(values);

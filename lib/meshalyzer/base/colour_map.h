@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace meshalyzer {
+
+/// An sRGB colour, 0 ... 255 a channel.
+struct Colour {
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+
+  friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+/// Grey: that of places without a value; in no palette.
+inline constexpr Colour kNoValueColour{128, 128, 128};
+
+/// A run of colours.
+enum class Palette : std::uint8_t {
+  /// Viridis: dark blue over green to yellow, evenly and ever lighter, also in print and for eyes
+  /// that do not tell red from green.
+  Sequential,
+  /// Blue over white to red: for values below and above something in the middle.
+  Diverging,
+};
+
+/// The colour at a place in a palette.
+/// @param t  0 is its beginning, 1 its end; what is beyond has the colour of the end that is
+///           nearer, NaN kNoValueColour.
+[[nodiscard]] Colour colour_of(Palette palette, double t);
+
+/// Colours for the values of a field.
+struct ColourScale {
+  Palette palette = Palette::Sequential;
+  /// The values at the beginning and the end of the palette; finite, min <= max.
+  double min = 0.0;
+  double max = 0.0;
+
+  /// Where min and max are the same all values have one colour, that of the middle.
+  [[nodiscard]] Colour colour_of(double value) const;
+};
+
+/// The scale that shows a field best: where values of both signs occur white is 0 and a length in
+/// blue is the same as in red; else from the smallest to the largest value.
+/// @param values  Those that are not finite do not matter; 0 ... 0 where none is.
+[[nodiscard]] ColourScale scale_for(std::span<const double> values);
+
+}  // namespace meshalyzer

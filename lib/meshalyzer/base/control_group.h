@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace meshalyzer {
+
+/// Where Linux shows the control groups of a process.
+struct ControlGroupPlaces {
+  /// Lines `number:controllers:path`, as `man 7 cgroups` says.
+  std::string own_groups = "/proc/self/cgroup";
+  /// The folder that the hierarchies are mounted in.
+  std::string root = "/sys/fs/cgroup";
+};
+
+/// The smallest memory limit, in bytes, of the control groups that this process is in and of the
+/// groups around these, both of version 1 and 2; nothing where none is set. What cannot be read
+/// sets none.
+[[nodiscard]] std::optional<std::uint64_t> control_group_memory(const ControlGroupPlaces& places);
+
+}  // namespace meshalyzer

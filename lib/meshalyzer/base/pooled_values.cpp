@@ -1,0 +1,184 @@
+#include "meshalyzer/base/pooled_values.h"
+
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/scratch_file.h"
+#include "meshalyzer/base/statistics_passes.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace meshalyzer {
+
+struct PooledValues::State {
+  /// In values; a multiple of kChunkLength, so that the passes need not know what was spilled.
+  std::size_t capacity = 0;
+  std::size_t infinite = 0;
+  std::optional<ScratchFile> file;
+  /// Of what is in the file.
+  ExtentPass spilled;
+  /// Finite values behind those of the file.
+  std::vector<double> buffer;
+
+  void spill() {
+    if (!file) {
+      file.emplace();
+    }
+    file->append(buffer);
+    spilled.add(buffer);
+    buffer.clear();
+  }
+
+  /// Calls `body` for all finite values, block by block, in order.
+  template <typename Body>
+  void for_each_block(Body&& body) const {
+    constexpr std::size_t kBlockLength = 16 * kChunkLength;
+    const std::size_t n_in_file = file ? file->size() : 0;
+    for (std::size_t first = 0; first < n_in_file; first += kBlockLength) {
+      const std::vector<double> block =
+          file->read(first, std::min(kBlockLength, n_in_file - first));
+      body(std::span<const double>(block));
+    }
+    body(std::span<const double>(buffer));
+  }
+};
+
+namespace {
+
+constexpr unsigned kKeyBits = 64;
+constexpr unsigned kDigitBits = 16;
+constexpr std::uint64_t kSignBit = std::uint64_t{1} << (kKeyBits - 1);
+
+/// The bits of a double in an order that is that of the values; -0 before 0.
+std::uint64_t key_of(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  return (bits & kSignBit) != 0 ? ~bits : bits | kSignBit;
+}
+
+double value_of(std::uint64_t key) {
+  return std::bit_cast<double>((key & kSignBit) != 0 ? key & ~kSignBit : ~key);
+}
+
+/// The values whose keys begin with certain bits, and which of them, from 0, is looked for.
+struct Bucket {
+  std::uint64_t prefix = 0;
+  unsigned n_bits = 0;
+  std::size_t size = 0;
+  std::size_t rank = 0;
+
+  /// The first bits of a key, as many as the prefix has.
+  [[nodiscard]] std::uint64_t head(std::uint64_t key) const {
+    return n_bits == 0 ? 0 : key >> (kKeyBits - n_bits);
+  }
+};
+
+/// The part of a bucket, one digit further, that holds the value looked for.
+template <typename ForEachBlock>
+Bucket narrowed(const Bucket& bucket, const ForEachBlock& for_each_block) {
+  std::vector<std::size_t> counts(std::size_t{1} << kDigitBits);
+  const unsigned shift = kKeyBits - kDigitBits - bucket.n_bits;
+  for_each_block([&](std::span<const double> block) {
+    for (const double value : block) {
+      const std::uint64_t key = key_of(value);
+      if (bucket.head(key) == bucket.prefix) {
+        ++counts[(key >> shift) % counts.size()];
+      }
+    }
+  });
+  std::size_t digit = 0;
+  std::size_t rank = bucket.rank;
+  for (; rank >= counts[digit]; ++digit) {
+    rank -= counts[digit];
+  }
+  return {(bucket.prefix << kDigitBits) | digit, bucket.n_bits + kDigitBits, counts[digit], rank};
+}
+
+struct Neighbours {
+  double value = 0.0;
+  double next = 0.0;
+};
+
+/// The value looked for in a bucket, and the next one in ascending order, which may lie beyond the
+/// bucket; infinity where it is the last.
+template <typename ForEachBlock>
+Neighbours value_and_next(const Bucket& bucket, const ForEachBlock& for_each_block) {
+  const bool are_all_equal = bucket.n_bits == kKeyBits;
+  std::vector<double> members;
+  members.reserve(are_all_equal ? 0 : bucket.size);
+  double beyond = std::numeric_limits<double>::infinity();
+  for_each_block([&](std::span<const double> block) {
+    for (const double value : block) {
+      const std::uint64_t head = bucket.head(key_of(value));
+      if (head > bucket.prefix) {
+        beyond = std::min(beyond, value);
+      } else if (head == bucket.prefix && !are_all_equal) {
+        members.push_back(value);
+      }
+    }
+  });
+  const bool is_next_inside = bucket.rank + 1 < bucket.size;
+  if (are_all_equal) {
+    const double value = value_of(bucket.prefix);
+    return {value, is_next_inside ? value : beyond};
+  }
+  const auto found = members.begin() + static_cast<std::ptrdiff_t>(bucket.rank);
+  std::nth_element(members.begin(), found, members.end());
+  return {*found, is_next_inside ? *std::min_element(found + 1, members.end()) : beyond};
+}
+
+/// Selects by the digits of the keys until what is left fits into memory.
+/// @param capacity  So many values may be held at a time.
+template <typename ForEachBlock>
+double median_of(std::size_t count, std::size_t capacity, const ForEachBlock& for_each_block) {
+  Bucket bucket{.size = count, .rank = lower_middle(count)};
+  while (bucket.size > capacity && bucket.n_bits < kKeyBits) {
+    bucket = narrowed(bucket, for_each_block);
+  }
+  const Neighbours middle = value_and_next(bucket, for_each_block);
+  return median_of_middle(middle.value, count % 2 == 1 ? middle.value : middle.next);
+}
+
+}  // namespace
+
+PooledValues::PooledValues(std::size_t buffer_bytes) : state_(std::make_unique<State>()) {
+  const std::size_t n_whole = buffer_bytes / sizeof(double) / kChunkLength;
+  state_->capacity = std::max<std::size_t>(1, n_whole) * kChunkLength;
+}
+
+PooledValues::~PooledValues() = default;
+PooledValues::PooledValues(PooledValues&& other) noexcept = default;
+PooledValues& PooledValues::operator=(PooledValues&& other) noexcept = default;
+
+void PooledValues::append(std::span<const double> values) {
+  for (const double value : values) {
+    if (!std::isfinite(value)) {
+      ++state_->infinite;
+      continue;
+    }
+    if (state_->buffer.size() == state_->capacity) {
+      state_->spill();
+    }
+    state_->buffer.push_back(value);
+  }
+}
+
+Statistics PooledValues::summarize() const {
+  const auto for_each_block = [&](const auto& body) { state_->for_each_block(body); };
+  ExtentPass extent = state_->spilled;
+  extent.add(state_->buffer);
+  Statistics result;
+  if (extent.count() != 0) {
+    SpreadPass spread(extent);
+    for_each_block([&](std::span<const double> block) { spread.add(block); });
+    result = spread.statistics();
+    result.median = median_of(extent.count(), state_->capacity, for_each_block);
+  }
+  result.infinite = state_->infinite;
+  return result;
+}
+
+}  // namespace meshalyzer

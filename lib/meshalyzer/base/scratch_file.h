@@ -1,0 +1,34 @@
+#pragma once
+
+#include "meshalyzer/base/descriptor.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Doubles in a file without a name, which is gone when it is closed, however the program ends.
+class ScratchFile {
+ public:
+  /// In the folder that the environment variable TMPDIR names, else in /tmp.
+  /// @throws IoError if no file can be made there.
+  ScratchFile();
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+  /// @throws IoError if that fails; the file then holds what it held.
+  void append(std::span<const double> values);
+
+  /// The `n` values from number `first` on, from 0: they must be there.
+  /// @throws IoError if that fails.
+  [[nodiscard]] std::vector<double> read(std::size_t first, std::size_t n) const;
+
+ private:
+  std::string folder_;
+  Descriptor file_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace meshalyzer

@@ -1,0 +1,117 @@
+#include "meshalyzer/base/statistics_passes.h"
+
+#include "meshalyzer/base/parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <numeric>
+
+namespace meshalyzer {
+namespace {
+
+using Edges = std::array<double, Histogram::kBins + 1>;
+
+Edges histogram_edges(double min, double max) {
+  Edges edges{};
+  // Halves first: max - min may overflow where max / 2 - min / 2 does not.
+  const double half_width = max / 2 - min / 2;
+  for (std::size_t i = 0; i < Histogram::kBins; ++i) {
+    const double t = static_cast<double>(i) / Histogram::kBins;
+    edges[i] = min + 2 * (half_width * t);
+  }
+  edges.back() = max;
+  return edges;
+}
+
+std::size_t bin_of(const Edges& edges, double value) {
+  const auto first_inner = edges.begin() + 1;
+  return static_cast<std::size_t>(std::upper_bound(first_inner, edges.end() - 1, value) -
+                                  first_inner);
+}
+
+struct ExtentPart {
+  double min = 0.0;
+  double max = 0.0;
+  CompensatedSum total;
+};
+
+ExtentPart extent_of(std::span<const double> values) {
+  ExtentPart part{values.front(), values.front(), {}};
+  for (const double value : values) {
+    part.min = std::min(part.min, value);
+    part.max = std::max(part.max, value);
+    part.total.add(value);
+  }
+  return part;
+}
+
+struct SpreadPart {
+  CompensatedSum squared_deviations;
+  std::array<std::size_t, Histogram::kBins> counts{};
+};
+
+SpreadPart spread_of(std::span<const double> values, double mean, const Edges& edges) {
+  SpreadPart part;
+  for (const double value : values) {
+    part.squared_deviations.add((value - mean) * (value - mean));
+    ++part.counts[bin_of(edges, value)];
+  }
+  return part;
+}
+
+std::span<const double> values_of(Chunk chunk, std::span<const double> values) {
+  return values.subspan(chunk.begin, chunk.end - chunk.begin);
+}
+
+}  // namespace
+
+void ExtentPass::add(std::span<const double> values) {
+  const auto parts = map_chunks<ExtentPart>(
+      values.size(), [&](Chunk chunk) { return extent_of(values_of(chunk, values)); });
+  for (const ExtentPart& part : parts) {
+    min_ = std::min(min_, part.min);
+    max_ = std::max(max_, part.max);
+    total_.add(part.total);
+  }
+  count_ += values.size();
+}
+
+double ExtentPass::mean() const {
+  return std::clamp(total() / static_cast<double>(count_), min_, max_);
+}
+
+SpreadPass::SpreadPass(const ExtentPass& extent) : extent_(extent), mean_(extent.mean()) {
+  histogram_.edges = histogram_edges(extent.min(), extent.max());
+}
+
+void SpreadPass::add(std::span<const double> values) {
+  const auto parts = map_chunks<SpreadPart>(values.size(), [&](Chunk chunk) {
+    return spread_of(values_of(chunk, values), mean_, histogram_.edges);
+  });
+  for (const SpreadPart& part : parts) {
+    squared_deviations_.add(part.squared_deviations);
+    std::transform(part.counts.begin(), part.counts.end(), histogram_.counts.begin(),
+                   histogram_.counts.begin(), std::plus<>());
+  }
+}
+
+Statistics SpreadPass::statistics() const {
+  Statistics result;
+  result.count = extent_.count();
+  result.min = extent_.min();
+  result.max = extent_.max();
+  result.total = extent_.total();
+  result.mean = mean_;
+  result.variance = extent_.count() < 2
+                        ? 0.0
+                        : squared_deviations_.value() / static_cast<double>(extent_.count() - 1);
+  result.histogram = histogram_;
+  return result;
+}
+
+double median_of_middle(double lower, double upper) {
+  return std::midpoint(lower, upper) + 0.0;
+}
+
+}  // namespace meshalyzer
