@@ -26,12 +26,8 @@ class FileContent {
   std::string_view bytes_;
 };
 
-/// Puts `bytes` in the place of the file at `path`, all of them or none.
-///
-/// They are written to a new file in the same folder, flushed to the disk and renamed; on failure
-/// that file is removed and the old one stays as it was. An existing file keeps its permissions; a
-/// symbolic link keeps pointing to its file; what is no regular file (a pipe, a device) is written
-/// into.
+/// Puts `bytes` in the place of the file at `path`, all of them or none: a FileReplacement of one
+/// piece.
 ///
 /// @throws IoError if that fails.
 void replace_file(const std::string& path, std::string_view bytes);

@@ -1,14 +1,13 @@
 #include "meshalyzer/io/file.h"
 
 #include "io_cases.h"
-#include "temporary_folder.h"
+#include "support/file_size_limit.h"
+#include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
-#include <csignal>
 #include <filesystem>
 #include <string>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <thread>
 
@@ -83,26 +82,6 @@ TEST(ReplaceFile, ReplacesWhatASymbolicLinkPointsTo) {
   EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link")));
   EXPECT_EQ(read_bytes(folder.file("a")), "new");
 }
-
-/// While it lives, no file may grow beyond so many bytes: a disk that fills up.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &old_);
-    const rlimit limit{bytes, old_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() {
-    ::setrlimit(RLIMIT_FSIZE, &old_);
-    std::signal(SIGXFSZ, old_handler_);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
- private:
-  rlimit old_{};
-  void (*old_handler_)(int);
-};
 
 TEST(ReplaceFile, AFailureLeavesTheOldFileAndNothingBeside) {
   const TemporaryFolder folder;

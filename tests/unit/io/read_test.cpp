@@ -1,7 +1,7 @@
 #include "meshalyzer/io/read.h"
 
 #include "io_cases.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "io_cases.h"
 #include "meshalyzer/io/read.h"
 #include "support/same_soup.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 

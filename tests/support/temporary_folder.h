@@ -13,7 +13,7 @@ namespace meshalyzer {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "meshalyzer_io_XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "meshalyzer_test_XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) {
       throw std::runtime_error("no temporary folder");
     }

@@ -1,0 +1,183 @@
+#include "meshalyzer/io/file_replacement.h"
+
+#include "meshalyzer/base/descriptor.h"
+#include "meshalyzer/base/error.h"
+
+#include <cerrno>
+#include <cstddef>
+#include <fcntl.h>
+#include <filesystem>
+#include <optional>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+constexpr std::size_t kBufferBytes = std::size_t{1} << 18U;
+
+std::optional<struct stat> status_of(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 ? std::optional(status) : std::nullopt;
+}
+
+/// The file that a path names, behind symbolic links.
+std::string target_of(const std::string& path) {
+  std::error_code unresolvable;
+  const std::filesystem::path resolved = std::filesystem::weakly_canonical(path, unresolvable);
+  return unresolvable ? path : resolved.string();
+}
+
+/// A file beside its target, whose place it can take; removed again unless it has.
+class NewFile {
+ public:
+  /// The umask applies to the new file, as it would have to the target.
+  explicit NewFile(const std::string& target) : target_(target), descriptor_(create()) {}
+  ~NewFile() {
+    if (!path_.empty()) {
+      ::unlink(path_.c_str());
+    }
+  }
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  [[nodiscard]] const Descriptor& descriptor() const { return descriptor_; }
+
+  void replace_target() {
+    if (::fsync(descriptor_.get()) != 0 || !descriptor_.close()) {
+      throw_errno(target_, "cannot be written");
+    }
+    if (::rename(path_.c_str(), target_.c_str()) != 0) {
+      throw_errno(target_, "cannot be replaced");
+    }
+    path_.clear();
+    flush_folder();
+  }
+
+ private:
+  Descriptor create() {
+    // Not named after the target: a name as long as the file system allows leaves no room for more.
+    const std::filesystem::path folder = std::filesystem::path(target_).parent_path();
+    const std::string stem = ".meshalyzer-" + std::to_string(::getpid());
+    constexpr int kAttempts = 100;
+    for (int i = 0; i < kAttempts; ++i) {
+      path_ = (folder / (stem + "-" + std::to_string(i))).string();
+      Descriptor file(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+      if (file.is_open()) {
+        return file;
+      }
+      if (errno != EEXIST) {
+        break;
+      }
+    }
+    path_.clear();
+    throw_errno(target_, "cannot be written");
+  }
+
+  /// So that the renaming outlives a power cut too. Some file systems cannot: the content is safe
+  /// without it.
+  void flush_folder() const {
+    const std::filesystem::path folder = std::filesystem::path(target_).parent_path();
+    const Descriptor opened(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC));
+    if (opened.is_open()) {
+      ::fsync(opened.get());
+    }
+  }
+
+  std::string target_;
+  std::string path_;
+  Descriptor descriptor_;
+};
+
+}  // namespace
+
+/// One of the two ways to write: into a new file, or directly into what is no regular file.
+class FileReplacement::Output {
+ public:
+  explicit Output(const std::string& path) : path_(path) {
+    const std::optional<struct stat> old = status_of(path);
+    if (old && S_ISDIR(old->st_mode)) {
+      throw IoError(path, {}, "is a directory");
+    }
+    if (old && !S_ISREG(old->st_mode)) {
+      direct_.emplace(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+      if (!direct_->is_open()) {
+        throw_errno(path, "cannot be opened");
+      }
+      return;
+    }
+    if (old && ::access(path.c_str(), W_OK) != 0) {
+      throw_errno(path, "cannot be written");
+    }
+    new_file_.emplace(target_of(path));
+    if (old && ::fchmod(new_file_->descriptor().get(), old->st_mode & 07777U) != 0) {
+      throw_errno(path, "cannot be given its permissions");
+    }
+  }
+
+  void write(std::string_view bytes) {
+    if (buffer_.size() + bytes.size() > kBufferBytes) {
+      flush();
+    }
+    if (bytes.size() > kBufferBytes) {
+      put(bytes);
+    } else {
+      buffer_ += bytes;
+    }
+  }
+
+  void commit() {
+    flush();
+    if (new_file_) {
+      new_file_->replace_target();
+    } else if (!direct_->close()) {
+      throw_errno(path_, "cannot be written");
+    }
+  }
+
+ private:
+  void flush() {
+    put(buffer_);
+    buffer_.clear();
+  }
+
+  void put(std::string_view bytes) {
+    if (!write_all(new_file_ ? new_file_->descriptor() : *direct_, bytes)) {
+      throw_errno(path_, "cannot be written");
+    }
+  }
+
+  std::string path_;
+  std::optional<NewFile> new_file_;
+  std::optional<Descriptor> direct_;
+  std::string buffer_;
+};
+
+FileReplacement::FileReplacement(const std::string& path)
+    : output_(std::make_unique<Output>(path)) {}
+
+FileReplacement::~FileReplacement() = default;
+FileReplacement::FileReplacement(FileReplacement&& other) noexcept = default;
+FileReplacement& FileReplacement::operator=(FileReplacement&& other) noexcept = default;
+
+void FileReplacement::write(std::string_view bytes) {
+  // Taken out meanwhile: what throws leaves nothing that could be committed.
+  std::unique_ptr<Output> output = take();
+  output->write(bytes);
+  output_ = std::move(output);
+}
+
+void FileReplacement::commit() {
+  take()->commit();
+}
+
+std::unique_ptr<FileReplacement::Output> FileReplacement::take() {
+  if (!output_) {
+    throw InvalidArgument("the file replacement has ended already");
+  }
+  return std::move(output_);
+}
+
+}  // namespace meshalyzer
