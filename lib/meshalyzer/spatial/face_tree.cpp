@@ -108,18 +108,17 @@ std::array<float, 3> FaceTree::map(const Vec3& point) const {
 }
 
 void FaceTree::choose_map(std::span<const Triangle> triangles) {
-  Box3 bounds;
   for (const Triangle& t : triangles) {
     for (const Index v : t) {
-      bounds.extend(points_[v]);
+      bounds_.extend(points_[v]);
     }
   }
-  if (bounds.isEmpty()) {
+  if (bounds_.isEmpty()) {
     return;
   }
   // Halves before the sum and the difference: these may overflow where the coordinates do not.
-  centre_ = bounds.min() / 2 + bounds.max() / 2;
-  const double half = (bounds.max() / 2 - bounds.min() / 2).maxCoeff();
+  centre_ = bounds_.min() / 2 + bounds_.max() / 2;
+  const double half = (bounds_.max() / 2 - bounds_.min() / 2).maxCoeff();
   scale_ = half > 0.0 ? std::min(1.0 / half, std::numeric_limits<double>::max()) : 1.0;
 }
 

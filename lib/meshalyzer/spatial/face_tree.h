@@ -62,6 +62,12 @@ class FaceTree {
   [[nodiscard]] Index mesh_face(std::size_t slot) const { return mesh_faces_[slot]; }
   [[nodiscard]] const Vec3& point(Index file_vertex) const { return points_[file_vertex]; }
 
+  /// Of the faces' corners, in the file's own coordinates; empty where there are no faces.
+  [[nodiscard]] const Box3& bounds() const { return bounds_; }
+  /// The coordinates of the boxes are (point - centre) * scale, rounded; about -1 ... 1 for points
+  /// of the mesh.
+  [[nodiscard]] const Vec3& centre() const { return centre_; }
+  [[nodiscard]] double scale() const { return scale_; }
   /// The place of a point in the coordinates of the boxes: monotone in each coordinate.
   [[nodiscard]] std::array<float, 3> map(const Vec3& point) const;
 
@@ -72,6 +78,7 @@ class FaceTree {
   void box_levels();
 
   std::span<const Vec3> points_;
+  Box3 bounds_;
   Vec3 centre_ = Vec3::Zero();
   double scale_ = 1.0;
   std::vector<Triangle> triangles_;

@@ -9,7 +9,7 @@ namespace meshalyzer {
 
 /// How two faces share points (contract 2). The first that holds, in the order given here.
 enum class ContactKind : std::uint8_t {
-  /// The faces have the same three vertices by id.
+  /// The faces have the same three vertices: by id within one mesh, by place across two.
   Duplicate,
   /// The contact is gone when vertices at identical places count as one: a seam that was never
   /// welded.
@@ -27,7 +27,8 @@ enum class ContactKind : std::uint8_t {
 /// "duplicate", "unwelded", "fold-over", "coplanar-overlap", "crossing", "touching".
 [[nodiscard]] std::string_view contact_name(ContactKind kind);
 
-/// Two intersecting faces of one file, by index of their records; face_a < face_b.
+/// Two intersecting faces, by index of their records: of one file, face_a < face_b, or of two
+/// files, face_a of the first and face_b of the second.
 struct IntersectingPair {
   Index face_a = 0;
   Index face_b = 0;

@@ -1,0 +1,272 @@
+#include "meshalyzer/spatial/box_meetings.h"
+
+#include "meshalyzer/base/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+using Next = BoxMeetings::Next;
+
+/// Leaves that one task looks at.
+constexpr std::size_t kLeavesPerChunk = 16;
+/// Of so many leaves one tells how laborious the search will be.
+constexpr std::size_t kSampled = 64;
+/// Of the inner tree: more boxes met for each of its faces are laborious. A mesh meets itself with
+/// about 15.
+constexpr std::size_t kMetPerFace = 64;
+/// Sums of three products of coordinates up to 1 are off by less than this.
+constexpr float kRelativeSlack = 0x1p-20F;
+/// Corners farther out than this are not held against slabs.
+constexpr float kFarthestForSlabs = 0x1p+20F;
+
+/// The place of a point in the coordinates of a tree that is not its own: monotone in each
+/// coordinate, like FaceTree::map(), so boxes that meet in space meet there.
+///
+/// Finite however far the point is from that tree, because differences of infinities would tell
+/// nothing.
+std::array<float, 3> map_foreign(const FaceTree& tree, const Vec3& point) {
+  constexpr float kFarthest = std::numeric_limits<float>::max();
+  std::array<float, 3> place = tree.map(point);
+  for (float& x : place) {
+    x = std::clamp(x, -kFarthest, kFarthest);
+  }
+  return place;
+}
+
+/// The leaves of `tree` whose boxes meet the box of all faces of `other`, ascending.
+std::vector<Index> leaves_near(const FaceTree& tree, const FaceTree& other) {
+  if (tree.n_faces() == 0 || other.n_faces() == 0) {
+    return {};
+  }
+  const TreeBox box{map_foreign(tree, other.bounds().min()),
+                    map_foreign(tree, other.bounds().max())};
+  std::vector<Index> nodes{0};
+  for (std::size_t level = tree.n_levels() - 1; level > 0; --level) {
+    std::vector<Index> below;
+    for (const Index i : nodes) {
+      for (unsigned bits = tree.node(level, i).meeting(box); bits != 0; bits &= bits - 1) {
+        below.push_back(8 * i + static_cast<Index>(std::countr_zero(bits)));
+      }
+    }
+    nodes = std::move(below);
+  }
+  return nodes;
+}
+
+/// A leaf of the outer tree, to be taken to the inner one.
+struct Visit {
+  const FaceTree& outer;
+  const FaceTree& inner;
+  /// Of the inner tree; null where there are none.
+  const SlabTree* slabs;
+  /// Takes a slot of the outer tree before one of the inner.
+  const BoxMeetings::Meet& meet;
+  std::size_t chunk;
+  std::size_t leaf;
+};
+
+/// The corners of the leaf's faces in the coordinates of the inner tree.
+LeafCorners corners_of_leaf(const Visit& visit) {
+  LeafCorners corners(visit.outer, visit.leaf);
+  const std::size_t last = visit.outer.n_faces() - 1;
+  for (std::size_t i = 0; i < LeafCorners::kCorners; ++i) {
+    const Triangle& t = visit.outer.triangle(std::min(8 * visit.leaf + i / 3, last));
+    const auto p = map_foreign(visit.inner, visit.outer.point(t[i % 3]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners.coordinates[k][i] = p[k];
+    }
+  }
+  return corners;
+}
+
+/// The boxes of those faces.
+EightBoxes boxes_of_leaf(const Visit& visit) {
+  EightBoxes boxes = EightBoxes::empty();
+  const std::size_t n = std::min<std::size_t>(8, visit.outer.n_faces() - 8 * visit.leaf);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (const Index v : visit.outer.triangle(8 * visit.leaf + i)) {
+      const auto p = map_foreign(visit.inner, visit.outer.point(v));
+      for (std::size_t k = 0; k < 3; ++k) {
+        boxes.min[k][i] = std::min(boxes.min[k][i], p[k]);
+        boxes.max[k][i] = std::max(boxes.max[k][i], p[k]);
+      }
+    }
+  }
+  return boxes;
+}
+
+/// How far out a box goes.
+float reach_of(const TreeBox& box) {
+  float reach = 0.0F;
+  for (std::size_t k = 0; k < 3; ++k) {
+    reach = std::max({reach, std::abs(box.low[k]), std::abs(box.high[k])});
+  }
+  return reach;
+}
+
+/// Takes the eight faces of one leaf to those faces of the inner tree whose boxes meet theirs.
+class LeafVisitor {
+ public:
+  explicit LeafVisitor(const Visit& visit)
+      : visit_(visit),
+        inner_(visit.inner),
+        mine_(boxes_of_leaf(visit)),
+        box_(TreeBox::around(mine_)),
+        slack_(kRelativeSlack * reach_of(box_)) {
+    if (visit.slabs != nullptr && reach_of(box_) < kFarthestForSlabs) {
+      corners_.emplace(corners_of_leaf(visit));
+    }
+  }
+
+  Next visit() {
+    const std::size_t top = inner_.n_levels() - 1;
+    return descend(top, 0, TreeBox::around(inner_.node(top, 0)));
+  }
+
+ private:
+  /// @param box  Of all faces below the node.
+  Next descend(std::size_t level, std::size_t i, const TreeBox& box) {
+    if (corners_ && is_excluded(visit_.slabs->slabs(level, i))) {
+      return Next::GoOn;
+    }
+    if (level == 0) {
+      return meet_leaf(i, box);
+    }
+    const EightBoxes& boxes = inner_.node(level, i);
+    for (unsigned bits = boxes.meeting(box_); bits != 0; bits &= bits - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+      if (descend(level - 1, 8 * i + lane, boxes.box(lane)) == Next::Stop) {
+        return Next::Stop;
+      }
+    }
+    return Next::GoOn;
+  }
+
+  /// Slabs allow for the rounding of corners as near as those of their own tree; these may be
+  /// farther out.
+  bool is_excluded(const Slabs& slabs) const {
+    if (!slabs.is_useful) {
+      return false;
+    }
+    Slabs wider = slabs;
+    for (std::size_t a = 0; a < 2; ++a) {
+      wider.low[a] -= slack_;
+      wider.high[a] += slack_;
+    }
+    return wider.exclude(*corners_);
+  }
+
+  Next meet_leaf(std::size_t other, const TreeBox& box) {
+    const EightBoxes& theirs = inner_.node(0, other);
+    for (unsigned near = mine_.meeting(box); near != 0; near &= near - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(near));
+      for (unsigned bits = theirs.meeting(mine_.box(i)); bits != 0; bits &= bits - 1) {
+        const std::size_t slot = 8 * other + static_cast<std::size_t>(std::countr_zero(bits));
+        if (visit_.meet(visit_.chunk, 8 * visit_.leaf + i, slot) == Next::Stop) {
+          return Next::Stop;
+        }
+      }
+    }
+    return Next::GoOn;
+  }
+
+  const Visit& visit_;
+  const FaceTree& inner_;
+  EightBoxes mine_;
+  TreeBox box_;
+  float slack_;
+  /// Only where they are to be held against slabs.
+  std::optional<LeafCorners> corners_;
+};
+
+}  // namespace
+
+BoxMeetings::BoxMeetings(const FaceTree& a, const FaceTree& b)
+    : outer_(&a), inner_(&b), leaves_(leaves_near(a, b)) {
+  std::vector<Index> leaves_of_b = leaves_near(b, a);
+  if (leaves_of_b.size() < leaves_.size()) {
+    swap_roles(std::move(leaves_of_b));
+  }
+  if (is_laborious()) {
+    make_slabs();
+  }
+}
+
+std::size_t BoxMeetings::n_chunks() const {
+  return meshalyzer::n_chunks(leaves_.size(), kLeavesPerChunk);
+}
+
+BoxMeetings::Next BoxMeetings::run(const Meet& meet) const {
+  const Meet swapped = [&](std::size_t chunk, std::size_t b, std::size_t a) {
+    return meet(chunk, a, b);
+  };
+  const Meet& in_order = is_swapped_ ? swapped : meet;
+  std::atomic<bool> is_stopped = false;
+  parallel_chunks(leaves_.size(), kLeavesPerChunk, [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end && !is_stopped; ++i) {
+      const Visit visit{.outer = *outer_,
+                        .inner = *inner_,
+                        .slabs = slabs_.get(),
+                        .meet = in_order,
+                        .chunk = chunk.number,
+                        .leaf = leaves_[i]};
+      if (LeafVisitor(visit).visit() == Next::Stop) {
+        is_stopped = true;
+      }
+    }
+  });
+  return is_stopped ? Next::Stop : Next::GoOn;
+}
+
+void BoxMeetings::swap_roles(std::vector<Index> leaves) {
+  std::swap(outer_, inner_);
+  is_swapped_ = !is_swapped_;
+  leaves_ = std::move(leaves);
+}
+
+/// Whether the leaves, by a sample of them, meet so many faces that slabs may be worth making.
+bool BoxMeetings::is_laborious() const {
+  if (leaves_.empty()) {
+    return false;
+  }
+  const std::size_t n_sampled = meshalyzer::n_chunks(leaves_.size(), kSampled);
+  const std::size_t limit = kMetPerFace * inner_->n_faces() * n_sampled / leaves_.size();
+  std::size_t n_met = 0;
+  const Meet count = [&](std::size_t, std::size_t, std::size_t) {
+    return ++n_met > limit ? Next::Stop : Next::GoOn;
+  };
+  for (std::size_t i = 0; i < leaves_.size(); i += kSampled) {
+    const Visit visit{.outer = *outer_,
+                      .inner = *inner_,
+                      .slabs = nullptr,
+                      .meet = count,
+                      .chunk = 0,
+                      .leaf = leaves_[i]};
+    if (LeafVisitor(visit).visit() == Next::Stop) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void BoxMeetings::make_slabs() {
+  auto slabs = std::make_unique<const SlabTree>(*inner_);
+  if (!slabs->has_useful()) {
+    slabs = std::make_unique<const SlabTree>(*outer_);
+    if (!slabs->has_useful()) {
+      return;
+    }
+    swap_roles(leaves_near(*inner_, *outer_));
+  }
+  slabs_ = std::move(slabs);
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,110 @@
+#include "meshalyzer/spatial/mutual_intersection.h"
+
+#include "meshalyzer/spatial/box_meetings.h"
+#include "meshalyzer/spatial/triangle_contact.h"
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+using Next = BoxMeetings::Next;
+using Pairs = std::vector<IntersectingPair>;
+
+Corners corners_of(const FaceTree& tree, std::size_t slot) {
+  const Triangle& t = tree.triangle(slot);
+  return {tree.point(t[0]), tree.point(t[1]), tree.point(t[2])};
+}
+
+/// Two faces with the corners that are at common places moved to the front, in the same order.
+struct Aligned {
+  Corners p;
+  Corners q;
+  std::size_t n_common = 0;
+};
+
+Aligned align(const Corners& p, const Corners& q) {
+  Aligned pair{p, q};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto first = pair.q.begin() + static_cast<std::ptrdiff_t>(pair.n_common);
+    const auto same = std::find(first, pair.q.end(), pair.p[i]);
+    if (same != pair.q.end()) {
+      std::swap(pair.p[pair.n_common], pair.p[i]);
+      std::iter_swap(first, same);
+      ++pair.n_common;
+    }
+  }
+  return pair;
+}
+
+/// Faces with corners at common places touch at least there. What they share beyond is found sooner
+/// when those are left out: for strangers the signs at common corners, all zero, would need exact
+/// arithmetic.
+std::optional<ContactKind> find_kind(const Corners& p, const Corners& q) {
+  const Aligned pair = align(p, q);
+  switch (static_cast<Common>(pair.n_common)) {
+    case Common::Nothing:
+      return find_contact(p, q, Common::Nothing);
+    case Common::Vertex:
+      return find_contact(pair.p, pair.q, Common::Vertex).value_or(ContactKind::Touching);
+    case Common::Edge:
+      // A fold-over by place alone is an overlap like any other.
+      return find_contact(pair.p, pair.q, Common::Edge) ? find_contact(p, q, Common::Nothing)
+                                                        : ContactKind::Touching;
+    case Common::All:
+      return ContactKind::Duplicate;
+  }
+  return std::nullopt;
+}
+
+bool share_point(const Corners& p, const Corners& q) {
+  return std::find_first_of(p.begin(), p.end(), q.begin(), q.end()) != p.end() ||
+         find_contact(p, q, Common::Nothing).has_value();
+}
+
+Pairs joined(std::vector<Pairs> parts) {
+  std::size_t n_pairs = 0;
+  for (const Pairs& part : parts) {
+    n_pairs += part.size();
+  }
+  Pairs pairs;
+  pairs.reserve(n_pairs);
+  for (Pairs& part : parts) {
+    pairs.insert(pairs.end(), part.begin(), part.end());
+    Pairs().swap(part);
+  }
+  return pairs;
+}
+
+}  // namespace
+
+std::vector<IntersectingPair> find_intersections(const CutMesh& a, const FaceTree& tree_a,
+                                                 const CutMesh& b, const FaceTree& tree_b) {
+  const BoxMeetings meetings(tree_a, tree_b);
+  std::vector<Pairs> parts(meetings.n_chunks());
+  meetings.run([&](std::size_t chunk, std::size_t f, std::size_t g) {
+    if (const auto kind = find_kind(corners_of(tree_a, f), corners_of(tree_b, g))) {
+      parts[chunk].push_back({.face_a = a.side.faces[tree_a.mesh_face(f)],
+                              .face_b = b.side.faces[tree_b.mesh_face(g)],
+                              .kind = *kind});
+    }
+    return Next::GoOn;
+  });
+  Pairs pairs = joined(std::move(parts));
+  std::sort(pairs.begin(), pairs.end(), [](const IntersectingPair& p, const IntersectingPair& q) {
+    return std::tie(p.face_a, p.face_b) < std::tie(q.face_a, q.face_b);
+  });
+  return pairs;
+}
+
+bool do_intersect(const FaceTree& a, const FaceTree& b) {
+  const auto meet = [&](std::size_t, std::size_t f, std::size_t g) {
+    return share_point(corners_of(a, f), corners_of(b, g)) ? Next::Stop : Next::GoOn;
+  };
+  return BoxMeetings(a, b).run(meet) == Next::Stop;
+}
+
+}  // namespace meshalyzer

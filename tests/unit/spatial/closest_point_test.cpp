@@ -1,0 +1,280 @@
+#include "meshalyzer/spatial/closest_point.h"
+
+#include "meshalyzer/mesh/build.h"
+#include "support/random_soups.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace meshalyzer {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A mesh and all that answers questions about it.
+struct Scene {
+  explicit Scene(const Soup& soup) : cut(build(soup)) {}
+  CutMesh cut;
+  FaceTree tree{cut};
+  ClosestPoints closest{tree};
+
+  /// The answer by asking every face.
+  [[nodiscard]] std::optional<SurfacePoint> by_brute_force(const ClosestQuery& query) const {
+    std::optional<SurfacePoint> best;
+    for (Index slot = 0; slot < tree.n_faces(); ++slot) {
+      const Triangle& t = tree.triangle(slot);
+      const Corners corners{tree.point(t[0]), tree.point(t[1]), tree.point(t[2])};
+      const Index face = tree.mesh_face(slot);
+      const auto found = query.cone ? closest_on_triangle(corners, query.point, *query.cone)
+                                    : closest_on_triangle(corners, query.point);
+      if (!found || found->distance > query.within ||
+          (!query.excluded.empty() && query.excluded[face] != 0)) {
+        continue;
+      }
+      if (!best || found->distance < best->distance ||
+          (found->distance == best->distance && face < best->mesh_face)) {
+        best = SurfacePoint{found->point, found->distance, face, slot};
+      }
+    }
+    return best;
+  }
+};
+
+/// The two answers have the same bits.
+void expect_same(const std::optional<SurfacePoint>& a, const std::optional<SurfacePoint>& b) {
+  ASSERT_EQ(a.has_value(), b.has_value());
+  if (a) {
+    EXPECT_EQ(a->distance, b->distance);
+    EXPECT_EQ(a->point, b->point);
+    EXPECT_EQ(a->mesh_face, b->mesh_face);
+    EXPECT_EQ(a->slot, b->slot);
+  }
+}
+
+class Random {
+ public:
+  double real() { return real_(engine_); }
+  Vec3 vector() { return {real(), real(), real()}; }
+  Index below(Index n) { return meshalyzer::below(engine_, n); }
+  std::mt19937& engine() { return engine_; }
+
+ private:
+  std::mt19937 engine_{5};
+  std::uniform_real_distribution<> real_{-1.0, 1.0};
+};
+
+/// Triangles of all sizes and shapes, some of zero area.
+Soup random_triangles(std::size_t n, Random& random) {
+  Soup soup;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 corner = random.vector();
+    const double size = std::pow(10.0, 3 * random.real() - 3);
+    const Vec3 along = size * random.vector();
+    const double thin = i % 3 == 0 ? 1e-6 : 1.0;
+    const Vec3 across = i % 10 == 0 ? Vec3(along / 2) : Vec3(thin * size * random.vector());
+    const auto first = static_cast<Index>(soup.n_vertices());
+    soup.positions.insert(soup.positions.end(), {corner, corner + along, corner + across});
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  return soup;
+}
+
+std::vector<Soup> soups(Random& random) {
+  return {shapes::icosphere(3),
+          shapes::grid(15, 9),
+          shapes::cube(),
+          shapes::tetrahedron(),
+          shapes::pillow(),
+          shapes::translated(shapes::torus(2, 0.5, 40, 20), {1e6, -1e3, 7}),
+          damaged(shapes::torus(2, 0.5, 30, 30), 10, random.engine()),
+          random_triangles(700, random)};
+}
+
+/// Near a mesh, at its vertices, and far away.
+Vec3 query_point(const Scene& scene, Random& random) {
+  const Vec3 middle = scene.tree.bounds().center();
+  const double size = scene.tree.bounds().diagonal().norm();
+  const Vec3& vertex =
+      scene.tree.point(random.below(static_cast<Index>(scene.cut.side.n_file_vertices)));
+  switch (random.below(5)) {
+    case 0:
+      return vertex;
+    case 1:
+      return vertex + 0.02 * size * random.vector();
+    case 2:
+      return middle + size * random.vector();
+    case 3:
+      return middle;
+    default:
+      return middle + std::pow(10.0, 8 * random.real() + 8) * size * random.vector();
+  }
+}
+
+TEST(ClosestPoints, AgreeWithBruteForceToTheBit) {
+  Random random;
+  for (const Soup& soup : soups(random)) {
+    const Scene scene(soup);
+    for (int i = 0; i < 400; ++i) {
+      const ClosestQuery query{.point = query_point(scene, random)};
+      expect_same(scene.closest.find(query), scene.by_brute_force(query));
+    }
+  }
+}
+
+TEST(ClosestPoints, LimitConeAndExclusionAgreeWithBruteForceToTheBit) {
+  Random random;
+  int n_found = 0;
+  int n_missed = 0;
+  for (const Soup& soup : soups(random)) {
+    const Scene scene(soup);
+    std::vector<std::uint8_t> excluded(scene.tree.n_faces());
+    for (int i = 0; i < 600; ++i) {
+      for (std::uint8_t& entry : excluded) {
+        entry = random.below(3) == 0 ? 1 : 0;
+      }
+      ClosestQuery query{.point = query_point(scene, random)};
+      if (i % 2 == 0) query.within = std::abs(random.real());
+      if (i % 3 != 0) query.cone = Cone{random.vector().normalized(), std::abs(random.real())};
+      if (i % 5 == 0) query.excluded = excluded;
+      if (i % 7 != 0) query.hint = random.below(static_cast<Index>(scene.tree.n_faces()));
+      const auto found = scene.closest.find(query);
+      expect_same(found, scene.by_brute_force(query));
+      ++(found ? n_found : n_missed);
+    }
+  }
+  EXPECT_GT(n_found, 1000);
+  EXPECT_GT(n_missed, 1000);
+}
+
+TEST(ClosestPoints, MeshesOfAnySizeAgreeWithBruteForceToTheBit) {
+  Random random;
+  for (const double size : {1e-320, 1e-300, 1e-160, 1e160, 1e300, 1.7e308}) {
+    const Scene scene(shapes::scaled(shapes::icosphere(2), size));
+    for (const double far : {0.0, 0.1, 1.0, 1e3, 1e30, 1e300}) {
+      for (int i = 0; i < 20; ++i) {
+        const Vec3 p = (std::min(far * size, 1.7e308) * random.vector()).eval();
+        const Cone cone{random.vector().normalized(), std::abs(random.real())};
+        for (const ClosestQuery& query :
+             {ClosestQuery{.point = p}, ClosestQuery{.point = p, .cone = cone}}) {
+          const auto found = scene.closest.find(query);
+          expect_same(found, scene.by_brute_force(query));
+          EXPECT_TRUE(found || query.cone);
+          EXPECT_FALSE(found && (found->point.hasNaN() || std::isnan(found->distance)));
+        }
+      }
+    }
+  }
+}
+
+TEST(ClosestPoints, HintDoesNotChangeTheAnswer) {
+  Random random;
+  const Scene scene(random_triangles(200, random));
+  for (int i = 0; i < 20; ++i) {
+    const ClosestQuery query{.point = random.vector(), .within = 0.3};
+    const auto without = scene.closest.find(query);
+    for (Index hint = 0; hint < scene.tree.n_faces(); ++hint) {
+      ClosestQuery hinted = query;
+      hinted.hint = hint;
+      expect_same(scene.closest.find(hinted), without);
+    }
+  }
+}
+
+TEST(ClosestPoints, AnyNumberOfFacesAgreesWithBruteForce) {
+  Random random;
+  for (std::size_t n = 1; n <= 70; ++n) {
+    const Scene scene(random_triangles(n, random));
+    for (int i = 0; i < 20; ++i) {
+      const ClosestQuery query{.point = random.vector()};
+      const auto found = scene.closest.find(query);
+      ASSERT_TRUE(found);
+      expect_same(found, scene.by_brute_force(query));
+    }
+  }
+}
+
+TEST(ClosestPoints, NoFacesHaveNone) {
+  EXPECT_FALSE(Scene(Soup{}).closest.find({.point = Vec3::Zero()}));
+  EXPECT_FALSE(Scene(Soup{}).closest.find({.point = Vec3::Zero(), .hint = 0}));
+}
+
+TEST(ClosestPoints, FacesAtOnePointAreThatPoint) {
+  const Vec3 here(1e10, 3, -7);
+  const Scene scene(shapes::make({here, here, here}, {{0, 1, 2}}));
+  const auto found = scene.closest.find({.point = here + Vec3(0, 4, 3)});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->distance, 5.0);
+  EXPECT_EQ(found->point, here);
+}
+
+TEST(ClosestPoints, LimitIsInclusive) {
+  const Scene scene(shapes::cube());
+  const Vec3 above(0.5, 0.25, 3);
+  EXPECT_TRUE(scene.closest.find({.point = above, .within = 2.0}));
+  EXPECT_FALSE(scene.closest.find({.point = above, .within = std::nextafter(2.0, 0.0)}));
+  EXPECT_TRUE(scene.closest.find({.point = Vec3(1, 1, 1), .within = 0.0}));
+  EXPECT_FALSE(scene.closest.find({.point = Vec3(1, 1, 1), .within = -1.0}));
+}
+
+TEST(ClosestPoints, FirstOfEquallyNearFacesIsTold) {
+  // Eight faces meet at the middle of this grid of four squares; the answer is the first of them
+  // whatever the order.
+  const Soup grid = shapes::grid(2, 2);
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const Soup shuffled = shapes::shuffled_faces(grid, seed);
+    Index first = kNoIndex;
+    for (Index f = 0; f < shuffled.n_faces(); ++f) {
+      const Triangle& t = shuffled.triangles[f];
+      const auto at_middle = [&](Index v) { return shuffled.positions[v] == Vec3(1, 1, 0); };
+      if (first == kNoIndex && (at_middle(t[0]) || at_middle(t[1]) || at_middle(t[2]))) first = f;
+    }
+    const auto found = Scene(shuffled).closest.find({.point = Vec3(1, 1, 0)});
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->mesh_face, first);
+    EXPECT_EQ(found->distance, 0.0);
+  }
+}
+
+TEST(ClosestPoints, ExcludedFacesAreLeftOut) {
+  // Without the two faces of the top (z = 1), the middle of the top is nearest to the four sides.
+  const Soup cube = shapes::cube();
+  const Scene scene(cube);
+  std::vector<std::uint8_t> excluded;
+  for (const Triangle& t : cube.triangles) {
+    excluded.push_back(
+        cube.positions[t[0]].z() + cube.positions[t[1]].z() + cube.positions[t[2]].z() == 3 ? 1
+                                                                                            : 0);
+  }
+  const Vec3 p(0.5, 0.4, 1);
+  EXPECT_EQ(scene.closest.find({.point = p})->distance, 0.0);
+  const auto found = scene.closest.find({.point = p, .excluded = excluded});
+  EXPECT_EQ(found->point, Vec3(0.5, 0, 1));
+  EXPECT_EQ(found->distance, 0.4);
+  excluded.assign(excluded.size(), 1);
+  EXPECT_FALSE(scene.closest.find({.point = p, .excluded = excluded}));
+}
+
+TEST(ClosestPoints, SphereIsSeenAtItsRadius) {
+  // Inside: at least the inscribed radius; outside: the distance of a point of the sphere's hull.
+  const Scene scene(shapes::icosphere(4));
+  Random random;
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 p = 3 * random.vector();
+    const double distance = scene.closest.find({.point = p})->distance;
+    EXPECT_NEAR(distance, std::abs(p.norm() - 1.0), 0.005);
+  }
+}
+
+TEST(ClosestPoints, DistanceBeyondTheLargestNumberIsInfinite) {
+  const Scene scene(shapes::scaled(shapes::cube(), 1e308));
+  const auto found = scene.closest.find({.point = Vec3::Constant(-1.7e308)});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->distance, kInfinity);
+}
+
+}  // namespace
+}  // namespace meshalyzer
