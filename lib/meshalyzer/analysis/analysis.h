@@ -131,11 +131,20 @@ struct ComponentStatistics {
   Summary edge_angle;
 };
 
-/// The verdict of -g.
+/// A verdict.
 struct Goodness {
   bool good = false;
   /// Every reason why it is not, in the order of contract 3; empty when good.
   std::vector<std::string> reasons;
+};
+
+/// The values that the statistics of a mesh are of.
+struct MeasuredValues {
+  std::vector<double> vertex_valence;
+  std::vector<double> face_area;
+  std::vector<double> aspect_ratio;
+  std::vector<double> edge_length;
+  std::vector<double> edge_angle;
 };
 
 /// All that is known of one mesh. A plain value: reports render it, nothing measures after it.
@@ -162,29 +171,15 @@ struct Analysis {
   static constexpr std::size_t kMaxComponentStatistics = 1000;
   /// Present with -g.
   std::optional<Goodness> goodness;
+  /// The parts of goodness that need no threshold; absent when only the attributes were asked for.
+  std::optional<Goodness> fitness;
   Offenders offenders;
   /// #V, only kept where the report will print positions (-q).
   std::vector<Vec3> positions;
   /// #F, kept with `positions`.
   std::vector<Triangle> triangles;
-};
-
-/// Totals over the meshes of a folder.
-struct SetAnalysis {
-  std::size_t meshes = 0;
-  /// Files that could not be read.
-  std::size_t unreadable = 0;
-  /// Meshes that are good (-g).
-  std::size_t good = 0;
-  std::size_t vertices = 0;
-  std::size_t faces = 0;
-  std::size_t edges = 0;
-  std::size_t components = 0;
-  std::size_t boundaries = 0;
-  std::size_t intersecting_pairs_within = 0;
-  double area = 0.0;
-  /// Of all meshes that have one; the reason tells which have none.
-  Measure<double> volume;
+  /// In no particular order; only kept for the statistics of a set.
+  MeasuredValues values;
 };
 
 }  // namespace meshalyzer

@@ -37,8 +37,8 @@ void box_components(const CutMesh& cut, const Components& components, Analysis& 
   }
 }
 
-void count_pairs(const CutMesh& cut, const Components& components, Analysis& analysis) {
-  const std::vector<IntersectingPair>& pairs = analysis.offenders.intersecting_pairs;
+void count_pairs(const CutMesh& cut, const Components& components,
+                 const std::vector<IntersectingPair>& pairs, Analysis& analysis) {
   std::vector<std::uint8_t> intersects(cut.mesh.n_faces(), 0);
   const auto meet = [&](Index file_face) {
     const std::size_t mesh_face = cut.side.mesh_face(file_face);
@@ -92,20 +92,26 @@ Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options) {
   const FaceTree tree(cut);
   phase("self-intersection");
   // Whether components cross matters also to which encloses which, and so to the attributes.
+  const bool wants_pairs = everything || options.judge_fitness;
   std::vector<IntersectingPair> pairs;
-  if (everything || topology.components.count > 1) {
+  if (wants_pairs || topology.components.count > 1) {
     pairs = find_self_intersections(cut, tree);
   }
   phase("solids");
   analyze_solids({.cut = cut, .tree = tree, .components = topology.components, .pairs = pairs},
                  analysis.components);
+  if (wants_pairs) {
+    count_pairs(cut, topology.components, pairs, analysis);
+  }
   if (everything) {
     analysis.offenders.intersecting_pairs = std::move(pairs);
-    count_pairs(cut, topology.components, analysis);
   }
   analysis.attributes = answer_attributes(analysis, topology.orientable);
   analysis.characteristics.volume = total_volume(analysis);
   answer_genus(analysis);
+  if (wants_pairs) {
+    analysis.fitness = judge_fitness(analysis);
+  }
   if (options.goodness) {
     analysis.goodness = judge(analysis, *options.goodness);
   }

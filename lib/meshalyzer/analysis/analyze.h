@@ -4,7 +4,6 @@
 #include "meshalyzer/base/progress.h"
 
 #include <optional>
-#include <span>
 #include <string>
 
 namespace meshalyzer {
@@ -42,6 +41,11 @@ struct AnalysisOptions {
   std::optional<double> aspect_above;
   /// Indistinguishable vertices: only those at exactly the same place (--exact-coincidence).
   bool exact_coincidence = false;
+  /// Judge fitness also where only the attributes are asked for: what needs a good mesh asks for
+  /// it.
+  bool judge_fitness = false;
+  /// Keep the measured values in the result, for the statistics of a set.
+  bool keep_values = false;
   /// Keep positions and triangles in the result, for reports that print them (-q).
   bool keep_geometry = false;
   PhaseListener on_phase;
@@ -57,8 +61,5 @@ struct AnalysisOptions {
 /// @param path     What the report calls it.
 /// @complexity     O(n log n) in the number of faces for meshes whose faces meet few others.
 [[nodiscard]] Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options = {});
-
-/// Adds up the analyses of the meshes of a folder.
-[[nodiscard]] SetAnalysis analyze_set(std::span<const Analysis> meshes, std::size_t unreadable);
 
 }  // namespace meshalyzer

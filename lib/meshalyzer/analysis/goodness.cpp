@@ -48,10 +48,7 @@ void judge_measures(const Characteristics& c, const GoodnessThresholds& threshol
   }
 }
 
-}  // namespace
-
-Goodness judge(const Analysis& analysis, const GoodnessThresholds& thresholds) {
-  Reasons reasons;
+void require_fitness(const Analysis& analysis, Reasons& reasons) {
   reasons.require(analysis.attributes.closed, "closed");
   reasons.require(analysis.attributes.manifold, "manifold");
   reasons.require(analysis.attributes.outward, "outward");
@@ -66,11 +63,28 @@ Goodness judge(const Analysis& analysis, const GoodnessThresholds& thresholds) {
   if (!analysis.integrity.contiguous_faces) {
     reasons.add("face numbering is not contiguous");
   }
-  judge_measures(analysis.characteristics, thresholds, reasons);
+}
+
+Goodness verdict(Reasons reasons) {
   Goodness goodness;
   goodness.reasons = reasons.take();
   goodness.good = goodness.reasons.empty();
   return goodness;
+}
+
+}  // namespace
+
+Goodness judge_fitness(const Analysis& analysis) {
+  Reasons reasons;
+  require_fitness(analysis, reasons);
+  return verdict(std::move(reasons));
+}
+
+Goodness judge(const Analysis& analysis, const GoodnessThresholds& thresholds) {
+  Reasons reasons;
+  require_fitness(analysis, reasons);
+  judge_measures(analysis.characteristics, thresholds, reasons);
+  return verdict(std::move(reasons));
 }
 
 }  // namespace meshalyzer

@@ -49,6 +49,10 @@ class Measurer {
     analysis_.characteristics.area = analysis_.characteristics.face_area.infinite == 0
                                          ? analysis_.characteristics.face_area.total
                                          : std::numeric_limits<double>::infinity();
+    if (options_.keep_values) {
+      analysis_.values.face_area = std::move(faces.area);
+      analysis_.values.aspect_ratio = std::move(faces.aspect_ratio);
+    }
     return std::move(faces.zero_area);
   }
 
@@ -67,6 +71,9 @@ class Measurer {
     analysis_.characteristics.edge_length = split_and_summarize(
         lengths, &ComponentStatistics::edge_length,
         [&](std::size_t i) { return component_of(cut_.mesh.face_handle(edges[i])); });
+    if (options_.keep_values) {
+      analysis_.values.edge_length = std::move(lengths);
+    }
   }
 
   void measure_angles(std::span<const FaceHandle> zero_area) {
@@ -84,6 +91,9 @@ class Measurer {
     analysis_.characteristics.edge_angle = split_and_summarize(
         angles.degrees, &ComponentStatistics::edge_angle,
         [&](std::size_t i) { return component_of(cut_.mesh.face_handle(angles.edges[i])); });
+    if (options_.keep_values) {
+      analysis_.values.edge_angle = std::move(angles.degrees);
+    }
   }
 
   void measure_valences() {
@@ -104,6 +114,9 @@ class Measurer {
           return component_of(
               f.is_valid() ? f : cut_.mesh.face_handle(cut_.mesh.opposite_halfedge_handle(h)));
         });
+    if (options_.keep_values) {
+      analysis_.values.vertex_valence = std::move(values);
+    }
   }
 
  private:

@@ -157,5 +157,55 @@ TEST(Judge, NoFacesAreNotGood) {
                      "outward is undefined: no faces"}));
 }
 
+/// All that can be wrong without a threshold, and a mesh with nothing wrong.
+std::vector<Soup> fit_and_unfit() {
+  Soup orphan = shapes::cube();
+  orphan.positions.emplace_back(5, 5, 5);
+  Soup torn = shapes::cube();
+  torn.torn_lines = {4};
+  Soup numbering = shapes::cube();
+  numbering.vertex_ids.named = {1, 2, 3, 4, 5, 6, 7, 9};
+  return {shapes::cube(),
+          shapes::open_cube(),
+          shapes::flipped(shapes::cube()),
+          shapes::two_tetrahedra_sharing_vertex(),
+          shapes::merged(shapes::tetrahedron(),
+                         shapes::translated(shapes::tetrahedron(), Vec3::Constant(0.2))),
+          with_record(shapes::cube(), {0, 1, 1}),
+          orphan,
+          torn,
+          numbering,
+          Soup{}};
+}
+
+TEST(JudgeFitness, IsGoodnessWhereThresholdsAllowEverything) {
+  for (const Soup& soup : fit_and_unfit()) {
+    const Goodness fitness = analyze(soup, "soup").fitness.value();
+    EXPECT_EQ(fitness.reasons, goodness(soup).reasons);
+    EXPECT_EQ(fitness.good, fitness.reasons.empty());
+  }
+  EXPECT_TRUE(analyze(shapes::cube(), "cube").fitness.value().good);
+}
+
+TEST(JudgeFitness, ThresholdsDoNotCount) {
+  AnalysisOptions strict;
+  strict.goodness = {.aspect_ratio = 1, .edge_angle_degrees = 350, .edge_length = 9};
+  const Analysis cube = analyze(shapes::cube(), "cube", strict);
+  EXPECT_FALSE(cube.goodness.value().good);
+  EXPECT_TRUE(cube.fitness.value().good);
+}
+
+TEST(JudgeFitness, AttributesAloneGiveTheSameVerdictWhereAskedFor) {
+  AnalysisOptions options;
+  options.scope = Scope::AttributesOnly;
+  for (const Soup& soup : fit_and_unfit()) {
+    EXPECT_FALSE(analyze(soup, "soup", options).fitness.has_value());
+    AnalysisOptions judging = options;
+    judging.judge_fitness = true;
+    EXPECT_EQ(analyze(soup, "soup", judging).fitness.value().reasons,
+              analyze(soup, "soup").fitness.value().reasons);
+  }
+}
+
 }  // namespace
 }  // namespace meshalyzer

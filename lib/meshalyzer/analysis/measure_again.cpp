@@ -1,0 +1,22 @@
+#include "meshalyzer/analysis/measure_again.h"
+
+#include "meshalyzer/analysis/measures.h"
+#include "meshalyzer/mesh/build.h"
+
+#include <utility>
+
+namespace meshalyzer {
+
+MeasuredValues measure_again(const Soup& soup) {
+  const CutMesh cut = build(soup);
+  // Nothing is asked by component, so that all faces may count as one.
+  const Components one{1, std::vector<Index>(cut.mesh.n_faces(), 0)};
+  Analysis analysis;
+  analysis.components.resize(1);
+  AnalysisOptions options;
+  options.keep_values = true;
+  measure(cut, one, options, analysis);
+  return std::move(analysis.values);
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,79 @@
+#include "meshalyzer/set/edge_neighbourhood.h"
+
+#include <limits>
+#include <numeric>
+
+namespace meshalyzer {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+FacesAtVertices::FacesAtVertices(const FaceTree& tree, std::size_t n_file_vertices)
+    : begin_(n_file_vertices + 1, 0), slots_(3 * tree.n_faces()) {
+  for (std::size_t slot = 0; slot < tree.n_faces(); ++slot) {
+    for (const Index v : tree.triangle(slot)) {
+      ++begin_[v + 1];
+    }
+  }
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  std::vector<Index> next(begin_.begin(), begin_.end() - 1);
+  for (std::size_t slot = 0; slot < tree.n_faces(); ++slot) {
+    for (const Index v : tree.triangle(slot)) {
+      slots_[next[v]++] = static_cast<Index>(slot);
+    }
+  }
+}
+
+EdgeNeighbourhood::EdgeNeighbourhood(const FaceTree& tree, const FacesAtVertices& faces)
+    : tree_(tree),
+      faces_(faces),
+      length_to_(faces.n_vertices(), kInfinity),
+      is_marked_(tree.n_faces(), 0) {}
+
+std::span<const std::uint8_t> EdgeNeighbourhood::mark_within(Index file_vertex, double length) {
+  reset();
+  reach(file_vertex, 0.0);
+  while (!next_.empty()) {
+    const auto [so_far, vertex] = next_.top();
+    next_.pop();
+    // Else a shorter way was found after this one was put into the queue.
+    if (so_far == length_to_[vertex]) {
+      go_on_from(vertex, length);
+    }
+  }
+  return is_marked_;
+}
+
+void EdgeNeighbourhood::go_on_from(Index vertex, double length_limit) {
+  for (const Index slot : faces_.slots(vertex)) {
+    is_marked_[tree_.mesh_face(slot)] = 1;
+    for (const Index other : tree_.triangle(slot)) {
+      const double length = length_to_[vertex] + (tree_.point(other) - tree_.point(vertex)).norm();
+      if (length <= length_limit && length < length_to_[other]) {
+        reach(other, length);
+      }
+    }
+  }
+}
+
+void EdgeNeighbourhood::reset() {
+  for (const Index vertex : reached_) {
+    length_to_[vertex] = kInfinity;
+    for (const Index slot : faces_.slots(vertex)) {
+      is_marked_[tree_.mesh_face(slot)] = 0;
+    }
+  }
+  reached_.clear();
+}
+
+void EdgeNeighbourhood::reach(Index vertex, double length) {
+  if (length_to_[vertex] == kInfinity) {
+    reached_.push_back(vertex);
+  }
+  length_to_[vertex] = length;
+  next_.emplace(length, vertex);
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,319 @@
+#include "meshalyzer/set/measure_separation.h"
+
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/geometry/vertex_normals.h"
+#include "meshalyzer/set/edge_neighbourhood.h"
+#include "meshalyzer/set/spatial_order.h"
+#include "meshalyzer/spatial/closest_point.h"
+#include "meshalyzer/spatial/mutual_intersection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Vertices that one task looks at: they follow each other on the surface, so that the answer of
+/// one is a good first guess for the next.
+constexpr std::size_t kVerticesPerChunk = 256;
+/// As many tasks, at most, look at an object's own surface.
+constexpr std::size_t kSelfChunks = 64;
+
+/// What is known of one vertex so far.
+struct Best {
+  double distance = kInfinity;
+  Vec3 point = Vec3::Zero();
+  Index object = kNoIndex;
+  std::int64_t face = 0;
+};
+
+/// The file vertices that faces use, in the order of the tree: neighbours mostly follow each other.
+std::vector<Index> vertices_along(const SetObject& object) {
+  std::vector<std::uint8_t> is_met(object.cut().side.n_file_vertices, 0);
+  std::vector<Index> vertices;
+  for (std::size_t slot = 0; slot < object.tree().n_faces(); ++slot) {
+    for (const Index v : object.tree().triangle(slot)) {
+      if (is_met[v] == 0) {
+        is_met[v] = 1;
+        vertices.push_back(v);
+      }
+    }
+  }
+  return vertices;
+}
+
+/// Halves before the sum: it may overflow where the coordinates do not.
+Box3 middle_of(const Box3& box) {
+  return Box3(Vec3(box.min() / 2 + box.max() / 2));
+}
+
+/// The other objects, the one with the nearest box first.
+class ByDistance {
+ public:
+  struct Candidate {
+    double distance;
+    /// Of many boxes that meet the object's own those about the same middle are likely to be near.
+    double distance_of_middles;
+    Index object;
+    auto operator<=>(const Candidate&) const = default;
+  };
+
+  ByDistance(Index object, std::span<const Box3> boxes) {
+    std::vector<Candidate> others;
+    for (std::size_t other = 0; other < boxes.size(); ++other) {
+      if (other != object && !boxes[other].isEmpty()) {
+        others.push_back({distance(boxes[object], boxes[other]),
+                          distance(middle_of(boxes[object]), middle_of(boxes[other])),
+                          static_cast<Index>(other)});
+      }
+    }
+    queue_ = Queue(std::greater<>(), std::move(others));
+  }
+
+  [[nodiscard]] bool empty() const { return queue_.empty(); }
+  Candidate pop() {
+    const Candidate next = queue_.top();
+    queue_.pop();
+    return next;
+  }
+
+ private:
+  using Queue = std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>>;
+  Queue queue_;
+};
+
+/// Whether something in a box may yet undercut a distance, or equal it; a little is granted to
+/// rounding on either side.
+///
+/// That little is enough: closest_on_triangle() may be off by more, for faces that reach far beyond
+/// their closest point, but not where that is as near as their box.
+bool may_undercut(double distance_of_box, double distance) {
+  constexpr double kGrant = 1.0 - 1e-12;
+  return !(distance_of_box * kGrant > distance);
+}
+
+class Separator {
+ public:
+  Separator(Index number, const SetScene& scene, const SeparationOptions& options)
+      : number_(number),
+        scene_(scene),
+        options_(options),
+        object_(scene.objects.get(number)),
+        vertices_(vertices_along(*object_)),
+        best_(vertices_.size()),
+        is_inside_(vertices_.size(), 0) {
+    if (options.search_radius) {
+      for (Best& best : best_) {
+        best.distance = *options.search_radius;
+      }
+    }
+    if (options.search_cone_degrees) {
+      normals_ = vertex_normals(object_->cut());
+      leave_out_vertices_without_normal();
+    }
+  }
+
+  [[nodiscard]] ObjectSeparation measure() {
+    if (options_.include_self) {
+      look_at_self();
+    }
+    for (ByDistance others(number_, scene_.boxes); !others.empty();) {
+      const ByDistance::Candidate next = others.pop();
+      if (!may_undercut(next.distance, largest_distance())) {
+        break;
+      }
+      if (is_in_reach(scene_.boxes[next.object])) {
+        const std::shared_ptr<const SetObject> other = scene_.objects.get(next.object);
+        look_at(next.object, *other);
+        mark_inside(*other);
+      }
+    }
+    return in_file_order();
+  }
+
+ private:
+  [[nodiscard]] const Vec3& point(std::size_t i) const {
+    return object_->tree().point(vertices_[i]);
+  }
+
+  /// Nothing is in a cone about no direction.
+  void leave_out_vertices_without_normal() {
+    for (std::size_t i = 0; i < best_.size(); ++i) {
+      if (normals_[vertices_[i]].isZero(0.0)) {
+        best_[i].distance = -kInfinity;
+      }
+    }
+  }
+
+  [[nodiscard]] bool is_in_reach(const Box3& box, std::size_t i) const {
+    return may_undercut(distance(box, Box3(point(i))), best_[i].distance);
+  }
+
+  [[nodiscard]] bool is_in_reach(const Box3& box) const {
+    for (std::size_t i = 0; i < best_.size(); ++i) {
+      if (is_in_reach(box, i)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  [[nodiscard]] double largest_distance() const {
+    double largest = 0.0;
+    for (const Best& best : best_) {
+      largest = std::max(largest, best.distance);
+    }
+    return largest;
+  }
+
+  [[nodiscard]] ClosestQuery query(std::size_t i) const {
+    ClosestQuery query{.point = point(i), .within = best_[i].distance};
+    if (options_.search_cone_degrees) {
+      const double radians = *options_.search_cone_degrees * std::numbers::pi / 180.0;
+      query.cone = Cone{normals_[vertices_[i]], std::cos(radians)};
+    }
+    return query;
+  }
+
+  void look_at(Index number, const SetObject& other) {
+    parallel_chunks(vertices_.size(), kVerticesPerChunk, [&](Chunk chunk) {
+      Index hint = kNoIndex;
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+        if (is_in_reach(other.box(), i)) {
+          ClosestQuery asked = query(i);
+          asked.hint = hint;
+          hint = take(i, number, other, asked);
+        }
+      }
+    });
+  }
+
+  void look_at_self() {
+    const FaceTree& tree = object_->tree();
+    const FacesAtVertices faces(tree, object_->cut().side.n_file_vertices);
+    // Few chunks: each begins with a table of all vertices.
+    const std::size_t length = std::max(kVerticesPerChunk, vertices_.size() / kSelfChunks + 1);
+    parallel_chunks(vertices_.size(), length, [&](Chunk chunk) {
+      EdgeNeighbourhood neighbourhood(tree, faces);
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+        ClosestQuery asked = query(i);
+        asked.excluded = neighbourhood.mark_within(vertices_[i], *options_.include_self);
+        (void)take(i, number_, *object_, asked);
+      }
+    });
+  }
+
+  /// Asks, and keeps what is closer, or as close and on an object of lower number.
+  /// @return a good guess for the next vertex.
+  Index take(std::size_t i, Index number, const SetObject& other, const ClosestQuery& asked) {
+    const std::optional<SurfacePoint> found = other.closest().find(asked);
+    if (!found) {
+      return kNoIndex;
+    }
+    Best& best = best_[i];
+    if (found->distance < best.distance || number < best.object) {
+      const FaceHandle face(static_cast<int>(found->mesh_face));
+      best = {found->distance, found->point, number,
+              other.face_ids().of(other.cut().side.face(face))};
+    }
+    return found->slot;
+  }
+
+  void mark_inside(const SetObject& other) {
+    if (!other.is_solid() || !object_->box().intersects(other.box())) {
+      return;
+    }
+    if (do_intersect(object_->tree(), other.tree())) {
+      mark_vertices_inside(other);
+    } else {
+      mark_components_inside(other);
+    }
+  }
+
+  void mark_vertices_inside(const SetObject& other) {
+    parallel_chunks(vertices_.size(), kVerticesPerChunk, [&](Chunk chunk) {
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+        if (other.side_of(point(i)) == Side::Inside) {
+          is_inside_[i] = 1;
+        }
+      }
+    });
+  }
+
+  /// Where the surfaces do not meet one vertex speaks for all of its component.
+  void mark_components_inside(const SetObject& other) {
+    const Components& components = object_->components();
+    std::vector<std::uint8_t> is_inside(components.count, 0);
+    for (std::size_t c = 0; c < components.count; ++c) {
+      const Vec3& any = object_->tree().point(object_->component_vertices()[c]);
+      if (other.box().contains(object_->component_boxes()[c]) &&
+          other.side_of(any) == Side::Inside) {
+        is_inside[c] = 1;
+      }
+    }
+    if (std::find(is_inside.begin(), is_inside.end(), 1) != is_inside.end()) {
+      mark_vertices_of(is_inside);
+    }
+  }
+
+  void mark_vertices_of(const std::vector<std::uint8_t>& marked_components) {
+    const FaceTree& tree = object_->tree();
+    std::vector<std::uint8_t> is_marked(object_->cut().side.n_file_vertices, 0);
+    for (std::size_t slot = 0; slot < tree.n_faces(); ++slot) {
+      if (marked_components[object_->components().of_face[tree.mesh_face(slot)]] != 0) {
+        for (const Index v : tree.triangle(slot)) {
+          is_marked[v] = 1;
+        }
+      }
+    }
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      is_inside_[i] |= is_marked[vertices_[i]];
+    }
+  }
+
+  [[nodiscard]] ObjectSeparation in_file_order() const {
+    std::vector<std::size_t> order(vertices_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return vertices_[a] < vertices_[b]; });
+    ObjectSeparation result;
+    for (const std::size_t i : order) {
+      const Best& best = best_[i];
+      const bool is_found = best.object != kNoIndex;
+      result.vertices.push_back(object_->vertex_ids().of(vertices_[i]));
+      result.distances.push_back(!is_found            ? std::numeric_limits<double>::quiet_NaN()
+                                 : is_inside_[i] != 0 ? -best.distance
+                                                      : best.distance);
+      result.objects.push_back(best.object);
+      result.faces.push_back(best.face);
+      result.points.push_back(best.point);
+    }
+    return result;
+  }
+
+  Index number_;
+  const SetScene& scene_;
+  const SeparationOptions& options_;
+  std::shared_ptr<const SetObject> object_;
+  /// In the order of the tree; the next three by place in it.
+  std::vector<Index> vertices_;
+  std::vector<Best> best_;
+  std::vector<std::uint8_t> is_inside_;
+  /// By file vertex; empty without a cone.
+  std::vector<Vec3> normals_;
+};
+
+}  // namespace
+
+ObjectSeparation measure_separation(Index object, const SetScene& scene,
+                                    const SeparationOptions& options) {
+  return Separator(object, scene, options).measure();
+}
+
+}  // namespace meshalyzer

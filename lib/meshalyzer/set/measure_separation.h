@@ -1,0 +1,28 @@
+#pragma once
+
+#include "meshalyzer/set/object_cache.h"
+#include "meshalyzer/set/separation.h"
+
+#include <span>
+
+namespace meshalyzer {
+
+/// The objects of a set, by number. Only refers to its data.
+struct SetScene {
+  /// Of the vertices that faces use; empty for objects to be left out.
+  std::span<const Box3> boxes;
+  /// Of objects with ClosestUse::Prepared.
+  ObjectCache& objects;
+};
+
+/// Measures the distance from each vertex of an object to the closest point of any other one.
+///
+/// The distance is the smallest over all faces of closest_on_triangle(), so it is the same as by
+/// trying all; that a vertex is inside is exact.
+///
+/// @complexity O(vertices x objects closer than its closest point x log faces); no more than two
+/// objects are held at a time.
+[[nodiscard]] ObjectSeparation measure_separation(Index object, const SetScene& scene,
+                                                  const SeparationOptions& options);
+
+}  // namespace meshalyzer

@@ -1,0 +1,70 @@
+#include "meshalyzer/set/object_meeting.h"
+
+#include "meshalyzer/spatial/mutual_intersection.h"
+
+#include <algorithm>
+
+namespace meshalyzer {
+namespace {
+
+bool contains(const Box3& outer, const Box3& inner) {
+  return !inner.isEmpty() && outer.contains(inner);
+}
+
+/// For objects that do not touch: then each component is inside or outside as a whole, and any of
+/// its vertices tells.
+Inclusion inclusion_apart(const SetObject& inner, const SetObject& outer) {
+  std::size_t n_inside = 0;
+  for (std::size_t c = 0; c < inner.components().count; ++c) {
+    const Vec3& point = inner.tree().point(inner.component_vertices()[c]);
+    const bool may_be = contains(outer.box(), inner.component_boxes()[c]);
+    n_inside += may_be && outer.side_of(point) == Side::Inside ? 1 : 0;
+  }
+  return n_inside == 0                          ? Inclusion::None
+         : n_inside == inner.components().count ? Inclusion::Wholly
+                                                : Inclusion::Partly;
+}
+
+/// For objects that touch without crossing.
+Inclusion inclusion_touching(const SetObject& inner, const SetObject& outer) {
+  if (!outer.is_solid() || !contains(outer.box(), inner.box())) {
+    return Inclusion::None;
+  }
+  bool any_inside = false;
+  std::vector<std::uint8_t> is_asked(inner.cut().side.n_file_vertices, 0);
+  for (std::size_t slot = 0; slot < inner.tree().n_faces(); ++slot) {
+    for (const Index vertex : inner.tree().triangle(slot)) {
+      if (is_asked[vertex] != 0) {
+        continue;
+      }
+      is_asked[vertex] = 1;
+      const Side side = outer.side_of(inner.tree().point(vertex));
+      if (side == Side::Outside) {
+        return Inclusion::None;
+      }
+      any_inside = any_inside || side == Side::Inside;
+    }
+  }
+  return any_inside ? Inclusion::Wholly : Inclusion::None;
+}
+
+}  // namespace
+
+ObjectMeeting find_meeting(const SetObject& first, const SetObject& second) {
+  ObjectMeeting meeting;
+  if (!first.box().intersects(second.box())) {
+    return meeting;
+  }
+  meeting.pairs = find_intersections(first.cut(), first.tree(), second.cut(), second.tree());
+  if (meeting.pairs.empty()) {
+    meeting.first_in_second = inclusion_apart(first, second);
+    meeting.second_in_first = inclusion_apart(second, first);
+  } else if (std::none_of(meeting.pairs.begin(), meeting.pairs.end(),
+                          [](const auto& pair) { return pair.kind == ContactKind::Crossing; })) {
+    meeting.first_in_second = inclusion_touching(first, second);
+    meeting.second_in_first = inclusion_touching(second, first);
+  }
+  return meeting;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,97 @@
+#include "meshalyzer/set/set_object.h"
+
+#include "meshalyzer/geometry/extent.h"
+#include "meshalyzer/mesh/build.h"
+#include "meshalyzer/spatial/ray_parity.h"
+#include "meshalyzer/topology/edges.h"
+
+#include <algorithm>
+
+namespace meshalyzer {
+namespace {
+
+constexpr Index kSolid = 0;
+
+SolidParts find_solids(const CutMesh& cut, const Components& components) {
+  SolidParts solids{std::vector<std::uint8_t>(components.count, 1), components.of_face, 0};
+  const std::vector<EdgeKind> kinds = classify_edges(cut);
+  for (std::size_t e = 0; e < kinds.size(); ++e) {
+    if (kinds[e] == EdgeKind::Border || kinds[e] == EdgeKind::NonManifold) {
+      const HalfedgeHandle h = cut.mesh.halfedge_handle(EdgeHandle(static_cast<int>(e)), 0);
+      const FaceHandle f = cut.mesh.face_handle(h);
+      const FaceHandle face =
+          f.is_valid() ? f : cut.mesh.face_handle(cut.mesh.opposite_halfedge_handle(h));
+      solids.is_solid[components.of_face[static_cast<std::size_t>(face.idx())]] = 0;
+    }
+  }
+  for (Index& part : solids.of_face) {
+    part = solids.is_solid[part] != 0 ? kSolid : kNoIndex;
+  }
+  solids.count = static_cast<std::size_t>(
+      std::count(solids.is_solid.begin(), solids.is_solid.end(), std::uint8_t{1}));
+  return solids;
+}
+
+std::vector<Index> first_vertices(const CutMesh& cut, const Components& components) {
+  std::vector<Index> vertices(components.count, kNoIndex);
+  for (std::size_t f = 0; f < cut.mesh.n_faces(); ++f) {
+    Index& vertex = vertices[components.of_face[f]];
+    if (vertex == kNoIndex) {
+      const HalfedgeHandle h = cut.mesh.halfedge_handle(FaceHandle(static_cast<int>(f)));
+      vertex = cut.side.vertex(cut.mesh.to_vertex_handle(h));
+    }
+  }
+  return vertices;
+}
+
+template <typename T>
+std::uint64_t bytes_of(const std::vector<T>& items) {
+  return items.size() * sizeof(T);
+}
+
+}  // namespace
+
+SetObject::SetObject(const Soup& soup, ClosestUse use)
+    : cut_(build(soup)),
+      tree_(cut_),
+      components_(find_components(cut_)),
+      component_boxes_(
+          bounding_boxes(cut_.mesh, {.of_face = components_.of_face, .count = components_.count})),
+      component_vertices_(first_vertices(cut_, components_)),
+      solids_(find_solids(cut_, components_)),
+      vertex_ids_(soup.vertex_ids),
+      face_ids_(soup.face_ids) {
+  for (const Box3& box : component_boxes_) {
+    box_.extend(box);
+  }
+  if (use == ClosestUse::Prepared) {
+    closest_.emplace(tree_);
+  }
+}
+
+Side SetObject::side_of(const Vec3& point) const {
+  if (!is_solid() || !box_.contains(point)) {
+    return Side::Outside;
+  }
+  const PointLocation place = locate(tree_, {.of_face = solids_.of_face, .count = 1}, point);
+  if (std::binary_search(place.on.begin(), place.on.end(), kSolid)) {
+    return Side::OnSurface;
+  }
+  return std::binary_search(place.odd.begin(), place.odd.end(), kSolid) ? Side::Inside
+                                                                        : Side::Outside;
+}
+
+std::uint64_t SetObject::bytes() const {
+  // What OpenMesh keeps: a point and a handle a vertex, two half-edges of three or four handles an
+  // edge, a handle a face; the tree: see FaceTree.
+  constexpr std::uint64_t kVertex = 32;
+  constexpr std::uint64_t kEdge = 40;
+  constexpr std::uint64_t kFace = 56;
+  const std::uint64_t closest = closest_ ? cut_.mesh.n_faces() * sizeof(EightTriangles) / 8 : 0;
+  return cut_.mesh.n_vertices() * kVertex + cut_.mesh.n_edges() * kEdge +
+         cut_.mesh.n_faces() * kFace + bytes_of(cut_.side.faces) + bytes_of(components_.of_face) +
+         bytes_of(solids_.of_face) + bytes_of(vertex_ids_.named) + bytes_of(face_ids_.named) +
+         bytes_of(component_boxes_) + closest + sizeof(SetObject);
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "meshalyzer/mesh/side_table.h"
+#include "meshalyzer/mesh/soup.h"
+#include "meshalyzer/spatial/closest_point.h"
+#include "meshalyzer/spatial/face_tree.h"
+#include "meshalyzer/topology/components.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Which faces of a mesh enclose something: those of components of which every edge has exactly two
+/// faces.
+struct SolidParts {
+  /// #components: 1 for those that enclose.
+  std::vector<std::uint8_t> is_solid;
+  /// #mesh faces: 0 for faces of such a component, else kNoIndex.
+  std::vector<Index> of_face;
+  std::size_t count = 0;
+};
+
+/// Where a point lies with regard to a solid.
+enum class Side : std::uint8_t { Outside, Inside, OnSurface };
+
+/// Whether an object is to be asked for closest points, which takes memory of its own.
+enum class ClosestUse : std::uint8_t { Never, Prepared };
+
+/// One mesh of a set, ready for questions about what is near it. Stays where it is: the tree refers
+/// to the mesh.
+class SetObject {
+ public:
+  /// @complexity O(#F log #F) time.
+  explicit SetObject(const Soup& soup, ClosestUse use = ClosestUse::Never);
+  SetObject(const SetObject&) = delete;
+  SetObject& operator=(const SetObject&) = delete;
+
+  [[nodiscard]] const CutMesh& cut() const { return cut_; }
+  [[nodiscard]] const FaceTree& tree() const { return tree_; }
+  /// Only where ClosestUse::Prepared was asked for.
+  [[nodiscard]] const ClosestPoints& closest() const { return *closest_; }
+  [[nodiscard]] const Components& components() const { return components_; }
+  /// Of each component, the vertices that its faces use.
+  [[nodiscard]] const std::vector<Box3>& component_boxes() const { return component_boxes_; }
+  /// #components: a vertex of each (file vertex).
+  [[nodiscard]] const std::vector<Index>& component_vertices() const { return component_vertices_; }
+  [[nodiscard]] const Ids& vertex_ids() const { return vertex_ids_; }
+  [[nodiscard]] const Ids& face_ids() const { return face_ids_; }
+  /// Of the vertices that faces use; empty where there is no face.
+  [[nodiscard]] const Box3& box() const { return box_; }
+
+  /// Whether any of its components encloses anything.
+  [[nodiscard]] bool is_solid() const { return solids_.count != 0; }
+  /// Where a point lies with regard to the components that enclose. Exact: inside, a ray from it
+  /// meets their faces an odd number of times, so that a cavity is outside.
+  ///
+  /// @complexity O(log #F + faces whose boxes the ray meets).
+  [[nodiscard]] Side side_of(const Vec3& point) const;
+
+  /// About the memory that it takes.
+  [[nodiscard]] std::uint64_t bytes() const;
+
+ private:
+  CutMesh cut_;
+  FaceTree tree_;
+  std::optional<ClosestPoints> closest_;
+  Components components_;
+  std::vector<Box3> component_boxes_;
+  std::vector<Index> component_vertices_;
+  SolidParts solids_;
+  Box3 box_;
+  Ids vertex_ids_;
+  Ids face_ids_;
+};
+
+}  // namespace meshalyzer

@@ -1,0 +1,167 @@
+#include "meshalyzer/set/set_totals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <tuple>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+template <typename T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+auto order_of(const SetPair& pair) {
+  return std::tuple(pair.mesh_a, pair.mesh_b, pair.face_a, pair.face_b);
+}
+
+std::string and_more(std::size_t n) {
+  if (n == 0) {
+    return "";
+  }
+  return " and " + std::to_string(n) + (n == 1 ? " more mesh is not" : " more meshes are not");
+}
+
+}  // namespace
+
+SetIntersections in_order(SetIntersections found) {
+  std::sort(found.pairs.begin(), found.pairs.end(),
+            [](const SetPair& a, const SetPair& b) { return order_of(a) < order_of(b); });
+  std::sort(found.contained.begin(), found.contained.end());
+  std::sort(found.partly_contained.begin(), found.partly_contained.end());
+  return found;
+}
+
+SetTotals::SetTotals(std::vector<std::string> names, const SetOptions& options)
+    : options_(options) {
+  set_.names = std::move(names);
+  set_.is_measured = options.analysis.scope == Scope::Everything;
+  if (options.questions.intersections) {
+    set_.intersections.emplace();
+  }
+}
+
+void SetTotals::add_mesh(Index number, const Analysis& mesh) {
+  const Characteristics& c = mesh.characteristics;
+  ++set_.meshes;
+  set_.vertices += c.vertices;
+  set_.faces += c.faces;
+  set_.edges += c.edges;
+  set_.components += c.components;
+  set_.boundaries += c.boundaries;
+  set_.intersecting_pairs_within += c.intersecting_pairs;
+  area_.add(c.area);
+  volume_.add(c.volume.value.value_or(0.0));
+  without_volume_ += c.volume.value ? 0 : 1;
+  judge(number, mesh);
+  vertex_valence_.append(mesh.values.vertex_valence);
+  face_area_.append(mesh.values.face_area);
+  aspect_ratio_.append(mesh.values.aspect_ratio);
+  edge_length_.append(mesh.values.edge_length);
+  edge_angle_.append(mesh.values.edge_angle);
+}
+
+void SetTotals::judge(Index number, const Analysis& mesh) {
+  const std::optional<Goodness>& verdict = mesh.goodness ? mesh.goodness : mesh.fitness;
+  if (!verdict) {
+    return;
+  }
+  set_.good = set_.good.value_or(0) + (verdict->good ? 1 : 0);
+  if (!verdict->good) {
+    set_.not_good.push_back({number, verdict->reasons});
+  }
+}
+
+void SetTotals::add_unreadable(Index number, const std::string& why) {
+  ++set_.unreadable;
+  set_.not_good.push_back({number, {"cannot be read: " + why}});
+}
+
+std::string SetTotals::why_no_separation() const {
+  if (set_.not_good.empty() || options_.questions.force) {
+    return "";
+  }
+  const UnfitMesh& first = set_.not_good.front();
+  return "every mesh must be good, and " + set_.names[first.mesh] + " is not (" +
+         first.reasons.front() + ")" + and_more(set_.not_good.size() - 1) +
+         "; --force measures all the same";
+}
+
+void SetTotals::add_findings(const ObjectFindings& findings) {
+  if (findings.intersections) {
+    append(set_.intersections->pairs, findings.intersections->pairs);
+    append(set_.intersections->contained, findings.intersections->contained);
+    append(set_.intersections->partly_contained, findings.intersections->partly_contained);
+  }
+  if (findings.separation) {
+    add_separation(findings.owner, *findings.separation);
+  }
+}
+
+void SetTotals::begin_separation() {
+  if (!set_.separation) {
+    set_.separation.emplace();
+    set_.separation->options = *options_.questions.separation;
+    set_.separation->is_forced = !set_.not_good.empty();
+  }
+}
+
+void SetTotals::add_separation(Index owner, const ObjectSeparation& separation) {
+  begin_separation();
+  std::vector<double> found;
+  std::copy_if(separation.distances.begin(), separation.distances.end(), std::back_inserter(found),
+               [](double distance) { return !std::isnan(distance); });
+  MeshSeparation mesh;
+  mesh.mesh = owner;
+  mesh.without_closest = separation.distances.size() - found.size();
+  mesh.inside = static_cast<std::size_t>(std::count_if(
+      found.begin(), found.end(), [](double distance) { return std::signbit(distance); }));
+  distance_.append(found);
+  mesh.distance = summarize(found);
+  set_.separation->without_closest += mesh.without_closest;
+  set_.separation->inside += mesh.inside;
+  set_.separation->meshes.push_back(std::move(mesh));
+}
+
+SetStatistics SetTotals::summarize_measures() {
+  return {.vertex_valence = vertex_valence_.summarize(),
+          .face_area = face_area_.summarize(),
+          .aspect_ratio = aspect_ratio_.summarize(),
+          .edge_length = edge_length_.summarize(),
+          .edge_angle = edge_angle_.summarize()};
+}
+
+SetAnalysis SetTotals::finish() {
+  set_.area = area_.value();
+  if (without_volume_ < set_.meshes) {
+    set_.volume.value = volume_.value();
+  }
+  if (without_volume_ != 0) {
+    set_.volume.reason = "meshes without a volume: " + std::to_string(without_volume_);
+  }
+  if (set_.is_measured && options_.questions.statistics) {
+    set_.statistics = summarize_measures();
+  }
+  if (set_.intersections) {
+    set_.intersections = in_order(std::move(*set_.intersections));
+  }
+  if (options_.questions.separation) {
+    finish_separation();
+  }
+  return std::move(set_);
+}
+
+void SetTotals::finish_separation() {
+  set_.separation_reason = why_no_separation();
+  if (set_.separation_reason.empty()) {
+    begin_separation();
+    std::sort(set_.separation->meshes.begin(), set_.separation->meshes.end(),
+              [](const MeshSeparation& a, const MeshSeparation& b) { return a.mesh < b.mesh; });
+    set_.separation->all = distance_.summarize();
+  }
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "meshalyzer/base/pooled_values.h"
+#include "meshalyzer/base/sum.h"
+#include "meshalyzer/set/object_findings.h"
+#include "meshalyzer/set/set_analysis.h"
+#include "meshalyzer/set/set_options.h"
+
+#include <string>
+#include <vector>
+
+namespace meshalyzer {
+
+/// What was found, sorted as SetIntersections promises.
+[[nodiscard]] SetIntersections in_order(SetIntersections found);
+
+/// Adds up what is found of the meshes of a set, one after the other, in memory that does not grow
+/// with their faces.
+class SetTotals {
+ public:
+  SetTotals(std::vector<std::string> names, const SetOptions& options);
+
+  /// Meshes come in ascending order of their numbers. `mesh.values` must be there where everything
+  /// is measured.
+  void add_mesh(Index number, const Analysis& mesh);
+  void add_unreadable(Index number, const std::string& why);
+  void add_findings(const ObjectFindings& findings);
+
+  /// Why the separation was not measured, if a mesh that is not good forbids it; else empty.
+  [[nodiscard]] std::string why_no_separation() const;
+
+  /// @return everything; this must not be used again.
+  /// @complexity O(values), read from a temporary file where they are many.
+  [[nodiscard]] SetAnalysis finish();
+
+ private:
+  void judge(Index number, const Analysis& mesh);
+  void begin_separation();
+  void add_separation(Index owner, const ObjectSeparation& separation);
+  void finish_separation();
+  [[nodiscard]] SetStatistics summarize_measures();
+
+  const SetOptions options_;
+  SetAnalysis set_;
+  CompensatedSum area_;
+  CompensatedSum volume_;
+  std::size_t without_volume_ = 0;
+  PooledValues vertex_valence_;
+  PooledValues face_area_;
+  PooledValues aspect_ratio_;
+  PooledValues edge_length_;
+  PooledValues edge_angle_;
+  PooledValues distance_;
+};
+
+}  // namespace meshalyzer

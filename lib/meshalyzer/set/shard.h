@@ -1,0 +1,32 @@
+#pragma once
+
+#include "meshalyzer/base/types.h"
+
+#include <cstddef>
+#include <span>
+
+namespace meshalyzer {
+
+/// One of several equal parts of the work on a set, each done by a run of its own.
+struct Shard {
+  /// 0 ... count - 1.
+  std::size_t number = 0;
+  std::size_t count = 1;
+
+  /// Whether the work on a single file is this shard's: files are dealt out in turn.
+  [[nodiscard]] bool owns_file(std::size_t file) const { return file % count == number; }
+};
+
+/// Which of the objects, in their order in space, are a shard's for the work between objects: runs
+/// of neighbours, with about the same number of faces in each.
+struct ShardRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// @param order    As order_in_space() returns it.
+/// @param n_faces  By object.
+[[nodiscard]] ShardRange range_of(const Shard& shard, std::span<const Index> order,
+                                  std::span<const std::size_t> n_faces);
+
+}  // namespace meshalyzer
