@@ -105,14 +105,11 @@ void OffenderWriter::asked(std::string_view name, const std::optional<FaceList>&
 
 void OffenderWriter::numbering(std::string_view name, const std::optional<NumberingBreak>& place) {
   json_.key(name);
-  if (!place) {
+  if (place) {
+    write_numbering(json_, *place);
+  } else {
     json_.null();
-    return;
   }
-  json_.begin_object(JsonLayout::Row);
-  file_ids("ids", place->ids);
-  json_.member("offender", place->offender);
-  json_.end_object();
 }
 
 void write_integrity(OffenderWriter& writer, const Offenders& all) {
@@ -152,6 +149,18 @@ void write_asked(OffenderWriter& writer, const Offenders& all) {
 }
 
 }  // namespace
+
+void write_numbering(JsonWriter& json, const NumberingBreak& place) {
+  json.begin_object(JsonLayout::Row);
+  json.key("ids");
+  json.begin_array(JsonLayout::Row);
+  for (const std::int64_t id : place.ids) {
+    json.value(id);
+  }
+  json.end_array();
+  json.member("offender", place.offender);
+  json.end_object();
+}
 
 void write_offenders(JsonWriter& json, const Analysis& analysis, JsonOffenders offenders) {
   OffenderWriter writer(json, analysis);

@@ -14,4 +14,7 @@ namespace meshalyzer {
 /// only those do.
 void write_offenders(JsonWriter& json, const Analysis& analysis, JsonOffenders offenders);
 
+/// Writes a break of the numbering as a value.
+void write_numbering(JsonWriter& json, const NumberingBreak& place);
+
 }  // namespace meshalyzer

@@ -1,6 +1,7 @@
 #include "meshalyzer/report/json_writer.h"
 
 #include "meshalyzer/base/numbers.h"
+#include "meshalyzer/report/utf8.h"
 
 #include <cmath>
 #include <utility>
@@ -9,40 +10,6 @@ namespace meshalyzer {
 namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
-
-unsigned byte_at(std::string_view text, std::size_t i) {
-  return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-}
-
-/// The range that the second byte of a sequence must lie in: it rules out overlong forms,
-/// surrogates and what is beyond U+10FFFF (Unicode standard, table 3-7).
-bool is_second_byte(unsigned lead, unsigned second) {
-  const unsigned low = lead == 0xE0U ? 0xA0U : lead == 0xF0U ? 0x90U : 0x80U;
-  const unsigned high = lead == 0xEDU ? 0x9FU : lead == 0xF4U ? 0x8FU : 0xBFU;
-  return low <= second && second <= high;
-}
-
-/// Length of the UTF-8 sequence that begins at `i`; 0 where none does.
-std::size_t sequence_length(std::string_view text, std::size_t i) {
-  const unsigned lead = byte_at(text, i);
-  if (lead < 0x80U) {
-    return 1;
-  }
-  const std::size_t length = lead < 0xC2U   ? 0
-                             : lead < 0xE0U ? 2
-                             : lead < 0xF0U ? 3
-                             : lead < 0xF5U ? 4
-                                            : 0;
-  if (length == 0 || !is_second_byte(lead, byte_at(text, i + 1))) {
-    return 0;
-  }
-  for (std::size_t k = 2; k < length; ++k) {
-    if ((byte_at(text, i + k) & 0xC0U) != 0x80U) {
-      return 0;
-    }
-  }
-  return length;
-}
 
 void append_escaped(std::string& out, char c) {
   constexpr std::string_view kHex = "0123456789abcdef";
@@ -99,17 +66,22 @@ void JsonWriter::value(std::string_view text) {
   quoted(text);
 }
 
+std::string JsonWriter::drain() {
+  return std::exchange(text_, {});
+}
+
 std::string JsonWriter::take() {
   text_ += '\n';
   levels_.clear();
   after_key_ = false;
-  return std::exchange(text_, {});
+  return drain();
 }
 
 void JsonWriter::begin(char bracket, JsonLayout layout) {
   separate();
   text_ += bracket;
-  levels_.push_back({layout, true});
+  const bool is_in_row = !levels_.empty() && levels_.back().layout == JsonLayout::Row;
+  levels_.push_back({is_in_row ? JsonLayout::Row : layout, true});
 }
 
 void JsonWriter::end(char bracket) {
@@ -129,7 +101,7 @@ void JsonWriter::literal(std::string_view text) {
 void JsonWriter::quoted(std::string_view text) {
   text_ += '"';
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = sequence_length(text, i);
+    const std::size_t length = utf8_sequence_length(text, i);
     if (length == 1) {
       append_escaped(text_, text[i]);
     } else {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,7 +14,8 @@ namespace meshalyzer {
 enum class JsonLayout {
   /// One a line, indented: for what a person looks through and a diff compares.
   Lines,
-  /// All on one line: for short rows and for runs of numbers.
+  /// All on one line, whatever is nested in it too: for short rows, runs of numbers, and a whole
+  /// text that must be one line.
   Row,
 };
 
@@ -60,7 +62,14 @@ class JsonWriter {
     value(content);
   }
 
-  /// The text, ended by a line feed; leaves the writer empty.
+  /// Length of the text that is there to be drained.
+  [[nodiscard]] std::size_t pending() const { return text_.size(); }
+
+  /// The text since the beginning or the last drain(), wherever the writer is in it; writing goes
+  /// on. So a text of any length needs little memory.
+  [[nodiscard]] std::string drain();
+
+  /// The rest of the text, ended by a line feed; leaves the writer empty, ready for another text.
   [[nodiscard]] std::string take();
 
  private:

@@ -11,10 +11,6 @@
 namespace meshalyzer {
 namespace {
 
-std::string undefined(const std::string& reason) {
-  return reason.empty() ? "undefined" : fmt::format("undefined ({})", reason);
-}
-
 void append_answer(TextLines& lines, std::string_view name, const Answer& answer) {
   if (answer.value) {
     lines.line(name, *answer.value);
@@ -122,17 +118,6 @@ void append_extent(TextLines& lines, const Characteristics& c) {
   lines.line("genus", genus_text(c));
 }
 
-void append_all_statistics(TextLines& lines, const Characteristics& c) {
-  using Total = QuantityName::Total;
-  append_statistics(lines, {"vertex valence", "no face"}, c.vertex_valence);
-  append_statistics(lines, {"face area", "no face", Total::Show}, c.face_area);
-  append_statistics(lines, {"aspect ratio", "no face with an area"}, c.aspect_ratio);
-  append_statistics(lines, {"edge length", "no edge", Total::Show}, c.edge_length);
-  append_statistics(lines,
-                    {"edge angle", "no edge between two consistently oriented faces with an area"},
-                    c.edge_angle);
-}
-
 void append_sections(TextLines& lines, const Analysis& analysis) {
   if (!analysis.has_characteristics) {
     lines.heading("MESH ATTRIBUTES");
@@ -146,7 +131,7 @@ void append_sections(TextLines& lines, const Analysis& analysis) {
   lines.heading("MESH CHARACTERISTICS");
   append_counts(lines, analysis.characteristics);
   append_extent(lines, analysis.characteristics);
-  append_all_statistics(lines, analysis.characteristics);
+  append_measures(lines, analysis.characteristics);
   append_components(lines, analysis);
 }
 
@@ -172,30 +157,6 @@ std::string text_report(const Analysis& analysis, OffenderStyle offenders) {
     append_sections(lines, analysis);
   }
   append_offenders(lines, analysis, offenders);
-  return std::move(lines.text());
-}
-
-std::string text_report(const SetAnalysis& set) {
-  TextLines lines;
-  lines.heading("MESH SET TOTALS");
-  lines.line("meshes", set.meshes);
-  lines.line("unreadable files", set.unreadable);
-  lines.line("total vertices", set.vertices);
-  lines.line("total faces", set.faces);
-  lines.line("total edges", set.edges);
-  lines.line("total components", set.components);
-  lines.line("total boundaries", set.boundaries);
-  lines.line("total intersecting pairs within meshes", set.intersecting_pairs_within);
-  lines.line("total area", set.area);
-  if (set.volume.value) {
-    const std::string note = set.volume.reason.empty() ? "" : " (" + set.volume.reason + ")";
-    lines.line("total volume", readable(*set.volume.value) + note);
-  } else {
-    lines.line("total volume", undefined(set.volume.reason));
-  }
-  constexpr std::string_view kNotYet = "not computed (not available yet in this version)";
-  lines.line("intersecting pairs between meshes", kNotYet);
-  lines.line("separation distances", kNotYet);
   return std::move(lines.text());
 }
 

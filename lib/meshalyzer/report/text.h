@@ -19,7 +19,4 @@ enum class OffenderStyle {
 /// The report of one mesh for people: three sections, one `name: value` a line.
 [[nodiscard]] std::string text_report(const Analysis& analysis, OffenderStyle offenders);
 
-/// The totals of a folder, in the same manner.
-[[nodiscard]] std::string text_report(const SetAnalysis& set);
-
 }  // namespace meshalyzer

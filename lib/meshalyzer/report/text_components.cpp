@@ -1,8 +1,9 @@
 #include "meshalyzer/report/text_components.h"
 
+#include "meshalyzer/report/text_table.h"
+
 #include <algorithm>
 #include <fmt/format.h>
-#include <iterator>
 #include <vector>
 
 namespace meshalyzer {
@@ -44,21 +45,6 @@ Row row_of(const Analysis& analysis, std::size_t i) {
           std::to_string(component.intersecting_pairs)};
 }
 
-void append_table(std::string& text, const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const Row& row : rows) {
-    std::transform(
-        row.begin(), row.end(), widths.begin(), widths.begin(),
-        [](const std::string& entry, std::size_t width) { return std::max(entry.size(), width); });
-  }
-  for (const Row& row : rows) {
-    for (std::size_t column = 0; column < row.size(); ++column) {
-      fmt::format_to(std::back_inserter(text), "  {:>{}}", row[column], widths[column]);
-    }
-    text += '\n';
-  }
-}
-
 }  // namespace
 
 void append_components(TextLines& lines, const Analysis& analysis) {
@@ -67,13 +53,13 @@ void append_components(TextLines& lines, const Analysis& analysis) {
     return;
   }
   const std::size_t n_shown = std::min(n, kMaxComponentRows);
-  std::vector<Row> rows{titles()};
+  TextTable table{0, {titles()}};
   for (std::size_t i = 0; i < n_shown; ++i) {
-    rows.push_back(row_of(analysis, i));
+    table.rows.push_back(row_of(analysis, i));
   }
   lines.line("components, one a row",
              n_shown == n ? "all" : fmt::format("the first {} of {}", n_shown, n));
-  append_table(lines.text(), rows);
+  append_table(lines.text(), table);
   if (n_shown < n) {
     lines.line("components not shown", fmt::format("{} (--json has them all)", n - n_shown));
   }

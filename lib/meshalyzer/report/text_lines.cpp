@@ -8,6 +8,10 @@ std::string readable(double value) {
   return fmt::format("{:.10g}", value + 0.0);  // -0.0 + 0.0 is 0.0
 }
 
+std::string undefined(const std::string& reason) {
+  return reason.empty() ? "undefined" : fmt::format("undefined ({})", reason);
+}
+
 void TextLines::heading(std::string_view title) {
   if (!text_.empty()) {
     text_ += '\n';

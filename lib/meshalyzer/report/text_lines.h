@@ -10,6 +10,9 @@ namespace meshalyzer {
 /// A real for people: ten significant digits at most, no locale, no "-0".
 [[nodiscard]] std::string readable(double value);
 
+/// What stands in the place of a value that there is none of, with the reason where there is one.
+[[nodiscard]] std::string undefined(const std::string& reason);
+
 /// Collects the lines of a text report.
 class TextLines {
  public:

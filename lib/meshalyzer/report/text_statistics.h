@@ -22,4 +22,18 @@ struct QuantityName {
 void append_statistics(TextLines& lines, const QuantityName& quantity,
                        const Statistics& statistics);
 
+/// Appends the statistics of what is measured of faces, edges and vertices.
+/// @tparam Measures  Characteristics of a mesh, or SetStatistics.
+template <typename Measures>
+void append_measures(TextLines& lines, const Measures& measures) {
+  using Total = QuantityName::Total;
+  append_statistics(lines, {"vertex valence", "no face"}, measures.vertex_valence);
+  append_statistics(lines, {"face area", "no face", Total::Show}, measures.face_area);
+  append_statistics(lines, {"aspect ratio", "no face with an area"}, measures.aspect_ratio);
+  append_statistics(lines, {"edge length", "no edge", Total::Show}, measures.edge_length);
+  append_statistics(lines,
+                    {"edge angle", "no edge between two consistently oriented faces with an area"},
+                    measures.edge_angle);
+}
+
 }  // namespace meshalyzer

@@ -189,11 +189,10 @@ TEST(JsonReport, WhatOnlyAttributesLeaveOutIsNull) {
 }
 
 TEST(JsonReport, TotalsOverMeshesOfOnlyAttributesAreNull) {
-  Analysis analysis;
-  analysis.has_characteristics = false;
   SetAnalysis set;
+  set.is_measured = false;
   set.vertices = 4;
-  const json shown = json::parse(json_report({&analysis, 1}, &set, JsonOffenders::Omit))["set"];
+  const json shown = json::parse(json_report({}, &set, JsonOffenders::Omit))["set"];
   EXPECT_TRUE(shown["area"].is_null());
   EXPECT_TRUE(shown["intersecting_pairs_within"].is_null());
   EXPECT_EQ(shown["vertices"], 4);

@@ -80,5 +80,82 @@ TEST(JsonWriter, LinesAreIndentedAndRowsStayOnOneLine) {
   EXPECT_EQ(json.take(), "{\n \"n\": 1,\n \"row\": [1, true, []],\n \"none\": []\n}\n");
 }
 
+TEST(JsonWriter, WhatIsNestedInARowIsOnItsLineToo) {
+  JsonWriter json;
+  json.begin_object(JsonLayout::Row);
+  json.key("list");
+  json.begin_array();
+  json.begin_object(JsonLayout::Lines);
+  json.member("n", 1);
+  json.end_object();
+  json.value(2);
+  json.end_array();
+  json.member("last", true);
+  json.end_object();
+  EXPECT_EQ(json.take(), "{\"list\": [{\"n\": 1}, 2], \"last\": true}\n");
+}
+
+/// Writes an object with something of everything, and calls `between` after each step.
+template <typename Between>
+std::string written_in_steps(Between&& between) {
+  JsonWriter json;
+  std::string text;
+  const auto step = [&] { text += between(json); };
+  json.begin_object();
+  step();
+  json.key("lines");
+  step();
+  json.begin_array();
+  step();
+  json.value(1.5);
+  step();
+  json.value(std::string_view("two"));
+  step();
+  json.end_array();
+  step();
+  json.key("row");
+  json.begin_object(JsonLayout::Row);
+  step();
+  json.member("a", 1);
+  step();
+  json.member("b", 2);
+  json.end_object();
+  step();
+  json.end_object();
+  step();
+  return text + json.take();
+}
+
+TEST(JsonWriter, DrainedAnywhereGivesTheSameText) {
+  const std::string whole = written_in_steps([](JsonWriter&) { return std::string(); });
+  const std::string drained = written_in_steps([](JsonWriter& json) { return json.drain(); });
+  EXPECT_EQ(drained, whole);
+  EXPECT_EQ(whole, "{\n \"lines\": [\n  1.5,\n  \"two\"\n ],\n \"row\": {\"a\": 1, \"b\": 2}\n}\n");
+}
+
+TEST(JsonWriter, WhatIsPendingIsWhatADrainWillGive) {
+  JsonWriter json;
+  EXPECT_EQ(json.pending(), 0U);
+  json.begin_array(JsonLayout::Row);
+  json.value(12);
+  EXPECT_EQ(json.pending(), 3U);  // [12
+  EXPECT_EQ(json.drain(), "[12");
+  EXPECT_EQ(json.pending(), 0U);
+  json.end_array();
+  EXPECT_EQ(json.take(), "]\n");
+}
+
+TEST(JsonWriter, WritesOneTextAfterAnother) {
+  JsonWriter json;
+  json.begin_object(JsonLayout::Row);
+  json.end_object();
+  std::string lines = json.take();
+  json.begin_object(JsonLayout::Row);
+  json.member("n", 2);
+  json.end_object();
+  lines += json.take();
+  EXPECT_EQ(lines, "{}\n{\"n\": 2}\n");
+}
+
 }  // namespace
 }  // namespace meshalyzer

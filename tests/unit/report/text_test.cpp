@@ -187,16 +187,5 @@ TEST(TextReport, VerdictWithOffendersIsASentenceWithEveryReason) {
   EXPECT_THAT(text_report(analysis, OffenderStyle::Ids), testing::StartsWith("mesh is good\n"));
 }
 
-TEST(TextReport, SetTellsWhichMeshesHaveNoVolume) {
-  SetAnalysis set;
-  set.meshes = 7;
-  set.volume.value = 2.5;
-  set.volume.reason = "none: a.mesh";
-  EXPECT_THAT(text_report(set), HasLine("meshes: 7"));
-  EXPECT_THAT(text_report(set), HasLine("total volume: 2.5 (none: a.mesh)"));
-  set.volume.value.reset();
-  EXPECT_THAT(text_report(set), HasLine("total volume: undefined (none: a.mesh)"));
-}
-
 }  // namespace
 }  // namespace meshalyzer

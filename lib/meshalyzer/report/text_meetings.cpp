@@ -1,0 +1,100 @@
+#include "meshalyzer/report/text_meetings.h"
+
+#include "meshalyzer/report/text_table.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <iterator>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+constexpr std::array kKinds{ContactKind::Duplicate, ContactKind::Unwelded,
+                            ContactKind::FoldOver,  ContactKind::CoplanarOverlap,
+                            ContactKind::Crossing,  ContactKind::Touching};
+
+/// The pairs of faces of two meshes.
+using Meeting = std::span<const SetPair>;
+
+bool are_of_same_meshes(const SetPair& a, const SetPair& b) {
+  return a.mesh_a == b.mesh_a && a.mesh_b == b.mesh_b;
+}
+
+std::vector<Meeting> meetings_of(const std::vector<SetPair>& pairs) {
+  std::vector<Meeting> meetings;
+  for (auto first = pairs.begin(); first != pairs.end();) {
+    const auto last = std::find_if_not(
+        first, pairs.end(), [&](const SetPair& pair) { return are_of_same_meshes(*first, pair); });
+    meetings.emplace_back(first, last);
+    first = last;
+  }
+  return meetings;
+}
+
+std::size_t count_of(Meeting pairs, ContactKind kind) {
+  return static_cast<std::size_t>(std::count_if(
+      pairs.begin(), pairs.end(), [&](const SetPair& pair) { return pair.kind == kind; }));
+}
+
+/// A column for each kind that occurs.
+TextTable table_of(const SetAnalysis& set, std::span<const Meeting> meetings) {
+  std::vector<ContactKind> kinds;
+  std::copy_if(kKinds.begin(), kKinds.end(), std::back_inserter(kinds),
+               [&](ContactKind kind) { return count_of(set.intersections->pairs, kind) > 0; });
+  TextTable table{2, {{"mesh", "and mesh", "pairs"}}};
+  for (const ContactKind kind : kinds) {
+    table.rows.front().emplace_back(contact_name(kind));
+  }
+  for (const Meeting& pairs : meetings) {
+    std::vector<std::string>& row = table.rows.emplace_back();
+    row = {set.names[pairs.front().mesh_a], set.names[pairs.front().mesh_b],
+           std::to_string(pairs.size())};
+    for (const ContactKind kind : kinds) {
+      row.push_back(std::to_string(count_of(pairs, kind)));
+    }
+  }
+  return table;
+}
+
+void append_pairs(std::string& text, const SetAnalysis& set) {
+  for (const SetPair& pair : set.intersections->pairs) {
+    fmt::format_to(std::back_inserter(text), "{} face {}, {} face {}: {}\n", set.names[pair.mesh_a],
+                   pair.face_a, set.names[pair.mesh_b], pair.face_b, contact_name(pair.kind));
+  }
+}
+
+}  // namespace
+
+void append_meetings(TextLines& lines, const SetAnalysis& set, OffenderStyle style) {
+  if (!set.intersections) {
+    return;
+  }
+  const SetIntersections& found = *set.intersections;
+  const std::vector<Meeting> meetings = meetings_of(found.pairs);
+  lines.heading("INTERSECTIONS BETWEEN MESHES");
+  lines.line("intersecting pairs between meshes", found.pairs.size());
+  lines.line("pairs of meshes that intersect", meetings.size());
+  lines.line("contained meshes", found.contained.size());
+  lines.line("partly contained meshes", found.partly_contained.size());
+  for (const ContainedMesh& mesh : found.contained) {
+    lines.line("contained mesh", set.names[mesh.inner] + " inside " + set.names[mesh.outer]);
+  }
+  for (const ContainedMesh& mesh : found.partly_contained) {
+    lines.line("partly contained mesh",
+               "components of " + set.names[mesh.inner] + " inside " + set.names[mesh.outer]);
+  }
+  if (meetings.empty()) {
+    return;
+  }
+  lines.line("pairs of meshes that intersect, one a row", "all");
+  append_table(lines.text(), table_of(set, meetings));
+  if (style != OffenderStyle::None) {
+    lines.line("offending intersecting pairs between meshes", found.pairs.size());
+    append_pairs(lines.text(), set);
+  }
+}
+
+}  // namespace meshalyzer

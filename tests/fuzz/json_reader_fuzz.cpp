@@ -1,0 +1,68 @@
+#include "check_parser.h"
+#include "meshalyzer/analysis/analyze.h"
+#include "meshalyzer/report/json_mesh.h"
+#include "meshalyzer/report/json_reader.h"
+#include "meshalyzer/report/text.h"
+
+namespace {
+
+using namespace meshalyzer;
+
+std::string line_of(const Analysis& analysis) {
+  JsonWriter json;
+  json.begin_object(JsonLayout::Row);
+  write_mesh_members(json, analysis, JsonOffenders::List);
+  json.end_object();
+  return json.take();
+}
+
+/// Three faces on one edge, a face apart, an orphan, a repeated id: something in most lists.
+std::string line_of_bad_mesh() {
+  Soup soup;
+  soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {5, 5, 5}, {5, 5, 6}};
+  soup.vertex_ids.named = {1, 2, 3, 4, 6, 7, 7};
+  soup.triangles = {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {2, 3, 5}, {0, 0, 1}};
+  AnalysisOptions options;
+  options.longer_than = 1.0;
+  options.angle_below_degrees = 360.0;
+  options.aspect_above = 1.0;
+  return line_of(analyze(std::move(soup), "bad.mesh", options));
+}
+
+/// Any text is either refused by an InvalidArgument or makes an analysis that the reports can show,
+/// and that its own line keeps.
+void check(std::string_view text) {
+  Analysis analysis;
+  try {
+    analysis = read_mesh_json(text);
+  } catch (const InvalidArgument&) {
+    return;
+  }
+  const std::string line = line_of(analysis);
+  const Analysis again = read_mesh_json(line);
+  const bool is_kept = line_of(again) == line && text_report(again, OffenderStyle::Ids) ==
+                                                     text_report(analysis, OffenderStyle::Ids);
+  if (!is_kept) {
+    std::abort();
+  }
+}
+
+}  // namespace
+
+/// The bytes are tried as a line, and then, as chance never hits upon a line, as changes to a good
+/// one: two bytes tell where, the third what to write there; 0 cuts the line off.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const std::string good = line_of_bad_mesh();
+  check(as_text(data, size));
+  std::string changed = good;
+  for (std::size_t i = 0; i + 3 <= size && !changed.empty(); i += 3) {
+    const std::size_t at = (std::size_t{data[i]} << 8U | data[i + 1]) % changed.size();
+    if (data[i + 2] == 0) {
+      changed.resize(at);
+    } else {
+      changed[at] = static_cast<char>(data[i + 2]);
+    }
+  }
+  check(changed);
+  return 0;
+}

@@ -1,0 +1,53 @@
+#include "meshalyzer/report/set_verdict.h"
+
+#include <gtest/gtest.h>
+
+namespace meshalyzer {
+namespace {
+
+SetAnalysis good_set() {
+  SetAnalysis set;
+  set.good = 2;
+  set.intersections.emplace();
+  return set;
+}
+
+TEST(SetIsGood, MeshesThatAreGoodAndApartAre) {
+  EXPECT_EQ(is_good(good_set()), true);
+}
+
+TEST(SetIsGood, NothingIsSaidWhereMeshesWereNotJudged) {
+  SetAnalysis set = good_set();
+  set.good.reset();
+  EXPECT_EQ(is_good(set), std::nullopt);
+}
+
+TEST(SetIsGood, OneMeshThatIsNotGoodOrUnreadableIsEnough) {
+  SetAnalysis set = good_set();
+  set.not_good = {{1, {"cannot be read"}}};
+  EXPECT_EQ(is_good(set), false);
+}
+
+TEST(SetIsGood, IntersectingMeshesAreNot) {
+  SetAnalysis set = good_set();
+  set.intersections->pairs = {{}};
+  EXPECT_EQ(is_good(set), false);
+}
+
+TEST(SetIsGood, ContainedMeshesAreNot) {
+  SetAnalysis set = good_set();
+  set.intersections->contained = {{0, 1}};
+  EXPECT_EQ(is_good(set), false);
+  set = good_set();
+  set.intersections->partly_contained = {{0, 1}};
+  EXPECT_EQ(is_good(set), false);
+}
+
+TEST(SetIsGood, WhatWasNotAskedForDoesNotMatter) {
+  SetAnalysis set = good_set();
+  set.intersections.reset();
+  EXPECT_EQ(is_good(set), true);
+}
+
+}  // namespace
+}  // namespace meshalyzer
