@@ -1,179 +1,26 @@
 #include "cli.h"
 
 #include "inputs.h"
-#include "meshalyzer/analysis/analyze.h"
-#include "meshalyzer/base/numbers.h"
+#include "interrupt.h"
+#include "merge.h"
 #include "meshalyzer/base/parallel.h"
-#include "meshalyzer/io/file.h"
-#include "meshalyzer/io/read.h"
-#include "meshalyzer/report/json.h"
-#include "meshalyzer/report/text.h"
+#include "meshalyzer/io/file_replacement.h"
 #include "options.h"
-#include "progress_line.h"
+#include "session.h"
 
+#include <algorithm>
 #include <exception>
-#include <new>
+#include <filesystem>
+#include <memory>
 #include <ostream>
+#include <set>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
-
-/// One call of the program: reads, analyses, tells.
-class Session {
- public:
-  Session(const Options& options, Inputs inputs, std::ostream& out, std::ostream& err);
-
-  [[nodiscard]] ExitCode work();
-
- private:
-  void analyze_file(std::size_t i);
-  void tell(const Analysis& analysis);
-  void keep(Analysis analysis);
-  void tell_set(const SetAnalysis& set);
-  void write_json(const SetAnalysis& set);
-  void complain(std::string_view message);
-  /// Whether the text report goes to standard output.
-  [[nodiscard]] bool tells_text() const;
-
-  const Options& options_;
-  Inputs inputs_;
-  std::ostream& out_;
-  std::ostream& err_;
-  ProgressLine progress_;
-  std::vector<Analysis> analyses_;
-  std::size_t n_told_ = 0;
-  std::size_t n_unreadable_ = 0;
-  bool all_good_ = true;
-  bool trouble_ = false;
-};
-
-ProgressLine::State progress_state(const Options& options, const std::ostream& err) {
-  return options.progress == Options::Progress::Never ? ProgressLine::State::Off
-                                                      : terminal_state(err);
-}
-
-Session::Session(const Options& options, Inputs inputs, std::ostream& out, std::ostream& err)
-    : options_(options),
-      inputs_(std::move(inputs)),
-      out_(out),
-      err_(err),
-      progress_(err, progress_state(options, err)) {}
-
-ExitCode Session::work() {
-  for (const std::string& trouble : inputs_.troubles) {
-    complain(trouble);
-  }
-  for (std::size_t i = 0; i < inputs_.files.size() && out_; ++i) {
-    analyze_file(i);
-  }
-  progress_.clear();
-  const SetAnalysis set = analyze_set(analyses_, n_unreadable_);
-  if (inputs_.is_set && !analyses_.empty()) {
-    tell_set(set);
-  }
-  if (options_.json) {
-    write_json(set);
-  }
-  if (!out_.flush()) {
-    complain("meshalyzer: standard output: cannot be written");
-  }
-  return trouble_ ? ExitCode::Trouble : all_good_ ? ExitCode::Done : ExitCode::NotGood;
-}
-
-void Session::analyze_file(std::size_t i) {
-  const std::string& file = inputs_.files[i];
-  std::string label = "[";
-  label += std::to_string(i + 1) + "/" + std::to_string(inputs_.files.size()) + "] " + file;
-  progress_.show(label);
-  AnalysisOptions options = options_.analysis;
-  options.on_phase = [&](std::string_view phase) {
-    progress_.show(label + ": " + std::string(phase));
-  };
-  try {
-    Analysis analysis = analyze(read_mesh(file), file, options);
-    progress_.clear();
-    if (tells_text()) {
-      tell(analysis);
-    }
-    keep(std::move(analysis));
-  } catch (const IoError& error) {
-    ++n_unreadable_;
-    complain(error.what());
-  } catch (const std::bad_alloc&) {
-    ++n_unreadable_;
-    complain(file + ": not enough memory");
-  }
-}
-
-bool Session::tells_text() const {
-  return options_.show == Show::Report && !(options_.json && options_.json->is_stdout());
-}
-
-void Session::tell(const Analysis& analysis) {
-  const bool among_others = inputs_.is_set || inputs_.files.size() > 1;
-  const bool only_verdict = analysis.goodness && options_.offenders == OffenderStyle::None;
-  if (among_others && only_verdict) {
-    out_ << analysis.path << ": ";
-  } else if (among_others) {
-    out_ << (n_told_ == 0 ? "" : "\n") << "==== " << analysis.path << " ====\n";
-  }
-  out_ << text_report(analysis, options_.offenders);
-  ++n_told_;
-}
-
-/// Where JSON is to follow everything is kept, else only what the totals need: a folder may hold
-/// many meshes.
-void Session::keep(Analysis analysis) {
-  all_good_ = all_good_ && (!analysis.goodness || analysis.goodness->good);
-  if (!options_.json) {
-    analysis.vertex_ids = {};
-    analysis.face_ids = {};
-    analysis.components = {};
-    analysis.component_statistics = {};
-    analysis.offenders = {};
-  }
-  analysis.positions = {};
-  analysis.triangles = {};
-  analyses_.push_back(std::move(analysis));
-}
-
-/// What there is to say of a folder. With -a and -g that is nothing.
-void Session::tell_set(const SetAnalysis& set) {
-  if (options_.show == Show::TotalVolume) {
-    if (!set.volume.reason.empty()) {
-      err_ << "meshalyzer: total volume: " << set.volume.reason << '\n';
-    }
-    out_ << (set.volume.value ? shortest(*set.volume.value) : "undefined") << '\n';
-    return;
-  }
-  const bool has_totals =
-      options_.analysis.scope == Scope::Everything && !options_.analysis.goodness;
-  if (tells_text() && has_totals) {
-    out_ << '\n' << text_report(set);
-  }
-}
-
-void Session::write_json(const SetAnalysis& set) {
-  const JsonOffenders offenders =
-      options_.offenders == OffenderStyle::None ? JsonOffenders::Omit : JsonOffenders::List;
-  const std::string text = json_report(analyses_, inputs_.is_set ? &set : nullptr, offenders);
-  if (options_.json->is_stdout()) {
-    out_ << text;
-    return;
-  }
-  try {
-    replace_file(options_.json->file, text);
-  } catch (const IoError& error) {
-    complain(error.what());
-  }
-}
-
-void Session::complain(std::string_view message) {
-  progress_.clear();
-  err_ << message << '\n';
-  trouble_ = true;
-}
 
 /// What speaks against this use of folders, which only looking at the paths can tell.
 void check_folders(const Options& options) {
@@ -187,22 +34,110 @@ void check_folders(const Options& options) {
   }
 }
 
+/// Several files are a set too where somebody asks for what is between them.
+void check_set(const Options& options, Inputs& inputs) {
+  if (options.asked.any() && options.paths.size() > 1) {
+    inputs.is_set = true;
+  }
+  if (options.asked.any() && !inputs.is_set) {
+    throw UsageError("-i and -s need a folder, or several files");
+  }
+  const bool has_stdin =
+      std::find(inputs.files.begin(), inputs.files.end(), "-") != inputs.files.end();
+  if (has_stdin && inputs.is_set && questions_of(options).is_between()) {
+    throw UsageError("standard input can be read only once, so it cannot be part of a set");
+  }
+}
+
+/// A journal is of files that are there to be looked at again.
+void check_journal(const Options& options) {
+  const bool has_stdin =
+      std::find(options.paths.begin(), options.paths.end(), "-") != options.paths.end();
+  const bool has_journal = options.resume || (options.ndjson && !options.ndjson->is_stdout());
+  if (has_stdin && has_journal) {
+    throw UsageError("no journal can tell whether standard input (-) is still the same");
+  }
+}
+
+/// A file named twice is one mesh of a set.
+void drop_repeated(std::vector<std::string>& files) {
+  std::set<std::string> met;
+  std::erase_if(files, [&](const std::string& file) { return !met.insert(file).second; });
+}
+
+/// The lines that an earlier run left where this one is to leave its own, or in the journal to be
+/// resumed.
+KnownLines recall(const Options& options, const JournalSubject& subject) {
+  KnownLines known;
+  if (options.resume) {
+    known.add(*options.resume, subject);
+  } else if (options.ndjson && std::filesystem::is_regular_file(options.ndjson->file)) {
+    known.add(options.ndjson->file, subject);
+  }
+  return known;
+}
+
+/// The journal, with those lines in it that still hold.
+std::unique_ptr<JournalWriter> open_journal(const ReportTarget& target, const Task& task,
+                                            std::ostream& out) {
+  if (target.is_stdout()) {
+    task.known.write(task.subject, [&](std::string_view line) { out << line; });
+    return std::make_unique<JournalWriter>(out);
+  }
+  FileReplacement file(target.file);
+  task.known.write(task.subject, [&](std::string_view line) { file.write(line); });
+  file.commit();
+  return std::make_unique<JournalWriter>(target.file);
+}
+
+ExitCode check(const Options& options, Streams streams) {
+  check_folders(options);
+  check_journal(options);
+  Inputs inputs = find_inputs(options.paths);
+  check_set(options, inputs);
+  if (inputs.is_set) {
+    drop_repeated(inputs.files);
+  }
+  const ThreadLimit limit(options.threads);
+  const InterruptGuard guard;
+  const std::string asked =
+      MESHALYZER_VERSION + std::string(inputs.is_set ? " set " : " files ") + options.asked_text;
+  JournalSubject subject = make_subject(inputs.files, asked);
+  subject.offenders = json_offenders(options);
+  KnownLines known = recall(options, subject);
+  Task task{options, std::move(inputs), std::move(subject), std::move(known)};
+  std::unique_ptr<JournalWriter> journal;
+  if (options.ndjson) {
+    journal = open_journal(*options.ndjson, task, streams.out);
+  }
+  Session session(std::move(task), streams);
+  session.keep_journal(std::move(journal));
+  return session.work();
+}
+
+ExitCode run_command(int argc, const char* const* argv, Streams streams) {
+  if (argc > 1 && std::string_view(argv[1]) == "merge") {
+    return merge(argc - 1, argv + 1, streams);
+  }
+  const CommandLine command = parse_command_line(argc, argv);
+  if (command.answer) {
+    streams.out << *command.answer << std::flush;
+    return streams.out ? ExitCode::Done : ExitCode::Trouble;
+  }
+  return check(command.options, streams);
+}
+
 }  // namespace
 
 int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   try {
-    const CommandLine command = parse_command_line(argc, argv);
-    if (command.answer) {
-      out << *command.answer << std::flush;
-      return static_cast<int>(out ? ExitCode::Done : ExitCode::Trouble);
-    }
-    check_folders(command.options);
-    const ThreadLimit limit(command.options.threads);
-    Session session(command.options, find_inputs(command.options.paths), out, err);
-    return static_cast<int>(session.work());
+    return static_cast<int>(run_command(argc, argv, {out, err}));
   } catch (const UsageError& error) {
     err << "meshalyzer: " << error.what() << "\nTry 'meshalyzer --help'.\n";
     return static_cast<int>(ExitCode::Usage);
+  } catch (const IoError& error) {
+    err << error.what() << '\n';
+    return static_cast<int>(ExitCode::Trouble);
   } catch (const std::exception& error) {
     err << "meshalyzer: " << error.what() << '\n';
     return static_cast<int>(ExitCode::Trouble);

@@ -1,10 +1,12 @@
 #pragma once
 
-#include "meshalyzer/analysis/analyze.h"
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/report/json.h"
 #include "meshalyzer/report/text.h"
+#include "meshalyzer/set/set_options.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,8 +19,8 @@ class UsageError : public Error {
   using Error::Error;
 };
 
-/// Where the JSON report goes: "-" is standard output, in place of the text.
-struct JsonTarget {
+/// Where a report for programs goes: "-" is standard output, in place of the text.
+struct ReportTarget {
   std::string file = "-";
 
   [[nodiscard]] bool is_stdout() const { return file == "-"; }
@@ -26,10 +28,21 @@ struct JsonTarget {
 
 /// What goes to standard output.
 enum class Show {
-  /// The report of each mesh, and of a folder the totals.
+  /// The report of each mesh, and of a set what there is to say of it.
   Report,
+  /// A line a mesh, and of a set what there is to say of it (--summary).
+  Summary,
   /// Only the total volume of a folder (-v).
   TotalVolume,
+};
+
+/// What is asked about a set: where neither is named, a folder is asked for both, but for nothing
+/// with -a or -g.
+struct AskedOfSet {
+  bool intersections = false;
+  bool separation = false;
+
+  [[nodiscard]] bool any() const { return intersections || separation; }
 };
 
 /// A command line, understood.
@@ -37,13 +50,28 @@ struct Options {
   /// Mesh files, folders, or "-"; at least one.
   std::vector<std::string> paths;
   AnalysisOptions analysis;
+  AskedOfSet asked;
+  SeparationOptions separation;
+  /// --force
+  bool force = false;
   OffenderStyle offenders = OffenderStyle::None;
   Show show = Show::Report;
-  std::optional<JsonTarget> json;
+  std::optional<ReportTarget> json;
+  std::optional<ReportTarget> ndjson;
+  /// The journal of an earlier run to go on with.
+  std::optional<std::string> resume;
+  /// A folder for a PLY an object, coloured by its separation.
+  std::optional<std::string> separation_ply;
+  Shard shard;
+  /// Bytes.
+  std::uint64_t memory_limit = 0;
   /// 0: as many as the machine has cores.
   std::size_t threads = 0;
   enum class Progress { OnTerminal, Never };
   Progress progress = Progress::OnTerminal;
+  /// The options that decide what is found, in a fixed order and spelling; parse_command_line() of
+  /// these words, and a path, gives the same findings.
+  std::string asked_text;
 };
 
 /// An Options, or the text that --help or --version asks for.
@@ -52,6 +80,16 @@ struct CommandLine {
   /// Where present: print this and do nothing else.
   std::optional<std::string> answer;
 };
+
+/// What to find out between the meshes of a set.
+[[nodiscard]] SetQuestions questions_of(const Options& options);
+
+/// Whether there is anything to say of a set beside what lies between its meshes: with -a and -g
+/// there is not.
+[[nodiscard]] bool tells_totals(const Options& options);
+
+/// Whether reports for programs list the offending elements.
+[[nodiscard]] JsonOffenders json_offenders(const Options& options);
 
 /// Understands a command line (contract 3). Touches no file.
 ///

@@ -7,6 +7,9 @@
 #   exit, stdout, stderr   what is expected; a stream without a file is empty
 #   written/   optional: the files that must then be in @SCRATCH@, and no others
 #
+# In all that is compared, @SCRATCH@ stands for the folder, and @TIME@ and @STATE@ for what a journal says of the times
+# of files.
+#
 # UPDATE=1 in the environment rewrites exit, stdout, stderr and written/; review them with git diff.
 cmake_minimum_required(VERSION 3.25)
 
@@ -34,6 +37,14 @@ function(check name got)
   endif()
 endfunction()
 
+# Replaces in `text` what differs from one place or day to another.
+function(mask text variable)
+  string(REPLACE "${SCRATCH}" "@SCRATCH@" text "${text}")
+  string(REGEX REPLACE "\"modified\": -?[0-9]+" "\"modified\": @TIME@" text "${text}")
+  string(REGEX REPLACE "\"set\": \"[0-9a-f]+\"" "\"set\": \"@STATE@\"" text "${text}")
+  set(${variable} "${text}" PARENT_SCOPE)
+endfunction()
+
 file(REMOVE_RECURSE ${SCRATCH})
 file(MAKE_DIRECTORY ${SCRATCH})
 file(STRINGS ${CASE}/args args)
@@ -56,7 +67,7 @@ execute_process(COMMAND ${PROGRAM} ${args} WORKING_DIRECTORY ${folder} ${redirec
   RESULT_VARIABLE exit ERROR_VARIABLE stderr)
 
 foreach(stream IN ITEMS stdout stderr)
-  string(REPLACE "${SCRATCH}" "@SCRATCH@" ${stream} "${${stream}}")
+  mask("${${stream}}" ${stream})
   check(${stream} "${${stream}}")
 endforeach()
 check(exit "${exit}\n")
@@ -65,5 +76,6 @@ file(GLOB_RECURSE written RELATIVE ${SCRATCH} ${SCRATCH}/*)
 file(GLOB_RECURSE expected RELATIVE ${CASE}/written ${CASE}/written/*)
 foreach(name IN LISTS written expected)
   read_if_exists(${SCRATCH}/${name} content)
+  mask("${content}" content)
   check(written/${name} "${content}")
 endforeach()

@@ -1,0 +1,19 @@
+#pragma once
+
+namespace meshalyzer {
+
+/// What the shell sees.
+enum class ExitCode {
+  /// All done; with -g: every mesh is good.
+  Done = 0,
+  /// With -g: a mesh is not good.
+  NotGood = 1,
+  /// Wrong usage; nothing was read.
+  Usage = 2,
+  /// An input could not be read, or the report could not be written. The other inputs are done.
+  Trouble = 3,
+  /// Ended by the user before all was done, as shells report it.
+  Interrupted = 130,
+};
+
+}  // namespace meshalyzer

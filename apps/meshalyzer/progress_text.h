@@ -1,0 +1,17 @@
+#pragma once
+
+#include "meshalyzer/set/set_run.h"
+
+#include <chrono>
+#include <string>
+
+namespace meshalyzer {
+
+/// A line of how far a run has come: a bar, files, faces, rate and the time left, at most 79
+/// columns.
+///
+/// @param elapsed  Since the stage began.
+[[nodiscard]] std::string progress_text(const SetProgress& progress,
+                                        std::chrono::duration<double> elapsed);
+
+}  // namespace meshalyzer
