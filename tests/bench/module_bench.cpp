@@ -2,6 +2,7 @@
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/io/write.h"
 #include "meshalyzer/mesh/build.h"
+#include "meshalyzer/spatial/mutual_intersection.h"
 #include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/topology/components.h"
 
@@ -85,5 +86,35 @@ void self_intersections_of_slivers(benchmark::State& state) {
   per_face(state, cut.mesh.n_faces());
 }
 BENCHMARK(self_intersections_of_slivers)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
+/// A mesh of half the faces against a copy of it, scaled and then moved: the search alone, without
+/// the trees.
+void mutual_intersection(benchmark::State& state, const std::string& kind, double scale,
+                         const Vec3& by) {
+  Soup soup = bench::big_mesh(kind, kFaces / 2);
+  const CutMesh a = build(soup);
+  for (Vec3& p : soup.positions) {
+    p = scale * p + by;
+  }
+  const CutMesh b = build(soup);
+  const FaceTree tree_a(a);
+  const FaceTree tree_b(b);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(find_intersections(a, tree_a, b, tree_b));
+  }
+  per_face(state, tree_a.n_faces() + tree_b.n_faces());
+}
+BENCHMARK_CAPTURE(mutual_intersection, apart, "wavy", 0.45, Vec3(0, 0, 0))
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(mutual_intersection, crossing, "wavy", 0.97, Vec3(0, 0, 0))
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(mutual_intersection, identical, "wavy", 1.0, Vec3(0, 0, 0))
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(mutual_intersection, slivers, "slivers", 0.99, Vec3(0, 0, 0))
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
 
 }  // namespace
