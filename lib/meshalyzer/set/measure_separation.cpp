@@ -2,8 +2,8 @@
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/geometry/vertex_normals.h"
+#include "meshalyzer/set/box_distance.h"
 #include "meshalyzer/set/edge_neighbourhood.h"
-#include "meshalyzer/set/spatial_order.h"
 #include "meshalyzer/spatial/closest_point.h"
 #include "meshalyzer/spatial/mutual_intersection.h"
 

@@ -9,7 +9,7 @@
 #include "meshalyzer/set/measure_separation.h"
 #include "meshalyzer/set/object_meeting.h"
 #include "meshalyzer/set/set_totals.h"
-#include "meshalyzer/set/spatial_order.h"
+#include "meshalyzer/spatial/box_tree.h"
 
 #include <algorithm>
 #include <functional>
@@ -213,12 +213,12 @@ class SetRun {
     if (!wanted_.is_between()) {
       return;
     }
-    order_ = order_in_space(boxes_);
+    box_tree_.emplace(boxes_);
+    order_ = box_tree_->order();
     rank_.resize(paths_.size());
     for (std::size_t i = 0; i < order_.size(); ++i) {
       rank_[order_[i]] = static_cast<Index>(i);
     }
-    meeting_ = find_meeting_boxes(boxes_);
     // The rest is for what is being read and built.
     ObjectCache objects(paths_.size(), options_.memory_limit / 8 * 5,
                         [&](std::size_t i) { return load(i); });
@@ -268,7 +268,7 @@ class SetRun {
 
   [[nodiscard]] SetIntersections intersect_from(Index owner, ObjectCache& objects) const {
     SetIntersections found;
-    for (const Index other : meeting_[owner]) {
+    for (const Index other : box_tree_->meeting(boxes_[owner])) {
       if (rank_[other] > rank_[owner]) {
         const auto [a, b] = std::minmax(owner, other);
         const auto first = objects.get(a);
@@ -300,7 +300,7 @@ class SetRun {
   std::vector<Index> order_;
   /// By number: the place in order_.
   std::vector<Index> rank_;
-  std::vector<std::vector<Index>> meeting_;
+  std::optional<BoxTree> box_tree_;
 };
 
 }  // namespace

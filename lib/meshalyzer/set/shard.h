@@ -24,7 +24,7 @@ struct ShardRange {
   std::size_t end = 0;
 };
 
-/// @param order    As order_in_space() returns it.
+/// @param order    As BoxTree::order() returns it.
 /// @param n_faces  By object.
 [[nodiscard]] ShardRange range_of(const Shard& shard, std::span<const Index> order,
                                   std::span<const std::size_t> n_faces);

@@ -1,9 +1,11 @@
 #include "meshalyzer/spatial/nesting.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/spatial/box_tree.h"
 #include "meshalyzer/spatial/ray_parity.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace meshalyzer {
@@ -28,6 +30,20 @@ SlotsByPart group_slots(const FaceTree& tree, const FaceParts& parts) {
   return groups;
 }
 
+/// The boxes of the closed parts; empty ones for the others.
+std::vector<Box3> closed_boxes(const FaceTree& tree, const NestingInput& input) {
+  std::vector<Box3> boxes(input.parts.count);
+  for (std::size_t slot = 0; slot < tree.n_faces(); ++slot) {
+    const Index part = input.parts.of_face[tree.mesh_face(slot)];
+    if (input.is_closed[part] != 0) {
+      for (const Index v : tree.triangle(slot)) {
+        boxes[part].extend(tree.point(v));
+      }
+    }
+  }
+  return boxes;
+}
+
 /// What is seen of a part that touches another without crossing it.
 struct TouchingPart {
   Index part = 0;
@@ -45,6 +61,8 @@ class Nester {
       : tree_(tree),
         input_(input),
         slots_(group_slots(tree, input.parts)),
+        boxes_(closed_boxes(tree, input)),
+        box_tree_(boxes_),
         contacts_(input.parts.count) {
     for (const PartContact& contact : input.contacts) {
       contacts_[contact.a].push_back({contact.b, contact.crosses});
@@ -54,11 +72,15 @@ class Nester {
 
   /// The closed parts that enclose a part, ascending.
   [[nodiscard]] std::vector<Index> enclosers(Index part) const {
-    const Triangle& first = tree_.triangle(slots_.slots[slots_.begin[part]]);
-    std::vector<Index> found = locate(tree_, input_.parts, tree_.point(first[0])).odd;
-    std::erase_if(found, [&](Index other) {
-      return other == part || !is_closed(other) || touches(part, other);
-    });
+    const Vec3& first = tree_.point(tree_.triangle(slots_.slots[slots_.begin[part]])[0]);
+    std::vector<Index> near = box_tree_.meeting(Box3(first));
+    std::erase(near, part);
+    if (near.empty()) {
+      return {};  // in a crowd of separate parts the usual case: no ray need run through all of it
+    }
+    std::vector<Index> found = locate(tree_, input_.parts, first, far_x(near)).odd;
+    std::erase_if(found,
+                  [&](Index other) { return !contains(near, other) || touches(part, other); });
     for (const TouchingPart& other : look_at_touching(part)) {
       if (other.seen_inside && !other.seen_outside) {
         found.push_back(other.part);
@@ -76,6 +98,15 @@ class Nester {
 
   [[nodiscard]] bool is_closed(Index part) const { return input_.is_closed[part] != 0; }
 
+  /// A ray that tells of these parts need go no farther.
+  [[nodiscard]] double far_x(const std::vector<Index>& parts) const {
+    double far = -std::numeric_limits<double>::infinity();
+    for (const Index part : parts) {
+      far = std::max(far, boxes_[part].max().x());
+    }
+    return far;
+  }
+
   [[nodiscard]] bool touches(Index part, Index other) const {
     const auto found = std::lower_bound(
         contacts_[part].begin(), contacts_[part].end(), other,
@@ -87,16 +118,18 @@ class Nester {
   /// crossing.
   [[nodiscard]] std::vector<TouchingPart> look_at_touching(Index part) const {
     std::vector<TouchingPart> others;
+    std::vector<Index> parts;
     for (const Contact& contact : contacts_[part]) {
       if (!contact.crosses && is_closed(contact.part)) {
         others.push_back({.part = contact.part});
+        parts.push_back(contact.part);
       }
     }
     if (others.empty()) {
       return others;
     }
     for (const Index vertex : vertices_of(part)) {
-      const PointLocation place = locate(tree_, input_.parts, tree_.point(vertex));
+      const PointLocation place = locate(tree_, input_.parts, tree_.point(vertex), far_x(parts));
       for (TouchingPart& other : others) {
         if (!contains(place.on, other.part)) {
           (contains(place.odd, other.part) ? other.seen_inside : other.seen_outside) = true;
@@ -120,6 +153,8 @@ class Nester {
   const FaceTree& tree_;
   const NestingInput& input_;
   SlotsByPart slots_;
+  std::vector<Box3> boxes_;
+  BoxTree box_tree_;
   /// Ascending for each part, since NestingInput::contacts is.
   std::vector<std::vector<Contact>> contacts_;
 };

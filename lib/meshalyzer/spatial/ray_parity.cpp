@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 
 namespace meshalyzer {
 namespace {
@@ -42,9 +41,9 @@ bool is_met(const Corners& t, const Vec3& point) {
 /// Collects what one ray meets.
 class Ray {
  public:
-  Ray(const FaceTree& tree, const FaceParts& parts, const Vec3& point)
+  Ray(const FaceTree& tree, const FaceParts& parts, const Vec3& point, double far_x)
       : tree_(tree), parts_(parts), point_(point), box_{tree.map(point), tree.map(point)} {
-    box_.high[0] = std::numeric_limits<float>::infinity();
+    box_.high[0] = tree.map({far_x, point.y(), point.z()})[0];
   }
 
   PointLocation follow() {
@@ -106,8 +105,9 @@ class Ray {
 
 }  // namespace
 
-PointLocation locate(const FaceTree& tree, const FaceParts& parts, const Vec3& point) {
-  return Ray(tree, parts, point).follow();
+PointLocation locate(const FaceTree& tree, const FaceParts& parts, const Vec3& point,
+                     double far_x) {
+  return Ray(tree, parts, point, far_x).follow();
 }
 
 }  // namespace meshalyzer

@@ -3,6 +3,7 @@
 #include "meshalyzer/mesh/face_parts.h"
 #include "meshalyzer/spatial/face_tree.h"
 
+#include <limits>
 #include <vector>
 
 namespace meshalyzer {
@@ -23,7 +24,9 @@ struct PointLocation {
 /// positive number, so that the ray meets no edge and no vertex (Edelsbrunner and Mücke 1990).
 ///
 /// @param point  Need not be a vertex of the mesh.
+/// @param far_x  The ray ends there: what is said of parts that reach beyond means nothing.
 /// @complexity   O(log #F + faces whose boxes the ray meets).
-[[nodiscard]] PointLocation locate(const FaceTree& tree, const FaceParts& parts, const Vec3& point);
+[[nodiscard]] PointLocation locate(const FaceTree& tree, const FaceParts& parts, const Vec3& point,
+                                   double far_x = std::numeric_limits<double>::infinity());
 
 }  // namespace meshalyzer

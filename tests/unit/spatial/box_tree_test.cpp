@@ -1,4 +1,4 @@
-#include "meshalyzer/set/spatial_order.h"
+#include "meshalyzer/spatial/box_tree.h"
 
 #include "support/random_soups.h"
 #include "support/shapes.h"
@@ -41,7 +41,7 @@ void visit(const Vec3& corner, int levels, std::vector<Vec3>& cells) {
   }
 }
 
-TEST(OrderInSpace, LatticeIsVisitedOctantByOctant) {
+TEST(BoxTreeOrder, LatticeIsVisitedOctantByOctant) {
   std::vector<Vec3> cells;
   visit({-3, 100, 7}, 4, cells);
   const std::vector<Index> place = shapes::permutation(cells.size(), 3);
@@ -49,33 +49,46 @@ TEST(OrderInSpace, LatticeIsVisitedOctantByOctant) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     boxes[place[i]] = unit_box(cells[i]);
   }
-  EXPECT_EQ(order_in_space(boxes), place);
+  EXPECT_EQ(BoxTree(boxes).order(), place);
 }
 
-TEST(OrderInSpace, EmptyBoxesAreLeftOut) {
+TEST(BoxTreeOrder, EmptyBoxesAreLeftOut) {
   const std::vector<Box3> boxes{Box3(), unit_box({9, 0, 0}), Box3(), unit_box({4, 0, 0}), Box3()};
-  EXPECT_EQ(order_in_space(boxes), (std::vector<Index>{3, 1}));
-  EXPECT_EQ(order_in_space(std::vector<Box3>(3)), std::vector<Index>{});
-  EXPECT_EQ(order_in_space({}), std::vector<Index>{});
+  EXPECT_EQ(BoxTree(boxes).order(), (std::vector<Index>{3, 1}));
+  EXPECT_EQ(BoxTree(std::vector<Box3>(3)).order(), std::vector<Index>{});
+  EXPECT_EQ(BoxTree({}).order(), std::vector<Index>{});
 }
 
-TEST(OrderInSpace, OneBoxIsAlone) {
-  EXPECT_EQ(order_in_space(std::vector<Box3>{Box3(Vec3(1, 2, 3))}), std::vector<Index>{0});
+TEST(BoxTreeOrder, OneBoxIsAlone) {
+  EXPECT_EQ(BoxTree(std::vector<Box3>{Box3(Vec3(1, 2, 3))}).order(), std::vector<Index>{0});
 }
 
-TEST(OrderInSpace, EqualBoxesKeepTheOrderOfTheirNumbers) {
+TEST(BoxTreeOrder, EqualBoxesKeepTheOrderOfTheirNumbers) {
   const std::vector<Box3> boxes(5, unit_box({1, 2, 3}));
-  EXPECT_EQ(order_in_space(boxes), (std::vector<Index>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(BoxTree(boxes).order(), (std::vector<Index>{0, 1, 2, 3, 4}));
 }
 
-TEST(OrderInSpace, LargestAndSmallestCoordinatesKeepTheirOrder) {
+TEST(BoxTreeOrder, LargestAndSmallestCoordinatesKeepTheirOrder) {
   for (const double size : {kMax, 1e300, 1.0, 1e-300, 64 * kTiny}) {
     std::vector<Box3> boxes;
     for (const double x : {1.0, -1.0, 0.5, 0.0, -0.5, 0.75}) {
       boxes.emplace_back(Vec3(x * size, size, -size));
     }
-    EXPECT_EQ(order_in_space(boxes), (std::vector<Index>{1, 4, 3, 2, 5, 0})) << size;
+    EXPECT_EQ(BoxTree(boxes).order(), (std::vector<Index>{1, 4, 3, 2, 5, 0})) << size;
   }
+}
+
+/// What the tree says of each box but the empty ones, themselves left out.
+Meetings meetings(const std::vector<Box3>& boxes) {
+  const BoxTree tree(boxes);
+  Meetings meeting(boxes.size());
+  for (Index i = 0; i < boxes.size(); ++i) {
+    if (!boxes[i].isEmpty()) {
+      meeting[i] = tree.meeting(boxes[i]);
+      EXPECT_EQ(std::erase(meeting[i], i), 1U);
+    }
+  }
+  return meeting;
 }
 
 /// All pairs, straight from the definition.
@@ -122,63 +135,40 @@ std::vector<Box3> random_boxes(std::size_t n, const std::array<Index, 3>& extent
   return boxes;
 }
 
-TEST(FindMeetingBoxes, EqualsAllPairsWhicheverAxisPartsThem) {
+TEST(BoxTreeMeeting, EqualsAllPairsHoweverTheyLie) {
   std::mt19937 random(7);
   for (const auto& extent : {std::array<Index, 3>{12, 12, 12}, std::array<Index, 3>{200, 3, 3},
                              std::array<Index, 3>{3, 200, 3}, std::array<Index, 3>{3, 3, 200},
                              std::array<Index, 3>{1, 1, 1}, std::array<Index, 3>{40, 1, 1}}) {
     const std::vector<Box3> boxes = random_boxes(150, extent, random);
     const Meetings expected = all_pairs(boxes);
-    EXPECT_EQ(find_meeting_boxes(boxes), expected);
+    EXPECT_EQ(meetings(boxes), expected);
     EXPECT_GT(count(expected), 100U);
   }
 }
 
-TEST(FindMeetingBoxes, NoneAndOneMeetNothing) {
-  EXPECT_EQ(find_meeting_boxes({}), Meetings());
-  EXPECT_EQ(find_meeting_boxes(std::vector<Box3>{unit_box({0, 0, 0})}), Meetings(1));
-  EXPECT_EQ(find_meeting_boxes(std::vector<Box3>(2)), Meetings(2));
+TEST(BoxTreeMeeting, NoneAndOneMeetNothing) {
+  EXPECT_EQ(meetings({}), Meetings());
+  EXPECT_EQ(meetings(std::vector<Box3>{unit_box({0, 0, 0})}), Meetings(1));
+  EXPECT_EQ(meetings(std::vector<Box3>(2)), Meetings(2));
 }
 
-TEST(FindMeetingBoxes, EqualBoxesAllMeet) {
-  EXPECT_EQ(find_meeting_boxes(std::vector<Box3>(3, unit_box({5, 5, 5}))),
+TEST(BoxTreeMeeting, EqualBoxesAllMeet) {
+  EXPECT_EQ(meetings(std::vector<Box3>(3, unit_box({5, 5, 5}))),
             (Meetings{{1, 2}, {0, 2}, {0, 1}}));
 }
 
-TEST(FindMeetingBoxes, LargestCoordinatesDoNotOverflow) {
+TEST(BoxTreeMeeting, LargestCoordinatesDoNotOverflow) {
   const Vec3 far = Vec3::Constant(kMax);
   const std::vector<Box3> boxes{{-far, far}, Box3(far), Box3(-far), {-far, Vec3::Zero()}};
-  EXPECT_EQ(find_meeting_boxes(boxes), (Meetings{{1, 2, 3}, {0}, {0, 3}, {0, 2}}));
+  EXPECT_EQ(meetings(boxes), (Meetings{{1, 2, 3}, {0}, {0, 3}, {0, 2}}));
 }
 
-TEST(BoxDistance, IsThatOfTheirNearestCornersEdgesOrSides) {
-  const Box3 box = unit_box({0, 0, 0});
-  // 3^2 + 4^2 = 5^2, and with 12^2 13^2.
-  EXPECT_EQ(distance(box, unit_box({4, 0.5, -0.5})), 3.0);
-  EXPECT_EQ(distance(box, unit_box({4, -5, 0})), 5.0);
-  EXPECT_EQ(distance(box, unit_box({4, -5, 13})), 13.0);
-  EXPECT_EQ(distance(unit_box({4, -5, 13}), box), 13.0);
-  EXPECT_EQ(distance(box, Box3(Vec3(0.5, 3, 0.5))), 2.0);
-}
-
-TEST(BoxDistance, IsNothingWhereTheyTouchOverlapOrContain) {
-  const Box3 box = unit_box({0, 0, 0});
-  for (const Box3& other :
-       {unit_box({1, 1, 1}), unit_box({0.5, -0.5, 0}), box, Box3(Vec3::Constant(0.5)),
-        Box3(Vec3::Constant(-9), Vec3::Constant(9))}) {
-    EXPECT_EQ(distance(box, other), 0.0);
-    EXPECT_EQ(distance(other, box), 0.0);
-  }
-}
-
-TEST(BoxDistance, SquaresNeitherOverflowNorUnderflow) {
-  const Box3 origin(Vec3::Zero());
-  EXPECT_NEAR(distance(origin, Box3(Vec3::Constant(1e200))) / 1e200, std::sqrt(3.0), 1e-15);
-  EXPECT_NEAR(distance(origin, Box3(Vec3::Constant(1e-200))) / 1e-200, std::sqrt(3.0), 1e-15);
-  EXPECT_EQ(distance(origin, Box3(Vec3(0, kTiny, 0))), kTiny);
-  // The true distance is larger than any double.
-  EXPECT_EQ(distance(Box3(Vec3(-kMax, 0, 0)), Box3(Vec3(kMax, 0, 0))),
-            std::numeric_limits<double>::infinity());
+TEST(BoxTreeMeeting, BoxOfNobodyMayAskAndEmptyBoxesMeetNothing) {
+  const std::vector<Box3> boxes{unit_box({0, 0, 0}), Box3(), unit_box({2, 0, 0})};
+  EXPECT_EQ(BoxTree(boxes).meeting(Box3(Vec3(2.5, 0.5, 1))), std::vector<Index>{2});
+  EXPECT_EQ(BoxTree(boxes).meeting(Box3()), std::vector<Index>{});
+  EXPECT_EQ(BoxTree({}).meeting(unit_box({0, 0, 0})), std::vector<Index>{});
 }
 
 }  // namespace

@@ -1,0 +1,98 @@
+#include "meshalyzer/spatial/box_tree.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+constexpr std::size_t kWidth = 8;
+constexpr unsigned kBits = 21;
+
+/// Every third bit of the result is one of the lowest 21 of `x`.
+std::uint64_t spread(std::uint64_t x) {
+  std::uint64_t spread = 0;
+  for (unsigned bit = 0; bit < kBits; ++bit) {
+    spread |= (x >> bit & 1U) << (3 * bit);
+  }
+  return spread;
+}
+
+Box3 box_of(std::span<const Box3> boxes) {
+  Box3 all;
+  for (const Box3& box : boxes) {
+    all.extend(box);
+  }
+  return all;
+}
+
+/// Halves before sums and differences: these may overflow where the coordinates do not.
+std::uint64_t morton_code(const Box3& box, const Box3& all) {
+  const Vec3 middle = box.min() / 2 + box.max() / 2;
+  const Vec3 half_width = all.max() / 2 - all.min() / 2;
+  const Vec3 offset = middle / 2 - all.min() / 2;
+  std::uint64_t code = 0;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const double t = half_width[k] > 0.0 ? std::clamp(offset[k] / half_width[k], 0.0, 1.0) : 0.0;
+    code |= spread(static_cast<std::uint64_t>(t * ((1U << kBits) - 1))) << k;
+  }
+  return code;
+}
+
+std::vector<Index> order_in_space(std::span<const Box3> boxes) {
+  const Box3 all = box_of(boxes);
+  std::vector<std::pair<std::uint64_t, Index>> keys;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (!boxes[i].isEmpty()) {
+      keys.emplace_back(morton_code(boxes[i], all), static_cast<Index>(i));
+    }
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<Index> order(keys.size());
+  std::transform(keys.begin(), keys.end(), order.begin(),
+                 [](const auto& key) { return key.second; });
+  return order;
+}
+
+}  // namespace
+
+BoxTree::BoxTree(std::span<const Box3> boxes) : order_(order_in_space(boxes)), levels_(1) {
+  for (const Index i : order_) {
+    levels_.front().push_back(boxes[i]);
+  }
+  while (levels_.back().size() > kWidth) {
+    const std::span<const Box3> below = levels_.back();
+    std::vector<Box3> level;
+    for (std::size_t i = 0; i < below.size(); i += kWidth) {
+      level.push_back(box_of(below.subspan(i, std::min(kWidth, below.size() - i))));
+    }
+    levels_.push_back(std::move(level));
+  }
+}
+
+std::vector<Index> BoxTree::meeting(const Box3& box) const {
+  std::vector<Index> found;
+  for (std::size_t i = 0; i < levels_.back().size(); ++i) {
+    collect(levels_.size() - 1, i, box, found);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+void BoxTree::collect(std::size_t level, std::size_t i, const Box3& box,
+                      std::vector<Index>& found) const {
+  if (!levels_[level][i].intersects(box)) {
+    return;
+  }
+  if (level == 0) {
+    found.push_back(order_[i]);
+    return;
+  }
+  const std::size_t end = std::min(kWidth * (i + 1), levels_[level - 1].size());
+  for (std::size_t child = kWidth * i; child < end; ++child) {
+    collect(level - 1, child, box, found);
+  }
+}
+
+}  // namespace meshalyzer
