@@ -1,10 +1,18 @@
-# Fails where the report that README.md shows is not what its first command prints.
+# Fails where a report that README.md shows is not what the command before it prints.
 cmake_minimum_required(VERSION 3.25)
 file(READ ${ROOT}/README.md readme)
-string(REGEX MATCH "\\./dev run ([^\n ]+)" command "${readme}")
-execute_process(COMMAND ${PROGRAM} ${CMAKE_MATCH_1} WORKING_DIRECTORY ${ROOT}
-  OUTPUT_VARIABLE report COMMAND_ERROR_IS_FATAL ANY)
-string(FIND "${readme}" "```text\n${report}```" place)
-if(place EQUAL -1)
-  message(FATAL_ERROR "README.md does not show what ./dev run ${CMAKE_MATCH_1} prints:\n${report}")
+string(REGEX MATCHALL "    \\./dev run [^\n]+" commands "${readme}")
+list(LENGTH commands n_commands)
+if(n_commands LESS 2)
+  message(FATAL_ERROR "README.md: ${n_commands} commands with a report, not 2 or more")
 endif()
+foreach(command IN LISTS commands)
+  string(REGEX REPLACE "    \\./dev run (.*)" "\\1" arguments "${command}")
+  separate_arguments(arguments)
+  execute_process(COMMAND ${PROGRAM} ${arguments} WORKING_DIRECTORY ${ROOT}
+    OUTPUT_VARIABLE report COMMAND_ERROR_IS_FATAL ANY)
+  string(FIND "${readme}" "```text\n${report}```" place)
+  if(place EQUAL -1)
+    message(SEND_ERROR "README.md does not show what meshalyzer ${arguments} prints:\n${report}")
+  endif()
+endforeach()
