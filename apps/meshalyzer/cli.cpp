@@ -12,6 +12,7 @@
 #include <exception>
 #include <filesystem>
 #include <memory>
+#include <new>
 #include <ostream>
 #include <set>
 #include <string>
@@ -137,6 +138,9 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
     return static_cast<int>(ExitCode::Usage);
   } catch (const IoError& error) {
     err << error.what() << '\n';
+    return static_cast<int>(ExitCode::Trouble);
+  } catch (const std::bad_alloc&) {
+    err << "meshalyzer: not enough memory\n";
     return static_cast<int>(ExitCode::Trouble);
   } catch (const std::exception& error) {
     err << "meshalyzer: " << error.what() << '\n';

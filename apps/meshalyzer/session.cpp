@@ -30,6 +30,7 @@ Session::Session(Task task, Streams streams)
       known_(task_.known),
       streams_(streams),
       progress_(streams.err, progress_state(options_, streams.err)),
+      name_width_(summary_width(subject_.names)),
       picture_names_(picture_names(inputs_.files)) {}
 
 ExitCode Session::work() {
@@ -40,21 +41,20 @@ ExitCode Session::work() {
     json_.emplace(*options_.json, subject_.offenders, streams_.out);
   }
   if (tells_text() && options_.show == Show::Summary) {
-    streams_.out << summary_header(summary_width(subject_.names));
+    streams_.out << summary_header(name_width_);
   }
   const std::optional<SetAnalysis> set = analyze_set(inputs_.files, set_options(), *this);
   progress_.clear();
-  const bool is_interrupted = InterruptGuard::is_interrupted();
+  const bool is_interrupted = !set && InterruptGuard::is_interrupted();
   if (is_interrupted) {
     tell_interrupted();
-  } else {
-    const bool has_set = set && inputs_.is_set && set->meshes != 0;
-    if (has_set) {
-      tell_set(*set);
-    }
-    if (json_) {
-      json_->finish(inputs_.is_set && set ? &*set : nullptr);
-    }
+  }
+  if (set && inputs_.is_set && set->meshes != 0) {
+    tell_set(*set);
+  }
+  // Where the run was stopped there is no whole report to take the place of an old one.
+  if (set && json_) {
+    json_->finish(inputs_.is_set ? &*set : nullptr);
   }
   if (!streams_.out.flush()) {
     complain("meshalyzer: standard output: cannot be written");
@@ -104,7 +104,7 @@ void Session::on_mesh(Index number, const Analysis& mesh) {
     json_->report().add(mesh);
   }
   if (tells_text() && options_.show == Show::Summary) {
-    streams_.out << summary_line(subject_.names[number], mesh, summary_width(subject_.names));
+    streams_.out << summary_line(subject_.names[number], mesh, name_width_);
   } else if (tells_text() && options_.show == Show::Report) {
     tell(mesh);
   }
@@ -129,8 +129,7 @@ void Session::on_unreadable(Index number, const std::string& why) {
     journal_->append(unreadable_line(subject_.head(LineHead::Kind::Unreadable, number), why));
   }
   if (tells_text() && options_.show == Show::Summary) {
-    streams_.out << summary_of_unreadable(subject_.names[number], why,
-                                          summary_width(subject_.names));
+    streams_.out << summary_of_unreadable(subject_.names[number], why, name_width_);
   }
   complain(why);
 }

@@ -79,6 +79,8 @@ class Session : public SetListener {
   const KnownLines& known_;
   Streams streams_;
   ProgressLine progress_;
+  /// Of the summary's first column.
+  std::size_t name_width_;
   std::vector<std::string> picture_names_;
   std::optional<JsonOutput> json_;
   std::unique_ptr<JournalWriter> journal_;

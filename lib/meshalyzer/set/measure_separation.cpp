@@ -98,6 +98,24 @@ bool may_undercut(double distance_of_box, double distance) {
   return !(distance_of_box * kGrant > distance);
 }
 
+/// Whether a box may hold anything of a cone with its apex at `apex`: false only where it lies
+/// behind the apex, or its bounding sphere beside the cone.
+bool may_hold(const Box3& box, const Vec3& apex, const Cone& cone) {
+  constexpr double kGrant = 1e-9;
+  const Vec3 to_middle = (box.min() / 2 + box.max() / 2) - apex;
+  const Vec3 half = box.max() / 2 - box.min() / 2;
+  const double ahead = to_middle.dot(cone.axis) + half.dot(cone.axis.cwiseAbs());
+  const double length = to_middle.stableNorm();
+  const double radius = half.stableNorm();
+  if (ahead < -kGrant * (length + radius)) {
+    return false;
+  }
+  const double angle = std::acos(std::clamp(to_middle.dot(cone.axis) / length, -1.0, 1.0));
+  const double reach = std::acos(cone.cos_half_angle) + std::asin(std::min(1.0, radius / length));
+  // Written so that an overflow above, which leaves no number, lets the box pass.
+  return radius >= length || !(angle > reach + kGrant);
+}
+
 class Separator {
  public:
   Separator(Index number, const SetScene& scene, const SeparationOptions& options)
@@ -107,7 +125,9 @@ class Separator {
         object_(scene.objects.get(number)),
         vertices_(vertices_along(*object_)),
         best_(vertices_.size()),
-        is_inside_(vertices_.size(), 0) {
+        is_inside_(vertices_.size(), 0),
+        open_(vertices_.size()) {
+    std::iota(open_.begin(), open_.end(), std::size_t{0});
     if (options.search_radius) {
       for (Best& best : best_) {
         best.distance = *options.search_radius;
@@ -125,7 +145,8 @@ class Separator {
     }
     for (ByDistance others(number_, scene_.boxes); !others.empty();) {
       const ByDistance::Candidate next = others.pop();
-      if (!may_undercut(next.distance, largest_distance())) {
+      close_those_nearer_than(next.distance);
+      if (open_.empty()) {
         break;
       }
       if (is_in_reach(scene_.boxes[next.object])) {
@@ -152,39 +173,38 @@ class Separator {
   }
 
   [[nodiscard]] bool is_in_reach(const Box3& box, std::size_t i) const {
-    return may_undercut(distance(box, Box3(point(i))), best_[i].distance);
+    return may_undercut(distance(box, Box3(point(i))), best_[i].distance) &&
+           (normals_.empty() || may_hold(box, point(i), cone(i)));
   }
 
   [[nodiscard]] bool is_in_reach(const Box3& box) const {
-    for (std::size_t i = 0; i < best_.size(); ++i) {
-      if (is_in_reach(box, i)) {
-        return true;
-      }
-    }
-    return false;
+    return std::any_of(open_.begin(), open_.end(),
+                       [&](std::size_t i) { return is_in_reach(box, i); });
   }
 
-  [[nodiscard]] double largest_distance() const {
-    double largest = 0.0;
-    for (const Best& best : best_) {
-      largest = std::max(largest, best.distance);
-    }
-    return largest;
+  /// All objects to come are at this distance or farther.
+  void close_those_nearer_than(double distance) {
+    std::erase_if(open_, [&](std::size_t i) { return !may_undercut(distance, best_[i].distance); });
+  }
+
+  [[nodiscard]] Cone cone(std::size_t i) const {
+    const double radians = *options_.search_cone_degrees * std::numbers::pi / 180.0;
+    return {normals_[vertices_[i]], std::cos(radians)};
   }
 
   [[nodiscard]] ClosestQuery query(std::size_t i) const {
     ClosestQuery query{.point = point(i), .within = best_[i].distance};
     if (options_.search_cone_degrees) {
-      const double radians = *options_.search_cone_degrees * std::numbers::pi / 180.0;
-      query.cone = Cone{normals_[vertices_[i]], std::cos(radians)};
+      query.cone = cone(i);
     }
     return query;
   }
 
   void look_at(Index number, const SetObject& other) {
-    parallel_chunks(vertices_.size(), kVerticesPerChunk, [&](Chunk chunk) {
+    parallel_chunks(open_.size(), kVerticesPerChunk, [&](Chunk chunk) {
       Index hint = kNoIndex;
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
+        const std::size_t i = open_[k];
         if (is_in_reach(other.box(), i)) {
           ClosestQuery asked = query(i);
           asked.hint = hint;
@@ -305,6 +325,8 @@ class Separator {
   std::vector<Index> vertices_;
   std::vector<Best> best_;
   std::vector<std::uint8_t> is_inside_;
+  /// Places of the vertices that a farther object may yet be closest to, ascending.
+  std::vector<std::size_t> open_;
   /// By file vertex; empty without a cone.
   std::vector<Vec3> normals_;
 };
