@@ -4,6 +4,7 @@
 #include "meshalyzer/geometry/vertex_normals.h"
 #include "meshalyzer/set/box_distance.h"
 #include "meshalyzer/set/edge_neighbourhood.h"
+#include "meshalyzer/set/nearby_objects.h"
 #include "meshalyzer/spatial/closest_point.h"
 #include "meshalyzer/spatial/mutual_intersection.h"
 
@@ -12,7 +13,6 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <queue>
 #include <utility>
 
 namespace meshalyzer {
@@ -47,46 +47,6 @@ std::vector<Index> vertices_along(const SetObject& object) {
   }
   return vertices;
 }
-
-/// Halves before the sum: it may overflow where the coordinates do not.
-Box3 middle_of(const Box3& box) {
-  return Box3(Vec3(box.min() / 2 + box.max() / 2));
-}
-
-/// The other objects, the one with the nearest box first.
-class ByDistance {
- public:
-  struct Candidate {
-    double distance;
-    /// Of many boxes that meet the object's own those about the same middle are likely to be near.
-    double distance_of_middles;
-    Index object;
-    auto operator<=>(const Candidate&) const = default;
-  };
-
-  ByDistance(Index object, std::span<const Box3> boxes) {
-    std::vector<Candidate> others;
-    for (std::size_t other = 0; other < boxes.size(); ++other) {
-      if (other != object && !boxes[other].isEmpty()) {
-        others.push_back({distance(boxes[object], boxes[other]),
-                          distance(middle_of(boxes[object]), middle_of(boxes[other])),
-                          static_cast<Index>(other)});
-      }
-    }
-    queue_ = Queue(std::greater<>(), std::move(others));
-  }
-
-  [[nodiscard]] bool empty() const { return queue_.empty(); }
-  Candidate pop() {
-    const Candidate next = queue_.top();
-    queue_.pop();
-    return next;
-  }
-
- private:
-  using Queue = std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>>;
-  Queue queue_;
-};
 
 /// Whether something in a box may yet undercut a distance, or equal it; a little is granted to
 /// rounding on either side.
@@ -143,17 +103,10 @@ class Separator {
     if (options_.include_self) {
       look_at_self();
     }
-    for (ByDistance others(number_, scene_.boxes); !others.empty();) {
-      const ByDistance::Candidate next = others.pop();
-      close_those_nearer_than(next.distance);
-      if (open_.empty()) {
-        break;
-      }
-      if (is_in_reach(scene_.boxes[next.object])) {
-        const std::shared_ptr<const SetObject> other = scene_.objects.get(next.object);
-        look_at(next.object, *other);
-        mark_inside(*other);
-      }
+    NearbyObjects others(number_, scene_.boxes, scene_.tree);
+    for (double reach = 0.0; !open_.empty() && !others.all_given(); reach = next_reach(reach)) {
+      look_at_all(others.within(reach));
+      close_those_nearer_than(others.given_up_to());
     }
     return in_file_order();
   }
@@ -185,6 +138,29 @@ class Separator {
   /// All objects to come are at this distance or farther.
   void close_those_nearer_than(double distance) {
     std::erase_if(open_, [&](std::size_t i) { return !may_undercut(distance, best_[i].distance); });
+  }
+
+  /// As far as the closest points found allow; as long as some are not, farther and farther.
+  [[nodiscard]] double next_reach(double reach) const {
+    constexpr double kGrant = 1.0 + 1e-8;
+    double farthest = 0.0;
+    for (const std::size_t i : open_) {
+      farthest = std::max(farthest, best_[i].distance);
+    }
+    const bool is_found = farthest > 0.0 && farthest < kInfinity;
+    const double enough = is_found ? farthest * kGrant : object_->box().diagonal().stableNorm();
+    return std::max({enough, 2 * reach, std::numeric_limits<double>::denorm_min()});
+  }
+
+  void look_at_all(const std::vector<NearbyObjects::Candidate>& candidates) {
+    for (const NearbyObjects::Candidate& next : candidates) {
+      close_those_nearer_than(next.distance);
+      if (is_in_reach(scene_.boxes[next.object])) {
+        const std::shared_ptr<const SetObject> other = scene_.objects.get(next.object);
+        look_at(next.object, *other);
+        mark_inside(*other);
+      }
+    }
   }
 
   [[nodiscard]] Cone cone(std::size_t i) const {

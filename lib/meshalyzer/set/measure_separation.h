@@ -2,6 +2,7 @@
 
 #include "meshalyzer/set/object_cache.h"
 #include "meshalyzer/set/separation.h"
+#include "meshalyzer/spatial/box_tree.h"
 
 #include <span>
 
@@ -11,6 +12,8 @@ namespace meshalyzer {
 struct SetScene {
   /// Of the vertices that faces use; empty for objects to be left out.
   std::span<const Box3> boxes;
+  /// Over these boxes.
+  const BoxTree& tree;
   /// Of objects with ClosestUse::Prepared.
   ObjectCache& objects;
 };
@@ -20,8 +23,8 @@ struct SetScene {
 /// The distance is the smallest over all faces of closest_on_triangle(), so it is the same as by
 /// trying all; that a vertex is inside is exact.
 ///
-/// @complexity O(vertices x objects closer than its closest point x log faces); no more than two
-/// objects are held at a time.
+/// @complexity O(log objects + vertices x objects closer than their closest point x log faces); no
+/// more than two objects are held at a time.
 [[nodiscard]] ObjectSeparation measure_separation(Index object, const SetScene& scene,
                                                   const SeparationOptions& options);
 

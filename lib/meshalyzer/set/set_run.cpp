@@ -260,8 +260,8 @@ class SetRun {
       findings.intersections = intersect_from(owner, objects);
     }
     if (wanted_.separation) {
-      findings.separation =
-          measure_separation(owner, {.boxes = boxes_, .objects = objects}, *wanted_.separation);
+      findings.separation = measure_separation(
+          owner, {.boxes = boxes_, .tree = *box_tree_, .objects = objects}, *wanted_.separation);
     }
     return findings;
   }

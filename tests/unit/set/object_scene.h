@@ -26,7 +26,8 @@ class ObjectScene {
   }
 
   [[nodiscard]] ObjectSeparation measure(Index object, const SeparationOptions& options = {}) {
-    return measure_separation(object, {.boxes = boxes_, .objects = cache_}, options);
+    const BoxTree tree(boxes_);
+    return measure_separation(object, {.boxes = boxes_, .tree = tree, .objects = cache_}, options);
   }
   [[nodiscard]] const std::vector<Soup>& soups() const { return soups_; }
   [[nodiscard]] ObjectCache& cache() { return cache_; }

@@ -1,0 +1,48 @@
+#include "meshalyzer/set/nearby_objects.h"
+
+#include "meshalyzer/set/box_distance.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// Halves before the sum: it may overflow where the coordinates do not.
+Box3 middle_of(const Box3& box) {
+  return Box3(Vec3(box.min() / 2 + box.max() / 2));
+}
+
+/// A box that holds all within `reach` of another one, whatever the rounding.
+Box3 grown(const Box3& box, double reach) {
+  constexpr double kRounding = 1e-15;
+  const Vec3 grow =
+      Vec3::Constant(reach) + kRounding * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
+  return {box.min() - grow, box.max() + grow};
+}
+
+}  // namespace
+
+NearbyObjects::NearbyObjects(Index object, std::span<const Box3> boxes, const BoxTree& tree)
+    : object_(object), boxes_(boxes), tree_(tree), given_{object} {}
+
+std::vector<NearbyObjects::Candidate> NearbyObjects::within(double reach) {
+  // A little less than asked for: what rounding has left out is not nearer than that.
+  constexpr double kGrant = 1.0 - 1e-9;
+  given_up_to_ = reach * kGrant;
+  std::vector<Index> near = tree_.meeting(grown(boxes_[object_], reach));
+  std::vector<Index> fresh;
+  std::set_difference(near.begin(), near.end(), given_.begin(), given_.end(),
+                      std::back_inserter(fresh));
+  given_ = std::move(near);
+  std::vector<Candidate> candidates;
+  for (const Index other : fresh) {
+    candidates.push_back({distance(boxes_[object_], boxes_[other]),
+                          distance(middle_of(boxes_[object_]), middle_of(boxes_[other])), other});
+  }
+  std::sort(candidates.begin(), candidates.end());
+  return candidates;
+}
+
+}  // namespace meshalyzer
