@@ -4,6 +4,7 @@
 #include "meshalyzer/report/json_mesh.h"
 #include "meshalyzer/report/text.h"
 #include "sample_analysis.h"
+#include "support/effort.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -225,8 +226,12 @@ std::vector<json::json_pointer> places_of(const json& value) {
 
 TEST(ReadMeshJson, AnyOtherKindOfValueAnywhereIsRefusedOrShown) {
   const json line = json::parse(line_of(full_analysis()));
+  test::Effort effort;
   for (const auto& place : places_of(line)) {
     for (const char* other : {"null", "true", "-1", "3000000000", "0.5", "\"x\"", "[]", "{}"}) {
+      if (!effort.runs_next()) {
+        continue;
+      }
       json changed = line;
       changed[place] = json::parse(other);
       try {
