@@ -35,6 +35,10 @@ void check_folders(const Options& options) {
   }
 }
 
+bool has_stdin(const std::vector<std::string>& paths) {
+  return std::find(paths.begin(), paths.end(), "-") != paths.end();
+}
+
 /// Several files are a set too where somebody asks for what is between them.
 void check_set(const Options& options, Inputs& inputs) {
   if (options.asked.any() && options.paths.size() > 1) {
@@ -43,19 +47,15 @@ void check_set(const Options& options, Inputs& inputs) {
   if (options.asked.any() && !inputs.is_set) {
     throw UsageError("-i and -s need a folder, or several files");
   }
-  const bool has_stdin =
-      std::find(inputs.files.begin(), inputs.files.end(), "-") != inputs.files.end();
-  if (has_stdin && inputs.is_set && questions_of(options).is_between()) {
+  if (has_stdin(inputs.files) && inputs.is_set && questions_of(options).is_between()) {
     throw UsageError("standard input can be read only once, so it cannot be part of a set");
   }
 }
 
 /// A journal is of files that are there to be looked at again.
 void check_journal(const Options& options) {
-  const bool has_stdin =
-      std::find(options.paths.begin(), options.paths.end(), "-") != options.paths.end();
   const bool has_journal = options.resume || (options.ndjson && !options.ndjson->is_stdout());
-  if (has_stdin && has_journal) {
+  if (has_stdin(options.paths) && has_journal) {
     throw UsageError("no journal can tell whether standard input (-) is still the same");
   }
 }

@@ -5,8 +5,6 @@
 #include "meshalyzer/set/set_run.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <fcntl.h>
 #include <iterator>
 #include <ostream>
@@ -55,10 +53,6 @@ bool is_torn_line(std::string_view rest) {
   constexpr std::string_view kBegin = "{\"number\": ";
   const std::size_t length = std::min(rest.size(), kBegin.size());
   return rest.substr(0, length) == kBegin.substr(0, length);
-}
-
-IoError cannot_write(const std::string& file) {
-  return {file, {}, std::string("cannot be written: ") + std::strerror(errno)};
 }
 
 }  // namespace
@@ -204,28 +198,16 @@ std::string KnownLines::anew(const Line& line, const JournalSubject& subject) co
 JournalWriter::JournalWriter(const std::string& file)
     : file_(file),
       descriptor_(open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666)) {
-  if (descriptor_ < 0) {
-    throw cannot_write(file);
-  }
-}
-
-JournalWriter::~JournalWriter() {
-  if (descriptor_ >= 0) {
-    close(descriptor_);
+  if (!descriptor_->is_open()) {
+    throw_errno(file, "cannot be written");
   }
 }
 
 void JournalWriter::append(std::string_view line) {
   if (out_ != nullptr) {
     *out_ << line << std::flush;
-    return;
-  }
-  while (!line.empty()) {
-    const ssize_t written = write(descriptor_, line.data(), line.size());
-    if (written < 0 && errno != EINTR) {
-      throw cannot_write(file_);
-    }
-    line.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
+  } else if (!write_all(*descriptor_, line)) {
+    throw_errno(file_, "cannot be written");
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/descriptor.h"
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/report/json.h"
 #include "meshalyzer/report/ndjson.h"
@@ -113,7 +114,6 @@ class JournalWriter {
   explicit JournalWriter(const std::string& file);
   /// Lines go to a stream.
   explicit JournalWriter(std::ostream& out) : out_(&out) {}
-  ~JournalWriter();
   JournalWriter(const JournalWriter&) = delete;
   JournalWriter& operator=(const JournalWriter&) = delete;
 
@@ -122,7 +122,8 @@ class JournalWriter {
 
  private:
   std::string file_;
-  int descriptor_ = -1;
+  /// One of these is there.
+  std::optional<Descriptor> descriptor_;
   std::ostream* out_ = nullptr;
 };
 

@@ -31,7 +31,8 @@ Session::Session(Task task, Streams streams)
       streams_(streams),
       progress_(streams.err, progress_state(options_, streams.err)),
       name_width_(summary_width(subject_.names)),
-      picture_names_(picture_names(inputs_.files)) {}
+      picture_names_(options_.separation_ply ? picture_names(inputs_.files)
+                                             : std::vector<std::string>()) {}
 
 ExitCode Session::work() {
   for (const std::string& trouble : inputs_.troubles) {

@@ -1,3 +1,4 @@
+#include "changed_line.h"
 #include "check_parser.h"
 #include "meshalyzer/report/ndjson.h"
 
@@ -55,20 +56,10 @@ void check(std::string_view text) {
 
 }  // namespace
 
-/// The bytes are tried as a line, and then as changes to a good one: two bytes tell where, the
-/// third what to write there; 0 cuts the line off.
+/// The bytes are tried as a line, and then as changes to a good one.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const std::string good = good_line();
   check(as_text(data, size));
-  std::string changed = good;
-  for (std::size_t i = 0; i + 3 <= size && !changed.empty(); i += 3) {
-    const std::size_t at = (std::size_t{data[i]} << 8U | data[i + 1]) % changed.size();
-    if (data[i + 2] == 0) {
-      changed.resize(at);
-    } else {
-      changed[at] = static_cast<char>(data[i + 2]);
-    }
-  }
-  check(changed);
+  check(changed_line(good, data, size));
   return 0;
 }

@@ -67,20 +67,12 @@ Result analyzed(const std::vector<std::string>& files, const SetOptions& options
   return {std::move(set), std::move(finder.findings), text};
 }
 
-SetOptions asking_all() {
-  SetOptions options;
-  options.questions.intersections = true;
-  options.questions.separation.emplace();
-  options.memory_limit = std::uint64_t{1} << 40;
-  return options;
-}
-
 /// The same bits for any number of threads, and however little memory there is.
 Result analyzed_anyhow(const std::vector<std::string>& files) {
-  Result result = analyzed(files, asking_all());
+  Result result = analyzed(files, test::asking_all());
   for (const std::size_t n_threads : {1U, 2U}) {
     const ThreadLimit limit(n_threads);
-    SetOptions options = asking_all();
+    SetOptions options = test::asking_all();
     EXPECT_TRUE(analyzed(files, options).text == result.text) << n_threads << " threads";
     options.memory_limit = 0;
     EXPECT_TRUE(analyzed(files, options).text == result.text) << n_threads << " threads, no memory";
@@ -153,7 +145,7 @@ TEST(SetTruth, OwnSurfaceAcrossASlotIsAsFarAsTheSlotIsWide) {
   // least 3: faces near along the surface are left out, those across are not.
   const json folds = expected_sets().at("fold").at("folds");
   for (const double length : {1.0, 1.5}) {
-    SetOptions options = asking_all();
+    SetOptions options = test::asking_all();
     options.questions.separation->include_self = length;
     const Result result = analyzed(files_of(kMeshes + "/fold"), options);
     std::size_t n_checked = 0;

@@ -3,6 +3,7 @@
 #include "meshalyzer/analysis/analysis.h"
 #include "meshalyzer/set/object_findings.h"
 #include "meshalyzer/set/set_analysis.h"
+#include "meshalyzer/set/set_options.h"
 
 #include <ios>
 #include <sstream>
@@ -120,6 +121,15 @@ inline void describe(const SetSeparation& separation, Describer& text) {
   }
   text.line("no separation:", set.separation_reason);
   return text.text();
+}
+
+/// Everything, with room for all of it.
+inline SetOptions asking_all() {
+  SetOptions options;
+  options.questions.intersections = true;
+  options.questions.separation.emplace();
+  options.memory_limit = std::uint64_t{1} << 40;
+  return options;
 }
 
 }  // namespace meshalyzer::test

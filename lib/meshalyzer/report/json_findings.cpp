@@ -1,20 +1,13 @@
 #include "meshalyzer/report/json_findings.h"
 
 #include "meshalyzer/report/json_name.h"
+#include "meshalyzer/report/json_point.h"
 #include "meshalyzer/report/json_statistics.h"
 
 #include <cmath>
 
 namespace meshalyzer {
 namespace {
-
-void write_point(JsonWriter& json, const Vec3& point) {
-  json.begin_array(JsonLayout::Row);
-  for (const double coordinate : point) {
-    json.value(coordinate);
-  }
-  json.end_array();
-}
 
 void write_reals(JsonWriter& json, double distance, const Vec3& point) {
   json.begin_object(JsonLayout::Row);

@@ -3,18 +3,11 @@
 #include "meshalyzer/report/asked_lists.h"
 #include "meshalyzer/report/json_bytes.h"
 #include "meshalyzer/report/json_offenders.h"
+#include "meshalyzer/report/json_point.h"
 #include "meshalyzer/report/json_statistics.h"
 
 namespace meshalyzer {
 namespace {
-
-void write_point(JsonWriter& json, const Vec3& point) {
-  json.begin_array(JsonLayout::Row);
-  json.value(point.x());
-  json.value(point.y());
-  json.value(point.z());
-  json.end_array();
-}
 
 void write_box(JsonWriter& json, const Box3& box) {
   if (box.isEmpty()) {

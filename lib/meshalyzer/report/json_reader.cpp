@@ -3,6 +3,7 @@
 #include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/report/json_bytes.h"
 #include "meshalyzer/report/json_offenders_reader.h"
+#include "meshalyzer/report/json_point.h"
 #include "meshalyzer/report/json_statistics_reader.h"
 #include "meshalyzer/report/json_tree.h"
 #include "meshalyzer/report/record_ids.h"
@@ -33,16 +34,6 @@ Format read_format(const JsonNode& node) {
     }
   }
   node.refuse("no format of meshes");
-}
-
-Vec3 read_point(const JsonNode& node) {
-  JsonElements coordinates = node.elements();
-  Vec3 point;
-  for (double& coordinate : point) {
-    coordinate = coordinates.next().real();
-  }
-  coordinates.expect_end();
-  return point;
 }
 
 Box3 read_box(const JsonNode& node) {

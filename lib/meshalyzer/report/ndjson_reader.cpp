@@ -1,6 +1,7 @@
 #include "meshalyzer/report/json_bytes.h"
 #include "meshalyzer/report/json_name.h"
 #include "meshalyzer/report/json_offenders_reader.h"
+#include "meshalyzer/report/json_point.h"
 #include "meshalyzer/report/json_statistics_reader.h"
 #include "meshalyzer/report/json_tree.h"
 #include "meshalyzer/report/ndjson.h"
@@ -98,16 +99,6 @@ std::optional<SetIntersections> FindingsReader::intersections() const {
   return SetIntersections{.pairs = pairs(list),
                           .contained = contained(line_.member("contained")),
                           .partly_contained = contained(line_.member("partly_contained"))};
-}
-
-Vec3 read_point(const JsonNode& node) {
-  JsonElements coordinates = node.elements();
-  Vec3 point;
-  for (double& coordinate : point) {
-    coordinate = coordinates.next().real();
-  }
-  coordinates.expect_end();
-  return point;
 }
 
 void expect_null(const JsonNode& node) {

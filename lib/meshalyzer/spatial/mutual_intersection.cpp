@@ -1,6 +1,7 @@
 #include "meshalyzer/spatial/mutual_intersection.h"
 
 #include "meshalyzer/spatial/box_meetings.h"
+#include "meshalyzer/spatial/join_pairs.h"
 #include "meshalyzer/spatial/triangle_contact.h"
 
 #include <algorithm>
@@ -65,20 +66,6 @@ bool share_point(const Corners& p, const Corners& q) {
          find_contact(p, q, Common::Nothing).has_value();
 }
 
-Pairs joined(std::vector<Pairs> parts) {
-  std::size_t n_pairs = 0;
-  for (const Pairs& part : parts) {
-    n_pairs += part.size();
-  }
-  Pairs pairs;
-  pairs.reserve(n_pairs);
-  for (Pairs& part : parts) {
-    pairs.insert(pairs.end(), part.begin(), part.end());
-    Pairs().swap(part);
-  }
-  return pairs;
-}
-
 }  // namespace
 
 std::vector<IntersectingPair> find_intersections(const CutMesh& a, const FaceTree& tree_a,
@@ -93,11 +80,7 @@ std::vector<IntersectingPair> find_intersections(const CutMesh& a, const FaceTre
     }
     return Next::GoOn;
   });
-  Pairs pairs = joined(std::move(parts));
-  std::sort(pairs.begin(), pairs.end(), [](const IntersectingPair& p, const IntersectingPair& q) {
-    return std::tie(p.face_a, p.face_b) < std::tie(q.face_a, q.face_b);
-  });
-  return pairs;
+  return join_pairs(std::move(parts));
 }
 
 bool do_intersect(const FaceTree& a, const FaceTree& b) {

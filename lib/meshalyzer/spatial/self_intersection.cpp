@@ -2,13 +2,13 @@
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/spatial/fan_tree.h"
+#include "meshalyzer/spatial/join_pairs.h"
 #include "meshalyzer/spatial/slab_tree.h"
 #include "meshalyzer/spatial/triangle_contact.h"
 
 #include <algorithm>
 #include <bit>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace meshalyzer {
@@ -166,20 +166,7 @@ std::vector<IntersectingPair> find_self_intersections(const CutMesh& cut, const 
       LeafVisitor(scene, leaf, parts[chunk.number]).visit();
     }
   });
-  std::size_t n_pairs = 0;
-  for (const Pairs& part : parts) {
-    n_pairs += part.size();
-  }
-  Pairs pairs;
-  pairs.reserve(n_pairs);
-  for (Pairs& part : parts) {
-    pairs.insert(pairs.end(), part.begin(), part.end());
-    Pairs().swap(part);
-  }
-  std::sort(pairs.begin(), pairs.end(), [](const IntersectingPair& a, const IntersectingPair& b) {
-    return std::tie(a.face_a, a.face_b) < std::tie(b.face_a, b.face_b);
-  });
-  return pairs;
+  return join_pairs(std::move(parts));
 }
 
 }  // namespace meshalyzer

@@ -1,5 +1,6 @@
 #include "meshalyzer/report/text.h"
 
+#include "has_line.h"
 #include "sample_analysis.h"
 
 #include <gmock/gmock.h>
@@ -11,16 +12,12 @@
 namespace meshalyzer {
 namespace {
 
+using test::HasLine;
 using testing::HasSubstr;
 using testing::Not;
 
 std::string report_of(const Analysis& analysis) {
   return text_report(analysis, OffenderStyle::None);
-}
-
-/// Whether a report has exactly this line.
-testing::Matcher<std::string> HasLine(const std::string& line) {
-  return testing::AnyOf(testing::StartsWith(line + "\n"), HasSubstr("\n" + line + "\n"));
 }
 
 TEST(TextReport, SectionsStandInOrder) {

@@ -12,17 +12,10 @@
 namespace meshalyzer {
 namespace {
 
+using test::asking_all;
 using test::Recorder;
 using test::SoupFiles;
 using test::Told;
-
-SetOptions asking_all() {
-  SetOptions options;
-  options.questions.intersections = true;
-  options.questions.separation.emplace();
-  options.memory_limit = std::uint64_t{1} << 40;
-  return options;
-}
 
 std::vector<Soup> packed() {
   return test::pack_tubes({.n_objects = 11,

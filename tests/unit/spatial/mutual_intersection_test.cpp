@@ -6,6 +6,7 @@
 #include "meshalyzer/spatial/triangle_contact.h"
 #include "support/exact_oracle.h"
 #include "support/shapes.h"
+#include "support/sliver_tube.h"
 
 #include <gtest/gtest.h>
 
@@ -293,44 +294,23 @@ TEST(FindIntersections, FacesAreNamedByTheirFileAlsoWhereSomeAreRejected) {
   EXPECT_EQ(listed(intersections(b, a)), "2-1 crossing\n");
 }
 
-/// A closed tube of n sides along a diagonal of space, its faces much longer than wide.
-Soup sliver_tube(std::size_t n, const Vec3& along) {
-  Soup soup;
-  const Vec3 u = along.unitOrthogonal();
-  const Vec3 v = along.normalized().cross(u);
-  for (std::size_t end = 0; end < 2; ++end) {
-    for (std::size_t i = 0; i < n; ++i) {
-      const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n);
-      soup.positions.push_back(along * static_cast<double>(end) + std::cos(angle) * u +
-                               std::sin(angle) * v);
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto a = static_cast<Index>(i);
-    const auto b = static_cast<Index>((i + 1) % n);
-    const auto m = static_cast<Index>(n);
-    soup.triangles.push_back({a, b, b + m});
-    soup.triangles.push_back({a, b + m, a + m});
-  }
-  return soup;
-}
-
 /// For meshes too large for the oracle: only how pairs are found is in question here.
 void expect_pairs_of_any_face_with_any(const Soup& a, const Soup& b) {
   EXPECT_GT(expect_pairs(a, b, brute_force(a, b, find_contact)), 10u);
 }
 
 TEST(FindIntersections, BundlesOfSliversEqualBruteForce) {
-  const Soup tube = sliver_tube(250, {20, 22, 18});
+  const Soup tube = test::sliver_tube(250, {20, 22, 18});
   expect_pairs_of_any_face_with_any(
-      tube, shapes::translated(sliver_tube(200, {20, 21, 19}), {0.3, -0.4, 0.1}));
+      tube, shapes::translated(test::sliver_tube(200, {20, 21, 19}), {0.3, -0.4, 0.1}));
   // Far longer than the other one, whose map takes its ends far out.
   expect_pairs_of_any_face_with_any(
-      tube, shapes::translated(sliver_tube(200, {2000, 2150, 1850}), {-989.5, -1064.3, -915.9}));
+      tube,
+      shapes::translated(test::sliver_tube(200, {2000, 2150, 1850}), {-989.5, -1064.3, -915.9}));
 }
 
 TEST(FindIntersections, BundleOfSliversThroughFinerMeshEqualsBruteForce) {
-  const Soup tube = shapes::translated(sliver_tube(200, {20, 22, 18}), {-10.1, -11.2, -9.3});
+  const Soup tube = shapes::translated(test::sliver_tube(200, {20, 22, 18}), {-10.1, -11.2, -9.3});
   expect_pairs_of_any_face_with_any(tube, shapes::scaled(shapes::uv_sphere(22, 24), 5));
 }
 

@@ -5,6 +5,7 @@
 #include "support/effort.h"
 #include "support/exact_oracle.h"
 #include "support/shapes.h"
+#include "support/sliver_tube.h"
 
 #include <gtest/gtest.h>
 
@@ -181,34 +182,12 @@ TEST(FindSelfIntersections, MeshesOfManyLeavesEqualBruteForce) {
   EXPECT_EQ(listed(self_intersections(soup)), listed(expected));
 }
 
-/// A closed tube of n sides along a diagonal of space, its faces much longer than wide.
-Soup sliver_tube(std::size_t n, const Vec3& along) {
-  Soup soup;
-  const Vec3 u = along.unitOrthogonal();
-  const Vec3 v = along.normalized().cross(u);
-  for (std::size_t end = 0; end < 2; ++end) {
-    for (std::size_t i = 0; i < n; ++i) {
-      const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(n);
-      soup.positions.push_back(along * static_cast<double>(end) + std::cos(angle) * u +
-                               std::sin(angle) * v);
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto a = static_cast<Index>(i);
-    const auto b = static_cast<Index>((i + 1) % n);
-    const auto m = static_cast<Index>(n);
-    soup.triangles.push_back({a, b, b + m});
-    soup.triangles.push_back({a, b + m, a + m});
-  }
-  return soup;
-}
-
 TEST(FindSelfIntersections, BundlesOfSliversEqualBruteForce) {
   const std::size_t sides = test::kOneOf == 1 ? 120 : 60;
-  const Soup one = sliver_tube(sides, {20, 22, 18});
+  const Soup one = test::sliver_tube(sides, {20, 22, 18});
   EXPECT_EQ(listed(self_intersections(one)), "");
   const Soup two = shapes::merged(
-      one, shapes::translated(sliver_tube(sides / 2, {20, 21, 19}), {0.3, -0.4, 0.1}));
+      one, shapes::translated(test::sliver_tube(sides / 2, {20, 21, 19}), {0.3, -0.4, 0.1}));
   const Pairs expected = brute_force(two);
   EXPECT_GT(expected.size(), 10u);
   EXPECT_EQ(listed(self_intersections(two)), listed(expected));
