@@ -1,10 +1,12 @@
 #include "meshalyzer/analysis/integrity.h"
 
+#include "meshalyzer/mesh/repeated_ids.h"
+
 #include <algorithm>
+#include <array>
 #include <cstdint>
-#include <numeric>
+#include <optional>
 #include <span>
-#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -69,26 +71,6 @@ std::vector<std::int64_t> distinct_missing_ids(const Soup& soup) {
   return ids;
 }
 
-/// Records beyond the first of their id, ascending.
-std::vector<Index> find_duplicate_records(const Ids& ids) {
-  std::vector<Index> order(ids.named.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  const auto by_id = [&](Index a, Index b) {
-    return std::pair(ids.named[a], a) < std::pair(ids.named[b], b);
-  };
-  if (!std::is_sorted(order.begin(), order.end(), by_id)) {
-    std::sort(order.begin(), order.end(), by_id);
-  }
-  std::vector<Index> repeated;
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    if (ids.named[order[i]] == ids.named[order[i - 1]]) {
-      repeated.push_back(order[i]);
-    }
-  }
-  std::sort(repeated.begin(), repeated.end());
-  return repeated;
-}
-
 /// Where the ids of `n` records cease to be 1, 2, ..., n. Only files that name their ids can break.
 std::optional<NumberingBreak> find_break(const Ids& ids, Format format, std::size_t n) {
   if (format != Format::Mesh) {
@@ -115,9 +97,9 @@ std::optional<NumberingBreak> find_break(const Ids& ids, Format format, std::siz
 Integrity check_integrity(const Soup& soup, Offenders& offenders) {
   find_broken_faces(soup, offenders);
   offenders.missing_vertices = distinct_missing_ids(soup);
-  offenders.duplicate_vertex_records = find_duplicate_records(soup.vertex_ids);
+  offenders.duplicate_vertex_records = find_repeated_ids(soup.vertex_ids);
   offenders.orphan_vertices = find_orphans(soup, offenders.duplicate_vertex_records);
-  offenders.duplicate_face_records = find_duplicate_records(soup.face_ids);
+  offenders.duplicate_face_records = find_repeated_ids(soup.face_ids);
   offenders.torn_lines.assign(soup.torn_lines.begin(), soup.torn_lines.end());
   offenders.vertex_numbering = find_break(soup.vertex_ids, soup.format, soup.n_vertices());
   offenders.face_numbering = find_break(soup.face_ids, soup.format, soup.n_faces());

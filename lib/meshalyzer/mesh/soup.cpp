@@ -1,5 +1,7 @@
 #include "meshalyzer/mesh/soup.h"
 
+#include <algorithm>
+
 namespace meshalyzer {
 
 std::string_view format_name(Format format) {
@@ -18,6 +20,15 @@ std::string_view format_name(Format format) {
       return "ply";
   }
   return "";
+}
+
+Index group_of(const Soup& soup, Index face) {
+  // Groups without faces begin where the next one does: the last that begins here counts.
+  const auto after =
+      std::upper_bound(soup.groups.begin(), soup.groups.end(), face,
+                       [](Index wanted, const Group& group) { return wanted < group.first_face; });
+  return after == soup.groups.begin() ? kNoIndex
+                                      : static_cast<Index>(after - soup.groups.begin() - 1);
 }
 
 }  // namespace meshalyzer

@@ -86,6 +86,11 @@ struct Soup {
   [[nodiscard]] std::size_t n_faces() const { return triangles.size(); }
 };
 
+/// The group that a face belongs to, by index; kNoIndex where it belongs to none.
+///
+/// @complexity O(log #groups).
+[[nodiscard]] Index group_of(const Soup& soup, Index face);
+
 /// Whether a face names all three vertices, all defined, all different: only such faces are in the
 /// complex.
 [[nodiscard]] constexpr bool is_in_complex(const Triangle& t) {

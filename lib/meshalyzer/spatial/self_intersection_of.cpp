@@ -1,0 +1,54 @@
+#include "meshalyzer/spatial/self_intersection_of.h"
+
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/spatial/self_intersection_search.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace meshalyzer {
+namespace {
+
+/// Leaves that one task looks at.
+constexpr std::size_t kLeavesPerChunk = 1024;
+
+/// #mesh faces: non-zero for those of these file faces that are in the complex.
+std::vector<std::uint8_t> marked(const SideTable& side, std::span<const Index> file_faces) {
+  std::vector<std::uint8_t> marks(side.faces.size());
+  for (const Index face : file_faces) {
+    const std::size_t f = side.mesh_face(face);
+    if (f < marks.size() && side.faces[f] == face) {
+      marks[f] = 1;
+    }
+  }
+  return marks;
+}
+
+/// #leaves: which of the eight faces of each are marked, as bits.
+std::vector<std::uint8_t> lanes_of(const FaceTree& tree, std::span<const std::uint8_t> marks) {
+  std::vector<std::uint8_t> lanes(tree.n_leaves());
+  parallel_chunks(lanes.size(), kLeavesPerChunk, [&](Chunk chunk) {
+    const std::size_t end = std::min(8 * chunk.end, tree.n_faces());
+    for (std::size_t slot = 8 * chunk.begin; slot < end; ++slot) {
+      const unsigned bit = unsigned{marks[tree.mesh_face(slot)]} << (slot % 8);
+      lanes[slot / 8] = static_cast<std::uint8_t>(lanes[slot / 8] | bit);
+    }
+  });
+  return lanes;
+}
+
+}  // namespace
+
+std::vector<IntersectingPair> find_self_intersections_of(const CutMesh& cut, const FaceTree& tree,
+                                                         std::span<const Index> faces) {
+  if (tree.n_faces() == 0 || faces.empty()) {
+    return {};
+  }
+  const SlabTree slabs(tree);
+  const FanTree fans(tree);
+  const std::vector<std::uint8_t> wanted = lanes_of(tree, marked(cut.side, faces));
+  return search_self_intersections(
+      {.cut = cut, .tree = tree, .slabs = slabs, .fans = fans, .wanted = wanted});
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,191 @@
+#include "meshalyzer/spatial/self_intersection_search.h"
+
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/spatial/join_pairs.h"
+#include "meshalyzer/spatial/triangle_contact.h"
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// Leaves that one task looks at.
+constexpr std::size_t kLeavesPerChunk = 64;
+
+/// Two faces with what they have in common moved to the front, in the same order.
+struct Aligned {
+  Triangle p;
+  Triangle q;
+  std::size_t n_common = 0;
+};
+
+/// @param same  Whether two vertices count as one.
+template <typename Same>
+Aligned align(Triangle p, Triangle q, Same&& same) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = n; j < 3; ++j) {
+      if (same(p[i], q[j])) {
+        std::swap(p[n], p[i]);
+        std::swap(q[n], q[j]);
+        ++n;
+        break;
+      }
+    }
+  }
+  return {p, q, n};
+}
+
+Corners corners_of(const FaceTree& tree, const Triangle& t) {
+  return {tree.point(t[0]), tree.point(t[1]), tree.point(t[2])};
+}
+
+std::optional<ContactKind> contact_of(const FaceTree& tree, const Aligned& pair) {
+  return find_contact(corners_of(tree, pair.p), corners_of(tree, pair.q),
+                      static_cast<Common>(pair.n_common));
+}
+
+/// Whether the contact is gone when vertices at identical places count as one.
+bool is_unwelded(const FaceTree& tree, const Aligned& by_id) {
+  const auto same_place = [&](Index a, Index b) { return tree.point(a) == tree.point(b); };
+  const Aligned by_place = align(by_id.p, by_id.q, same_place);
+  return by_place.n_common > by_id.n_common && !contact_of(tree, by_place);
+}
+
+std::optional<ContactKind> find_kind(const FaceTree& tree, const Triangle& p, const Triangle& q) {
+  const Aligned by_id = align(p, q, [](Index a, Index b) { return a == b; });
+  const std::optional<ContactKind> kind = contact_of(tree, by_id);
+  return kind && is_unwelded(tree, by_id) ? ContactKind::Unwelded : kind;
+}
+
+using Pairs = std::vector<IntersectingPair>;
+using Scene = SelfIntersectionScene;
+
+/// Those lanes of a leaf whose faces are wanted.
+unsigned wanted_lanes(const Scene& scene, std::size_t leaf) {
+  return scene.wanted.empty() ? 0xFFU : scene.wanted[leaf];
+}
+
+/// The box of the wanted faces of a leaf.
+TreeBox box_of_wanted(const Scene& scene, std::size_t leaf) {
+  const EightBoxes& all = scene.tree.node(0, leaf);
+  EightBoxes boxes = EightBoxes::empty();
+  for (unsigned bits = wanted_lanes(scene, leaf); bits != 0; bits &= bits - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(bits));
+    for (std::size_t k = 0; k < 3; ++k) {
+      boxes.min[k][i] = all.min[k][i];
+      boxes.max[k][i] = all.max[k][i];
+    }
+  }
+  return TreeBox::around(boxes);
+}
+
+/// Looks for the partners of the wanted faces of one leaf. Those that are wanted too and come
+/// before are left out: they have found the pair themselves.
+class LeafVisitor {
+ public:
+  LeafVisitor(const Scene& scene, std::size_t leaf, Pairs& found)
+      : scene_(scene),
+        tree_(scene.tree),
+        found_(found),
+        leaf_(leaf),
+        wanted_(wanted_lanes(scene, leaf)),
+        first_leaf_(scene.wanted.empty() ? leaf : 0),
+        box_(box_of_wanted(scene, leaf)) {
+    if (scene.slabs.has_useful()) {
+      corners_.emplace(tree_, leaf);
+    }
+  }
+
+  void visit() { descend(tree_.n_levels() - 1, 0); }
+
+ private:
+  void descend(std::size_t level, std::size_t i) {
+    if (level == 0) {
+      meet_leaf(i);
+      return;
+    }
+    const std::size_t leaves_per_child = std::size_t{1} << (3 * (level - 1));
+    const EightBoxes& boxes = tree_.node(level, i);
+    for (unsigned bits = boxes.meeting(box_); bits != 0; bits &= bits - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+      const std::size_t child = 8 * i + lane;
+      if ((child + 1) * leaves_per_child > first_leaf_ &&
+          !is_excluded(level - 1, child, boxes.box(lane))) {
+        descend(level - 1, child);
+      }
+    }
+  }
+
+  /// Whether boxes serve a node badly, but its slabs or its fan tell that none of its faces meets
+  /// the leaf's.
+  bool is_excluded(std::size_t level, std::size_t i, const TreeBox& box) const {
+    const Slabs& slabs = scene_.slabs.slabs(level, i);
+    if (slabs.is_useful && slabs.exclude(*corners_)) {
+      return true;
+    }
+    return FanTree::meet_at_hub_only(scene_.fans.fan(0, leaf_), box_, scene_.fans.fan(level, i),
+                                     box);
+  }
+
+  void meet_leaf(std::size_t other) {
+    const EightBoxes& mine = tree_.node(0, leaf_);
+    const EightBoxes& theirs = tree_.node(0, other);
+    for (unsigned lanes = wanted_; lanes != 0; lanes &= lanes - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
+      unsigned bits = theirs.meeting(mine.box(i)) & ~done_lanes(other, i);
+      for (; bits != 0; bits &= bits - 1) {
+        meet_face(8 * leaf_ + i, 8 * other + static_cast<std::size_t>(std::countr_zero(bits)));
+      }
+    }
+  }
+
+  /// Those lanes of another leaf, or this one, that the face in lane i need not look at.
+  unsigned done_lanes(std::size_t other, std::size_t i) const {
+    if (other > leaf_) {
+      return 0;
+    }
+    const unsigned up_to_this = (2U << i) - 1;
+    return wanted_lanes(scene_, other) & (other == leaf_ ? up_to_this : 0xFFU);
+  }
+
+  void meet_face(std::size_t a, std::size_t b) {
+    const std::optional<ContactKind> kind = find_kind(tree_, tree_.triangle(a), tree_.triangle(b));
+    if (kind) {
+      const Index f = scene_.cut.side.faces[tree_.mesh_face(a)];
+      const Index g = scene_.cut.side.faces[tree_.mesh_face(b)];
+      found_.push_back({.face_a = std::min(f, g), .face_b = std::max(f, g), .kind = *kind});
+    }
+  }
+
+  const Scene& scene_;
+  const FaceTree& tree_;
+  Pairs& found_;
+  std::size_t leaf_;
+  unsigned wanted_;
+  /// Leaves before it need no look.
+  std::size_t first_leaf_;
+  TreeBox box_;
+  /// Only where some slabs are worth a question.
+  std::optional<LeafCorners> corners_;
+};
+
+}  // namespace
+
+std::vector<IntersectingPair> search_self_intersections(const SelfIntersectionScene& scene) {
+  const std::size_t n_leaves = scene.tree.n_leaves();
+  std::vector<Pairs> parts(n_chunks(n_leaves, kLeavesPerChunk));
+  parallel_chunks(n_leaves, kLeavesPerChunk, [&](Chunk chunk) {
+    for (std::size_t leaf = chunk.begin; leaf < chunk.end; ++leaf) {
+      if (wanted_lanes(scene, leaf) != 0) {
+        LeafVisitor(scene, leaf, parts[chunk.number]).visit();
+      }
+    }
+  });
+  return join_pairs(std::move(parts));
+}
+
+}  // namespace meshalyzer

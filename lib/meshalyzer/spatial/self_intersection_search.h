@@ -1,0 +1,33 @@
+#pragma once
+
+#include "meshalyzer/mesh/side_table.h"
+#include "meshalyzer/spatial/face_tree.h"
+#include "meshalyzer/spatial/fan_tree.h"
+#include "meshalyzer/spatial/intersecting_pair.h"
+#include "meshalyzer/spatial/slab_tree.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// What a search for the intersecting pairs of one mesh looks at. Only refers.
+struct SelfIntersectionScene {
+  const CutMesh& cut;
+  /// Over the faces of `cut`, at least one.
+  const FaceTree& tree;
+  const SlabTree& slabs;
+  const FanTree& fans;
+  /// #leaves: bit i is set where the partners of the face at slot 8 leaf + i are wanted; empty:
+  /// those of all faces are.
+  std::span<const std::uint8_t> wanted = {};
+};
+
+/// Finds the pairs with at least one wanted face, each once, with its kind.
+///
+/// @return  By file face, ascending; the same for any number of threads.
+[[nodiscard]] std::vector<IntersectingPair> search_self_intersections(
+    const SelfIntersectionScene& scene);
+
+}  // namespace meshalyzer

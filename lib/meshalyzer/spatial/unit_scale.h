@@ -1,0 +1,52 @@
+#pragma once
+
+#include "meshalyzer/spatial/triangle_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace meshalyzer {
+
+/// Maps triangles to coordinates of about -1 ... 1, in which neither squares nor cubes overflow,
+/// nor vanish. Scales by a power of two: what is rounded is rounded only by moving the middle of
+/// all to 0.
+class UnitScale {
+ public:
+  explicit UnitScale(std::span<const Corners> triangles) {
+    Box3 box;
+    for (const Corners& t : triangles) {
+      for (const Vec3& p : t) {
+        box.extend(p);
+      }
+    }
+    if (box.isEmpty()) {
+      return;
+    }
+    // Halves before the sum and the difference: these may overflow where the coordinates do not.
+    const double half = (box.max() / 2 - box.min() / 2).maxCoeff();
+    const int exponent = half > 0.0 ? -std::ilogb(half) : 0;
+    // In two steps, since the factor itself may be too large for a double.
+    first_ = std::ldexp(1.0, exponent / 2);
+    second_ = std::ldexp(1.0, exponent - exponent / 2);
+    centre_ = scaled(box.min()) / 2 + scaled(box.max()) / 2;
+    rounding_ =
+        std::max(scaled(box.min()).cwiseAbs().maxCoeff(), scaled(box.max()).cwiseAbs().maxCoeff()) *
+        0x1p-52;
+  }
+
+  [[nodiscard]] Vec3 operator()(const Vec3& point) const { return scaled(point) - centre_; }
+
+  /// How far apart neighbouring doubles are in the triangles' own coordinates, seen in these.
+  [[nodiscard]] double rounding() const { return rounding_; }
+
+ private:
+  [[nodiscard]] Vec3 scaled(const Vec3& point) const { return point * first_ * second_; }
+
+  double first_ = 1.0;
+  double second_ = 1.0;
+  Vec3 centre_ = Vec3::Zero();
+  double rounding_ = 0.0;
+};
+
+}  // namespace meshalyzer
