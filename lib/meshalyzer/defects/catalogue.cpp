@@ -1,0 +1,180 @@
+#include "meshalyzer/defects/catalogue.h"
+
+namespace meshalyzer {
+namespace {
+
+constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
+    {.code = DefectCode::Disjoint,
+     .severity = Severity::Warning,
+     .meaning = "The mesh has more than one component (faces joined through shared vertices). One "
+                "defect a component beyond the largest; the largest has the most faces, and of "
+                "equal ones it is the first.",
+     .value = "The component's number of faces.",
+     .elements = "The component's first face, and the middle of it.",
+     .fix = "Only where asked for: `--separate` writes each component to a file of its own, "
+            "`--keep-largest` drops the small ones.",
+     .fixed_by_default = false},
+    {.code = DefectCode::Foldover,
+     .severity = Severity::Error,
+     .meaning =
+         "A region of faces is folded back onto its surroundings: its normals are opposed to "
+         "those of its neighbours, the edges round it are folds, whose smaller face angle "
+         "is at most the max fold-over angle, and it lies within the height tolerance of "
+         "them.",
+     .value = "The largest distance of the region from its surroundings; limit: the height "
+              "tolerance.",
+     .elements = "The faces of the region, the edges of the folds, and a point of the region.",
+     .fix = "The region is taken away, and what is left of its surroundings joined.",
+     .fixed_by_default = true},
+    {.code = DefectCode::FlatFacet,
+     .severity = Severity::Error,
+     .meaning = "A face has an altitude below the degeneracy tolerance, but no edge below it. A "
+                "face of zero area (exact) is always flat.",
+     .value = "The shortest altitude; limit: the degeneracy tolerance.",
+     .elements = "The face, and the middle of it.",
+     .fix = "Its longest edge is flipped, or the face beyond that edge is split; the edges next to "
+            "a very short one are brought together.",
+     .fixed_by_default = true},
+    {.code = DefectCode::DegenerateFacet,
+     .severity = Severity::Error,
+     .meaning =
+         "A face has an edge shorter than the degeneracy tolerance, or names a vertex twice. "
+         "It is flat too, but reported only as this. An edge of length 0 (exact) is always "
+         "degenerate.",
+     .value = "The length of the shortest edge, 0 where a vertex is named twice; limit: the "
+              "degeneracy tolerance.",
+     .elements = "The face, its edges that are too short, the vertex that it names twice, and the "
+                 "middle of the shortest edge.",
+     .fix = "A face that names a vertex twice is dropped; else the short edge is collapsed to a "
+            "point.",
+     .fixed_by_default = true},
+    {.code = DefectCode::Slit,
+     .severity = Severity::Error,
+     .meaning = "Border edges lie on each other: the two sides of a chain of edges were never "
+                "joined. Their ends are within the slit tolerance.",
+     .value = "The largest gap; limit: the slit tolerance.",
+     .elements = "The border edges of both sides, and a point of the slit.",
+     .fix = "The two sides are welded.",
+     .fixed_by_default = true},
+    {.code = DefectCode::SelfIntersection,
+     .severity = Severity::Error,
+     .meaning = "Faces share a point that is not on a vertex or edge which both have. One defect a "
+                "connected patch of intersecting faces.",
+     .value = "The number of intersecting pairs in the patch.",
+     .elements = "The faces, the pairs with their kinds, and a point of the patch.",
+     .fix = "Faces that are there twice, and seams that were never welded, are mended as what they "
+            "are; other intersections are left, and reported as not fixable.",
+     .fixed_by_default = true},
+    {.code = DefectCode::NonManifold,
+     .severity = Severity::Error,
+     .meaning = "An edge has more than two faces; or the faces round a vertex that is on no such "
+                "edge are more than one fan.",
+     .value = "The number of faces at the edge, or of fans at the vertex.",
+     .elements = "The edge or the vertex, the faces there, and its place.",
+     .fix = "The mesh is cut at the edge, its faces paired by angle so that each solid stays "
+            "closed; each fan gets a vertex of its own. The copies are moved apart by the smallest "
+            "step after which nothing touches, unless `--keep-contact` is given.",
+     .fixed_by_default = true},
+    {.code = DefectCode::VertexNormal,
+     .severity = Severity::Warning,
+     .meaning = "A normal that the file gives at a vertex points into the mesh: its dot product "
+                "with the normal of every face at the vertex is below 0 (exact). Of several "
+                "normals at a vertex one is enough. Faces of zero area have no say.",
+     .value = "",
+     .elements = "The vertex, and its place.",
+     .fix = "The normals at the vertex are made anew from its faces.",
+     .fixed_by_default = true},
+    {.code = DefectCode::Corrupt,
+     .severity = Severity::Error,
+     .meaning = "The data make no mesh: faces name a vertex that no record defines (one defect a "
+                "missing id); records repeat an id (one defect an id); a coordinate is NaN or "
+                "infinite; a line of a `.mesh` file is the remains of a torn record. Files with "
+                "such a coordinate are refused when they are read; where a program made the mesh, "
+                "nothing that depends on positions is looked for.",
+     .value = "The number of records that have the id.",
+     .elements = "The faces that name the missing vertex, and a corner of them that there is; the "
+                 "records that have the id, and their places; the vertex whose position is not "
+                 "finite. The id or line is told in words.",
+     .fix = "Faces with a missing vertex and repeated vertex records are dropped, a face record "
+            "that repeats an id gets a new one, torn lines are not written. Positions that are not "
+            "finite cannot be mended.",
+     .fixed_by_default = true},
+    {.code = DefectCode::Hole,
+     .severity = Severity::Error,
+     .meaning = "A border: a chain of edges with one face each, that is no slit. One defect a "
+                "boundary.",
+     .value = "The length of the boundary.",
+     .elements = "The border edges in walking order, and a point of the border.",
+     .fix = "Filled by a patch that intersects nothing. A sheet, which means no solid, is left "
+            "open unless filling is asked for by name.",
+     .fixed_by_default = true},
+    {.code = DefectCode::Flipped,
+     .severity = Severity::Error,
+     .meaning = "Both faces of an edge cross it in the same direction. One defect a patch of faces "
+                "that must be turned for all to be consistent, the smaller side by area; one, not "
+                "fixable, for a component that no turning makes consistent.",
+     .value = "",
+     .elements = "The faces to be turned, the edges crossed twice in the same direction, and a "
+                 "point of them.",
+     .fix = "The faces are turned.",
+     .fixed_by_default = true},
+    {.code = DefectCode::Inward,
+     .severity = Severity::Error,
+     .meaning = "A closed, manifold and consistent component points the wrong way: into its solid, "
+                "or, the wall of a cavity, out of the cavity.",
+     .value = "The component's volume.",
+     .elements = "The component's first face, and a point of it.",
+     .fix = "The component is turned.",
+     .fixed_by_default = true},
+    {.code = DefectCode::DuplicateFacet,
+     .severity = Severity::Error,
+     .meaning = "Faces have the same three vertices, in whatever order. One defect a set of equal "
+                "faces.",
+     .value = "The number of faces in the set.",
+     .elements = "The faces, and the middle of them.",
+     .fix = "All but the first are dropped; all, where they stand between two solids that are "
+            "closed without them.",
+     .fixed_by_default = true},
+    {.code = DefectCode::OrphanVertex,
+     .severity = Severity::Warning,
+     .meaning = "A vertex that no face uses. A record that repeats an id is none: it is `corrupt`.",
+     .value = "",
+     .elements = "The vertex, and its place.",
+     .fix = "The vertex is dropped.",
+     .fixed_by_default = true},
+    {.code = DefectCode::Numbering,
+     .severity = Severity::Warning,
+     .meaning = "Ids are not 1, 2, ..., n in file order: one defect for the vertices and one for "
+                "the faces. Only `.mesh` names its ids.",
+     .value = "The first id that is not as it should be; limit: what it should be.",
+     .elements = "The vertex or face that has this id, and its place.",
+     .fix = "Only where asked for: `--renumber` counts anew.",
+     .fixed_by_default = false},
+}};
+
+constexpr bool is_in_order() {
+  for (std::size_t i = 0; i < kDefectCodes; ++i) {
+    if (kCatalogue[i].code != static_cast<DefectCode>(i)) return false;
+  }
+  return true;
+}
+static_assert(is_in_order());
+
+}  // namespace
+
+std::span<const CatalogueEntry> defect_catalogue() {
+  return kCatalogue;
+}
+
+const CatalogueEntry& catalogue_entry(DefectCode code) {
+  return kCatalogue[static_cast<std::size_t>(code)];
+}
+
+Defect make_defect(DefectCode code) {
+  Defect defect;
+  defect.code = code;
+  defect.severity = catalogue_entry(code).severity;
+  return defect;
+}
+
+}  // namespace meshalyzer

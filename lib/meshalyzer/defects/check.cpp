@@ -1,0 +1,100 @@
+#include "meshalyzer/defects/check.h"
+
+#include "meshalyzer/defects/segment_grid.h"
+#include "meshalyzer/spatial/mutual_intersection.h"
+#include "meshalyzer/topology/border.h"
+#include "meshalyzer/topology/edges.h"
+
+#include <algorithm>
+#include <array>
+
+namespace meshalyzer {
+namespace {
+
+DefectCodes codes_of(const CheckOptions& options) {
+  DefectCodes codes{DefectCode::NonManifold, DefectCode::DegenerateFacet, DefectCode::FlatFacet,
+                    DefectCode::VertexNormal};
+  if (options.is_single_face) codes.insert(DefectCode::Disjoint);
+  if (options.level == CheckLevel::Full) {
+    codes.insert(DefectCode::Slit);
+    codes.insert(DefectCode::SelfIntersection);
+  }
+  return codes;
+}
+
+/// The border edges of a mesh by their file vertices, the smaller first.
+std::vector<std::array<Index, 2>> border_edges(const CutMesh& cut) {
+  std::vector<std::array<Index, 2>> edges;
+  for (const HalfedgeHandle h : find_border_edges(cut)) {
+    const auto [from, to] = file_ends(cut, h);
+    edges.push_back({std::min(from, to), std::max(from, to)});
+  }
+  return edges;
+}
+
+/// The segments of all polylines but those of length 0, which run nowhere.
+std::vector<Segment> segments_of(std::span<const Polyline> polylines) {
+  std::vector<Segment> segments;
+  for (const Polyline& line : polylines) {
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      if (line[i - 1] != line[i]) segments.push_back({line[i - 1], line[i]});
+    }
+  }
+  return segments;
+}
+
+/// Tells which of some segments lie on none of some others.
+///
+/// @return The numbers of those, ascending.
+std::vector<Index> find_unmatched(std::span<const Segment> segments,
+                                  std::span<const Segment> others, double tolerance) {
+  const SegmentGrid grid(others, tolerance);
+  std::vector<Index> unmatched;
+  for (Index i = 0; i < segments.size(); ++i) {
+    bool is_matched = false;
+    grid.visit_near(segments[i], [&](Index j) {
+      is_matched = is_matched || gap_between(segments[i], others[j]) <= tolerance;
+    });
+    if (!is_matched) unmatched.push_back(i);
+  }
+  return unmatched;
+}
+
+void match_borders(const BuiltMesh& mesh, std::span<const Polyline> polylines,
+                   CheckResult& result) {
+  const double tolerance = result.report.tolerances.slit;
+  const std::vector<Segment> segments = segments_of(polylines);
+  const std::vector<std::array<Index, 2>> edges = border_edges(mesh.cut());
+  std::vector<Segment> places;
+  for (const auto& [a, b] : edges) {
+    places.push_back({mesh.soup().positions[a], mesh.soup().positions[b]});
+  }
+  for (const Index i : find_unmatched(segments, places, tolerance)) {
+    result.unmatched_segments.push_back(segments[i]);
+  }
+  for (const Index i : find_unmatched(places, segments, tolerance)) {
+    result.unmatched_border_edges.push_back(edges[i]);
+  }
+}
+
+}  // namespace
+
+CheckResult check(const Soup& soup, const CheckOptions& options) {
+  CheckResult result;
+  if (options.level == CheckLevel::None) return result;
+  const BuiltMesh mesh(soup);
+  result.report =
+      find_defects(mesh, {.codes = codes_of(options), .tolerances = options.tolerances});
+  if (options.is_single_face && !options.polylines.empty()) {
+    match_borders(mesh, options.polylines, result);
+  }
+  return result;
+}
+
+std::vector<IntersectingPair> check_pair(const Soup& a, const Soup& b) {
+  const BuiltMesh mesh_a(a);
+  const BuiltMesh mesh_b(b);
+  return find_intersections(mesh_a.cut(), mesh_a.tree(), mesh_b.cut(), mesh_b.tree());
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,130 @@
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/defects/catalogue.h"
+#include "meshalyzer/defects/finders.h"
+#include "meshalyzer/defects/places.h"
+#include "meshalyzer/mesh/repeated_ids.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// "<before><number><after>"
+std::string sentence(std::string_view before, std::int64_t number, std::string_view after) {
+  std::string text(before);
+  text += std::to_string(number);
+  text += after;
+  return text;
+}
+
+bool is_finite(const Vec3& position) {
+  return position.allFinite();
+}
+
+void add_positions(const Soup& soup, std::vector<Defect>& defects) {
+  if (has_finite_positions(soup)) return;
+  for (Index v = 0; v < soup.n_vertices(); ++v) {
+    if (is_finite(soup.positions[v])) continue;
+    Defect& defect = defects.emplace_back(make_defect(DefectCode::Corrupt));
+    defect.vertices = {v};
+    defect.detail = "a coordinate is not a finite number";
+    defect.fixable = false;
+  }
+}
+
+/// Records that have an id in common, ascending. Sets in order of their first record.
+std::vector<std::vector<Index>> find_namesakes(const Ids& ids) {
+  const std::vector<Index> repeated = find_repeated_ids(ids);
+  if (repeated.empty()) return {};
+  std::vector<std::int32_t> names;
+  for (const Index record : repeated) names.push_back(ids.named[record]);
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  std::vector<std::vector<Index>> sets;
+  std::vector<Index> set_of(names.size(), kNoIndex);
+  for (Index record = 0; record < ids.named.size(); ++record) {
+    const auto name = std::lower_bound(names.begin(), names.end(), ids.named[record]);
+    if (name == names.end() || *name != ids.named[record]) continue;
+    Index& set = set_of[static_cast<std::size_t>(name - names.begin())];
+    if (set == kNoIndex) {
+      set = static_cast<Index>(sets.size());
+      sets.emplace_back();
+    }
+    sets[set].push_back(record);
+  }
+  return sets;
+}
+
+void add_repeated_ids(const Soup& soup, std::vector<Defect>& defects) {
+  for (std::vector<Index>& records : find_namesakes(soup.vertex_ids)) {
+    Defect& defect = defects.emplace_back(make_defect(DefectCode::Corrupt));
+    for (const Index v : records) defect.positions.push_back(soup.positions[v]);
+    defect.value = static_cast<double>(records.size());
+    defect.detail =
+        sentence("vertex id ", soup.vertex_ids.of(records[0]), " is given more than once");
+    defect.vertices = std::move(records);
+  }
+  for (std::vector<Index>& records : find_namesakes(soup.face_ids)) {
+    Defect& defect = defects.emplace_back(make_defect(DefectCode::Corrupt));
+    defect.positions = middle_of_face(soup, records[0]);
+    defect.value = static_cast<double>(records.size());
+    defect.detail = sentence("face id ", soup.face_ids.of(records[0]), " is given more than once");
+    defect.faces = std::move(records);
+  }
+}
+
+void add_missing_vertices(const Soup& soup, std::vector<Defect>& defects) {
+  std::vector<std::pair<std::int64_t, Index>> references;
+  for (const MissingReference& r : soup.missing) references.emplace_back(r.id, r.face);
+  std::sort(references.begin(), references.end());
+  references.erase(std::unique(references.begin(), references.end()), references.end());
+  std::vector<Defect> found;
+  for (std::size_t i = 0; i < references.size(); ++i) {
+    const auto [id, face] = references[i];
+    if (i == 0 || references[i - 1].first != id) {
+      found.push_back(make_defect(DefectCode::Corrupt));
+      found.back().detail = sentence("there is no vertex ", id, "");
+    }
+    Defect& defect = found.back();
+    defect.faces.push_back(face);
+    if (defect.positions.empty()) defect.positions = middle_of_face(soup, face);
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Defect& a, const Defect& b) { return a.faces[0] < b.faces[0]; });
+  defects.insert(defects.end(), std::make_move_iterator(found.begin()),
+                 std::make_move_iterator(found.end()));
+}
+
+void add_torn_lines(const Soup& soup, std::vector<Defect>& defects) {
+  for (const std::uint32_t line : soup.torn_lines) {
+    Defect& defect = defects.emplace_back(make_defect(DefectCode::Corrupt));
+    defect.detail = sentence("line ", line, " is the remains of a torn record");
+  }
+}
+
+}  // namespace
+
+bool has_finite_positions(const Soup& soup) {
+  const auto parts = map_chunks<char>(soup.n_vertices(), [&](Chunk chunk) {
+    const auto begin = soup.positions.begin();
+    return static_cast<char>(std::all_of(begin + static_cast<std::ptrdiff_t>(chunk.begin),
+                                         begin + static_cast<std::ptrdiff_t>(chunk.end),
+                                         is_finite));
+  });
+  return std::all_of(parts.begin(), parts.end(), [](char finite) { return finite != 0; });
+}
+
+std::vector<Defect> find_corrupt(const Soup& soup) {
+  std::vector<Defect> defects;
+  add_positions(soup, defects);
+  add_repeated_ids(soup, defects);
+  add_missing_vertices(soup, defects);
+  add_torn_lines(soup, defects);
+  return defects;
+}
+
+}  // namespace meshalyzer

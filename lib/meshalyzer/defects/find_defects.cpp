@@ -1,0 +1,138 @@
+#include "meshalyzer/defects/find_defects.h"
+
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/defects/finders.h"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// What was found, by code.
+class Findings {
+ public:
+  [[nodiscard]] std::vector<Defect>& operator[](DefectCode code) {
+    return lists_[static_cast<std::size_t>(code)];
+  }
+
+ private:
+  std::array<std::vector<Defect>, kDefectCodes> lists_;
+};
+
+/// Runs the finders of the codes that are asked for.
+class Search {
+ public:
+  Search(const DefectCodes& codes, const Tolerances& tolerances)
+      : codes_(codes), tolerances_(tolerances) {}
+
+  /// What is seen in the records alone, wherever the vertices are.
+  void search_records(const Soup& soup) {
+    add(DefectCode::Corrupt, [&] { return find_corrupt(soup); });
+    add(DefectCode::OrphanVertex, [&] { return find_orphans(soup); });
+    add(DefectCode::Numbering, [&] { return find_numbering(soup); });
+    run_at_once();
+  }
+
+  void search_mesh(const BuiltMesh& mesh) {
+    add(DefectCode::Disjoint, [&] { return find_disjoint(mesh); });
+    add(DefectCode::NonManifold, [&] { return find_non_manifold(mesh); });
+    add(DefectCode::VertexNormal, [&] { return find_opposed_normals(mesh); });
+    add(DefectCode::Flipped, [&] { return find_flipped(mesh); });
+    add(DefectCode::DuplicateFacet, [&] { return find_duplicate_facets(mesh); });
+    if (asks(DefectCode::FlatFacet) || asks(DefectCode::DegenerateFacet)) {
+      finders_.emplace_back([&] { search_thin_facets(mesh); });
+    }
+    run_at_once();
+    // One after the other, each parallel within. These may ask for the intersecting pairs, which
+    // are searched once: a thread that helps with that must not meet another finder that asks.
+    add(DefectCode::Foldover, [&] { return find_foldovers(mesh, tolerances_); });
+    add(DefectCode::SelfIntersection, [&] { return find_self_intersection_patches(mesh); });
+    add(DefectCode::Inward, [&] { return find_inward(mesh); });
+    if (asks(DefectCode::Slit) || asks(DefectCode::Hole)) {
+      finders_.emplace_back([&] { search_borders(mesh); });
+    }
+    run_in_turn();
+  }
+
+  [[nodiscard]] Findings take() { return std::move(findings_); }
+
+ private:
+  [[nodiscard]] bool asks(DefectCode code) const { return codes_.contains(code); }
+
+  template <typename Finder>
+  void add(DefectCode code, Finder finder) {
+    if (asks(code)) finders_.emplace_back([this, code, finder] { findings_[code] = finder(); });
+  }
+
+  void search_thin_facets(const BuiltMesh& mesh) {
+    for (Defect& defect : find_thin_facets(mesh, tolerances_)) {
+      const DefectCode code = defect.code;
+      if (asks(code)) findings_[code].push_back(std::move(defect));
+    }
+  }
+
+  void search_borders(const BuiltMesh& mesh) {
+    std::vector<Defect> slits = find_slits(mesh, tolerances_);
+    if (asks(DefectCode::Hole)) findings_[DefectCode::Hole] = find_holes(mesh, slits);
+    if (asks(DefectCode::Slit)) findings_[DefectCode::Slit] = std::move(slits);
+  }
+
+  void run_at_once() { parallel_invoke(std::exchange(finders_, {})); }
+
+  void run_in_turn() {
+    for (const auto& finder : std::exchange(finders_, {})) finder();
+  }
+
+  const DefectCodes& codes_;
+  const Tolerances& tolerances_;
+  std::vector<std::function<void()>> finders_;
+  Findings findings_;
+};
+
+DefectReport make_report(Findings findings, Tolerances tolerances, std::size_t max_defects) {
+  DefectReport report;
+  for (const DefectCode code : all_defect_codes()) {
+    std::vector<Defect>& found = findings[code];
+    report.counts[static_cast<std::size_t>(code)] = found.size();
+    const std::size_t room = max_defects == 0 ? found.size() : max_defects - report.defects.size();
+    const auto last = found.begin() + static_cast<std::ptrdiff_t>(std::min(room, found.size()));
+    report.defects.insert(report.defects.end(), std::make_move_iterator(found.begin()),
+                          std::make_move_iterator(last));
+    found = {};
+  }
+  report.tolerances = tolerances;
+  report.warnings = inconsistencies(tolerances);
+  return report;
+}
+
+/// @param mesh  Null where the soup's positions are not finite, and so there is none.
+DefectReport find_in(const Soup& soup, const BuiltMesh* mesh, const DefectOptions& options) {
+  const Box3 box = mesh != nullptr ? used_box(soup) : Box3();
+  const Tolerances tolerances = resolve_tolerances(options.tolerances, box);
+  Search search(options.codes, tolerances);
+  search.search_records(soup);
+  if (mesh != nullptr) search.search_mesh(*mesh);
+  return make_report(search.take(), tolerances, options.max_defects);
+}
+
+}  // namespace
+
+std::size_t DefectReport::total() const {
+  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+DefectReport find_defects(const Soup& soup, const DefectOptions& options) {
+  if (!has_finite_positions(soup)) return find_in(soup, nullptr, options);
+  const BuiltMesh mesh(soup);
+  return find_in(soup, &mesh, options);
+}
+
+DefectReport find_defects(const BuiltMesh& mesh, const DefectOptions& options) {
+  return find_in(mesh.soup(), &mesh, options);
+}
+
+}  // namespace meshalyzer

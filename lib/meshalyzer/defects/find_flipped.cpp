@@ -1,0 +1,174 @@
+#include "meshalyzer/base/sum.h"
+#include "meshalyzer/defects/catalogue.h"
+#include "meshalyzer/defects/finders.h"
+#include "meshalyzer/defects/places.h"
+#include "meshalyzer/geometry/face_measures.h"
+#include "meshalyzer/topology/components.h"
+#include "meshalyzer/topology/disjoint_sets.h"
+#include "meshalyzer/topology/edges.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// Areas that differ by no more than this share of the larger are the same but for rounding.
+constexpr double kSameArea = 1e-9;
+
+/// The faces of a region that agree with each other.
+struct Side {
+  CompensatedSum area;
+  std::size_t n_faces = 0;
+};
+
+/// The patches (see find_oriented_patches()) and the regions that they make up, joined through
+/// flipped edges. A region is named by its lowest patch, which is on its first side.
+class Regions {
+ public:
+  explicit Regions(const CutMesh& cut)
+      : cut_(cut), patches_(find_oriented_patches(cut)), sides_(2 * patches_.count) {
+    join_patches();
+    region_.resize(patches_.count);
+    side_.resize(patches_.count);
+    one_sided_.assign(patches_.count, 0);
+    for (Index p = 0; p < patches_.count; ++p) {
+      const Index as_is = sides_.find(2 * p);
+      const Index turned = sides_.find(2 * p + 1);
+      region_[p] = std::min(as_is, turned) / 2;
+      side_[p] = as_is < turned ? 0 : 1;
+      one_sided_[region_[p]] = as_is == turned ? 1 : 0;
+    }
+    choose_sides();
+  }
+
+  [[nodiscard]] std::size_t n_patches() const { return patches_.count; }
+  [[nodiscard]] Index patch_of(std::size_t mesh_face) const { return patches_.of_face[mesh_face]; }
+  [[nodiscard]] Index region_of(Index patch) const { return region_[patch]; }
+  [[nodiscard]] bool is_one_sided(Index patch) const { return one_sided_[region_[patch]] != 0; }
+  /// Whether a patch is on the side that is to be turned.
+  [[nodiscard]] bool is_turned(Index patch) const {
+    return !is_one_sided(patch) && side_[patch] == turned_side_[region_[patch]];
+  }
+
+ private:
+  /// Each patch stands twice, as it is (2 p) and turned over (2 p + 1), as in find_orientability().
+  void join_patches() {
+    const CutEdges& flipped = cut_.side.flipped_edges;
+    for (std::size_t i = 0; i < flipped.size(); ++i) {
+      const Index p = patch_at(flipped[i].halfedges[0]);
+      const Index q = patch_at(flipped[i].halfedges[1]);
+      sides_.unite(2 * p, 2 * q + 1);
+      sides_.unite(2 * p + 1, 2 * q);
+    }
+  }
+
+  [[nodiscard]] Index patch_at(HalfedgeHandle h) const {
+    return patches_.of_face[static_cast<std::size_t>(cut_.mesh.face_handle(h).idx())];
+  }
+
+  void choose_sides() {
+    std::vector<std::array<Side, 2>> sides(patches_.count);
+    for (const FaceHandle f : cut_.mesh.all_faces()) {
+      const Index p = patches_.of_face[static_cast<std::size_t>(f.idx())];
+      const std::array<Vec3, 3> t = face_corners(cut_.mesh, f);
+      Side& side = sides[region_[p]][side_[p]];
+      side.area.add((t[1] - t[0]).cross(t[2] - t[0]).norm());
+      ++side.n_faces;
+    }
+    turned_side_.resize(patches_.count);
+    std::transform(sides.begin(), sides.end(), turned_side_.begin(), smaller_side);
+  }
+
+  /// By area, then by faces; of equal ones the second, which has not the lowest face. Areas that
+  /// are too large for a double are the same.
+  static std::uint8_t smaller_side(const std::array<Side, 2>& sides) {
+    const double a = sides[0].area.value();
+    const double b = sides[1].area.value();
+    if (std::isfinite(a) && std::isfinite(b) && std::abs(a - b) > kSameArea * std::max(a, b)) {
+      return a < b ? 0 : 1;
+    }
+    return sides[0].n_faces < sides[1].n_faces ? 0 : 1;
+  }
+
+  const CutMesh& cut_;
+  Components patches_;
+  DisjointSets sides_;
+  /// By patch.
+  std::vector<Index> region_;
+  std::vector<std::uint8_t> side_;
+  /// By region: 1 where no turning makes it consistent; which side is to be turned.
+  std::vector<std::uint8_t> one_sided_;
+  std::vector<std::uint8_t> turned_side_;
+};
+
+/// Makes the defects of the patches to be turned and of one-sided regions, each when its lowest
+/// face is met.
+class Listing {
+ public:
+  Listing(const BuiltMesh& mesh, const Regions& regions)
+      : mesh_(mesh), regions_(regions), defect_of_(regions.n_patches(), kNoIndex) {}
+
+  std::vector<Defect> list() {
+    const SideTable& side = mesh_.cut().side;
+    for (std::size_t f = 0; f < side.faces.size(); ++f) {
+      const Index patch = regions_.patch_of(f);
+      if (regions_.is_turned(patch) || regions_.is_one_sided(patch)) {
+        defect_at(patch).faces.push_back(side.faces[f]);
+      }
+    }
+    for (std::size_t i = 0; i < side.flipped_edges.size(); ++i) {
+      list_edge(side.flipped_edges[i]);
+    }
+    return std::move(defects_);
+  }
+
+ private:
+  Defect& defect_at(Index patch) {
+    const bool one_sided = regions_.is_one_sided(patch);
+    Index& number = defect_of_[one_sided ? regions_.region_of(patch) : patch];
+    if (number == kNoIndex) {
+      number = static_cast<Index>(defects_.size());
+      defects_.push_back(make_defect(DefectCode::Flipped));
+      defects_.back().fixable = !one_sided;
+    }
+    return defects_[number];
+  }
+
+  /// Of its two patches one is to be turned, unless the region is one-sided.
+  void list_edge(const CutEdge& edge) {
+    const CutMesh& cut = mesh_.cut();
+    const auto patch_at = [&](HalfedgeHandle h) {
+      return regions_.patch_of(static_cast<std::size_t>(cut.mesh.face_handle(h).idx()));
+    };
+    const Index first = patch_at(edge.halfedges[0]);
+    const Index second = patch_at(edge.halfedges[1]);
+    Defect& defect = defect_at(regions_.is_turned(second) ? second : first);
+    std::array<Index, 2> ends = file_ends(cut, edge.halfedges[0]);
+    std::sort(ends.begin(), ends.end());
+    if (defect.edges.empty()) {
+      defect.positions = {middle_of_edge(mesh_.soup(), ends)};
+    }
+    defect.edges.push_back(ends);
+  }
+
+  const BuiltMesh& mesh_;
+  const Regions& regions_;
+  std::vector<Index> defect_of_;
+  std::vector<Defect> defects_;
+};
+
+}  // namespace
+
+std::vector<Defect> find_flipped(const BuiltMesh& mesh) {
+  if (mesh.cut().side.flipped_edges.size() == 0) {
+    return {};
+  }
+  const Regions regions(mesh.cut());
+  return Listing(mesh, regions).list();
+}
+
+}  // namespace meshalyzer

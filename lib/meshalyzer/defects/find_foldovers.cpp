@@ -1,0 +1,231 @@
+#include "meshalyzer/defects/catalogue.h"
+#include "meshalyzer/defects/finders.h"
+#include "meshalyzer/defects/folds.h"
+#include "meshalyzer/defects/places.h"
+#include "meshalyzer/defects/sheet_cover.h"
+#include "meshalyzer/exact/normal.h"
+#include "meshalyzer/geometry/face_measures.h"
+#include "meshalyzer/topology/disjoint_sets.h"
+#include "meshalyzer/topology/edges.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// A fold between two patches, each by its lowest face.
+struct Crease {
+  HalfedgeHandle fold;
+  std::array<Index, 2> patches;
+};
+
+/// A largest set of faces that hang together through edges which are no folds; only those that a
+/// fold parts from another.
+struct Patch {
+  /// Mesh faces, ascending.
+  std::vector<Index> faces;
+  double area = 0.0;
+  /// Numbers of the patches beyond its folds, ascending.
+  std::vector<Index> neighbours;
+  /// Folds towards these.
+  std::vector<HalfedgeHandle> folds;
+  /// How far it is from its neighbours, where it lies on them.
+  std::optional<double> distance;
+};
+
+void join_through_cuts(const TriMesh& mesh, const CutEdges& edges, DisjointSets& faces) {
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto halfedges = edges[i].halfedges;
+    for (const HalfedgeHandle h : halfedges.subspan(1)) {
+      faces.unite(static_cast<Index>(mesh.face_handle(halfedges[0]).idx()),
+                  static_cast<Index>(mesh.face_handle(h).idx()));
+    }
+  }
+}
+
+/// Joins faces through all edges but folds. A cut of the mesh bounds no region: the surface goes on
+/// beyond it.
+DisjointSets join_faces(const CutMesh& cut, const std::vector<HalfedgeHandle>& folds) {
+  const TriMesh& mesh = cut.mesh;
+  std::vector<std::uint8_t> is_fold(mesh.n_edges(), 0);
+  for (const HalfedgeHandle h : folds) {
+    is_fold[static_cast<std::size_t>(mesh.edge_handle(h).idx())] = 1;
+  }
+  DisjointSets faces(mesh.n_faces());
+  for (const EdgeHandle e : mesh.all_edges()) {
+    if (mesh.is_boundary(e) || is_fold[static_cast<std::size_t>(e.idx())] != 0) continue;
+    faces.unite(static_cast<Index>(mesh.face_handle(mesh.halfedge_handle(e, 0)).idx()),
+                static_cast<Index>(mesh.face_handle(mesh.halfedge_handle(e, 1)).idx()));
+  }
+  join_through_cuts(mesh, cut.side.flipped_edges, faces);
+  join_through_cuts(mesh, cut.side.non_manifold_edges, faces);
+  return faces;
+}
+
+/// The patches of a mesh that folds part from each other.
+class FoldedPatches {
+ public:
+  FoldedPatches(const CutMesh& cut, const std::vector<HalfedgeHandle>& folds) {
+    DisjointSets sets = join_faces(cut, folds);
+    std::vector<Index> roots;
+    const std::vector<Crease> creases = find_creases(cut.mesh, folds, sets);
+    for (const Crease& crease : creases) {
+      roots.insert(roots.end(), crease.patches.begin(), crease.patches.end());
+    }
+    if (roots.empty()) return;
+    std::sort(roots.begin(), roots.end());
+    roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+    patches_.resize(roots.size());
+    number_faces(cut.mesh, roots, sets);
+    join_patches(creases);
+  }
+
+  [[nodiscard]] std::vector<Patch>& patches() { return patches_; }
+  /// #mesh faces; kNoIndex where no fold parts the face's patch from another.
+  [[nodiscard]] const std::vector<Index>& of_face() const { return of_face_; }
+
+ private:
+  [[nodiscard]] static std::vector<Crease> find_creases(const TriMesh& mesh,
+                                                        const std::vector<HalfedgeHandle>& folds,
+                                                        DisjointSets& sets) {
+    std::vector<Crease> creases;
+    for (const HalfedgeHandle h : folds) {
+      const Index a = sets.find(static_cast<Index>(mesh.face_handle(h).idx()));
+      const Index b = sets.find(static_cast<Index>(mesh.opposite_face_handle(h).idx()));
+      if (a != b) creases.push_back({h, {a, b}});
+    }
+    return creases;
+  }
+
+  /// @param roots  The lowest faces of the patches, ascending.
+  void number_faces(const TriMesh& mesh, const std::vector<Index>& roots, DisjointSets& sets) {
+    of_face_.assign(mesh.n_faces(), kNoIndex);
+    for (std::size_t i = 0; i < roots.size(); ++i) of_face_[roots[i]] = static_cast<Index>(i);
+    for (Index f = 0; f < of_face_.size(); ++f) {
+      of_face_[f] = of_face_[sets.find(f)];
+      if (of_face_[f] == kNoIndex) continue;
+      Patch& patch = patches_[of_face_[f]];
+      const Corners t = face_corners(mesh, FaceHandle(static_cast<int>(f)));
+      patch.faces.push_back(f);
+      patch.area += accurate_normal(t[0], t[1], t[2]).stableNorm() / 2;
+    }
+  }
+
+  void join_patches(const std::vector<Crease>& creases) {
+    for (const Crease& crease : creases) {
+      const Index a = of_face_[crease.patches[0]];
+      const Index b = of_face_[crease.patches[1]];
+      patches_[a].neighbours.push_back(b);
+      patches_[b].neighbours.push_back(a);
+      patches_[a].folds.push_back(crease.fold);
+      patches_[b].folds.push_back(crease.fold);
+    }
+    for (Patch& patch : patches_) {
+      auto& list = patch.neighbours;
+      std::sort(list.begin(), list.end());
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+  }
+
+  std::vector<Patch> patches_;
+  std::vector<Index> of_face_;
+};
+
+/// Whether there is room for a patch on its neighbours: a sheet that has more area than those that
+/// it should lie on sticks out somewhere, though by no more than a large tolerance.
+bool has_room(const std::vector<Patch>& patches, const Patch& patch) {
+  // What areas of the same sheets, differently triangulated, may differ by.
+  constexpr double kSlack = 1e-6;
+  double room = 0.0;
+  for (const Index other : patch.neighbours) room += patches[other].area;
+  return patch.area <= room * (1.0 + kSlack);
+}
+
+/// The numbers of the patches that lie on their neighbours, the smallest first, but for those of
+/// parts where all do: sheets that lie on each other everywhere are folded onto nothing.
+std::vector<Index> find_candidates(const std::vector<Patch>& patches) {
+  DisjointSets parts(patches.size());
+  for (Index i = 0; i < patches.size(); ++i) {
+    for (const Index other : patches[i].neighbours) parts.unite(i, other);
+  }
+  std::vector<std::uint8_t> has_ground(patches.size(), 0);
+  for (Index i = 0; i < patches.size(); ++i) {
+    if (!patches[i].distance) has_ground[parts.find(i)] = 1;
+  }
+  std::vector<Index> candidates;
+  for (Index i = 0; i < patches.size(); ++i) {
+    if (patches[i].distance && has_ground[parts.find(i)] != 0) candidates.push_back(i);
+  }
+  std::sort(candidates.begin(), candidates.end(), [&](Index a, Index b) {
+    const auto key = [&](Index i) {
+      return std::tuple(patches[i].area, patches[i].faces.size(), patches[i].faces.front());
+    };
+    return key(a) < key(b);
+  });
+  return candidates;
+}
+
+/// Decides which patches are foldovers, the smallest first: those that lie on neighbours which are
+/// none themselves.
+///
+/// @return Their numbers, ascending.
+std::vector<Index> choose_foldovers(std::vector<Patch>& patches, SheetCover& cover) {
+  std::vector<std::uint8_t> is_foldover(patches.size(), 0);
+  for (const Index i : find_candidates(patches)) {
+    std::vector<Index> under;
+    for (const Index other : patches[i].neighbours) {
+      if (is_foldover[other] == 0) under.push_back(other);
+    }
+    if (under.empty()) continue;
+    if (under.size() < patches[i].neighbours.size()) {
+      patches[i].distance = cover.measure({patches[i].faces, under});
+    }
+    is_foldover[i] = patches[i].distance ? 1 : 0;
+  }
+  std::vector<Index> foldovers;
+  for (Index i = 0; i < patches.size(); ++i) {
+    if (is_foldover[i] != 0) foldovers.push_back(i);
+  }
+  return foldovers;
+}
+
+Defect describe(const BuiltMesh& mesh, const Patch& patch, double height_tolerance) {
+  const CutMesh& cut = mesh.cut();
+  Defect defect = make_defect(DefectCode::Foldover);
+  for (const Index f : patch.faces) defect.faces.push_back(cut.side.faces[f]);
+  for (const HalfedgeHandle h : patch.folds) {
+    const auto [from, to] = file_ends(cut, h);
+    defect.edges.push_back({std::min(from, to), std::max(from, to)});
+  }
+  std::sort(defect.edges.begin(), defect.edges.end());
+  defect.positions = middle_of_face(mesh.soup(), defect.faces.front());
+  defect.value = patch.distance;
+  defect.limit = height_tolerance;
+  return defect;
+}
+
+}  // namespace
+
+std::vector<Defect> find_foldovers(const BuiltMesh& mesh, const Tolerances& tolerances) {
+  const std::vector<HalfedgeHandle> folds =
+      find_folds(mesh.cut().mesh, tolerances.max_foldover_angle);
+  if (folds.empty()) return {};
+  FoldedPatches folded(mesh.cut(), folds);
+  std::vector<Patch>& patches = folded.patches();
+  if (patches.empty()) return {};
+  SheetCover cover(mesh, folded.of_face(), tolerances.height);
+  for (Patch& patch : patches) {
+    if (has_room(patches, patch)) patch.distance = cover.measure({patch.faces, patch.neighbours});
+  }
+  std::vector<Defect> defects;
+  for (const Index i : choose_foldovers(patches, cover)) {
+    defects.push_back(describe(mesh, patches[i], tolerances.height));
+  }
+  return defects;
+}
+
+}  // namespace meshalyzer

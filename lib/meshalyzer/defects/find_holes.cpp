@@ -1,0 +1,71 @@
+#include "meshalyzer/defects/catalogue.h"
+#include "meshalyzer/defects/finders.h"
+#include "meshalyzer/topology/boundary.h"
+#include "meshalyzer/topology/edges.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+using Edge = std::array<Index, 2>;
+
+std::vector<Edge> edges_of(const CutMesh& cut, const BoundaryLoop& loop) {
+  std::vector<Edge> edges;
+  edges.reserve(loop.halfedges.size());
+  for (const HalfedgeHandle h : loop.halfedges) {
+    const auto [from, to] = file_ends(cut, h);
+    edges.push_back({std::min(from, to), std::max(from, to)});
+  }
+  return edges;
+}
+
+/// All edges of slits, in order.
+std::vector<Edge> slit_edges(const std::vector<Defect>& slits) {
+  std::vector<Edge> edges;
+  for (const Defect& slit : slits) edges.insert(edges.end(), slit.edges.begin(), slit.edges.end());
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// The mean of the middles of edges.
+Vec3 centre(const Soup& soup, const std::vector<Edge>& edges) {
+  Vec3 sum = Vec3::Zero();
+  const auto share = 2.0 * static_cast<double>(edges.size());
+  for (const auto& [a, b] : edges) {
+    // Divided first, so that nothing overflows.
+    sum += soup.positions[a] / share + soup.positions[b] / share;
+  }
+  return sum;
+}
+
+double length(const Soup& soup, const std::vector<Edge>& edges) {
+  double sum = 0.0;
+  for (const auto& [a, b] : edges) sum += (soup.positions[b] - soup.positions[a]).stableNorm();
+  return sum;
+}
+
+}  // namespace
+
+std::vector<Defect> find_holes(const BuiltMesh& mesh, const std::vector<Defect>& slits) {
+  std::vector<Defect> defects;
+  const std::vector<BoundaryLoop> loops = find_boundary_loops(mesh.cut());
+  if (loops.empty()) return defects;
+  const std::vector<Edge> slit = slit_edges(slits);
+  for (const BoundaryLoop& loop : loops) {
+    std::vector<Edge> edges = edges_of(mesh.cut(), loop);
+    const bool is_slit = std::all_of(edges.begin(), edges.end(), [&](const Edge& edge) {
+      return std::binary_search(slit.begin(), slit.end(), edge);
+    });
+    if (is_slit) continue;
+    Defect& defect = defects.emplace_back(make_defect(DefectCode::Hole));
+    defect.positions = {centre(mesh.soup(), edges)};
+    defect.value = length(mesh.soup(), edges);
+    defect.edges = std::move(edges);
+  }
+  return defects;
+}
+
+}  // namespace meshalyzer

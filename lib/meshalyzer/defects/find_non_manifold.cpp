@@ -1,0 +1,94 @@
+#include "meshalyzer/defects/catalogue.h"
+#include "meshalyzer/defects/faces_at.h"
+#include "meshalyzer/defects/finders.h"
+#include "meshalyzer/defects/places.h"
+#include "meshalyzer/topology/disjoint_sets.h"
+#include "meshalyzer/topology/edges.h"
+#include "meshalyzer/topology/manifold.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+
+namespace meshalyzer {
+namespace {
+
+std::vector<Defect> find_crowded_edges(const BuiltMesh& mesh) {
+  const CutMesh& cut = mesh.cut();
+  const CutEdges& edges = cut.side.non_manifold_edges;
+  std::vector<Defect> defects;
+  defects.reserve(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto halfedges = edges[i].halfedges;
+    auto ends = file_ends(cut, halfedges[0]);
+    std::sort(ends.begin(), ends.end());
+    Defect& defect = defects.emplace_back(make_defect(DefectCode::NonManifold));
+    defect.edges = {ends};
+    for (const HalfedgeHandle h : halfedges) {
+      defect.faces.push_back(cut.side.face(cut.mesh.face_handle(h)));
+    }
+    defect.positions = {middle_of_edge(mesh.soup(), ends)};
+    defect.value = static_cast<double>(halfedges.size());
+  }
+  return defects;
+}
+
+/// Mesh vertices that are one fan of the complex: a fan that passes flipped edges is cut there.
+DisjointSets join_through_flipped_edges(const CutMesh& cut) {
+  DisjointSets fans(cut.mesh.n_vertices());
+  const auto unite = [&](VertexHandle a, VertexHandle b) {
+    fans.unite(static_cast<Index>(a.idx()), static_cast<Index>(b.idx()));
+  };
+  const CutEdges& flipped = cut.side.flipped_edges;
+  for (std::size_t i = 0; i < flipped.size(); ++i) {
+    const HalfedgeHandle a = flipped[i].halfedges[0];
+    const HalfedgeHandle b = flipped[i].halfedges[1];
+    unite(cut.mesh.from_vertex_handle(a), cut.mesh.from_vertex_handle(b));
+    unite(cut.mesh.to_vertex_handle(a), cut.mesh.to_vertex_handle(b));
+  }
+  return fans;
+}
+
+std::size_t count_sets(DisjointSets& sets, const std::vector<VertexHandle>& vertices) {
+  std::vector<Index> names;
+  for (const VertexHandle v : vertices) names.push_back(sets.find(static_cast<Index>(v.idx())));
+  std::sort(names.begin(), names.end());
+  return static_cast<std::size_t>(std::unique(names.begin(), names.end()) - names.begin());
+}
+
+std::vector<Defect> find_pinches(const BuiltMesh& mesh) {
+  const CutMesh& cut = mesh.cut();
+  const std::vector<Index> pinched = find_pinched_vertices(cut);
+  if (pinched.empty()) return {};
+  DisjointSets fans = join_through_flipped_edges(cut);
+  std::vector<Defect> defects;
+  defects.reserve(pinched.size());
+  for (const Index v : pinched) {
+    Defect& defect = defects.emplace_back(make_defect(DefectCode::NonManifold));
+    defect.vertices = {v};
+    defect.faces = faces_at(cut, v);
+    defect.positions = {mesh.soup().positions[v]};
+    defect.value = static_cast<double>(count_sets(fans, mesh_vertices(cut, v)));
+  }
+  return defects;
+}
+
+Index lowest_vertex(const Defect& defect) {
+  return defect.edges.empty() ? defect.vertices[0] : defect.edges[0][0];
+}
+
+}  // namespace
+
+std::vector<Defect> find_non_manifold(const BuiltMesh& mesh) {
+  std::vector<Defect> edges = find_crowded_edges(mesh);
+  std::vector<Defect> vertices = find_pinches(mesh);
+  std::vector<Defect> defects;
+  defects.reserve(edges.size() + vertices.size());
+  std::merge(std::make_move_iterator(edges.begin()), std::make_move_iterator(edges.end()),
+             std::make_move_iterator(vertices.begin()), std::make_move_iterator(vertices.end()),
+             std::back_inserter(defects),
+             [](const Defect& a, const Defect& b) { return lowest_vertex(a) < lowest_vertex(b); });
+  return defects;
+}
+
+}  // namespace meshalyzer

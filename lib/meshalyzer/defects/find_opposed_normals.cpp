@@ -1,0 +1,115 @@
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/defects/catalogue.h"
+#include "meshalyzer/defects/faces_at.h"
+#include "meshalyzer/defects/finders.h"
+#include "meshalyzer/exact/facing.h"
+
+#include <algorithm>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// A normal given at a vertex, by record.
+struct GivenNormal {
+  Index vertex;
+  Index normal;
+
+  friend auto operator<=>(const GivenNormal&, const GivenNormal&) = default;
+};
+
+/// How a face stands to a normal at one of its vertices.
+enum class Say : std::uint8_t {
+  /// It has no area, or is not in the complex.
+  None,
+  Opposed,
+  /// Along it, or on the right side of it.
+  NotOpposed,
+};
+
+Say say_of(const Soup& soup, Index face, const Vec3& normal) {
+  const Triangle& t = soup.triangles[face];
+  if (!is_in_complex(t)) return Say::None;
+  const Vec3& a = soup.positions[t[0]];
+  const Vec3& b = soup.positions[t[1]];
+  const Vec3& c = soup.positions[t[2]];
+  const Sign sign = facing(normal, a, b, c);
+  if (sign < 0) return Say::Opposed;
+  return sign == 0 && are_collinear(a, b, c) ? Say::None : Say::NotOpposed;
+}
+
+/// The normals that the face they are given for does not clear of being opposed: in a mesh that is
+/// right there are none but in faces of zero area.
+std::vector<GivenNormal> find_suspects(const Soup& soup) {
+  const auto parts = map_chunks<std::vector<GivenNormal>>(soup.n_faces(), [&](Chunk chunk) {
+    std::vector<GivenNormal> suspects;
+    for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
+      const auto face = static_cast<Index>(f);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index vertex = soup.triangles[f][k];
+        const Index normal = soup.corner_normals[f][k];
+        if (vertex == kNoIndex || normal == kNoIndex) continue;
+        const Vec3& direction = soup.normals[normal];
+        if (direction.allFinite() && say_of(soup, face, direction) != Say::NotOpposed) {
+          suspects.push_back({vertex, normal});
+        }
+      }
+    }
+    return suspects;
+  });
+  std::vector<GivenNormal> suspects;
+  for (const auto& part : parts) suspects.insert(suspects.end(), part.begin(), part.end());
+  std::sort(suspects.begin(), suspects.end());
+  suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
+  return suspects;
+}
+
+/// Whether a normal is opposed to all faces that have a say, and there is one. The face that
+/// objects comes to the front: it is likely to object to the next normal at the vertex too.
+bool is_opposed(const Soup& soup, std::vector<Index>& faces, const Vec3& normal) {
+  bool any = false;
+  for (Index& face : faces) {
+    const Say say = say_of(soup, face, normal);
+    if (say == Say::NotOpposed) {
+      std::swap(face, faces.front());
+      return false;
+    }
+    any = any || say == Say::Opposed;
+  }
+  return any;
+}
+
+/// @param suspects  Those of one vertex.
+bool has_opposed_normal(const BuiltMesh& mesh, std::span<const GivenNormal> suspects) {
+  std::vector<Index> faces = faces_at(mesh.cut(), suspects.front().vertex);
+  return std::any_of(suspects.begin(), suspects.end(), [&](const GivenNormal& given) {
+    return is_opposed(mesh.soup(), faces, mesh.soup().normals[given.normal]);
+  });
+}
+
+}  // namespace
+
+std::vector<Defect> find_opposed_normals(const BuiltMesh& mesh) {
+  const Soup& soup = mesh.soup();
+  if (soup.corner_normals.empty()) return {};
+  const std::vector<GivenNormal> suspects = find_suspects(soup);
+  std::vector<Defect> defects;
+  for (auto first = suspects.begin(); first != suspects.end();) {
+    const Index vertex = first->vertex;
+    const auto last = std::find_if(
+        first, suspects.end(), [&](const GivenNormal& given) { return given.vertex != vertex; });
+    if (has_opposed_normal(mesh, {first, last})) {
+      Defect& defect = defects.emplace_back(make_defect(DefectCode::VertexNormal));
+      defect.vertices = {vertex};
+      defect.positions = {soup.positions[vertex]};
+    }
+    first = last;
+  }
+  return defects;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,84 @@
+#include "meshalyzer/defects/catalogue.h"
+#include "meshalyzer/defects/finders.h"
+#include "meshalyzer/defects/places.h"
+#include "meshalyzer/topology/disjoint_sets.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// The faces of all pairs, ascending.
+std::vector<Index> faces_of(std::span<const IntersectingPair> pairs) {
+  std::vector<Index> faces;
+  faces.reserve(2 * pairs.size());
+  for (const IntersectingPair& pair : pairs) {
+    faces.push_back(pair.face_a);
+    faces.push_back(pair.face_b);
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+std::size_t place_in(std::span<const Index> sorted, Index face) {
+  return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), face) -
+                                  sorted.begin());
+}
+
+/// Whether another fix takes such a pair away with what it mends.
+bool is_matter_of_another_fix(ContactKind kind) {
+  return kind == ContactKind::Duplicate || kind == ContactKind::Unwelded ||
+         kind == ContactKind::FoldOver;
+}
+
+/// Joins faces, by their place in a list, that intersect or have a vertex in common.
+DisjointSets join(const Soup& soup, std::span<const Index> faces,
+                  std::span<const IntersectingPair> pairs) {
+  DisjointSets sets(faces.size());
+  std::vector<Index> face_at(soup.n_vertices(), kNoIndex);
+  for (Index i = 0; i < faces.size(); ++i) {
+    for (const Index v : soup.triangles[faces[i]]) {
+      if (face_at[v] == kNoIndex) face_at[v] = i;
+      sets.unite(face_at[v], i);
+    }
+  }
+  for (const IntersectingPair& pair : pairs) {
+    sets.unite(static_cast<Index>(place_in(faces, pair.face_a)),
+               static_cast<Index>(place_in(faces, pair.face_b)));
+  }
+  return sets;
+}
+
+}  // namespace
+
+std::vector<Defect> find_self_intersection_patches(const BuiltMesh& mesh) {
+  const std::vector<IntersectingPair>& pairs = mesh.intersecting_pairs();
+  if (pairs.empty()) return {};
+  const std::vector<Index> faces = faces_of(pairs);
+  DisjointSets sets = join(mesh.soup(), faces, pairs);
+  std::vector<Defect> defects;
+  std::vector<Index> number(faces.size(), kNoIndex);
+  for (Index i = 0; i < faces.size(); ++i) {
+    const Index root = sets.find(i);
+    if (root == i) {
+      number[i] = static_cast<Index>(defects.size());
+      Defect& defect = defects.emplace_back(make_defect(DefectCode::SelfIntersection));
+      defect.positions = middle_of_face(mesh.soup(), faces[i]);
+    }
+    defects[number[root]].faces.push_back(faces[i]);
+  }
+  for (const IntersectingPair& pair : pairs) {
+    const Index root = sets.find(static_cast<Index>(place_in(faces, pair.face_a)));
+    Defect& defect = defects[number[root]];
+    defect.pairs.push_back(pair);
+    defect.fixable = defect.fixable && is_matter_of_another_fix(pair.kind);
+  }
+  for (Defect& defect : defects) defect.value = static_cast<double>(defect.pairs.size());
+  return defects;
+}
+
+}  // namespace meshalyzer

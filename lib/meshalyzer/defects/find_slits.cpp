@@ -1,0 +1,235 @@
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/defects/catalogue.h"
+#include "meshalyzer/defects/finders.h"
+#include "meshalyzer/defects/places.h"
+#include "meshalyzer/defects/segment_grid.h"
+#include "meshalyzer/topology/border.h"
+#include "meshalyzer/topology/disjoint_sets.h"
+#include "meshalyzer/topology/edges.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+struct BorderEdge {
+  /// File vertices, the smaller first.
+  std::array<Index, 2> ends;
+  /// Of the mesh.
+  FaceHandle face;
+};
+
+std::vector<BorderEdge> border_edges(const CutMesh& cut) {
+  std::vector<BorderEdge> edges;
+  for (const HalfedgeHandle h : find_border_edges(cut)) {
+    const auto [from, to] = file_ends(cut, h);
+    edges.push_back({{std::min(from, to), std::max(from, to)}, cut.mesh.face_handle(h)});
+  }
+  return edges;
+}
+
+std::uint64_t hash_of(const Vec3& p) {
+  std::uint64_t hash = 0;
+  for (const double x : p) {
+    // Adding 0.0 makes -0.0 the same as 0.0.
+    hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15U;
+    hash ^= hash >> 32U;
+  }
+  return hash;
+}
+
+/// Gives all vertices that are at exactly the same place the same name: the lowest of them. Of
+/// vertices that no border edge has nothing is said.
+std::vector<Index> names_of_places(const Soup& soup, std::span<const BorderEdge> edges) {
+  std::vector<Index> names(soup.n_vertices(), kNoIndex);
+  std::size_t n_ends = 0;
+  for (const BorderEdge& edge : edges) {
+    for (const Index v : edge.ends) {
+      n_ends += names[v] == kNoIndex ? 1 : 0;
+      names[v] = v;
+    }
+  }
+  // A table with open addressing; vertices come to it in ascending order.
+  std::vector<Index> slots(std::bit_ceil(2 * n_ends), kNoIndex);
+  for (Index& name : names) {
+    if (name == kNoIndex) continue;
+    const Vec3& place = soup.positions[name];
+    std::size_t slot = hash_of(place) & (slots.size() - 1);
+    while (slots[slot] != kNoIndex && soup.positions[slots[slot]] != place) {
+      slot = (slot + 1) & (slots.size() - 1);
+    }
+    if (slots[slot] == kNoIndex) slots[slot] = name;
+    name = slots[slot];
+  }
+  return names;
+}
+
+/// Border edges that lie on each other, as far as they are known.
+class Slits {
+ public:
+  explicit Slits(std::span<const BorderEdge> edges)
+      : edges_(edges), sets_(edges.size()), gaps_(edges.size(), kNone) {}
+
+  void pair(Index a, Index b, double gap) {
+    // Two sides of a needle are no slit: there is surface between them.
+    if (edges_[a].face == edges_[b].face) return;
+    gaps_[a] = std::min(gaps_[a], gap);
+    gaps_[b] = std::min(gaps_[b], gap);
+    sets_.unite(a, b);
+  }
+  [[nodiscard]] bool is_slit(Index edge) const { return gaps_[edge] != kNone; }
+
+  /// Joins pairs that have a vertex in common to chains.
+  void join_at_vertices(std::size_t n_vertices);
+  /// One defect a chain.
+  [[nodiscard]] std::vector<Defect> chains(const Soup& soup, double tolerance);
+
+ private:
+  static constexpr double kNone = std::numeric_limits<double>::infinity();
+
+  std::span<const BorderEdge> edges_;
+  DisjointSets sets_;
+  /// #edges: between it and the nearest that it lies on.
+  std::vector<double> gaps_;
+};
+
+void Slits::join_at_vertices(std::size_t n_vertices) {
+  std::vector<Index> edge_at(n_vertices, kNoIndex);
+  for (Index e = 0; e < edges_.size(); ++e) {
+    if (!is_slit(e)) continue;
+    for (const Index v : edges_[e].ends) {
+      if (edge_at[v] == kNoIndex) edge_at[v] = e;
+      sets_.unite(edge_at[v], e);
+    }
+  }
+}
+
+std::vector<Defect> Slits::chains(const Soup& soup, double tolerance) {
+  std::vector<Defect> defects;
+  std::vector<Index> number(edges_.size(), kNoIndex);
+  for (Index e = 0; e < edges_.size(); ++e) {
+    if (!is_slit(e)) continue;
+    const Index root = sets_.find(e);
+    if (number[root] == kNoIndex) {
+      number[root] = static_cast<Index>(defects.size());
+      Defect& defect = defects.emplace_back(make_defect(DefectCode::Slit));
+      defect.positions = {middle_of_edge(soup, edges_[e].ends)};
+      defect.value = 0.0;
+      defect.limit = tolerance;
+    }
+    Defect& defect = defects[number[root]];
+    defect.edges.push_back(edges_[e].ends);
+    defect.value = std::max(*defect.value, gaps_[e]);
+  }
+  return defects;
+}
+
+struct NamedEdge {
+  /// Names of the places of its ends, the smaller in the upper half.
+  std::uint64_t places;
+  Index edge;
+  friend auto operator<=>(const NamedEdge&, const NamedEdge&) = default;
+};
+
+/// Border edges in order of their places, so that those at exactly the same ones follow each other.
+/// Edges of length 0 are none.
+std::vector<NamedEdge> by_place(const Soup& soup, std::span<const BorderEdge> edges) {
+  const std::vector<Index> names = names_of_places(soup, edges);
+  std::vector<NamedEdge> named;
+  for (Index e = 0; e < edges.size(); ++e) {
+    const Index a = names[edges[e].ends[0]];
+    const Index b = names[edges[e].ends[1]];
+    if (a != b) named.push_back({std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), e});
+  }
+  std::sort(named.begin(), named.end());
+  return named;
+}
+
+/// Pairs the edges that are at exactly the same places, the first with all others.
+///
+/// @return One edge for each pair of places.
+std::vector<Index> pair_equal(std::span<const NamedEdge> named, std::span<const BorderEdge> edges,
+                              Slits& slits) {
+  std::vector<Index> firsts;
+  for (std::size_t begin = 0, end = 0; begin < named.size(); begin = end) {
+    const Index first = named[begin].edge;
+    firsts.push_back(first);
+    Index of_other_face = kNoIndex;
+    for (end = begin; end < named.size() && named[end].places == named[begin].places; ++end) {
+      const Index edge = named[end].edge;
+      if (edges[edge].face != edges[first].face) {
+        slits.pair(first, edge, 0.0);
+        of_other_face = edge;
+      }
+    }
+    if (of_other_face == kNoIndex) continue;
+    for (std::size_t i = begin; i < end; ++i) slits.pair(named[i].edge, of_other_face, 0.0);
+  }
+  std::sort(firsts.begin(), firsts.end());
+  return firsts;
+}
+
+/// Two segments that lie on each other, by number, the lower first.
+struct NearPair {
+  Index first = 0;
+  Index second = 0;
+  double gap = 0.0;
+};
+
+/// Finds the pairs whose ends are within the tolerance, in order of their first.
+std::vector<std::vector<NearPair>> find_near(std::span<const Segment> segments, double tolerance) {
+  const SegmentGrid grid(segments, tolerance);
+  return map_chunks<std::vector<NearPair>>(segments.size(), [&](Chunk chunk) {
+    std::vector<NearPair> pairs;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      grid.visit_near(segments[i], [&](Index j) {
+        if (j <= i) return;
+        const double gap = gap_between(segments[i], segments[j]);
+        if (gap <= tolerance) pairs.push_back({static_cast<Index>(i), j, gap});
+      });
+    }
+    return pairs;
+  });
+}
+
+/// Pairs edges whose ends are within the tolerance. Those that are no longer than it themselves
+/// would be near whatever is there.
+void pair_near(const Soup& soup, std::span<const BorderEdge> edges, std::span<const Index> firsts,
+               double tolerance, Slits& slits) {
+  std::vector<Segment> segments;
+  std::vector<Index> edge_of;
+  for (const Index e : firsts) {
+    const auto [a, b] = edges[e].ends;
+    const Segment segment{soup.positions[a], soup.positions[b]};
+    if (gap_between({segment[0], segment[0]}, {segment[1], segment[1]}) <= tolerance) continue;
+    segments.push_back(segment);
+    edge_of.push_back(e);
+  }
+  for (const std::vector<NearPair>& pairs : find_near(segments, tolerance)) {
+    for (const NearPair& pair : pairs) {
+      slits.pair(edge_of[pair.first], edge_of[pair.second], pair.gap);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Defect> find_slits(const BuiltMesh& mesh, const Tolerances& tolerances) {
+  const Soup& soup = mesh.soup();
+  const std::vector<BorderEdge> edges = border_edges(mesh.cut());
+  if (edges.empty()) return {};
+  Slits slits(edges);
+  const std::vector<Index> firsts = pair_equal(by_place(soup, edges), edges, slits);
+  if (tolerances.slit > 0.0) pair_near(soup, edges, firsts, tolerances.slit, slits);
+  slits.join_at_vertices(soup.n_vertices());
+  return slits.chains(soup, tolerances.slit);
+}
+
+}  // namespace meshalyzer

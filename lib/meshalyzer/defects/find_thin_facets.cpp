@@ -1,0 +1,160 @@
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/defects/catalogue.h"
+#include "meshalyzer/defects/finders.h"
+#include "meshalyzer/defects/places.h"
+#include "meshalyzer/exact/normal.h"
+#include "meshalyzer/exact/predicates.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <limits>
+
+namespace meshalyzer {
+namespace {
+
+using Places = std::array<Vec3, 3>;
+
+/// Neither overflows early nor loses digits to underflow.
+double distance(const Vec3& from, const Vec3& to) {
+  const Vec3 difference = to - from;
+  const double size = difference.cwiseAbs().maxCoeff();
+  return size > 1e-100 && size < 1e100 ? difference.norm() : difference.stableNorm();
+}
+
+/// Lengths of the edges from corner k to corner k + 1.
+std::array<double, 3> edge_lengths(const Places& p) {
+  return {distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[0])};
+}
+
+Vec3 difference_in_units(const Vec3& from, const Vec3& to, double unit) {
+  return unit > 1.0 ? Vec3((to / 2 - from / 2) / (unit / 2)) : Vec3((to - from) / unit);
+}
+
+/// Twice the area by the longest edge, which is what all is measured in.
+double altitude_in_units(const Places& p, double longest) {
+  const double unit = std::min(longest, std::numeric_limits<double>::max());
+  const Vec3 u = difference_in_units(p[0], p[1], unit);
+  const Vec3 v = difference_in_units(p[0], p[2], unit);
+  return accurate_normal(Vec3::Zero(), u, v).stableNorm() * unit;
+}
+
+/// The shortest altitude: that on the longest edge. 0 exactly where the corners are collinear.
+double shortest_altitude(const Places& p, double longest) {
+  // Squares of lengths in this range neither overflow nor underflow.
+  const bool is_usual = longest > 1e-100 && longest < 1e100;
+  if (are_collinear(p[0], p[1], p[2])) return 0.0;
+  const double altitude = is_usual ? accurate_normal(p[0], p[1], p[2]).stableNorm() / longest
+                                   : altitude_in_units(p, longest);
+  return std::max(altitude, std::numeric_limits<double>::denorm_min());
+}
+
+/// Tells most faces that are not thin at a glance.
+class Glance {
+ public:
+  /// Squares beyond the range of double become 0 or infinite; then the glance is all the same right
+  /// in what it is sure of.
+  explicit Glance(double tolerance) : least_(tolerance * tolerance * 1.0001) {}
+
+  /// Whether no edge and no altitude is below the tolerance, or 0, for sure. Never of a face that
+  /// names a vertex twice.
+  [[nodiscard]] bool is_surely_thick(const Places& p) const {
+    const Vec3 u = p[1] - p[0];
+    const Vec3 v = p[2] - p[0];
+    const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
+    const double twice_area = u.cross(v).squaredNorm();
+    // The altitude on the longest edge is the shortest, and no longer than any edge. The product
+    // has lost nothing that matters where the face is no sliver: see accurate_normal().
+    return longest > 1e-140 && longest < 1e140 && twice_area > 2e-11 * longest * longest &&
+           twice_area > least_ * longest;
+  }
+
+ private:
+  double least_;
+};
+
+/// Looks at the faces of a soup one by one.
+class ThinFacetFinder {
+ public:
+  ThinFacetFinder(const Soup& soup, double tolerance)
+      : soup_(soup), tolerance_(tolerance), glance_(tolerance) {}
+
+  [[nodiscard]] std::vector<Defect> find_in(Chunk chunk) const {
+    std::vector<Defect> found;
+    for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
+      const Triangle& t = soup_.triangles[f];
+      if (std::find(t.begin(), t.end(), kNoIndex) != t.end()) continue;
+      const Places p{soup_.positions[t[0]], soup_.positions[t[1]], soup_.positions[t[2]]};
+      if (!glance_.is_surely_thick(p)) look_closely(static_cast<Index>(f), p, found);
+    }
+    return found;
+  }
+
+ private:
+  [[nodiscard]] bool is_short(double length) const { return length < tolerance_ || length == 0.0; }
+
+  void look_closely(Index face, const Places& p, std::vector<Defect>& found) const {
+    const std::array<double, 3> lengths = edge_lengths(p);
+    const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
+    if (is_short(*shortest)) {
+      found.push_back(degenerate(face, lengths));
+      return;
+    }
+    const double altitude = shortest_altitude(p, *longest);
+    if (!is_short(altitude)) return;
+    Defect& defect = found.emplace_back(make_defect(DefectCode::FlatFacet));
+    defect.faces = {face};
+    defect.positions = middle_of_face(soup_, face);
+    defect.value = altitude;
+    defect.limit = tolerance_;
+  }
+
+  /// A vertex that is named twice is at an edge of length 0.
+  [[nodiscard]] Defect degenerate(Index face, const std::array<double, 3>& lengths) const {
+    const Triangle& t = soup_.triangles[face];
+    const auto shortest = static_cast<std::size_t>(
+        std::min_element(lengths.begin(), lengths.end()) - lengths.begin());
+    Defect defect = make_defect(DefectCode::DegenerateFacet);
+    defect.faces = {face};
+    defect.positions = {middle_of_edge(soup_, {t[shortest], t[(shortest + 1) % 3]})};
+    defect.value = lengths[shortest];
+    defect.limit = tolerance_;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
+      if (low == high) {
+        defect.vertices = {low};
+      } else if (is_short(lengths[k])) {
+        defect.edges.push_back({low, high});
+      }
+    }
+    sort_once(defect.edges);
+    return defect;
+  }
+
+  /// Of a face that names a vertex twice, two sides are one edge.
+  static void sort_once(std::vector<std::array<Index, 2>>& edges) {
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  }
+
+  const Soup& soup_;
+  double tolerance_;
+  Glance glance_;
+};
+
+}  // namespace
+
+std::vector<Defect> find_thin_facets(const BuiltMesh& mesh, const Tolerances& tolerances) {
+  const Soup& soup = mesh.soup();
+  const ThinFacetFinder finder(soup, tolerances.degeneracy);
+  auto parts = map_chunks<std::vector<Defect>>(soup.n_faces(),
+                                               [&](Chunk chunk) { return finder.find_in(chunk); });
+  std::vector<Defect> defects;
+  for (std::vector<Defect>& part : parts) {
+    defects.insert(defects.end(), std::make_move_iterator(part.begin()),
+                   std::make_move_iterator(part.end()));
+  }
+  return defects;
+}
+
+}  // namespace meshalyzer

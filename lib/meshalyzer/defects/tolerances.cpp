@@ -1,0 +1,97 @@
+#include "meshalyzer/defects/tolerances.h"
+
+#include "meshalyzer/base/error.h"
+#include "meshalyzer/base/numbers.h"
+#include "meshalyzer/base/parallel.h"
+
+#include <cmath>
+#include <string_view>
+
+namespace meshalyzer {
+namespace {
+
+/// A share of the diagonal of a box, whose own length may be too large for a double.
+double share_of_diagonal(double share, const Box3& box) {
+  if (box.isEmpty()) return 0.0;
+  const Vec3 quarter = box.max() / 4 - box.min() / 4;
+  return quarter.stableNorm() * (4 * share);
+}
+
+void require_length(std::string_view name, const std::optional<double>& length) {
+  if (!length || (std::isfinite(*length) && *length >= 0.0)) return;
+  std::string what(name);
+  what += " is ";
+  append_shortest(what, *length);
+  what += ", which is no length";
+  throw InvalidArgument(what);
+}
+
+void require_valid(const ToleranceOptions& options) {
+  require_length("the tolerance", options.tolerance);
+  require_length("the degeneracy tolerance", options.degeneracy);
+  require_length("the slit tolerance", options.slit);
+  require_length("the height tolerance", options.height);
+  const double angle = options.max_foldover_angle;
+  if (angle >= 0.0 && angle <= 180.0) return;
+  std::string what = "the max fold-over angle is ";
+  append_shortest(what, angle);
+  what += " degrees, which is not within 0 and 180";
+  throw InvalidArgument(what);
+}
+
+struct NamedLength {
+  std::string_view name;
+  double value;
+};
+
+std::string named(const NamedLength& length) {
+  std::string text = "the ";
+  text += length.name;
+  text += " tolerance (";
+  append_shortest(text, length.value);
+  text += ')';
+  return text;
+}
+
+}  // namespace
+
+Box3 used_box(const Soup& soup) {
+  const auto boxes = map_chunks<Box3>(soup.n_faces(), [&](Chunk chunk) {
+    Box3 box;
+    for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
+      const Triangle& t = soup.triangles[f];
+      if (!is_in_complex(t)) continue;
+      for (const Index v : t) box.extend(soup.positions[v]);
+    }
+    return box;
+  });
+  Box3 box;
+  for (const Box3& part : boxes) box.extend(part);
+  return box;
+}
+
+Tolerances resolve_tolerances(const ToleranceOptions& options, const Box3& box) {
+  require_valid(options);
+  const double common =
+      options.tolerance ? *options.tolerance : share_of_diagonal(kDefaultTolerance, box);
+  return {.degeneracy = options.degeneracy.value_or(common),
+          .slit = options.slit.value_or(common),
+          .height = options.height.value_or(common),
+          .max_foldover_angle = options.max_foldover_angle};
+}
+
+std::vector<std::string> inconsistencies(const Tolerances& tolerances) {
+  std::vector<std::string> sentences;
+  const NamedLength degeneracy{"degeneracy", tolerances.degeneracy};
+  for (const NamedLength& other :
+       {NamedLength{"slit", tolerances.slit}, NamedLength{"height", tolerances.height}}) {
+    if (other.value < degeneracy.value) {
+      sentences.push_back(named(other));
+      sentences.back() += " is below ";
+      sentences.back() += named(degeneracy);
+    }
+  }
+  return sentences;
+}
+
+}  // namespace meshalyzer
