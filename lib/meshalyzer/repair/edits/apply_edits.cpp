@@ -1,0 +1,165 @@
+#include "meshalyzer/repair/edits/apply_edits.h"
+
+#include "meshalyzer/repair/edits/edited_faces.h"
+#include "meshalyzer/repair/edits/edited_normals.h"
+#include "meshalyzer/repair/edits/fresh_ids.h"
+#include "meshalyzer/repair/edits/skipped_operations.h"
+
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// What is edited, and the faces that come of it.
+struct Work {
+  const Draft& draft;
+  const Edits& edits;
+  const SkippedOperations& skipped;
+  EditedFaces faces;
+};
+
+/// Where the vertices of a soup, and those added to it, go.
+struct VertexMoves {
+  /// #old + #added vertices: the new index of each; kNoIndex for those that go.
+  std::vector<Index> new_index;
+  /// By new vertex: the old one it is, or #old + the number of the added one. Ascending.
+  std::vector<Index> sources;
+};
+
+/// Non-zero for each vertex that a face names.
+std::vector<std::uint8_t> used_vertices(std::span<const Triangle> triangles, std::size_t n) {
+  std::vector<std::uint8_t> used(n, 0);
+  for (const Triangle& triangle : triangles) {
+    for (const Index v : triangle) {
+      if (v != kNoIndex) used[v] = 1;
+    }
+  }
+  return used;
+}
+
+/// Drops vertices that are asked to go, and those that have lost their last face.
+VertexMoves move_vertices(const Work& work) {
+  const std::size_t n_old = work.draft.soup.n_vertices();
+  const std::size_t n = n_old + work.edits.added_vertices.size();
+  const auto used_before = used_vertices(work.draft.soup.triangles, n_old);
+  const auto used_now = used_vertices(work.faces.triangles, n);
+  std::vector<std::uint8_t> goes(n, 0);
+  for (std::size_t v = 0; v < n; ++v) {
+    goes[v] = used_now[v] == 0 && (v >= n_old || used_before[v] != 0) ? 1 : 0;
+  }
+  for (const Edits::RemovedVertex& removed : work.edits.removed_vertices) {
+    if (!work.skipped(removed.op) && used_now[removed.vertex] == 0) goes[removed.vertex] = 1;
+  }
+  VertexMoves moves;
+  moves.new_index.assign(n, kNoIndex);
+  for (std::size_t v = 0; v < n; ++v) {
+    if (goes[v] != 0) continue;
+    moves.new_index[v] = static_cast<Index>(moves.sources.size());
+    moves.sources.push_back(static_cast<Index>(v));
+  }
+  return moves;
+}
+
+std::vector<Vec3> edited_positions(const Work& work, const VertexMoves& moves) {
+  const std::vector<Vec3>& old = work.draft.soup.positions;
+  std::vector<Vec3> positions;
+  positions.reserve(moves.sources.size());
+  for (const Index v : moves.sources) {
+    positions.push_back(v < old.size() ? old[v]
+                                       : work.edits.added_vertices[v - old.size()].position);
+  }
+  for (const Edits::MovedVertex& moved : work.edits.moved_vertices) {
+    const Index v = moves.new_index[moved.vertex];
+    if (!work.skipped(moved.op) && v != kNoIndex) positions[v] = moved.to;
+  }
+  return positions;
+}
+
+/// The key of the input's vertex that a vertex of the draft is, or is a copy of.
+Index vertex_origin(const Draft& draft, Index vertex) {
+  if (vertex == kNoIndex) return kNoIndex;
+  const Index key = draft.vertex_keys[vertex];
+  return key < draft.n_input_vertices ? key : draft.vertex_origins[key - draft.n_input_vertices];
+}
+
+void set_vertex_keys(const Work& work, const VertexMoves& moves, Draft& result) {
+  const std::size_t n_old = work.draft.soup.n_vertices();
+  result.vertex_origins = work.draft.vertex_origins;
+  result.vertex_keys.reserve(moves.sources.size());
+  for (const Index v : moves.sources) {
+    if (v < n_old) {
+      result.vertex_keys.push_back(work.draft.vertex_keys[v]);
+      continue;
+    }
+    result.vertex_keys.push_back(
+        static_cast<Index>(result.n_input_vertices + result.vertex_origins.size()));
+    result.vertex_origins.push_back(
+        vertex_origin(work.draft, work.edits.added_vertices[v - n_old].copy_of));
+  }
+}
+
+void set_face_keys(const Work& work, Draft& result) {
+  const std::size_t n_old = work.draft.soup.n_faces();
+  // Keys in order of the edits, whatever group a face has joined.
+  result.face_origins = work.draft.face_origins;
+  std::vector<Index> added_keys(work.edits.added_faces.size(), kNoIndex);
+  for (std::size_t i = 0; i < work.edits.added_faces.size(); ++i) {
+    const Edits::AddedFace& face = work.edits.added_faces[i];
+    if (work.skipped(face.op)) continue;
+    added_keys[i] = static_cast<Index>(result.n_input_faces + result.face_origins.size());
+    result.face_origins.push_back(face.is_patch ? kNoIndex : work.draft.origin_of_face(face.like));
+  }
+  result.face_keys.reserve(work.faces.sources.size());
+  for (const Index f : work.faces.sources) {
+    result.face_keys.push_back(f < n_old ? work.draft.face_keys[f] : added_keys[f - n_old]);
+  }
+}
+
+void set_ids(const Work& work, const VertexMoves& moves, Soup& soup) {
+  const Soup& old = work.draft.soup;
+  soup.vertex_ids = old.vertex_ids;
+  soup.face_ids = old.face_ids;
+  if (old.format != Format::Mesh) return;
+  soup.vertex_ids = edit_ids(old.vertex_ids, {moves.sources, old.n_vertices()},
+                             work.edits.changed_vertex_ids, work.skipped);
+  soup.face_ids = edit_ids(old.face_ids, {work.faces.sources, old.n_faces()},
+                           work.edits.changed_face_ids, work.skipped);
+}
+
+std::vector<MissingReference> remaining_missing(const Work& work) {
+  std::vector<MissingReference> missing;
+  for (MissingReference reference : work.draft.soup.missing) {
+    reference.face = work.faces.new_index[reference.face];
+    if (reference.face != kNoIndex) missing.push_back(reference);
+  }
+  return missing;
+}
+
+}  // namespace
+
+Draft apply_edits(const Draft& draft, const Edits& edits, std::span<const std::uint8_t> skipped) {
+  const SkippedOperations is_skipped(skipped);
+  Work work{draft, edits, is_skipped, edit_faces(draft.soup, edits, is_skipped)};
+  const VertexMoves moves = move_vertices(work);
+
+  Draft result;
+  result.n_input_vertices = draft.n_input_vertices;
+  result.n_input_faces = draft.n_input_faces;
+  set_vertex_keys(work, moves, result);
+  set_face_keys(work, result);
+  Soup& soup = result.soup;
+  soup.format = draft.soup.format;
+  soup.positions = edited_positions(work, moves);
+  set_ids(work, moves, soup);
+  soup.missing = remaining_missing(work);
+  soup.triangles = work.faces.triangles;
+  for (Triangle& triangle : soup.triangles) {
+    for (Index& v : triangle) v = v == kNoIndex ? kNoIndex : moves.new_index[v];
+  }
+  soup.groups = std::move(work.faces.groups);
+  set_edited_normals(draft.soup, edits, is_skipped, work.faces, moves.sources, soup);
+  return result;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "meshalyzer/base/types.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Changes of a mesh, as a pass proposes them: a list of operations, each a local change that is
+/// made as a whole or not at all.
+///
+/// Operations of one list must be independent: no two touch the same face, or move or replace the
+/// same vertex, and what is left when any of them are taken out is still what the pass wants. All
+/// refers to the soup as it is before; `op` is the number of the operation, from 0.
+struct Edits {
+  struct MovedVertex {
+    Index op;
+    Index vertex;
+    Vec3 to;
+  };
+  /// Added vertex i is named n_vertices + i by the faces of this list.
+  struct AddedVertex {
+    Index op;
+    Vec3 position;
+    /// Vertex at whose place it is, or was; kNoIndex: a new one.
+    Index copy_of = kNoIndex;
+  };
+  /// A vertex record to be dropped that no face uses. A vertex that loses its last face is dropped
+  /// anyway, without being listed here.
+  struct RemovedVertex {
+    Index op;
+    Index vertex;
+  };
+  struct RemovedFace {
+    Index op;
+    Index face;
+  };
+  /// New corners for a face that keeps its id and its place in the file. Corners that stay the same
+  /// vertex keep their normal, wherever they stand now; others that of the corner they replace.
+  struct ChangedFace {
+    Index op;
+    Index face;
+    Triangle corners;
+  };
+  struct AddedFace {
+    Index op;
+    Triangle corners;
+    /// A face of the soup: the new one joins its group, and was made of it, unless is_patch. The
+    /// corners that both have get its normals.
+    Index like;
+    /// Whether it fills a hole: nothing of the old surface was there.
+    bool is_patch = false;
+  };
+  /// A normal for all corners of faces at a vertex that have one.
+  struct ChangedNormal {
+    Index op;
+    Index vertex;
+    Vec3 normal;
+  };
+  /// An id for a record; only where the format names them.
+  struct ChangedId {
+    Index op;
+    Index record;
+    std::int32_t id;
+  };
+
+  std::size_t n_operations = 0;
+  std::vector<MovedVertex> moved_vertices;
+  std::vector<AddedVertex> added_vertices;
+  std::vector<RemovedVertex> removed_vertices;
+  std::vector<RemovedFace> removed_faces;
+  std::vector<ChangedFace> changed_faces;
+  std::vector<AddedFace> added_faces;
+  std::vector<ChangedNormal> changed_normals;
+  std::vector<ChangedId> changed_vertex_ids;
+  std::vector<ChangedId> changed_face_ids;
+
+  [[nodiscard]] bool empty() const { return n_operations == 0; }
+  /// Begins the next operation, and gives its number.
+  [[nodiscard]] Index begin_operation() { return static_cast<Index>(n_operations++); }
+};
+
+}  // namespace meshalyzer

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "meshalyzer/mesh/soup.h"
+#include "meshalyzer/repair/edits/edits.h"
+#include "meshalyzer/repair/edits/skipped_operations.h"
+
+#include <span>
+
+namespace meshalyzer {
+
+/// Which records there are after edits: of each the old one it is, or a number from n_old on for a
+/// new one.
+struct EditedRecords {
+  std::span<const Index> sources;
+  std::size_t n_old = 0;
+};
+
+/// The ids of records that a file numbers by itself: those that stay keep theirs, new ones get
+/// those after the largest, or, where there are not enough, the smallest that are free.
+[[nodiscard]] Ids edit_ids(const Ids& old, const EditedRecords& records,
+                           std::span<const Edits::ChangedId> changed,
+                           const SkippedOperations& skipped);
+
+}  // namespace meshalyzer

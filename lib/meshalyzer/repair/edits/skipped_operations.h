@@ -1,0 +1,24 @@
+#pragma once
+
+#include "meshalyzer/base/types.h"
+
+#include <cstdint>
+#include <span>
+
+namespace meshalyzer {
+
+/// Which operations of a list of edits are not to be made. Only refers.
+class SkippedOperations {
+ public:
+  /// @param skipped  #operations, non-zero for those; empty: none.
+  explicit SkippedOperations(std::span<const std::uint8_t> skipped) : skipped_(skipped) {}
+
+  [[nodiscard]] bool operator()(Index operation) const {
+    return !skipped_.empty() && skipped_[operation] != 0;
+  }
+
+ private:
+  std::span<const std::uint8_t> skipped_;
+};
+
+}  // namespace meshalyzer

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "meshalyzer/defects/built_mesh.h"
+#include "meshalyzer/defects/defect.h"
+#include "meshalyzer/defects/tolerances.h"
+#include "meshalyzer/repair/edits/draft.h"
+#include "meshalyzer/repair/edits/edits.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace meshalyzer {
+
+/// What the groups of a file are.
+enum class Groups : std::uint8_t {
+  /// Names, which faces keep.
+  Names,
+  /// Faces of a body: their common borders keep every vertex and edge, and get no more of them.
+  Faces,
+};
+
+/// How far and where a repair may go.
+struct RepairLimits {
+  /// No point may move farther than this. A length.
+  double max_deviation = 0.0;
+  /// By vertex key, which may be beyond the end: non-zero for vertices that stay where they are and
+  /// are not taken away or merged into others (others may be merged into them).
+  std::vector<std::uint8_t> fixed_vertices;
+  Groups groups = Groups::Names;
+  /// A pass that deals with defects one after the other puts so many steps into one operation at
+  /// most: fewer where a large one had to be undone.
+  std::size_t most_steps = 512;
+
+  [[nodiscard]] bool is_fixed(const Draft& draft, Index vertex) const {
+    const Index key = draft.vertex_keys[vertex];
+    return key < fixed_vertices.size() && fixed_vertices[key] != 0;
+  }
+};
+
+/// What a pass sees. Only refers.
+struct PassInput {
+  const Draft& draft;
+  /// Of draft.soup.
+  const BuiltMesh& mesh;
+  const Tolerances& tolerances;
+  const RepairLimits& limits;
+};
+
+/// A defect that a pass looked at and left.
+struct Refusal {
+  DefectCode code;
+  /// Elements of the soup by index: the lowest vertex or face that names it, as far as it has one.
+  Index vertex = kNoIndex;
+  Index face = kNoIndex;
+  /// "collapsing it would turn a neighbour over", ...
+  std::string reason;
+};
+
+/// What a pass proposes.
+struct PassResult {
+  Edits edits;
+  std::vector<Refusal> refused;
+};
+
+/// A pass looks at a mesh and proposes changes; it makes none. Pure, and the same for any number
+/// of threads.
+///
+/// It touches nothing that is not broken, and proposes nothing for a mesh that has nothing of what
+/// it treats. What it proposes need not be all: it is asked again after that was done, until it
+/// proposes nothing more, so each proposal must bring the end nearer.
+using PassFunction = std::function<PassResult(const PassInput&)>;
+
+}  // namespace meshalyzer

@@ -1,0 +1,107 @@
+#pragma once
+
+#include "meshalyzer/base/types.h"
+#include "meshalyzer/repair/pass.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+namespace meshalyzer {
+
+// The repairs, one a file. Each is a pass (see PassFunction), some with options.
+
+/// Drops what makes no mesh: faces with a corner that no record defines, vertex records that repeat
+/// an id; a face record that repeats an id gets a new one.
+[[nodiscard]] PassResult drop_corrupt(const PassInput& input);
+
+/// Drops all but one of faces with the same three vertices: the first of those that cross most of
+/// their edges against the one other face there (of a pillow, the first).
+///
+/// Where they are a wall between two solids, as many facing one way as the other, and the rest of
+/// the mesh is closed without it, all go if all of the wall is within the deviation of the rest: so
+/// the solids become one. Else one of each direction stays, and that is refused: each solid needs
+/// its side, which split_edges() gives it.
+[[nodiscard]] PassResult drop_duplicates(const PassInput& input);
+
+/// Takes away degenerate and flat facets (see find_thin_facets()): drops those that repeat a
+/// vertex; needles and others with a short edge by collapsing it, caps by flipping their longest
+/// edge or by splitting the face beyond it. Never turns a neighbour over, changes the topology or
+/// moves anything beyond the deviation.
+[[nodiscard]] PassResult mend_facets(const PassInput& input);
+
+/// Joins border edges: those at exactly the same place first, then those whose ends are within
+/// `within`, only border to border, and never so that an edge gets a third face. Where several
+/// could be joined, those that leave each solid closed. Where several short edges lie along a long
+/// one, as at T-junctions, the face of the long one is split at their vertices.
+///
+/// @param within  A length; the vertices that are joined move to one of them that is fixed, or has
+/// more faces, or is the lower.
+[[nodiscard]] PassResult weld_borders(const PassInput& input, double within);
+
+/// Cuts the mesh at edges with more than two faces, into sheets that are manifold there: faces are
+/// paired round the edge by angle, so that each solid stays closed.
+[[nodiscard]] PassResult split_edges(const PassInput& input);
+
+/// Gives each fan of a vertex with several a copy of its own.
+[[nodiscard]] PassResult split_vertices(const PassInput& input);
+
+/// Moves copies of a vertex that are left at one place, and touch, apart by the smallest step for
+/// which the faces round them share no point.
+[[nodiscard]] PassResult part_contacts(const PassInput& input);
+
+/// Turns faces until no edge is crossed twice in the same direction, edge component by edge
+/// component, the smaller part of each; components that cannot be are left.
+[[nodiscard]] PassResult orient_consistently(const PassInput& input);
+
+/// Turns the components that point the wrong way: closed ones by exact parity with nesting, so that
+/// cavities stay cavities; open or self-intersecting ones by votes of winding numbers.
+[[nodiscard]] PassResult orient_outward(const PassInput& input);
+
+/// Takes foldovers away (see find_foldovers()).
+[[nodiscard]] PassResult remove_foldovers(const PassInput& input);
+
+/// Gives vertices with an opposed normal (see find_opposed_normals()) that of their faces, weighted
+/// by angle.
+[[nodiscard]] PassResult renew_normals(const PassInput& input);
+
+/// How a hole is filled.
+enum class FillShape : std::uint8_t {
+  /// The triangulation of its border that bends least, and of those the one of least area; without
+  /// new vertices, unless only they make a patch that meets nothing.
+  Linear,
+  /// Refined to the density round it, and faired.
+  Smooth,
+};
+
+/// Which open parts get their holes filled.
+enum class FillSheets : std::uint8_t {
+  /// Only those that mean a solid: at least half of the surface separates inside from outside.
+  No,
+  Yes,
+};
+
+struct FillOptions {
+  /// Only loops of so many edges at most.
+  std::size_t max_edges = std::numeric_limits<std::size_t>::max();
+  /// Only the loop that is nearest to this.
+  std::optional<Vec3> at = {};
+  FillShape shape = FillShape::Linear;
+  FillSheets sheets = FillSheets::No;
+};
+
+/// Fills holes, each with a patch that intersects neither the mesh nor itself, or not at all.
+[[nodiscard]] PassResult fill_holes(const PassInput& input, const FillOptions& options);
+
+/// Drops vertices that no face uses.
+[[nodiscard]] PassResult drop_orphans(const PassInput& input);
+
+/// Numbers vertices and faces 1, 2, ..., n in file order.
+[[nodiscard]] PassResult renumber(const PassInput& input);
+
+/// Turns every face over, and the normals of vertices that have one; faces with a corner that no
+/// record defines are left. To be asked once: asked again, it turns them back.
+[[nodiscard]] PassResult flip_all(const PassInput& input);
+
+}  // namespace meshalyzer

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "meshalyzer/repair/edits/apply_edits.h"
+#include "meshalyzer/repair/pass.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+
+/// What a pass made of a mesh.
+struct PassRun {
+  Draft draft;
+  /// By the last round.
+  std::vector<Refusal> refused;
+  std::size_t operations = 0;
+  std::size_t rounds = 0;
+};
+
+/// The box of all vertices of a soup.
+[[nodiscard]] inline Box3 box_of(const Soup& soup) {
+  Box3 box;
+  for (const Vec3& p : soup.positions) box.extend(p);
+  return box;
+}
+
+/// Limits that let a pass do anything up to a hundredth of the diagonal.
+[[nodiscard]] inline RepairLimits wide_limits(const Soup& soup) {
+  return {.max_deviation = 0.01 * box_of(soup).diagonal().norm(),
+          .fixed_vertices = {},
+          .groups = Groups::Names,
+          .most_steps = RepairLimits{}.most_steps};
+}
+
+/// Asks a pass until it proposes nothing more, and does all that it proposes.
+[[nodiscard]] inline PassRun run_pass(const Soup& soup, const PassFunction& pass,
+                                      const RepairLimits& limits,
+                                      const ToleranceOptions& tolerances = {}) {
+  constexpr std::size_t kMaxRounds = 100;
+  PassRun run{.draft = make_draft(soup), .refused = {}, .operations = 0, .rounds = 0};
+  while (true) {
+    const BuiltMesh mesh(run.draft.soup);
+    const Tolerances resolved = resolve_tolerances(tolerances, box_of(run.draft.soup));
+    PassResult result = pass({run.draft, mesh, resolved, limits});
+    run.refused = std::move(result.refused);
+    if (result.edits.empty()) return run;
+    run.operations += result.edits.n_operations;
+    if (++run.rounds > kMaxRounds) {
+      ADD_FAILURE() << "the pass never ends";
+      return run;
+    }
+    run.draft = apply_edits(run.draft, result.edits);
+  }
+}
+
+[[nodiscard]] inline PassRun run_pass(const Soup& soup, const PassFunction& pass) {
+  return run_pass(soup, pass, wide_limits(soup));
+}
+
+}  // namespace meshalyzer
