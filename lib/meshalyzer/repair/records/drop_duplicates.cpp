@@ -1,0 +1,138 @@
+#include "meshalyzer/defects/finders.h"
+#include "meshalyzer/repair/facets/facet_shape.h"
+#include "meshalyzer/repair/facets/working_mesh.h"
+#include "meshalyzer/repair/passes.h"
+#include "meshalyzer/repair/records/inner_walls.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+EqualFaces look_at(const Soup& soup, const Defect& defect) {
+  EqualFaces set{defect.faces, {}};
+  const Triangle& first = soup.triangles[set.faces.front()];
+  for (const Index f : set.faces) {
+    set.is_like_first.push_back(crosses(soup.triangles[f], first[0], first[1]) ? 1 : 0);
+  }
+  return set;
+}
+
+/// Decides which of equal faces go, set by set or wall by wall.
+class DuplicateDropper {
+ public:
+  DuplicateDropper(const PassInput& input, const std::vector<Defect>& defects)
+      : max_deviation_(input.limits.max_deviation), mesh_(input.draft.soup, {}, 0.0) {
+    is_in_set_.resize(input.draft.soup.n_faces(), 0);
+    for (const Defect& defect : defects) {
+      sets_.push_back(look_at(input.draft.soup, defect));
+      for (const Index f : defect.faces) is_in_set_[f] = 1;
+    }
+  }
+
+  [[nodiscard]] PassResult run() {
+    const std::vector<Index> wall_of = find_inner_walls(mesh_, sets_);
+    std::map<Index, std::vector<Index>> walls;
+    for (Index s = 0; s < sets_.size(); ++s) {
+      if (wall_of[s] == kNoIndex) {
+        keep({best_of(sets_[s])}, sets_[s]);
+      } else {
+        walls[wall_of[s]].push_back(s);
+      }
+    }
+    for (const auto& [number, wall] : walls) treat_wall(wall);
+    return std::move(result_);
+  }
+
+ private:
+  /// The first of those that fit best to their neighbours: that cross most edges against the one
+  /// other face there.
+  [[nodiscard]] Index best_of(const EqualFaces& set) const {
+    return *std::max_element(set.faces.begin(), set.faces.end(), [&](Index f, Index g) {
+      return agreement(set, f) < agreement(set, g);
+    });
+  }
+
+  [[nodiscard]] int agreement(const EqualFaces& set, Index face) const {
+    const Triangle& t = mesh_.triangle(face);
+    int score = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index a = t[k];
+      const Index b = t[(k + 1) % 3];
+      std::vector<Index> others = mesh_.faces_at(a, b);
+      std::erase_if(others, [&](Index f) {
+        return std::binary_search(set.faces.begin(), set.faces.end(), f);
+      });
+      if (others.size() == 1) score += crosses(mesh_.triangle(others[0]), a, b) ? -1 : 1;
+    }
+    return score;
+  }
+
+  /// Drops all faces of a set but these.
+  void keep(const std::vector<Index>& kept, const EqualFaces& set) {
+    if (set.faces.size() == kept.size()) return;
+    const Index op = result_.edits.begin_operation();
+    for (const Index f : set.faces) {
+      if (std::find(kept.begin(), kept.end(), f) == kept.end()) {
+        result_.edits.removed_faces.push_back({op, f});
+      }
+    }
+  }
+
+  void treat_wall(const std::vector<Index>& wall) {
+    const bool is_narrow =
+        std::all_of(wall.begin(), wall.end(), [&](Index s) { return is_near_to_rim(sets_[s]); });
+    if (is_narrow) {
+      const Index op = result_.edits.begin_operation();
+      for (const Index s : wall) {
+        for (const Index f : sets_[s].faces) result_.edits.removed_faces.push_back({op, f});
+      }
+      return;
+    }
+    for (const Index s : wall) {
+      const EqualFaces& set = sets_[s];
+      const auto opposed = std::find(set.is_like_first.begin(), set.is_like_first.end(), 0);
+      keep({set.faces.front(),
+            set.faces[static_cast<std::size_t>(opposed - set.is_like_first.begin())]},
+           set);
+      result_.refused.push_back({DefectCode::DuplicateFacet, kNoIndex, set.faces.front(),
+                                 "it is the wall of two solids that touch, and each needs it"});
+    }
+  }
+
+  /// Whether all of a face of a wall is surely within the deviation of other faces: all corners are
+  /// theirs, and no point of a face is farther from its nearest corner than its longest edge is
+  /// long.
+  [[nodiscard]] bool is_near_to_rim(const EqualFaces& set) const {
+    const Triangle& t = mesh_.triangle(set.faces.front());
+    const FacetShape shape = measure_facet(mesh_.corners(t));
+    return shape.lengths[shape.longest_edge()] <= max_deviation_ &&
+           std::all_of(t.begin(), t.end(), [&](Index v) { return is_used_elsewhere(v); });
+  }
+
+  [[nodiscard]] bool is_used_elsewhere(Index vertex) const {
+    const auto star = mesh_.star(vertex);
+    return std::any_of(star.begin(), star.end(), [&](Index f) { return is_in_set_[f] == 0; });
+  }
+
+  double max_deviation_;
+  WorkingMesh mesh_;
+  std::vector<EqualFaces> sets_;
+  std::vector<std::uint8_t> is_in_set_;
+  PassResult result_;
+};
+
+}  // namespace
+
+PassResult drop_duplicates(const PassInput& input) {
+  const std::vector<Defect> defects = find_duplicate_facets(input.mesh);
+  if (defects.empty()) return {};
+  return DuplicateDropper(input, defects).run();
+}
+
+}  // namespace meshalyzer
