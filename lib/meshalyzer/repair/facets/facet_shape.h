@@ -1,0 +1,32 @@
+#pragma once
+
+#include "meshalyzer/spatial/triangle_contact.h"
+
+#include <array>
+#include <cstddef>
+
+namespace meshalyzer {
+
+/// What decides whether a face is worth having. Lengths in the mesh's unit.
+struct FacetShape {
+  /// Of the edges from corner k to corner k + 1.
+  std::array<double, 3> lengths{};
+  /// The shortest one, that on the longest edge; 0 where the corners are collinear.
+  double altitude = 0.0;
+  /// Of length 1; zero where the corners are collinear.
+  Vec3 normal = Vec3::Zero();
+
+  /// The edge, by its first corner; of equal ones the first.
+  [[nodiscard]] std::size_t longest_edge() const;
+  [[nodiscard]] std::size_t shortest_edge() const;
+  /// Whether no edge and no altitude is below a tolerance, or 0. Not by a hair, so that whoever
+  /// measures again finds the same.
+  [[nodiscard]] bool is_sound(double tolerance) const {
+    return altitude > 0.0 && altitude >= tolerance * (1.0 + 1e-6);
+  }
+};
+
+/// Measures a face of any size and shape: neither overflows early nor loses the digits of slivers.
+[[nodiscard]] FacetShape measure_facet(const Corners& p);
+
+}  // namespace meshalyzer

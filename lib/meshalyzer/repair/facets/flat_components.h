@@ -1,0 +1,24 @@
+#pragma once
+
+#include "meshalyzer/repair/pass.h"
+
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Edge components of which every face is thin: there is no surface that could take their place.
+struct FlatComponents {
+  /// Their faces, ascending.
+  std::vector<Index> faces;
+  /// Those of them whose corners are all within the maximum deviation of the rest of the mesh: the
+  /// surface loses nothing without them. Their faces, ascending.
+  std::vector<std::vector<Index>> needless;
+};
+
+/// @param thin_faces  Of the complex, ascending.
+/// @complexity        O(#F log #F).
+[[nodiscard]] FlatComponents find_flat_components(const PassInput& input,
+                                                  std::span<const Index> thin_faces);
+
+}  // namespace meshalyzer

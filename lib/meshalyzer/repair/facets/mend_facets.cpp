@@ -1,0 +1,230 @@
+#include "meshalyzer/defects/finders.h"
+#include "meshalyzer/repair/facets/collapse_edge.h"
+#include "meshalyzer/repair/facets/facet_shape.h"
+#include "meshalyzer/repair/facets/flat_components.h"
+#include "meshalyzer/repair/facets/mend_rules.h"
+#include "meshalyzer/repair/facets/retract_cap.h"
+#include "meshalyzer/repair/facets/step_journal.h"
+#include "meshalyzer/repair/facets/working_mesh.h"
+#include "meshalyzer/repair/passes.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <iterator>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// What a repair may cost.
+enum class Effort : std::uint8_t {
+  /// Nothing that the thin faces do not own: short edges are collapsed, caps retracted.
+  Least,
+  /// Also edges of any length are collapsed, and flipped between thin faces.
+  Any,
+};
+
+/// Mends thin faces one after the other, and those that become mendable when others are mended:
+/// with the least effort as far as that goes, then with any.
+///
+/// Each step leaves fewer vertices, or as many and fewer thin faces, or as many of both and a
+/// shorter edge: so it ends.
+class Mender {
+ public:
+  Mender(const PassInput& input, std::span<const Index> thin_faces)
+      : soup_(input.draft.soup),
+        rules_(input),
+        mesh_(input.draft.soup, thin_faces, input.tolerances.degeneracy),
+        journal_(input.limits.most_steps) {}
+
+  void mend(std::span<const Index> faces) {
+    for (const Index f : faces) push(f);
+    mend_queue(Effort::Least);
+    // The next round goes on where this one had to stop.
+    if (has_deferred_) return;
+    std::vector<Index> left;
+    for (const auto& [face, outcome] : failed_) left.push_back(face);
+    std::sort(left.begin(), left.end());
+    for (const Index f : left) push(f);
+    mend_queue(Effort::Any);
+  }
+
+  [[nodiscard]] Edits edits() const { return journal_.edits(soup_, mesh_); }
+
+  /// Appends the faces that could not be mended, of those given.
+  void report(const std::vector<Defect>& defects, std::vector<Refusal>& refused) const {
+    for (const Defect& defect : defects) {
+      const Index face = defect.faces.front();
+      const auto found = failed_.find(face);
+      if (found == failed_.end() || !mesh_.is_thin(face)) continue;
+      refused.push_back({defect.code, kNoIndex, face, std::string(mend_reason(found->second))});
+    }
+  }
+
+ private:
+  void push(Index face) {
+    if (is_queued_.insert(face).second) queue_.push_back(face);
+  }
+
+  void mend_queue(Effort effort) {
+    while (!queue_.empty()) {
+      const Index f = queue_.front();
+      queue_.pop_front();
+      is_queued_.erase(f);
+      if (mesh_.is_thin(f)) mend(f, effort);
+    }
+  }
+
+  void push_if_thin(Index face) {
+    if (mesh_.is_thin(face)) push(face);
+  }
+
+  void mend(Index face, Effort effort) {
+    const MendAttempt attempt = best_attempt(face, effort);
+    if (!attempt.is_possible()) {
+      failed_[face] = attempt.outcome;
+      return;
+    }
+    failed_.erase(face);
+    if (!journal_.record(mesh_, attempt.step)) {
+      has_deferred_ = true;
+      return;
+    }
+    const std::vector<Index> concerned = vertices_of(attempt.step);
+    const std::size_t n_faces = mesh_.n_faces();
+    mesh_.make(attempt.step);
+    for (const MendStep::NewCorners& change : attempt.step.changed) push_if_thin(change.face);
+    for (std::size_t f = n_faces; f < mesh_.n_faces(); ++f) push_if_thin(static_cast<Index>(f));
+    for (const Index v : concerned) try_again_at(v);
+  }
+
+  [[nodiscard]] MendAttempt best_attempt(Index face, Effort effort) const {
+    const Triangle& t = mesh_.triangle(face);
+    const FacetShape shape = measure_facet(mesh_.corners(t));
+    if (is_short(shape.lengths[shape.shortest_edge()])) return collapse_short_edge(t, shape);
+    const MendAttempt retracted = retract_cap(
+        mesh_, rules_, face,
+        effort == Effort::Least ? RetractGain::FewerThin : RetractGain::FewerThinOrShorter);
+    if (retracted.is_possible() || effort == Effort::Least) return retracted;
+    MendAttempt best = retracted;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const MendAttempt collapsed = collapse_edge(mesh_, rules_, {t[k], t[(k + 1) % 3]});
+      best = better(best, collapsed);
+    }
+    return best;
+  }
+
+  /// The shortest that can be collapsed.
+  [[nodiscard]] MendAttempt collapse_short_edge(const Triangle& t, const FacetShape& shape) const {
+    std::array<std::size_t, 3> order{0, 1, 2};
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return shape.lengths[a] < shape.lengths[b];
+    });
+    MendAttempt best;
+    for (const std::size_t k : order) {
+      if (!is_short(shape.lengths[k]) || best.is_possible()) break;
+      const MendAttempt collapsed = collapse_edge(mesh_, rules_, {t[k], t[(k + 1) % 3]});
+      best = better(best, collapsed);
+    }
+    return best;
+  }
+
+  [[nodiscard]] bool is_short(double length) const {
+    return length < rules_.tolerance() || length == 0.0;
+  }
+
+  /// Of the faces of a step, before and after it.
+  [[nodiscard]] std::vector<Index> vertices_of(const MendStep& step) const {
+    std::vector<Index> vertices;
+    for (const MendStep::NewCorners& change : step.changed) {
+      const Triangle& old = mesh_.triangle(change.face);
+      vertices.insert(vertices.end(), old.begin(), old.end());
+      if (change.corners == kNoTriangle) continue;
+      vertices.insert(vertices.end(), change.corners.begin(), change.corners.end());
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+  }
+
+  /// Not at crowded vertices, which would take too long.
+  void try_again_at(Index vertex) {
+    if (failed_.empty() || mesh_.star(vertex).size() > kMostFacesRoundVertex) return;
+    for (const Index f : mesh_.star(vertex)) {
+      if (failed_.contains(f)) push(f);
+    }
+  }
+
+  const Soup& soup_;
+  MendRules rules_;
+  WorkingMesh mesh_;
+  StepJournal journal_;
+  std::deque<Index> queue_;
+  std::unordered_set<Index> is_queued_;
+  /// By face: why it was left, when it was last looked at.
+  std::unordered_map<Index, MendOutcome> failed_;
+  bool has_deferred_ = false;
+};
+
+/// Appends the operation of dropping some faces.
+void drop(const std::vector<Index>& faces, Edits& edits) {
+  const Index op = edits.begin_operation();
+  for (const Index f : faces) edits.removed_faces.push_back({op, f});
+}
+
+void mend_in_complex(const PassInput& input, const std::vector<Defect>& defects,
+                     PassResult& result) {
+  std::vector<Index> thin;
+  for (const Defect& defect : defects) thin.push_back(defect.faces.front());
+  const FlatComponents flat = find_flat_components(input, thin);
+  std::vector<Index> mendable;
+  std::set_difference(thin.begin(), thin.end(), flat.faces.begin(), flat.faces.end(),
+                      std::back_inserter(mendable));
+  Mender mender(input, thin);
+  mender.mend(mendable);
+  result.edits = mender.edits();
+  mender.report(defects, result.refused);
+  std::unordered_set<Index> dropped;
+  for (const std::vector<Index>& faces : flat.needless) {
+    drop(faces, result.edits);
+    dropped.insert(faces.begin(), faces.end());
+  }
+  for (const Defect& defect : defects) {
+    const Index f = defect.faces.front();
+    if (dropped.contains(f) || !std::binary_search(flat.faces.begin(), flat.faces.end(), f)) {
+      continue;
+    }
+    result.refused.push_back(
+        {defect.code, kNoIndex, f,
+         "all faces of its component are flat, and nothing else is where it is"});
+  }
+}
+
+}  // namespace
+
+PassResult mend_facets(const PassInput& input) {
+  std::vector<Defect> in_complex;
+  std::vector<Index> rejected;
+  for (Defect& defect : find_thin_facets(input.mesh, input.tolerances)) {
+    const Index f = defect.faces.front();
+    if (is_in_complex(input.draft.soup.triangles[f])) {
+      in_complex.push_back(std::move(defect));
+    } else {
+      rejected.push_back(f);
+    }
+  }
+  PassResult result;
+  if (!in_complex.empty()) mend_in_complex(input, in_complex, result);
+  for (const Index f : rejected) drop({f}, result.edits);
+  return result;
+}
+
+}  // namespace meshalyzer

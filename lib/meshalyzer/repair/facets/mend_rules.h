@@ -1,0 +1,35 @@
+#pragma once
+
+#include "meshalyzer/repair/facets/working_mesh.h"
+#include "meshalyzer/repair/pass.h"
+
+namespace meshalyzer {
+
+/// What mending may do, and to which vertices. Only refers to the input of the pass.
+class MendRules {
+ public:
+  explicit MendRules(const PassInput& input) : input_(input) {}
+
+  [[nodiscard]] double tolerance() const { return input_.tolerances.degeneracy; }
+  [[nodiscard]] double max_deviation() const { return input_.limits.max_deviation; }
+  [[nodiscard]] Groups groups() const { return input_.limits.groups; }
+  [[nodiscard]] Index group(const WorkingMesh& mesh, Index face) const {
+    return group_of(input_.draft.soup, mesh.original(face));
+  }
+  /// Whether faces of several groups meet at a vertex.
+  [[nodiscard]] bool is_between_groups(const WorkingMesh& mesh, Index vertex) const;
+  /// Whether a vertex must stay, and where it is.
+  [[nodiscard]] bool is_fixed(const WorkingMesh& mesh, Index vertex) const {
+    return input_.limits.is_fixed(input_.draft, vertex) ||
+           (groups() == Groups::Faces && is_between_groups(mesh, vertex));
+  }
+
+ private:
+  const PassInput& input_;
+};
+
+/// A vertex with more faces is not taken away: looking round it again and again would take too
+/// long.
+inline constexpr std::size_t kMostFacesRoundVertex = 1000;
+
+}  // namespace meshalyzer

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "meshalyzer/repair/edits/edits.h"
+#include "meshalyzer/repair/facets/mend_step.h"
+#include "meshalyzer/repair/facets/working_mesh.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace meshalyzer {
+
+/// The steps made on a working mesh, gathered into operations that do not depend on each other: a
+/// step that relies on what another has changed is of the same operation.
+class StepJournal {
+ public:
+  /// @param most_steps  Of one operation.
+  explicit StepJournal(std::size_t most_steps) : most_steps_(most_steps) {}
+
+  /// Records a step that is about to be made.
+  ///
+  /// @return  False where it would make an operation too large; then it must not be made now.
+  [[nodiscard]] bool record(const WorkingMesh& mesh, const MendStep& step);
+
+  /// All that the steps have made of a soup.
+  [[nodiscard]] Edits edits(const Soup& before, const WorkingMesh& after) const;
+
+ private:
+  using EdgeKey = std::uint64_t;
+  struct Group {
+    Index parent;
+    std::size_t n_steps;
+  };
+  [[nodiscard]] Index root(Index group) const;
+  [[nodiscard]] std::optional<Index> join(const std::vector<Index>& groups);
+  [[nodiscard]] std::vector<Index> written_faces(const WorkingMesh& mesh,
+                                                 const MendStep& step) const;
+  [[nodiscard]] std::vector<Index> groups_relied_on(const std::vector<Index>& faces,
+                                                    const std::vector<EdgeKey>& edges,
+                                                    const MendStep& step) const;
+
+  std::size_t most_steps_;
+  std::vector<Group> groups_;
+  /// By face, edge, vertex: the group that has changed it, or the edges at it; of a vertex kMany
+  /// where there are several.
+  std::unordered_map<Index, Index> face_writer_;
+  std::unordered_map<EdgeKey, Index> edge_writer_;
+  std::unordered_map<Index, Index> vertex_writer_;
+  std::unordered_map<Index, Index> mover_;
+};
+
+}  // namespace meshalyzer
