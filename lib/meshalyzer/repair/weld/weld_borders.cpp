@@ -1,0 +1,159 @@
+#include "meshalyzer/repair/passes.h"
+#include "meshalyzer/repair/weld/weld_candidates.h"
+#include "meshalyzer/repair/weld/weld_chains.h"
+#include "meshalyzer/repair/weld/weld_edges.h"
+#include "meshalyzer/repair/weld/weld_matching.h"
+#include "meshalyzer/repair/weld/weld_operations.h"
+#include "meshalyzer/repair/weld/weld_pairing.h"
+#include "meshalyzer/repair/weld/weld_splits.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// Edges by the places of their ends.
+class EdgesByPlace {
+ public:
+  EdgesByPlace(std::span<const WeldEdge> edges, std::span<const Index> places)
+      : edges_(edges), places_(places), begin_(places.size() + 1, 0), sorted_(edges.size()) {
+    for (const WeldEdge& e : edges) ++begin_[lower(e)];
+    Index sum = 0;
+    for (Index& begin : begin_) begin = sum += begin;
+    for (std::size_t e = edges.size(); e-- > 0;) {
+      sorted_[--begin_[lower(edges[e])]] = static_cast<Index>(e);
+    }
+  }
+
+  /// Calls `visit` for each set of several edges at one place, ascending by edge.
+  template <typename Visit>
+  void for_each_group(Visit&& visit) {
+    for (std::size_t i = 0; i + 1 < begin_.size(); ++i) {
+      const auto bucket = std::span(sorted_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
+      std::sort(bucket.begin(), bucket.end(), [&](Index a, Index b) {
+        return std::pair(upper(edges_[a]), a) < std::pair(upper(edges_[b]), b);
+      });
+      for (std::size_t begin = 0; begin < bucket.size();) {
+        std::size_t end = begin + 1;
+        while (end < bucket.size() && upper(edges_[bucket[end]]) == upper(edges_[bucket[begin]])) {
+          ++end;
+        }
+        if (end - begin > 1) visit(bucket.subspan(begin, end - begin));
+        begin = end;
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] Index lower(const WeldEdge& e) const {
+    return std::min(places_[e.from], places_[e.to]);
+  }
+  [[nodiscard]] Index upper(const WeldEdge& e) const {
+    return std::max(places_[e.from], places_[e.to]);
+  }
+
+  std::span<const WeldEdge> edges_;
+  std::span<const Index> places_;
+  std::vector<Index> begin_;
+  std::vector<Index> sorted_;
+};
+
+/// Joins edges at exactly the same place.
+///
+/// @return #edges: whether each is done with, being joined or refused.
+std::vector<std::uint8_t> zip_coincident(WeldStage& stage, std::span<const Index> places) {
+  std::vector<std::uint8_t> is_done(stage.edges.size(), 0);
+  std::vector<WeldJoin> joins;
+  std::vector<EdgeAtPlace> at_place;
+  EdgesByPlace(stage.edges, places).for_each_group([&](std::span<const Index> group) {
+    at_place.clear();
+    for (const Index e : group) {
+      is_done[e] = 1;
+      const bool is_along = places[stage.edges[e].from] == places[stage.edges[group[0]].from];
+      at_place.push_back({e, is_along ? EdgeRun::Same : EdgeRun::Opposite});
+    }
+    const Pairing pairing =
+        pair_edges_at_place(stage.rules.input.draft.soup, stage.edges, at_place, 0.0);
+    if (!pairing.refusal.empty())
+      refuse(stage, {.first = group[0], .second = group[1]}, pairing.refusal);
+    joins.insert(joins.end(), pairing.joins.begin(), pairing.joins.end());
+  });
+  add_weld_operations(stage, std::move(joins));
+  return is_done;
+}
+
+/// The edges, by number, that are not done with and may be touched.
+std::vector<Index> free_edges(const WeldStage& stage, std::span<const std::uint8_t> is_done) {
+  std::vector<Index> wanted;
+  for (std::size_t e = 0; e < stage.edges.size(); ++e) {
+    const WeldEdge& edge = stage.edges[e];
+    if (is_done[e] != 0 || stage.is_busy[edge.from] != 0 || stage.is_busy[edge.to] != 0) continue;
+    wanted.push_back(static_cast<Index>(e));
+  }
+  return wanted;
+}
+
+/// The ends of some edges, by place, each once, ascending.
+std::vector<Index> used_places(const EdgesAtPlaces& at_places) {
+  std::vector<Index> used;
+  for (std::size_t v = 0; v + 1 < at_places.begin.size(); ++v) {
+    if (at_places.begin[v] != at_places.begin[v + 1]) used.push_back(static_cast<Index>(v));
+  }
+  return used;
+}
+
+/// Joins edges that are near each other.
+void zip_near(WeldStage& stage, std::span<const Index> wanted) {
+  const WeldCandidates candidates = find_weld_candidates(stage.rules.input.draft.soup.positions,
+                                                         stage.edges, wanted, stage.rules.reach);
+  add_weld_operations(stage, match_candidates(stage, candidates));
+}
+
+/// Closes cracks with T-junctions.
+///
+/// @param present  Edges that were there to be joined.
+/// @param wanted   Those that still are.
+void close_junctions(WeldStage& stage, std::span<const Index> places,
+                     std::span<const Index> present, std::span<const Index> wanted) {
+  if (wanted.empty()) return;
+  const std::vector<Vec3>& positions = stage.rules.input.draft.soup.positions;
+  const EdgesAtPlaces at_places = list_edges_at_places(stage.edges, present, places);
+  const NearPoints near(positions, used_places(at_places), stage.rules.reach);
+  const NearEdges edges{.positions = positions,
+                        .edges = stage.edges,
+                        .places = places,
+                        .at_places = at_places,
+                        .near = near};
+  add_split_operations(stage, find_weld_chains(edges, wanted));
+}
+
+}  // namespace
+
+PassResult weld_borders(const PassInput& input, double within) {
+  const std::vector<WeldEdge> edges = find_weld_edges(input.mesh);
+  if (edges.empty()) return {};
+  const Soup& soup = input.draft.soup;
+  const std::vector<Index> places = find_weld_places(soup.positions, edges);
+  const std::vector<Index> faces_at_vertices = count_faces_at_vertices(soup);
+  const WeldRules rules{.input = input,
+                        .faces_at_vertices = faces_at_vertices,
+                        .reach = std::min(within, input.limits.max_deviation)};
+  WeldStage stage{.rules = rules,
+                  .edges = edges,
+                  .is_busy = std::vector<std::uint8_t>(soup.n_vertices(), 0),
+                  .result = {}};
+  const std::vector<std::uint8_t> is_done = zip_coincident(stage, places);
+  if (rules.reach > 0.0) {
+    const std::vector<Index> present = free_edges(stage, is_done);
+    zip_near(stage, present);
+    close_junctions(stage, places, present, free_edges(stage, is_done));
+  }
+  return std::move(stage.result);
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "meshalyzer/defects/built_mesh.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+// Private to weld_borders(): the border edges of a mesh, and pairs of them.
+
+/// A border edge as its face runs along it. All by index in the file.
+struct WeldEdge {
+  Index from = 0;
+  Index to = 0;
+  /// The corner of the face that is not on the edge.
+  Index third = 0;
+  Index face = 0;
+};
+
+/// How two edges that are to become one run.
+enum class EdgeRun : std::uint8_t {
+  /// Against each other, as the faces of a consistent mesh do.
+  Opposite,
+  Same,
+};
+
+/// Two border edges, by number, that are to become one.
+struct WeldJoin {
+  Index first = 0;
+  Index second = 0;
+  EdgeRun run = EdgeRun::Opposite;
+  /// The larger of the distances of their ends.
+  double distance = 0.0;
+};
+
+/// Whether two points are one, 0.0 and -0.0 being equal.
+[[nodiscard]] inline bool at_one_place(const Vec3& a, const Vec3& b) {
+  return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
+}
+
+/// The vertex of `second` that `first.from` (`first.to`) becomes one with.
+[[nodiscard]] inline Index partner_of_from(const WeldEdge& second, EdgeRun run) {
+  return run == EdgeRun::Opposite ? second.to : second.from;
+}
+[[nodiscard]] inline Index partner_of_to(const WeldEdge& second, EdgeRun run) {
+  return run == EdgeRun::Opposite ? second.from : second.to;
+}
+
+/// The border edges of a mesh, but for those of faces with two corners at one place: welding would
+/// take such faces away, and that is for others to do.
+///
+/// @return In order of the mesh's edges.
+[[nodiscard]] std::vector<WeldEdge> find_weld_edges(const BuiltMesh& mesh);
+
+/// The lowest end of one of these edges at the place of each end.
+///
+/// @return     #V; kNoIndex for vertices that are no ends.
+/// @complexity O(#V + #edges).
+[[nodiscard]] std::vector<Index> find_weld_places(std::span<const Vec3> positions,
+                                                  std::span<const WeldEdge> edges);
+
+/// The edges at each place, flat.
+struct EdgesAtPlaces {
+  /// #V + 1: where the edges of each place begin, by the vertex that names it.
+  std::vector<Index> begin;
+  std::vector<Index> edges;
+
+  [[nodiscard]] std::span<const Index> operator[](Index place) const {
+    return std::span(edges).subspan(begin[place], begin[place + 1] - begin[place]);
+  }
+};
+
+/// @param wanted  Which of the edges to list, by number, ascending.
+/// @param places  As find_weld_places() returns them.
+[[nodiscard]] EdgesAtPlaces list_edges_at_places(std::span<const WeldEdge> edges,
+                                                 std::span<const Index> wanted,
+                                                 std::span<const Index> places);
+
+}  // namespace meshalyzer
