@@ -1,0 +1,50 @@
+#pragma once
+
+#include "meshalyzer/defects/built_mesh.h"
+#include "meshalyzer/repair/split/vertex_stars.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+// Private to split_edges(): the edges with more than two faces, and which of these go on together.
+
+/// The edges of a file with more than two faces. A strand is one such face at one such edge.
+struct EdgeStrands {
+  /// #edges: the two file vertices of each, the smaller first; ascending.
+  std::vector<std::array<Index, 2>> ends;
+  /// #edges + 1: where the strands of each edge begin.
+  std::vector<Index> begin{0};
+  /// #strands: file face, ascending within an edge.
+  std::vector<Index> faces;
+  /// #strands.
+  std::vector<Index> edge_of;
+
+  [[nodiscard]] std::size_t size() const { return ends.size(); }
+  [[nodiscard]] std::size_t n_faces(std::size_t edge) const {
+    return begin[edge + 1] - begin[edge];
+  }
+  /// The edge between two vertices, which must be one of these.
+  [[nodiscard]] std::size_t edge_between(Index a, Index b) const;
+};
+
+[[nodiscard]] EdgeStrands list_strands(const CutMesh& cut);
+
+/// The vertices at the ends of these edges, ascending.
+[[nodiscard]] std::vector<Index> ends_of_strands(const EdgeStrands& strands);
+
+/// Pairs the strands of each edge as pair_round_edge() does.
+///
+/// A chain of edges, from one to the next at vertices where two of them meet and each face goes on
+/// from one to the other through its fan, is paired as one of its edges asks for: one where
+/// orientations alternate, if any; of several the longest, then the first.
+///
+/// @param stars  Of ends_of_strands().
+/// @return       #strands: the strand of the same edge that each is joined to, or kNoIndex.
+[[nodiscard]] std::vector<Index> pair_strands(const BuiltMesh& mesh, const EdgeStrands& strands,
+                                              const VertexStars& stars);
+
+}  // namespace meshalyzer

@@ -1,0 +1,241 @@
+#include "meshalyzer/repair/passes.h"
+#include "meshalyzer/repair/split/contact_places.h"
+#include "meshalyzer/repair/split/moved_faces.h"
+#include "meshalyzer/repair/split/parting_directions.h"
+#include "meshalyzer/topology/disjoint_sets.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// From one step to the next: fine where a direction was chosen well, coarse where it was not.
+constexpr double kFineGrowth = 2.0;
+constexpr double kCoarseGrowth = 16.0;
+/// For so many times the step neighbours are looked up at once.
+constexpr double kReach = 256.0;
+/// Of so many units that touch at a place, the one that gets by with the smallest step is moved.
+constexpr std::size_t kUnitsAtOnce = 4;
+
+/// Sets of places that have a face in common: an edge touches until both its ends have moved.
+DisjointSets connect_places(const ContactPlaces& contacts) {
+  std::vector<std::pair<Index, Index>> place_of_face;
+  for (Index i = 0; i < contacts.places.size(); ++i) {
+    for (const auto& unit : contacts.places[i].units) {
+      for (const Index v : unit) {
+        for (const Index face : contacts.stars.faces(contacts.stars.star_of(v))) {
+          place_of_face.emplace_back(face, i);
+        }
+      }
+    }
+  }
+  std::sort(place_of_face.begin(), place_of_face.end());
+  DisjointSets connected(contacts.places.size());
+  for (std::size_t i = 1; i < place_of_face.size(); ++i) {
+    if (place_of_face[i].first == place_of_face[i - 1].first) {
+      connected.unite(place_of_face[i].second, place_of_face[i - 1].second);
+    }
+  }
+  return connected;
+}
+
+/// Moves vertices, place by place, each as the mesh is after those before.
+class Parting {
+ public:
+  Parting(const PassInput& input, const ContactPlaces& contacts)
+      : input_(input), contacts_(contacts), mesh_(input.mesh) {
+    const Box3& bounds = input.mesh.tree().bounds();
+    const double size =
+        std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff());
+    first_step_ =
+        std::max(size * std::numeric_limits<double>::epsilon(), std::numeric_limits<double>::min());
+  }
+
+  [[nodiscard]] PassResult part_all() {
+    DisjointSets connected = connect_places(contacts_);
+    std::vector<Index> operation(contacts_.places.size(), kNoIndex);
+    for (Index i = 0; i < contacts_.places.size(); ++i) {
+      const std::vector<Index> moved = part(contacts_.places[i]);
+      if (moved.empty()) continue;
+      Index& op = operation[connected.find(i)];
+      if (op == kNoIndex) op = result_.edits.begin_operation();
+      for (const Index v : moved) {
+        result_.edits.moved_vertices.push_back({.op = op, .vertex = v, .to = mesh_.position(v)});
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  /// A unit, and where it can go.
+  struct Found {
+    Index unit = 0;
+    Vec3 to;
+  };
+
+  /// Moves units of a place until none touches another, as far as can be; which vertices moved.
+  std::vector<Index> part(const ContactPlace& place) {
+    std::vector<Index> moved;
+    std::vector<std::array<Index, 2>> contacts = place.contacts;
+    std::vector<Index> candidates = units_that_may_move(place);
+    while (!contacts.empty()) {
+      const std::vector<Index> units = next_to_move(candidates, contacts);
+      if (units.empty()) {
+        refuse(place, contacts.front());
+        break;
+      }
+      const std::optional<Found> found = find_move(place, units);
+      std::erase_if(candidates, [&](Index unit) {
+        return found ? unit == found->unit
+                     : std::find(units.begin(), units.end(), unit) != units.end();
+      });
+      if (!found) continue;
+      const std::vector<Index>& unit = place.units[found->unit];
+      mesh_.move(unit, found->to);
+      moved.insert(moved.end(), unit.begin(), unit.end());
+      std::erase_if(contacts, [&](const std::array<Index, 2>& contact) {
+        return contact[0] == found->unit || contact[1] == found->unit;
+      });
+    }
+    return moved;
+  }
+
+  [[nodiscard]] bool may_move(const std::vector<Index>& unit) const {
+    return std::none_of(unit.begin(), unit.end(),
+                        [&](Index v) { return input_.limits.is_fixed(input_.draft, v); });
+  }
+
+  /// The last first: those are the copies.
+  [[nodiscard]] std::vector<Index> units_that_may_move(const ContactPlace& place) const {
+    std::vector<Index> units;
+    for (auto unit = static_cast<Index>(place.units.size()); unit-- > 0;) {
+      if (may_move(place.units[unit])) units.push_back(unit);
+    }
+    return units;
+  }
+
+  /// The first few of the candidates that touch others.
+  [[nodiscard]] static std::vector<Index> next_to_move(
+      const std::vector<Index>& candidates, const std::vector<std::array<Index, 2>>& contacts) {
+    std::vector<Index> units;
+    for (const Index unit : candidates) {
+      const bool touches =
+          std::any_of(contacts.begin(), contacts.end(),
+                      [&](const std::array<Index, 2>& c) { return c[0] == unit || c[1] == unit; });
+      if (touches) units.push_back(unit);
+      if (units.size() == kUnitsAtOnce) break;
+    }
+    return units;
+  }
+
+  [[nodiscard]] std::optional<Found> find_move(const ContactPlace& place,
+                                               const std::vector<Index>& units) const {
+    std::vector<std::vector<Index>> faces;
+    std::vector<std::vector<Vec3>> directions;
+    for (const Index unit : units) {
+      faces.push_back(faces_of(place.units[unit]));
+      directions.push_back(parting_directions(corners_of(place.units[unit], faces.back())));
+    }
+    const Trial trial{.place = place, .units = units, .faces = faces};
+    if (auto found = search(trial, directions, kFineGrowth)) return found;
+    directions.assign(units.size(), grid_directions());
+    return search(trial, directions, kCoarseGrowth);
+  }
+
+  /// The faces round a unit, ascending.
+  [[nodiscard]] std::vector<Index> faces_of(const std::vector<Index>& unit) const {
+    std::vector<Index> faces;
+    for (const Index v : unit) {
+      const auto of_vertex = contacts_.stars.faces(contacts_.stars.star_of(v));
+      faces.insert(faces.end(), of_vertex.begin(), of_vertex.end());
+    }
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return faces;
+  }
+
+  /// Those of the faces round a unit, the vertex of the unit first.
+  [[nodiscard]] std::vector<Corners> corners_of(const std::vector<Index>& unit,
+                                                const std::vector<Index>& faces) const {
+    std::vector<Corners> corners;
+    for (const Index face : faces) {
+      Triangle t = mesh_.triangle(face);
+      const auto first = std::find_first_of(t.begin(), t.end(), unit.begin(), unit.end());
+      std::rotate(t.begin(), first, t.end());
+      corners.push_back(mesh_.corners(t));
+    }
+    return corners;
+  }
+
+  /// What is tried at a place; the lists are by place in `units`.
+  struct Trial {
+    const ContactPlace& place;
+    const std::vector<Index>& units;
+    const std::vector<std::vector<Index>>& faces;
+  };
+
+  [[nodiscard]] std::vector<Move> make_moves(const Trial& trial, double reach) const {
+    std::vector<Move> moves;
+    for (std::size_t i = 0; i < trial.units.size(); ++i) {
+      moves.emplace_back(mesh_, trial.place.units[trial.units[i]], trial.faces[i], reach);
+    }
+    return moves;
+  }
+
+  /// The smallest step that does it, whichever unit makes it and in whatever direction.
+  [[nodiscard]] std::optional<Found> search(const Trial& trial,
+                                            const std::vector<std::vector<Vec3>>& directions,
+                                            double growth) const {
+    // Finite, so that steps come to an end.
+    const double max =
+        std::min(input_.limits.max_deviation, std::numeric_limits<double>::max() / 2);
+    std::vector<Move> moves = make_moves(trial, kReach * first_step_);
+    for (double step = first_step_; step <= max; step *= growth) {
+      if (step > moves.front().reach()) moves = make_moves(trial, kReach * step);
+      if (std::all_of(moves.begin(), moves.end(), std::mem_fn(&Move::is_crowded))) break;
+      for (std::size_t i = 0; i < trial.units.size(); ++i) {
+        const Vec3& from = mesh_.position(trial.place.units[trial.units[i]].front());
+        for (const Vec3& direction : directions[i]) {
+          const Vec3 to = from + step * direction;
+          const double distance = (to - from).stableNorm();
+          if (distance > 0.0 && distance <= max && moves[i].is_accepted(to)) {
+            return Found{.unit = trial.units[i], .to = to};
+          }
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  void refuse(const ContactPlace& place, const std::array<Index, 2>& contact) {
+    const bool is_free = may_move(place.units[contact[0]]) || may_move(place.units[contact[1]]);
+    result_.refused.push_back(
+        {.code = DefectCode::NonManifold,
+         .vertex = place.units[contact[0]].front(),
+         .reason = is_free ? "no step within the deviation was found that parts the faces"
+                           : "vertices that touch must stay where they are"});
+  }
+
+  const PassInput& input_;
+  const ContactPlaces& contacts_;
+  MovedMesh mesh_;
+  double first_step_ = 0.0;
+  PassResult result_;
+};
+
+}  // namespace
+
+PassResult part_contacts(const PassInput& input) {
+  const ContactPlaces contacts = find_contact_places(input.mesh);
+  if (contacts.places.empty()) return {};
+  return Parting(input, contacts).part_all();
+}
+
+}  // namespace meshalyzer
