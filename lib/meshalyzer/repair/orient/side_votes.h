@@ -1,0 +1,77 @@
+#pragma once
+
+#include "meshalyzer/mesh/soup.h"
+#include "meshalyzer/spatial/winding_number.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+// Private to the repair module: which side of a surface is inside, asked of some of its faces.
+
+/// The mesh faces of each part, ascending.
+class FacesByPart {
+ public:
+  /// @param of_face  #mesh faces, the part of each.
+  FacesByPart(std::span<const Index> of_face, std::size_t n_parts);
+
+  [[nodiscard]] std::span<const Index> of(std::size_t part) const {
+    return std::span(faces_).subspan(begin_[part], begin_[part + 1] - begin_[part]);
+  }
+
+ private:
+  std::vector<std::size_t> begin_;
+  std::vector<Index> faces_;
+};
+
+/// The corners of a face as the file gives them: turned over bit by bit where the face is, which
+/// the half-edge mesh may begin at another corner.
+[[nodiscard]] Corners corners_of(const Soup& soup, Index file_face);
+
+/// The same for a face that is turned over.
+[[nodiscard]] constexpr Triangle turned_over(const Triangle& t) {
+  return {t[0], t[2], t[1]};
+}
+
+/// A point of a surface that speaks for so much of its area, which is measured in some unit of the
+/// surface's own.
+struct SurfaceSample {
+  Vec3 point = Vec3::Zero();
+  double area = 0.0;
+};
+
+/// Middles of faces: of all that have an area where there are not many; else of some, a larger one
+/// more likely, chosen at equal steps through the area in the order given.
+///
+/// @return Few hundred at most. The same when faces are turned over by exchanging their last two
+/// corners.
+[[nodiscard]] std::vector<SurfaceSample> sample_surface(std::span<const Corners> triangles);
+
+/// The area of a surface by what its winding number is on both sides. A closed surface has 1 behind
+/// its faces and 0 in front, a flat sheet 1/2 and -1/2: each face counts as what it is nearer to.
+struct SideVotes {
+  double area = 0.0;
+  /// Where it separates, the inside being behind the faces.
+  double outward = 0.0;
+  /// The same, the inside being in front of them.
+  double inward = 0.0;
+
+  /// Whether at least half of the surface separates.
+  [[nodiscard]] bool means_solid() const { return area > 0.0 && outward + inward >= area / 2; }
+  [[nodiscard]] bool is_outward() const { return outward > inward; }
+  /// Whether half of it says one thing, and not half as much the other.
+  [[nodiscard]] bool is_clear() const {
+    const double more = is_outward() ? outward : inward;
+    const double less = is_outward() ? inward : outward;
+    return area > 0.0 && more >= area / 2 && less < more / 2;
+  }
+};
+
+/// @param surface  Of the surface that was sampled.
+/// @complexity     O(#samples log #F).
+[[nodiscard]] SideVotes count_votes(const WindingNumbers& surface,
+                                    std::span<const SurfaceSample> samples);
+
+}  // namespace meshalyzer
