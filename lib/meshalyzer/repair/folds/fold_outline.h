@@ -1,0 +1,39 @@
+#pragma once
+
+#include "meshalyzer/base/types.h"
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+// Private to the repair module: what fits into a closed outline of a few vertices in space that is
+// nearly flat. All is seen along the normal of the outline, the vector area that it encloses.
+
+/// The middle of the places from which all of an outline is seen, at the mean height of its
+/// vertices: with a vertex there no face of the fan to the outline is turned over.
+///
+/// @param outline  Counter-clockwise.
+/// @return         Nothing where there is no such place, or hardly any room for it.
+/// @complexity     O(n^2).
+[[nodiscard]] std::optional<Vec3> middle_of_kernel(std::span<const Vec3> outline);
+
+/// Whether two vertices of the outline, by number, may get an edge.
+using MayJoin = std::function<bool(Index, Index)>;
+
+/// Triangulates an outline by cutting off ears (Meisters 1975, "Polygons have ears"), of those that
+/// may be the best shaped one first. Which way corners turn is decided exactly.
+///
+/// @param outline  Counter-clockwise.
+/// @return         Triangles by number in the outline, n - 2 of them; nothing where there are no
+///                 more ears, because the outline crosses itself, or an edge may not be.
+/// @complexity     O(n^3).
+[[nodiscard]] std::vector<Triangle> cut_ears(std::span<const Vec3> outline,
+                                             const MayJoin& may_join);
+
+/// Of a triangle: its shortest altitude over its longest edge, 0 ... sqrt(3) / 2.
+[[nodiscard]] double shape_quality(const Vec3& a, const Vec3& b, const Vec3& c);
+
+}  // namespace meshalyzer
