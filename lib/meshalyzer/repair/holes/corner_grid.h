@@ -1,0 +1,59 @@
+#pragma once
+
+#include "meshalyzer/base/types.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Points of a plane in square cells, to find those in a box.
+class CornerGrid {
+ public:
+  using Point = Eigen::Vector2d;
+
+  /// @param points  Only referred to by number later on.
+  /// @param listed  Which of them the grid holds.
+  CornerGrid(const std::vector<Point>& points, const std::vector<Index>& listed);
+
+  /// Calls `visit` with the number of each point in a triangle, and of some near it, until it
+  /// returns true.
+  ///
+  /// @return Whether it did.
+  template <typename Visit>
+  bool any_near(const std::array<Point, 3>& triangle, Visit&& visit) const {
+    const auto [first_row, last_row] = rows_of(triangle);
+    for (std::size_t row = first_row; row <= last_row; ++row) {
+      const auto [first_column, last_column] = columns_of(triangle, row);
+      const std::size_t end = row * n_columns_ + last_column;
+      for (std::size_t cell = row * n_columns_ + first_column; cell <= end; ++cell) {
+        for (std::size_t i = begin_[cell]; i < begin_[cell + 1]; ++i) {
+          if (visit(points_[i])) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+ private:
+  /// Column and row; a point outside counts to the nearest cell.
+  [[nodiscard]] std::array<std::size_t, 2> cell_of(const Point& p) const;
+  /// The first and the last row that a triangle reaches.
+  [[nodiscard]] std::array<std::size_t, 2> rows_of(const std::array<Point, 3>& triangle) const;
+  /// The first and the last column that it reaches in a row, and one more on each side.
+  [[nodiscard]] std::array<std::size_t, 2> columns_of(const std::array<Point, 3>& triangle,
+                                                      std::size_t row) const;
+
+  Point low_ = Point::Zero();
+  double per_length_ = 0.0;
+  std::size_t n_columns_ = 1;
+  std::size_t n_rows_ = 1;
+  /// #cells + 1: where each cell's points begin.
+  std::vector<Index> begin_;
+  std::vector<Index> points_;
+};
+
+}  // namespace meshalyzer

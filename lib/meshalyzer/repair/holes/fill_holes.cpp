@@ -1,0 +1,226 @@
+#include "meshalyzer/repair/holes/fill_loop.h"
+#include "meshalyzer/repair/holes/islands.h"
+#include "meshalyzer/repair/holes/patch_edits.h"
+#include "meshalyzer/repair/orient/means_solid.h"
+#include "meshalyzer/repair/passes.h"
+#include "meshalyzer/spatial/triangle_distance.h"
+#include "meshalyzer/topology/components.h"
+#include "meshalyzer/topology/edges.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// More loops than this are not joined to one.
+constexpr std::size_t kMaxIslands = 64;
+
+/// Which loops may be filled; of the others some may still be joined to one that may.
+struct Choice {
+  std::vector<std::uint8_t> is_chosen;
+  std::vector<std::uint8_t> may_join;
+  std::vector<Refusal> refused;
+};
+
+/// How far a point is from the nearest edge between a face that filled a hole and one that did not.
+double distance_from_patches(const PassInput& input, const Vec3& point) {
+  const CutMesh& cut = input.mesh.cut();
+  const auto is_patch = [&](HalfedgeHandle h) {
+    const FaceHandle f = cut.mesh.face_handle(h);
+    return input.draft.origin_of_face(cut.side.face(f)) == kNoIndex;
+  };
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const EdgeHandle e : cut.mesh.edges()) {
+    const HalfedgeHandle h = cut.mesh.halfedge_handle(e, 0);
+    if (cut.mesh.is_boundary(e) || is_patch(h) == is_patch(cut.mesh.opposite_halfedge_handle(h))) {
+      continue;
+    }
+    const Vec3& a = cut.mesh.point(cut.mesh.from_vertex_handle(h));
+    const Vec3& b = cut.mesh.point(cut.mesh.to_vertex_handle(h));
+    nearest = std::min(nearest, closest_on_triangle({a, b, b}, point).distance);
+  }
+  return nearest;
+}
+
+/// Leaves only the loop nearest to a point; none where one still nearer was filled before.
+void choose_nearest(const PassInput& input, std::span<const HoleLoop> loops, const Vec3& point,
+                    Choice& choice) {
+  std::vector<double> distances;
+  for (const HoleLoop& loop : loops) {
+    distances.push_back(distance_from(input.mesh.soup(), loop, point));
+  }
+  const auto nearest = std::min_element(distances.begin(), distances.end());
+  choice.is_chosen.assign(loops.size(), 0);
+  if (*nearest < distance_from_patches(input, point)) {
+    choice.is_chosen[static_cast<std::size_t>(nearest - distances.begin())] = 1;
+  }
+}
+
+/// Leaves out the loops of sheets.
+void refuse_sheets(const BuiltMesh& mesh, std::span<const HoleLoop> loops, Choice& choice) {
+  const Components components = find_edge_components(mesh.cut());
+  const std::vector<std::uint8_t> is_solid = means_solid(mesh, components);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const FaceHandle beyond = mesh.cut().mesh.face_handle(loops[i].halfedges.front());
+    const Index component = components.of_face[static_cast<std::size_t>(beyond.idx())];
+    if (choice.is_chosen[i] == 0 || is_solid[component] != 0) continue;
+    choice.is_chosen[i] = 0;
+    choice.refused.push_back(
+        refuse_hole(mesh, loops[i],
+                    "the surface is a sheet: it is left open unless hole filling is asked for by "
+                    "name"));
+  }
+}
+
+Choice choose_loops(const PassInput& input, std::span<const HoleLoop> loops,
+                    const FillOptions& options) {
+  Choice choice{.is_chosen = std::vector<std::uint8_t>(loops.size(), 1),
+                .may_join = std::vector<std::uint8_t>(loops.size(), 1),
+                .refused = {}};
+  if (options.at) choose_nearest(input, loops, *options.at, choice);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (loops[i].size() <= options.max_edges) continue;
+    choice.is_chosen[i] = 0;
+    choice.may_join[i] = 0;
+  }
+  const bool is_any_left =
+      std::find(choice.is_chosen.begin(), choice.is_chosen.end(), 1) != choice.is_chosen.end();
+  if (options.sheets == FillSheets::No && is_any_left) {
+    refuse_sheets(input.mesh, loops, choice);
+  }
+  return choice;
+}
+
+/// A patch, and the loop that it fills.
+struct FilledLoop {
+  JoinedLoop loop;
+  /// By number, ascending.
+  std::vector<std::size_t> members;
+  Patch patch;
+};
+
+/// Fills the loops of a mesh that no other one filled in this round touches.
+class HoleFiller {
+ public:
+  HoleFiller(const FillTask& task, std::span<const HoleLoop> loops, Choice choice)
+      : task_(task),
+        soup_(task.mesh.soup()),
+        loops_(loops),
+        choice_(std::move(choice)),
+        islands_(task.mesh, loops),
+        is_touched_(soup_.n_vertices(), 0) {}
+
+  [[nodiscard]] PassResult run() {
+    for (const std::size_t i : by_length()) {
+      if (choice_.is_chosen[i] != 0 && is_free(i)) fill(i);
+    }
+    return result();
+  }
+
+ private:
+  /// The longest first: an outer loop finds the islands in it before these are looked at.
+  [[nodiscard]] std::vector<std::size_t> by_length() const {
+    std::vector<double> lengths;
+    for (const HoleLoop& loop : loops_) lengths.push_back(length_of(soup_, loop));
+    std::vector<std::size_t> order(loops_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return lengths[a] > lengths[b]; });
+    return order;
+  }
+
+  /// Whether no loop that is filled in this round has a vertex of this one.
+  [[nodiscard]] bool is_free(std::size_t i) const {
+    return std::none_of(loops_[i].vertices.begin(), loops_[i].vertices.end(),
+                        [&](Index v) { return is_touched_[v] != 0; });
+  }
+
+  void fill(std::size_t i) {
+    const JoinedLoop alone{.loop = loops_[i], .bridges = {}};
+    if (islands_.may_hold_any(i)) {
+      const std::optional<Patch> first = first_patch(task_, alone);
+      if (first && fill_joined(i, islands_.lying_on(*first, i))) return;
+    }
+    Filling filling = fill_loop(task_, alone);
+    if (filling.patch) {
+      accept({alone, {i}, std::move(*filling.patch)});
+    } else if (!fill_joined(i, islands_.along(filling.met_faces, i))) {
+      failures_.push_back({i, std::move(filling.reason)});
+    }
+  }
+
+  /// Fills a loop together with others, as far as these may be.
+  ///
+  /// @return Whether it did.
+  bool fill_joined(std::size_t i, std::vector<std::size_t> others) {
+    std::erase_if(others, [&](std::size_t k) { return choice_.may_join[k] == 0 || !is_free(k); });
+    if (others.empty() || others.size() > kMaxIslands) return false;
+    std::vector<const HoleLoop*> together{&loops_[i]};
+    for (const std::size_t k : others) together.push_back(&loops_[k]);
+    std::optional<JoinedLoop> joined = join_loops(soup_, task_.taken, together);
+    if (!joined) return false;
+    Filling filling = fill_loop(task_, *joined);
+    if (!filling.patch) return false;
+    others.push_back(i);
+    std::sort(others.begin(), others.end());
+    accept({std::move(*joined), std::move(others), std::move(*filling.patch)});
+    return true;
+  }
+
+  void accept(FilledLoop filled) {
+    for (const Index v : filled.loop.loop.vertices) is_touched_[v] = 1;
+    filled_.push_back(std::move(filled));
+  }
+
+  [[nodiscard]] PassResult result() {
+    PassResult result;
+    std::vector<Patch> patches;
+    for (const FilledLoop& filled : filled_) patches.push_back(filled.patch);
+    const std::vector<std::uint8_t> is_kept = keep_apart(task_.mesh, patches);
+    for (std::size_t k = 0; k < filled_.size(); ++k) {
+      if (is_kept[k] == 0) continue;
+      add_patch(task_.mesh, filled_[k].loop.loop, filled_[k].patch, result.edits);
+    }
+    result.refused = std::move(choice_.refused);
+    std::sort(failures_.begin(), failures_.end());
+    for (auto& [i, reason] : failures_) {
+      // It may have become an island of a later one.
+      if (is_free(i)) {
+        result.refused.push_back(refuse_hole(task_.mesh, loops_[i], std::move(reason)));
+      }
+    }
+    return result;
+  }
+
+  const FillTask& task_;
+  const Soup& soup_;
+  std::span<const HoleLoop> loops_;
+  Choice choice_;
+  Islands islands_;
+  /// #V, non-zero for those of loops that are filled.
+  std::vector<std::uint8_t> is_touched_;
+  std::vector<FilledLoop> filled_;
+  std::vector<std::pair<std::size_t, std::string>> failures_;
+};
+
+}  // namespace
+
+PassResult fill_holes(const PassInput& input, const FillOptions& options) {
+  HoleLoops found = find_hole_loops(input.mesh);
+  PassResult result;
+  if (!found.loops.empty()) {
+    const TakenEdges taken(input.mesh, found.loops);
+    const FillTask task{.mesh = input.mesh,
+                        .taken = taken,
+                        .degeneracy = input.tolerances.degeneracy,
+                        .shape = options.shape};
+    result = HoleFiller(task, found.loops, choose_loops(input, found.loops, options)).run();
+  }
+  result.refused.insert(result.refused.begin(), std::make_move_iterator(found.refused.begin()),
+                        std::make_move_iterator(found.refused.end()));
+  return result;
+}
+
+}  // namespace meshalyzer

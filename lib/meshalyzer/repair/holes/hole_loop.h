@@ -1,0 +1,46 @@
+#pragma once
+
+#include "meshalyzer/defects/built_mesh.h"
+#include "meshalyzer/repair/pass.h"
+
+#include <vector>
+
+namespace meshalyzer {
+
+/// A closed walk along border edges, in the direction in which a patch runs along them: against the
+/// faces beyond.
+struct HoleLoop {
+  /// File vertices; edge i runs from vertex i to the next, the last one back to the first. A loop
+  /// of several joined by bridges names the ends of bridges more than once.
+  std::vector<Index> vertices;
+  /// By edge: the half-edge of the face beyond, which runs against it; not valid for a bridge.
+  std::vector<HalfedgeHandle> halfedges;
+
+  [[nodiscard]] std::size_t size() const { return vertices.size(); }
+  [[nodiscard]] Index next(std::size_t edge) const {
+    return vertices[edge + 1 < vertices.size() ? edge + 1 : 0];
+  }
+};
+
+/// The loops that a mesh has, and those border chains that are none.
+struct HoleLoops {
+  std::vector<HoleLoop> loops;
+  std::vector<Refusal> refused;
+};
+
+/// Finds the loops of border edges that can be filled as far as their edges tell: they close, run
+/// one way round, and have at least three edges.
+///
+/// @return  In the order of find_boundary_chains().
+[[nodiscard]] HoleLoops find_hole_loops(const BuiltMesh& mesh);
+
+/// A refusal that names a loop by its lowest vertex and lowest face.
+[[nodiscard]] Refusal refuse_hole(const BuiltMesh& mesh, const HoleLoop& loop, std::string reason);
+
+/// The length of a loop.
+[[nodiscard]] double length_of(const Soup& soup, const HoleLoop& loop);
+
+/// The distance of a point from the edges of a loop.
+[[nodiscard]] double distance_from(const Soup& soup, const HoleLoop& loop, const Vec3& point);
+
+}  // namespace meshalyzer

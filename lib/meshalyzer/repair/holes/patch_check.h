@@ -1,0 +1,50 @@
+#pragma once
+
+#include "meshalyzer/defects/built_mesh.h"
+
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Faces that fill a hole.
+struct Patch {
+  /// Of file vertices; n_vertices + i is added vertex i.
+  std::vector<Triangle> triangles;
+  std::vector<Vec3> added;
+};
+
+/// What is wrong with a patch.
+struct PatchFaults {
+  /// Whether it alone is not a consistently oriented manifold.
+  bool is_torn = false;
+  /// Of the patch, by index: those that meet the mesh or another one. Ascending.
+  std::vector<Index> meeting;
+  /// File faces that the patch meets. Ascending.
+  std::vector<Index> met_faces;
+
+  [[nodiscard]] bool empty() const { return !is_torn && meeting.empty(); }
+};
+
+/// Checks, exactly, that a patch intersects neither the mesh nor itself (contract 2). A contact at
+/// nothing but two copies of one vertex does not count: the faces beyond the border have it
+/// already, and to part the copies is another pass's matter.
+///
+/// @complexity  O(n log #F + candidates).
+[[nodiscard]] PatchFaults check_patch(const BuiltMesh& mesh, const Patch& patch);
+
+/// Finds the patches that meet one before them in the list which itself is kept: 1 for those that
+/// do not and are kept.
+[[nodiscard]] std::vector<std::uint8_t> keep_apart(const BuiltMesh& mesh,
+                                                   std::span<const Patch> patches);
+
+/// A patch as a mesh of its own.
+struct PatchSoup {
+  Soup soup;
+  /// By vertex of the soup: what the patch names it; ascending.
+  std::vector<Index> vertices;
+};
+
+[[nodiscard]] PatchSoup make_soup(const Soup& mesh, const Patch& patch);
+
+}  // namespace meshalyzer

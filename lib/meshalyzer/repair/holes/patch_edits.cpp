@@ -1,0 +1,82 @@
+#include "meshalyzer/repair/holes/patch_edits.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// A directed edge and the face that it is of.
+struct Side {
+  std::array<Index, 2> ends;
+  Index face = 0;
+
+  friend bool operator<(const Side& a, const Side& b) { return a.ends < b.ends; }
+};
+
+std::vector<Side> sides_of(const Patch& patch) {
+  std::vector<Side> sides;
+  sides.reserve(3 * patch.triangles.size());
+  for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
+    const Triangle& t = patch.triangles[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      sides.push_back({{t[k], t[(k + 1) % 3]}, static_cast<Index>(i)});
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+/// The face of the patch that runs along an edge in this direction, or kNoIndex.
+Index face_at(const std::vector<Side>& sides, const std::array<Index, 2>& ends) {
+  const auto at = std::lower_bound(sides.begin(), sides.end(), Side{ends});
+  return at != sides.end() && at->ends == ends ? at->face : kNoIndex;
+}
+
+/// By face of the patch: the file face that it is like.
+std::vector<Index> likes_of(const BuiltMesh& mesh, const HoleLoop& loop, const Patch& patch) {
+  const CutMesh& cut = mesh.cut();
+  const std::vector<Side> sides = sides_of(patch);
+  std::vector<Index> likes(patch.triangles.size(), kNoIndex);
+  std::vector<Index> reached;
+  const auto reach = [&](Index face, Index like) {
+    if (face == kNoIndex || likes[face] != kNoIndex) return;
+    likes[face] = like;
+    reached.push_back(face);
+  };
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    if (!loop.halfedges[i].is_valid()) continue;
+    reach(face_at(sides, {loop.vertices[i], loop.next(i)}),
+          cut.side.face(cut.mesh.face_handle(loop.halfedges[i])));
+  }
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    const Triangle& t = patch.triangles[reached[i]];
+    for (std::size_t k = 0; k < 3; ++k) {
+      reach(face_at(sides, {t[(k + 1) % 3], t[k]}), likes[reached[i]]);
+    }
+  }
+  return likes;
+}
+
+}  // namespace
+
+void add_patch(const BuiltMesh& mesh, const HoleLoop& loop, const Patch& patch, Edits& edits) {
+  const auto n_vertices = static_cast<Index>(mesh.soup().n_vertices());
+  const auto shift = static_cast<Index>(edits.added_vertices.size());
+  const Index op = edits.begin_operation();
+  for (const Vec3& position : patch.added) {
+    edits.added_vertices.push_back({.op = op, .position = position});
+  }
+  const std::vector<Index> likes = likes_of(mesh, loop, patch);
+  for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
+    Triangle corners = patch.triangles[i];
+    for (Index& v : corners) v += v >= n_vertices ? shift : 0;
+    edits.added_faces.push_back({.op = op, .corners = corners, .like = likes[i], .is_patch = true});
+  }
+}
+
+}  // namespace meshalyzer

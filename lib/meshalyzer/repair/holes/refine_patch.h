@@ -1,0 +1,32 @@
+#pragma once
+
+#include "meshalyzer/repair/holes/taken_edges.h"
+
+#include <vector>
+
+namespace meshalyzer {
+
+/// A patch as a half-edge mesh, in which it can be refined.
+struct WorkingPatch {
+  TriMesh mesh;
+  /// By vertex: its file vertex; vertices beyond the end are new.
+  std::vector<Index> names;
+
+  [[nodiscard]] bool is_new(VertexHandle v) const {
+    return static_cast<std::size_t>(v.idx()) >= names.size();
+  }
+};
+
+/// Splits and flips until triangles are about as large as the faces round the loop (Liepa 2003,
+/// "Filling holes in meshes", section 4): a vertex is put into a triangle where it comes to lie
+/// farther from the corners than the edges there are long, and edges are flipped where the angles
+/// opposite add up to more than 180 degrees.
+///
+/// No edge is made that the mesh has, and no more than some 50,000 vertices: larger patches stay
+/// coarser than what is round them.
+///
+/// @complexity  O(n log n) for n triangles.
+void refine_patch(const BuiltMesh& mesh, const HoleLoop& loop, const TakenEdges& taken,
+                  WorkingPatch& patch);
+
+}  // namespace meshalyzer

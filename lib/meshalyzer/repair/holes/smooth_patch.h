@@ -1,0 +1,19 @@
+#pragma once
+
+#include "meshalyzer/repair/holes/patch_check.h"
+#include "meshalyzer/repair/holes/taken_edges.h"
+
+#include <optional>
+
+namespace meshalyzer {
+
+/// Refines a patch to the density of the mesh round it, and fairs it: its new vertices go on as the
+/// mesh round it is bent (Liepa 2003, "Filling holes in meshes").
+///
+/// @param patch  A triangulation of the loop, and a manifold.
+/// @return       Nothing where the patch needs no new vertex, or the fair surface is out of reach
+/// of numbers.
+[[nodiscard]] std::optional<Patch> smooth_patch(const BuiltMesh& mesh, const HoleLoop& loop,
+                                                const TakenEdges& taken, const Patch& patch);
+
+}  // namespace meshalyzer
