@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace meshalyzer {
@@ -44,6 +45,14 @@ double distance_from_patches(const PassInput& input, const Vec3& point) {
   return nearest;
 }
 
+/// Gives a reason for all loops that are not chosen.
+void refuse_others(const BuiltMesh& mesh, std::span<const HoleLoop> loops,
+                   const std::string& reason, Choice& choice) {
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (choice.is_chosen[i] == 0) choice.refused.push_back(refuse_hole(mesh, loops[i], reason));
+  }
+}
+
 /// Leaves only the loop nearest to a point; none where one still nearer was filled before.
 void choose_nearest(const PassInput& input, std::span<const HoleLoop> loops, const Vec3& point,
                     Choice& choice) {
@@ -56,6 +65,8 @@ void choose_nearest(const PassInput& input, std::span<const HoleLoop> loops, con
   if (*nearest < distance_from_patches(input, point)) {
     choice.is_chosen[static_cast<std::size_t>(nearest - distances.begin())] = 1;
   }
+  refuse_others(input.mesh, loops, "another hole is nearer to the point that was asked for",
+                choice);
 }
 
 /// Leaves out the loops of sheets.
@@ -82,6 +93,10 @@ Choice choose_loops(const PassInput& input, std::span<const HoleLoop> loops,
   if (options.at) choose_nearest(input, loops, *options.at, choice);
   for (std::size_t i = 0; i < loops.size(); ++i) {
     if (loops[i].size() <= options.max_edges) continue;
+    if (choice.is_chosen[i] != 0) {
+      choice.refused.push_back(
+          refuse_hole(input.mesh, loops[i], "it has more edges than the holes to be filled"));
+    }
     choice.is_chosen[i] = 0;
     choice.may_join[i] = 0;
   }

@@ -1,0 +1,61 @@
+#include "meshalyzer/repair/fix_face_defects.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// The faces of a group, by index in a soup.
+std::pair<Index, Index> range_of(const Soup& soup, std::size_t group) {
+  const std::vector<Group>& groups = soup.groups;
+  const auto end =
+      group + 1 < groups.size() ? groups[group + 1].first_face : static_cast<Index>(soup.n_faces());
+  return {groups[group].first_face, end};
+}
+
+std::vector<Index> faces_of(const Soup& soup, std::size_t group) {
+  const auto [begin, end] = range_of(soup, group);
+  std::vector<Index> faces;
+  for (Index f = begin; f < end; ++f) faces.push_back(f);
+  return faces;
+}
+
+/// Whether a face of the result is what it was, at the places where it was.
+bool is_same_face(const Soup& input, const Draft& draft, Index before, Index after) {
+  if (draft.face_keys[after] != before) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Index was = input.triangles[before][k];
+    const Index is = draft.soup.triangles[after][k];
+    if (was == kNoIndex || is == kNoIndex) {
+      if (was != is) return false;
+    } else if (draft.vertex_keys[is] != was || input.positions[was] != draft.soup.positions[is]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool is_edited(const Soup& input, const Draft& draft, const FaceTracking& face) {
+  return !std::equal(
+      face.before.begin(), face.before.end(), face.after.begin(), face.after.end(),
+      [&](Index before, Index after) { return is_same_face(input, draft, before, after); });
+}
+
+}  // namespace
+
+FaceRepairResult fix_face_defects(Soup soup, RepairOptions options) {
+  options.groups = Groups::Faces;
+  options.fixes.erase(DefectCode::Disjoint);
+  const Soup input = soup;
+  FaceRepairResult result;
+  result.repair = fix_defects(std::move(soup), options);
+  const Draft& draft = result.repair.meshes.front().draft;
+  for (std::size_t g = 0; g < input.groups.size(); ++g) {
+    FaceTracking face{input.groups[g].name, faces_of(input, g), faces_of(draft.soup, g)};
+    if (is_edited(input, draft, face)) result.edited.push_back(std::move(face));
+  }
+  return result;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "meshalyzer/repair/fix_defects.h"
+
+#include <string>
+#include <vector>
+
+namespace meshalyzer {
+
+/// What a repair made of the mesh of one face of a body.
+struct FaceTracking {
+  /// The name of the face's group.
+  std::string group;
+  /// The faces of its mesh before, by index in the input.
+  std::vector<Index> before;
+  /// The faces of its mesh now, by index in the result.
+  std::vector<Index> after;
+};
+
+struct FaceRepairResult {
+  RepairResult repair;
+  /// Of the faces of the body whose meshes were edited, in the order of their groups.
+  std::vector<FaceTracking> edited;
+};
+
+/// Repairs the meshes that are attached to the faces of a body: those of the groups of a soup (P
+/// 86.3).
+///
+/// The common borders of groups keep every vertex and edge, so that the body stays as watertight as
+/// it was. RepairOptions::groups counts as Groups::Faces, and disjoint is not fixed.
+///
+/// @throws InvalidArgument  as fix_defects().
+[[nodiscard]] FaceRepairResult fix_face_defects(Soup soup, RepairOptions options = {});
+
+}  // namespace meshalyzer

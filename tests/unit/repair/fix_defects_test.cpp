@@ -1,0 +1,200 @@
+#include "meshalyzer/repair/fix_defects.h"
+
+#include "meshalyzer/base/error.h"
+#include "repaired_meshes.h"
+#include "support/foldovers.h"
+#include "support/same_soup.h"
+#include "support/shapes.h"
+#include "weld_cases.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace meshalyzer {
+namespace {
+
+using enum DefectCode;
+
+TEST(FixDefects, GoodMeshesComeOutBitForBitAndNothingIsLogged) {
+  for (const Soup& soup :
+       {shapes::tetrahedron(), shapes::cube(1e-300), shapes::icosphere(2), shapes::genus_block(3),
+        shapes::torus(3, 1, 9, 7), shapes::nested_cubes(shapes::InnerShell::Cavity),
+        cube_with_groups(), cube_with_normals()}) {
+    const RepairResult result = fix_defects(soup);
+    EXPECT_TRUE(same_soup(only_mesh(result), soup));
+    EXPECT_TRUE(result.log.steps.empty());
+    EXPECT_TRUE(result.log.operations.empty());
+    EXPECT_TRUE(result.log.refusals.empty());
+    EXPECT_EQ(result.deviation, 0.0);
+  }
+}
+
+TEST(FixDefects, EmptyMeshComesOutEmpty) {
+  const RepairResult result = fix_defects({});
+  EXPECT_EQ(only_mesh(result).n_faces(), 0U);
+  EXPECT_EQ(only_mesh(result).n_vertices(), 0U);
+  EXPECT_TRUE(result.log.operations.empty());
+  EXPECT_EQ(result.max_deviation, 0.0);
+}
+
+TEST(FixDefects, MeshOfVerticesAloneKeepsThem) {
+  const Soup soup = shapes::make({{0, 0, 0}, {1, 2, 3}}, {});
+  const RepairResult result = fix_defects(soup);
+  EXPECT_TRUE(same_soup(only_mesh(result), soup));
+  EXPECT_TRUE(is_refused(result, OrphanVertex, ""));
+}
+
+TEST(FixDefects, PositionThatIsNotFiniteIsRefused) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    Soup soup = shapes::cube();
+    soup.positions[3].y() = bad;
+    EXPECT_THROW(static_cast<void>(fix_defects(soup)), InvalidArgument);
+  }
+}
+
+TEST(FixDefects, DeviationThatIsNoLengthIsRefused) {
+  for (const auto unit : {Deviation::Unit::Length, Deviation::Unit::Diagonal}) {
+    for (const double bad : {-1e-300, std::numeric_limits<double>::quiet_NaN(),
+                             std::numeric_limits<double>::infinity()}) {
+      RepairOptions options;
+      options.max_deviation = {bad, unit};
+      EXPECT_THROW(static_cast<void>(fix_defects(shapes::cube(), options)), InvalidArgument);
+    }
+  }
+}
+
+TEST(FixDefects, DeviationIsALengthOrAShareOfTheDiagonal) {
+  RepairOptions options;
+  options.max_deviation = {0.25, Deviation::Unit::Length};
+  EXPECT_EQ(fix_defects(shapes::cube(), options).max_deviation, 0.25);
+  options.max_deviation = {0.25, Deviation::Unit::Diagonal};
+  EXPECT_DOUBLE_EQ(fix_defects(shapes::cube(), options).max_deviation, 0.25 * std::sqrt(3.0));
+}
+
+TEST(FixDefects, DeviationIsAShareOfDiagonalsWhoseSquaresAreNoDoubles) {
+  // The square root of 3 times the side, a thousandth of it.
+  for (const double side : {1e-200, 1e306}) {
+    EXPECT_NEAR(fix_defects(shapes::cube(side)).max_deviation / side, 0.001 * std::sqrt(3.0),
+                1e-15);
+  }
+}
+
+TEST(FixDefects, FaceWithAMissingVertexGoes) {
+  Soup soup = shapes::cube();
+  soup.triangles.push_back({0, 1, kNoIndex});
+  soup.missing.push_back({12, 2, 99});
+  const RepairResult result = expect_mended(soup, Corrupt);
+  EXPECT_TRUE(same_soup(only_mesh(result), shapes::cube()));
+}
+
+TEST(FixDefects, FaceGivenTwiceStaysOnce) {
+  Soup soup = shapes::cube();
+  soup.triangles.push_back(soup.triangles[5]);
+  EXPECT_TRUE(same_soup(only_mesh(expect_mended(soup, DuplicateFacet)), shapes::cube()));
+}
+
+TEST(FixDefects, FaceThatRepeatsAVertexGoes) {
+  Soup soup = shapes::cube();
+  soup.triangles.push_back({4, 4, 5});
+  EXPECT_TRUE(same_soup(only_mesh(expect_mended(soup, DegenerateFacet)), shapes::cube()));
+}
+
+TEST(FixDefects, NeedlesAreCollapsed) {
+  const RepairResult result = expect_mended(with_needles(), DegenerateFacet);
+  // Euler: a collapse takes away one vertex and two faces.
+  EXPECT_EQ(only_mesh(result).n_vertices(), 12U);
+  EXPECT_EQ(only_mesh(result).n_faces(), 20U);
+  EXPECT_LE(result.deviation, 1e-11);
+}
+
+TEST(FixDefects, CapsAreBentAwayAndFacesNearlyFlatAreNot) {
+  // The edges are about 1 long, so the height is that of the cap; the tolerance 1e-8 of the
+  // diagonal, which is less than 4.
+  EXPECT_EQ(count_after(expect_mended(with_cap(1e-10), FlatFacet), FlatFacet), 0U);
+  const Soup near_cap = with_cap(1e-6);
+  const RepairResult near = fix_defects(near_cap);
+  EXPECT_EQ(near.before.total(), 0U);
+  EXPECT_TRUE(same_soup(only_mesh(near), near_cap));
+}
+
+TEST(FixDefects, UnweldedFacesAreJoined) {
+  const RepairResult result = expect_mended(unwelded(shapes::icosphere(1)), Slit);
+  EXPECT_EQ(only_mesh(result).n_vertices(), 42U);
+  EXPECT_EQ(result.deviation, 0.0);
+}
+
+TEST(FixDefects, SolidsThatShareAVertexOrAnEdgeComeApart) {
+  for (const Soup& soup :
+       {shapes::two_tetrahedra_sharing_vertex(), shapes::two_tetrahedra_sharing_edge()}) {
+    RepairOptions options;
+    options.fixes.insert(Disjoint);
+    const RepairResult result = fix_defects(soup, options);
+    EXPECT_GT(result.before.count(NonManifold), 0U);
+    ASSERT_EQ(result.meshes.size(), 2U);
+    for (const RepairedMesh& mesh : result.meshes) {
+      EXPECT_EQ(mesh.remaining.total(), mesh.remaining.count(Numbering));
+      EXPECT_EQ(mesh.draft.soup.n_faces(), 4U);
+      EXPECT_NEAR(volume_of(mesh.draft.soup), 1.0 / 6, 1e-9);
+    }
+  }
+}
+
+TEST(FixDefects, TurnedFaceAndInwardSolidAreTurnedBack) {
+  const std::array<Index, 2> some{3, 4};
+  const Soup cube = shapes::cube();
+  EXPECT_NEAR(volume_of(only_mesh(expect_mended(shapes::flipped(cube, some), Flipped))), 1, 1e-15);
+  EXPECT_NEAR(volume_of(only_mesh(expect_mended(shapes::flipped(cube), Inward))), 1, 1e-15);
+}
+
+TEST(FixDefects, FoldoverIsUnfolded) {
+  RepairOptions options;
+  options.max_deviation = {2.0, Deviation::Unit::Length};
+  const RepairResult result = fix_defects(shapes::dragged_vertex(), options);
+  EXPECT_EQ(result.before.count(Foldover), 1U);
+  EXPECT_EQ(count_after(result, Foldover), 0U);
+  EXPECT_EQ(count_after(result, SelfIntersection), 0U);
+}
+
+TEST(FixDefects, OpposedNormalIsRenewedAndTheOthersStay) {
+  const Soup good = cube_with_normals();
+  Soup soup = good;
+  soup.normals[6] = -soup.normals[6];
+  const Soup mended = only_mesh(expect_mended(soup, VertexNormal));
+  ASSERT_EQ(mended.normals.size(), 8U);
+  EXPECT_GT(mended.normals[6].dot(good.normals[6]), 0.0);
+  for (const std::size_t v : {0U, 1U, 2U, 3U, 4U, 5U, 7U}) {
+    EXPECT_EQ(mended.normals[v], good.normals[v]);
+  }
+}
+
+TEST(FixDefects, OrphanGoes) {
+  Soup soup = shapes::cube();
+  soup.positions.emplace_back(9, 9, 9);
+  EXPECT_TRUE(same_soup(only_mesh(expect_mended(soup, OrphanVertex)), shapes::cube()));
+}
+
+TEST(FixDefects, HoleIsFilled) {
+  const RepairResult result = expect_mended(shapes::open_cube(), Hole);
+  EXPECT_NEAR(volume_of(only_mesh(result)), 1.0, 1e-15);
+  EXPECT_EQ(only_mesh(result).n_faces(), 12U);
+}
+
+TEST(FixDefects, OnlyWhatIsAskedForIsFixed) {
+  const std::array<Index, 1> one{4};
+  const Soup soup = shapes::flipped(shapes::open_cube(), one);
+  RepairOptions options;
+  options.fixes = {Flipped};
+  const RepairResult result = fix_defects(soup, options);
+  EXPECT_TRUE(same_soup(only_mesh(result), shapes::open_cube()));
+  EXPECT_EQ(count_after(result, Hole), 1U);
+  options.fixes = {};
+  EXPECT_TRUE(same_soup(only_mesh(fix_defects(soup, options)), soup));
+}
+
+}  // namespace
+}  // namespace meshalyzer
