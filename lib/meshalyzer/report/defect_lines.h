@@ -1,0 +1,20 @@
+#pragma once
+
+#include "meshalyzer/report/defects_text.h"
+#include "meshalyzer/report/text_lines.h"
+
+namespace meshalyzer {
+
+/// Which defects of a mesh are listed.
+struct ListedDefects {
+  const MeshName& mesh;
+  const DefectReport& report;
+  /// Only those of these codes.
+  DefectCodes codes = DefectCodes::all();
+};
+
+/// Appends a line for each defect: code, elements by file id, place, what was measured. Short lists
+/// have the first few of each code, and a line that says how many more there are.
+void append_defects(TextLines& lines, const ListedDefects& listed, ListLength lists);
+
+}  // namespace meshalyzer

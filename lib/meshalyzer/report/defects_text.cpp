@@ -1,0 +1,43 @@
+#include "meshalyzer/report/defects_text.h"
+
+#include "meshalyzer/report/defect_lines.h"
+
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+void append_counts(TextLines& lines, const DefectReport& report, const DefectCodes& asked) {
+  for (const DefectCode code : all_defect_codes()) {
+    std::string count = std::to_string(report.count(code));
+    if (report.count(code) != 0 && !asked.contains(code)) count += " (not asked for)";
+    lines.line(defect_name(code), count);
+  }
+  lines.line("defects", report.total());
+  lines.line("asked for", n_asked(report, asked));
+}
+
+}  // namespace
+
+std::string defects_report(const MeshName& mesh, const DefectReport& report,
+                           const DefectCodes& asked, ListLength lists) {
+  TextLines lines;
+  lines.heading("DEFECTS");
+  lines.line("file", mesh.path);
+  lines.line("format", format_name(mesh.format));
+  lines.line("vertices", mesh.n_vertices);
+  lines.line("faces", mesh.n_faces);
+  lines.line("degeneracy tolerance", report.tolerances.degeneracy);
+  lines.line("slit tolerance", report.tolerances.slit);
+  lines.line("height tolerance", report.tolerances.height);
+  lines.line("maximum foldover angle", report.tolerances.max_foldover_angle);
+  for (const std::string& warning : report.warnings) lines.line("warning", warning);
+  append_counts(lines, report, asked);
+  if (report.total() != 0) {
+    lines.heading("WHERE");
+    append_defects(lines, {mesh, report}, lists);
+  }
+  return std::move(lines.text());
+}
+
+}  // namespace meshalyzer

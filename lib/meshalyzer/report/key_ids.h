@@ -1,0 +1,41 @@
+#pragma once
+
+#include "meshalyzer/report/repair_story.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace meshalyzer {
+
+/// The file ids that the keys of a repair mean to a person. What was done is told by the ids of the
+/// input for what was there, of the output for what was added; what remains by those of the output
+/// alone, which are others where a format numbers its records silently. Only refers to the story.
+class KeyIds {
+ public:
+  explicit KeyIds(const RepairStory& story);
+  explicit KeyIds(RepairStory&&) = delete;
+
+  /// The ids of a list of keys, without those that were added and are gone again.
+  [[nodiscard]] std::vector<std::int64_t> vertices(const std::vector<Index>& keys) const;
+  [[nodiscard]] std::vector<std::int64_t> faces(const std::vector<Index>& keys) const;
+
+  /// What an element is called in the end.
+  struct Final {
+    /// Index into RepairStory::meshes.
+    std::size_t mesh = 0;
+    std::int64_t id = 0;
+  };
+  /// Nothing for what is gone, and for kNoIndex.
+  [[nodiscard]] std::optional<Final> final_vertex(Index key) const;
+  [[nodiscard]] std::optional<Final> final_face(Index key) const;
+
+ private:
+  const MeshName& input_;
+  /// By key.
+  std::vector<std::optional<Final>> vertices_;
+  std::vector<std::optional<Final>> faces_;
+};
+
+}  // namespace meshalyzer

@@ -1,0 +1,73 @@
+#include "meshalyzer/report/refusal_groups.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+using Final = std::optional<KeyIds::Final>;
+
+/// Collects refusals.
+class RefusalCollector {
+ public:
+  void add(const LoggedRefusal& refusal, const Final& vertex, const Final& face) {
+    const Final& element = vertex ? vertex : face;
+    std::optional<std::size_t> mesh;
+    if (element) mesh = element->mesh;
+    const std::size_t number = number_of(refusal, mesh);
+    if (!places_.emplace(number, refusal.vertex, refusal.face).second) return;
+    RefusalGroup& group = groups_[number];
+    ++group.places;
+    if (vertex) {
+      group.vertices.push_back(vertex->id);
+    } else if (face) {
+      group.faces.push_back(face->id);
+    }
+  }
+
+  [[nodiscard]] std::vector<RefusalGroup> take() {
+    for (RefusalGroup& group : groups_) {
+      sort_once(group.vertices);
+      sort_once(group.faces);
+    }
+    return std::move(groups_);
+  }
+
+ private:
+  using Key =
+      std::tuple<std::optional<std::size_t>, std::string_view, DefectCode, std::string_view>;
+
+  std::size_t number_of(const LoggedRefusal& refusal, std::optional<std::size_t> mesh) {
+    const Key key{mesh, refusal.pass, refusal.code, refusal.reason};
+    const auto [found, is_new] = numbers_.emplace(key, groups_.size());
+    if (is_new) groups_.push_back({.like = &refusal, .mesh = mesh});
+    return found->second;
+  }
+
+  static void sort_once(std::vector<std::int64_t>& ids) {
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  }
+
+  std::vector<RefusalGroup> groups_;
+  std::map<Key, std::size_t> numbers_;
+  /// Group, vertex and face of all that were added.
+  std::set<std::tuple<std::size_t, Index, Index>> places_;
+};
+
+}  // namespace
+
+std::vector<RefusalGroup> group_refusals(const RepairStory& story, const KeyIds& ids) {
+  RefusalCollector groups;
+  for (const LoggedRefusal& refusal : story.result.log.refusals) {
+    groups.add(refusal, ids.final_vertex(refusal.vertex), ids.final_face(refusal.face));
+  }
+  return groups.take();
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "meshalyzer/report/key_ids.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Places that a pass left for one and the same reason.
+struct RefusalGroup {
+  /// Pass, code and reason of all of them.
+  const LoggedRefusal* like = nullptr;
+  /// Index into RepairStory::meshes; absent where the elements are gone.
+  std::optional<std::size_t> mesh = std::nullopt;
+  /// Each place once, however often it was looked at.
+  std::size_t places = 0;
+  /// What names the places, ascending: their vertices by the ids of the output; of those without
+  /// one the faces.
+  std::vector<std::int64_t> vertices = {};
+  std::vector<std::int64_t> faces = {};
+};
+
+/// The refusals of a repair by mesh, pass, code and reason, in the order of the log.
+[[nodiscard]] std::vector<RefusalGroup> group_refusals(const RepairStory& story, const KeyIds& ids);
+
+}  // namespace meshalyzer
