@@ -7,6 +7,7 @@
 #include "meshalyzer/io/file_replacement.h"
 #include "options.h"
 #include "session.h"
+#include "usage_error.h"
 
 #include <algorithm>
 #include <exception>

@@ -3,6 +3,7 @@
 #include "help.h"
 #include "interrupt.h"
 #include "meshalyzer/base/parallel.h"
+#include "usage_error.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,10 +1,9 @@
 #include "options.h"
 
+#include "arguments.h"
 #include "help.h"
 #include "meshalyzer/base/memory_size.h"
 #include "meshalyzer/base/numbers.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
@@ -12,8 +11,6 @@
 
 namespace meshalyzer {
 namespace {
-
-constexpr std::size_t kMaxThreads = 1024;
 
 /// The options as they stand on the command line; numbers are still text, so that no locale reads
 /// them.
@@ -85,50 +82,8 @@ void declare_future_options(CLI::App& app, Raw& raw) {
   app.add_option("--html", raw.html)->type_name("FILE");
 }
 
-/// The parser leaves the sign of `-g=...` in the value.
-std::string_view without_sign(std::string_view text) {
-  text.remove_prefix(text.starts_with('=') ? 1 : 0);
-  return text;
-}
-
-/// The option that a message of the parser begins with.
-std::string upto_colon(std::string_view message) {
-  return std::string(message.substr(0, message.find(':')));
-}
-
-/// Below, an empty text stands for an option that is absent.
-void refuse_empty_values(const CLI::App& app) {
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& value : option->results()) {
-      if (value.empty()) {
-        throw UsageError(option->get_name() + " needs a value, not an empty text");
-      }
-    }
-  }
-}
-
-double to_real(const std::string& text, const std::string& option) {
-  const std::optional<double> value = parse_real(without_sign(text));
-  if (!value || std::isnan(*value)) {
-    throw UsageError(option + " needs a number, not '" + text + "'");
-  }
-  return *value;
-}
-
 std::optional<double> to_limit(const std::string& text, const std::string& option) {
   return text.empty() ? std::nullopt : std::optional(to_real(text, option));
-}
-
-std::size_t to_thread_count(const std::string& text) {
-  if (text.empty()) {
-    return 0;
-  }
-  const std::optional<std::int64_t> value = parse_integer(text);
-  if (!value || *value < 0 || *value > static_cast<std::int64_t>(kMaxThreads)) {
-    throw UsageError("--threads needs a whole number from 0 to " + std::to_string(kMaxThreads) +
-                     ", not '" + text + "'");
-  }
-  return static_cast<std::size_t>(*value);
 }
 
 /// @param text  "AR,ANGLE,LEN".
@@ -235,14 +190,6 @@ AnalysisOptions to_analysis_options(const Raw& raw) {
   options.exact_coincidence = raw.exact_coincidence;
   options.keep_geometry = raw.points;
   return options;
-}
-
-double to_length(const std::string& text, const std::string& option) {
-  const double value = to_real(text, option);
-  if (!(value >= 0.0 && std::isfinite(value))) {
-    throw UsageError(option + " needs a finite length, 0 or more, not '" + text + "'");
-  }
-  return value;
 }
 
 double to_cone(const std::string& text, const std::string& option) {
@@ -382,15 +329,10 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   declare_set_options(app, raw);
   declare_future_options(app, raw);
   try {
-    app.parse(argc, argv);
+    parse_arguments(app, argc, argv);
   } catch (const CLI::CallForHelp&) {
     return {{}, std::string(help_text())};
-  } catch (const CLI::ArgumentMismatch& error) {
-    throw UsageError(upto_colon(error.what()) + " must be given once, with one value");
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(error.what());
   }
-  refuse_empty_values(app);
   if (raw.version) {
     return {{}, "meshalyzer " MESHALYZER_VERSION "\n"};
   }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "meshalyzer/base/error.h"
 #include "meshalyzer/report/json.h"
 #include "meshalyzer/report/text.h"
 #include "meshalyzer/set/set_options.h"
+#include "report_target.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -12,19 +12,6 @@
 #include <vector>
 
 namespace meshalyzer {
-
-/// The command line does not say something that can be done. what() is for the user.
-class UsageError : public Error {
- public:
-  using Error::Error;
-};
-
-/// Where a report for programs goes: "-" is standard output, in place of the text.
-struct ReportTarget {
-  std::string file = "-";
-
-  [[nodiscard]] bool is_stdout() const { return file == "-"; }
-};
 
 /// What goes to standard output.
 enum class Show {

@@ -1,6 +1,7 @@
 #include "session.h"
 
 #include "interrupt.h"
+#include "meshalyzer/base/error.h"
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/report/set_text.h"

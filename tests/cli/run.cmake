@@ -8,7 +8,7 @@
 #   written/   optional: the files that must then be in @SCRATCH@, and no others
 #
 # In all that is compared, @SCRATCH@ stands for the folder, and @TIME@ and @STATE@ for what a journal says of the times
-# of files.
+# of files; in written/ only *.json and *.ndjson have such places.
 #
 # UPDATE=1 in the environment rewrites exit, stdout, stderr and written/; review them with git diff.
 cmake_minimum_required(VERSION 3.25)
@@ -72,10 +72,36 @@ foreach(stream IN ITEMS stdout stderr)
 endforeach()
 check(exit "${exit}\n")
 
+# Compares a file of @SCRATCH@ with that of written/, or takes its place.
+function(check_written name)
+  set(got ${SCRATCH}/${name})
+  set(expected ${CASE}/written/${name})
+  if(name MATCHES "json$")
+    read_if_exists(${got} content)
+    mask("${content}" content)
+    check(written/${name} "${content}")
+  elseif("$ENV{UPDATE}")
+    file(REMOVE ${expected})
+    if(EXISTS ${got})
+      cmake_path(GET expected PARENT_PATH folder)
+      file(COPY ${got} DESTINATION ${folder})
+    endif()
+  elseif(NOT EXISTS ${got} OR NOT EXISTS ${expected})
+    message(SEND_ERROR "${CASE}: written/${name} is not there, or should not be")
+  else()
+    # Byte for byte: CMake cannot hold the zero bytes of binary files in a variable.
+    file(SHA256 ${got} got_hash)
+    file(SHA256 ${expected} expected_hash)
+    if(NOT got_hash STREQUAL expected_hash)
+      message(SEND_ERROR "${CASE}: written/${name} differs from ${got}")
+    endif()
+  endif()
+endfunction()
+
 file(GLOB_RECURSE written RELATIVE ${SCRATCH} ${SCRATCH}/*)
 file(GLOB_RECURSE expected RELATIVE ${CASE}/written ${CASE}/written/*)
-foreach(name IN LISTS written expected)
-  read_if_exists(${SCRATCH}/${name} content)
-  mask("${content}" content)
-  check(written/${name} "${content}")
+list(APPEND written ${expected})
+list(REMOVE_DUPLICATES written)
+foreach(name IN LISTS written)
+  check_written(${name})
 endforeach()

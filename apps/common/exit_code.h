@@ -2,11 +2,11 @@
 
 namespace meshalyzer {
 
-/// What the shell sees.
+/// What the shell sees of either program.
 enum class ExitCode {
-  /// All done; with -g: every mesh is good.
+  /// All done; meshalyzer -g: every mesh is good; meshfixer: nothing asked for remains.
   Done = 0,
-  /// With -g: a mesh is not good.
+  /// meshalyzer -g: a mesh is not good. meshfixer: defects remain.
   NotGood = 1,
   /// Wrong usage; nothing was read.
   Usage = 2,

@@ -1,0 +1,7 @@
+#include "cli.h"
+
+#include <iostream>
+
+int main(int argc, char** argv) {
+  return meshalyzer::fixer::run(argc, argv, std::cout, std::cerr);
+}

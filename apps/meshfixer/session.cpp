@@ -1,0 +1,183 @@
+#include "session.h"
+
+#include "meshalyzer/io/file.h"
+#include "meshalyzer/io/read.h"
+#include "meshalyzer/report/defects_text.h"
+#include "meshalyzer/report/repair_json.h"
+#include "meshalyzer/report/repair_text.h"
+#include "output.h"
+#include "progress_line.h"
+#include "usage_error.h"
+
+#include <algorithm>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer::fixer {
+namespace {
+
+constexpr const char* kNothingLeft = "nothing is left that the format can hold";
+
+/// Tells a report as text and JSON, where each is asked for.
+template <typename Text, typename Json>
+ExitCode tell(const Options& options, Streams streams, Text text, Json json) {
+  if (options.json && !options.json->is_stdout()) replace_file(options.json->file, json());
+  streams.out << (options.json && options.json->is_stdout() ? json() : text()) << std::flush;
+  if (streams.out) return ExitCode::Done;
+  streams.err << "meshfixer: standard output takes no more\n";
+  return ExitCode::Trouble;
+}
+
+ExitCode find(const Options& options, const Soup& soup, Streams streams) {
+  const DefectReport report = find_defects(soup, {.codes = DefectCodes::all(),
+                                                  .tolerances = options.repair.tolerances,
+                                                  .max_defects = options.repair.max_defects});
+  const MeshName name = name_of(soup, options.input);
+  const DefectCodes& asked = options.repair.fixes;
+  const ExitCode told = tell(
+      options, streams, [&] { return defects_report(name, report, asked, options.lists); },
+      [&] { return defects_json(name, report, asked); });
+  if (told != ExitCode::Done) return told;
+  return n_asked(report, asked) == 0 ? ExitCode::Done : ExitCode::NotGood;
+}
+
+/// Whether two soups are the same records, but for how the file says them.
+bool is_same_mesh(const Soup& a, const Soup& b) {
+  return a.positions == b.positions && a.triangles == b.triangles && a.normals == b.normals &&
+         a.corner_normals == b.corner_normals && a.torn_lines.size() == b.torn_lines.size();
+}
+
+/// What is looked for in the end: all, by the tolerances of the input.
+DefectOptions final_search(const Options& options, const Tolerances& used) {
+  return {.codes = DefectCodes::all(),
+          .tolerances = {.tolerance = std::nullopt,
+                         .degeneracy = used.degeneracy,
+                         .slit = used.slit,
+                         .height = used.height,
+                         .max_foldover_angle = used.max_foldover_angle},
+          .max_defects = options.repair.max_defects};
+}
+
+/// What remains wrong with the mesh on disk: what the repair found, unless the file is not, bit for
+/// bit, what it had in hand.
+DefectReport remaining_on_disk(const RepairedMesh& mesh, const Soup& disk,
+                               const DefectOptions& search) {
+  const bool has_numbers = disk.format == Format::Mesh;
+  if (is_same_mesh(disk, mesh.draft.soup) &&
+      has_numbers == (mesh.draft.soup.format == Format::Mesh)) {
+    return mesh.remaining;
+  }
+  return find_defects(disk, search);
+}
+
+/// Whether a result is the input as it was read.
+bool is_unchanged(const RepairStory& story) {
+  if (story.result.meshes.size() != 1 || !story.result.log.steps.empty()) return false;
+  const Soup& soup = story.result.meshes.front().draft.soup;
+  return soup.n_vertices() == story.input.n_vertices && soup.n_faces() == story.input.n_faces;
+}
+
+/// The paths of the meshes of a result, none of which is the input.
+std::vector<std::string> output_paths(const Options& options, const RepairStory& story) {
+  if (!story.fixes.contains(DefectCode::Disjoint)) return {*options.output};
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < story.result.meshes.size(); ++i) {
+    paths.push_back(numbered_path(*options.output, i + 1));
+    if (is_same_file(options.input, paths.back())) {
+      throw UsageError(paths.back() +
+                       " would be written, but it is the input, which never changes");
+    }
+  }
+  return paths;
+}
+
+/// Writes the meshes of a result, reads them back, and adds what they are to the story.
+void write_all(const Options& options, const Source& source, RepairStory& story) {
+  const std::vector<std::string> paths = output_paths(options, story);
+  const DefectOptions search = final_search(options, story.result.before.tolerances);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const RepairedMesh& mesh = story.result.meshes[i];
+    if (!has_content(mesh.draft.soup, paths[i])) {
+      story.notes.push_back(kNothingLeft);
+      story.meshes.push_back({name_of(mesh.draft.soup, ""), mesh.remaining});
+      continue;
+    }
+    const Written written = is_unchanged(story) && keeps_format(paths[i], source)
+                                ? write_unchanged(paths[i], source)
+                                : write_result(mesh.draft.soup, paths[i], source);
+    if (!written.note.empty()) story.notes.push_back(written.note);
+    story.meshes.push_back({name_of(written.soup, paths[i]),
+                            remaining_on_disk(mesh, written.soup, search),
+                            vertex_records(mesh.draft.soup, written.soup)});
+  }
+}
+
+void take_unwritten(RepairStory& story) {
+  for (const RepairedMesh& mesh : story.result.meshes) {
+    story.meshes.push_back({name_of(mesh.draft.soup, ""), mesh.remaining});
+  }
+}
+
+/// Done or NotGood; Trouble where a mesh should have been written and was not.
+ExitCode verdict(const Options& options, const RepairStory& story, Streams streams) {
+  const bool is_missing =
+      story.meshes.empty() || std::any_of(story.meshes.begin(), story.meshes.end(),
+                                          [](const FinalMesh& m) { return m.name.path.empty(); });
+  if (options.output && is_missing) {
+    streams.err << *options.output << ": not written: " << kNothingLeft << '\n';
+    return ExitCode::Trouble;
+  }
+  return n_remaining(story) == 0 ? ExitCode::Done : ExitCode::NotGood;
+}
+
+ExitCode fix(const Options& options, Soup soup, const Source& source, Streams streams) {
+  const MeshName input = name_of(soup, options.input);
+  ProgressLine progress(streams.err, options.progress == Options::Progress::Never
+                                         ? ProgressLine::State::Off
+                                         : terminal_state(streams.err));
+  RepairOptions repair = options.repair;
+  repair.on_phase = [&](std::string_view phase) { progress.show(phase); };
+  const RepairResult result = fix_defects(std::move(soup), repair);
+  progress.clear();
+  RepairStory story{input, result, repair.fixes, {}, {}};
+  if (options.output) {
+    write_all(options, source, story);
+  } else {
+    take_unwritten(story);
+  }
+  const ExitCode told = tell(
+      options, streams, [&] { return repair_report(story, options.lists); },
+      [&] { return repair_json(story); });
+  return told == ExitCode::Done ? verdict(options, story, streams) : told;
+}
+
+/// Refuses to write over the input, or one output over the other.
+void check_outputs(const Options& options) {
+  if (options.output && is_same_file(options.input, *options.output)) {
+    throw UsageError("OUT is the input itself, which never changes");
+  }
+  if (!options.json || options.json->is_stdout()) return;
+  const std::string& json = options.json->file;
+  if (is_same_file(options.input, json)) {
+    throw UsageError("the FILE of --json is the input itself, which never changes");
+  }
+  if (options.output && is_same_file(*options.output, json)) {
+    throw UsageError("the FILE of --json is OUT");
+  }
+}
+
+}  // namespace
+
+ExitCode work(const Options& options, Streams streams) {
+  check_outputs(options);
+  const FileContent content(options.input);
+  Soup soup = parse_mesh(content.bytes(), options.input);
+  if (options.action == Options::Action::Find) return find(options, soup, streams);
+  const Source source{content.bytes(), soup.format};
+  return fix(options, std::move(soup), source, streams);
+}
+
+}  // namespace meshalyzer::fixer
