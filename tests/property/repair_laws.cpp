@@ -1,0 +1,239 @@
+#include "repair_laws.h"
+
+#include "meshalyzer/mesh/build.h"
+#include "meshalyzer/mesh/validate.h"
+#include "support/same_soup.h"
+#include "support/surface_distance.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// What a log names, by key.
+struct Named {
+  std::set<Index> removed_faces, added_faces, changed_faces;
+  std::set<Index> removed_vertices, added_vertices, moved_vertices;
+};
+
+Named named_in(const RepairLog& log) {
+  Named named;
+  const auto add = [](std::set<Index>& to, const std::vector<Index>& keys) {
+    to.insert(keys.begin(), keys.end());
+  };
+  for (const LoggedOperation& operation : log.operations) {
+    add(named.removed_faces, operation.removed_faces);
+    add(named.added_faces, operation.added_faces);
+    add(named.changed_faces, operation.changed_faces);
+    add(named.removed_vertices, operation.removed_vertices);
+    add(named.added_vertices, operation.added_vertices);
+    add(named.moved_vertices, operation.moved_vertices);
+  }
+  return named;
+}
+
+/// Keys below n that are not in a list are said to be gone, those beyond are said to be new, and
+/// none twice.
+void expect_named(const std::vector<Index>& keys, std::size_t n, const std::set<Index>& removed,
+                  const std::set<Index>& added) {
+  const std::set<Index> present(keys.begin(), keys.end());
+  EXPECT_EQ(present.size(), keys.size());
+  for (Index key = 0; key < n; ++key) {
+    EXPECT_EQ(!present.contains(key), removed.contains(key)) << "input's element " << key;
+  }
+  for (const Index key : present) {
+    if (key >= n) {
+      EXPECT_TRUE(added.contains(key)) << "new element " << key;
+    }
+  }
+}
+
+bool is_same_place(const Vec3& p, const Vec3& q) {
+  return std::memcmp(p.data(), q.data(), 3 * sizeof(double)) == 0;
+}
+
+std::string group_name(const Soup& soup, Index face) {
+  const Index group = group_of(soup, face);
+  return group == kNoIndex ? "" : soup.groups[group].name;
+}
+
+/// The three corners by key, from the one where the face begins.
+Triangle corner_keys(const Draft& draft, Index face) {
+  Triangle corners = draft.soup.triangles[face];
+  for (Index& v : corners) v = v == kNoIndex ? kNoIndex : draft.vertex_keys[v];
+  return corners;
+}
+
+bool has_step(const RepairLog& log, DefectCode code) {
+  return std::any_of(log.steps.begin(), log.steps.end(),
+                     [&](const LogStep& step) { return step.code == code; });
+}
+
+void expect_vertices_untouched(const Soup& input, const RepairResult& result, const Named& named) {
+  const Draft& draft = result.meshes.front().draft;
+  const bool is_renumbered = has_step(result.log, DefectCode::Numbering);
+  for (Index v = 0; v < draft.soup.n_vertices(); ++v) {
+    const Index key = draft.vertex_keys[v];
+    if (key >= draft.n_input_vertices || named.moved_vertices.contains(key)) continue;
+    EXPECT_TRUE(is_same_place(draft.soup.positions[v], input.positions[key])) << "vertex " << key;
+    if (draft.soup.format == Format::Mesh && !is_renumbered) {
+      EXPECT_EQ(draft.soup.vertex_ids.of(v), input.vertex_ids.of(key)) << "vertex " << key;
+    }
+  }
+}
+
+void expect_normals_untouched(const Soup& input, const Draft& draft, Index face) {
+  const Index key = draft.face_keys[face];
+  if (input.corner_normals.empty()) return;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Index was = input.corner_normals[key][k];
+    const Index is = draft.soup.corner_normals[face][k];
+    ASSERT_EQ(was == kNoIndex, is == kNoIndex);
+    if (was != kNoIndex) {
+      EXPECT_TRUE(is_same_place(input.normals[was], draft.soup.normals[is])) << "face " << key;
+    }
+  }
+}
+
+/// By face key: whether it is a hole patch, or was made of one together with what is round it.
+std::set<Index> patch_keys(const RepairResult& result) {
+  const Draft& draft = result.meshes.front().draft;
+  std::set<Index> keys;
+  for (std::size_t i = 0; i < draft.face_origins.size(); ++i) {
+    if (draft.face_origins[i] == kNoIndex) keys.insert(static_cast<Index>(draft.n_input_faces + i));
+  }
+  for (const LoggedOperation& operation : result.log.operations) {
+    const auto is_patch = [&](Index key) { return keys.contains(key); };
+    const auto has_patch = [&](const std::vector<Index>& faces) {
+      return std::any_of(faces.begin(), faces.end(), is_patch);
+    };
+    if (!has_patch(operation.removed_faces) && !has_patch(operation.changed_faces)) continue;
+    keys.insert(operation.changed_faces.begin(), operation.changed_faces.end());
+    keys.insert(operation.added_faces.begin(), operation.added_faces.end());
+  }
+  return keys;
+}
+
+Soup without_patches(const RepairResult& result) {
+  const Draft& draft = result.meshes.front().draft;
+  const std::set<Index> patches = patch_keys(result);
+  Soup soup = draft.soup;
+  std::vector<Triangle> kept;
+  for (Index f = 0; f < soup.n_faces(); ++f) {
+    if (!patches.contains(draft.face_keys[f])) kept.push_back(soup.triangles[f]);
+  }
+  soup.triangles = std::move(kept);
+  return soup;
+}
+
+}  // namespace
+
+void expect_done(const RepairResult& result, const RepairOptions& options) {
+  RepairOptions again = options;
+  again.turn = Turn::Nothing;
+  for (const RepairedMesh& mesh : result.meshes) {
+    const RepairResult second = fix_defects(mesh.draft.soup, again);
+    EXPECT_TRUE(second.log.operations.empty())
+        << "second run: " << second.log.steps.front().pass << ", " << second.log.operations.size()
+        << " operations";
+    ASSERT_EQ(second.meshes.size(), 1U);
+    EXPECT_TRUE(same_soup(second.meshes.front().draft.soup, mesh.draft.soup));
+  }
+}
+
+void expect_reasons(const RepairResult& result, const RepairOptions& options) {
+  std::set<DefectCode> refused;
+  if (options.borders == Borders::Meant) refused.insert(DefectCode::Hole);
+  for (const LoggedRefusal& refusal : result.log.refusals) {
+    refused.insert(refusal.code);
+    EXPECT_FALSE(refusal.reason.empty());
+    EXPECT_FALSE(refusal.pass.empty());
+  }
+  for (const RepairedMesh& mesh : result.meshes) {
+    for (const DefectCode code : all_defect_codes()) {
+      // No pass cuts intersections; those there were stay, and faces that touch are named above.
+      if (code == DefectCode::SelfIntersection || !options.fixes.contains(code)) continue;
+      EXPECT_TRUE(mesh.remaining.count(code) == 0 || refused.contains(code))
+          << defect_name(code) << " remains: " << mesh.remaining.count(code) << " of "
+          << result.before.count(code) << ", and nobody says why";
+    }
+  }
+}
+
+void expect_log_complete(const Soup& input, const RepairResult& result) {
+  ASSERT_EQ(result.meshes.size(), 1U);
+  const Draft& draft = result.meshes.front().draft;
+  const Named named = named_in(result.log);
+  {
+    SCOPED_TRACE("faces");
+    expect_named(draft.face_keys, input.n_faces(), named.removed_faces, named.added_faces);
+  }
+  SCOPED_TRACE("vertices");
+  expect_named(draft.vertex_keys, input.n_vertices(), named.removed_vertices, named.added_vertices);
+}
+
+void expect_rest_untouched(const Soup& input, const RepairResult& result) {
+  ASSERT_EQ(result.meshes.size(), 1U);
+  const Draft& draft = result.meshes.front().draft;
+  const Named named = named_in(result.log);
+  expect_vertices_untouched(input, result, named);
+  const bool may_rename =
+      has_step(result.log, DefectCode::Corrupt) || has_step(result.log, DefectCode::Numbering);
+  const bool may_change_normals = has_step(result.log, DefectCode::VertexNormal);
+  for (Index f = 0; f < draft.soup.n_faces(); ++f) {
+    const Index key = draft.face_keys[f];
+    if (key >= input.n_faces()) continue;
+    EXPECT_EQ(group_name(draft.soup, f), group_name(input, key));
+    if (draft.soup.format == Format::Mesh && !may_rename) {
+      EXPECT_EQ(draft.soup.face_ids.of(f), input.face_ids.of(key)) << "face " << key;
+    }
+    if (named.changed_faces.contains(key)) continue;
+    EXPECT_EQ(corner_keys(draft, f), input.triangles[key]) << "face " << key;
+    if (!may_change_normals) expect_normals_untouched(input, draft, f);
+  }
+}
+
+void expect_within_deviation(const Soup& input, const RepairResult& result) {
+  EXPECT_LE(result.deviation, result.max_deviation);
+  const Box3 box = used_box(input);
+  if (box.isEmpty()) return;
+  const double size = box.diagonal().norm();
+  const double spacing = size / 24;
+  // To the sampler, a point of a face that is all but flat is as far as that face is high.
+  const double rounding = 1e-9 * size;
+  const Draft& draft = result.meshes.front().draft;
+  const double lost = test::sampled_distance(input, draft.soup, spacing);
+  const double gained = test::sampled_distance(without_patches(result), input, spacing);
+  EXPECT_LE(lost, result.max_deviation + rounding);
+  EXPECT_LE(gained, result.max_deviation + rounding);
+  EXPECT_LE(std::max(lost, gained), result.deviation + rounding);
+}
+
+void expect_valid(const RepairResult& result) {
+  for (const RepairedMesh& mesh : result.meshes) {
+    const Soup& soup = mesh.draft.soup;
+    EXPECT_TRUE(validate(build(soup), soup).empty());
+    EXPECT_EQ(mesh.draft.vertex_keys.size(), soup.n_vertices());
+    EXPECT_EQ(mesh.draft.face_keys.size(), soup.n_faces());
+    std::size_t n_missing = 0;
+    for (const Triangle& t : soup.triangles) {
+      for (const Index v : t) {
+        n_missing += v == kNoIndex ? 1 : 0;
+        EXPECT_TRUE(v == kNoIndex || v < soup.n_vertices());
+      }
+    }
+    EXPECT_EQ(n_missing, soup.missing.size());
+    EXPECT_TRUE(std::all_of(soup.positions.begin(), soup.positions.end(),
+                            [](const Vec3& p) { return p.allFinite(); }));
+  }
+}
+
+}  // namespace meshalyzer

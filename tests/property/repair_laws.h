@@ -1,0 +1,29 @@
+#pragma once
+
+#include "meshalyzer/repair/fix_defects.h"
+
+namespace meshalyzer {
+
+// Laws that hold for every repair, each expected by GoogleTest. The mesh is named by a scoped
+// trace.
+
+/// Repairing what came out changes nothing, and nothing is logged.
+void expect_done(const RepairResult& result, const RepairOptions& options);
+
+/// What remains and should have been fixed is named, with a reason, in the log.
+void expect_reasons(const RepairResult& result, const RepairOptions& options);
+
+/// Faces and vertices that have come, gone or changed are in the log.
+void expect_log_complete(const Soup& input, const RepairResult& result);
+
+/// What the log does not name is bit for bit what it was.
+void expect_rest_untouched(const Soup& input, const RepairResult& result);
+
+/// Dense samples of either surface are within the bound, and within what was measured, of the
+/// other; hole patches are left out.
+void expect_within_deviation(const Soup& input, const RepairResult& result);
+
+/// The half-edge mesh of the result holds together, and its records refer to what there is.
+void expect_valid(const RepairResult& result);
+
+}  // namespace meshalyzer
