@@ -1,11 +1,13 @@
 #include "big_meshes.h"
 
+#include "damage.h"
 #include "meshalyzer/base/error.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace meshalyzer::bench {
 namespace {
@@ -171,6 +173,9 @@ Soup big_mesh(std::string_view kind, std::size_t faces) {
   Soup soup;
   if (kind == "wavy") {
     add_wavy_torus(soup, faces, Vec3::Zero());
+  } else if (kind == "damaged") {
+    add_wavy_torus(soup, faces, Vec3::Zero());
+    soup = damaged(std::move(soup), std::min<std::size_t>(1000, 1 + faces / 100));
   } else if (kind == "flat") {
     add_flat_cube(soup, faces);
   } else if (kind == "slivers") {

@@ -17,6 +17,7 @@ namespace meshalyzer::bench {
 /// - `crossing`: two wavy tori through each other
 /// - `onion`: cubes in each other, a thousand deep, turned outward and inward in turn
 /// - `fan`: a double cone, so that two vertices have half of all faces each
+/// - `damaged`: `wavy` with a thousand scattered defects, see damaged()
 /// - `shards`: triangles without common vertices, touching nothing
 ///
 /// @throws InvalidArgument for another name.
