@@ -57,7 +57,7 @@ def row(programs, folder, path):
 
 
 def meshes_in(folder):
-    return sorted(p for p in folder.rglob("*") if p.suffix in ENDINGS and not {"broken", "unreadable"} & set(p.parts))
+    return sorted(p for p in folder.rglob("*") if p.suffix.lower() in ENDINGS and not {"broken", "unreadable"} & set(p.parts))
 
 
 def table(programs, folder):

@@ -13,6 +13,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .elements = "The component's first face, and the middle of it.",
      .fix = "Only where asked for: `--separate` writes each component to a file of its own, "
             "`--keep-largest` drops the small ones.",
+     .passes = "separate or keep largest",
      .fixed_by_default = false},
     {.code = DefectCode::Foldover,
      .severity = Severity::Error,
@@ -24,7 +25,9 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .value = "The largest distance of the region from its surroundings; limit: the height "
               "tolerance.",
      .elements = "The faces of the region, the edges of the folds, and a point of the region.",
-     .fix = "The region is taken away, and what is left of its surroundings joined.",
+     .fix = "A vertex of the region is moved back to where its faces unfold, or taken away and its "
+            "place closed.",
+     .passes = "remove foldovers",
      .fixed_by_default = true},
     {.code = DefectCode::FlatFacet,
      .severity = Severity::Error,
@@ -34,6 +37,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .elements = "The face, and the middle of it.",
      .fix = "Its longest edge is flipped, or the face beyond that edge is split; the edges next to "
             "a very short one are brought together.",
+     .passes = "mend facets",
      .fixed_by_default = true},
     {.code = DefectCode::DegenerateFacet,
      .severity = Severity::Error,
@@ -47,6 +51,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
                  "middle of the shortest edge.",
      .fix = "A face that names a vertex twice is dropped; else the short edge is collapsed to a "
             "point.",
+     .passes = "mend facets",
      .fixed_by_default = true},
     {.code = DefectCode::Slit,
      .severity = Severity::Error,
@@ -55,6 +60,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .value = "The largest gap; limit: the slit tolerance.",
      .elements = "The border edges of both sides, and a point of the slit.",
      .fix = "The two sides are welded.",
+     .passes = "weld borders",
      .fixed_by_default = true},
     {.code = DefectCode::SelfIntersection,
      .severity = Severity::Error,
@@ -62,8 +68,10 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
                 "connected patch of intersecting faces.",
      .value = "The number of intersecting pairs in the patch.",
      .elements = "The faces, the pairs with their kinds, and a point of the patch.",
-     .fix = "Faces that are there twice, and seams that were never welded, are mended as what they "
-            "are; other intersections are left, and reported as not fixable.",
+     .fix =
+         "Faces that are there twice, folds, and seams that were never welded, are mended as what "
+         "they are; other intersections are left, and reported as not fixable.",
+     .passes = "weld borders, drop duplicates or remove foldovers",
      .fixed_by_default = true},
     {.code = DefectCode::NonManifold,
      .severity = Severity::Error,
@@ -74,6 +82,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .fix = "The mesh is cut at the edge, its faces paired by angle so that each solid stays "
             "closed; each fan gets a vertex of its own. The copies are moved apart by the smallest "
             "step after which nothing touches, unless `--keep-contact` is given.",
+     .passes = "split edges, split vertices and part contacts",
      .fixed_by_default = true},
     {.code = DefectCode::VertexNormal,
      .severity = Severity::Warning,
@@ -83,6 +92,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .value = "",
      .elements = "The vertex, and its place.",
      .fix = "The normals at the vertex are made anew from its faces.",
+     .passes = "renew normals",
      .fixed_by_default = true},
     {.code = DefectCode::Corrupt,
      .severity = Severity::Error,
@@ -98,6 +108,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .fix = "Faces with a missing vertex and repeated vertex records are dropped, a face record "
             "that repeats an id gets a new one, torn lines are not written. Positions that are not "
             "finite cannot be mended.",
+     .passes = "drop corrupt records",
      .fixed_by_default = true},
     {.code = DefectCode::Hole,
      .severity = Severity::Error,
@@ -107,6 +118,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .elements = "The border edges in walking order, and a point of the border.",
      .fix = "Filled by a patch that intersects nothing. A sheet, which means no solid, is left "
             "open unless filling is asked for by name.",
+     .passes = "fill holes",
      .fixed_by_default = true},
     {.code = DefectCode::Flipped,
      .severity = Severity::Error,
@@ -117,6 +129,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .elements = "The faces to be turned, the edges crossed twice in the same direction, and a "
                  "point of them.",
      .fix = "The faces are turned.",
+     .passes = "orient consistently",
      .fixed_by_default = true},
     {.code = DefectCode::Inward,
      .severity = Severity::Error,
@@ -125,6 +138,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .value = "The component's volume.",
      .elements = "The component's first face, and a point of it.",
      .fix = "The component is turned.",
+     .passes = "orient outward",
      .fixed_by_default = true},
     {.code = DefectCode::DuplicateFacet,
      .severity = Severity::Error,
@@ -132,8 +146,9 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
                 "faces.",
      .value = "The number of faces in the set.",
      .elements = "The faces, and the middle of them.",
-     .fix = "All but the first are dropped; all, where they stand between two solids that are "
-            "closed without them.",
+     .fix = "Of those that face the same way all but the first are dropped. Of a wall between two "
+            "solids that is there once for each, each solid keeps its own, and they come apart.",
+     .passes = "drop duplicates",
      .fixed_by_default = true},
     {.code = DefectCode::OrphanVertex,
      .severity = Severity::Warning,
@@ -141,6 +156,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .value = "",
      .elements = "The vertex, and its place.",
      .fix = "The vertex is dropped.",
+     .passes = "drop orphans",
      .fixed_by_default = true},
     {.code = DefectCode::Numbering,
      .severity = Severity::Warning,
@@ -149,6 +165,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .value = "The first id that is not as it should be; limit: what it should be.",
      .elements = "The vertex or face that has this id, and its place.",
      .fix = "Only where asked for: `--renumber` counts anew.",
+     .passes = "renumber",
      .fixed_by_default = false},
 }};
 

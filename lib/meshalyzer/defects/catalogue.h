@@ -19,6 +19,8 @@ struct CatalogueEntry {
   std::string_view elements;
   /// What meshfixer does about it.
   std::string_view fix;
+  /// The pass, or passes, that do it, as logs name them.
+  std::string_view passes;
   /// Whether it is fixed where nothing else is asked for.
   bool fixed_by_default;
 };

@@ -1,7 +1,9 @@
 #include "meshalyzer/report/defects_text.h"
 
+#include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/report/defect_lines.h"
 
+#include <string>
 #include <utility>
 
 namespace meshalyzer {
@@ -15,6 +17,20 @@ void append_counts(TextLines& lines, const DefectReport& report, const DefectCod
   }
   lines.line("defects", report.total());
   lines.line("asked for", n_asked(report, asked));
+}
+
+/// Which passes treat what was found, as far as any does.
+void append_fixes(TextLines& lines, const DefectReport& report) {
+  DefectCodes fixable;
+  for (const Defect& defect : report.defects) {
+    if (defect.fixable) fixable.insert(defect.code);
+  }
+  for (const DefectCode code : all_defect_codes()) {
+    if (!fixable.contains(code)) continue;
+    std::string name = "fix of ";
+    name += defect_name(code);
+    lines.line(name, catalogue_entry(code).passes);
+  }
 }
 
 }  // namespace
@@ -34,6 +50,7 @@ std::string defects_report(const MeshName& mesh, const DefectReport& report,
   for (const std::string& warning : report.warnings) lines.line("warning", warning);
   append_counts(lines, report, asked);
   if (report.total() != 0) {
+    append_fixes(lines, report);
     lines.heading("WHERE");
     append_defects(lines, {mesh, report}, lists);
   }

@@ -1,5 +1,6 @@
 #include "meshalyzer/report/repair_json.h"
 
+#include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/report/json_bytes.h"
 #include "meshalyzer/report/json_point.h"
 #include "meshalyzer/report/json_writer.h"
@@ -88,6 +89,7 @@ void write_defect(JsonWriter& json, const Defect& defect, const MeshName& mesh) 
   json.member("limit", defect.limit);
   if (!defect.detail.empty()) json.member("detail", std::string_view(defect.detail));
   json.member("fixable", defect.fixable);
+  if (defect.fixable) json.member("fix", catalogue_entry(defect.code).passes);
   json.end_object();
 }
 

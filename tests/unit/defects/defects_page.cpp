@@ -70,6 +70,7 @@ void append_section(std::string& text, const CatalogueEntry& entry) {
   append_row(text, "Listed", entry.elements);
   append_row(text, "Measured", entry.value.empty() ? "nothing." : entry.value);
   append_row(text, "Fix", entry.fix);
+  append_row(text, "Passes", entry.passes);
   append_row(text, "Fixed by default", entry.fixed_by_default ? "yes" : "no");
 }
 
