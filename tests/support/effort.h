@@ -6,7 +6,7 @@ namespace meshalyzer::test {
 
 /// Sanitized builds run some ten times slower: there the tests of very many cases take one of so
 /// many. All are run without sanitizers.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef MESHALYZER_SANITIZED
 inline constexpr std::size_t kOneOf = 6;
 #else
 inline constexpr std::size_t kOneOf = 1;

@@ -1,5 +1,6 @@
 #include "hole_cases.h"
 #include "meshalyzer/repair/passes.h"
+#include "support/effort.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -274,12 +275,13 @@ TEST(FillHoles, SmoothPatchOfAFlatHoleIsFlat) {
 }
 
 TEST(FillHoles, FillsALoopOfManyEdges) {
-  const PassRun run = fill(prism_wall({regular(20'000)}), kAll);
+  const PassRun run = fill(prism_wall({regular(20'000 / test::kOneOf)}), kAll);
   const Analysis found = analyze(run.draft.soup, "");
   EXPECT_EQ(found.attributes.closed.value, true);
   EXPECT_EQ(found.characteristics.intersecting_pairs, 0U);
-  // Twice the area of the regular polygon, n / 2 sin(2 pi / n), which is pi to eight digits.
-  EXPECT_NEAR(area_of_patches(run.draft), 2.0 * std::numbers::pi, 1e-6);
+  // Twice the area of the regular polygon, n / 2 sin(2 pi / n), which is pi to six digits for 3,333
+  // edges.
+  EXPECT_NEAR(area_of_patches(run.draft), 2.0 * std::numbers::pi, 1e-5);
 }
 
 TEST(FillHoles, LeavesASheetOpen) {
