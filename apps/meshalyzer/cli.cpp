@@ -1,5 +1,6 @@
 #include "cli.h"
 
+#include "guarded.h"
 #include "inputs.h"
 #include "interrupt.h"
 #include "merge.h"
@@ -10,10 +11,8 @@
 #include "usage_error.h"
 
 #include <algorithm>
-#include <exception>
 #include <filesystem>
 #include <memory>
-#include <new>
 #include <ostream>
 #include <set>
 #include <string>
@@ -132,21 +131,8 @@ ExitCode run_command(int argc, const char* const* argv, Streams streams) {
 }  // namespace
 
 int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
-  try {
-    return static_cast<int>(run_command(argc, argv, {out, err}));
-  } catch (const UsageError& error) {
-    err << "meshalyzer: " << error.what() << "\nTry 'meshalyzer --help'.\n";
-    return static_cast<int>(ExitCode::Usage);
-  } catch (const IoError& error) {
-    err << error.what() << '\n';
-    return static_cast<int>(ExitCode::Trouble);
-  } catch (const std::bad_alloc&) {
-    err << "meshalyzer: not enough memory\n";
-    return static_cast<int>(ExitCode::Trouble);
-  } catch (const std::exception& error) {
-    err << "meshalyzer: " << error.what() << '\n';
-    return static_cast<int>(ExitCode::Trouble);
-  }
+  const Streams streams{out, err};
+  return run_guarded("meshalyzer", streams, [&] { return run_command(argc, argv, streams); });
 }
 
 }  // namespace meshalyzer

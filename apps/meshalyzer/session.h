@@ -7,6 +7,7 @@
 #include "meshalyzer/set/set_run.h"
 #include "options.h"
 #include "progress_line.h"
+#include "streams.h"
 
 #include <atomic>
 #include <chrono>
@@ -19,14 +20,6 @@
 #include <vector>
 
 namespace meshalyzer {
-
-/// Where a session writes.
-struct Streams {
-  /// The report.
-  std::ostream& out;
-  /// Everything else.
-  std::ostream& err;
-};
 
 /// What a session works on.
 struct Task {

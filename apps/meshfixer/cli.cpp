@@ -1,14 +1,11 @@
 #include "cli.h"
 
 #include "exit_code.h"
-#include "meshalyzer/base/error.h"
+#include "guarded.h"
 #include "meshalyzer/base/parallel.h"
 #include "options.h"
 #include "session.h"
-#include "usage_error.h"
 
-#include <exception>
-#include <new>
 #include <ostream>
 
 namespace meshalyzer::fixer {
@@ -27,21 +24,8 @@ ExitCode run_command(int argc, const char* const* argv, Streams streams) {
 }  // namespace
 
 int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
-  try {
-    return static_cast<int>(run_command(argc, argv, {out, err}));
-  } catch (const UsageError& error) {
-    err << "meshfixer: " << error.what() << "\nTry 'meshfixer --help'.\n";
-    return static_cast<int>(ExitCode::Usage);
-  } catch (const IoError& error) {
-    err << error.what() << '\n';
-    return static_cast<int>(ExitCode::Trouble);
-  } catch (const std::bad_alloc&) {
-    err << "meshfixer: not enough memory\n";
-    return static_cast<int>(ExitCode::Trouble);
-  } catch (const std::exception& error) {
-    err << "meshfixer: " << error.what() << '\n';
-    return static_cast<int>(ExitCode::Trouble);
-  }
+  const Streams streams{out, err};
+  return run_guarded("meshfixer", streams, [&] { return run_command(argc, argv, streams); });
 }
 
 }  // namespace meshalyzer::fixer

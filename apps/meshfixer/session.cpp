@@ -53,11 +53,7 @@ bool is_same_mesh(const Soup& a, const Soup& b) {
 /// What is looked for in the end: all, by the tolerances of the input.
 DefectOptions final_search(const Options& options, const Tolerances& used) {
   return {.codes = DefectCodes::all(),
-          .tolerances = {.tolerance = std::nullopt,
-                         .degeneracy = used.degeneracy,
-                         .slit = used.slit,
-                         .height = used.height,
-                         .max_foldover_angle = used.max_foldover_angle},
+          .tolerances = as_options(used),
           .max_defects = options.repair.max_defects};
 }
 

@@ -2,18 +2,9 @@
 
 #include "exit_code.h"
 #include "options.h"
-
-#include <iosfwd>
+#include "streams.h"
 
 namespace meshalyzer::fixer {
-
-/// Where a session writes.
-struct Streams {
-  /// The report.
-  std::ostream& out;
-  /// Everything else.
-  std::ostream& err;
-};
 
 /// One call of the program: reads, finds or repairs, writes, reads back, tells.
 ///

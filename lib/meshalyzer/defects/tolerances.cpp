@@ -80,6 +80,14 @@ Tolerances resolve_tolerances(const ToleranceOptions& options, const Box3& box) 
           .max_foldover_angle = options.max_foldover_angle};
 }
 
+ToleranceOptions as_options(const Tolerances& tolerances) {
+  return {.tolerance = std::nullopt,
+          .degeneracy = tolerances.degeneracy,
+          .slit = tolerances.slit,
+          .height = tolerances.height,
+          .max_foldover_angle = tolerances.max_foldover_angle};
+}
+
 std::vector<std::string> inconsistencies(const Tolerances& tolerances) {
   std::vector<std::string> sentences;
   const NamedLength degeneracy{"degeneracy", tolerances.degeneracy};

@@ -46,6 +46,9 @@ struct Tolerances {
 /// @throws InvalidArgument  for a negative or not finite length, or an angle outside 0 ... 180.
 [[nodiscard]] Tolerances resolve_tolerances(const ToleranceOptions& options, const Box3& box);
 
+/// Options that say just these tolerances: for another search that is to go by the same.
+[[nodiscard]] ToleranceOptions as_options(const Tolerances& tolerances);
+
 /// What contradicts what, a sentence each: slit or height below degeneracy.
 [[nodiscard]] std::vector<std::string> inconsistencies(const Tolerances& tolerances);
 

@@ -22,6 +22,11 @@ std::string_view format_name(Format format) {
   return "";
 }
 
+std::array<Vec3, 3> corners_of(const Soup& soup, Index face) {
+  const Triangle& t = soup.triangles[face];
+  return {soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]};
+}
+
 Index group_of(const Soup& soup, Index face) {
   // Groups without faces begin where the next one does: the last that begins here counts.
   const auto after =

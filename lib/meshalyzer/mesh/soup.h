@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/types.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -85,6 +86,9 @@ struct Soup {
   [[nodiscard]] std::size_t n_vertices() const { return positions.size(); }
   [[nodiscard]] std::size_t n_faces() const { return triangles.size(); }
 };
+
+/// The places of the corners of a face, in the order of the file; all of them must be defined.
+[[nodiscard]] std::array<Vec3, 3> corners_of(const Soup& soup, Index face);
 
 /// The group that a face belongs to, by index; kNoIndex where it belongs to none.
 ///

@@ -28,15 +28,6 @@ double length_of(const Deviation& deviation, const Box3& box) {
   return std::min(quarter.stableNorm() * (4 * deviation.value), std::numeric_limits<double>::max());
 }
 
-/// The tolerances that were used, so that what is found in the end goes by the same.
-ToleranceOptions said(const Tolerances& tolerances) {
-  return {.tolerance = std::nullopt,
-          .degeneracy = tolerances.degeneracy,
-          .slit = tolerances.slit,
-          .height = tolerances.height,
-          .max_foldover_angle = tolerances.max_foldover_angle};
-}
-
 /// Numbers the records of a mesh anew: what taking it from others has left gaps in.
 Draft renumbered(const Draft& draft, const Tolerances& tolerances) {
   const BuiltMesh mesh(draft.soup);
@@ -47,7 +38,7 @@ Draft renumbered(const Draft& draft, const Tolerances& tolerances) {
 std::vector<RepairedMesh> finished_meshes(Workshop& workshop, const RepairOptions& options,
                                           const Tolerances& tolerances) {
   const DefectOptions find{.codes = DefectCodes::all(),
-                           .tolerances = said(tolerances),
+                           .tolerances = as_options(tolerances),
                            .max_defects = options.max_defects};
   std::vector<Draft> drafts;
   if (options.fixes.contains(DefectCode::Disjoint)) {
@@ -109,7 +100,9 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   RepairResult result;
   result.max_deviation = limits.max_deviation;
   Workshop workshop(std::move(soup), tolerances, std::move(limits),
-                    [&](const Draft& draft) { return find_fixed_vertices(draft, options); });
+                    [&](const Draft& draft, const CutMesh& cut) {
+                      return find_fixed_vertices(draft, cut, options);
+                    });
   result.before = find_defects(workshop.mesh(), {.codes = DefectCodes::all(),
                                                  .tolerances = options.tolerances,
                                                  .max_defects = options.max_defects});

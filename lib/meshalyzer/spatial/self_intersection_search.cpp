@@ -1,6 +1,7 @@
 #include "meshalyzer/spatial/self_intersection_search.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/spatial/align_faces.h"
 #include "meshalyzer/spatial/join_pairs.h"
 #include "meshalyzer/spatial/triangle_contact.h"
 
@@ -15,48 +16,24 @@ namespace {
 /// Leaves that one task looks at.
 constexpr std::size_t kLeavesPerChunk = 64;
 
-/// Two faces with what they have in common moved to the front, in the same order.
-struct Aligned {
-  Triangle p;
-  Triangle q;
-  std::size_t n_common = 0;
-};
-
-/// @param same  Whether two vertices count as one.
-template <typename Same>
-Aligned align(Triangle p, Triangle q, Same&& same) {
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = n; j < 3; ++j) {
-      if (same(p[i], q[j])) {
-        std::swap(p[n], p[i]);
-        std::swap(q[n], q[j]);
-        ++n;
-        break;
-      }
-    }
-  }
-  return {p, q, n};
-}
-
 Corners corners_of(const FaceTree& tree, const Triangle& t) {
   return {tree.point(t[0]), tree.point(t[1]), tree.point(t[2])};
 }
 
-std::optional<ContactKind> contact_of(const FaceTree& tree, const Aligned& pair) {
+std::optional<ContactKind> contact_of(const FaceTree& tree, const AlignedFaces& pair) {
   return find_contact(corners_of(tree, pair.p), corners_of(tree, pair.q),
                       static_cast<Common>(pair.n_common));
 }
 
 /// Whether the contact is gone when vertices at identical places count as one.
-bool is_unwelded(const FaceTree& tree, const Aligned& by_id) {
+bool is_unwelded(const FaceTree& tree, const AlignedFaces& by_id) {
   const auto same_place = [&](Index a, Index b) { return tree.point(a) == tree.point(b); };
-  const Aligned by_place = align(by_id.p, by_id.q, same_place);
+  const AlignedFaces by_place = align_faces(by_id.p, by_id.q, same_place);
   return by_place.n_common > by_id.n_common && !contact_of(tree, by_place);
 }
 
 std::optional<ContactKind> find_kind(const FaceTree& tree, const Triangle& p, const Triangle& q) {
-  const Aligned by_id = align(p, q, [](Index a, Index b) { return a == b; });
+  const AlignedFaces by_id = align_faces(p, q, [](Index a, Index b) { return a == b; });
   const std::optional<ContactKind> kind = contact_of(tree, by_id);
   return kind && is_unwelded(tree, by_id) ? ContactKind::Unwelded : kind;
 }

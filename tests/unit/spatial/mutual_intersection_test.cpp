@@ -43,11 +43,6 @@ bool intersect(const Soup& a, const Soup& b) {
   return do_intersect(Mesh(a).tree, Mesh(b).tree);
 }
 
-Corners corners_of(const Soup& soup, Index face) {
-  const Triangle& t = soup.triangles[face];
-  return {soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]};
-}
-
 /// All pairs, straight from the definition in contract 2, evaluated over the rationals or by
 /// another judge.
 Pairs brute_force(const Soup& a, const Soup& b,

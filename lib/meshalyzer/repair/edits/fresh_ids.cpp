@@ -23,6 +23,8 @@ std::vector<std::int32_t> smallest_free(std::vector<std::int32_t> taken, std::si
   return free;
 }
 
+}  // namespace
+
 std::vector<std::int32_t> fresh_ids(const std::vector<std::int32_t>& taken, std::size_t n) {
   const std::int32_t largest = taken.empty() ? 0 : *std::max_element(taken.begin(), taken.end());
   const auto room = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max() - largest);
@@ -31,8 +33,6 @@ std::vector<std::int32_t> fresh_ids(const std::vector<std::int32_t>& taken, std:
   for (std::size_t i = 0; i < n; ++i) fresh[i] = largest + 1 + static_cast<std::int32_t>(i);
   return fresh;
 }
-
-}  // namespace
 
 Ids edit_ids(const Ids& old, const EditedRecords& records,
              std::span<const Edits::ChangedId> changed, const SkippedOperations& skipped) {

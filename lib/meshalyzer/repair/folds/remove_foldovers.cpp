@@ -161,8 +161,8 @@ bool FoldoverRemover::may_change(Index vertex) const {
 }
 
 PlacedFace FoldoverRemover::placed(Index mesh_face) const {
-  const Triangle& t = soup_.triangles[cut_.side.faces[mesh_face]];
-  return {t, {soup_.positions[t[0]], soup_.positions[t[1]], soup_.positions[t[2]]}};
+  const Index face = cut_.side.faces[mesh_face];
+  return {soup_.triangles[face], corners_of(soup_, face)};
 }
 
 /// Mesh faces that have a vertex of the outline, and are not of the star; ascending.

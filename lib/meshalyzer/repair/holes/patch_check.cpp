@@ -62,10 +62,7 @@ void sort_once(std::vector<Index>& list) {
 /// The intersections of patches with themselves and each other that count.
 std::vector<IntersectingPair> own_intersections(const Soup& soup, const CutMesh& cut,
                                                 const FaceTree& tree) {
-  const auto placed_face = [&](Index f) {
-    const Triangle& t = soup.triangles[f];
-    return Placed{t, {soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]}};
-  };
+  const auto placed_face = [&](Index f) { return Placed{soup.triangles[f], corners_of(soup, f)}; };
   std::vector<IntersectingPair> pairs = find_self_intersections(cut, tree);
   std::erase_if(pairs, [&](const IntersectingPair& p) {
     return p.kind == ContactKind::Unwelded &&

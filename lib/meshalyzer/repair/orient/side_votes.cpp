@@ -72,11 +72,6 @@ FacesByPart::FacesByPart(std::span<const Index> of_face, std::size_t n_parts)
   }
 }
 
-Corners corners_of(const Soup& soup, Index file_face) {
-  const Triangle& t = soup.triangles[file_face];
-  return {soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]};
-}
-
 std::vector<SurfaceSample> sample_surface(std::span<const Corners> triangles) {
   const std::vector<double> areas = areas_of(triangles);
   return triangles.size() <= kMaxSamples ? sample_all(triangles, areas)

@@ -26,11 +26,7 @@ class FacesByPart {
   std::vector<Index> faces_;
 };
 
-/// The corners of a face as the file gives them: turned over bit by bit where the face is, which
-/// the half-edge mesh may begin at another corner.
-[[nodiscard]] Corners corners_of(const Soup& soup, Index file_face);
-
-/// The same for a face that is turned over.
+/// The corners of a face when it is turned over.
 [[nodiscard]] constexpr Triangle turned_over(const Triangle& t) {
   return {t[0], t[2], t[1]};
 }

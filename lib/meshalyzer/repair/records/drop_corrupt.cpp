@@ -1,34 +1,14 @@
 #include "meshalyzer/mesh/repeated_ids.h"
+#include "meshalyzer/repair/edits/fresh_ids.h"
 #include "meshalyzer/repair/passes.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <unordered_set>
 #include <vector>
 
 namespace meshalyzer {
 namespace {
-
-/// Ids that no record has.
-class UnusedIds {
- public:
-  explicit UnusedIds(const std::vector<std::int32_t>& used)
-      : used_(used.begin(), used.end()),
-        last_(used.empty() ? 0 : *std::max_element(used.begin(), used.end())) {}
-
-  /// The one after the largest; where there is none, the smallest from 1 on that is free.
-  [[nodiscard]] std::int32_t next() {
-    if (last_ < std::numeric_limits<std::int32_t>::max()) return ++last_;
-    while (used_.contains(smallest_)) ++smallest_;
-    return smallest_++;
-  }
-
- private:
-  std::unordered_set<std::int32_t> used_;
-  std::int32_t last_;
-  std::int32_t smallest_ = 1;
-};
 
 bool has_missing_corner(const Triangle& t) {
   return std::find(t.begin(), t.end(), kNoIndex) != t.end();
@@ -57,8 +37,10 @@ void rename_repeated_faces(const Soup& soup, Edits& edits) {
   std::erase_if(repeated, [&](Index f) { return has_missing_corner(soup.triangles[f]); });
   if (repeated.empty()) return;
   const Index op = edits.begin_operation();
-  UnusedIds ids(soup.face_ids.named);
-  for (const Index f : repeated) edits.changed_face_ids.push_back({op, f, ids.next()});
+  const std::vector<std::int32_t> ids = fresh_ids(soup.face_ids.named, repeated.size());
+  for (std::size_t i = 0; i < repeated.size(); ++i) {
+    edits.changed_face_ids.push_back({op, repeated[i], ids[i]});
+  }
 }
 
 }  // namespace

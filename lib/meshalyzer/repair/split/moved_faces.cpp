@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/split/moved_faces.h"
 
 #include "meshalyzer/exact/predicates.h"
+#include "meshalyzer/spatial/align_faces.h"
 
 #include <algorithm>
 #include <bit>
@@ -13,29 +14,6 @@ namespace {
 /// So many pairs of faces are never too many to look at, beside those of the moving faces among
 /// themselves.
 constexpr std::size_t kMaxPairs = 4096;
-
-/// Two faces with what counts as common moved to the front, in the same order.
-struct Aligned {
-  Triangle p;
-  Triangle q;
-  std::size_t n_common = 0;
-};
-
-/// @param same  Whether two vertices count as one.
-template <typename Same>
-Aligned align(Triangle p, Triangle q, Same&& same) {
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = n; j < 3; ++j) {
-      if (!same(p[i], q[j])) continue;
-      std::swap(p[n], p[i]);
-      std::swap(q[n], q[j]);
-      ++n;
-      break;
-    }
-  }
-  return {p, q, n};
-}
 
 Box3 grown(const Box3& box, double by) {
   return {box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by)};
@@ -150,7 +128,8 @@ bool Move::would_touch(const Pair& pair, const Vec3& to) const {
   const auto is_one = [&](Index a, Index b) {
     return a == b || (!is_moving(a) && !is_moving(b) && mesh_.position(a) == mesh_.position(b));
   };
-  const auto [p, q, n_common] = align(mesh_.triangle(pair[0]), mesh_.triangle(pair[1]), is_one);
+  const auto [p, q, n_common] =
+      align_faces(mesh_.triangle(pair[0]), mesh_.triangle(pair[1]), is_one);
   return find_contact(moved_corners(p, to), moved_corners(q, to), static_cast<Common>(n_common))
       .has_value();
 }
@@ -159,7 +138,8 @@ bool Move::touched_before(const Pair& pair) const {
   const auto is_one = [&](Index a, Index b) {
     return a == b || mesh_.position(a) == mesh_.position(b);
   };
-  const auto [p, q, n_common] = align(mesh_.triangle(pair[0]), mesh_.triangle(pair[1]), is_one);
+  const auto [p, q, n_common] =
+      align_faces(mesh_.triangle(pair[0]), mesh_.triangle(pair[1]), is_one);
   // Faces that lie on each other, corner on corner, are to be parted too.
   if (n_common == 3) return p == q;
   return find_contact(mesh_.corners(p), mesh_.corners(q), static_cast<Common>(n_common))

@@ -17,11 +17,6 @@ namespace {
 /// Faces that one task measures.
 constexpr std::size_t kFacesPerChunk = 64;
 
-Corners corners_of(const Soup& soup, Index face) {
-  const Triangle& t = soup.triangles[face];
-  return {soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]};
-}
-
 bool has_surface(const Soup& soup, Index face) {
   return is_in_complex(soup.triangles[face]);
 }

@@ -1,6 +1,5 @@
 #include "meshalyzer/repair/trial/fixed_vertices.h"
 
-#include "meshalyzer/mesh/build.h"
 #include "meshalyzer/topology/border.h"
 #include "meshalyzer/topology/edges.h"
 
@@ -40,11 +39,11 @@ void fix_common_borders(const Soup& soup, const CutMesh& cut, std::vector<std::u
 
 }  // namespace
 
-std::vector<std::uint8_t> find_fixed_vertices(const Draft& draft, const RepairOptions& options) {
+std::vector<std::uint8_t> find_fixed_vertices(const Draft& draft, const CutMesh& cut,
+                                              const RepairOptions& options) {
   const Soup& soup = draft.soup;
   const bool has_faces = options.groups == Groups::Faces && !soup.groups.empty();
   if (options.borders != Borders::Meant && !has_faces) return {};
-  const CutMesh cut = build(soup);
   std::vector<std::uint8_t> fixed(soup.n_vertices(), 0);
   if (options.borders == Borders::Meant) fix_borders(cut, fixed);
   if (has_faces) fix_common_borders(soup, cut, fixed);

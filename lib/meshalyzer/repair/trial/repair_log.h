@@ -1,12 +1,8 @@
 #pragma once
 
 #include "meshalyzer/defects/defect.h"
-#include "meshalyzer/repair/edits/draft.h"
-#include "meshalyzer/repair/edits/edits.h"
 
 #include <cstddef>
-#include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -62,18 +58,5 @@ struct RepairLog {
   /// What still is refused in the end.
   std::vector<LoggedRefusal> refusals;
 };
-
-/// Edits that were made. Only refers.
-struct MadeEdits {
-  const Draft& before;
-  const Edits& edits;
-  /// #operations, as apply_edits() takes them.
-  std::span<const std::uint8_t> skipped;
-  const Draft& after;
-};
-
-/// Adds what a pass did to a log: to its last step, where that is of the same pass, else as a new
-/// one.
-void log_edits(const std::string& pass, DefectCode code, const MadeEdits& made, RepairLog& log);
 
 }  // namespace meshalyzer

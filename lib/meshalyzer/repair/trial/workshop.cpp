@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/trial/workshop.h"
 
 #include "meshalyzer/repair/edits/apply_edits.h"
+#include "meshalyzer/repair/trial/log_edits.h"
 
 #include <algorithm>
 #include <string>
@@ -32,7 +33,7 @@ void Workshop::work_off(const std::vector<PlannedPass>& plan, const PhaseListene
   for (std::size_t round = 0; round < kMaxRounds; ++round) {
     bool has_changed = false;
     log_.refusals.clear();
-    limits_.fixed_vertices = fixed_(state_->draft());
+    limits_.fixed_vertices = fixed_(state_->draft(), state_->mesh().cut());
     for (const PlannedPass& pass : plan) {
       if (round > 0 && pass.repeat == Repeat::Once) continue;
       if (on_phase) on_phase(pass.name);
@@ -46,7 +47,9 @@ void Workshop::obey(const PlannedPass& pass) {
   const PassResult result = ask(pass, limits_.most_steps);
   if (result.edits.empty()) return;
   Draft draft = apply_edits(state_->draft(), result.edits);
-  log_edits(std::string(pass.name), pass.code, {state_->draft(), result.edits, {}, draft}, log_);
+  const Touched touched = find_touched(state_->draft(), result.edits, SkippedOperations({}), draft);
+  log_edits(std::string(pass.name), pass.code, {state_->draft(), result.edits, {}, draft, touched},
+            log_);
   state_ = std::make_unique<RepairState>(std::move(draft), tolerances_);
 }
 
@@ -90,7 +93,7 @@ bool Workshop::try_edits(const PlannedPass& pass, const Edits& edits,
     const Verdict verdict = judge_trial(*state_, *after, touched, skipped.size(), rules);
     if (verdict.is_harmless()) {
       log_edits(std::string(pass.name), pass.code,
-                {state_->draft(), edits, skipped, after->draft()}, log_);
+                {state_->draft(), edits, skipped, after->draft(), touched}, log_);
       state_ = std::move(after);
       deviation_ = verdict.deviation;
       lay_patches(edits);

@@ -20,7 +20,8 @@ namespace meshalyzer {
 class Workshop {
  public:
   /// The vertices of a draft that must stay where they are, by key, see RepairLimits.
-  using FixedVertices = std::function<std::vector<std::uint8_t>(const Draft& draft)>;
+  using FixedVertices =
+      std::function<std::vector<std::uint8_t>(const Draft& draft, const CutMesh& cut)>;
 
   /// @param limits  Without fixed vertices.
   /// @param fixed   Asked again before each round: what was a border may be none any more.

@@ -1,7 +1,6 @@
-#include "meshalyzer/repair/trial/repair_log.h"
+#include "meshalyzer/repair/trial/log_edits.h"
 
 #include "meshalyzer/repair/edits/skipped_operations.h"
-#include "meshalyzer/repair/edits/touched.h"
 
 #include <algorithm>
 #include <utility>
@@ -83,9 +82,8 @@ class Operations {
 
   /// Vertices that have come or gone, for one of the operations that touch them.
   void log_vertices() {
-    const Touched touched = find_touched(made_.before, made_.edits, skipped_, made_.after);
     Index last = kNoIndex;
-    for (const Touch& touch : touched.vertices) {
+    for (const Touch& touch : made_.touched.vertices) {
       if (touch.key == std::exchange(last, touch.key)) continue;
       const bool was_there = touch.key < was_.size() && was_[touch.key] != 0;
       if (was_there && is_[touch.key] == 0) {
