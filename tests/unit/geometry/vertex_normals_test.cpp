@@ -7,15 +7,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 namespace meshalyzer {
 namespace {
 
-std::vector<Vec3> normals_of(const Soup& soup) {
-  return vertex_normals(build(soup));
+std::vector<Vec3> normals_of(const Soup& soup, NormalWeight weight = NormalWeight::Angle) {
+  return vertex_normals(build(soup), weight);
 }
+
+constexpr std::array kWeights{NormalWeight::Uniform, NormalWeight::Area, NormalWeight::Angle};
 
 void expect_near(const Vec3& actual, const Vec3& expected) {
   EXPECT_NEAR((actual - expected).norm(), 0.0, 1e-14)
@@ -57,10 +60,38 @@ TEST(VertexNormals, CubeCornersPointAlongItsDiagonalsHoweverItIsCut) {
 
 TEST(VertexNormals, IcosahedronIsRadialBySymmetry) {
   const Soup ball = shapes::icosphere(0);
-  const std::vector<Vec3> normals = normals_of(ball);
-  for (std::size_t v = 0; v < ball.n_vertices(); ++v) {
-    expect_near(normals[v], ball.positions[v]);
+  for (const NormalWeight weight : kWeights) {
+    const std::vector<Vec3> normals = normals_of(ball, weight);
+    for (std::size_t v = 0; v < ball.n_vertices(); ++v) {
+      expect_near(normals[v], ball.positions[v]);
+    }
   }
+}
+
+TEST(VertexNormals, CubeCornersLeanWhereTheDiagonalsAreUnlessByAngle) {
+  // A side of the cube counts once at a corner, or twice where its diagonal ends there: one or two
+  // equal faces, of equal area. Both weights are equation 1 of the laboratory report here.
+  const Soup cube = shapes::cube(2.0, {-1, -1, -1});
+  std::vector<Vec3> sums(8, Vec3::Zero());
+  for (Index f = 0; f < cube.n_faces(); ++f) {
+    const auto p = corners_of(cube, f);
+    for (const Index v : cube.triangles[f]) sums[v] += (p[1] - p[0]).cross(p[2] - p[0]) / 4;
+  }
+  for (const NormalWeight weight : {NormalWeight::Uniform, NormalWeight::Area}) {
+    const std::vector<Vec3> normals = normals_of(cube, weight);
+    for (std::size_t v = 0; v < 8; ++v) expect_near(normals[v], sums[v].normalized());
+  }
+  EXPECT_TRUE(std::any_of(sums.begin(), sums.end(),
+                          [](const Vec3& sum) { return sum.cwiseAbs() != Vec3::Ones(); }));
+}
+
+TEST(VertexNormals, EachWeightCountsWhatItSays) {
+  // Two faces at the origin: 90 degrees, area 5/2 and normal z; 45 degrees, area 5 and normal x.
+  const Soup soup =
+      shapes::make({{0, 0, 0}, {1, 0, 0}, {0, 5, 0}, {0, 2, 2}}, {{0, 1, 2}, {0, 2, 3}});
+  expect_near(normals_of(soup, NormalWeight::Uniform)[0], Vec3(1, 0, 1).normalized());
+  expect_near(normals_of(soup, NormalWeight::Area)[0], Vec3(2, 0, 1).normalized());
+  expect_near(normals_of(soup, NormalWeight::Angle)[0], Vec3(1, 0, 2).normalized());
 }
 
 TEST(VertexNormals, FineSphereIsNearlyRadial) {
@@ -138,12 +169,35 @@ TEST(VertexNormals, CopiesOfAVertexCountTogether) {
 }
 
 TEST(VertexNormals, AnySizeHasTheSameNormals) {
-  const std::vector<Vec3> normals = normals_of(shapes::torus(2, 0.5, 12, 9));
-  for (const double size : {1e-300, 1e-170, 1e170, 1e300}) {
-    const std::vector<Vec3> scaled = normals_of(shapes::scaled(shapes::torus(2, 0.5, 12, 9), size));
-    for (std::size_t v = 0; v < normals.size(); ++v) {
-      expect_near(scaled[v], normals[v]);
+  const Soup torus = shapes::torus(2, 0.5, 12, 9);
+  for (const NormalWeight weight : kWeights) {
+    const std::vector<Vec3> normals = normals_of(torus, weight);
+    for (const double size : {1e-300, 1e-170, 1e-60, 1e60, 1e170, 1e300}) {
+      const std::vector<Vec3> scaled = normals_of(shapes::scaled(torus, size), weight);
+      for (std::size_t v = 0; v < normals.size(); ++v) {
+        expect_near(scaled[v], normals[v]);
+      }
     }
+  }
+}
+
+TEST(VertexNormals, LargeFaceDrownsSmallOnesByAreaAlone) {
+  // At the origin a face 1e400 large facing z, and two of 1 facing x and y, both orders.
+  for (const std::vector<Triangle>& faces :
+       {std::vector<Triangle>{{0, 1, 2}, {0, 3, 4}, {0, 4, 5}},
+        std::vector<Triangle>{{0, 4, 5}, {0, 3, 4}, {0, 1, 2}}}) {
+    const Soup soup = shapes::make(
+        {{0, 0, 0}, {1e200, 0, 0}, {0, 1e200, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}, faces);
+    expect_near(normals_of(soup, NormalWeight::Area)[0], Vec3(0, 0, 1));
+    expect_near(normals_of(soup, NormalWeight::Uniform)[0], Vec3(1, 1, 1).normalized());
+  }
+}
+
+TEST(VertexNormals, ZeroAreaBesideTheTiniestCountsForNothing) {
+  const Soup soup =
+      shapes::make({{0, 0, 0}, {1e-300, 0, 0}, {0, 1e-300, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  for (const NormalWeight weight : kWeights) {
+    expect_near(normals_of(soup, weight)[0], Vec3(0, 0, 1));
   }
 }
 

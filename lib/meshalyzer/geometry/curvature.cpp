@@ -1,0 +1,119 @@
+#include "meshalyzer/geometry/curvature.h"
+
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/geometry/corner_shares.h"
+#include "meshalyzer/geometry/curvature_state.h"
+#include "meshalyzer/geometry/face_shape.h"
+#include "meshalyzer/geometry/fan_sums.h"
+#include "meshalyzer/geometry/principal_curvature.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+using AreaName = std::pair<VertexArea, std::string_view>;
+constexpr std::array kAreaNames{
+    AreaName{VertexArea::Mixed, "mixed"}, AreaName{VertexArea::Voronoi, "voronoi"},
+    AreaName{VertexArea::Barycentric, "barycentric"}, AreaName{VertexArea::OneRing, "one-ring"}};
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// A sum of normals this much shorter than the angles that went into it has no digits left.
+constexpr double kCancelled = 1e-12;
+
+Curvature without_figures(std::vector<CurvatureState> state) {
+  const std::size_t n = state.size();
+  return {.state = std::move(state),
+          .angle_defect = std::vector<double>(n),
+          .area = std::vector<double>(n, kNone),
+          .gaussian = std::vector<double>(n, kNone),
+          .mean = std::vector<double>(n, kNone),
+          .k1 = std::vector<double>(n, kNone),
+          .k2 = std::vector<double>(n, kNone),
+          .direction1 = std::vector<Vec3>(n, Vec3::Zero()),
+          .direction2 = std::vector<Vec3>(n, Vec3::Zero())};
+}
+
+/// Adds the angles and areas of a vertex's copies to its own.
+void gather_copies(const SideTable& side, std::vector<FanSums>& sums) {
+  for (std::size_t i = 0; i < side.copies.size(); ++i) {
+    const FanSums& copy = sums[side.n_file_vertices + i];
+    sums[side.copies[i]].angle += copy.angle;
+    sums[side.copies[i]].area += copy.area;
+  }
+}
+
+/// Half of the cotangent vector over 2 A, on the side of the normal or not.
+double mean_curvature(const FanSums& sums) {
+  const double size = sums.cotangent.stableNorm() / sums.area / 4;
+  return sums.cotangent.dot(sums.normal) < 0.0 ? -size : size;
+}
+
+bool has_normal(const FanSums& sums) {
+  return sums.normal.norm() > kCancelled * sums.angle;
+}
+
+/// Writes the figures of a vertex with one closed fan, or that there are none.
+void set_curvature(const FanSums& sums, const PrincipalCurvature& principal, std::size_t v,
+                   Curvature& curvature) {
+  const double gaussian = curvature.angle_defect[v] / sums.area;
+  const double mean = mean_curvature(sums);
+  const bool is_defined = sums.area > 0.0 && std::isfinite(sums.area) && has_normal(sums) &&
+                          std::isfinite(gaussian) && std::isfinite(mean) &&
+                          std::isfinite(principal.k1) && std::isfinite(principal.k2);
+  if (!is_defined) {
+    curvature.state[v] = CurvatureState::NoArea;
+    return;
+  }
+  curvature.gaussian[v] = gaussian;
+  curvature.mean[v] = mean;
+  curvature.k1[v] = principal.k1;
+  curvature.k2[v] = principal.k2;
+  curvature.direction1[v] = principal.direction1;
+  curvature.direction2[v] = principal.direction2;
+}
+
+}  // namespace
+
+std::string_view area_name(VertexArea area) {
+  for (const auto& [value, name] : kAreaNames) {
+    if (value == area) return name;
+  }
+  return {};
+}
+
+std::optional<VertexArea> vertex_area(std::string_view name) {
+  for (const auto& [value, its_name] : kAreaNames) {
+    if (its_name == name) return value;
+  }
+  return std::nullopt;
+}
+
+Curvature measure_curvature(const CutMesh& cut, VertexArea area) {
+  const std::vector<FaceShape> shapes = measure_face_shapes(cut.mesh);
+  const std::vector<CornerShares> mixed = corner_shares(cut.mesh, shapes, VertexArea::Mixed);
+  std::vector<FanSums> sums =
+      area == VertexArea::Mixed ? sum_fans(cut.mesh, shapes, mixed)
+                                : sum_fans(cut.mesh, shapes, corner_shares(cut.mesh, shapes, area));
+  gather_copies(cut.side, sums);
+  const auto principal = principal_curvatures(cut.mesh, shapes, sums, mixed);
+  const std::vector<int> edges_beyond = edges_beyond_faces(cut);
+  Curvature curvature = without_figures(curvature_states(cut));
+  parallel_chunks(cut.side.n_file_vertices, [&](Chunk chunk) {
+    for (std::size_t v = chunk.begin; v < chunk.end; ++v) {
+      curvature.angle_defect[v] = (2 - edges_beyond[v]) * std::numbers::pi - sums[v].angle;
+      if (curvature.state[v] != CurvatureState::Unused) curvature.area[v] = sums[v].area;
+      if (curvature.state[v] == CurvatureState::Defined) {
+        set_curvature(sums[v], principal[v], v, curvature);
+      }
+    }
+  });
+  return curvature;
+}
+
+}  // namespace meshalyzer

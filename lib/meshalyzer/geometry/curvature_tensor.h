@@ -1,0 +1,29 @@
+#pragma once
+
+#include "meshalyzer/geometry/face_shape.h"
+
+#include <array>
+
+namespace meshalyzer {
+
+// Private to the geometry module.
+
+/// A symmetric 3 x 3 matrix that takes a direction in a face to how the normal turns along it.
+struct CurvatureTensor {
+  double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
+
+  [[nodiscard]] Vec3 operator*(const Vec3& p) const {
+    return {xx * p.x() + xy * p.y() + xz * p.z(), xy * p.x() + yy * p.y() + yz * p.z(),
+            xz * p.x() + yz * p.y() + zz * p.z()};
+  }
+};
+
+/// The second fundamental form of a face, times the area of the face: so it is finite however thin
+/// the face is.
+///
+/// @param shape    Of the face; its area must not be zero.
+/// @param normals  At its corners, of length 1.
+[[nodiscard]] CurvatureTensor fit_curvature(const ScaledFace& face, const FaceShape& shape,
+                                            const std::array<Vec3, 3>& normals);
+
+}  // namespace meshalyzer

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "meshalyzer/geometry/corner_shares.h"
+#include "meshalyzer/geometry/face_shape.h"
+
+#include <vector>
+
+namespace meshalyzer {
+
+// Private to the geometry module.
+
+/// What the faces round a vertex of the mesh sum up to.
+struct FanSums {
+  /// Radians.
+  double angle = 0.0;
+  /// The vertex's shares of the faces' areas.
+  double area = 0.0;
+  /// The sum of (cot alpha + cot beta) (p - q) over the neighbours q of p: 4 A H n, twice the
+  /// gradient of the area.
+  Vec3 cotangent = Vec3::Zero();
+  /// Of the unit normals, weighted by angle; no unit vector.
+  Vec3 normal = Vec3::Zero();
+  /// Of the normals by the weights of Max 1999, "Weights for computing vertex normals from facet
+  /// normals": area over the squared lengths of the two sides at the vertex. Exact where the
+  /// vertices lie on a sphere; no number where sides are so short that their squares vanish.
+  Vec3 sphere_normal = Vec3::Zero();
+};
+
+/// Sums up round all vertices.
+///
+/// @return     #mesh vertices; a copy of a vertex has the sums of its own fan.
+/// @complexity O(#F).
+[[nodiscard]] std::vector<FanSums> sum_fans(const TriMesh& mesh,
+                                            const std::vector<FaceShape>& shapes,
+                                            const std::vector<CornerShares>& shares);
+
+}  // namespace meshalyzer

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "meshalyzer/geometry/corner_shares.h"
+#include "meshalyzer/geometry/face_shape.h"
+#include "meshalyzer/geometry/fan_sums.h"
+
+#include <vector>
+
+namespace meshalyzer {
+
+// Private to the geometry module.
+
+/// The principal curvatures at a vertex: see Curvature.
+struct PrincipalCurvature {
+  double k1 = 0.0;
+  double k2 = 0.0;
+  Vec3 direction1 = Vec3::Zero();
+  Vec3 direction2 = Vec3::Zero();
+};
+
+/// Estimates the principal curvatures at all vertices from how the normals turn along the faces'
+/// edges: of each face the second fundamental form that fits this best in the sense of least
+/// squares, averaged at the vertices by area (Rusinkiewicz 2004, "Estimating curvatures and their
+/// derivatives on triangle meshes").
+///
+/// The normals are fitted_normals() to FanSums::sphere_normal: averages of face normals are wrong
+/// by the order of an edge length on irregular meshes, and so their differences would not get
+/// better as a mesh gets finer. The curvatures of any mesh whose vertices lie on a sphere are
+/// exact.
+///
+/// Faces without area count for nothing.
+///
+/// @param sums   Their normals alone are used.
+/// @param mixed  The shares of VertexArea::Mixed.
+/// @return       #mesh vertices, each from its own fan. Figures may be NaN or infinite where there
+/// is no area, no normal, or no double for them.
+/// @complexity   O(#F).
+[[nodiscard]] std::vector<PrincipalCurvature> principal_curvatures(
+    const TriMesh& mesh, const std::vector<FaceShape>& shapes, const std::vector<FanSums>& sums,
+    const std::vector<CornerShares>& mixed);
+
+}  // namespace meshalyzer
