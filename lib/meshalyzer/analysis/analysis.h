@@ -1,11 +1,13 @@
 #pragma once
 
+#include "meshalyzer/analysis/curvature_statistics.h"
 #include "meshalyzer/analysis/offenders.h"
 #include "meshalyzer/base/statistics.h"
 #include "meshalyzer/base/types.h"
 #include "meshalyzer/mesh/soup.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -169,15 +171,15 @@ struct Analysis {
   /// component they are those of the mesh).
   std::vector<ComponentStatistics> component_statistics;
   static constexpr std::size_t kMaxComponentStatistics = 1000;
+  /// Present with --curvature.
+  std::optional<CurvatureStatistics> curvature;
   /// Present with -g.
   std::optional<Goodness> goodness;
   /// The parts of goodness that need no threshold; absent when only the attributes were asked for.
   std::optional<Goodness> fitness;
   Offenders offenders;
-  /// #V, only kept where the report will print positions (-q).
-  std::vector<Vec3> positions;
-  /// #F, kept with `positions`.
-  std::vector<Triangle> triangles;
+  /// The file itself; only kept where a report will show places (-q, --html, --export).
+  std::shared_ptr<const Soup> soup;
   /// In no particular order; only kept for the statistics of a set.
   MeasuredValues values;
 };

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/analysis/attributes.h"
 #include "meshalyzer/analysis/complex_topology.h"
+#include "meshalyzer/analysis/curvature_statistics.h"
 #include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/analysis/integrity.h"
 #include "meshalyzer/analysis/measures.h"
@@ -17,14 +18,16 @@
 namespace meshalyzer {
 namespace {
 
-/// Frees what only the file needs; ids go into the analysis, and the geometry where a report will
-/// print it.
-void keep_what_reports_need(Soup soup, bool keep_geometry, Analysis& analysis) {
-  analysis.vertex_ids = std::move(soup.vertex_ids);
-  analysis.face_ids = std::move(soup.face_ids);
-  if (keep_geometry) {
-    analysis.positions = std::move(soup.positions);
-    analysis.triangles = std::move(soup.triangles);
+/// Frees what only the file needs; ids go into the analysis, and all of it where a report will
+/// show places.
+void keep_what_reports_need(Soup soup, bool keep_soup, Analysis& analysis) {
+  if (keep_soup) {
+    analysis.vertex_ids = soup.vertex_ids;
+    analysis.face_ids = soup.face_ids;
+    analysis.soup = std::make_shared<const Soup>(std::move(soup));
+  } else {
+    analysis.vertex_ids = std::move(soup.vertex_ids);
+    analysis.face_ids = std::move(soup.face_ids);
   }
 }
 
@@ -81,12 +84,16 @@ Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options) {
   const ComplexTopology topology = analyze_topology(cut, analysis.offenders);
   analysis.components = analyze_components(topology.counts);
   count_elements(soup, topology, analysis);
-  keep_what_reports_need(std::exchange(soup, {}), options.keep_geometry, analysis);
+  keep_what_reports_need(std::exchange(soup, {}), options.keep_soup, analysis);
 
   box_components(cut, topology.components, analysis);
   if (everything) {
     phase("measures");
     measure(cut, topology.components, options, analysis);
+  }
+  if (everything && options.curvature) {
+    phase("curvature");
+    analysis.curvature = curvature_statistics(cut, *options.curvature);
   }
   phase("face tree");
   const FaceTree tree(cut);

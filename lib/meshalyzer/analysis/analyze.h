@@ -46,8 +46,10 @@ struct AnalysisOptions {
   bool judge_fitness = false;
   /// Keep the measured values in the result, for the statistics of a set.
   bool keep_values = false;
-  /// Keep positions and triangles in the result, for reports that print them (-q).
-  bool keep_geometry = false;
+  /// Measure the curvature, spread over this area (--curvature).
+  std::optional<VertexArea> curvature;
+  /// Keep the file in the result, for reports that show places (-q, --html, --export).
+  bool keep_soup = false;
   PhaseListener on_phase;
 };
 

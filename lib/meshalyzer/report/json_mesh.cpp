@@ -2,6 +2,7 @@
 
 #include "meshalyzer/report/asked_lists.h"
 #include "meshalyzer/report/json_bytes.h"
+#include "meshalyzer/report/json_curvature.h"
 #include "meshalyzer/report/json_offenders.h"
 #include "meshalyzer/report/json_point.h"
 #include "meshalyzer/report/json_statistics.h"
@@ -142,6 +143,9 @@ void write_characteristics(JsonWriter& json, const Analysis& analysis) {
     write_measures(json, c);
   } else {
     write_uncomputed_measures(json);
+  }
+  if (analysis.curvature) {
+    write_curvature(json, *analysis.curvature);
   }
   write_non_finite(json, {{"area", analysis.has_characteristics ? c.area : 0.0},
                           {"volume", c.volume.value.value_or(0.0)}});

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/report/json_bytes.h"
+#include "meshalyzer/report/json_curvature.h"
 #include "meshalyzer/report/json_offenders_reader.h"
 #include "meshalyzer/report/json_point.h"
 #include "meshalyzer/report/json_statistics_reader.h"
@@ -219,6 +220,7 @@ Analysis read_mesh_json(std::string_view object_text) {
   // -a leaves out all measures: one tells of all.
   analysis.has_characteristics = !mesh.member("characteristics").member("face_area").is_null();
   analysis.characteristics = read_characteristics(mesh, analysis.has_characteristics);
+  analysis.curvature = read_curvature(mesh.member("characteristics"));
   read_components(mesh.member("per_component"), analysis);
   analysis.goodness = read_verdict(mesh);
   analysis.fitness = read_fitness(mesh, analysis);

@@ -169,13 +169,41 @@ TEST(Analyze, AttributesAloneAreTheSame) {
   }
 }
 
-TEST(Analyze, GeometryIsKeptOnlyWhereAskedFor) {
-  EXPECT_TRUE(analyze(shapes::cube(), "cube").positions.empty());
+TEST(Analyze, FileIsKeptOnlyWhereAskedFor) {
+  EXPECT_EQ(analyze(shapes::cube(), "cube").soup, nullptr);
   AnalysisOptions options;
-  options.keep_geometry = true;
+  options.keep_soup = true;
   const Analysis analysis = analyze(shapes::cube(), "cube", options);
-  EXPECT_EQ(analysis.positions, shapes::cube().positions);
-  EXPECT_EQ(analysis.triangles, shapes::cube().triangles);
+  ASSERT_NE(analysis.soup, nullptr);
+  EXPECT_EQ(analysis.soup->positions, shapes::cube().positions);
+  EXPECT_EQ(analysis.soup->triangles, shapes::cube().triangles);
+}
+
+TEST(Analyze, CurvatureIsMeasuredOnlyWhereAskedFor) {
+  EXPECT_FALSE(analyze(shapes::cube(), "cube").curvature);
+  AnalysisOptions options;
+  options.curvature = VertexArea::Barycentric;
+  const Analysis analysis = analyze(shapes::cube(), "cube", options);
+  ASSERT_TRUE(analysis.curvature);
+  EXPECT_EQ(analysis.curvature->area, VertexArea::Barycentric);
+  // Three right angles lack at each of the eight corners (pi / 2 each), 4 pi in all.
+  EXPECT_EQ(analysis.curvature->vertices[static_cast<std::size_t>(CurvatureState::Defined)], 8U);
+  EXPECT_NEAR(analysis.curvature->total_angle_defect, 4 * M_PI, 1e-14);
+  EXPECT_EQ(analysis.curvature->gaussian.count, 8U);
+}
+
+TEST(Analyze, BordersHaveNoCurvature) {
+  AnalysisOptions options;
+  options.curvature = VertexArea::Mixed;
+  const Analysis analysis = analyze(shapes::open_cube(), "cube", options);
+  ASSERT_TRUE(analysis.curvature);
+  const auto n = [&](CurvatureState state) {
+    return analysis.curvature->vertices[static_cast<std::size_t>(state)];
+  };
+  EXPECT_EQ(n(CurvatureState::Border), analysis.characteristics.border_edges);
+  EXPECT_EQ(n(CurvatureState::Defined) + n(CurvatureState::Border),
+            analysis.characteristics.vertices);
+  EXPECT_EQ(analysis.curvature->mean.count, n(CurvatureState::Defined));
 }
 
 TEST(Analyze, ListenerHearsThePhasesInOrder) {
