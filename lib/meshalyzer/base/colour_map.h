@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string_view>
 
 namespace meshalyzer {
 
@@ -24,12 +27,31 @@ enum class Palette : std::uint8_t {
   Sequential,
   /// Blue over white to red: for values below and above something in the middle.
   Diverging,
+  /// Dark blue over cyan, yellow and red to dark red, as MATLAB's map of this name: looks of old
+  /// reports. Neither even nor for all eyes.
+  Jet,
+  /// Black over red and yellow to white, as MATLAB's map of this name.
+  Hot,
 };
+
+/// "viridis", "diverging", "jet", "hot".
+[[nodiscard]] std::string_view palette_name(Palette palette);
+/// The palette of a name; nothing where there is none of that name.
+[[nodiscard]] std::optional<Palette> palette_of(std::string_view name);
 
 /// The colour at a place in a palette.
 /// @param t  0 is its beginning, 1 its end; what is beyond has the colour of the end that is
 ///           nearer, NaN kNoValueColour.
 [[nodiscard]] Colour colour_of(Palette palette, double t);
+
+/// As many colours are told apart easily: also by eyes that lack one kind of cones, and from white,
+/// black and the greys.
+inline constexpr std::size_t kDistinctCategories = 15;
+/// The colours of categories repeat after so many; until then no two are the same.
+inline constexpr std::size_t kCategoryColours = 256;
+
+/// The colour of the k-th of several things that have no order; never kNoValueColour.
+[[nodiscard]] Colour category_colour(std::size_t k);
 
 /// Colours for the values of a field.
 struct ColourScale {

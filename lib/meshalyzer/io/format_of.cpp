@@ -28,6 +28,11 @@ std::string_view first_word(std::string_view content) {
 
 }  // namespace
 
+bool has_ending(std::string_view name, std::string_view ending) {
+  return name.size() >= ending.size() &&
+         lower_case(name.substr(name.size() - ending.size())) == ending;
+}
+
 std::optional<Format> format_of_name(std::string_view name) {
   constexpr std::array<std::pair<std::string_view, Format>, 5> kEndings = {{
       {".mesh", Format::Mesh},
@@ -36,10 +41,8 @@ std::optional<Format> format_of_name(std::string_view name) {
       {".stl", Format::Stl},
       {".ply", Format::Ply},
   }};
-  const std::string lower = lower_case(name);
   for (const auto& [ending, format] : kEndings) {
-    if (lower.size() >= ending.size() &&
-        lower.compare(lower.size() - ending.size(), ending.size(), ending) == 0) {
+    if (has_ending(name, ending)) {
       return format;
     }
   }

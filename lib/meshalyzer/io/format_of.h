@@ -7,6 +7,10 @@
 
 namespace meshalyzer {
 
+/// Whether a file name ends in this, in any case of letters.
+/// @param ending  In lower case.
+[[nodiscard]] bool has_ending(std::string_view name, std::string_view ending);
+
 /// The format that the ending of a file name stands for, in any case of letters; `.mesh` is
 /// Format::Mesh.
 [[nodiscard]] std::optional<Format> format_of_name(std::string_view name);

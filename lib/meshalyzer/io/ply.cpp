@@ -1,7 +1,7 @@
 #include "meshalyzer/io/ply.h"
 
+#include "meshalyzer/base/bytes.h"
 #include "meshalyzer/base/numbers.h"
-#include "meshalyzer/io/bytes.h"
 #include "meshalyzer/io/ply_header.h"
 #include "meshalyzer/io/ply_source.h"
 #include "meshalyzer/io/references.h"

@@ -1,7 +1,7 @@
 #include "meshalyzer/io/ply_source.h"
 
+#include "meshalyzer/base/bytes.h"
 #include "meshalyzer/base/error.h"
-#include "meshalyzer/io/bytes.h"
 
 #include <algorithm>
 #include <cmath>

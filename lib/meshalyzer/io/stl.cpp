@@ -1,8 +1,8 @@
 #include "meshalyzer/io/stl.h"
 
+#include "meshalyzer/base/bytes.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/numbers.h"
-#include "meshalyzer/io/bytes.h"
 #include "meshalyzer/io/point_table.h"
 #include "meshalyzer/io/print_record.h"
 #include "meshalyzer/io/references.h"

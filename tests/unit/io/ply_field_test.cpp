@@ -1,39 +1,34 @@
 #include "meshalyzer/io/ply_field.h"
 
-#include "meshalyzer/base/error.h"
-#include "meshalyzer/io/bytes.h"
+#include "field_sample.h"
+#include "meshalyzer/base/bytes.h"
 #include "meshalyzer/io/ply.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <vector>
 
 namespace meshalyzer {
 namespace {
 
 constexpr std::string_view kHeaderEnd = "end_header\n";
+/// Four doubles and three bytes.
+constexpr std::size_t kVertexBytes = 4 * 8 + 3;
 
-struct Sample {
-  std::vector<Vec3> positions{{0.1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1e300}};
-  std::vector<Triangle> triangles{{0, 1, 2}, {3, 1, 0}};
-  std::vector<double> values{0.1, -2, 1e-300, std::numeric_limits<double>::quiet_NaN()};
-  std::vector<Colour> colours{{1, 2, 3}, {4, 5, 6}, {7, 8, 255}, kNoValueColour};
-
-  [[nodiscard]] std::string print() const {
-    return print_ply_field(positions, triangles, {values, colours});
-  }
-};
+std::string print(const FieldSample& sample = {}) {
+  return sample.print(FieldFormat::Ply);
+}
 
 TEST(PrintPlyField, OurReaderReadsTheMeshBack) {
-  const Sample sample;
-  const Soup soup = parse_ply(sample.print(), "field.ply");
-  EXPECT_EQ(soup.positions, sample.positions);
-  EXPECT_EQ(soup.triangles, sample.triangles);
+  for (const FieldSample& sample : {FieldSample(), face_field_sample()}) {
+    const Soup soup = parse_ply(print(sample), "field.ply");
+    EXPECT_EQ(soup.positions, sample.positions);
+    EXPECT_EQ(soup.triangles, sample.triangles);
+  }
 }
 
 TEST(PrintPlyField, HeaderNamesThePropertiesThatViewersKnow) {
-  const std::string content = Sample().print();
+  const std::string content = print();
   EXPECT_EQ(content.substr(0, content.find(kHeaderEnd)),
             "ply\nformat binary_little_endian 1.0\nelement vertex 4\n"
             "property double x\nproperty double y\nproperty double z\nproperty double quality\n"
@@ -41,11 +36,20 @@ TEST(PrintPlyField, HeaderNamesThePropertiesThatViewersKnow) {
             "element face 2\nproperty list uchar int vertex_indices\n");
 }
 
+TEST(PrintPlyField, CommentsFollowTheFormat) {
+  FieldSample sample;
+  sample.comments = {"one", "two words"};
+  EXPECT_EQ(print(sample).rfind("ply\nformat binary_little_endian 1.0\n"
+                                "comment one\ncomment two words\nelement vertex 4\n",
+                                0),
+            0U);
+}
+
 TEST(PrintPlyField, EachVertexIsFollowedByItsValueAndColour) {
-  const std::string content = Sample().print();
-  // The third of the vertices, which are of four doubles and three bytes.
+  const std::string content = print();
+  // The third of the vertices.
   const char* vertex =
-      content.data() + content.find(kHeaderEnd) + kHeaderEnd.size() + 2 * (4 * 8 + 3);
+      content.data() + content.find(kHeaderEnd) + kHeaderEnd.size() + 2 * kVertexBytes;
   EXPECT_EQ(load<double>(vertex + 8, std::endian::little), 1.0);
   EXPECT_EQ(load<double>(vertex + 24, std::endian::little), 1e-300);
   EXPECT_EQ(load<std::uint8_t>(vertex + 32, std::endian::little), 7);
@@ -53,27 +57,22 @@ TEST(PrintPlyField, EachVertexIsFollowedByItsValueAndColour) {
   EXPECT_EQ(load<std::uint8_t>(vertex + 34, std::endian::little), 255);
 }
 
+TEST(PrintPlyField, FieldOfFacesHasTheirValuesToo) {
+  const std::string content = print(face_field_sample());
+  // The second of the faces, which are of a count, three indices, a value and a colour.
+  const char* face = content.data() + content.find(kHeaderEnd) + kHeaderEnd.size() +
+                     4 * kVertexBytes + (1 + 3 * 4 + 8 + 3);
+  EXPECT_EQ(load<std::uint8_t>(face, std::endian::little), 3);
+  EXPECT_EQ(load<std::int32_t>(face + 1, std::endian::little), 3);
+  EXPECT_EQ(load<double>(face + 13, std::endian::little), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(load<std::uint8_t>(face + 23, std::endian::little), 14);
+  EXPECT_EQ(face + 24, content.data() + content.size());
+}
+
 TEST(PrintPlyField, MeshOfNothingIsAFileOfNothing) {
-  const Soup soup = parse_ply(print_ply_field({}, {}, {}), "field.ply");
+  const Soup soup = parse_ply(print_ply_field({}), "field.ply");
   EXPECT_EQ(soup.n_vertices(), 0U);
   EXPECT_EQ(soup.n_faces(), 0U);
-}
-
-TEST(PrintPlyField, FieldOfOtherVerticesIsRefused) {
-  Sample sample;
-  sample.values.pop_back();
-  EXPECT_THROW(static_cast<void>(sample.print()), InvalidArgument);
-  sample = Sample();
-  sample.colours.pop_back();
-  EXPECT_THROW(static_cast<void>(sample.print()), InvalidArgument);
-}
-
-TEST(PrintPlyField, CornerThatIsNoVertexIsRefused) {
-  Sample sample;
-  sample.triangles[1][2] = 4;
-  EXPECT_THROW(static_cast<void>(sample.print()), InvalidArgument);
-  sample.triangles[1][2] = kNoIndex;
-  EXPECT_THROW(static_cast<void>(sample.print()), InvalidArgument);
 }
 
 }  // namespace

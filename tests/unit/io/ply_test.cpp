@@ -1,7 +1,7 @@
 #include "meshalyzer/io/ply.h"
 
 #include "io_cases.h"
-#include "meshalyzer/io/bytes.h"
+#include "meshalyzer/base/bytes.h"
 #include "support/same_soup.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "meshalyzer/base/colour_map.h"
+#include "meshalyzer/base/types.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meshalyzer {
+
+/// A value and a colour for each of some elements. Only referred to.
+struct ColouredValues {
+  /// NaN where there is none.
+  std::span<const double> values;
+  /// As many.
+  std::span<const Colour> colours;
+};
+
+/// A mesh and a field on it, as it is written to a file. Only referred to.
+struct MeshField {
+  /// #V.
+  std::span<const Vec3> positions;
+  /// #F, indices into `positions`.
+  std::span<const Triangle> triangles;
+  /// What the values are called; letters, digits and '-'.
+  std::string_view name = "quality";
+  /// #V.
+  ColouredValues vertices;
+  /// #F where the field is of faces, and the values of the vertices are made of theirs; else empty.
+  ColouredValues faces;
+  /// Sentences for a person, without line ends; in formats that have comments.
+  std::vector<std::string> comments;
+};
+
+/// The formats that hold a field.
+enum class FieldFormat : std::uint8_t {
+  /// Binary little-endian PLY with the properties that viewers know: `quality` (double), `red`,
+  /// `green` and `blue` (uchar), of vertices and, for a field of faces, also of faces.
+  Ply,
+  /// Wavefront OBJ: the colours of vertices behind their coordinates, from 0 to 1, and the values
+  /// as texture coordinates `vt value 0`, in the order of the vertices. The format has no word for
+  /// a value that is not finite: its `vt` is `0 0`, and faces with such a corner name no `vt`.
+  Obj,
+  /// VTK's XML PolyData, its arrays in base64: the values under the field's name as the scalars of
+  /// the points and, for a field of faces, of the cells; colours as `RGB`.
+  Vtp,
+};
+
+/// The format that the ending of a file name stands for, in any case of letters: `.ply`, `.obj` or
+/// `.vtp`.
+[[nodiscard]] std::optional<FieldFormat> field_format_of_name(std::string_view name);
+
+/// The content of a file of a mesh and a field on it. Vertices, faces and their values stand in
+/// their order, and all numbers but OBJ's colours, which viewers round to the same byte, read back
+/// to the last bit.
+///
+/// @throws InvalidArgument where values and colours are not as many as the elements they are of, or
+///         a corner is no vertex.
+/// @complexity O(#V + #F)
+[[nodiscard]] std::string print_mesh_field(const MeshField& field, FieldFormat format);
+
+}  // namespace meshalyzer
