@@ -1,0 +1,59 @@
+#include "meshalyzer/picture/field.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace meshalyzer {
+namespace {
+
+struct FieldTitle {
+  FieldName name;
+  std::string_view word;
+  std::string_view label;
+};
+
+/// In the order of FieldName.
+constexpr std::array<FieldTitle, kFieldNames> kTitles{{
+    {FieldName::Gaussian, "gaussian", "Gaussian curvature K (1/length²)"},
+    {FieldName::Mean, "mean", "Mean curvature H (1/length)"},
+    {FieldName::K1, "k1", "Largest curvature k₁ (1/length)"},
+    {FieldName::K2, "k2", "Smallest curvature k₂ (1/length)"},
+    {FieldName::Valence, "valence", "Valence (edges at the vertex)"},
+    {FieldName::AspectRatio, "aspect-ratio", "Aspect ratio (longest edge / shortest altitude)"},
+    {FieldName::Area, "area", "Area A (length²)"},
+    {FieldName::Component, "component", "Component"},
+    {FieldName::Defect, "defect", "Defect"},
+    {FieldName::Separation, "separation", "Separation d from other meshes (length)"},
+}};
+
+const FieldTitle& title_of(FieldName name) {
+  return kTitles[static_cast<std::size_t>(name)];
+}
+
+}  // namespace
+
+const std::array<FieldName, kFieldNames>& all_field_names() {
+  static const std::array<FieldName, kFieldNames> names = [] {
+    std::array<FieldName, kFieldNames> all{};
+    std::transform(kTitles.begin(), kTitles.end(), all.begin(),
+                   [](const FieldTitle& title) { return title.name; });
+    return all;
+  }();
+  return names;
+}
+
+std::string_view field_name(FieldName name) {
+  return title_of(name).word;
+}
+
+std::optional<FieldName> field_of(std::string_view name) {
+  const auto found = std::find_if(kTitles.begin(), kTitles.end(),
+                                  [&](const FieldTitle& title) { return title.word == name; });
+  return found == kTitles.end() ? std::nullopt : std::optional(found->name);
+}
+
+std::string_view field_label(FieldName name) {
+  return title_of(name).label;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,167 @@
+#include "meshalyzer/picture/scene.h"
+
+#include "meshalyzer/geometry/vertex_normals.h"
+#include "meshalyzer/picture/drawn_fields.h"
+#include "meshalyzer/picture/drawn_surface.h"
+#include "meshalyzer/picture/edge_lengths.h"
+#include "meshalyzer/picture/highlights.h"
+#include "meshalyzer/picture/lit_defects.h"
+#include "meshalyzer/picture/neighbourhoods.h"
+#include "meshalyzer/picture/note_text.h"
+#include "meshalyzer/picture/scene_lines.h"
+#include "meshalyzer/picture/vertex_clusters.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+const DefectReport& no_defects() {
+  static const DefectReport none;
+  return none;
+}
+
+/// Makes a scene, part by part.
+class SceneMaker {
+ public:
+  SceneMaker(const FieldSource& source, const SceneLimits& limits)
+      : source_(source),
+        limits_(limits),
+        report_(source.defects != nullptr ? *source.defects : no_defects()),
+        faces_(drawable_faces(soup())),
+        frame_(box_of(soup(), faces_)),
+        lit_(source.mesh, report_, limits_of_lit()) {
+    scene_.centre = frame_.centre();
+    scene_.radius = frame_.radius();
+    scene_.scale = frame_.scale();
+    scene_.n_faces = faces_.size();
+  }
+
+  [[nodiscard]] Scene make(const std::vector<FieldName>& names) {
+    draw_surfaces();
+    scene_.fields = draw_fields(compute_fields(source_, names), scene_.detail, scene_.context);
+    light_defects();
+    DrawnLines drawn = draw_lines(source_.mesh, frame_, limits_.max_segments);
+    scene_.lines = std::move(drawn.lines);
+    note_surface();
+    note_defects();
+    std::move(drawn.notes.begin(), drawn.notes.end(), std::back_inserter(scene_.notes));
+    return std::move(scene_);
+  }
+
+ private:
+  [[nodiscard]] const Soup& soup() const { return source_.mesh.soup(); }
+  [[nodiscard]] bool is_whole() const { return faces_.size() <= limits_.max_whole_faces; }
+
+  /// Of what is drawn in detail half is for what is round the defects.
+  [[nodiscard]] SceneLimits limits_of_lit() const {
+    SceneLimits limits = limits_;
+    if (!is_whole()) {
+      limits.max_elements_of_all =
+          std::min(limits.max_elements_of_all, limits.max_detail_faces / 2);
+    }
+    return limits;
+  }
+
+  void draw_surfaces() {
+    const std::vector<Vec3> normals = vertex_normals(source_.mesh.cut());
+    if (is_whole()) {
+      scene_.detail = draw_surface(soup(), frame_, triangles_of(soup(), faces_), normals);
+      return;
+    }
+    TriangleList detail = triangles_of(
+        soup(), faces_round(soup(), faces_, lit_.seeds(soup()), limits_.max_detail_faces));
+    std::vector<Index> rest;
+    std::set_difference(faces_.begin(), faces_.end(), detail.faces.begin(), detail.faces.end(),
+                        std::back_inserter(rest));
+    scene_.n_decimated = rest.size();
+    const std::vector<std::uint8_t> pinned = used_vertices(soup(), detail);
+    scene_.context = draw_surface(
+        soup(), frame_,
+        cluster_vertices(soup(), frame_, std::move(rest), {limits_.max_context_faces, pinned}),
+        normals);
+    scene_.detail = draw_surface(soup(), frame_, std::move(detail), normals);
+  }
+
+  void light_defects() {
+    if (lit_.all().empty()) return;
+    const EdgeLengths lengths(soup(), frame_, faces_);
+    scene_.highlights =
+        make_highlights({soup(), report_, frame_, lengths, scene_.detail}, lit_.all());
+  }
+
+  void note_surface() {
+    const std::size_t n_left_out = soup().n_faces() - faces_.size();
+    if (n_left_out > 0) {
+      std::string note = count_of(n_left_out, "face");
+      note += n_left_out == 1 ? " is" : " are";
+      note += " not drawn: corners have no place.";
+      scene_.notes.push_back(std::move(note));
+    }
+    if (scene_.context.n_faces() == scene_.n_decimated) return;
+    std::string note = "The mesh has ";
+    note += count_of(scene_.n_faces, "face");
+    if (scene_.detail.n_faces() > 0) {
+      note += "; the ";
+      note += std::to_string(scene_.detail.n_faces());
+      note += " nearest to the defects are drawn as they are, the other ";
+      note += std::to_string(scene_.n_decimated);
+      note += " decimated to ";
+    } else {
+      note += ", drawn decimated to ";
+    }
+    note += count_of(scene_.context.n_faces(), "face");
+    note += ", coloured by the values of the file at the vertices and faces that are left.";
+    scene_.notes.push_back(std::move(note));
+  }
+
+  void note_defects() {
+    std::array<std::size_t, kDefectCodes> n_lit{};
+    for (const LitDefect& lit : lit_.all()) {
+      ++n_lit[static_cast<std::size_t>(report_.defects[lit.number].code)];
+    }
+    for (const DefectCode code : all_defect_codes()) {
+      const std::size_t lit = n_lit[static_cast<std::size_t>(code)];
+      if (lit >= report_.count(code)) continue;
+      std::string note = "Of ";
+      note += count_of(report_.count(code), "defect");
+      note += " of code ";
+      note += defect_name(code);
+      note += " the first ";
+      note += std::to_string(lit);
+      note += " can be lit up.";
+      scene_.notes.push_back(std::move(note));
+    }
+    note_cut_highlights();
+  }
+
+  void note_cut_highlights() {
+    const auto n_cut = std::count_if(scene_.highlights.begin(), scene_.highlights.end(),
+                                     [](const Highlight& highlight) { return highlight.is_cut; });
+    if (n_cut == 0) return;
+    std::string note = "Of ";
+    note += count_of(static_cast<std::size_t>(n_cut), "defect");
+    note += " only a part is lit up.";
+    scene_.notes.push_back(std::move(note));
+  }
+
+  const FieldSource& source_;
+  const SceneLimits& limits_;
+  const DefectReport& report_;
+  /// Those that can be drawn.
+  std::vector<Index> faces_;
+  DrawingFrame frame_;
+  LitDefects lit_;
+  Scene scene_;
+};
+
+}  // namespace
+
+Scene make_scene(const FieldSource& source, const std::vector<FieldName>& names,
+                 const SceneLimits& limits) {
+  return SceneMaker(source, limits).make(names);
+}
+
+}  // namespace meshalyzer
