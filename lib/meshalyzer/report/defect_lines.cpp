@@ -3,7 +3,6 @@
 #include "meshalyzer/report/short_list.h"
 
 #include <cstddef>
-#include <string>
 #include <string_view>
 
 namespace meshalyzer {
@@ -123,6 +122,8 @@ std::string measured_text(const Defect& defect) {
   return text;
 }
 
+}  // namespace
+
 std::string defect_text(const Defect& defect, const MeshName& mesh, ListLength lists) {
   std::string text = elements_text(defect, mesh, lists);
   append_part(text, "; ", defect.detail);
@@ -132,7 +133,13 @@ std::string defect_text(const Defect& defect, const MeshName& mesh, ListLength l
   return text;
 }
 
-}  // namespace
+void append_tolerances(LineSink& lines, const DefectReport& report) {
+  lines.line("degeneracy tolerance", report.tolerances.degeneracy);
+  lines.line("slit tolerance", report.tolerances.slit);
+  lines.line("height tolerance", report.tolerances.height);
+  lines.line("maximum foldover angle", report.tolerances.max_foldover_angle);
+  for (const std::string& warning : report.warnings) lines.line("warning", warning);
+}
 
 void append_defects(TextLines& lines, const ListedDefects& listed, ListLength lists) {
   auto defect = listed.report.defects.begin();

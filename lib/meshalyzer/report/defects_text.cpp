@@ -43,11 +43,7 @@ std::string defects_report(const MeshName& mesh, const DefectReport& report,
   lines.line("format", format_name(mesh.format));
   lines.line("vertices", mesh.n_vertices);
   lines.line("faces", mesh.n_faces);
-  lines.line("degeneracy tolerance", report.tolerances.degeneracy);
-  lines.line("slit tolerance", report.tolerances.slit);
-  lines.line("height tolerance", report.tolerances.height);
-  lines.line("maximum foldover angle", report.tolerances.max_foldover_angle);
-  for (const std::string& warning : report.warnings) lines.line("warning", warning);
+  append_tolerances(lines, report);
   append_counts(lines, report, asked);
   if (report.total() != 0) {
     append_fixes(lines, report);

@@ -1,5 +1,6 @@
 #include "meshalyzer/report/set_text.h"
 
+#include "meshalyzer/report/set_lines.h"
 #include "meshalyzer/report/set_verdict.h"
 #include "meshalyzer/report/text_lines.h"
 #include "meshalyzer/report/text_meetings.h"
@@ -26,27 +27,6 @@ void append_verdict(TextLines& lines, const SetAnalysis& set) {
   }
 }
 
-std::string volume_text(const Measure<double>& volume) {
-  if (!volume.value) {
-    return undefined(volume.reason);
-  }
-  const std::string note = volume.reason.empty() ? "" : " (" + volume.reason + ")";
-  return readable(*volume.value) + note;
-}
-
-void append_totals(TextLines& lines, const SetAnalysis& set) {
-  lines.line("total vertices", set.vertices);
-  lines.line("total faces", set.faces);
-  lines.line("total edges", set.edges);
-  lines.line("total components", set.components);
-  lines.line("total boundaries", set.boundaries);
-  if (set.is_measured) {
-    lines.line("total intersecting pairs within meshes", set.intersecting_pairs_within);
-    lines.line("total area", set.area);
-    lines.line("total volume", volume_text(set.volume));
-  }
-}
-
 }  // namespace
 
 std::string text_report(const SetAnalysis& set, OffenderStyle offenders) {
@@ -55,7 +35,7 @@ std::string text_report(const SetAnalysis& set, OffenderStyle offenders) {
   lines.line("meshes", set.meshes);
   lines.line("unreadable files", set.unreadable);
   append_verdict(lines, set);
-  append_totals(lines, set);
+  append_set_totals(lines, set);
   if (set.statistics) {
     append_measures(lines, *set.statistics);
   }

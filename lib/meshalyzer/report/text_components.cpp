@@ -1,7 +1,5 @@
 #include "meshalyzer/report/text_components.h"
 
-#include "meshalyzer/report/text_table.h"
-
 #include <algorithm>
 #include <fmt/format.h>
 #include <vector>
@@ -47,19 +45,23 @@ Row row_of(const Analysis& analysis, std::size_t i) {
 
 }  // namespace
 
+TextTable components_table(const Analysis& analysis, std::size_t n) {
+  TextTable table{0, {titles()}};
+  for (std::size_t i = 0; i < n; ++i) {
+    table.rows.push_back(row_of(analysis, i));
+  }
+  return table;
+}
+
 void append_components(TextLines& lines, const Analysis& analysis) {
   const std::size_t n = analysis.components.size();
   if (n < 2) {
     return;
   }
   const std::size_t n_shown = std::min(n, kMaxComponentRows);
-  TextTable table{0, {titles()}};
-  for (std::size_t i = 0; i < n_shown; ++i) {
-    table.rows.push_back(row_of(analysis, i));
-  }
   lines.line("components, one a row",
              n_shown == n ? "all" : fmt::format("the first {} of {}", n_shown, n));
-  append_table(lines.text(), table);
+  append_table(lines.text(), components_table(analysis, n_shown));
   if (n_shown < n) {
     lines.line("components not shown", fmt::format("{} (--json has them all)", n - n_shown));
   }

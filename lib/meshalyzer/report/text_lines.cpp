@@ -20,11 +20,15 @@ void TextLines::heading(std::string_view title) {
   text_ += '\n';
 }
 
-void TextLines::line(std::string_view name, std::string_view value) {
+void TextLines::add(std::string_view name, std::string_view value) {
   text_ += name;
   text_ += ": ";
   text_ += value;
   text_ += '\n';
+}
+
+void ReportRows::add(std::string_view name, std::string_view value) {
+  rows_.push_back({std::string(name), std::string(value)});
 }
 
 }  // namespace meshalyzer

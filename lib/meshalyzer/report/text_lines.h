@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace meshalyzer {
 
@@ -13,31 +14,62 @@ namespace meshalyzer {
 /// What stands in the place of a value that there is none of, with the reason where there is one.
 [[nodiscard]] std::string undefined(const std::string& reason);
 
-/// Collects the lines of a text report.
-class TextLines {
+/// Takes the lines of a report, each a name and a value, whatever becomes of them.
+class LineSink {
  public:
-  /// Begins a section; a blank line stands before each but the first.
-  void heading(std::string_view title);
+  LineSink() = default;
+  LineSink(const LineSink&) = delete;
+  LineSink& operator=(const LineSink&) = delete;
+  virtual ~LineSink() = default;
 
   /// One `name: value` line.
-  void line(std::string_view name, std::string_view value);
-  void line(std::string_view name, const char* value) { line(name, std::string_view(value)); }
-  void line(std::string_view name, double value) { line(name, readable(value)); }
+  void line(std::string_view name, std::string_view value) { add(name, value); }
+  void line(std::string_view name, const char* value) { add(name, value); }
+  void line(std::string_view name, double value) { add(name, readable(value)); }
   /// A template, so that no pointer converts to bool.
   template <std::same_as<bool> Bool>
   void line(std::string_view name, Bool value) {
-    line(name, value ? "yes" : "no");
+    add(name, value ? "yes" : "no");
   }
   template <std::integral Integer>
   requires(!std::same_as<Integer, bool>) void line(std::string_view name, Integer value) {
-    line(name, std::string_view(std::to_string(value)));
+    add(name, std::to_string(value));
   }
+
+ private:
+  virtual void add(std::string_view name, std::string_view value) = 0;
+};
+
+/// Collects the lines of a text report.
+class TextLines : public LineSink {
+ public:
+  /// Begins a section; a blank line stands before each but the first.
+  void heading(std::string_view title);
 
   /// The text so far, for what is written in another form; keep it ending in a line feed.
   [[nodiscard]] std::string& text() { return text_; }
 
  private:
+  void add(std::string_view name, std::string_view value) override;
+
   std::string text_;
+};
+
+/// A line of a report.
+struct ReportRow {
+  std::string name;
+  std::string value;
+};
+
+/// Keeps the lines of a report apart, for tables.
+class ReportRows : public LineSink {
+ public:
+  [[nodiscard]] const std::vector<ReportRow>& rows() const { return rows_; }
+
+ private:
+  void add(std::string_view name, std::string_view value) override;
+
+  std::vector<ReportRow> rows_;
 };
 
 }  // namespace meshalyzer

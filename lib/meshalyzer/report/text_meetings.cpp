@@ -1,7 +1,5 @@
 #include "meshalyzer/report/text_meetings.h"
 
-#include "meshalyzer/report/text_table.h"
-
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
@@ -39,16 +37,28 @@ std::size_t count_of(Meeting pairs, ContactKind kind) {
       pairs.begin(), pairs.end(), [&](const SetPair& pair) { return pair.kind == kind; }));
 }
 
-/// A column for each kind that occurs.
-TextTable table_of(const SetAnalysis& set, std::span<const Meeting> meetings) {
+void append_pairs(std::string& text, const SetAnalysis& set) {
+  for (const SetPair& pair : set.intersections->pairs) {
+    fmt::format_to(std::back_inserter(text), "{} face {}, {} face {}: {}\n", set.names[pair.mesh_a],
+                   pair.face_a, set.names[pair.mesh_b], pair.face_b, contact_name(pair.kind));
+  }
+}
+
+}  // namespace
+
+TextTable meetings_table(const SetAnalysis& set) {
+  TextTable table{2, {{"mesh", "and mesh", "pairs"}}};
+  if (!set.intersections) {
+    return table;
+  }
+  // A column for each kind that occurs.
   std::vector<ContactKind> kinds;
   std::copy_if(kKinds.begin(), kKinds.end(), std::back_inserter(kinds),
                [&](ContactKind kind) { return count_of(set.intersections->pairs, kind) > 0; });
-  TextTable table{2, {{"mesh", "and mesh", "pairs"}}};
   for (const ContactKind kind : kinds) {
     table.rows.front().emplace_back(contact_name(kind));
   }
-  for (const Meeting& pairs : meetings) {
+  for (const Meeting& pairs : meetings_of(set.intersections->pairs)) {
     std::vector<std::string>& row = table.rows.emplace_back();
     row = {set.names[pairs.front().mesh_a], set.names[pairs.front().mesh_b],
            std::to_string(pairs.size())};
@@ -59,24 +69,13 @@ TextTable table_of(const SetAnalysis& set, std::span<const Meeting> meetings) {
   return table;
 }
 
-void append_pairs(std::string& text, const SetAnalysis& set) {
-  for (const SetPair& pair : set.intersections->pairs) {
-    fmt::format_to(std::back_inserter(text), "{} face {}, {} face {}: {}\n", set.names[pair.mesh_a],
-                   pair.face_a, set.names[pair.mesh_b], pair.face_b, contact_name(pair.kind));
-  }
-}
-
-}  // namespace
-
-void append_meetings(TextLines& lines, const SetAnalysis& set, OffenderStyle style) {
+void append_meeting_counts(LineSink& lines, const SetAnalysis& set) {
   if (!set.intersections) {
     return;
   }
   const SetIntersections& found = *set.intersections;
-  const std::vector<Meeting> meetings = meetings_of(found.pairs);
-  lines.heading("INTERSECTIONS BETWEEN MESHES");
   lines.line("intersecting pairs between meshes", found.pairs.size());
-  lines.line("pairs of meshes that intersect", meetings.size());
+  lines.line("pairs of meshes that intersect", meetings_of(found.pairs).size());
   lines.line("contained meshes", found.contained.size());
   lines.line("partly contained meshes", found.partly_contained.size());
   for (const ContainedMesh& mesh : found.contained) {
@@ -86,13 +85,22 @@ void append_meetings(TextLines& lines, const SetAnalysis& set, OffenderStyle sty
     lines.line("partly contained mesh",
                "components of " + set.names[mesh.inner] + " inside " + set.names[mesh.outer]);
   }
-  if (meetings.empty()) {
+}
+
+void append_meetings(TextLines& lines, const SetAnalysis& set, OffenderStyle style) {
+  if (!set.intersections) {
+    return;
+  }
+  lines.heading("INTERSECTIONS BETWEEN MESHES");
+  append_meeting_counts(lines, set);
+  const std::vector<SetPair>& pairs = set.intersections->pairs;
+  if (pairs.empty()) {
     return;
   }
   lines.line("pairs of meshes that intersect, one a row", "all");
-  append_table(lines.text(), table_of(set, meetings));
+  append_table(lines.text(), meetings_table(set));
   if (style != OffenderStyle::None) {
-    lines.line("offending intersecting pairs between meshes", found.pairs.size());
+    lines.line("offending intersecting pairs between meshes", pairs.size());
     append_pairs(lines.text(), set);
   }
 }

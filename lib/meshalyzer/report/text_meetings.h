@@ -2,9 +2,18 @@
 
 #include "meshalyzer/report/text.h"
 #include "meshalyzer/report/text_lines.h"
+#include "meshalyzer/report/text_table.h"
 #include "meshalyzer/set/set_analysis.h"
 
 namespace meshalyzer {
+
+/// The pairs of meshes that intersect, a row each; only the titles where there are none, and for a
+/// set that was not asked about it.
+[[nodiscard]] TextTable meetings_table(const SetAnalysis& set);
+
+/// Appends how many there are, and which meshes are inside others; nothing where that was not asked
+/// for.
+void append_meeting_counts(LineSink& lines, const SetAnalysis& set);
 
 /// Appends the section INTERSECTIONS BETWEEN MESHES; nothing where these were not asked for.
 ///

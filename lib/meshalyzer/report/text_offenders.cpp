@@ -67,7 +67,7 @@ void OffenderLines::point(Index vertex) {
   if (vertex == kNoIndex) {
     return;  // a corner that no record defines has no place
   }
-  const Vec3& position = analysis_.positions[vertex];
+  const Vec3& position = analysis_.soup->positions[vertex];
   for (const double coordinate : {position.x(), position.y(), position.z()}) {
     append_shortest(text_, coordinate);
     text_ += ' ';
@@ -76,7 +76,7 @@ void OffenderLines::point(Index vertex) {
 }
 
 void OffenderLines::points_of_face(Index face) {
-  for (const Index vertex : analysis_.triangles[face]) {
+  for (const Index vertex : analysis_.soup->triangles[face]) {
     point(vertex);
   }
 }
@@ -270,7 +270,7 @@ void append_offenders(TextLines& lines, const Analysis& analysis, OffenderStyle 
   if (style == OffenderStyle::None && !has_asked_lists(all)) {
     return;
   }
-  if (analysis.positions.empty() && style == OffenderStyle::CustomPoints) {
+  if (!analysis.soup && style == OffenderStyle::CustomPoints) {
     style = OffenderStyle::Ids;
   }
   lines.heading("OFFENDING ELEMENTS");

@@ -9,21 +9,6 @@
 namespace meshalyzer {
 namespace {
 
-using EdgeTexts = std::array<std::string, Histogram::kBins + 1>;
-
-/// The edges with as few digits, from four, as keep neighbours apart.
-EdgeTexts print_edges(const Histogram& histogram) {
-  EdgeTexts texts;
-  for (int digits = 4; digits <= 17; ++digits) {
-    std::transform(histogram.edges.begin(), histogram.edges.end(), texts.begin(),
-                   [&](double edge) { return fmt::format("{:.{}g}", edge + 0.0, digits); });
-    if (std::adjacent_find(texts.begin(), texts.end()) == texts.end()) {
-      break;
-    }
-  }
-  return texts;
-}
-
 template <typename Texts>
 std::size_t widest(const Texts& texts) {
   std::size_t width = 0;
@@ -34,7 +19,7 @@ std::size_t widest(const Texts& texts) {
 }
 
 void append_histogram(std::string& text, const Histogram& histogram) {
-  const EdgeTexts edges = print_edges(histogram);
+  const auto edges = edge_texts(histogram);
   std::array<std::string, Histogram::kBins> counts;
   std::transform(histogram.counts.begin(), histogram.counts.end(), counts.begin(),
                  [](std::size_t count) { return std::to_string(count); });
@@ -52,6 +37,18 @@ void append_histogram(std::string& text, const Histogram& histogram) {
 }
 
 }  // namespace
+
+std::array<std::string, Histogram::kBins + 1> edge_texts(const Histogram& histogram) {
+  std::array<std::string, Histogram::kBins + 1> texts;
+  for (int digits = 4; digits <= 17; ++digits) {
+    std::transform(histogram.edges.begin(), histogram.edges.end(), texts.begin(),
+                   [&](double edge) { return fmt::format("{:.{}g}", edge + 0.0, digits); });
+    if (std::adjacent_find(texts.begin(), texts.end()) == texts.end()) {
+      break;
+    }
+  }
+  return texts;
+}
 
 void append_statistics(TextLines& lines, const QuantityName& quantity,
                        const Statistics& statistics) {

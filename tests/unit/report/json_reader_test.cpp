@@ -52,6 +52,13 @@ Analysis full_analysis() {
   a.characteristics.genus.reason = "the genus";
   a.characteristics.genus_of_components = -6;
   a.characteristics.edge_length = statistics_of({0.1, 0.2, kInfinity});
+  a.curvature = CurvatureStatistics{VertexArea::Voronoi,
+                                    statistics_of({-1.5, 0.1}),
+                                    statistics_of({0.1, 0.7}),
+                                    statistics_of({2, 3, kInfinity}),
+                                    statistics_of({-7, -0.25}),
+                                    {31, 32, 33, 34, 35},
+                                    0.1 + 0.2};
   a.components.resize(2);
   a.components[0].first_face = 1;
   a.components[1].first_face = 0;
@@ -249,9 +256,12 @@ TEST(ReadMeshJson, MemberThatIsMissingIsNamed) {
   written.goodness = Goodness{true, {}};
   const json line = json::parse(line_of(written));
   // These stand there only where there is something to say.
-  const std::set<std::string> optional{"/offenders", "/integrity/first_torn_line",
-                                       "/integrity/vertex_numbering", "/integrity/face_numbering",
-                                       "/per_component/1/vertex_valence"};
+  const std::set<std::string> optional{"/offenders",
+                                       "/integrity/first_torn_line",
+                                       "/integrity/vertex_numbering",
+                                       "/integrity/face_numbering",
+                                       "/per_component/1/vertex_valence",
+                                       "/characteristics/curvature"};
   for (const std::string object : {"", "/integrity", "/attributes", "/characteristics",
                                    "/per_component/1", "/characteristics/edge_length"}) {
     for (const auto& [key, value] : line[json::json_pointer(object)].items()) {

@@ -2,6 +2,9 @@
 
 #include "meshalyzer/analysis/analysis.h"
 
+#include <memory>
+#include <utility>
+
 namespace meshalyzer {
 
 /// A made-up analysis of two triangles (10 20 30) and (20 10 40), faces 7 and 9, with something in
@@ -13,8 +16,10 @@ inline Analysis sample_analysis() {
   analysis.path = "sample.mesh";
   analysis.vertex_ids.named = {10, 20, 30, 40};
   analysis.face_ids.named = {7, 9};
-  analysis.positions = {{0.1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  analysis.triangles = {{0, 1, 2}, {1, 0, 3}};
+  Soup soup;
+  soup.positions = {{0.1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  soup.triangles = {{0, 1, 2}, {1, 0, 3}};
+  analysis.soup = std::make_shared<const Soup>(std::move(soup));
   analysis.offenders.border_edges = {{{0, 2}, {1, 2}}, {0, 1, 2}, {0, 0}, {}};
   analysis.offenders.non_manifold_edges = {{{0, 1}}, {0, 2}, {0, 1}, {}};
   analysis.offenders.non_manifold_vertices = {3};

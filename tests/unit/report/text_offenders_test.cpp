@@ -61,7 +61,9 @@ TEST(AppendOffenders, CustomPointsAreTheVerticesOfEachElement) {
 TEST(AppendOffenders, CornerWithoutVertexHasNoPoint) {
   Analysis analysis = sample_analysis();
   analysis.offenders = {};
-  analysis.triangles[1] = {1, kNoIndex, 3};
+  Soup soup = *analysis.soup;
+  soup.triangles[1] = {1, kNoIndex, 3};
+  analysis.soup = std::make_shared<const Soup>(std::move(soup));
   analysis.offenders.faces_with_missing_vertices = {1};
   EXPECT_EQ(offenders_of(analysis, OffenderStyle::CustomPoints),
             "OFFENDING ELEMENTS\n"

@@ -1,0 +1,107 @@
+#include "meshalyzer/report/html/defect_list.h"
+
+#include "meshalyzer/report/html/attribute_tables.h"
+#include "meshalyzer/report/html/colour_text.h"
+#include "meshalyzer/report/html/definitions.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// The defects of one mesh of the page.
+class DefectList {
+ public:
+  DefectList(const PageMesh& mesh, std::size_t scene)
+      : mesh_(mesh), scene_(std::to_string(scene)), highlights_(mesh.defects.defects.size()) {
+    for (std::size_t i = 0; i < mesh.scene.highlights.size(); ++i) {
+      highlights_[mesh.scene.highlights[i].defect] = i;
+    }
+  }
+
+  void append(HtmlWriter& html) const {
+    if (mesh_.defects.total() == 0) {
+      html.element("p", {{"class", "none"}}, "Nothing is wrong.");
+      return;
+    }
+    for (const DefectCode code : all_defect_codes()) {
+      if (mesh_.defects.count(code) != 0) append_code(html, code);
+    }
+  }
+
+ private:
+  void append_code(HtmlWriter& html, DefectCode code) const {
+    const HtmlElement details(html, "details",
+                              {{"class", "code"}, {"open", ""}, {"data-code", defect_name(code)}});
+    append_summary(html, code);
+    const std::size_t n = append_defects_of(html, code);
+    const std::size_t left_out = mesh_.defects.count(code) - n;
+    if (left_out == 0) return;
+    std::string rest = std::to_string(left_out);
+    rest += left_out == 1 ? " more is not listed." : " more are not listed.";
+    html.element("p", {{"class", "cut"}}, rest);
+  }
+
+  void append_summary(HtmlWriter& html, DefectCode code) const {
+    const HtmlElement summary(html, "summary");
+    std::string style = "background:";
+    style += colour_text(code);
+    html.element("span", {{"class", "swatch"}, {"style", style}}, "");
+    html.text(" ");
+    html.element("code", defect_name(code));
+    html.text(" ");
+    html.element("span", {{"class", "count"}}, std::to_string(mesh_.defects.count(code)));
+    html.text(" ");
+    html.element("span", {{"class", "meaning"}}, short_meaning(code));
+  }
+
+  /// @return How many are listed.
+  std::size_t append_defects_of(HtmlWriter& html, DefectCode code) const {
+    const std::vector<Defect>& defects = mesh_.defects.defects;
+    std::size_t i = 0;
+    while (i < defects.size() && defects[i].code != code) ++i;
+    if (i == defects.size()) return 0;
+    std::size_t n = 0;
+    const HtmlElement list(html, "ol");
+    for (; i < defects.size() && defects[i].code == code && n < kListedOfACode; ++i, ++n) {
+      const HtmlElement item(html, "li");
+      append_defect(html, i);
+    }
+    return n;
+  }
+
+  void append_defect(HtmlWriter& html, std::size_t i) const {
+    const std::string text = listed_defect_text(mesh_.defects.defects[i], mesh_.name);
+    if (!highlights_[i]) {
+      html.text(text);
+      return;
+    }
+    html.element("button",
+                 {{"type", "button"},
+                  {"class", "defect"},
+                  {"data-scene", scene_},
+                  {"data-highlight", std::to_string(*highlights_[i])}},
+                 text);
+  }
+
+  const PageMesh& mesh_;
+  std::string scene_;
+  /// By defect: its place among the highlights of the scene.
+  std::vector<std::optional<std::size_t>> highlights_;
+};
+
+}  // namespace
+
+void append_defects_section(HtmlWriter& html, std::span<const TitledMesh> meshes) {
+  const HtmlSection section(html, "defects", "Defects");
+  for (std::size_t scene = 0; scene < meshes.size(); ++scene) {
+    if (meshes.size() > 1) html.element("h3", meshes[scene].title);
+    DefectList(meshes[scene].mesh, scene).append(html);
+  }
+}
+
+}  // namespace meshalyzer

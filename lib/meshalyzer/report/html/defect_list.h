@@ -1,0 +1,18 @@
+#pragma once
+
+#include "meshalyzer/report/html/html_writer.h"
+#include "meshalyzer/report/html/scene_json.h"
+
+#include <cstddef>
+#include <span>
+
+namespace meshalyzer {
+
+/// So many defects of each code are listed; the rest is counted.
+inline constexpr std::size_t kListedOfACode = 500;
+
+/// Appends the section of the defects of all meshes of the page, by code. One that the scene lights
+/// up is a button, which the view listens to.
+void append_defects_section(HtmlWriter& html, std::span<const TitledMesh> meshes);
+
+}  // namespace meshalyzer

@@ -1,0 +1,51 @@
+#include "meshalyzer/report/defect_lines.h"
+#include "meshalyzer/report/html/attribute_tables.h"
+#include "meshalyzer/report/html/defect_list.h"
+#include "meshalyzer/report/html/page.h"
+#include "meshalyzer/report/html/page_frame.h"
+#include "meshalyzer/report/short_list.h"
+
+#include <array>
+#include <cstddef>
+
+namespace meshalyzer {
+namespace {
+
+Verdict verdict_of(const DefectReport& report, const DefectCodes& asked) {
+  const std::size_t n = n_asked(report, asked);
+  if (n != 0) {
+    return {Verdict::Kind::Bad, counted(n, "defect", "defects"),
+            counts_of_codes([&](DefectCode code) { return report.count(code); }, asked)};
+  }
+  return {Verdict::Kind::Good,
+          report.total() == 0 ? "Nothing is wrong" : "Nothing that was asked for is wrong"};
+}
+
+std::string facts_of(const MeshName& mesh) {
+  std::string facts = counted(mesh.n_faces, "face", "faces");
+  facts += ", ";
+  facts += counted(mesh.n_vertices, "vertex", "vertices");
+  facts += ", ";
+  facts += format_name(mesh.format);
+  facts += " file";
+  return facts;
+}
+
+}  // namespace
+
+std::string html_report(const PageMesh& mesh, const DefectCodes& asked) {
+  const std::array drawn{TitledMesh{"", mesh}};
+  const PageHeader header{.name = file_name(mesh.name.path),
+                          .verdict = verdict_of(mesh.defects, asked),
+                          .facts = facts_of(mesh.name)};
+  return html_page(header, drawn, [&](HtmlWriter& html) {
+    append_defects_section(html, drawn);
+    const HtmlSection section(html, "tolerances", "Tolerances");
+    ReportRows rows;
+    rows.line("file", mesh.name.path);
+    append_tolerances(rows, mesh.defects);
+    append_rows(html, rows);
+  });
+}
+
+}  // namespace meshalyzer

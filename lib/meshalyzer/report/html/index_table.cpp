@@ -1,0 +1,152 @@
+#include "meshalyzer/report/html/index_table.h"
+
+#include "meshalyzer/report/html/attribute_tables.h"
+#include "meshalyzer/report/text_lines.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace meshalyzer {
+namespace {
+
+std::string_view state_text(RowState state) {
+  switch (state) {
+    case RowState::Good:
+      return "good";
+    case RowState::NotGood:
+      return "not good";
+    case RowState::Unreadable:
+      return "unreadable";
+    case RowState::NotJudged:
+      break;
+  }
+  return "-";
+}
+
+std::string_view state_class(RowState state) {
+  switch (state) {
+    case RowState::Good:
+      return "name state good";
+    case RowState::NotGood:
+      return "name state not-good";
+    case RowState::Unreadable:
+      return "name state unreadable";
+    case RowState::NotJudged:
+      break;
+  }
+  return "name";
+}
+
+/// In words, what is behind the verdict.
+std::string why(const IndexRow& row) {
+  if (!row.trouble.empty()) return row.trouble;
+  std::string text;
+  for (const std::string& reason : row.reasons) {
+    if (!text.empty()) text += "; ";
+    text += reason;
+  }
+  return text;
+}
+
+/// The columns that depend on what is in the rows.
+struct Columns {
+  std::vector<DefectCode> codes;
+  bool has_separation = false;
+};
+
+Columns columns_of(const std::vector<IndexRow>& rows) {
+  Columns columns;
+  for (const DefectCode code : all_defect_codes()) {
+    const auto has_code = [&](const IndexRow& row) {
+      return row.defects[static_cast<std::size_t>(code)] != 0;
+    };
+    if (std::any_of(rows.begin(), rows.end(), has_code)) columns.codes.push_back(code);
+  }
+  columns.has_separation =
+      std::any_of(rows.begin(), rows.end(), [](const IndexRow& row) { return row.separation; });
+  return columns;
+}
+
+void append_title(HtmlWriter& html, std::string_view kind, std::string_view title) {
+  html.element("th", {{"scope", "col"}, {"class", kind}}, title);
+}
+
+void append_titles(HtmlWriter& html, const Columns& columns) {
+  const HtmlElement head(html, "thead");
+  const HtmlElement row(html, "tr");
+  append_title(html, "name", "mesh");
+  append_title(html, "name", "verdict");
+  for (const std::string_view title : {"faces", "vertices", "area", "volume"}) {
+    append_title(html, "number", title);
+  }
+  if (columns.has_separation) append_title(html, "number", "smallest separation");
+  for (const DefectCode code : columns.codes) append_title(html, "number", defect_name(code));
+  append_title(html, "name", "why");
+}
+
+void append_number(HtmlWriter& html, const std::string& text) {
+  html.element("td", {{"class", "number"}}, text);
+}
+
+void append_measure(HtmlWriter& html, const std::optional<double>& value) {
+  append_number(html, value ? readable(*value) : "-");
+}
+
+void append_name(HtmlWriter& html, const IndexRow& row) {
+  const HtmlElement name(html, "th", {{"scope", "row"}, {"class", "name"}});
+  if (row.page.empty() || state_of(row) == RowState::Unreadable) {
+    html.text(row.name);
+  } else {
+    html.element("a", {{"href", address_of(row.page)}}, row.name);
+  }
+}
+
+void append_count(HtmlWriter& html, const IndexRow& row, std::size_t count) {
+  append_number(html, state_of(row) == RowState::Unreadable ? "-" : std::to_string(count));
+}
+
+/// Among many zeros the others are to be seen.
+void append_defects(HtmlWriter& html, const IndexRow& row, DefectCode code) {
+  const std::size_t count = row.defects[static_cast<std::size_t>(code)];
+  if (count == 0) {
+    append_count(html, row, count);
+  } else {
+    html.element("td", {{"class", "number found"}}, std::to_string(count));
+  }
+}
+
+void append_row(HtmlWriter& html, const IndexRow& row, const Columns& columns) {
+  const HtmlElement line(html, "tr");
+  const RowState state = state_of(row);
+  append_name(html, row);
+  html.element("td", {{"class", state_class(state)}}, state_text(state));
+  append_count(html, row, row.faces);
+  append_count(html, row, row.vertices);
+  append_measure(html, row.area);
+  append_measure(html, row.volume);
+  if (columns.has_separation) append_measure(html, row.separation);
+  for (const DefectCode code : columns.codes) append_defects(html, row, code);
+  html.element("td", {{"class", "name"}}, why(row));
+}
+
+}  // namespace
+
+RowState state_of(const IndexRow& row) {
+  if (!row.trouble.empty()) return RowState::Unreadable;
+  if (row.good) return RowState::Good;
+  return row.reasons.empty() ? RowState::NotJudged : RowState::NotGood;
+}
+
+void append_meshes_section(HtmlWriter& html, const std::vector<IndexRow>& rows) {
+  const HtmlSection section(html, "meshes", "Meshes");
+  const Columns columns = columns_of(rows);
+  const HtmlElement wide(html, "div", {{"class", "wide"}});
+  const HtmlElement table(html, "table", {{"class", "sortable"}});
+  append_titles(html, columns);
+  const HtmlElement body(html, "tbody");
+  for (const IndexRow& row : rows) append_row(html, row, columns);
+}
+
+}  // namespace meshalyzer

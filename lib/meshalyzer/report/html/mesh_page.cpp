@@ -1,0 +1,106 @@
+#include "meshalyzer/report/html/attribute_tables.h"
+#include "meshalyzer/report/html/defect_list.h"
+#include "meshalyzer/report/html/page.h"
+#include "meshalyzer/report/html/page_frame.h"
+#include "meshalyzer/report/html/statistics_section.h"
+#include "meshalyzer/report/short_list.h"
+#include "meshalyzer/report/text_components.h"
+#include "meshalyzer/report/text_sections.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace meshalyzer {
+namespace {
+
+constexpr std::size_t kShownComponents = 100;
+
+/// Where goodness was not judged the attributes are all there is to say: "Closed, not manifold".
+Verdict attributes_as_verdict(const Attributes& attributes) {
+  ReportRows rows;
+  append_attributes(rows, attributes);
+  std::string text;
+  for (const ReportRow& row : rows.rows()) {
+    if (!text.empty()) text += ", ";
+    if (row.value == "no") text += "not ";
+    text += row.name;
+    if (row.value != "no" && row.value != "yes") text += " undefined";
+  }
+  text[0] = text.starts_with('c') ? 'C' : 'N';
+  return {Verdict::Kind::None, text};
+}
+
+Verdict verdict_of(const Analysis& analysis) {
+  const std::optional<Goodness>& goodness =
+      analysis.goodness ? analysis.goodness : analysis.fitness;
+  if (!goodness) return attributes_as_verdict(analysis.attributes);
+  return goodness->good ? Verdict{Verdict::Kind::Good, "Good"}
+                        : Verdict{Verdict::Kind::Bad, "Not good", goodness->reasons};
+}
+
+std::string facts_of(const Analysis& analysis) {
+  const Characteristics& c = analysis.characteristics;
+  std::string facts = counted(c.faces, "face", "faces");
+  facts += ", ";
+  facts += counted(c.vertices, "vertex", "vertices");
+  if (c.components > 1) {
+    facts += ", ";
+    facts += counted(c.components, "component", "components");
+  }
+  facts += ", ";
+  facts += format_name(analysis.format);
+  facts += " file";
+  return facts;
+}
+
+template <typename Append>
+void append_section(HtmlWriter& html, std::string_view id, std::string_view title, Append append) {
+  const HtmlSection section(html, id, title);
+  ReportRows rows;
+  append(rows);
+  append_rows(html, rows);
+}
+
+void append_components_section(HtmlWriter& html, const Analysis& analysis) {
+  const std::size_t n = analysis.components.size();
+  if (n < 2) return;
+  const HtmlSection section(html, "components", "Components");
+  const std::size_t n_shown = std::min(n, kShownComponents);
+  append_text_table(html, components_table(analysis, n_shown));
+  if (n_shown == n) return;
+  std::string rest = std::to_string(n - n_shown);
+  rest += n - n_shown == 1 ? " more is not shown." : " more are not shown.";
+  html.element("p", {{"class", "cut"}}, rest);
+}
+
+void append_analysis(HtmlWriter& html, const Analysis& analysis) {
+  append_section(html, "attributes", "Attributes",
+                 [&](LineSink& rows) { append_attributes(rows, analysis.attributes); });
+  if (!analysis.has_characteristics) return;
+  append_section(html, "integrity", "Integrity",
+                 [&](LineSink& rows) { append_integrity(rows, analysis); });
+  append_section(html, "characteristics", "Characteristics", [&](LineSink& rows) {
+    append_counts(rows, analysis.characteristics);
+    append_extent(rows, analysis.characteristics);
+  });
+  append_components_section(html, analysis);
+  append_statistics_section(html, analysis);
+}
+
+}  // namespace
+
+std::string html_report(const MeshPage& page) {
+  const std::array drawn{TitledMesh{"", page.mesh}};
+  const PageHeader header{.index = page.index,
+                          .name = file_name(page.mesh.name.path),
+                          .verdict = verdict_of(page.analysis),
+                          .facts = facts_of(page.analysis)};
+  return html_page(header, drawn, [&](HtmlWriter& html) {
+    append_defects_section(html, drawn);
+    append_analysis(html, page.analysis);
+  });
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "meshalyzer/report/html/html_writer.h"
+#include "meshalyzer/report/html/scene_json.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace meshalyzer {
+
+/// What stands first and large on a page.
+struct Verdict {
+  enum class Kind { Good, Bad, None };
+  Kind kind = Kind::None;
+  std::string text;
+  /// Why it is not good.
+  std::vector<std::string> reasons = {};
+};
+
+/// What a page is of.
+struct PageHeader {
+  /// The path of the page of all meshes; empty where there is none.
+  std::string index = {};
+  /// The heading.
+  std::string name;
+  Verdict verdict;
+  /// One line.
+  std::string facts;
+};
+
+/// The last part of a path.
+[[nodiscard]] std::string file_name(const std::string& path);
+
+/// How many there are of each code, of those that count, in words: "hole: 2".
+[[nodiscard]] std::vector<std::string> counts_of_codes(
+    const std::function<std::size_t(DefectCode)>& count, const DefectCodes& asked);
+
+/// A whole page: head, what it is of, the view, the content, scripts.
+/// @param meshes   What is drawn; where there is none the page has no view.
+/// @param content  Appends the sections after the view.
+[[nodiscard]] std::string html_page(const PageHeader& header, std::span<const TitledMesh> meshes,
+                                    const std::function<void(HtmlWriter&)>& content);
+
+}  // namespace meshalyzer

@@ -1,0 +1,119 @@
+#include "meshalyzer/report/html/attribute_tables.h"
+#include "meshalyzer/report/html/defect_list.h"
+#include "meshalyzer/report/html/page.h"
+#include "meshalyzer/report/html/page_frame.h"
+#include "meshalyzer/report/repair_lines.h"
+#include "meshalyzer/report/short_list.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+std::size_t n_left(const RepairStory& story, DefectCode code) {
+  std::size_t n = 0;
+  for (const FinalMesh& mesh : story.meshes) n += mesh.remaining.count(code);
+  return n;
+}
+
+Verdict verdict_of(const RepairStory& story) {
+  const std::size_t n = n_remaining(story);
+  if (n != 0) {
+    std::string text = counted(n, "defect remains", "defects remain");
+    return {Verdict::Kind::Bad, text,
+            counts_of_codes([&](DefectCode code) { return n_left(story, code); }, story.fixes)};
+  }
+  return {Verdict::Kind::Good,
+          story.result.log.steps.empty() ? "Nothing was to be done" : "Repaired"};
+}
+
+std::string facts_of(const RepairStory& story) {
+  std::size_t vertices = 0;
+  std::size_t faces = 0;
+  for (const FinalMesh& mesh : story.meshes) {
+    vertices += mesh.name.n_vertices;
+    faces += mesh.name.n_faces;
+  }
+  std::string facts = "faces ";
+  facts += arrow(story.input.n_faces, faces);
+  facts += ", vertices ";
+  facts += arrow(story.input.n_vertices, vertices);
+  facts += ", ";
+  facts += format_name(story.input.format);
+  facts += " file";
+  return facts;
+}
+
+/// What was wrong, and what is.
+void append_counts_section(HtmlWriter& html, const RepairStory& story) {
+  const HtmlSection section(html, "counts", "Defects before and after");
+  TextTable table{1, {{"defect", "before", "after", "asked for"}}};
+  std::size_t before = 0;
+  std::size_t after = 0;
+  for (const DefectCode code : all_defect_codes()) {
+    const std::size_t was = story.result.before.count(code);
+    const std::size_t is = n_left(story, code);
+    before += was;
+    after += is;
+    if (was == 0 && is == 0) continue;
+    table.rows.push_back({std::string(defect_name(code)), std::to_string(was), std::to_string(is),
+                          story.fixes.contains(code) ? "yes" : "no"});
+  }
+  table.rows.push_back({"all", std::to_string(before), std::to_string(after), ""});
+  append_text_table(html, table);
+}
+
+void append_steps(HtmlWriter& html, const std::vector<LogStep>& steps) {
+  if (steps.empty()) {
+    html.element("p", "Nothing was changed.");
+    return;
+  }
+  TextTable table{1, {{"pass", "changes", "largest move", "in words"}}};
+  for (const LogStep& step : steps) {
+    table.rows.push_back({step.pass, std::to_string(step.operations),
+                          step.distance == 0.0 ? "-" : readable(step.distance), step_text(step)});
+  }
+  append_text_table(html, table);
+}
+
+void append_repair_section(HtmlWriter& html, const RepairStory& story) {
+  const HtmlSection section(html, "repair", "What was done");
+  append_steps(html, story.result.log.steps);
+  html.element("h3", "What came out");
+  ReportRows rows;
+  append_outcome(rows, story);
+  append_rows(html, rows);
+}
+
+/// The places that were left, mesh by mesh, with the reason.
+void append_refusals_section(HtmlWriter& html, const RepairStory& story) {
+  const KeyIds ids(story);
+  const std::vector<RefusalGroup> groups = group_refusals(story, ids);
+  if (groups.empty()) return;
+  const HtmlSection section(html, "refusals", "What was left, and why");
+  ReportRows rows;
+  for (const RefusalGroup& group : groups) {
+    if (story.meshes.size() > 1 && group.mesh) rows.line("mesh", mesh_text(story, *group.mesh));
+    append_refusal(rows, group, ListLength::Short);
+  }
+  append_rows(html, rows);
+}
+
+}  // namespace
+
+std::string html_report(const RepairPage& page) {
+  const std::array drawn{TitledMesh{"before", page.before}, TitledMesh{"after", page.after}};
+  const PageHeader header{.name = file_name(page.story.input.path),
+                          .verdict = verdict_of(page.story),
+                          .facts = facts_of(page.story)};
+  return html_page(header, drawn, [&](HtmlWriter& html) {
+    append_counts_section(html, page.story);
+    append_repair_section(html, page.story);
+    append_refusals_section(html, page.story);
+    append_defects_section(html, drawn);
+  });
+}
+
+}  // namespace meshalyzer

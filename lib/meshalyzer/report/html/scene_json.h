@@ -1,0 +1,27 @@
+#pragma once
+
+#include "meshalyzer/report/html/page.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace meshalyzer {
+
+/// A mesh on a page that may have several.
+struct TitledMesh {
+  /// "before", "after"; empty where it is the only one.
+  std::string_view title;
+  const PageMesh& mesh;
+};
+
+/// What there is to say of a listed defect, on one line; never empty.
+[[nodiscard]] std::string listed_defect_text(const Defect& defect, const MeshName& mesh);
+
+/// Appends what the view draws, as JSON: palettes, the colours of defects, a scene for each mesh.
+/// Runs of numbers are base64 of their little-endian bytes. The text may stand in a script element:
+/// it has no '<', and no line separator that older readers of JavaScript take for the end of a
+/// line.
+void append_scene_json(std::string& html, std::span<const TitledMesh> meshes);
+
+}  // namespace meshalyzer

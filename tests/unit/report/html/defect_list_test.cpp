@@ -1,0 +1,101 @@
+#include "meshalyzer/report/html/defect_list.h"
+
+#include "html/sample_scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace meshalyzer {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string list_of(const DefectReport& defects, const Scene& scene) {
+  const MeshName name = sample_name();
+  const PageMesh mesh{name, defects, scene};
+  const std::array meshes{TitledMesh{"", mesh}};
+  HtmlWriter html;
+  append_defects_section(html, meshes);
+  return html.html();
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t i = text.find(part); i != std::string::npos; i = text.find(part, i + 1)) ++n;
+  return n;
+}
+
+TEST(AppendDefectsSection, SoundMeshIsSaidToBeSo) {
+  const std::string html = list_of({}, {});
+  EXPECT_THAT(html, HasSubstr("<p class=\"none\">Nothing is wrong.</p>"));
+  EXPECT_THAT(html, Not(HasSubstr("<details")));
+}
+
+TEST(AppendDefectsSection, DefectThatIsLitUpIsAButtonForIt) {
+  EXPECT_THAT(list_of(sample_defects(), sample_scene()),
+              HasSubstr("<li><button type=\"button\" class=\"defect\" data-scene=\"0\" "
+                        "data-highlight=\"0\">edge 10-20</button></li>"));
+}
+
+TEST(AppendDefectsSection, DefectThatIsNotDrawnIsTextAlone) {
+  Scene scene = sample_scene();
+  scene.highlights.clear();
+  const std::string html = list_of(sample_defects(), scene);
+  EXPECT_THAT(html, HasSubstr("<li>edge 10-20</li>"));
+  EXPECT_THAT(html, Not(HasSubstr("<button")));
+}
+
+TEST(AppendDefectsSection, CodeIsShownWithCountColourAndMeaning) {
+  const std::string html = list_of(sample_defects(), sample_scene());
+  EXPECT_THAT(html, HasSubstr("<details class=\"code\" open=\"\" data-code=\"hole\">"));
+  EXPECT_THAT(html, HasSubstr("<code>hole</code> <span class=\"count\">1</span> "
+                              "<span class=\"meaning\">a border loop</span>"));
+  EXPECT_THAT(html, testing::ContainsRegex("class=\"swatch\" style=\"background:#[0-9a-f]{6}\""));
+}
+
+TEST(AppendDefectsSection, DefectsThatWereOnlyCountedAreSaidNotToBeListed) {
+  EXPECT_THAT(list_of(sample_defects(), sample_scene()),
+              HasSubstr("<p class=\"cut\">3 more are not listed.</p>"));
+}
+
+TEST(AppendDefectsSection, LongListIsCut) {
+  DefectReport report;
+  report.defects.resize(kListedOfACode + 1);
+  for (Defect& defect : report.defects) defect.code = DefectCode::OrphanVertex;
+  report.counts[static_cast<std::size_t>(DefectCode::OrphanVertex)] = kListedOfACode + 1;
+  const std::string html = list_of(report, {});
+  EXPECT_EQ(count_of(html, "<li>"), kListedOfACode);
+  EXPECT_THAT(html, HasSubstr("1 more is not listed."));
+}
+
+TEST(AppendDefectsSection, CutListDoesNotHideTheNextCode) {
+  DefectReport report;
+  report.defects.resize(kListedOfACode + 2);
+  for (Defect& defect : report.defects) defect.code = DefectCode::OrphanVertex;
+  report.defects.back().code = DefectCode::Numbering;
+  report.counts[static_cast<std::size_t>(DefectCode::OrphanVertex)] = kListedOfACode + 1;
+  report.counts[static_cast<std::size_t>(DefectCode::Numbering)] = 1;
+  EXPECT_THAT(list_of(report, {}), HasSubstr("<li>numbering</li>"));
+}
+
+TEST(AppendDefectsSection, SeveralMeshesHaveAHeadingEachAndButtonsForTheirScenes) {
+  const MeshName name = sample_name();
+  const DefectReport defects = sample_defects();
+  const DefectReport none;
+  const Scene scene = sample_scene();
+  const Scene empty;
+  const PageMesh before{name, none, empty};
+  const PageMesh after{name, defects, scene};
+  const std::array meshes{TitledMesh{"before", before}, TitledMesh{"after", after}};
+  HtmlWriter html;
+  append_defects_section(html, meshes);
+  EXPECT_THAT(html.html(), HasSubstr("<h3>before</h3>"));
+  EXPECT_THAT(html.html(), HasSubstr("<h3>after</h3>"));
+  EXPECT_THAT(html.html(), HasSubstr("data-scene=\"1\" data-highlight=\"0\""));
+}
+
+}  // namespace
+}  // namespace meshalyzer

@@ -1,0 +1,81 @@
+#include "meshalyzer/report/html/definitions.h"
+
+#include "meshalyzer/report/defect_lines.h"
+#include "meshalyzer/report/text_curvature.h"
+#include "meshalyzer/report/text_sections.h"
+#include "meshalyzer/report/text_statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace meshalyzer {
+namespace {
+
+/// With every line that there may be.
+Analysis analysis_with_all_lines() {
+  Analysis analysis;
+  analysis.format = Format::Stl;
+  analysis.n_polygons = 1;
+  analysis.integrity.torn_lines = 1;
+  analysis.offenders.torn_lines = {3};
+  analysis.characteristics.bounding_box.extend(Vec3(1, 2, 3));
+  return analysis;
+}
+
+void expect_defined(const ReportRows& rows) {
+  EXPECT_FALSE(rows.rows().empty());
+  for (const ReportRow& row : rows.rows()) {
+    EXPECT_FALSE(definition_of(row.name).empty()) << row.name;
+  }
+}
+
+TEST(DefinitionOf, EachLineOfAReportIsDefined) {
+  const Analysis analysis = analysis_with_all_lines();
+  ReportRows rows;
+  append_integrity(rows, analysis);
+  append_attributes(rows, analysis.attributes);
+  append_counts(rows, analysis.characteristics);
+  append_extent(rows, analysis.characteristics);
+  append_extent(rows, Characteristics{});
+  expect_defined(rows);
+}
+
+TEST(DefinitionOf, EachToleranceIsDefined) {
+  ReportRows rows;
+  append_tolerances(rows, DefectReport{});
+  expect_defined(rows);
+}
+
+TEST(DefinitionOf, EachQuantityIsDefined) {
+  const auto expect = [](const QuantityName& quantity, const Statistics&) {
+    EXPECT_FALSE(definition_of(quantity.name).empty()) << quantity.name;
+  };
+  for_each_measure(Characteristics{}, expect);
+  for_each_curvature(CurvatureStatistics{}, expect);
+}
+
+TEST(DefinitionOf, EachLineOfTheCurvatureIsDefined) {
+  CurvatureStatistics curvature;
+  curvature.vertices.fill(1);
+  ReportRows rows;
+  append_curvature_counts(rows, curvature);
+  expect_defined(rows);
+}
+
+TEST(DefinitionOf, UnknownWordHasNone) {
+  EXPECT_EQ(definition_of("warning"), "");
+  EXPECT_EQ(definition_of(""), "");
+}
+
+TEST(ShortMeaning, EachCodeHasItsOwn) {
+  std::set<std::string_view> meanings;
+  for (const DefectCode code : all_defect_codes()) {
+    EXPECT_FALSE(short_meaning(code).empty());
+    meanings.insert(short_meaning(code));
+  }
+  EXPECT_EQ(meanings.size(), kDefectCodes);
+}
+
+}  // namespace
+}  // namespace meshalyzer
