@@ -47,6 +47,11 @@ void check_set(const Options& options, Inputs& inputs) {
   if (options.asked.any() && !inputs.is_set) {
     throw UsageError("-i and -s need a folder, or several files");
   }
+  const bool shows_separation =
+      options.field_export && options.field_export->field == FieldName::Separation;
+  if (shows_separation && !inputs.is_set) {
+    throw UsageError("--field separation needs a folder, or several files with -s");
+  }
   if (has_stdin(inputs.files) && inputs.is_set && questions_of(options).is_between()) {
     throw UsageError("standard input can be read only once, so it cannot be part of a set");
   }
@@ -106,7 +111,9 @@ ExitCode check(const Options& options, Streams streams) {
   JournalSubject subject = make_subject(inputs.files, asked);
   subject.offenders = json_offenders(options);
   KnownLines known = recall(options, subject);
-  Task task{options, std::move(inputs), std::move(subject), std::move(known)};
+  PicturePaths pictures = picture_paths(options, inputs);
+  Task task{options,          std::move(inputs),   std::move(subject),
+            std::move(known), Task::Unknown::Find, std::move(pictures)};
   std::unique_ptr<JournalWriter> journal;
   if (options.ndjson) {
     journal = open_journal(*options.ndjson, task, streams.out);

@@ -28,6 +28,9 @@ What is done
   --exact-coincidence
                      indistinguishable vertices: only those at exactly the
                      same place
+  --curvature        also the Gaussian, mean (signed) and principal curvatures
+                     at the vertices, spread over their mixed areas, or with
+                     --curvature=AREA over: voronoi, barycentric, one-ring
 
 Which elements are named, by their ids in the file
   -p                 every offending element
@@ -47,6 +50,18 @@ How separation is measured (-s)
   --force            although a mesh is not good
   --separation-ply DIR
                      a PLY of each mesh in DIR, its vertices coloured by it
+
+Pictures
+  --html FILE        the report as one page that opens in any browser, offline,
+                     with a 3D view, every defect in a list and shown in place;
+                     of several meshes an index, the pages in FILE_pages/
+  --export FILE --field F
+                     a field as quality and colour of the vertices of a .ply,
+                     .obj or .vtp; of several meshes a file each, in a folder
+                     called as FILE without its ending. F: gaussian, mean, k1,
+                     k2, valence, aspect-ratio, area, component, defect,
+                     separation (needs -s)
+  --palette NAME     viridis, diverging, jet or hot in place of what suits F
 
 How it is told
   --json             as JSON in place of text
@@ -68,8 +83,6 @@ How it is told
   --no-progress      no progress on standard error (only a terminal has it)
   --version          print the version
   -h, --help         print this help
-
-Not available yet in this version: --curvature, --export, --field, --html.
 
 Exit status: 0 done (with -g: good); 1 with -g: not good; 2 wrong usage; 3 an
 input could not be read, or the report not be written; 130 interrupted.

@@ -35,7 +35,7 @@ struct Raw {
   std::string separation_ply;
   bool summary = false;
   std::string ndjson, resume, shard, memory_limit;
-  std::string curvature, export_file, field, html;
+  std::string curvature, export_file, field, palette, html;
 };
 
 void declare_options(CLI::App& app, Raw& raw) {
@@ -74,11 +74,11 @@ void declare_set_options(CLI::App& app, Raw& raw) {
   app.add_option("--memory-limit", raw.memory_limit)->type_name("SIZE");
 }
 
-/// Options of later versions: known, so that they can be refused by name.
-void declare_future_options(CLI::App& app, Raw& raw) {
+void declare_picture_options(CLI::App& app, Raw& raw) {
   app.add_flag("--curvature{mixed}", raw.curvature);
   app.add_option("--export", raw.export_file)->type_name("FILE");
   app.add_option("--field", raw.field)->type_name("F");
+  app.add_option("--palette", raw.palette)->type_name("NAME");
   app.add_option("--html", raw.html)->type_name("FILE");
 }
 
@@ -103,21 +103,41 @@ GoodnessThresholds to_thresholds(const std::string& text) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-void check_available(const Raw& raw) {
-  const std::string_view missing = !raw.curvature.empty()     ? "--curvature"
-                                   : !raw.export_file.empty() ? "--export"
-                                   : !raw.field.empty()       ? "--field"
-                                   : !raw.html.empty()        ? "--html"
-                                                              : "";
-  if (!missing.empty()) {
-    throw UsageError(std::string(missing) +
-                     " is not available yet in this version (" MESHALYZER_VERSION ")");
-  }
-}
-
 bool names_by_threshold(const Raw& raw) {
   return !(raw.shorter.empty() && raw.longer.empty() && raw.angle_below.empty() &&
            raw.angle_above.empty() && raw.aspect_above.empty());
+}
+
+/// What curvatures and pictures need, and do not go with.
+void check_picture_options(const Raw& raw) {
+  if (raw.export_file.empty() != raw.field.empty()) {
+    throw UsageError("--export FILE and --field F need each other");
+  }
+  if (!raw.palette.empty() && raw.export_file.empty()) {
+    throw UsageError("--palette needs --export");
+  }
+  const std::string_view asked = !raw.curvature.empty()     ? "--curvature"
+                                 : !raw.export_file.empty() ? "--export"
+                                 : !raw.html.empty()        ? "--html"
+                                                            : "";
+  if (asked.empty()) {
+    return;
+  }
+  if (raw.attributes_only) {
+    throw UsageError("-a measures nothing, so " + std::string(asked) + " cannot go with it");
+  }
+  if (raw.total_volume) {
+    throw UsageError("-v prints only the total volume: no other report can go with it");
+  }
+  if (!raw.shard.empty() && !raw.html.empty()) {
+    throw UsageError("--shard does a part of the work: --html shows the whole of it");
+  }
+}
+
+/// Whether the distances between the meshes of a set are asked for.
+bool measures_separation(const Raw& raw) {
+  const bool has_set_work = raw.intersections || raw.separation;
+  return raw.separation || (!has_set_work && !raw.attributes_only && raw.goodness.empty());
 }
 
 /// What the options of a set do not allow.
@@ -126,15 +146,14 @@ void check_set_options(const Raw& raw) {
   if (raw.total_volume && has_set_work) {
     throw UsageError("-v prints only the total volume: -i and -s cannot go with it");
   }
-  const bool measures_separation =
-      raw.separation || (!has_set_work && !raw.attributes_only && raw.goodness.empty());
   const std::string_view needs_separation = !raw.search_radius.empty()    ? "--search-radius"
                                             : !raw.search_cone.empty()    ? "--search-cone"
                                             : !raw.include_self.empty()   ? "--include-self"
                                             : !raw.separation_ply.empty() ? "--separation-ply"
+                                            : raw.field == "separation"   ? "--field separation"
                                             : raw.force                   ? "--force"
                                                                           : "";
-  if (!needs_separation.empty() && !measures_separation) {
+  if (!needs_separation.empty() && !measures_separation(raw)) {
     throw UsageError(std::string(needs_separation) + " needs -s");
   }
   const bool has_journal = !raw.ndjson.empty() || !raw.resume.empty();
@@ -174,6 +193,25 @@ void check_consistent(const Raw& raw) {
   }
 }
 
+VertexArea to_area(const std::string& text) {
+  const std::optional<VertexArea> area = vertex_area(text);
+  if (!area) {
+    throw UsageError("--curvature needs mixed, voronoi, barycentric or one-ring, not '" + text +
+                     "'");
+  }
+  return *area;
+}
+
+/// The names of some values, "a, b, c".
+template <typename Values, typename Name>
+std::string names_of(const Values& values, const Name& name) {
+  std::string text;
+  for (const auto value : values) {
+    text += (text.empty() ? "" : ", ") + std::string(name(value));
+  }
+  return text;
+}
+
 AnalysisOptions to_analysis_options(const Raw& raw) {
   AnalysisOptions options;
   // Volumes need no more than the attributes do.
@@ -188,8 +226,29 @@ AnalysisOptions to_analysis_options(const Raw& raw) {
   options.angle_above_degrees = to_limit(raw.angle_above, "-e");
   options.aspect_above = to_limit(raw.aspect_above, "-f");
   options.exact_coincidence = raw.exact_coincidence;
-  options.keep_geometry = raw.points;
+  options.curvature = raw.curvature.empty() ? std::nullopt : std::optional(to_area(raw.curvature));
+  options.keep_soup = raw.points || !raw.html.empty() || !raw.export_file.empty();
   return options;
+}
+
+/// What is asked of --export and --field.
+std::optional<FieldExport> to_field_export(const Raw& raw) {
+  if (raw.export_file.empty()) {
+    return std::nullopt;
+  }
+  const std::optional<FieldName> field = field_of(raw.field);
+  if (!field) {
+    throw UsageError("--field needs one of " + names_of(all_field_names(), field_name) + ", not '" +
+                     raw.field + "'");
+  }
+  FieldExport wanted{raw.export_file, *field};
+  if (!raw.palette.empty()) {
+    wanted.palette = palette_of(raw.palette);
+    if (!wanted.palette) {
+      throw UsageError("--palette needs viridis, diverging, jet or hot, not '" + raw.palette + "'");
+    }
+  }
+  return wanted;
 }
 
 double to_cone(const std::string& text, const std::string& option) {
@@ -261,6 +320,7 @@ std::string to_asked_text(const Raw& raw) {
   value("-d", raw.angle_below);
   value("-e", raw.angle_above);
   value("-f", raw.aspect_above);
+  value("--curvature", raw.curvature);
   word("-i", raw.intersections);
   word("-s", raw.separation);
   word("--force", raw.force);
@@ -273,6 +333,7 @@ std::string to_asked_text(const Raw& raw) {
 Options to_options(const Raw& raw) {
   check_consistent(raw);
   check_set_options(raw);
+  check_picture_options(raw);
   Options options;
   options.paths = raw.paths;
   options.analysis = to_analysis_options(raw);
@@ -291,13 +352,14 @@ Options to_options(const Raw& raw) {
   options.ndjson = target(raw.ndjson.empty() ? raw.resume : raw.ndjson);
   options.separation_ply =
       raw.separation_ply.empty() ? std::nullopt : std::optional(raw.separation_ply);
+  options.field_export = to_field_export(raw);
+  options.html = raw.html.empty() ? std::nullopt : std::optional(raw.html);
   options.shard = to_shard(raw.shard);
   options.memory_limit = to_memory_limit(raw.memory_limit);
   options.asked_text = to_asked_text(raw);
   options.threads = to_thread_count(raw.threads);
   options.progress =
       raw.quiet || raw.no_progress ? Options::Progress::Never : Options::Progress::OnTerminal;
-  check_available(raw);
   return options;
 }
 
@@ -327,7 +389,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   CLI::App app;
   declare_options(app, raw);
   declare_set_options(app, raw);
-  declare_future_options(app, raw);
+  declare_picture_options(app, raw);
   try {
     parse_arguments(app, argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "meshalyzer/base/colour_map.h"
+#include "meshalyzer/picture/field.h"
 #include "meshalyzer/report/json.h"
 #include "meshalyzer/report/text.h"
 #include "meshalyzer/set/set_options.h"
@@ -32,6 +34,15 @@ struct AskedOfSet {
   [[nodiscard]] bool any() const { return intersections || separation; }
 };
 
+/// A field of each mesh, written to a file.
+struct FieldExport {
+  /// Of one mesh; else FILE without its ending is a folder, with a file a mesh.
+  std::string file;
+  FieldName field = FieldName::Gaussian;
+  /// Where absent: the one that suits the field.
+  std::optional<Palette> palette = std::nullopt;
+};
+
 /// A command line, understood.
 struct Options {
   /// Mesh files, folders, or "-"; at least one.
@@ -49,6 +60,9 @@ struct Options {
   std::optional<std::string> resume;
   /// A folder for a PLY an object, coloured by its separation.
   std::optional<std::string> separation_ply;
+  std::optional<FieldExport> field_export;
+  /// The file of the page of one mesh, or of the index of several.
+  std::optional<std::string> html;
   Shard shard;
   /// Bytes.
   std::uint64_t memory_limit = 0;

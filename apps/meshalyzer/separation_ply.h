@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace meshalyzer {
 
@@ -16,11 +15,6 @@ struct SeparationPicture {
   /// The distance with the last colour; where nothing, the largest there is.
   std::optional<double> largest;
 };
-
-/// What the pictures of meshes are called, one a path: the last parts of the paths with the ending
-/// .ply in place of their own where these differ, else the number of the path, `_`, its last part
-/// and `.ply`.
-[[nodiscard]] std::vector<std::string> picture_names(const std::vector<std::string>& paths);
 
 /// Writes a picture of a mesh: the mesh with the separation of each vertex as its quality and
 /// colour.

@@ -8,7 +8,6 @@
 #include "meshalyzer/report/summary_table.h"
 #include "meshalyzer/report/text.h"
 #include "progress_text.h"
-#include "separation_ply.h"
 
 #include <ostream>
 #include <utility>
@@ -19,6 +18,12 @@ namespace {
 ProgressLine::State progress_state(const Options& options, const std::ostream& err) {
   return options.progress == Options::Progress::Never ? ProgressLine::State::Off
                                                       : terminal_state(err);
+}
+
+/// Distances to other meshes come only when all meshes are known.
+PictureSubject::Separation waits_for(const Task& task) {
+  const bool follows = task.inputs.is_set && questions_of(task.options).separation;
+  return follows ? PictureSubject::Separation::Follows : PictureSubject::Separation::Never;
 }
 
 }  // namespace
@@ -32,8 +37,7 @@ Session::Session(Task task, Streams streams)
       streams_(streams),
       progress_(streams.err, progress_state(options_, streams.err)),
       name_width_(summary_width(subject_.names)),
-      picture_names_(options_.separation_ply ? picture_names(inputs_.files)
-                                             : std::vector<std::string>()) {}
+      pictures_({options_, inputs_.files, subject_.names, task_.pictures, waits_for(task_)}) {}
 
 ExitCode Session::work() {
   for (const std::string& trouble : inputs_.troubles) {
@@ -55,8 +59,12 @@ ExitCode Session::work() {
     tell_set(*set);
   }
   // Where the run was stopped there is no whole report to take the place of an old one.
-  if (set && json_) {
-    json_->finish(inputs_.is_set ? &*set : nullptr);
+  if (set) {
+    const SetAnalysis* told = inputs_.is_set ? &*set : nullptr;
+    pictures_.finish(told);
+    if (json_) {
+      json_->finish(told);
+    }
   }
   if (!streams_.out.flush()) {
     complain("meshalyzer: standard output: cannot be written");
@@ -105,6 +113,7 @@ void Session::on_mesh(Index number, const Analysis& mesh) {
   if (json_) {
     json_->report().add(mesh);
   }
+  pictures_.on_mesh(number, mesh);
   if (tells_text() && options_.show == Show::Summary) {
     streams_.out << summary_line(subject_.names[number], mesh, name_width_);
   } else if (tells_text() && options_.show == Show::Report) {
@@ -133,6 +142,7 @@ void Session::on_unreadable(Index number, const std::string& why) {
   if (tells_text() && options_.show == Show::Summary) {
     streams_.out << summary_of_unreadable(subject_.names[number], why, name_width_);
   }
+  pictures_.on_unreadable(number, why);
   complain(why);
 }
 
@@ -144,11 +154,7 @@ void Session::on_findings(const ObjectFindings& findings) {
   if (json_) {
     json_->report().add(findings, subject_.names);
   }
-  if (options_.separation_ply && findings.separation) {
-    write_separation_ply(
-        *options_.separation_ply + "/" + picture_names_[findings.owner],
-        {inputs_.files[findings.owner], *findings.separation, options_.separation.search_radius});
-  }
+  pictures_.on_findings(findings);
 }
 
 void Session::on_progress(const SetProgress& progress) {

@@ -6,6 +6,7 @@
 #include "json_output.h"
 #include "meshalyzer/set/set_run.h"
 #include "options.h"
+#include "pictures.h"
 #include "progress_line.h"
 #include "streams.h"
 
@@ -35,6 +36,7 @@ struct Task {
     Refuse,
   };
   Unknown unknown = Unknown::Find;
+  PicturePaths pictures = {};
 };
 
 /// One call of the program: has the files analysed, and tells what is found as it is found.
@@ -74,7 +76,7 @@ class Session : public SetListener {
   ProgressLine progress_;
   /// Of the summary's first column.
   std::size_t name_width_;
-  std::vector<std::string> picture_names_;
+  Pictures pictures_;
   std::optional<JsonOutput> json_;
   std::unique_ptr<JournalWriter> journal_;
   std::optional<SetProgress::Stage> last_stage_;

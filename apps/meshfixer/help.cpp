@@ -59,14 +59,17 @@ How it is told
   --max-defects N    list so many defects at most; 0, the default: all
   --json             as JSON in place of text
   --json=FILE        as JSON in FILE, and as text
+  --html FILE        as one page that opens in any browser, offline, with a 3D
+                     view before and after, every defect in a list and shown
+                     in place
   --threads N        at most N threads; 0, the default: one a core
   --quiet            nothing on standard error but what is wrong
   --no-progress      no progress on standard error (only a terminal has it)
   --version          print the version
   -h, --help         print this help
 
-Not available yet in this version: --guarantee, --html; self-intersections are
-found and left.
+Not available yet in this version: --guarantee; self-intersections are found
+and left.
 
 Exit status: 0 nothing asked for remains; 1 defects remain; 2 wrong usage; 3 a
 file could not be read or written.

@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include "arguments.h"
+#include "file_ending.h"
 #include "help.h"
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/format_of.h"
@@ -89,10 +90,7 @@ void declare_limits_and_reports(CLI::App& app, Raw& raw) {
 }
 
 void check_consistent(const Raw& raw) {
-  if (raw.guarantee || !raw.html.empty()) {
-    throw UsageError(std::string(raw.guarantee ? "--guarantee" : "--html") +
-                     " is not available yet in this version");
-  }
+  if (raw.guarantee) throw UsageError("--guarantee is not available yet in this version");
   if (raw.paths.empty()) throw UsageError("no IN: name a mesh file, or - for standard input");
   if (raw.paths.size() > 1) {
     throw UsageError("one mesh at a time: " + raw.paths[1] + " is one too many");
@@ -260,6 +258,10 @@ Options to_options(const Raw& raw) {
   options.repair = to_repair(raw);
   options.lists = raw.print ? ListLength::Full : ListLength::Short;
   if (!raw.json.empty()) options.json = ReportTarget{raw.json};
+  if (!raw.html.empty()) {
+    static_cast<void>(require_ending(raw.html, "--html", {".html", ".htm"}));
+    options.html = raw.html;
+  }
   options.threads = to_thread_count(raw.threads);
   options.progress =
       raw.quiet || raw.no_progress ? Options::Progress::Never : Options::Progress::OnTerminal;

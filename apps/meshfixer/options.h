@@ -21,6 +21,8 @@ struct Options {
   RepairOptions repair;
   ListLength lists = ListLength::Short;
   std::optional<ReportTarget> json;
+  /// The file of the page.
+  std::optional<std::string> html;
   /// 0: as many as the machine has cores.
   std::size_t threads = 0;
   enum class Progress { OnTerminal, Never };

@@ -36,13 +36,6 @@ bool fits_floats(const Soup& soup) {
 
 }  // namespace
 
-bool is_same_file(const std::string& a, const std::string& b) {
-  std::error_code error;
-  if (std::filesystem::equivalent(a, b, error) && !error) return true;
-  const std::filesystem::path whole = std::filesystem::weakly_canonical(a, error);
-  return !error && whole == std::filesystem::weakly_canonical(b, error) && !error;
-}
-
 std::string numbered_path(const std::string& path, std::size_t number) {
   const std::filesystem::path whole(path);
   std::string name = whole.stem().string();

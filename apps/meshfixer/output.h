@@ -24,9 +24,6 @@ struct Written {
   std::string note;
 };
 
-/// Whether two paths name one file, be it there or not.
-[[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
-
 /// The path of one of several outputs: "a.mesh" becomes "a_2.mesh".
 [[nodiscard]] std::string numbered_path(const std::string& path, std::size_t number);
 

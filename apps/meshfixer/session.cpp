@@ -6,7 +6,9 @@
 #include "meshalyzer/report/repair_json.h"
 #include "meshalyzer/report/repair_text.h"
 #include "output.h"
+#include "page.h"
 #include "progress_line.h"
+#include "same_file.h"
 #include "usage_error.h"
 
 #include <algorithm>
@@ -37,6 +39,7 @@ ExitCode find(const Options& options, const Soup& soup, Streams streams) {
                                                   .max_defects = options.repair.max_defects});
   const MeshName name = name_of(soup, options.input);
   const DefectCodes& asked = options.repair.fixes;
+  if (options.html) write_page(*options.html, {soup, name, report, asked});
   const ExitCode told = tell(
       options, streams, [&] { return defects_report(name, report, asked, options.lists); },
       [&] { return defects_json(name, report, asked); });
@@ -91,7 +94,9 @@ std::vector<std::string> output_paths(const Options& options, const RepairStory&
 }
 
 /// Writes the meshes of a result, reads them back, and adds what they are to the story.
-void write_all(const Options& options, const Source& source, RepairStory& story) {
+/// @return The meshes of the story as they are.
+std::vector<Soup> write_all(const Options& options, const Source& source, RepairStory& story) {
+  std::vector<Soup> finals;
   const std::vector<std::string> paths = output_paths(options, story);
   const DefectOptions search = final_search(options, story.result.before.tolerances);
   for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -99,22 +104,29 @@ void write_all(const Options& options, const Source& source, RepairStory& story)
     if (!has_content(mesh.draft.soup, paths[i])) {
       story.notes.push_back(kNothingLeft);
       story.meshes.push_back({name_of(mesh.draft.soup, ""), mesh.remaining});
+      finals.push_back(mesh.draft.soup);
       continue;
     }
-    const Written written = is_unchanged(story) && keeps_format(paths[i], source)
-                                ? write_unchanged(paths[i], source)
-                                : write_result(mesh.draft.soup, paths[i], source);
+    Written written = is_unchanged(story) && keeps_format(paths[i], source)
+                          ? write_unchanged(paths[i], source)
+                          : write_result(mesh.draft.soup, paths[i], source);
     if (!written.note.empty()) story.notes.push_back(written.note);
     story.meshes.push_back({name_of(written.soup, paths[i]),
                             remaining_on_disk(mesh, written.soup, search),
                             vertex_records(mesh.draft.soup, written.soup)});
+    finals.push_back(std::move(written.soup));
   }
+  return finals;
 }
 
-void take_unwritten(RepairStory& story) {
+/// The same for what is not to be written.
+std::vector<Soup> take_unwritten(RepairStory& story) {
+  std::vector<Soup> finals;
   for (const RepairedMesh& mesh : story.result.meshes) {
     story.meshes.push_back({name_of(mesh.draft.soup, ""), mesh.remaining});
+    finals.push_back(mesh.draft.soup);
   }
+  return finals;
 }
 
 /// Done or NotGood; Trouble where a mesh should have been written and was not.
@@ -136,18 +148,27 @@ ExitCode fix(const Options& options, Soup soup, const Source& source, Streams st
                                          : terminal_state(streams.err));
   RepairOptions repair = options.repair;
   repair.on_phase = [&](std::string_view phase) { progress.show(phase); };
+  const Soup before = options.html ? soup : Soup();
   const RepairResult result = fix_defects(std::move(soup), repair);
   progress.clear();
   RepairStory story{input, result, repair.fixes, {}, {}};
-  if (options.output) {
-    write_all(options, source, story);
-  } else {
-    take_unwritten(story);
-  }
+  const std::vector<Soup> finals =
+      options.output ? write_all(options, source, story) : take_unwritten(story);
+  if (options.html) write_page(*options.html, story, before, finals);
   const ExitCode told = tell(
       options, streams, [&] { return repair_report(story, options.lists); },
       [&] { return repair_json(story); });
   return told == ExitCode::Done ? verdict(options, story, streams) : told;
+}
+
+/// Refuses to write a report over the input, or over OUT.
+void check_report(const Options& options, const std::string& file, const std::string& option) {
+  if (is_same_file(options.input, file)) {
+    throw UsageError("the FILE of " + option + " is the input itself, which never changes");
+  }
+  if (options.output && is_same_file(*options.output, file)) {
+    throw UsageError("the FILE of " + option + " is OUT");
+  }
 }
 
 /// Refuses to write over the input, or one output over the other.
@@ -155,13 +176,11 @@ void check_outputs(const Options& options) {
   if (options.output && is_same_file(options.input, *options.output)) {
     throw UsageError("OUT is the input itself, which never changes");
   }
-  if (!options.json || options.json->is_stdout()) return;
-  const std::string& json = options.json->file;
-  if (is_same_file(options.input, json)) {
-    throw UsageError("the FILE of --json is the input itself, which never changes");
-  }
-  if (options.output && is_same_file(*options.output, json)) {
-    throw UsageError("the FILE of --json is OUT");
+  const bool has_json_file = options.json && !options.json->is_stdout();
+  if (has_json_file) check_report(options, options.json->file, "--json");
+  if (options.html) check_report(options, *options.html, "--html");
+  if (has_json_file && options.html && is_same_file(options.json->file, *options.html)) {
+    throw UsageError("the FILE of --html is that of --json");
   }
 }
 

@@ -1,0 +1,120 @@
+#include "picture_paths.h"
+
+#include "file_ending.h"
+#include "meshalyzer/base/error.h"
+#include "same_file.h"
+#include "usage_error.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <system_error>
+
+namespace meshalyzer {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> names_of(const std::vector<std::string>& paths,
+                                  const std::string& ending) {
+  std::vector<std::string> names;
+  std::set<std::string> distinct;
+  for (const std::string& path : paths) {
+    names.push_back(fs::path(path).filename().replace_extension(ending).string());
+    distinct.insert(names.back());
+  }
+  if (distinct.size() != paths.size()) {
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      names[i] = std::to_string(i + 1);
+      names[i] += '_';
+      names[i] += fs::path(paths[i]).filename().string();
+      names[i] += ending;
+    }
+  }
+  return names;
+}
+
+/// A file a mesh in a folder.
+std::vector<std::string> files_in(const fs::path& folder, const std::vector<std::string>& names) {
+  std::vector<std::string> files;
+  std::transform(names.begin(), names.end(), std::back_inserter(files),
+                 [&](const std::string& name) { return (folder / name).string(); });
+  return files;
+}
+
+fs::path without_ending(const std::string& file) {
+  return fs::path(file).replace_extension();
+}
+
+void name_pages(const std::string& file, const Inputs& inputs, PicturePaths& paths) {
+  const std::string ending = require_ending(file, "--html", {".html", ".htm"});
+  if (inputs.files.size() == 1 && !inputs.is_set) {
+    paths.pages = {file};
+    return;
+  }
+  fs::path folder = without_ending(file);
+  folder += "_pages";
+  const std::vector<std::string> names = names_of(inputs.files, ending);
+  paths.pages = files_in(folder, names);
+  paths.links = files_in(folder.filename(), names);
+  paths.index = file;
+}
+
+void name_fields(const std::string& file, const Inputs& inputs, PicturePaths& paths) {
+  const std::string ending = require_ending(file, "--export", {".ply", ".obj", ".vtp"});
+  const bool is_one = inputs.files.size() == 1 && !inputs.is_set;
+  paths.fields = is_one ? std::vector<std::string>{file}
+                        : files_in(without_ending(file), names_of(inputs.files, ending));
+}
+
+void refuse_inputs(const std::vector<std::string>& outputs, const Inputs& inputs) {
+  for (const std::string& output : outputs) {
+    std::error_code error;
+    if (!fs::exists(output, error)) {
+      continue;
+    }
+    const auto is_it = [&](const std::string& input) { return is_same_file(input, output); };
+    if (std::any_of(inputs.files.begin(), inputs.files.end(), is_it)) {
+      throw UsageError(output + " would be written, but it is an input, which never changes");
+    }
+  }
+}
+
+}  // namespace
+
+PicturePaths picture_paths(const Options& options, const Inputs& inputs) {
+  PicturePaths paths;
+  if (options.html) {
+    name_pages(*options.html, inputs, paths);
+  }
+  if (options.field_export) {
+    name_fields(options.field_export->file, inputs, paths);
+  }
+  if (options.separation_ply) {
+    paths.separations = files_in(*options.separation_ply, names_of(inputs.files, ".ply"));
+  }
+  for (const auto* outputs : {&paths.pages, &paths.fields, &paths.separations}) {
+    refuse_inputs(*outputs, inputs);
+  }
+  if (paths.index) {
+    refuse_inputs({*paths.index}, inputs);
+  }
+  if (options.json && !options.json->is_stdout()) {
+    refuse_inputs({options.json->file}, inputs);
+  }
+  return paths;
+}
+
+void make_folder_of(const std::string& file) {
+  const fs::path folder = fs::path(file).parent_path();
+  if (folder.empty()) {
+    return;
+  }
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) {
+    throw IoError(folder.string(), {}, "cannot be made: " + error.message());
+  }
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "inputs.h"
+#include "options.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Where the pictures of a run go.
+struct PicturePaths {
+  /// A file a mesh, or empty where none was asked for.
+  std::vector<std::string> pages;
+  std::vector<std::string> fields;
+  std::vector<std::string> separations;
+  /// The index of the pages; absent where there is one mesh, or no page.
+  std::optional<std::string> index;
+  /// Each page's address as the index has it.
+  std::vector<std::string> links;
+};
+
+/// Names all pictures that a run writes. Of one mesh, a page or a field has the name that was
+/// given. Of several, pages are in a folder called as FILE without its ending and with `_pages`,
+/// fields in one called as FILE without its ending; in them they are called as the last parts of
+/// the paths of the meshes with their own ending in place where these differ, else by the number of
+/// the mesh, `_` and its last part.
+///
+/// @throws UsageError  where FILE has not the ending of what is written, or where a picture or the
+/// JSON report would take the place of an input.
+[[nodiscard]] PicturePaths picture_paths(const Options& options, const Inputs& inputs);
+
+/// Makes the folder of a file, and all above it.
+/// @throws IoError if that fails.
+void make_folder_of(const std::string& file);
+
+}  // namespace meshalyzer

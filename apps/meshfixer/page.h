@@ -1,0 +1,32 @@
+#pragma once
+
+#include "meshalyzer/defects/find_defects.h"
+#include "meshalyzer/mesh/soup.h"
+#include "meshalyzer/report/repair_story.h"
+
+#include <string>
+#include <vector>
+
+namespace meshalyzer::fixer {
+
+/// What --find found.
+struct FoundPage {
+  const Soup& soup;
+  const MeshName& name;
+  const DefectReport& report;
+  /// The codes that count in the verdict.
+  const DefectCodes& asked;
+};
+
+/// Writes the page of what is wrong with a mesh.
+/// @throws IoError if the file cannot be written.
+void write_page(const std::string& file, const FoundPage& found);
+
+/// Writes the page of a repair.
+/// @param input   What was read.
+/// @param finals  The meshes of the story, as they are.
+/// @throws IoError if the file cannot be written.
+void write_page(const std::string& file, const RepairStory& story, const Soup& input,
+                const std::vector<Soup>& finals);
+
+}  // namespace meshalyzer::fixer
