@@ -55,6 +55,7 @@ void name_pages(const std::string& file, const Inputs& inputs, PicturePaths& pat
   fs::path folder = without_ending(file);
   folder += "_pages";
   const std::vector<std::string> names = names_of(inputs.files, ending);
+  paths.folders.push_back(folder.string());
   paths.pages = files_in(folder, names);
   paths.links = files_in(folder.filename(), names);
   paths.index = file;
@@ -62,9 +63,25 @@ void name_pages(const std::string& file, const Inputs& inputs, PicturePaths& pat
 
 void name_fields(const std::string& file, const Inputs& inputs, PicturePaths& paths) {
   const std::string ending = require_ending(file, "--export", {".ply", ".obj", ".vtp"});
-  const bool is_one = inputs.files.size() == 1 && !inputs.is_set;
-  paths.fields = is_one ? std::vector<std::string>{file}
-                        : files_in(without_ending(file), names_of(inputs.files, ending));
+  if (inputs.files.size() == 1 && !inputs.is_set) {
+    paths.fields = {file};
+    return;
+  }
+  const fs::path folder = without_ending(file);
+  paths.folders.push_back(folder.string());
+  paths.fields = files_in(folder, names_of(inputs.files, ending));
+}
+
+/// The next run would take what is written there for meshes to be looked at.
+void refuse_looked_at(const std::vector<std::string>& folders, const Options& options) {
+  for (const std::string& folder : folders) {
+    for (const std::string& path : options.paths) {
+      if (is_folder(path) && is_same_file(folder, path)) {
+        throw UsageError("meshes would be written into " + folder +
+                         ", among those that are looked at: name another folder");
+      }
+    }
+  }
 }
 
 void refuse_inputs(const std::vector<std::string>& outputs, const Inputs& inputs) {
@@ -91,8 +108,12 @@ PicturePaths picture_paths(const Options& options, const Inputs& inputs) {
     name_fields(options.field_export->file, inputs, paths);
   }
   if (options.separation_ply) {
-    paths.separations = files_in(*options.separation_ply, names_of(inputs.files, ".ply"));
+    const fs::path folder = *options.separation_ply;
+    paths.separations = files_in(folder, names_of(inputs.files, ".ply"));
+    // As a file in it names it: `DIR/` is `DIR`.
+    paths.folders.push_back((folder / "x").parent_path().string());
   }
+  refuse_looked_at(paths.folders, options);
   for (const auto* outputs : {&paths.pages, &paths.fields, &paths.separations}) {
     refuse_inputs(*outputs, inputs);
   }
@@ -105,15 +126,11 @@ PicturePaths picture_paths(const Options& options, const Inputs& inputs) {
   return paths;
 }
 
-void make_folder_of(const std::string& file) {
-  const fs::path folder = fs::path(file).parent_path();
-  if (folder.empty()) {
-    return;
-  }
+void make_folder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) {
-    throw IoError(folder.string(), {}, "cannot be made: " + error.message());
+    throw IoError(folder, {}, "cannot be made: " + error.message());
   }
 }
 

@@ -16,6 +16,8 @@ struct PicturePaths {
   std::vector<std::string> pages;
   std::vector<std::string> fields;
   std::vector<std::string> separations;
+  /// Of several pages, fields or separations: made when the first file in them is written.
+  std::vector<std::string> folders;
   /// The index of the pages; absent where there is one mesh, or no page.
   std::optional<std::string> index;
   /// Each page's address as the index has it.
@@ -28,12 +30,13 @@ struct PicturePaths {
 /// the paths of the meshes with their own ending in place where these differ, else by the number of
 /// the mesh, `_` and its last part.
 ///
-/// @throws UsageError  where FILE has not the ending of what is written, or where a picture or the
-/// JSON report would take the place of an input.
+/// @throws UsageError  where FILE has not the ending of what is written, where a picture or the
+/// JSON report would take the place of an input, or where meshes with a field would come among
+/// those of a folder that is looked at.
 [[nodiscard]] PicturePaths picture_paths(const Options& options, const Inputs& inputs);
 
-/// Makes the folder of a file, and all above it.
+/// Makes a folder, and all above it, where it is not there.
 /// @throws IoError if that fails.
-void make_folder_of(const std::string& file);
+void make_folder(const std::string& folder);
 
 }  // namespace meshalyzer

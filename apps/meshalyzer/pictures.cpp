@@ -28,6 +28,14 @@ std::optional<double> smallest(const ObjectSeparation* separation) {
   return least;
 }
 
+/// Makes the folder of a file, where it is one of those that are made.
+void prepare(const std::string& file, const PicturePaths& paths) {
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  if (std::find(paths.folders.begin(), paths.folders.end(), folder) != paths.folders.end()) {
+    make_folder(folder);
+  }
+}
+
 std::vector<FieldName> all_fields() {
   return {all_field_names().begin(), all_field_names().end()};
 }
@@ -74,6 +82,7 @@ void Pictures::on_unreadable(Index number, const std::string& why) {
 void Pictures::on_findings(const ObjectFindings& findings) {
   const ObjectSeparation* separation = findings.separation ? &*findings.separation : nullptr;
   if (separation != nullptr && !subject_.paths.separations.empty()) {
+    prepare(subject_.paths.separations[findings.owner], subject_.paths);
     write_separation_ply(
         subject_.paths.separations[findings.owner],
         {subject_.files[findings.owner], *separation, subject_.options.separation.search_radius});
@@ -94,7 +103,7 @@ void Pictures::draw(Index number, const Waiting& mesh, const Soup& soup,
   const FieldSource source{built, &defects, separation,
                            subject_.options.analysis.curvature.value_or(VertexArea::Mixed)};
   if (subject_.options.field_export) {
-    make_folder_of(subject_.paths.fields[number]);
+    prepare(subject_.paths.fields[number], subject_.paths);
     write_field(subject_.paths.fields[number], source, *subject_.options.field_export);
   }
   if (subject_.options.html) {
@@ -113,7 +122,7 @@ void Pictures::write_page(Index number, const Waiting& mesh, const FieldSource& 
                               subject_.paths.links[number]);
     rows_[number].separation = smallest(source.separation);
   }
-  make_folder_of(page);
+  prepare(page, subject_.paths);
   replace_file(page, html_report(MeshPage{mesh.analysis, {name, *source.defects, scene}, index}));
 }
 
@@ -122,7 +131,6 @@ void Pictures::finish(const SetAnalysis* set) {
     draw(number, mesh, read_mesh(subject_.files[number]), nullptr);
   }
   if (subject_.paths.index) {
-    make_folder_of(*subject_.paths.index);
     replace_file(*subject_.paths.index, html_index(rows_, set));
   }
 }

@@ -3,7 +3,6 @@
 #include "field_export.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/picture/separation_values.h"
-#include "picture_paths.h"
 
 #include <algorithm>
 #include <vector>
@@ -24,7 +23,6 @@ ColourScale scale_from_zero(const std::vector<double>& values, std::optional<dou
 }  // namespace
 
 void write_separation_ply(const std::string& file, const SeparationPicture& picture) {
-  make_folder_of(file);
   const Soup soup = read_mesh(picture.path);
   const Field field{FieldName::Separation, FieldPlace::Vertices, FieldKind::Magnitude,
                     separation_values(soup, picture.separation)};

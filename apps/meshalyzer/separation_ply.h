@@ -22,7 +22,7 @@ struct SeparationPicture {
 /// Magnitudes run along viridis from 0 on; where a vertex lies inside another mesh, all go along a
 /// diverging map that is white at 0. Vertices without a distance are grey and have quality NaN.
 ///
-/// @param file  Written in place of what is there; its folder is made where it is not there.
+/// @param file  Written in place of what is there; its folder must be there.
 /// @throws IoError if a file cannot be read or written.
 void write_separation_ply(const std::string& file, const SeparationPicture& picture);
 
