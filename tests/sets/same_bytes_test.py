@@ -46,6 +46,26 @@ class SameBytes(program.SetTest):
         self.run_program("--ndjson=journal.ndjson", "packed")
         self.assert_same(self.read("journal.ndjson"), self.run_program("--ndjson", "packed").out, "journal")
 
+    def pictures(self, *arguments):
+        """The pages, fields and curvatures of a set."""
+        out = self.run_program(*arguments, "--json", "--curvature", "--html", "a.html", "--export", "f.vtp", "--field",
+                               "separation", "-s", "packed").out
+        names = ["a.html", *sorted(str(file.relative_to(self.folder)) for folder in ("a_pages", "f")
+                                   for file in (self.folder / folder).iterdir())]
+        return out, {name: self.read(name) for name in names}
+
+    def test_pictures(self):
+        self.pack(9, 100)
+        want_out, want = self.pictures()
+        self.assertEqual(len(want), 1 + 9 + 9)
+        # Resumed: nothing is looked for again, and the files are read a second time.
+        for way in [*WAYS, ("--ndjson=journal.ndjson",), ("--resume", "journal.ndjson")]:
+            out, got = self.pictures(*way)
+            self.assert_same(out, want_out, f"report with {way}")
+            self.assertEqual(sorted(got), sorted(want))
+            for name, content in got.items():
+                self.assert_same(content, want[name], f"{name} with {way}")
+
 
 if __name__ == "__main__":
     unittest.main()

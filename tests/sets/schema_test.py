@@ -12,7 +12,7 @@ try:
 except ImportError:
     jsonschema = None
 
-QUESTIONS = [(), ("-p",), ("-a",), ("-a", "-i"), ("-a", "-s"), ("-g", "100,0,0"), ("-g=100,0,0", "-p", "-i", "-s"),
+QUESTIONS = [(), ("-p",), ("-a",), ("-a", "-i"), ("-a", "-s"), ("--curvature=one-ring",), ("-g", "100,0,0"), ("-g=100,0,0", "-p", "-i", "-s"),
              ("-s", "-a", "--search-radius", "1", "--search-cone", "45", "--include-self", "1")]
 
 
