@@ -17,7 +17,7 @@ foreach(chapter IN LISTS chapters)
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/chapter_${name}.txt CONTENT "${said}" @ONLY)
   add_executable(chapter_${name} ${CMAKE_CURRENT_BINARY_DIR}/chapter_${name}.cpp)
   target_link_libraries(chapter_${name} PRIVATE meshalyzer::meshalyzer)
-  target_include_directories(chapter_${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/tests)
+  target_precompile_headers(chapter_${name} REUSE_FROM lab_shapes)
   add_test(NAME chapter.${name} COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:chapter_${name}>
     -D SAID=${CMAKE_CURRENT_BINARY_DIR}/chapter_${name}.txt -P ${CMAKE_CURRENT_SOURCE_DIR}/tests/compare_output.cmake)
   set_tests_properties(chapter.${name} PROPERTIES LABELS chapter)
