@@ -23,9 +23,6 @@ constexpr std::array kAreaNames{
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// A sum of normals this much shorter than the angles that went into it has no digits left.
-constexpr double kCancelled = 1e-12;
-
 Curvature without_figures(std::vector<CurvatureState> state) {
   const std::size_t n = state.size();
   return {.state = std::move(state),
@@ -54,16 +51,12 @@ double mean_curvature(const FanSums& sums) {
   return sums.cotangent.dot(sums.normal) < 0.0 ? -size : size;
 }
 
-bool has_normal(const FanSums& sums) {
-  return sums.normal.norm() > kCancelled * sums.angle;
-}
-
 /// Writes the figures of a vertex with one closed fan, or that there are none.
 void set_curvature(const FanSums& sums, const PrincipalCurvature& principal, std::size_t v,
                    Curvature& curvature) {
   const double gaussian = curvature.angle_defect[v] / sums.area;
   const double mean = mean_curvature(sums);
-  const bool is_defined = sums.area > 0.0 && std::isfinite(sums.area) && has_normal(sums) &&
+  const bool is_defined = sums.area > 0.0 && std::isfinite(sums.area) && sums.has_normal() &&
                           std::isfinite(gaussian) && std::isfinite(mean) &&
                           std::isfinite(principal.k1) && std::isfinite(principal.k2);
   if (!is_defined) {

@@ -38,6 +38,10 @@ struct FaceShape {
   }
 };
 
+/// A sum of weighted unit normals that is this much shorter than the weights that went into it has
+/// no digits left: the faces cancel each other.
+inline constexpr double kNormalsCancel = 1e-12;
+
 /// Measures all faces.
 ///
 /// @return     #mesh faces.

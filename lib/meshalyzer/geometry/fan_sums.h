@@ -22,8 +22,11 @@ struct FanSums {
   Vec3 normal = Vec3::Zero();
   /// Of the normals by the weights of Max 1999, "Weights for computing vertex normals from facet
   /// normals": area over the squared lengths of the two sides at the vertex. Exact where the
-  /// vertices lie on a sphere; no number where sides are so short that their squares vanish.
+  /// vertices lie on a sphere; zero or no number where the squares of sides are no doubles.
   Vec3 sphere_normal = Vec3::Zero();
+
+  /// Whether the faces have a side in common; not where they lie back to back.
+  [[nodiscard]] bool has_normal() const { return normal.norm() > kNormalsCancel * angle; }
 };
 
 /// Sums up round all vertices.

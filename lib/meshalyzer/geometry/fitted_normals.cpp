@@ -24,7 +24,7 @@ constexpr std::size_t kSlopeY = 4;
 
 constexpr int kNone = -1;
 
-/// The neighbours of a vertex, then kNone; none where they are too many. A cache line.
+/// The neighbours of a vertex, then kNone; none where they are too many. As long as a cache line.
 using Ring = std::array<int, kMostNeighbours>;
 
 Ring ring_of(const TriMesh& mesh, VertexHandle v) {

@@ -24,13 +24,18 @@ Vec3 unit_or_zero(const Vec3& sum) {
   return length > 0.0 && std::isfinite(length) ? Vec3(sum / length) : Vec3(Vec3::Zero());
 }
 
-/// At all vertices of the mesh; zero where the faces cancel each other or have no area.
+/// Zero where the faces cancel each other or have no area.
+Vec3 normal_of(const FanSums& sums) {
+  if (!sums.has_normal()) return Vec3::Zero();
+  const Vec3 normal = unit_or_zero(sums.sphere_normal);
+  return normal.isZero(0.0) ? unit_or_zero(sums.normal) : normal;
+}
+
 std::vector<Vec3> normals_of(const std::vector<FanSums>& sums) {
   std::vector<Vec3> normals(sums.size());
   parallel_chunks(normals.size(), [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const Vec3 normal = unit_or_zero(sums[i].sphere_normal);
-      normals[i] = normal.isZero(0.0) ? unit_or_zero(sums[i].normal) : normal;
+      normals[i] = normal_of(sums[i]);
     }
   });
   return normals;

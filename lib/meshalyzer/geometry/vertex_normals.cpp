@@ -9,9 +9,6 @@
 namespace meshalyzer {
 namespace {
 
-/// A sum this much shorter than the weights that went into it has no digits left.
-constexpr double kCancelled = 1e-12;
-
 /// A sum of weighted unit normals, and of their weights, in units of 4^exponent (areas alone have
 /// one).
 struct NormalSum {
@@ -83,8 +80,8 @@ std::vector<Vec3> vertex_normals(const CutMesh& cut, NormalWeight weight) {
   std::vector<Vec3> vertices(cut.side.n_file_vertices);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const double length = sums[i].normal.stableNorm();
-    vertices[i] =
-        length > kCancelled * sums[i].weight ? Vec3(sums[i].normal / length) : Vec3(Vec3::Zero());
+    vertices[i] = length > kNormalsCancel * sums[i].weight ? Vec3(sums[i].normal / length)
+                                                           : Vec3(Vec3::Zero());
   }
   return vertices;
 }

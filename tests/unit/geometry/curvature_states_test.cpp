@@ -183,6 +183,60 @@ TEST(CurvatureStates, FacesBackToBackHaveNoSide) {
   }
 }
 
+/// A square of 3 x 3 without two corners, and its back, sewn together along the border; the back's
+/// inner vertices are behind those of the square.
+Soup double_sheet() {
+  // Faces of border vertices alone, which the front and the back would have in common.
+  const Soup front = shapes::without_faces(shapes::grid(3, 3), std::vector<Index>{4, 13});
+  Soup sheet = front;
+  std::vector<Index> behind(front.n_vertices());
+  for (Index v = 0; v < behind.size(); ++v) {
+    const bool is_rim = v % 4 % 3 == 0 || v / 4 % 3 == 0;
+    behind[v] = is_rim ? v : static_cast<Index>(sheet.n_vertices());
+    if (!is_rim) sheet.positions.push_back(front.positions[v]);
+  }
+  for (const Triangle& t : front.triangles) {
+    sheet.triangles.push_back({behind[t[0]], behind[t[2]], behind[t[1]]});
+  }
+  return sheet;
+}
+
+TEST(CurvatureStates, DoubleSheetIsFlatAndItsRimHasNoSide) {
+  // Slanted, so that the normals at the rim cancel but for rounding.
+  Soup sheet = double_sheet();
+  const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, 3).normalized());
+  for (Vec3& p : sheet.positions) p = turn * p;
+  const Curvature c = curvature_of(sheet);
+  for (std::size_t v = 0; v < sheet.n_vertices(); ++v) {
+    const bool is_rim = v < 16 && (v % 4 % 3 == 0 || v / 4 % 3 == 0);
+    const bool is_cut_off = v == 3 || v == 12;
+    EXPECT_EQ(c.state[v], is_cut_off ? Unused : is_rim ? NoArea : Defined) << v;
+    if (is_rim) continue;
+    // Their faces at the rim have no normal to turn towards, and a flat sheet no directions.
+    EXPECT_NEAR(c.k1[v], 0.0, 1e-14);
+    EXPECT_NEAR(c.k2[v], 0.0, 1e-14);
+    EXPECT_EQ(c.direction1[v], Vec3::Zero());
+  }
+  expect_figures_where_defined(c);
+}
+
+TEST(CurvatureStates, FoldInAPlaneIsFlat) {
+  // Four faces round vertex 0, of which the second goes back by 20 degrees and so lies face down.
+  Soup fan = shapes::make({{0, 0, 0}}, {});
+  for (const double degrees : {0.0, 120.0, 100.0, 240.0}) {
+    const double angle = degrees * std::numbers::pi / 180;
+    fan.positions.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+  }
+  fan.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
+  const Curvature c = curvature_of(fan);
+  ASSERT_EQ(c.state[0], Defined);
+  // Angles of 120 + 20 + 140 + 120 degrees.
+  EXPECT_NEAR(c.angle_defect[0], -40 * std::numbers::pi / 180, 1e-14);
+  EXPECT_EQ(c.k1[0], 0.0);
+  EXPECT_EQ(c.k2[0], 0.0);
+  expect_figures_where_defined(c);
+}
+
 TEST(CurvatureStates, AnyDamageLeavesFiguresOrSaysWhyNot) {
   std::mt19937 random(11);
   for (const Index rarity : {2U, 4U, 10U, 50U}) {

@@ -78,6 +78,39 @@ TEST(PrincipalCurvature, CylinderIsExact) {
   }
 }
 
+TEST(PrincipalCurvature, CylinderHasDirectionsWhicheverWayItLies) {
+  for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(3, -1, 2)}) {
+    Soup soup = tube(2.0, 9, 8, 0.7);
+    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis);
+    for (Vec3& p : soup.positions) p = turn * p;
+    const Curvature c = curvature_of(soup);
+    for (std::size_t v = 4 * 9; v < 5 * 9; ++v) {
+      EXPECT_NEAR(std::abs(c.direction2[v].dot(axis.normalized())), 1.0, 1e-14);
+      EXPECT_NEAR(c.direction1[v].norm(), 1.0, 1e-14);
+      EXPECT_NEAR(c.direction1[v].dot(c.direction2[v]), 0.0, 1e-14);
+    }
+  }
+}
+
+TEST(PrincipalCurvature, MirrorPlanesHaveTheDirections) {
+  // An octahedron, flattened along z and of two other lengths: its tip bends most along the shorter
+  // one.
+  for (const bool is_x_shorter : {false, true}) {
+    const double x = is_x_shorter ? 1.0 : 2.0;
+    const double y = is_x_shorter ? 2.0 : 1.0;
+    const Soup soup = shapes::make(
+        {{0, 0, 0.5}, {x, 0, 0}, {0, y, 0}, {-x, 0, 0}, {0, -y, 0}, {0, 0, -0.5}},
+        {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {5, 2, 1}, {5, 3, 2}, {5, 4, 3}, {5, 1, 4}});
+    const Curvature c = curvature_of(soup);
+    ASSERT_EQ(c.state[0], CurvatureState::Defined);
+    EXPECT_GT(c.k1[0], c.k2[0]);
+    const Vec3 shorter = is_x_shorter ? Vec3::UnitX() : Vec3::UnitY();
+    const Vec3 longer = is_x_shorter ? Vec3::UnitY() : Vec3::UnitX();
+    EXPECT_NEAR(std::abs(c.direction1[0].dot(shorter)), 1.0, 1e-14);
+    EXPECT_NEAR(std::abs(c.direction2[0].dot(longer)), 1.0, 1e-14);
+  }
+}
+
 TEST(PrincipalCurvature, SliversOnACylinderDoNotSpoilIt) {
   // Faces 1e9 times as wide as high.
   const Soup soup = tube(2.0, 9, 12, 1e-9);

@@ -143,6 +143,17 @@ TEST(VertexNormals, FacesBackToBackCancel) {
   }
 }
 
+TEST(VertexNormals, FacesThatCancelButForRoundingLeaveNone) {
+  // At vertex 0 a right angle faces up, and two angles that make another face down.
+  for (int degrees = 5; degrees < 90; degrees += 5) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const Soup soup =
+        shapes::make({{0, 0, 0}, {1, 0, 0}, {std::cos(angle), std::sin(angle), 0}, {0, 1, 0}},
+                     {{0, 1, 3}, {0, 3, 2}, {0, 2, 1}});
+    EXPECT_EQ(normals_of(soup)[0], Vec3::Zero()) << degrees;
+  }
+}
+
 TEST(VertexNormals, ZeroAreaCountsForNothing) {
   // The second face is a line beside the first; its third vertex is on nothing else.
   const std::vector<Vec3> normals = normals_of(shapes::make(
