@@ -82,8 +82,10 @@ class FieldComputer {
     if (source_.defects == nullptr) {
       return std::nullopt;
     }
+    const CutMesh& cut = source_.mesh.cut();
     return of_faces(FieldName::Defect, FieldKind::Category,
-                    worst_defects(source_.mesh.soup(), *source_.defects));
+                    spread_over_components(worst_defects(source_.mesh.soup(), *source_.defects),
+                                           *source_.defects, cut, find_components(cut)));
   }
 
   [[nodiscard]] std::optional<Field> separation() const {

@@ -91,9 +91,31 @@ Polygon clip_to_triangle(const Corners& p, const Corners& q, const Vec3& normal)
   return polygon;
 }
 
+/// The direction of its longest edge; zero where the triangle is a point.
+Vec3 direction_of(const Corners& t) {
+  const std::array edges{Vec3(t[1] - t[0]), Vec3(t[2] - t[1]), Vec3(t[0] - t[2])};
+  const auto longest = std::max_element(
+      edges.begin(), edges.end(),
+      [](const Vec3& a, const Vec3& b) { return a.stableNorm() < b.stableNorm(); });
+  return longest->stableNormalized();
+}
+
+/// Where the line along p is closest to that along q; the middle of p where they are parallel.
+Vec3 crossing_of_lines(const Corners& p, const Corners& q) {
+  const Vec3 along_p = direction_of(p);
+  const Vec3 along_q = direction_of(q);
+  const Vec3 upright = along_p.cross(along_q);
+  if (upright.isZero(0.0)) return (p[0] + p[1] + p[2]) / 3;
+  const Vec3 across_q = along_q.cross(upright);
+  return p[0] + across_q.dot(q[0] - p[0]) / upright.squaredNorm() * along_p;
+}
+
 /// A point of both triangles, found by going back and forth between them.
+///
+/// Those that have no area, for which alone there is no plane to clip by, are met where they cross
+/// at once: at a small angle the steps would be too short.
 Vec3 common_point(const Corners& p, const Corners& q) {
-  Vec3 point = (p[0] + p[1] + p[2]) / 3;
+  Vec3 point = crossing_of_lines(p, q);
   for (int i = 0; i < kProjections; ++i) {
     point = closest_on_triangle(p, closest_on_triangle(q, point).point).point;
   }

@@ -26,10 +26,6 @@ std::vector<Index> number_vertices(const std::vector<std::uint8_t>& is_used,
   return number;
 }
 
-void append_normal(std::vector<float>& array, const Vec3& normal) {
-  append_point(array, normal.allFinite() ? normal : Vec3(Vec3::Zero()));
-}
-
 }  // namespace
 
 bool is_drawable(const Soup& soup, Index face) {
@@ -80,7 +76,7 @@ DrawnSurface draw_surface(const Soup& soup, const DrawingFrame& frame, TriangleL
   surface.normals.reserve(3 * surface.n_vertices());
   for (const Index v : surface.vertices) {
     append_point(surface.positions, frame(soup.positions[v]));
-    append_normal(surface.normals, normals[v]);
+    append_point(surface.normals, normals[v]);
   }
   surface.triangles.reserve(3 * list.triangles.size());
   for (const Triangle& t : list.triangles) {

@@ -36,7 +36,7 @@ struct TriangleList {
 [[nodiscard]] std::vector<std::uint8_t> used_vertices(const Soup& soup, const TriangleList& list);
 
 /// Makes the arrays of a surface, its vertices in the order of their records.
-/// @param normals  #V of the soup; what is not finite is drawn as zero.
+/// @param normals  #V of the soup.
 [[nodiscard]] DrawnSurface draw_surface(const Soup& soup, const DrawingFrame& frame,
                                         TriangleList list, std::span<const Vec3> normals);
 

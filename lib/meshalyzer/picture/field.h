@@ -78,9 +78,9 @@ struct FieldSource {
 /// Of vertices: the curvatures (NaN where the surface has none), the valence (edges at the vertex)
 /// and the separation (signed where a distance is negative); no value where no face of the complex
 /// uses the vertex. Of faces: aspect ratio, area, component (from 0, in order of their lowest face)
-/// and defect: 0 where the face and its vertices and edges are in no listed defect, else 1 + the
-/// place of the worst one's code in DefectCode (errors before warnings, then the first code). Faces
-/// that are not in the complex have no value but for `defect`.
+/// and defect: 0 where the face, its vertices, edges and component are in no listed defect, else 1
+/// + the place of the worst one's code in DefectCode (errors before warnings, then the first code).
+/// Faces that are not in the complex have no value but for `defect`.
 ///
 /// @param names  Fields for which the source has not what they need are left out.
 /// @return       In the order of `names`.

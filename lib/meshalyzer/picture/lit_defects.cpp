@@ -1,6 +1,7 @@
 #include "meshalyzer/picture/lit_defects.h"
 
 #include "meshalyzer/picture/drawn_surface.h"
+#include "meshalyzer/picture/worst_defects.h"
 #include "meshalyzer/topology/components.h"
 
 #include <algorithm>
@@ -23,12 +24,6 @@ std::vector<LitDefect> first_of_each_code(const DefectReport& report, std::size_
     one.vertices = defect.vertices;
   }
   return lit;
-}
-
-/// Whether the report names a component by its first face.
-bool is_component(const Defect& defect) {
-  return (defect.code == DefectCode::Disjoint || defect.code == DefectCode::Inward) &&
-         !defect.faces.empty();
 }
 
 /// The faces of components of the mesh.
@@ -68,7 +63,7 @@ class ComponentFaces {
 std::vector<std::vector<Index>> expand_components(const BuiltMesh& mesh, const DefectReport& report,
                                                   std::vector<LitDefect>& lit, std::size_t max) {
   const auto is_one = [&](const LitDefect& one) {
-    return is_component(report.defects[one.number]);
+    return names_component(report.defects[one.number]);
   };
   if (std::none_of(lit.begin(), lit.end(), is_one)) return {};
   ComponentFaces components(mesh.cut());

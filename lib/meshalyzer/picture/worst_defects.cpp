@@ -82,9 +82,9 @@ class ListedElements {
     }
   }
 
-  /// @param a  A vertex; b may be none.
+  /// @param b  Where it is none, no edge is found.
   [[nodiscard]] Rank at_edge(Index a, Index b) const {
-    if (has_edge_[a] == 0 || b == kNoIndex) {
+    if (has_edge_[a] == 0) {
       return kNoDefect;
     }
     const auto found = std::lower_bound(edges_.begin(), edges_.end(), Edge{key(a, b), 0});
@@ -109,6 +109,27 @@ std::vector<double> worst_defects(const Soup& soup, const DefectReport& report) 
       values[f] = value_of(listed.at(f, soup.triangles[f]));
     }
   });
+  return values;
+}
+
+bool names_component(const Defect& defect) {
+  return (defect.code == DefectCode::Disjoint || defect.code == DefectCode::Inward) &&
+         !defect.faces.empty();
+}
+
+std::vector<double> spread_over_components(std::vector<double> values, const DefectReport& report,
+                                           const CutMesh& cut, const Components& components) {
+  std::vector<double> of_component(components.count, 0.0);
+  for (const Defect& defect : report.defects) {
+    if (names_component(defect)) {
+      double& value = of_component[components.of_face[cut.side.mesh_face(defect.faces.front())]];
+      value = worse_defect(value, value_of(rank_of(defect.code)));
+    }
+  }
+  for (std::size_t f = 0; f < components.of_face.size(); ++f) {
+    double& value = values[cut.side.faces[f]];
+    value = worse_defect(value, of_component[components.of_face[f]]);
+  }
   return values;
 }
 

@@ -229,6 +229,29 @@ TEST(ContactSegments, TwoSegmentsMeetInAPointOrAlongALine) {
   expect_ends(contact(x_axis, longer, ContactKind::Touching)[0], Vec3(1, 0, 0), Vec3(3, 0, 0));
 }
 
+TEST(ContactSegments, SegmentsThatCrossAtASmallAngleMeetInAPoint) {
+  // Through (0.5, 0, 0), a third of the way; the other on either side of it.
+  const Corners along{Vec3(-1, 0, 0), Vec3(0, 0, 0), Vec3(3.5, 0, 0)};
+  const Vec3 place(0.5, 0, 0);
+  for (const double slope : {0.5, 1e-2, 1e-4}) {
+    const Vec3 direction(1, slope, -slope);
+    const Corners across{place - direction, place + 2 * direction, place + 2 * direction};
+    for (const auto& found : {contact(along, across, ContactKind::Touching),
+                              contact(across, along, ContactKind::Touching)}) {
+      ASSERT_EQ(found.size(), 1U);
+      expect_ends(found[0], place, place, 1e-11 / slope);
+      EXPECT_LE(distance_from_both(found, along, across), 4e-9);
+    }
+  }
+}
+
+TEST(ContactSegments, SegmentInTheFaceBehindItIsCutByItsBorder) {
+  // As the second of the pair, so that the first alone has a plane; both ends are off the face.
+  const Corners lying{Vec3(-1, 1, 0), Vec3(5, 1, 0), Vec3(0, 1, 0)};
+  expect_ends(contact(kFlat, lying, ContactKind::Touching)[0], Vec3(0, 1, 0), Vec3(3, 1, 0));
+  expect_ends(contact(lying, kFlat, ContactKind::Touching)[0], Vec3(0, 1, 0), Vec3(3, 1, 0));
+}
+
 TEST(ContactSegments, SizeOfThePairDoesNotMatter) {
   const Corners standing{Vec3(1, 1, -1), Vec3(1, 1, 2), Vec3(1, -3, -1)};
   // In the plane x = 1 the face reaches from y = 0, the other one to the line from (1, -1) to

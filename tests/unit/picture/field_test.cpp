@@ -260,6 +260,16 @@ TEST(AtVertices, LargestValueOfTheFacesRoundAVertexCounts) {
   EXPECT_TRUE(std::isnan(at[8]));
 }
 
+TEST(AtVertices, DefectOfAFaceWithoutACornerCountsAtTheCornersThatThereAre) {
+  const Soup soup = cube_among_bad_records();
+  std::vector<double> values(soup.n_faces(), 0.0);
+  const double corrupt = 1.0 + static_cast<double>(DefectCode::Corrupt);
+  values[7] = corrupt;
+  EXPECT_EQ(bits_of(at_vertices({FieldName::Defect, FieldPlace::Faces, FieldKind::Category, values},
+                                soup)),
+            bits_of({corrupt, corrupt, 0, 0, 0, 0, 0, 0, kNaN}));
+}
+
 TEST(AtVertices, WorstDefectOfTheFacesRoundAVertexCounts) {
   // Faces 0 1 2 and 3 2 1: vertices 1 and 2 have both.
   const Soup soup =

@@ -79,6 +79,29 @@ TEST(MakeHighlights, FarOrphanLeavesNumbersFinite) {
   EXPECT_GT(highlights[0].radius, 0.0F);
 }
 
+TEST(MakeHighlights, ViewOfAFarOrphanIsWideEnoughForSinglePrecision) {
+  // About (1/2, 1/2, 1/2); near 1e7 floats are 1 apart, and the edges of the cube as long.
+  Soup soup = shapes::cube();
+  soup.positions.emplace_back(1e7, 0.5, 0.5);
+  const std::vector<Highlight> highlights =
+      highlights_of(soup, {.codes = {DefectCode::OrphanVertex}});
+  ASSERT_EQ(highlights.size(), 1U);
+  EXPECT_NEAR(highlights[0].radius, 100.0F, 1.0F);
+}
+
+TEST(MakeHighlights, ViewIsAsWideAsTheEdgesThereAreLong) {
+  // A row of squares of side 8, and at its end a tiny square without neighbours, with a hole of its
+  // own: four borders of 1/8, of which the mean of all edges, above 7, says nothing.
+  Soup row = shapes::scaled(shapes::grid(20, 1), 8.0);
+  const Soup tiny = shapes::translated(shapes::scaled(shapes::grid(1, 1), 0.125), Vec3(200, 0, 0));
+  const std::vector<Highlight> highlights =
+      highlights_of(shapes::merged(row, tiny), {.codes = {DefectCode::Hole}});
+  ASSERT_EQ(highlights.size(), 2U);
+  // Half the diagonal of 0.125 sqrt(2) is 0.09; three edges of 0.125 ... 0.18 are 0.375 ... 0.53.
+  EXPECT_GT(highlights[1].radius, 0.09F + 0.375F);
+  EXPECT_LT(highlights[1].radius, 0.09F + 0.54F);
+}
+
 TEST(MakeHighlights, SelfIntersectionIsItsFacesAndWhereTheyMeet) {
   // Two squares that cross at right angles along y = 1/2 ... of which each half square has a part.
   Soup soup = shapes::grid(1, 1);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <set>
 #include <string>
@@ -205,6 +206,29 @@ TEST(MakeScene, DefectsThatAreNotLitAreCounted) {
   EXPECT_EQ(
       scene.notes,
       (std::vector<std::string>{"Of 9 defects of code orphan-vertex the first 4 can be lit up."}));
+}
+
+TEST(MakeScene, DefectsThatAreLitInPartAreCounted) {
+  // A border of 40 edges.
+  const Scene scene = scene_of(shapes::grid(10, 10), {.max_elements_of_a_defect = 12});
+  ASSERT_EQ(scene.highlights.size(), 1U);
+  EXPECT_EQ(scene.notes, (std::vector<std::string>{"Of 1 defect only a part is lit up."}));
+}
+
+TEST(MakeScene, WhatIsLitOfABigMeshTakesHalfOfTheDetail) {
+  // The border of 400 edges takes more than the limit of all elements allows: half of 400 faces.
+  const Scene scene = scene_of(shapes::grid(100, 100), kSmall);
+  ASSERT_EQ(scene.highlights.size(), 1U);
+  EXPECT_EQ(scene.highlights[0].segments.size(), 200 * 6U);
+  EXPECT_TRUE(scene.highlights[0].is_cut);
+}
+
+TEST(MakeScene, ValuesBeyondSinglePrecisionStayFinite) {
+  // Areas of 1e200 / 2.
+  const Scene scene = scene_of(shapes::scaled(shapes::grid(1, 1), 1e100));
+  for (const float area : scene.fields[0].detail)
+    EXPECT_EQ(area, std::numeric_limits<float>::max());
+  EXPECT_GT(scene.fields[0].max, 1e199);
 }
 
 TEST(MakeScene, WithoutAReportNothingIsLit) {

@@ -1,6 +1,7 @@
 #include "meshalyzer/picture/worst_defects.h"
 
 #include "meshalyzer/defects/catalogue.h"
+#include "meshalyzer/mesh/build.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -115,6 +116,22 @@ TEST(WorstDefects, CrossingCubesIntersectWhereTheirPairsAre) {
     const double other = f == 12 ? value(DefectCode::Disjoint) : 0.0;
     EXPECT_EQ(values[f], crossing.count(f) != 0 ? value(DefectCode::SelfIntersection) : other) << f;
   }
+}
+
+TEST(SpreadOverComponents, EveryFaceOfANamedComponentIsInTheDefectWhereNoWorseOneIs) {
+  // Two cubes; faces 12 ... 23 are the second. Face 14 has an error of its own.
+  const Soup soup = shapes::merged(shapes::cube(), shapes::translated(shapes::cube(), {5, 0, 0}));
+  const CutMesh cut = build(soup);
+  Defect disjoint = make_defect(DefectCode::Disjoint);
+  disjoint.faces = {12};
+  Defect flat = make_defect(DefectCode::SelfIntersection);
+  flat.faces = {14};
+  const DefectReport report = report_of({disjoint, flat});
+  std::vector<double> expected(24, 0.0);
+  std::fill(expected.begin() + 12, expected.end(), value(DefectCode::Disjoint));
+  expected[14] = value(DefectCode::SelfIntersection);
+  EXPECT_EQ(spread_over_components(worst_defects(soup, report), report, cut, find_components(cut)),
+            expected);
 }
 
 }  // namespace
