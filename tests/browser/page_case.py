@@ -6,7 +6,7 @@ import unittest
 from pages import scene_data
 
 # Keys of the WebDriver protocol.
-LEFT, RIGHT, ESCAPE = "\ue012", "\ue014", "\ue00c"
+LEFT, RIGHT, ENTER, ESCAPE = "\ue012", "\ue014", "\ue007", "\ue00c"
 
 PIXELS = """
   meshView.render();

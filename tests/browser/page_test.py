@@ -2,269 +2,17 @@
 
 import argparse
 import os
-import re
 import shutil
 import sys
 import tempfile
 import time
 import unittest
 
-from page_case import ESCAPE, FACE_COLOURS, LEFT, RIGHT, PageCase, far, rgb
-from pages import Pages, Surface, middle, numbers, points
+from page_case import ESCAPE, PageCase
+from pages import Pages, Surface
 from png import read_png
+from view_cases import Choosing, Drawing, Keys, Legend, Lines
 from webdriver import WITHOUT_WEBGL, Driver
-
-
-def lit_places(scene, highlight):
-    """Places that the highlight colours: of its faces the middles, else of its segments, else its points."""
-    surface = Surface(scene["detail"])
-    faces = numbers(highlight["faces"], "I")
-    if faces:
-        return [surface.middle(face) for face in faces]
-    ends = points(highlight["segments"])
-    return [middle(ends[i:i + 2]) for i in range(0, len(ends), 2)] or points(highlight["points"])
-
-
-class Drawing(PageCase):
-    def test_a_mesh_is_drawn(self):
-        self.open(self.pages.mesh("torus.obj"))
-        width, height, rows = read_png(self.canvas_png())
-        ground = rows[0][0]
-        drawn = {pixel for row in rows for pixel in row if far(pixel, ground) > 8}
-        share = sum(far(pixel, ground) > 8 for row in rows for pixel in row) / (width * height)
-        self.assertGreater(len(drawn), 50)
-        self.assertGreater(share, 0.1)
-        self.assertLess(share, 0.9)
-
-    def face_colours(self, field):
-        """By face that nothing hides: the colour of its middle."""
-        surface = Surface(self.data["scenes"][0]["detail"])
-        self.session.run("meshView.setField(arguments[0])", field)
-        faces = [[face, surface.middle(face), surface.normal(face)] for face in range(len(surface.faces))]
-        colours = self.session.run(FACE_COLOURS, faces)
-        return {face: colour for face, colour in enumerate(colours) if colour}
-
-    def field(self, name):
-        field = next(field for field in self.data["scenes"][0]["fields"] if field["name"] == name)
-        return numbers(field["detail"], "f")
-
-    def test_components_have_the_colours_of_their_numbers(self):
-        self.open(self.pages.mesh("two_cubes.mesh"))
-        palette = numbers(self.data["palettes"]["category"], "B")
-        component = self.field("component")
-        colours = self.face_colours("component")
-        self.assertEqual({component[face] for face in colours}, {0.0, 1.0})
-        for face, colour in colours.items():
-            entry = 3 * int(component[face])
-            self.assertLessEqual(far(colour, palette[entry:entry + 3]), 3)
-
-    def test_defects_have_the_colours_of_their_codes(self):
-        self.open(self.pages.mesh("cube_flipped_face.mesh"))
-        defect = self.field("defect")
-        colours = self.face_colours("defect")
-        self.assertTrue(any(defect[face] > 0 for face in colours))
-        self.assertTrue(any(defect[face] == 0 for face in colours))
-        for face, colour in colours.items():
-            if defect[face] > 0:
-                code = self.data["codes"][int(defect[face]) - 1]
-                self.assertLessEqual(far(colour, rgb(code["colour"])), 3)
-            else:
-                self.assertLess(max(colour) - min(colour), 30, "a face without defect is grey")
-
-    def test_edges_and_normals_are_drawn_on_demand(self):
-        self.open(self.pages.mesh("cube.obj"))
-        surface = Surface(self.data["scenes"][0]["detail"])
-        self.session.run("meshView.lookFrom([0.5, 0.4, 1])")
-        edge = self.project(middle([surface.points[v] for v in surface.faces[0][:2]]))
-        plain = self.canvas_png()
-        self.session.click("#show-wireframe")
-        with_edges = self.canvas_png()
-        self.assertNotEqual(plain, with_edges)
-        self.session.click("#show-wireframe")
-        for box, is_colour in (("#show-face-normals", lambda r, g, b: r > 180 and g < 90 and b < 90),
-                               ("#show-vertex-normals", lambda r, g, b: g > 130 and r < 90 and b < 110)):
-            self.session.click(box)
-            _, _, rows = read_png(self.canvas_png())
-            self.assertGreater(sum(is_colour(*pixel[:3]) for row in rows for pixel in row), 60, box)
-            self.session.click(box)
-        self.assertEqual(self.canvas_png(), plain)
-        self.assertTrue(all(coordinate > 0 for coordinate in edge))
-
-    def test_nothing_is_drawn_while_nothing_changes(self):
-        self.open(self.pages.mesh("torus.obj"))
-        count = self.session.run_async("""
-          const done = arguments[arguments.length - 1];
-          const stage = meshPage.Stage.prototype;
-          const render = stage.render;
-          let count = 0;
-          stage.render = function () { ++count; render.call(this); };
-          setTimeout(() => { count = 0; }, 200);
-          setTimeout(() => { stage.render = render; done(count); }, 600);""")
-        self.assertEqual(count, 0)
-
-
-class Choosing(PageCase):
-    def colours_when_chosen(self, name):
-        """Chooses each defect in turn; (its places' colours before, and after) a defect."""
-        self.open(self.pages.mesh(name))
-        scene = self.data["scenes"][0]
-        self.assertTrue(scene["highlights"])
-        for index, highlight in enumerate(scene["highlights"]):
-            self.session.run("meshView.select(0, arguments[0])", index)
-            places = [self.project(place) for place in lit_places(scene, highlight)]
-            lit = self.pixels(places)
-            self.assertEqual(self.session.run("return meshView.selected()"), {"scene": 0, "highlight": index})
-            self.session.run("document.getElementById('view-canvas').focus()")
-            self.session.press(ESCAPE)
-            self.assertIsNone(self.session.run("return meshView.selected()"))
-            yield self.pixels(places), lit
-
-    def test_a_chosen_defect_is_lit_up_where_it_is(self):
-        for name in ("cube_with_hole.mesh", "zero_area_face.mesh", "pinched_vertex.mesh", "crossing_cubes.mesh", "cube_flipped_face.mesh"):
-            with self.subTest(name):
-                for before, lit in self.colours_when_chosen(name):
-                    colour = rgb(self.session.run("return meshView.highlightColour"))
-                    self.assertTrue(all(far(pixel, colour) > 40 for pixel in before))
-                    self.assertTrue(any(far(pixel, colour) <= 25 for pixel in lit), (lit, colour))
-
-    def test_a_click_on_the_list_chooses_and_flies(self):
-        self.open(self.pages.mesh("cube_with_hole.mesh"))
-        button = "button.defect[data-highlight='0']"
-        highlight = self.data["scenes"][0]["highlights"][0]
-        self.session.click(button)
-        self.settle()
-        self.assertEqual(self.session.run("return meshView.selected()"), {"scene": 0, "highlight": 0})
-        self.assertEqual(self.session.run("return document.querySelector(arguments[0]).getAttribute('aria-pressed')", button), "true")
-        self.assertIn(highlight["text"], self.session.run("return document.getElementById('view-said').textContent"))
-        self.assertIn(highlight["code"], self.session.text("#chosen-text"))
-        width, height = self.canvas_size()
-        x, y = self.project(highlight["focus"])
-        self.assertAlmostEqual(x, width / 2, delta=2)
-        self.assertAlmostEqual(y, height / 2, delta=2)
-        self.session.click("#chosen-clear")
-        self.assertIsNone(self.session.run("return meshView.selected()"))
-        self.assertEqual(self.session.run("return document.querySelectorAll('[aria-pressed=true].defect').length"), 0)
-
-    def test_a_click_on_the_surface_tells_of_the_face_there(self):
-        self.open(self.pages.mesh("icosphere.mesh"))
-        scene = self.data["scenes"][0]
-        surface = Surface(scene["detail"])
-        for face in (0, len(surface.faces) // 2, len(surface.faces) - 1):
-            self.session.run("meshView.lookFrom(arguments[0])", surface.normal(face))
-            self.session.run("window.scrollTo(0, 0)")
-            self.session.click_at("#view-canvas", *self.project(surface.middle(face)))
-            self.assertEqual(self.session.text("#picked-title"), f"Face {surface.face_ids[face]}")
-            rows = self.session.run("""return Array.from(document.querySelectorAll('#picked-rows tr'),
-                                         (row) => Array.from(row.cells, (cell) => cell.textContent))""")
-            for row, vertex in zip(rows, surface.faces[face]):
-                self.assertEqual(row[0], f"vertex {surface.vertex_ids[vertex]}")
-                for text, drawn, centre in zip(row[1:], surface.points[vertex], scene["centre"]):
-                    self.assertAlmostEqual(float(text.replace("−", "-")), drawn / scene["scale"] + centre, places=5)
-            labels = {row[0] for row in rows}
-            self.assertLessEqual({field["label"] for field in scene["fields"]}, labels)
-
-    def test_a_click_beside_the_surface_tells_nothing(self):
-        self.open(self.pages.mesh("icosphere.mesh"))
-        self.session.click_at("#view-canvas", 6, self.canvas_size()[1] - 6)
-        self.assertTrue(self.session.run("return document.getElementById('picked').hidden"))
-
-
-class Keys(PageCase):
-    def test_the_mesh_turns_nears_and_comes_back(self):
-        self.open(self.pages.mesh("torus.obj"))
-        corner = Surface(self.data["scenes"][0]["detail"]).points[0]
-        self.focus_canvas()
-        start = self.project(corner)
-        self.session.press(RIGHT)
-        self.assertGreater(abs(self.project(corner)[0] - start[0]), 2)
-        self.session.press(LEFT)
-        for now, then in zip(self.project(corner), start):
-            self.assertAlmostEqual(now, then, delta=0.01)
-        width, _ = self.canvas_size()
-        self.session.press("+", "+")
-        self.assertGreater(abs(self.project(corner)[0] - width / 2), abs(start[0] - width / 2))
-        self.session.press("f")
-        self.settle()
-        for now, then in zip(self.project(corner), start):
-            self.assertAlmostEqual(now, then, delta=0.01)
-
-    def test_letters_switch_edges_and_normals(self):
-        self.open(self.pages.mesh("cube.obj"))
-        self.focus_canvas()
-        for key, boxes in (("w", ["show-wireframe"]), ("n", ["show-face-normals", "show-vertex-normals"])):
-            for is_on in (True, False):
-                self.session.press(key)
-                for box in boxes:
-                    self.assertEqual(self.session.run("return document.getElementById(arguments[0]).checked", box), is_on)
-
-    def test_defects_are_walked_through_and_left(self):
-        self.open(self.pages.mesh("crossing_cubes.mesh"))
-        count = len(self.data["scenes"][0]["highlights"])
-        self.focus_canvas()
-        walk = []
-        for _ in range(count + 1):
-            self.session.press("j")
-            walk.append(self.session.run("return meshView.selected().highlight"))
-        self.assertEqual(sorted(walk[:count]), list(range(count)))
-        self.assertEqual(walk[count], walk[0])
-        self.session.press("k")
-        self.assertEqual(self.session.run("return meshView.selected().highlight"), walk[count - 1])
-        self.session.press(ESCAPE)
-        self.assertIsNone(self.session.run("return meshView.selected()"))
-
-    def test_letters_do_nothing_outside_the_view(self):
-        self.open(self.pages.mesh("crossing_cubes.mesh"))
-        self.session.run("document.querySelector('.theme').focus()")
-        self.session.press("j", "w")
-        self.assertIsNone(self.session.run("return meshView.selected()"))
-        self.assertFalse(self.session.run("return document.getElementById('show-wireframe').checked"))
-
-
-class Legend(PageCase):
-    def signed_field(self):
-        return next(field for field in self.data["scenes"][0]["fields"] if field["kind"] == "signed")
-
-    def test_it_tells_the_range_of_the_colours_and_of_the_values(self):
-        self.open(self.pages.mesh("torus.obj"))
-        field = self.signed_field()
-        self.session.choose("#choose-field", field["name"])
-        self.assertEqual(self.session.text(".legend-title"), field["label"])
-        told = [float(text.replace("−", "-")) for text in
-                re.findall(r"[-−]?\d+\.?\d*(?:e[-−]?\d+)?", self.session.text(".legend-notes"))][:4]
-        for number, expected in zip(told, [*field["scale"], *field["range"]], strict=True):
-            self.assertAlmostEqual(number, expected, delta=1e-4 * max(1, abs(expected)))
-        ticks = self.session.run("""return Array.from(document.querySelectorAll('.legend-tick'),
-            (tick) => [tick.textContent, parseFloat(tick.style.left) / 100])""")
-        low, high = field["scale"]
-        self.assertGreaterEqual(len(ticks), 2)
-        for text, at in ticks:
-            self.assertAlmostEqual(low + at * (high - low), float(text.replace("−", "-")), delta=1e-4 * (high - low))
-
-    def test_the_palette_asked_for_is_in_the_legend_and_on_the_mesh(self):
-        self.open(self.pages.mesh("torus.obj"))
-        self.session.choose("#choose-field", self.signed_field()["name"])
-        pictures = set()
-        for name in ("viridis", "diverging", "jet", "hot"):
-            self.session.choose("#choose-palette", name)
-            low = numbers(self.data["palettes"][name], "B")[:3]
-            bar = self.session.run("return document.querySelector('.legend-bar').style.background")
-            self.assertEqual(tuple(map(int, re.search(r"rgb\((\d+),? (\d+),? (\d+)", bar).groups())), low)
-            pictures.add(self.canvas_png())
-        self.assertEqual(len(pictures), 4)
-
-    def test_categories_are_named(self):
-        self.open(self.pages.mesh("zero_area_face.mesh"))
-        self.session.choose("#choose-field", "defect")
-        codes = {highlight["code"] for highlight in self.data["scenes"][0]["highlights"]}
-        named = set(self.session.run("return Array.from(document.querySelectorAll('.legend-swatches li'), (li) => li.textContent)"))
-        self.assertIn("none", named)
-        self.assertTrue(named & codes)
-
-    def test_a_plain_surface_has_none(self):
-        self.open(self.pages.mesh("torus.obj"))
-        self.session.choose("#choose-field", "")
-        self.assertEqual(self.session.text("#legend"), "")
-
 
 CONTRASTS = """
   const style = getComputedStyle(document.documentElement);
@@ -286,7 +34,8 @@ CONTRASTS = """
 
 class Page(PageCase):
     PAIRS = [["--ink", "--paper"], ["--ink", "--card"], ["--ink-soft", "--paper"], ["--ink-soft", "--card"],
-             ["--accent", "--paper"], ["--accent", "--card"], ["--ink", "--accent-paper"], ["--paper", "--ink"],
+             ["--accent", "--paper"], ["--accent", "--card"], ["--accent", "--accent-paper"],
+             ["--ink", "--accent-paper"], ["--ink-soft", "--accent-paper"], ["--paper", "--ink"],
              ["--good", "--good-paper"], ["--good", "--paper"], ["--bad", "--bad-paper"], ["--bad", "--paper"]]
 
     def ground(self):
@@ -323,16 +72,43 @@ class Page(PageCase):
         self.assertEqual(self.session.run("return meshView.selected()"), {"scene": 0, "highlight": 0})
 
     def test_an_index_leads_to_the_pages_and_back(self):
-        index = self.pages.index("nest")
+        index = self.pages.index("clash", "-i", "-s")
         self.open_plain(index)
+        self.assertIn("Not good", self.session.text(".verdict"))
         names = self.session.run("return Array.from(document.querySelectorAll('#meshes a'), (a) => a.href)")
-        self.assertGreaterEqual(len(names), 2)
+        self.assertEqual([name.rsplit("/", 1)[1] for name in names],
+                         [f"{path.stem}.html" for path in sorted((self.pages.meshes / "clash").glob("*.mesh"))])
         for address in names:
             self.opened.append(address)
             self.session.open(address)
             self.session.wait("return window.meshView && meshView.ready")
             self.session.click("nav a")
             self.assertEqual(self.session.url(), index.resolve().as_uri())
+
+    def test_an_index_tells_at_once_what_is_with_each_mesh(self):
+        self.open_plain(self.pages.index("clash", "-i", "-s"))
+        self.session.devtools("Emulation.setDeviceMetricsOverride", width=1400, height=900, deviceScaleFactor=1, mobile=False)
+        try:
+            titles = self.session.run("return Array.from(document.querySelectorAll('#meshes thead th'), (th) => th.textContent.trim())")
+            self.assertEqual(titles[:4], ["mesh", "verdict", "why", "defects"])
+            rows = self.session.run("return Array.from(document.querySelectorAll('#meshes tbody tr'), (tr) => Array.from(tr.cells, (cell) => cell.textContent))")
+            why = {row[0]: row[2] for row in rows}
+            self.assertEqual(why["inside.mesh"], "inside base.mesh")
+            self.assertEqual(why["apart.mesh"], "")
+            self.assertIn("crossing.mesh", why["base.mesh"])
+            right = self.session.run("return document.querySelector('#meshes td.why').getBoundingClientRect().right")
+            self.assertLess(right, 1400)
+        finally:
+            self.session.devtools("Emulation.clearDeviceMetricsOverride")
+
+    def test_an_index_is_sorted_by_a_column(self):
+        self.open_plain(self.pages.index("clash", "-i", "-s"))
+        areas = "return Array.from(document.querySelectorAll('#meshes tbody tr'), (tr) => Number(tr.cells[6].textContent))"
+        self.session.click("#meshes thead th:nth-child(7) button")
+        found = self.session.run(areas)
+        self.assertIn(found, (sorted(found), sorted(found, reverse=True)))
+        self.session.click("#meshes thead th:nth-child(7) button")
+        self.assertEqual(self.session.run(areas), found[::-1])
 
     def test_a_picture_is_saved_with_its_legend(self):
         self.open(self.pages.mesh("torus.obj"))
@@ -341,9 +117,8 @@ class Page(PageCase):
         self.session.devtools("Browser.setDownloadBehavior", behavior="allow", downloadPath=folder)
         self.session.click("#view-save")
         file = os.path.join(folder, "torus.obj.png")
-        for _ in range(100):
-            if os.path.exists(file):
-                break
+        end = time.monotonic() + 60
+        while not os.path.exists(file) and time.monotonic() < end:
             time.sleep(0.05)
         with open(file, "rb") as picture:
             width, height, rows = read_png(picture.read())
@@ -376,6 +151,15 @@ class Page(PageCase):
         self.session.press(ESCAPE)
         self.session.wait(visible + " === 'hidden'")
 
+    def test_headings_go_down_a_level_at_a_time(self):
+        for page in (self.pages.mesh("crossing_cubes.mesh"), self.pages.repair("cube_with_hole.mesh"), self.pages.index("clash", "-i", "-s")):
+            with self.subTest(page.name):
+                self.open_plain(page)
+                levels = self.session.run("return Array.from(document.querySelectorAll('h1, h2, h3, h4'), (h) => Number(h.tagName[1]))")
+                self.assertEqual(levels[0], 1)
+                self.assertEqual(levels.count(1), 1)
+                self.assertTrue(all(after <= before + 1 for before, after in zip(levels, levels[1:])), levels)
+
     def test_every_control_has_a_name_and_every_id_is_one(self):
         self.open(self.pages.mesh("cube_with_hole.mesh"))
         nameless = self.session.run("""
@@ -389,13 +173,28 @@ class Page(PageCase):
           return ids.filter((id, i) => ids.indexOf(id) !== i);""")
         self.assertEqual(twice, [])
 
-    def test_a_narrow_page_does_not_scroll_sideways(self):
-        self.open(self.pages.mesh("cube_with_hole.mesh"))
+    def be_narrow(self):
         self.session.devtools("Emulation.setDeviceMetricsOverride", width=360, height=700, deviceScaleFactor=1, mobile=False)
-        try:
-            self.assertLessEqual(self.session.run("return document.documentElement.scrollWidth"), 360)
-        finally:
-            self.session.devtools("Emulation.clearDeviceMetricsOverride")
+        self.addCleanup(self.session.devtools, "Emulation.clearDeviceMetricsOverride")
+        self.session.wait("return window.innerWidth === 360")
+
+    def test_a_narrow_page_does_not_scroll_sideways(self):
+        pages = [self.pages.mesh("cube_with_hole.mesh"), self.pages.mesh_far_down("crossing_cubes.mesh"),
+                 self.pages.repair("cube_with_hole.mesh"), self.pages.index("clash", "-i", "-s")]
+        self.be_narrow()
+        for page in pages:
+            with self.subTest(page.name):
+                self.open_plain(page)
+                self.assertLessEqual(self.session.run("return document.documentElement.scrollWidth"), 360)
+
+    def test_a_defect_is_seen_where_the_list_is_below_the_view(self):
+        self.be_narrow()
+        self.open(self.pages.mesh("cube_with_hole.mesh"))
+        self.session.run("document.querySelector('button.defect').scrollIntoView({block: 'start'})")
+        top = "return document.getElementById('view-canvas').getBoundingClientRect().top"
+        self.assertLess(self.session.run(top), -100)
+        self.session.click("button.defect")
+        self.assertGreaterEqual(self.session.run(top), -1)
 
 
 class WithoutWebgl(PageCase):
@@ -407,8 +206,22 @@ class WithoutWebgl(PageCase):
         self.assertTrue(self.session.text("button.defect"))
         self.assertTrue(self.session.run("return document.querySelector('button.defect').disabled"))
         self.assertTrue(self.session.run("return !meshView.ready"))
+        self.assertTrue(self.session.run("return document.querySelector('#defects .hint').hidden"))
         self.session.click(".theme")
         self.session.run("localStorage.clear()")
+
+
+class WithoutScripts(PageCase):
+    def setUp(self):
+        super().setUp()
+        self.session.devtools("Emulation.setScriptExecutionDisabled", value=True)
+        self.addCleanup(self.session.devtools, "Emulation.setScriptExecutionDisabled", value=False)
+
+    def test_the_page_reads(self):
+        self.open_plain(self.pages.mesh("cube_with_hole.mesh"))
+        for selector, text in ((".verdict", "Not good"), (".facts", "10 faces"), ("#view-off", "JavaScript"),
+                               ("#defects", "edges"), ("#attributes", "closed"), ("#statistics", "variance")):
+            self.assertIn(text, self.session.text(selector))
 
 
 def run(pages, browser, chromedriver):
@@ -417,7 +230,7 @@ def run(pages, browser, chromedriver):
     try:
         loader = unittest.defaultTestLoader
         is_good = True
-        for cases, graphics in (((Drawing, Choosing, Keys, Legend, Page), {}), ((WithoutWebgl,), {"graphics": WITHOUT_WEBGL})):
+        for cases, graphics in (((Drawing, Choosing, Lines, Keys, Legend, Page), {}), ((WithoutWebgl, WithoutScripts), {"graphics": WITHOUT_WEBGL})):
             PageCase.pages = pages
             PageCase.session = driver.session(size=(600, 560), **graphics)
             suite = unittest.TestSuite(loader.loadTestsFromTestCase(case) for case in cases)

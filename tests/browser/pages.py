@@ -4,6 +4,7 @@ import base64
 import json
 import pathlib
 import re
+import shutil
 import struct
 import subprocess
 
@@ -22,6 +23,16 @@ class Pages:
             self._run(self.meshalyzer, "--html", page, self.meshes / name)
         return page
 
+    def mesh_far_down(self, name):
+        """The page of a mesh with a path that fits on no line."""
+        folder = self.folder / ("a_folder_with_a_long_name" * 4)
+        folder.mkdir(exist_ok=True)
+        page = folder / "page.html"
+        if not page.exists():
+            shutil.copy(self.meshes / name, folder / name)
+            self._run(self.meshalyzer, "--html", page, folder / name)
+        return page
+
     def repair(self, name):
         """The page of the repair of a mesh."""
         page = self.folder / f"repair_{name}.html"
@@ -29,15 +40,15 @@ class Pages:
             self._run(self.meshfixer, "--html", page, self.meshes / name, "-o", self.folder / f"fixed_{name}")
         return page
 
-    def index(self, name):
+    def index(self, name, *options):
         """The index page of a folder."""
         page = self.folder / f"index_{name}.html"
         if not page.exists():
-            self._run(self.meshalyzer, "--html", page, self.meshes / name)
+            self._run(self.meshalyzer, *options, "--html", page, self.meshes / name)
         return page
 
     def _run(self, *command):
-        result = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+        result = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
         if result.returncode not in (0, 1):
             raise RuntimeError(f"{command}: {result.stderr}")
 
@@ -52,6 +63,13 @@ def numbers(text, kind):
     """An array of scene data: kind as in `struct`, f or I or i or B."""
     data = base64.b64decode(text)
     return struct.unpack(f"<{len(data) // struct.calcsize(kind)}{kind}", data)
+
+
+def values_of(field, surface):
+    """The values of a field on a drawn surface: one that stands alone stands for all."""
+    values = numbers(field["detail"], "f")
+    ids = surface["face_ids" if field["place"] == "faces" else "vertex_ids"]
+    return values * len(numbers(ids, "i")) if len(values) == 1 else values
 
 
 def points(text):

@@ -60,7 +60,7 @@ class Driver:
         request = urllib.request.Request(self.url + path, data=data, method=method,
                                          headers={"Content-Type": "application/json"})
         try:
-            with self.opener.open(request, timeout=60) as answer:
+            with self.opener.open(request, timeout=120) as answer:
                 return json.load(answer)["value"]
         except urllib.error.HTTPError as error:
             value = json.load(error)["value"]
@@ -120,7 +120,7 @@ class Session:
     def devtools(self, command, **parameters):
         return self.call("POST", "/goog/cdp/execute", {"cmd": command, "params": parameters})
 
-    def wait(self, script, *arguments, seconds=15):
+    def wait(self, script, *arguments, seconds=60):
         """Until the script returns something true; that is returned."""
         end = time.monotonic() + seconds
         while True:

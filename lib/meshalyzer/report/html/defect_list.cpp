@@ -1,5 +1,6 @@
 #include "meshalyzer/report/html/defect_list.h"
 
+#include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/colour_text.h"
 #include "meshalyzer/report/html/definitions.h"
@@ -8,10 +9,22 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace meshalyzer {
 namespace {
+
+/// Appends what there is to say of a defect, its elements apart from where it is and what was
+/// measured.
+void append_parts(HtmlWriter& html, std::string_view text) {
+  constexpr std::string_view kSeparator = "; ";
+  const std::size_t end = text.find(kSeparator);
+  html.element("span", {{"class", "elements"}}, text.substr(0, end));
+  if (end == std::string_view::npos) return;
+  html.text(" ");
+  html.element("span", {{"class", "measured"}}, text.substr(end + kSeparator.size()));
+}
 
 /// The defects of one mesh of the page.
 class DefectList {
@@ -23,13 +36,17 @@ class DefectList {
     }
   }
 
+  /// Errors first.
   void append(HtmlWriter& html) const {
     if (mesh_.defects.total() == 0) {
       html.element("p", {{"class", "none"}}, "Nothing is wrong.");
       return;
     }
-    for (const DefectCode code : all_defect_codes()) {
-      if (mesh_.defects.count(code) != 0) append_code(html, code);
+    for (const Severity severity : {Severity::Error, Severity::Warning}) {
+      for (const DefectCode code : all_defect_codes()) {
+        if (catalogue_entry(code).severity != severity) continue;
+        if (mesh_.defects.count(code) != 0) append_code(html, code);
+      }
     }
   }
 
@@ -56,6 +73,10 @@ class DefectList {
     html.text(" ");
     html.element("span", {{"class", "count"}}, std::to_string(mesh_.defects.count(code)));
     html.text(" ");
+    if (catalogue_entry(code).severity == Severity::Warning) {
+      html.element("span", {{"class", "severity"}}, severity_name(Severity::Warning));
+      html.text(" ");
+    }
     html.element("span", {{"class", "meaning"}}, short_meaning(code));
   }
 
@@ -77,15 +98,15 @@ class DefectList {
   void append_defect(HtmlWriter& html, std::size_t i) const {
     const std::string text = listed_defect_text(mesh_.defects.defects[i], mesh_.name);
     if (!highlights_[i]) {
-      html.text(text);
+      append_parts(html, text);
       return;
     }
-    html.element("button",
-                 {{"type", "button"},
-                  {"class", "defect"},
-                  {"data-scene", scene_},
-                  {"data-highlight", std::to_string(*highlights_[i])}},
-                 text);
+    const HtmlElement button(html, "button",
+                             {{"type", "button"},
+                              {"class", "defect"},
+                              {"data-scene", scene_},
+                              {"data-highlight", std::to_string(*highlights_[i])}});
+    append_parts(html, text);
   }
 
   const PageMesh& mesh_;
@@ -98,6 +119,10 @@ class DefectList {
 
 void append_defects_section(HtmlWriter& html, std::span<const TitledMesh> meshes) {
   const HtmlSection section(html, "defects", "Defects");
+  const bool is_any_lit = std::any_of(meshes.begin(), meshes.end(), [](const TitledMesh& mesh) {
+    return !mesh.mesh.scene.highlights.empty();
+  });
+  if (is_any_lit) html.element("p", {{"class", "hint"}}, "Press one to see where it is.");
   for (std::size_t scene = 0; scene < meshes.size(); ++scene) {
     if (meshes.size() > 1) html.element("h3", meshes[scene].title);
     DefectList(meshes[scene].mesh, scene).append(html);

@@ -41,7 +41,7 @@ meshalyzer_assets_of(licence three_licence.txt)
 meshalyzer_assets_of(index_scripts definitions.js paper.js theme.js sort_table.js index.js)
 # In the order in which they run: what others use at once stands first, what starts the page last.
 meshalyzer_assets_of(view_scripts data.js numbers.js palette.js shaders.js strokes.js normals.js surface.js camera.js
-  stage.js highlight.js legend.js pick.js picked.js picture.js paper.js theme.js definitions.js defect_list.js
+  stage.js highlight.js first_view.js legend.js pick.js picked.js picture.js paper.js theme.js definitions.js defect_list.js
   controls.js viewer.js main.js)
 
 meshalyzer_embed(kPageStyle page_style.cpp ${style})

@@ -1,6 +1,7 @@
 #include "meshalyzer/report/html/index_table.h"
 #include "meshalyzer/report/html/page.h"
 #include "meshalyzer/report/html/page_frame.h"
+#include "meshalyzer/report/html/set_notes.h"
 #include "meshalyzer/report/html/set_sections.h"
 #include "meshalyzer/report/short_list.h"
 
@@ -84,7 +85,8 @@ std::string html_index(const std::vector<IndexRow>& rows, const SetAnalysis* set
   const PageHeader header{
       .name = "All meshes", .verdict = verdict_of(rows, set), .facts = facts_of(rows)};
   return html_page(header, {}, [&](HtmlWriter& html) {
-    append_meshes_section(html, rows);
+    append_meshes_section(
+        html, rows, set == nullptr ? std::vector<std::vector<std::string>>{} : set_notes(*set));
     if (set != nullptr) append_set_sections(html, *set);
   });
 }

@@ -1,10 +1,12 @@
 #include "meshalyzer/report/html/index_table.h"
 
+#include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/text_lines.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -39,13 +41,22 @@ std::string_view state_class(RowState state) {
   return "name";
 }
 
-/// In words, what is behind the verdict.
-std::string why(const IndexRow& row) {
-  if (!row.trouble.empty()) return row.trouble;
+/// A mesh of the set, and what there is to say of it among the others.
+struct NotedRow {
+  const IndexRow& row;
+  std::span<const std::string> notes;
+};
+
+/// In words, what is behind the verdict, and what there is to know besides.
+std::string why(const NotedRow& noted) {
+  if (!noted.row.trouble.empty()) return noted.row.trouble;
   std::string text;
-  for (const std::string& reason : row.reasons) {
-    if (!text.empty()) text += "; ";
-    text += reason;
+  for (const std::span<const std::string> sentences :
+       {std::span<const std::string>(noted.row.reasons), noted.notes}) {
+    for (const std::string& sentence : sentences) {
+      if (!text.empty()) text += "; ";
+      text += sentence;
+    }
   }
   return text;
 }
@@ -78,12 +89,12 @@ void append_titles(HtmlWriter& html, const Columns& columns) {
   const HtmlElement row(html, "tr");
   append_title(html, "name", "mesh");
   append_title(html, "name", "verdict");
-  for (const std::string_view title : {"faces", "vertices", "area", "volume"}) {
+  append_title(html, "name", "why");
+  for (const std::string_view title : {"defects", "faces", "vertices", "area", "volume"}) {
     append_title(html, "number", title);
   }
   if (columns.has_separation) append_title(html, "number", "smallest separation");
   for (const DefectCode code : columns.codes) append_title(html, "number", defect_name(code));
-  append_title(html, "name", "why");
 }
 
 void append_number(HtmlWriter& html, const std::string& text) {
@@ -108,27 +119,44 @@ void append_count(HtmlWriter& html, const IndexRow& row, std::size_t count) {
 }
 
 /// Among many zeros the others are to be seen.
-void append_defects(HtmlWriter& html, const IndexRow& row, DefectCode code) {
-  const std::size_t count = row.defects[static_cast<std::size_t>(code)];
+/// @param worst  Of those that are counted.
+void append_found(HtmlWriter& html, const IndexRow& row, std::size_t count, Severity worst) {
   if (count == 0) {
     append_count(html, row, count);
   } else {
-    html.element("td", {{"class", "number found"}}, std::to_string(count));
+    const std::string_view kind = worst == Severity::Error ? "number found" : "number warned";
+    html.element("td", {{"class", kind}}, std::to_string(count));
   }
 }
 
-void append_row(HtmlWriter& html, const IndexRow& row, const Columns& columns) {
+void append_all_defects(HtmlWriter& html, const IndexRow& row) {
+  std::size_t count = 0;
+  Severity worst = Severity::Warning;
+  for (const DefectCode code : all_defect_codes()) {
+    const std::size_t n = row.defects[static_cast<std::size_t>(code)];
+    count += n;
+    if (n != 0 && catalogue_entry(code).severity == Severity::Error) worst = Severity::Error;
+  }
+  append_found(html, row, count, worst);
+}
+
+void append_row(HtmlWriter& html, const NotedRow& noted, const Columns& columns) {
+  const IndexRow& row = noted.row;
   const HtmlElement line(html, "tr");
   const RowState state = state_of(row);
   append_name(html, row);
   html.element("td", {{"class", state_class(state)}}, state_text(state));
+  html.element("td", {{"class", "name why"}}, why(noted));
+  append_all_defects(html, row);
   append_count(html, row, row.faces);
   append_count(html, row, row.vertices);
   append_measure(html, row.area);
   append_measure(html, row.volume);
   if (columns.has_separation) append_measure(html, row.separation);
-  for (const DefectCode code : columns.codes) append_defects(html, row, code);
-  html.element("td", {{"class", "name"}}, why(row));
+  for (const DefectCode code : columns.codes) {
+    append_found(html, row, row.defects[static_cast<std::size_t>(code)],
+                 catalogue_entry(code).severity);
+  }
 }
 
 }  // namespace
@@ -139,14 +167,18 @@ RowState state_of(const IndexRow& row) {
   return row.reasons.empty() ? RowState::NotJudged : RowState::NotGood;
 }
 
-void append_meshes_section(HtmlWriter& html, const std::vector<IndexRow>& rows) {
+void append_meshes_section(HtmlWriter& html, const std::vector<IndexRow>& rows,
+                           const std::vector<std::vector<std::string>>& notes) {
   const HtmlSection section(html, "meshes", "Meshes");
   const Columns columns = columns_of(rows);
   const HtmlElement wide(html, "div", {{"class", "wide"}});
   const HtmlElement table(html, "table", {{"class", "sortable"}});
   append_titles(html, columns);
   const HtmlElement body(html, "tbody");
-  for (const IndexRow& row : rows) append_row(html, row, columns);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto told = i < notes.size() ? std::span(notes[i]) : std::span<const std::string>();
+    append_row(html, {rows[i], told}, columns);
+  }
 }
 
 }  // namespace meshalyzer

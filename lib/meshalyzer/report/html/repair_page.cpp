@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 namespace meshalyzer {
@@ -29,6 +30,14 @@ Verdict verdict_of(const RepairStory& story) {
           story.result.log.steps.empty() ? "Nothing was to be done" : "Repaired"};
 }
 
+/// Of a text with an arrow for terminals.
+std::string with_drawn_arrow(std::string text) {
+  constexpr std::string_view kArrow = " -> ";
+  const std::size_t place = text.find(kArrow);
+  if (place != std::string::npos) text.replace(place, kArrow.size(), " \u2192 ");
+  return text;
+}
+
 std::string facts_of(const RepairStory& story) {
   std::size_t vertices = 0;
   std::size_t faces = 0;
@@ -37,9 +46,9 @@ std::string facts_of(const RepairStory& story) {
     faces += mesh.name.n_faces;
   }
   std::string facts = "faces ";
-  facts += arrow(story.input.n_faces, faces);
+  facts += with_drawn_arrow(arrow(story.input.n_faces, faces));
   facts += ", vertices ";
-  facts += arrow(story.input.n_vertices, vertices);
+  facts += with_drawn_arrow(arrow(story.input.n_vertices, vertices));
   facts += ", ";
   facts += format_name(story.input.format);
   facts += " file";
@@ -49,7 +58,7 @@ std::string facts_of(const RepairStory& story) {
 /// What was wrong, and what is.
 void append_counts_section(HtmlWriter& html, const RepairStory& story) {
   const HtmlSection section(html, "counts", "Defects before and after");
-  TextTable table{1, {{"defect", "before", "after", "asked for"}}};
+  TextTable table{2, {{"defect", "asked for", "before", "after"}}};
   std::size_t before = 0;
   std::size_t after = 0;
   for (const DefectCode code : all_defect_codes()) {
@@ -58,10 +67,10 @@ void append_counts_section(HtmlWriter& html, const RepairStory& story) {
     before += was;
     after += is;
     if (was == 0 && is == 0) continue;
-    table.rows.push_back({std::string(defect_name(code)), std::to_string(was), std::to_string(is),
-                          story.fixes.contains(code) ? "yes" : "no"});
+    table.rows.push_back({std::string(defect_name(code)), story.fixes.contains(code) ? "yes" : "no",
+                          std::to_string(was), std::to_string(is)});
   }
-  table.rows.push_back({"all", std::to_string(before), std::to_string(after), ""});
+  table.rows.push_back({"all", "", std::to_string(before), std::to_string(after)});
   append_text_table(html, table);
 }
 
@@ -70,10 +79,10 @@ void append_steps(HtmlWriter& html, const std::vector<LogStep>& steps) {
     html.element("p", "Nothing was changed.");
     return;
   }
-  TextTable table{1, {{"pass", "changes", "largest move", "in words"}}};
+  TextTable table{2, {{"pass", "in words", "changes", "largest move"}}};
   for (const LogStep& step : steps) {
-    table.rows.push_back({step.pass, std::to_string(step.operations),
-                          step.distance == 0.0 ? "-" : readable(step.distance), step_text(step)});
+    table.rows.push_back({step.pass, step_text(step), std::to_string(step.operations),
+                          step.distance == 0.0 ? "-" : readable(step.distance)});
   }
   append_text_table(html, table);
 }
@@ -82,8 +91,13 @@ void append_repair_section(HtmlWriter& html, const RepairStory& story) {
   const HtmlSection section(html, "repair", "What was done");
   append_steps(html, story.result.log.steps);
   html.element("h3", "What came out");
+  ReportRows outcome;
+  append_outcome(outcome, story);
   ReportRows rows;
-  append_outcome(rows, story);
+  for (const ReportRow& row : outcome.rows()) {
+    const bool is_count = row.name == "vertices" || row.name == "faces";
+    rows.line(row.name, is_count ? with_drawn_arrow(row.value) : row.value);
+  }
   append_rows(html, rows);
 }
 

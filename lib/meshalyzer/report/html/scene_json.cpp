@@ -7,7 +7,10 @@
 #include "meshalyzer/report/html/colour_text.h"
 #include "meshalyzer/report/json_writer.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -66,6 +69,25 @@ void write_numbers(ScriptJson& json, std::string_view name, const std::vector<Nu
   for (const Number number : numbers) append_little_endian(bytes, number);
   write_bytes_of(json.writer(), name, bytes);
   json.flush();
+}
+
+/// The values of a field; where all are the same, as of soups many are, the first stands for all.
+void write_values(ScriptJson& json, std::string_view name, const std::vector<float>& values) {
+  const auto is_first = [&](float value) {
+    return std::bit_cast<std::uint32_t>(value) == std::bit_cast<std::uint32_t>(values.front());
+  };
+  const bool is_uniform = std::all_of(values.begin(), values.end(), is_first);
+  write_numbers(json, name, is_uniform && !values.empty() ? std::vector{values.front()} : values);
+}
+
+/// Coordinates of unit vectors as whole numbers, 127 standing for 1: enough for shading.
+std::vector<std::int8_t> short_normals(const std::vector<float>& normals) {
+  std::vector<std::int8_t> shortened;
+  shortened.reserve(normals.size());
+  for (const float x : normals) {
+    shortened.push_back(static_cast<std::int8_t>(std::lround(127.0F * std::clamp(x, -1.0F, 1.0F))));
+  }
+  return shortened;
 }
 
 template <typename Colours>
@@ -127,7 +149,7 @@ void write_surface(ScriptJson& json, std::string_view key, const DrawnSurface& s
   json.writer().key(key);
   json.writer().begin_object();
   write_numbers(json, "positions", surface.positions);
-  write_numbers(json, "normals", surface.normals);
+  write_numbers(json, "normals", short_normals(surface.normals));
   write_numbers(json, "triangles", surface.triangles);
   write_numbers(json, "vertex_ids", ids_of(name.vertex_ids, surface.vertices));
   write_numbers(json, "face_ids", ids_of(name.face_ids, surface.faces));
@@ -157,9 +179,9 @@ void write_field(ScriptJson& json, const DrawnField& field, bool has_context) {
   writer.member("palette", palette_name(field.scale.palette));
   write_point(writer, "scale", std::array{field.scale.min, field.scale.max});
   write_point(writer, "range", std::array{field.min, field.max});
-  write_numbers(json, "detail", field.detail);
+  write_values(json, "detail", field.detail);
   if (has_context) {
-    write_numbers(json, "context", field.context);
+    write_values(json, "context", field.context);
   } else {
     writer.key("context");
     writer.null();

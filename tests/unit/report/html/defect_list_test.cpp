@@ -37,15 +37,30 @@ TEST(AppendDefectsSection, SoundMeshIsSaidToBeSo) {
 TEST(AppendDefectsSection, DefectThatIsLitUpIsAButtonForIt) {
   EXPECT_THAT(list_of(sample_defects(), sample_scene()),
               HasSubstr("<li><button type=\"button\" class=\"defect\" data-scene=\"0\" "
-                        "data-highlight=\"0\">edge 10-20</button></li>"));
+                        "data-highlight=\"0\"><span class=\"elements\">edge 10-20</span>"
+                        "</button></li>"));
 }
 
 TEST(AppendDefectsSection, DefectThatIsNotDrawnIsTextAlone) {
   Scene scene = sample_scene();
   scene.highlights.clear();
   const std::string html = list_of(sample_defects(), scene);
-  EXPECT_THAT(html, HasSubstr("<li>edge 10-20</li>"));
+  EXPECT_THAT(html, HasSubstr("<li><span class=\"elements\">edge 10-20</span></li>"));
   EXPECT_THAT(html, Not(HasSubstr("<button")));
+}
+
+TEST(AppendDefectsSection, ElementsStandApartFromPlaceAndMeasure) {
+  DefectReport defects = sample_defects();
+  defects.defects[0].positions = {{1.0, 2.0, 0.5}};
+  defects.defects[0].value = 3.25;
+  EXPECT_THAT(list_of(defects, sample_scene()),
+              HasSubstr("<span class=\"elements\">edge 10-20</span> "
+                        "<span class=\"measured\">at 1 2 0.5; length 3.25</span></button>"));
+}
+
+TEST(AppendDefectsSection, ReaderIsToldToPressWhereThereIsSomethingToPress) {
+  EXPECT_THAT(list_of(sample_defects(), sample_scene()), HasSubstr("class=\"hint\""));
+  EXPECT_THAT(list_of(sample_defects(), {}), Not(HasSubstr("class=\"hint\"")));
 }
 
 TEST(AppendDefectsSection, CodeIsShownWithCountColourAndMeaning) {
@@ -54,6 +69,16 @@ TEST(AppendDefectsSection, CodeIsShownWithCountColourAndMeaning) {
   EXPECT_THAT(html, HasSubstr("<code>hole</code> <span class=\"count\">1</span> "
                               "<span class=\"meaning\">a border loop</span>"));
   EXPECT_THAT(html, testing::ContainsRegex("class=\"swatch\" style=\"background:#[0-9a-f]{6}\""));
+}
+
+TEST(AppendDefectsSection, WarningsComeAfterErrorsAndAreSaidToBeSuch) {
+  DefectReport report;
+  report.counts[static_cast<std::size_t>(DefectCode::Disjoint)] = 1;
+  report.counts[static_cast<std::size_t>(DefectCode::Hole)] = 1;
+  const std::string html = list_of(report, {});
+  EXPECT_LT(html.find("data-code=\"hole\""), html.find("data-code=\"disjoint\""));
+  EXPECT_EQ(count_of(html, "<span class=\"severity\">warning</span>"), 1U);
+  EXPECT_LT(html.find("data-code=\"disjoint\""), html.find("class=\"severity\""));
 }
 
 TEST(AppendDefectsSection, DefectsThatWereOnlyCountedAreSaidNotToBeListed) {
@@ -78,7 +103,7 @@ TEST(AppendDefectsSection, CutListDoesNotHideTheNextCode) {
   report.defects.back().code = DefectCode::Numbering;
   report.counts[static_cast<std::size_t>(DefectCode::OrphanVertex)] = kListedOfACode + 1;
   report.counts[static_cast<std::size_t>(DefectCode::Numbering)] = 1;
-  EXPECT_THAT(list_of(report, {}), HasSubstr("<li>numbering</li>"));
+  EXPECT_THAT(list_of(report, {}), HasSubstr("<li><span class=\"elements\">numbering</span></li>"));
 }
 
 TEST(AppendDefectsSection, SeveralMeshesHaveAHeadingEachAndButtonsForTheirScenes) {

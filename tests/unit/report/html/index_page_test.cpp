@@ -41,6 +41,7 @@ TEST(HtmlIndex, EachMeshHasARowWithALinkToItsPage) {
   const std::string html = html_index(sample_rows(), nullptr);
   EXPECT_THAT(html, HasSubstr("<a href=\"set_pages/a.html\">a.mesh</a>"));
   EXPECT_THAT(html, HasSubstr("<td class=\"name state good\">good</td>"
+                              "<td class=\"name why\"></td><td class=\"number\">0</td>"
                               "<td class=\"number\">12</td><td class=\"number\">8</td>"
                               "<td class=\"number\">6</td><td class=\"number\">1</td>"));
   EXPECT_THAT(html, HasSubstr("not good</td>"));
@@ -63,6 +64,30 @@ TEST(HtmlIndex, OnlyCodesThatOccurHaveAColumn) {
   std::vector<IndexRow> rows = sample_rows();
   rows[0].separation = 0.25;
   EXPECT_THAT(html_index(rows, nullptr), HasSubstr("<td class=\"number\">0.25</td>"));
+}
+
+TEST(HtmlIndex, AllDefectsOfAMeshAreCountedBesideWhyItIsNotGood) {
+  std::vector<IndexRow> rows = sample_rows();
+  rows[1].defects[static_cast<std::size_t>(DefectCode::Slit)] = 4;
+  EXPECT_THAT(html_index(rows, nullptr),
+              HasSubstr("<td class=\"name why\">not closed; 2 orphan vertices</td>"
+                        "<td class=\"number found\">11</td><td class=\"number\">1000</td>"));
+}
+
+TEST(HtmlIndex, DefectsThatAreNoErrorsAreNotShownAsSuch) {
+  IndexRow row = sample_rows()[0];
+  row.defects[static_cast<std::size_t>(DefectCode::Disjoint)] = 3;
+  const std::string html = html_index({row}, nullptr);
+  EXPECT_THAT(html, HasSubstr("<td class=\"number warned\">3</td>"));
+  EXPECT_THAT(html, Not(HasSubstr("number found")));
+}
+
+TEST(HtmlIndex, MeshThatMeetsOthersIsSaidTo) {
+  const SetAnalysis set = sample_set();
+  const std::string html = html_index(sample_rows(), &set);
+  EXPECT_THAT(html, HasSubstr("intersects b.mesh, c.off; partly inside c.off</td>"));
+  EXPECT_THAT(html, HasSubstr("not closed; 2 orphan vertices; intersects a.mesh, c.off; "
+                              "partly inside c.off</td>"));
 }
 
 TEST(HtmlIndex, VerdictCountsWhatIsNotGood) {

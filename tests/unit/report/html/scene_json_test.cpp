@@ -8,6 +8,7 @@
 
 #include <array>
 #include <bit>
+#include <limits>
 #include <set>
 
 namespace meshalyzer {
@@ -64,8 +65,26 @@ TEST(AppendSceneJson, ArraysAreThoseOfTheScene) {
   const Scene scene = sample_scene();
   const json detail = first_scene(scene).at("detail");
   EXPECT_EQ(numbers_of<float>(detail.at("positions")), scene.detail.positions);
-  EXPECT_EQ(numbers_of<float>(detail.at("normals")), scene.detail.normals);
   EXPECT_EQ(numbers_of<std::uint32_t>(detail.at("triangles")), scene.detail.triangles);
+}
+
+TEST(AppendSceneJson, NormalsAreBytesOfWhichTheLargestIsOne) {
+  Scene scene = sample_scene();
+  // 127 * 0.6 is 76.2, 127 * 0.8 is 101.6; -102 is 154 of an unsigned byte.
+  scene.detail.normals = {0.0F, 0.6F, -0.8F, 1.0F, -1.0F, 0.0F};
+  EXPECT_THAT(decoded(first_scene(scene).at("detail").at("normals").get<std::string>()),
+              ElementsAre(0, 76, 154, 127, 129, 0));
+}
+
+TEST(AppendSceneJson, OneValueStandsForManyThatAreTheSame) {
+  Scene scene = sample_scene();
+  scene.fields[0].detail = {2.0F, 2.0F, 2.0F, 2.0F};
+  EXPECT_THAT(numbers_of<float>(first_scene(scene).at("fields").at(0).at("detail")),
+              ElementsAre(2.0F));
+  scene.fields[0].detail.assign(4, std::numeric_limits<float>::quiet_NaN());
+  EXPECT_EQ(numbers_of<float>(first_scene(scene).at("fields").at(0).at("detail")).size(), 1U);
+  scene.fields[0].detail = {0.0F, 0.0F, 0.0F, 1.0F};
+  EXPECT_EQ(numbers_of<float>(first_scene(scene).at("fields").at(0).at("detail")).size(), 4U);
 }
 
 TEST(AppendSceneJson, RecordsAreNamedByTheIdsOfTheFile) {

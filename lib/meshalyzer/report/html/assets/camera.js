@@ -8,7 +8,6 @@
   const kFarthest = 60;
   const kFlight = 450;  // milliseconds
   const kTurn = Math.PI / 24;
-  const kFirst = [0.55, 0.42, 1];
 
   function prefersStillness() {
     return window.matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -26,7 +25,7 @@
       this.flight = null;
       this.content = [];
       this.noticeUpdates(canvas);
-      this.place(this.wholeView(new THREE.Vector3().fromArray(kFirst)));
+      this.place(this.wholeView(new THREE.Vector3(0, 0, 1)));
     }
 
     // The controls report changes above a threshold that is too coarse for a close look.

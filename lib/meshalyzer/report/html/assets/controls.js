@@ -31,12 +31,14 @@
   function showNotes(viewer) {
     const list = element("view-notes");
     list.textContent = "";
-    for (const note of viewer.scene.notes) {
+    const isEmpty = !viewer.scene.detail && !viewer.scene.context;
+    const notes = isEmpty ? viewer.scene.notes.concat(["There is no face to draw."]) : viewer.scene.notes;
+    for (const note of notes) {
       const item = document.createElement("li");
       item.textContent = note;
       list.append(item);
     }
-    list.hidden = viewer.scene.notes.length === 0;
+    list.hidden = notes.length === 0;
   }
 
   // What depends on the scene.

@@ -30,6 +30,18 @@
     return values;
   }
 
+  // Unit vectors, or 0, of whole numbers: 127 stands for 1.
+  function unitsOf(text) {
+    const values = Float32Array.from(arrayOf(Int8Array, text));
+    for (let i = 0; i < values.length; i += 3) {
+      const length = Math.hypot(values[i], values[i + 1], values[i + 2]) || 1;
+      values[i] /= length;
+      values[i + 1] /= length;
+      values[i + 2] /= length;
+    }
+    return values;
+  }
+
   function surfaceOf(raw, unit) {
     if (!raw) {
       return null;
@@ -40,7 +52,7 @@
     }
     return {
       positions: lengthsOf(raw.positions, unit),
-      normals: arrayOf(Float32Array, raw.normals),
+      normals: unitsOf(raw.normals),
       triangles: triangles,
       vertexIds: arrayOf(Int32Array, raw.vertex_ids),
       faceIds: arrayOf(Int32Array, raw.face_ids),
@@ -48,8 +60,10 @@
   }
 
   class Field {
-    constructor(raw) {
+    // surfaces: by part.
+    constructor(raw, surfaces) {
       this.raw = raw;
+      this.surfaces = surfaces;
       this.name = raw.name;
       this.label = raw.label;
       this.kind = raw.kind;
@@ -63,9 +77,17 @@
     // part: "detail" or "context". NaN where there is no value.
     values(part) {
       if (!this.decoded[part]) {
-        this.decoded[part] = arrayOf(Float32Array, this.raw[part]);
+        this.decoded[part] = this.decode(part);
       }
       return this.decoded[part];
+    }
+
+    // One value stands for all.
+    decode(part) {
+      const values = arrayOf(Float32Array, this.raw[part]);
+      const surface = this.surfaces[part];
+      const count = surface ? (this.isOfFaces ? surface.faceIds : surface.vertexIds).length : 0;
+      return values.length === 1 ? new Float32Array(count).fill(values[0]) : values;
     }
   }
 
@@ -87,6 +109,7 @@
 
   function sceneOf(raw) {
     const unit = 1 / raw.radius;
+    const surfaces = { detail: surfaceOf(raw.detail, unit), context: surfaceOf(raw.context, unit) };
     const lines = {};
     for (const name of Object.keys(raw.lines)) {
       lines[name] = lengthsOf(raw.lines[name], unit);
@@ -98,9 +121,9 @@
       unit: unit,
       notes: raw.notes || [],
       decimated: raw.decimated || 0,
-      detail: surfaceOf(raw.detail, unit),
-      context: surfaceOf(raw.context, unit),
-      fields: raw.fields.map((field) => new Field(field)),
+      detail: surfaces.detail,
+      context: surfaces.context,
+      fields: raw.fields.map((field) => new Field(field, surfaces)),
       lines: lines,
       highlights: raw.highlights.map((highlight) => new Highlight(highlight, unit)),
     };

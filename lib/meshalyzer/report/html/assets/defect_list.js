@@ -16,7 +16,10 @@
       });
     }
 
-    disable() { this.buttons.forEach((button) => { button.disabled = true; }); }
+    disable() {
+      this.buttons.forEach((button) => { button.disabled = true; });
+      document.querySelectorAll("#defects .hint").forEach((hint) => { hint.hidden = true; });
+    }
 
     buttonOf(sceneIndex, highlightIndex) {
       return this.buttons.find((button) => Number(button.dataset.scene) === sceneIndex &&

@@ -57,21 +57,21 @@
       if (faces.length > 0 && surface) {
         this.addFaces(facesGeometry(surface, faces));
       }
-      this.addStrokes(highlight.segments(), { colour: page.kHighlight, width: 5, lift: 2, isSeenThrough: true, order: 5 });
-      this.addStrokes(page.pointSegments(highlight.points()), { colour: page.kHighlight, width: 11, lift: 2.5, isSeenThrough: true, order: 6 });
+      this.addStrokes(highlight.segments(), { colour: page.kHighlight, width: 5, lift: 2, isCased: true, isSeenThrough: true, order: 7 });
+      this.addStrokes(page.pointSegments(highlight.points()), { colour: page.kHighlight, width: 11, lift: 2.5, isCased: true, isSeenThrough: true, order: 8 });
     }
 
     addFaces(geometry) {
       for (const isBehind of [false, true]) {
         const mesh = new THREE.Mesh(geometry, litMaterial(isBehind));
         mesh.frustumCulled = false;
-        mesh.renderOrder = 3;
+        mesh.renderOrder = 5;
         this.meshes.push(mesh);
         this.stage.scene.add(mesh);
       }
       const sides = sidesOf(geometry.getAttribute("position").array);
       const look = sides.length / 18 <= kFew ? kFewOutlines : kManyOutlines;
-      this.addStrokes(sides, Object.assign({ lift: 1.5, isSeenThrough: true, order: 4 }, look));
+      this.addStrokes(sides, Object.assign({ lift: 1.5, isSeenThrough: true, order: 6 }, look));
     }
 
     addStrokes(segments, look) {
@@ -180,17 +180,19 @@
     return first.concat([current], more);
   }
 
+  // Whether nothing hides a place from an eye that is so far off in a direction.
+  page.isFree = function (scene, place, direction, distance) {
+    const way = direction.toArray();
+    const eye = place.map((x, k) => x + way[k] * distance);
+    const hit = page.castRayAtScene(scene, eye, way.map((x) => -x));
+    return !hit || hit.t >= distance * (1 - 1e-3);
+  };
+
   // The first of the likely directions from which nothing hides the place.
   page.viewDirection = function (scene, highlight, current, distance) {
     const anchor = page.anchorOf(scene, highlight);
-    const isFree = (direction) => {
-      const way = direction.toArray();
-      const eye = anchor.map((x, k) => x + way[k] * distance);
-      const hit = page.castRayAtScene(scene, eye, way.map((x) => -x));
-      return !hit || hit.t >= distance * (1 - 1e-3);
-    };
     const all = candidates(scene, highlight, current);
-    return all.find(isFree) || all[0];
+    return all.find((direction) => page.isFree(scene, anchor, direction, distance)) || all[0];
   };
 
   page.LitHighlight = LitHighlight;

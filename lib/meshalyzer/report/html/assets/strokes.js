@@ -4,6 +4,12 @@
 
   // How much nearer to the eye than they are: a share of the distance.
   page.kLift = 0.0015;
+  // Dark on both sides of a line, so that it is seen on any colour of surface and ground.
+  const kCasing = { colour: "#10151a", more: 2.2, opacity: 0.85 };
+  const kThrough = 0.38;
+  // More segments than this cover the surface: they are thin then, and without casing.
+  const kMany = 20000;
+  const kThin = 0.5;
 
   function quadGeometry(segments) {
     const geometry = new THREE.InstancedBufferGeometry();
@@ -17,19 +23,31 @@
     return geometry;
   }
 
-  function strokeMaterial(look, isBehind) {
+  // What is drawn one over the other: {colour, more (pixels of width), opacity, isBehind, isBelow}.
+  function passesOf(look, isMany) {
+    const passes = [{ colour: look.colour, more: 0, opacity: 1 }];
+    if (look.isCased && !isMany) {
+      passes.push(Object.assign({ isBelow: true }, kCasing));
+    }
+    if (look.isSeenThrough && !isMany) {
+      passes.push({ colour: look.colour, more: 0, opacity: kThrough, isBehind: true });
+    }
+    return passes;
+  }
+
+  function strokeMaterial(look, pass) {
     return new THREE.ShaderMaterial({
       vertexShader: page.shaders.stroke.vertexShader,
       fragmentShader: page.shaders.stroke.fragmentShader,
       uniforms: {
-        colour: { value: new THREE.Color(look.colour) },
-        width: { value: look.width },
-        opacity: { value: isBehind ? 0.3 : 1 },
+        colour: { value: new THREE.Color(pass.colour) },
+        width: { value: look.width + pass.more },
+        opacity: { value: pass.opacity },
         lift: { value: page.kLift * (look.lift || 1) },
         resolution: { value: new THREE.Vector2(1, 1) },
         nearest: { value: 0.01 },
       },
-      depthFunc: isBehind ? THREE.GreaterDepth : THREE.LessEqualDepth,
+      depthFunc: pass.isBehind ? THREE.GreaterDepth : THREE.LessEqualDepth,
       depthWrite: false,
       transparent: true,
       side: THREE.DoubleSide,
@@ -47,28 +65,31 @@
   };
 
   class Strokes {
-    // look: colour "#rrggbb", width in CSS pixels, lift (in kLift, default 1), isSeenThrough:
-    // whether the surface in front of them leaves them faintly visible.
+    // look: colour "#rrggbb", width in CSS pixels, lift (in kLift, default 1), order, isCased:
+    // whether they have dark sides, isSeenThrough: whether the surface in front of them leaves them
+    // faintly visible.
     constructor(segments, look) {
+      const isMany = segments.length / 6 > kMany;
+      const passes = passesOf(look, isMany);
       this.geometry = quadGeometry(segments);
-      this.width = look.width;
-      this.materials = (look.isSeenThrough ? [false, true] : [false]).map((isBehind) => strokeMaterial(look, isBehind));
+      this.widths = passes.map((pass) => (isMany ? kThin : 1) * look.width + pass.more);
+      this.materials = passes.map((pass) => strokeMaterial(look, pass));
       this.object = new THREE.Group();
-      for (const material of this.materials) {
+      this.materials.forEach((material, i) => {
         const mesh = new THREE.Mesh(this.geometry, material);
         mesh.frustumCulled = false;
-        mesh.renderOrder = look.order || 1;
+        mesh.renderOrder = (look.order || 1) - (passes[i].isBelow ? 0.5 : 0);
         this.object.add(mesh);
-      }
+      });
     }
 
     // size: of the drawing buffer; pixelRatio: of its pixels to those of CSS.
     prepare(size, pixelRatio, nearest) {
-      for (const material of this.materials) {
+      this.materials.forEach((material, i) => {
         material.uniforms.resolution.value.copy(size);
-        material.uniforms.width.value = this.width * pixelRatio;
+        material.uniforms.width.value = this.widths[i] * pixelRatio;
         material.uniforms.nearest.value = nearest;
-      }
+      });
     }
 
     dispose() {

@@ -2,11 +2,13 @@
 (function (page) {
   "use strict";
 
+  // Of what is wrong: in colours that no surface has, and seen through what is in front of it.
+  const kDefectLine = { width: 3.5, isCased: true, isSeenThrough: true };
   const kLines = {
-    borders: { colour: "#e07b00", width: 2.5, order: 1 },
-    non_manifold_edges: { colour: "#d1121f", width: 3.5, lift: 1.4, order: 2 },
-    flipped_edges: { colour: "#8a4df5", width: 3, lift: 1.2, order: 2 },
-    intersections: { colour: "#008f94", width: 3, lift: 1.2, order: 2 },
+    borders: { colour: "#ff8a00", width: 2.5, order: 1 },
+    flipped_edges: { colour: "#a96bff", lift: 1.2, order: 2 },
+    intersections: { colour: "#00d0e4", lift: 1.3, order: 3 },
+    non_manifold_edges: { colour: "#ff2626", lift: 1.4, order: 4 },
   };
   const kNormals = {
     faces: { colour: "#d62728", width: 1.8 },
@@ -20,7 +22,10 @@
       this.canvas = canvas;
       this.stage = new page.Stage(canvas, context);
       this.camera = this.stage.camera;
-      this.list = new page.DefectList((scene, highlight) => this.choose(scene, highlight));
+      this.list = new page.DefectList((scene, highlight) => {
+        this.choose(scene, highlight);
+        this.bringIntoSight();
+      });
       this.surfaces = [];
       this.shown = {};  // strokes by the name of what they show
       this.hidden = new Set();
@@ -37,7 +42,7 @@
       this.highlightIndex = -1;
       this.lit = null;
       this.setScene(0);
-      this.camera.fly(this.camera.wholeView(this.camera.view().direction), true);
+      this.camera.fly(this.camera.wholeView(page.firstDirection(this.scene)), true);
     }
 
     // Scenes
@@ -121,7 +126,7 @@
     showLines(name, isShown) {
       if (isShown) {
         this.hidden.delete(name);
-        this.showStrokes(name, this.scene.lines[name], kLines[name]);
+        this.showStrokes(name, this.scene.lines[name], Object.assign({}, kDefectLine, kLines[name]));
       } else {
         this.hidden.add(name);
         this.hideStrokes(name);
@@ -236,6 +241,14 @@
       const direction = page.viewDirection(this.scene, highlight, this.camera.view().direction, distance);
       const target = new THREE.Vector3().fromArray(highlight.focus);
       this.camera.fly({ target: target, direction: direction, distance: distance }, isAtOnce);
+    }
+
+    // On a narrow page the list is below the view.
+    bringIntoSight() {
+      const frame = this.canvas.getBoundingClientRect();
+      if (frame.bottom < frame.height / 2 || frame.top > window.innerHeight - frame.height / 2) {
+        this.canvas.scrollIntoView({ block: "nearest" });
+      }
     }
 
     unlight() {

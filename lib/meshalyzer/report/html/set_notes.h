@@ -1,0 +1,14 @@
+#pragma once
+
+#include "meshalyzer/set/set_analysis.h"
+
+#include <string>
+#include <vector>
+
+namespace meshalyzer {
+
+/// By mesh: what it has to do with the others of its set, in words: "intersects b.mesh, c.mesh",
+/// "inside b.mesh", "partly inside b.mesh". Of long lists the first few.
+[[nodiscard]] std::vector<std::vector<std::string>> set_notes(const SetAnalysis& set);
+
+}  // namespace meshalyzer
