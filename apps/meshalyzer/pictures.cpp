@@ -36,6 +36,18 @@ void prepare(const std::string& file, const PicturePaths& paths) {
   }
 }
 
+/// What a page tells of offenders: the first ones. Whole lists of many meshes that wait would fill
+/// the memory.
+Offenders first_offenders(const Offenders& all) {
+  Offenders first;
+  first.vertex_numbering = all.vertex_numbering;
+  first.face_numbering = all.face_numbering;
+  if (!all.torn_lines.empty()) {
+    first.torn_lines = {all.torn_lines.front()};
+  }
+  return first;
+}
+
 std::vector<FieldName> all_fields() {
   return {all_field_names().begin(), all_field_names().end()};
 }
@@ -61,7 +73,7 @@ void Pictures::on_mesh(Index number, const Analysis& mesh) {
   if (mesh.soup) {
     waiting.pairs = std::move(waiting.analysis.offenders.intersecting_pairs);
   }
-  waiting.analysis.offenders = {};
+  waiting.analysis.offenders = first_offenders(mesh.offenders);
   waiting.analysis.soup.reset();
   if (subject_.separation == PictureSubject::Separation::Follows) {
     waiting_.emplace(number, std::move(waiting));
