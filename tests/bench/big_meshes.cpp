@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <random>
 #include <utility>
 
 namespace meshalyzer::bench {
@@ -167,6 +169,27 @@ void add_shards(Soup& soup, std::size_t faces) {
   }
 }
 
+/// Any order of n things, the same each time. Not std::shuffle, which differs between libraries.
+std::vector<Index> shuffled_numbers(std::size_t n, std::mt19937& random) {
+  std::vector<Index> numbers(n);
+  std::iota(numbers.begin(), numbers.end(), Index{0});
+  for (std::size_t i = n; i > 1; --i) std::swap(numbers[i - 1], numbers[random() % i]);
+  return numbers;
+}
+
+Soup shuffled(const Soup& soup) {
+  std::mt19937 random(1);
+  const std::vector<Index> vertex = shuffled_numbers(soup.n_vertices(), random);
+  const std::vector<Index> face = shuffled_numbers(soup.n_faces(), random);
+  Soup result = soup;
+  for (std::size_t v = 0; v < vertex.size(); ++v) result.positions[vertex[v]] = soup.positions[v];
+  for (std::size_t f = 0; f < face.size(); ++f) {
+    const Triangle& t = soup.triangles[f];
+    result.triangles[face[f]] = {vertex[t[0]], vertex[t[1]], vertex[t[2]]};
+  }
+  return result;
+}
+
 }  // namespace
 
 Soup big_mesh(std::string_view kind, std::size_t faces) {
@@ -176,6 +199,9 @@ Soup big_mesh(std::string_view kind, std::size_t faces) {
   } else if (kind == "damaged") {
     add_wavy_torus(soup, faces, Vec3::Zero());
     soup = damaged(std::move(soup), std::min<std::size_t>(1000, 1 + faces / 100));
+  } else if (kind == "shuffled") {
+    add_wavy_torus(soup, faces, Vec3::Zero());
+    soup = shuffled(soup);
   } else if (kind == "flat") {
     add_flat_cube(soup, faces);
   } else if (kind == "slivers") {

@@ -19,6 +19,8 @@ namespace meshalyzer::bench {
 /// - `fan`: a double cone, so that two vertices have half of all faces each
 /// - `damaged`: `wavy` with a thousand scattered defects, see damaged()
 /// - `shards`: triangles without common vertices, touching nothing
+/// - `shuffled`: `wavy` with its vertices and faces in no order, so that neighbours lie far apart
+/// in memory
 ///
 /// @throws InvalidArgument for another name.
 [[nodiscard]] Soup big_mesh(std::string_view kind, std::size_t faces);

@@ -1,7 +1,9 @@
 #include "big_meshes.h"
+#include "meshalyzer/geometry/curvature.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/io/write.h"
 #include "meshalyzer/mesh/build.h"
+#include "meshalyzer/picture/scene.h"
 #include "meshalyzer/spatial/mutual_intersection.h"
 #include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/topology/components.h"
@@ -9,6 +11,7 @@
 #include <benchmark/benchmark.h>
 
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -58,6 +61,31 @@ void find_components_wavy(benchmark::State& state) {
   per_face(state, cut.mesh.n_faces());
 }
 BENCHMARK(find_components_wavy)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
+void curvature(benchmark::State& state, const std::string& kind) {
+  const CutMesh cut = build(soup_of(kind));
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(measure_curvature(cut));
+  }
+  per_face(state, cut.mesh.n_faces());
+}
+BENCHMARK_CAPTURE(curvature, wavy, "wavy")->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(curvature, shuffled, "shuffled")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+
+/// What a page shows of a big mesh, with its defects known.
+void scene_with_all_fields(benchmark::State& state) {
+  const Soup& soup = soup_of("damaged");
+  const BuiltMesh mesh(soup);
+  const DefectReport report = find_defects(mesh);
+  const std::vector<FieldName> names(all_field_names().begin(), all_field_names().end());
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(make_scene({mesh, &report}, names));
+  }
+  per_face(state, soup.n_faces());
+}
+BENCHMARK(scene_with_all_fields)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 void self_intersections(benchmark::State& state, const std::string& kind) {
   const CutMesh cut = build(soup_of(kind));
