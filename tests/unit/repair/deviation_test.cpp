@@ -315,7 +315,7 @@ TEST(DeviationMeter, FarFacesAreThoseThatDenseSamplesFindFar) {
   const double bound = 0.05;
   const Draft draft = mangled(input, 0.1, random);
   const Result result = measure(input, draft, bound);
-  for (Index f = 0; f < input.n_faces(); f += static_cast<Index>(test::kOneOf)) {
+  for (Index f = 0; f < input.n_faces(); f += static_cast<Index>(test::one_of())) {
     const Soup face = shapes::make(input.positions, {input.triangles[f]});
     const double sampled = test::sampled_distance(face, draft.soup, spacing);
     const bool is_far =

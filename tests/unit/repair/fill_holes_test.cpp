@@ -275,7 +275,7 @@ TEST(FillHoles, SmoothPatchOfAFlatHoleIsFlat) {
 }
 
 TEST(FillHoles, FillsALoopOfManyEdges) {
-  const PassRun run = fill(prism_wall({regular(20'000 / test::kOneOf)}), kAll);
+  const PassRun run = fill(prism_wall({regular(20'000 / test::one_of())}), kAll);
   const Analysis found = analyze(run.draft.soup, "");
   EXPECT_EQ(found.attributes.closed.value, true);
   EXPECT_EQ(found.characteristics.intersecting_pairs, 0U);

@@ -314,7 +314,7 @@ TEST(MendFacets, ZeroAreaFanIsFlippedAwayInOneRound) {
 TEST(MendFacets, RandomNeedlesAndCapsAllGoAndNothingElseDoes) {
   std::mt19937 random(20);
   for (const Soup& shape : sound_shapes()) {
-    for (std::size_t i = 0; i < 8; i += test::kOneOf) {
+    for (std::size_t i = 0; i < 8; i += test::one_of()) {
       Soup soup = shape;
       hurt(soup, 12, random);
       const PassRun run = run_pass(soup, mend_facets);

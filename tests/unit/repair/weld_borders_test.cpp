@@ -458,7 +458,7 @@ TEST(WeldBorders, DegenerateFacesAreLeftOut) {
 TEST(WeldBorders, LongToleranceClosesWhatAShortOneDoes) {
   // Edges are 0.28 to 0.33 long; gaps 2e-5 at most.
   const Soup shape = shapes::icosphere(2);
-  for (std::uint32_t seed = 0; seed < 4; seed += test::kOneOf) {
+  for (std::uint32_t seed = 0; seed < 4; seed += static_cast<std::uint32_t>(test::one_of())) {
     const Soup torn = jittered(unwelded(shape), 5e-6, seed);
     for (const double within : {2e-5, 1e-3, 0.05, 0.3, 1.0, 10.0}) {
       EXPECT_EQ(seam_topology_of(welded(torn, within)), seam_topology_of(shape)) << within;

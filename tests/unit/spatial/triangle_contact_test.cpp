@@ -43,7 +43,7 @@ void expect_agreement(const Source& source) {
   Random random(kSeed);
   for (const Common common : {Common::Nothing, Common::Vertex, Common::Edge}) {
     int contacts = 0;
-    for (int i = 0; i < source.pairs / static_cast<int>(test::kOneOf); ++i) {
+    for (int i = 0; i < source.pairs / static_cast<int>(test::one_of()); ++i) {
       const auto [p, q] = random_pair(source, common, random);
       const auto expected = oracle_contact(p, q, common);
       contacts += expected.has_value() ? 1 : 0;

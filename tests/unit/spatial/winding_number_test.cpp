@@ -136,7 +136,7 @@ TEST(WindingNumbers, AgreeWithTheSumOverAllTrianglesByExcess) {
     for (const Vec3& p : soup.positions) box.extend(p);
     const std::vector<Corners> triangles = corners_of(soup);
     const WindingNumbers numbers(triangles);
-    for (std::size_t i = 0; i < 300; i += test::kOneOf) {
+    for (std::size_t i = 0; i < 300; i += test::one_of()) {
       const Vec3 point = box.center() + random_point(random, 0.6 * box.sizes().maxCoeff());
       worst = std::max(worst, std::abs(numbers.at(point) - winding_by_excess(triangles, point)));
     }
