@@ -6,7 +6,6 @@
 #include "meshalyzer/io/mesh_field.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -55,15 +54,8 @@ std::string range_text(double min, double max) {
 }
 
 std::string values_text(const std::vector<double>& values) {
-  double min = INFINITY;
-  double max = -INFINITY;
-  for (const double value : values) {
-    if (std::isfinite(value)) {
-      min = std::min(min, value);
-      max = std::max(max, value);
-    }
-  }
-  return min <= max ? range_text(min, max) : "none";
+  const std::optional<std::pair<double, double>> range = finite_range(values);
+  return range ? range_text(range->first, range->second) : "none";
 }
 
 std::vector<std::string> comments_on(const ColouredField& field) {

@@ -84,14 +84,9 @@ void refuse_looked_at(const std::vector<std::string>& folders, const Options& op
   }
 }
 
-void refuse_inputs(const std::vector<std::string>& outputs, const Inputs& inputs) {
+void refuse_inputs(const std::vector<std::string>& outputs, const KnownFiles& inputs) {
   for (const std::string& output : outputs) {
-    std::error_code error;
-    if (!fs::exists(output, error)) {
-      continue;
-    }
-    const auto is_it = [&](const std::string& input) { return is_same_file(input, output); };
-    if (std::any_of(inputs.files.begin(), inputs.files.end(), is_it)) {
+    if (inputs.contain(output)) {
       throw UsageError(output + " would be written, but it is an input, which never changes");
     }
   }
@@ -114,14 +109,15 @@ PicturePaths picture_paths(const Options& options, const Inputs& inputs) {
     paths.folders.push_back((folder / "x").parent_path().string());
   }
   refuse_looked_at(paths.folders, options);
+  const KnownFiles read(inputs.files);
   for (const auto* outputs : {&paths.pages, &paths.fields, &paths.separations}) {
-    refuse_inputs(*outputs, inputs);
+    refuse_inputs(*outputs, read);
   }
   if (paths.index) {
-    refuse_inputs({*paths.index}, inputs);
+    refuse_inputs({*paths.index}, read);
   }
   if (options.json && !options.json->is_stdout()) {
-    refuse_inputs({options.json->file}, inputs);
+    refuse_inputs({options.json->file}, read);
   }
   return paths;
 }

@@ -48,10 +48,6 @@ Offenders first_offenders(const Offenders& all) {
   return first;
 }
 
-std::vector<FieldName> all_fields() {
-  return {all_field_names().begin(), all_field_names().end()};
-}
-
 }  // namespace
 
 Pictures::Pictures(PictureSubject subject) : subject_(std::move(subject)) {
@@ -124,7 +120,7 @@ void Pictures::draw(Index number, const Waiting& mesh, const Soup& soup,
 }
 
 void Pictures::write_page(Index number, const Waiting& mesh, const FieldSource& source) {
-  const Scene scene = make_scene(source, all_fields());
+  const Scene scene = make_scene(source, all_field_names());
   const MeshName name = name_of(source.mesh.soup(), subject_.files[number]);
   const std::string& page = subject_.paths.pages[number];
   std::string index;

@@ -14,8 +14,7 @@ namespace {
 
 Scene scene_of(const Soup& soup, const DefectReport& defects) {
   const BuiltMesh mesh(soup);
-  return make_scene({.mesh = mesh, .defects = &defects},
-                    {all_field_names().begin(), all_field_names().end()});
+  return make_scene({.mesh = mesh, .defects = &defects}, all_field_names());
 }
 
 void append_ids(const Ids& ids, std::size_t count, Ids& all) {

@@ -94,7 +94,7 @@ std::vector<std::string> output_paths(const Options& options, const RepairStory&
 }
 
 /// Writes the meshes of a result, reads them back, and adds what they are to the story.
-/// @return The meshes of the story as they are.
+/// @return The meshes of the story as they are, where there will be a page of them.
 std::vector<Soup> write_all(const Options& options, const Source& source, RepairStory& story) {
   std::vector<Soup> finals;
   const std::vector<std::string> paths = output_paths(options, story);
@@ -104,7 +104,7 @@ std::vector<Soup> write_all(const Options& options, const Source& source, Repair
     if (!has_content(mesh.draft.soup, paths[i])) {
       story.notes.push_back(kNothingLeft);
       story.meshes.push_back({name_of(mesh.draft.soup, ""), mesh.remaining});
-      finals.push_back(mesh.draft.soup);
+      if (options.html) finals.push_back(mesh.draft.soup);
       continue;
     }
     Written written = is_unchanged(story) && keeps_format(paths[i], source)
@@ -114,17 +114,17 @@ std::vector<Soup> write_all(const Options& options, const Source& source, Repair
     story.meshes.push_back({name_of(written.soup, paths[i]),
                             remaining_on_disk(mesh, written.soup, search),
                             vertex_records(mesh.draft.soup, written.soup)});
-    finals.push_back(std::move(written.soup));
+    if (options.html) finals.push_back(std::move(written.soup));
   }
   return finals;
 }
 
 /// The same for what is not to be written.
-std::vector<Soup> take_unwritten(RepairStory& story) {
+std::vector<Soup> take_unwritten(const Options& options, RepairStory& story) {
   std::vector<Soup> finals;
   for (const RepairedMesh& mesh : story.result.meshes) {
     story.meshes.push_back({name_of(mesh.draft.soup, ""), mesh.remaining});
-    finals.push_back(mesh.draft.soup);
+    if (options.html) finals.push_back(mesh.draft.soup);
   }
   return finals;
 }
@@ -153,7 +153,7 @@ ExitCode fix(const Options& options, Soup soup, const Source& source, Streams st
   progress.clear();
   RepairStory story{input, result, repair.fixes, {}, {}};
   const std::vector<Soup> finals =
-      options.output ? write_all(options, source, story) : take_unwritten(story);
+      options.output ? write_all(options, source, story) : take_unwritten(options, story);
   if (options.html) write_page(*options.html, story, before, finals);
   const ExitCode told = tell(
       options, streams, [&] { return repair_report(story, options.lists); },

@@ -22,8 +22,6 @@ constexpr SceneLimits kTiny{.max_whole_faces = 12,
                             .max_elements_of_all = 10,
                             .max_segments = 4};
 
-const std::vector<FieldName> kFields(all_field_names().begin(), all_field_names().end());
-
 void expect_finite(const std::vector<float>& numbers) {
   EXPECT_TRUE(
       std::all_of(numbers.begin(), numbers.end(), [](float x) { return std::isfinite(x); }));
@@ -44,7 +42,7 @@ void expect_whole(const DrawnSurface& surface, const Soup& soup) {
 }
 
 void expect_fields(const Scene& scene) {
-  ASSERT_EQ(scene.fields.size() + 1, kFields.size());  // no separation
+  ASSERT_EQ(scene.fields.size() + 1, all_field_names().size());  // no separation
   for (const DrawnField& field : scene.fields) {
     const bool is_of_faces = field.place == FieldPlace::Faces;
     const auto n_of = [&](const DrawnSurface& surface) {
@@ -85,7 +83,7 @@ void expect_lines(const SceneLines& lines, const SceneLimits& limits) {
 }
 
 void expect_scene(const BuiltMesh& mesh, const DefectReport& report, const SceneLimits& limits) {
-  const Scene scene = make_scene({mesh, &report}, kFields, limits);
+  const Scene scene = make_scene({mesh, &report}, all_field_names(), limits);
   expect_whole(scene.detail, mesh.soup());
   expect_whole(scene.context, mesh.soup());
   expect_fields(scene);

@@ -152,20 +152,23 @@ Colour ColourScale::colour_of(double value) const {
   return meshalyzer::colour_of(palette, t);
 }
 
-ColourScale scale_for(std::span<const double> values) {
-  const auto first =
-      std::find_if(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
-  if (first == values.end()) {
-    return {};
-  }
-  double min = *first;
-  double max = *first;
+std::optional<std::pair<double, double>> finite_range(std::span<const double> values) {
+  std::optional<std::pair<double, double>> range;
   for (const double value : values) {
     if (std::isfinite(value)) {
-      min = std::min(min, value);
-      max = std::max(max, value);
+      range = range ? std::pair(std::min(range->first, value), std::max(range->second, value))
+                    : std::pair(value, value);
     }
   }
+  return range;
+}
+
+ColourScale scale_for(std::span<const double> values) {
+  const std::optional<std::pair<double, double>> range = finite_range(values);
+  if (!range) {
+    return {};
+  }
+  const auto [min, max] = *range;
   if (min < 0.0 && 0.0 < max) {
     const double largest = std::max(-min, max);
     return {Palette::Diverging, -largest, largest};

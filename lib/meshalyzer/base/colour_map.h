@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 
 namespace meshalyzer {
 
@@ -63,6 +64,9 @@ struct ColourScale {
   /// Where min and max are the same all values have one colour, that of the middle.
   [[nodiscard]] Colour colour_of(double value) const;
 };
+
+/// The smallest and the largest of the finite values; nothing where none is.
+[[nodiscard]] std::optional<std::pair<double, double>> finite_range(std::span<const double> values);
 
 /// The scale that shows a field best: where values of both signs occur white is 0 and a length in
 /// blue is the same as in red; else from the smallest to the largest value.

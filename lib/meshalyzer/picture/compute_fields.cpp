@@ -38,8 +38,7 @@ class FieldComputer {
       case FieldName::Area:
         return of_faces(name, FieldKind::Magnitude, by_record(face_measures().area));
       case FieldName::Component:
-        return of_faces(name, FieldKind::Category,
-                        by_record(find_components(source_.mesh.cut()).of_face));
+        return of_faces(name, FieldKind::Category, by_record(components().of_face));
       case FieldName::Defect:
         return defects();
       case FieldName::Separation:
@@ -70,6 +69,13 @@ class FieldComputer {
     return *face_measures_;
   }
 
+  const Components& components() {
+    if (!components_) {
+      components_ = find_components(source_.mesh.cut());
+    }
+    return *components_;
+  }
+
   [[nodiscard]] std::vector<double> valences() const {
     const std::vector<Index> valences = vertex_valences(source_.mesh.cut());
     std::vector<double> values(valences.size());
@@ -78,14 +84,13 @@ class FieldComputer {
     return values;
   }
 
-  [[nodiscard]] std::optional<Field> defects() const {
+  [[nodiscard]] std::optional<Field> defects() {
     if (source_.defects == nullptr) {
       return std::nullopt;
     }
-    const CutMesh& cut = source_.mesh.cut();
     return of_faces(FieldName::Defect, FieldKind::Category,
                     spread_over_components(worst_defects(source_.mesh.soup(), *source_.defects),
-                                           *source_.defects, cut, find_components(cut)));
+                                           *source_.defects, source_.mesh.cut(), components()));
   }
 
   [[nodiscard]] std::optional<Field> separation() const {
@@ -113,6 +118,7 @@ class FieldComputer {
   const FieldSource& source_;
   std::optional<Curvature> curvature_;
   std::optional<FaceMeasures> face_measures_;
+  std::optional<Components> components_;
 };
 
 /// The value of a vertex from those of two faces round it, or of more one after the other.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -30,13 +32,7 @@ DrawnField draw_field(const Field& field, const DrawnSurface& detail, const Draw
   drawn.detail = values_on(field, detail);
   drawn.context = values_on(field, context);
   drawn.scale = scale_of(field);
-  bool is_first = true;
-  for (const double value : field.values) {
-    if (!std::isfinite(value)) continue;
-    drawn.min = is_first ? value : std::min(drawn.min, value);
-    drawn.max = is_first ? value : std::max(drawn.max, value);
-    is_first = false;
-  }
+  std::tie(drawn.min, drawn.max) = finite_range(field.values).value_or(std::pair(0.0, 0.0));
   return drawn;
 }
 

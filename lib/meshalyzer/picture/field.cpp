@@ -1,6 +1,7 @@
 #include "meshalyzer/picture/field.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace meshalyzer {
@@ -32,9 +33,9 @@ const FieldTitle& title_of(FieldName name) {
 
 }  // namespace
 
-const std::array<FieldName, kFieldNames>& all_field_names() {
-  static const std::array<FieldName, kFieldNames> names = [] {
-    std::array<FieldName, kFieldNames> all{};
+const std::vector<FieldName>& all_field_names() {
+  static const std::vector<FieldName> names = [] {
+    std::vector<FieldName> all(kTitles.size());
     std::transform(kTitles.begin(), kTitles.end(), all.begin(),
                    [](const FieldTitle& title) { return title.name; });
     return all;

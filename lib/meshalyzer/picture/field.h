@@ -6,7 +6,6 @@
 #include "meshalyzer/geometry/curvature.h"
 #include "meshalyzer/set/separation.h"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -31,7 +30,7 @@ enum class FieldName : std::uint8_t {
 inline constexpr std::size_t kFieldNames = 10;
 
 /// All of them, in the order of the enumeration, which is that of menus.
-[[nodiscard]] const std::array<FieldName, kFieldNames>& all_field_names();
+[[nodiscard]] const std::vector<FieldName>& all_field_names();
 /// "gaussian", "mean", "k1", "k2", "valence", "aspect-ratio", "area", "component", "defect",
 /// "separation".
 [[nodiscard]] std::string_view field_name(FieldName name);

@@ -211,8 +211,7 @@ TEST(ComputeFields, MeshOfNothingHasFieldsOfNothing) {
   const DefectReport report = find_defects(mesh);
   const ObjectSeparation separation;
   const FieldSource source{.mesh = mesh, .defects = &report, .separation = &separation};
-  const std::vector<Field> fields =
-      compute_fields(source, {all_field_names().begin(), all_field_names().end()});
+  const std::vector<Field> fields = compute_fields(source, all_field_names());
   ASSERT_EQ(fields.size(), kFieldNames);
   for (const Field& field : fields) {
     EXPECT_TRUE(field.values.empty());
