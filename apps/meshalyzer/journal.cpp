@@ -1,7 +1,7 @@
 #include "journal.h"
 
 #include "meshalyzer/base/error.h"
-#include "meshalyzer/report/json_reader.h"
+#include "meshalyzer/report/json/mesh_reader.h"
 #include "meshalyzer/set/set_run.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 #include "meshalyzer/base/descriptor.h"
 #include "meshalyzer/io/file.h"
-#include "meshalyzer/report/json.h"
-#include "meshalyzer/report/ndjson.h"
+#include "meshalyzer/report/journal/line.h"
+#include "meshalyzer/report/json/report.h"
 #include "meshalyzer/set/file_stamp.h"
 #include "meshalyzer/set/object_findings.h"
 

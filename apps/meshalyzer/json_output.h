@@ -1,7 +1,7 @@
 #pragma once
 
 #include "meshalyzer/io/file_replacement.h"
-#include "meshalyzer/report/json_report.h"
+#include "meshalyzer/report/json/report.h"
 #include "options.h"
 
 #include <iosfwd>

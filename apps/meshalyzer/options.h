@@ -2,8 +2,8 @@
 
 #include "meshalyzer/base/colour_map.h"
 #include "meshalyzer/picture/field.h"
-#include "meshalyzer/report/json.h"
-#include "meshalyzer/report/text.h"
+#include "meshalyzer/report/json/report.h"
+#include "meshalyzer/report/text/mesh_report.h"
 #include "meshalyzer/set/set_options.h"
 #include "report_target.h"
 

@@ -4,9 +4,9 @@
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/base/parallel.h"
-#include "meshalyzer/report/set_text.h"
-#include "meshalyzer/report/summary_table.h"
-#include "meshalyzer/report/text.h"
+#include "meshalyzer/report/text/mesh_report.h"
+#include "meshalyzer/report/text/set_report.h"
+#include "meshalyzer/report/text/summary_table.h"
 #include "progress_text.h"
 
 #include <ostream>
@@ -191,7 +191,7 @@ void Session::tell_set(const SetAnalysis& set) {
     streams_.out << (set.volume.value ? shortest(*set.volume.value) : "undefined") << '\n';
   } else if (tells_text()) {
     const std::string text = tells_totals(options_) ? text_report(set, options_.offenders)
-                                                    : between_report(set, options_.offenders);
+                                                    : text_report_between(set, options_.offenders);
     streams_.out << (text.empty() ? "" : "\n") << text;
   }
 }

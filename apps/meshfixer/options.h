@@ -1,7 +1,7 @@
 #pragma once
 
 #include "meshalyzer/repair/fix_defects.h"
-#include "meshalyzer/report/defects_text.h"
+#include "meshalyzer/report/text/defects_report.h"
 #include "report_target.h"
 
 #include <cstddef>

@@ -2,9 +2,9 @@
 
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/io/read.h"
-#include "meshalyzer/report/defects_text.h"
-#include "meshalyzer/report/repair_json.h"
-#include "meshalyzer/report/repair_text.h"
+#include "meshalyzer/report/json/repair_report.h"
+#include "meshalyzer/report/text/defects_report.h"
+#include "meshalyzer/report/text/repair_report.h"
 #include "output.h"
 #include "page.h"
 #include "progress_line.h"
@@ -41,8 +41,8 @@ ExitCode find(const Options& options, const Soup& soup, Streams streams) {
   const DefectCodes& asked = options.repair.fixes;
   if (options.html) write_page(*options.html, {soup, name, report, asked});
   const ExitCode told = tell(
-      options, streams, [&] { return defects_report(name, report, asked, options.lists); },
-      [&] { return defects_json(name, report, asked); });
+      options, streams, [&] { return text_report(name, report, asked, options.lists); },
+      [&] { return json_report(name, report, asked); });
   if (told != ExitCode::Done) return told;
   return n_asked(report, asked) == 0 ? ExitCode::Done : ExitCode::NotGood;
 }
@@ -156,8 +156,8 @@ ExitCode fix(const Options& options, Soup soup, const Source& source, Streams st
       options.output ? write_all(options, source, story) : take_unwritten(options, story);
   if (options.html) write_page(*options.html, story, before, finals);
   const ExitCode told = tell(
-      options, streams, [&] { return repair_report(story, options.lists); },
-      [&] { return repair_json(story); });
+      options, streams, [&] { return text_report(story, options.lists); },
+      [&] { return json_report(story); });
   return told == ExitCode::Done ? verdict(options, story, streams) : told;
 }
 

@@ -3,8 +3,8 @@
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/io/read.h"
-#include "meshalyzer/report/json.h"
-#include "meshalyzer/report/text.h"
+#include "meshalyzer/report/json/report.h"
+#include "meshalyzer/report/text/mesh_report.h"
 
 #include <chrono>
 #include <fmt/core.h>

@@ -1,9 +1,9 @@
 #include "changed_line.h"
 #include "check_parser.h"
 #include "meshalyzer/analysis/analyze.h"
-#include "meshalyzer/report/json_mesh.h"
-#include "meshalyzer/report/json_reader.h"
-#include "meshalyzer/report/text.h"
+#include "meshalyzer/report/json/mesh.h"
+#include "meshalyzer/report/json/mesh_reader.h"
+#include "meshalyzer/report/text/mesh_report.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 #include "changed_line.h"
 #include "check_parser.h"
-#include "meshalyzer/report/ndjson.h"
+#include "meshalyzer/report/journal/line.h"
 
 #include <limits>
 #include <vector>

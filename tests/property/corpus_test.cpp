@@ -2,7 +2,7 @@
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/io/read.h"
-#include "meshalyzer/report/json.h"
+#include "meshalyzer/report/json/report.h"
 #include "support/effort.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #include "meshalyzer/analysis/analyze.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/io/write.h"
-#include "meshalyzer/report/json.h"
+#include "meshalyzer/report/json/report.h"
 #include "soups_to_try.h"
 #include "support/effort.h"
 #include "support/shapes.h"

@@ -1,7 +1,7 @@
 #include "meshalyzer/analysis/analyze.h"
 
 #include "meshalyzer/base/parallel.h"
-#include "meshalyzer/report/json.h"
+#include "meshalyzer/report/json/report.h"
 #include "support/shape_figures.h"
 #include "support/shapes.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "meshalyzer/report/html/html_writer.h"
-#include "meshalyzer/report/text_lines.h"
-#include "meshalyzer/report/text_table.h"
+#include "meshalyzer/report/html/writer.h"
+#include "meshalyzer/report/text/lines.h"
+#include "meshalyzer/report/text/table.h"
 
 #include <string_view>
 

@@ -1,9 +1,9 @@
-#include "meshalyzer/report/defect_lines.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/defect_list.h"
 #include "meshalyzer/report/html/page.h"
 #include "meshalyzer/report/html/page_frame.h"
-#include "meshalyzer/report/short_list.h"
+#include "meshalyzer/report/text/defect_lines.h"
+#include "meshalyzer/report/text/short_list.h"
 
 #include <array>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "meshalyzer/report/html/histogram_svg.h"
 
-#include "meshalyzer/report/text_statistics.h"
+#include "meshalyzer/report/text/statistics.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "meshalyzer/base/statistics.h"
-#include "meshalyzer/report/html/html_writer.h"
+#include "meshalyzer/report/html/writer.h"
 
 #include <string_view>
 

@@ -3,7 +3,7 @@
 #include "meshalyzer/report/html/page_frame.h"
 #include "meshalyzer/report/html/set_notes.h"
 #include "meshalyzer/report/html/set_sections.h"
-#include "meshalyzer/report/short_list.h"
+#include "meshalyzer/report/text/short_list.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,7 +2,7 @@
 
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/report/html/attribute_tables.h"
-#include "meshalyzer/report/text_lines.h"
+#include "meshalyzer/report/text/lines.h"
 
 #include <algorithm>
 #include <cstddef>

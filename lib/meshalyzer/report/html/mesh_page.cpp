@@ -3,9 +3,9 @@
 #include "meshalyzer/report/html/page.h"
 #include "meshalyzer/report/html/page_frame.h"
 #include "meshalyzer/report/html/statistics_section.h"
-#include "meshalyzer/report/short_list.h"
-#include "meshalyzer/report/text_components.h"
-#include "meshalyzer/report/text_sections.h"
+#include "meshalyzer/report/text/components.h"
+#include "meshalyzer/report/text/sections.h"
+#include "meshalyzer/report/text/short_list.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "meshalyzer/report/html/html_writer.h"
 #include "meshalyzer/report/html/scene_json.h"
+#include "meshalyzer/report/html/writer.h"
 
 #include <functional>
 #include <span>

@@ -2,8 +2,8 @@
 #include "meshalyzer/report/html/defect_list.h"
 #include "meshalyzer/report/html/page.h"
 #include "meshalyzer/report/html/page_frame.h"
-#include "meshalyzer/report/repair_lines.h"
-#include "meshalyzer/report/short_list.h"
+#include "meshalyzer/report/text/repair_lines.h"
+#include "meshalyzer/report/text/short_list.h"
 
 #include <array>
 #include <cstddef>

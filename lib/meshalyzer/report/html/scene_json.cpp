@@ -3,9 +3,9 @@
 #include "meshalyzer/base/base64.h"
 #include "meshalyzer/base/bytes.h"
 #include "meshalyzer/defects/catalogue.h"
-#include "meshalyzer/report/defect_lines.h"
 #include "meshalyzer/report/html/colour_text.h"
-#include "meshalyzer/report/json_writer.h"
+#include "meshalyzer/report/json/writer.h"
+#include "meshalyzer/report/text/defect_lines.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "meshalyzer/report/html/set_notes.h"
 
-#include "meshalyzer/report/short_list.h"
+#include "meshalyzer/report/text/short_list.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,9 +2,9 @@
 
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/statistics_section.h"
-#include "meshalyzer/report/set_lines.h"
-#include "meshalyzer/report/text_meetings.h"
-#include "meshalyzer/report/text_separation.h"
+#include "meshalyzer/report/text/meetings.h"
+#include "meshalyzer/report/text/separation.h"
+#include "meshalyzer/report/text/set_totals.h"
 
 #include <string>
 

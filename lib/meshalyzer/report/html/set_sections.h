@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/report/html/html_writer.h"
+#include "meshalyzer/report/html/writer.h"
 #include "meshalyzer/set/set_analysis.h"
 
 namespace meshalyzer {

@@ -2,7 +2,7 @@
 
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/histogram_svg.h"
-#include "meshalyzer/report/text_curvature.h"
+#include "meshalyzer/report/text/curvature.h"
 
 #include <array>
 #include <cstddef>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "meshalyzer/analysis/analysis.h"
-#include "meshalyzer/report/html/html_writer.h"
-#include "meshalyzer/report/text_statistics.h"
+#include "meshalyzer/report/html/writer.h"
+#include "meshalyzer/report/text/statistics.h"
 #include "meshalyzer/set/set_analysis.h"
 
 namespace meshalyzer {

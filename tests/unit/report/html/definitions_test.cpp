@@ -1,9 +1,9 @@
 #include "meshalyzer/report/html/definitions.h"
 
-#include "meshalyzer/report/defect_lines.h"
-#include "meshalyzer/report/text_curvature.h"
-#include "meshalyzer/report/text_sections.h"
-#include "meshalyzer/report/text_statistics.h"
+#include "meshalyzer/report/text/curvature.h"
+#include "meshalyzer/report/text/defect_lines.h"
+#include "meshalyzer/report/text/sections.h"
+#include "meshalyzer/report/text/statistics.h"
 
 #include <gtest/gtest.h>
 

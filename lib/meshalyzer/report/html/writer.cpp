@@ -1,0 +1,142 @@
+#include "meshalyzer/report/html/writer.h"
+
+#include "meshalyzer/report/utf8.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace meshalyzer {
+namespace {
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
+
+/// Elements that begin a line of the source, so that a person can read it; in these a line feed
+/// before the tag means nothing.
+constexpr std::array<std::string_view, 31> kOnOwnLine{
+    "article", "body",    "caption", "details", "div",   "figcaption", "figure", "footer",
+    "g",       "h1",      "h2",      "h3",      "head",  "header",     "li",     "link",
+    "main",    "meta",    "nav",     "ol",      "p",     "rect",       "script", "section",
+    "style",   "summary", "svg",     "table",   "title", "tr",         "ul"};
+
+bool is_on_own_line(std::string_view tag) {
+  return std::find(kOnOwnLine.begin(), kOnOwnLine.end(), tag) != kOnOwnLine.end();
+}
+
+bool is_control(unsigned char c) {
+  return (c < 0x20U && c != '\n' && c != '\t') || c == 0x7FU;
+}
+
+/// U+0080 ... U+009F.
+bool is_c1_control(std::string_view sequence) {
+  return sequence.size() == 2 && sequence[0] == '\xC2' &&
+         static_cast<unsigned char>(sequence[1]) < 0xA0U;
+}
+
+void append_ascii(std::string& html, char c) {
+  switch (c) {
+    case '&':
+      html += "&amp;";
+      return;
+    case '<':
+      html += "&lt;";
+      return;
+    case '>':
+      html += "&gt;";
+      return;
+    case '"':
+      html += "&quot;";
+      return;
+    default:
+      break;
+  }
+  if (is_control(static_cast<unsigned char>(c))) {
+    html += kReplacement;
+  } else {
+    html += c;
+  }
+}
+
+bool is_lower_or_digit(char c) {
+  return ('a' <= c && c <= 'z') || ('0' <= c && c <= '9');
+}
+
+char lower(char c) {
+  return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+bool is_plain_in_address(char c) {
+  return is_lower_or_digit(lower(c)) || std::string_view("-._~/").find(c) != std::string_view::npos;
+}
+
+}  // namespace
+
+void append_escaped_html(std::string& html, std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_sequence_length(text, i);
+    if (length == 1) {
+      append_ascii(html, text[i]);
+    } else {
+      const std::string_view sequence = text.substr(i, length);
+      html += length == 0 || is_c1_control(sequence) ? kReplacement : sequence;
+    }
+    i += std::max<std::size_t>(1, length);
+  }
+}
+
+std::string address_of(std::string_view path) {
+  constexpr std::string_view kHex = "0123456789ABCDEF";
+  std::string address;
+  for (const char c : path) {
+    if (is_plain_in_address(c)) {
+      address += c;
+      continue;
+    }
+    const auto byte = static_cast<unsigned char>(c);
+    address += '%';
+    address += kHex[byte / 16U];
+    address += kHex[byte % 16U];
+  }
+  return address;
+}
+
+std::string slug(std::string_view text) {
+  std::string word;
+  for (const char letter : text) {
+    const char c = lower(letter);
+    if (is_lower_or_digit(c)) {
+      word += c;
+    } else if (!word.empty() && word.back() != '-') {
+      word += '-';
+    }
+  }
+  if (!word.empty() && word.back() == '-') word.pop_back();
+  return word;
+}
+
+void HtmlWriter::element(std::string_view tag, HtmlAttributes attributes, std::string_view text) {
+  const HtmlElement element(*this, tag, attributes);
+  this->text(text);
+}
+
+void HtmlWriter::start(std::string_view tag, HtmlAttributes attributes) {
+  if (is_on_own_line(tag)) html_ += '\n';
+  html_ += '<';
+  html_ += tag;
+  for (const HtmlAttribute& attribute : attributes) {
+    html_ += ' ';
+    html_ += attribute.name;
+    html_ += "=\"";
+    append_escaped_html(html_, attribute.value);
+    html_ += '"';
+  }
+  html_ += '>';
+}
+
+void HtmlWriter::end(std::string_view tag) {
+  html_ += "</";
+  html_ += tag;
+  html_ += '>';
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,28 @@
+#include "meshalyzer/report/json/bytes.h"
+
+#include "meshalyzer/report/utf8.h"
+
+#include <utility>
+
+namespace meshalyzer {
+
+void write_bytes(JsonWriter& json, std::string_view name, std::string_view bytes) {
+  json.member(name, bytes);
+  if (!is_utf8(bytes)) {
+    json.member(std::string(name) + "_bytes", std::string_view(latin1_to_utf8(bytes)));
+  }
+}
+
+std::string read_bytes(const JsonNode& object, std::string_view name) {
+  const std::optional<JsonNode> node = object.find(std::string(name) + "_bytes");
+  if (!node) {
+    return std::string(object.member(name).text());
+  }
+  std::optional<std::string> bytes = utf8_to_latin1(node->text());
+  if (!bytes) {
+    node->refuse("has a character that is no byte");
+  }
+  return *std::move(bytes);
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "meshalyzer/analysis/analysis.h"
+#include "meshalyzer/report/json/tree.h"
+#include "meshalyzer/report/json/writer.h"
+
+#include <optional>
+
+namespace meshalyzer {
+
+/// Writes what --curvature adds to the characteristics: "gaussian_curvature", "mean_curvature",
+/// "k1", "k2" and "curvature": over what area, the total angle defect, and how many vertices have a
+/// curvature, or none and why.
+void write_curvature(JsonWriter& json, const CurvatureStatistics& curvature);
+
+/// What write_curvature() wrote into an object; nothing where it did not.
+[[nodiscard]] std::optional<CurvatureStatistics> read_curvature(const JsonNode& object);
+
+}  // namespace meshalyzer

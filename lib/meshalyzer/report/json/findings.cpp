@@ -1,0 +1,88 @@
+#include "meshalyzer/report/json/findings.h"
+
+#include "meshalyzer/report/json/name.h"
+#include "meshalyzer/report/json/point.h"
+#include "meshalyzer/report/json/statistics.h"
+
+#include <cmath>
+
+namespace meshalyzer {
+namespace {
+
+void write_reals(JsonWriter& json, double distance, const Vec3& point) {
+  json.begin_object(JsonLayout::Row);
+  json.member("distance", distance);
+  json.member("x", point.x());
+  json.member("y", point.y());
+  json.member("z", point.z());
+  write_non_finite(json,
+                   {{"distance", distance}, {"x", point.x()}, {"y", point.y()}, {"z", point.z()}});
+  json.end_object();
+}
+
+}  // namespace
+
+void FindingsWriter::pairs(std::span<const SetPair> pairs) {
+  json_.begin_array();
+  for (const SetPair& pair : pairs) {
+    json_.begin_array(JsonLayout::Row);
+    name(pair.mesh_a);
+    json_.value(pair.face_a);
+    name(pair.mesh_b);
+    json_.value(pair.face_b);
+    json_.value(contact_name(pair.kind));
+    end_row();
+  }
+  json_.end_array();
+}
+
+void FindingsWriter::contained(std::span<const ContainedMesh> meshes) {
+  json_.begin_array();
+  for (const ContainedMesh& mesh : meshes) {
+    json_.begin_array(JsonLayout::Row);
+    name(mesh.inner);
+    name(mesh.outer);
+    end_row();
+  }
+  json_.end_array();
+}
+
+void FindingsWriter::closest(const ObjectSeparation& separation) {
+  json_.begin_array();
+  for (std::size_t i = 0; i < separation.vertices.size(); ++i) {
+    json_.begin_array(JsonLayout::Row);
+    closest_row(separation, i);
+    end_row();
+  }
+  json_.end_array();
+}
+
+void FindingsWriter::closest_row(const ObjectSeparation& separation, std::size_t i) {
+  json_.value(separation.vertices[i]);
+  if (separation.objects[i] == kNoIndex) {
+    for (int column = 1; column < 5; ++column) {
+      json_.null();
+    }
+    return;
+  }
+  const double distance = separation.distances[i];
+  const Vec3& point = separation.points[i];
+  json_.value(distance);
+  name(separation.objects[i]);
+  json_.value(separation.faces[i]);
+  write_point(json_, point);
+  if (!std::isfinite(distance) || !point.allFinite()) {
+    write_reals(json_, distance, point);
+  }
+}
+
+void FindingsWriter::name(Index mesh) {
+  json_.value(std::string_view(json_name(names_[mesh])));
+}
+
+void FindingsWriter::end_row() {
+  json_.end_array();
+  on_row_();
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "meshalyzer/report/json/writer.h"
+#include "meshalyzer/set/object_findings.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Writes rows of what was found between meshes: lists that may be longer than memory likes.
+class FindingsWriter {
+ public:
+  /// @param names    Of the meshes, by number. Only referred to, like `json`.
+  /// @param on_row   Called after each row: the text so far may be drained.
+  FindingsWriter(JsonWriter& json, const std::vector<std::string>& names,
+                 std::function<void()> on_row)
+      : json_(json), names_(names), on_row_(std::move(on_row)) {}
+
+  /// A list of rows `["a.mesh", f, "b.mesh", g, "kind"]`, as a value.
+  void pairs(std::span<const SetPair> pairs);
+  /// A list of rows `["inner.mesh", "outer.mesh"]`, as a value.
+  void contained(std::span<const ContainedMesh> meshes);
+  /// A list of rows `[vertex, distance, "b.mesh", face, [x, y, z]]`, as a value; all but the vertex
+  /// is null where nothing was found.
+  ///
+  /// Where a real is not finite, and so null, a sixth element tells it: an object of the reals, as
+  /// write_non_finite() makes it.
+  void closest(const ObjectSeparation& separation);
+
+ private:
+  void name(Index mesh);
+  void closest_row(const ObjectSeparation& separation, std::size_t i);
+  void end_row();
+
+  JsonWriter& json_;
+  const std::vector<std::string>& names_;
+  std::function<void()> on_row_;
+};
+
+}  // namespace meshalyzer

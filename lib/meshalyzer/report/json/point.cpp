@@ -1,0 +1,23 @@
+#include "meshalyzer/report/json/point.h"
+
+namespace meshalyzer {
+
+void write_point(JsonWriter& json, const Vec3& point) {
+  json.begin_array(JsonLayout::Row);
+  json.value(point.x());
+  json.value(point.y());
+  json.value(point.z());
+  json.end_array();
+}
+
+Vec3 read_point(const JsonNode& node) {
+  JsonElements coordinates = node.elements();
+  Vec3 point;
+  for (double& coordinate : point) {
+    coordinate = coordinates.next().real();
+  }
+  coordinates.expect_end();
+  return point;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "meshalyzer/base/types.h"
+#include "meshalyzer/report/json/tree.h"
+#include "meshalyzer/report/json/writer.h"
+
+namespace meshalyzer {
+
+/// Writes a point as a row of its three coordinates.
+void write_point(JsonWriter& json, const Vec3& point);
+
+/// What write_point() wrote.
+/// @throws InvalidArgument  Not three reals.
+[[nodiscard]] Vec3 read_point(const JsonNode& node);
+
+}  // namespace meshalyzer

@@ -1,0 +1,294 @@
+#include "meshalyzer/report/json/repair_report.h"
+
+#include "meshalyzer/defects/catalogue.h"
+#include "meshalyzer/report/json/bytes.h"
+#include "meshalyzer/report/json/point.h"
+#include "meshalyzer/report/json/writer.h"
+#include "meshalyzer/report/key_ids.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+constexpr std::string_view kSchema = "meshfixer-report/1";
+
+void begin_report(JsonWriter& json) {
+  json.begin_object();
+  json.member("schema", kSchema);
+  json.member("version", std::string_view(MESHALYZER_VERSION));
+}
+
+void write_name(JsonWriter& json, const MeshName& mesh) {
+  write_bytes(json, "path", mesh.path);
+  json.member("format", format_name(mesh.format));
+  json.member("vertices", mesh.n_vertices);
+  json.member("faces", mesh.n_faces);
+}
+
+void write_tolerances(JsonWriter& json, const Tolerances& tolerances) {
+  json.key("tolerances");
+  json.begin_object(JsonLayout::Row);
+  json.member("degeneracy", tolerances.degeneracy);
+  json.member("slit", tolerances.slit);
+  json.member("height", tolerances.height);
+  json.member("max_foldover_angle", tolerances.max_foldover_angle);
+  json.end_object();
+}
+
+void write_ids(JsonWriter& json, std::string_view key, std::span<const Index> records,
+               const Ids& ids) {
+  json.key(key);
+  json.begin_array(JsonLayout::Row);
+  for (const Index record : records) json.value(ids.of(record));
+  json.end_array();
+}
+
+void write_pairs(JsonWriter& json, const Defect& defect, const MeshName& mesh) {
+  if (defect.pairs.empty()) return;
+  json.key("pairs");
+  json.begin_array(JsonLayout::Row);
+  for (const IntersectingPair& pair : defect.pairs) {
+    json.begin_array(JsonLayout::Row);
+    json.value(mesh.face_ids.of(pair.face_a));
+    json.value(mesh.face_ids.of(pair.face_b));
+    json.value(contact_name(pair.kind));
+    json.end_array();
+  }
+  json.end_array();
+}
+
+void write_edges(JsonWriter& json, const Defect& defect, const MeshName& mesh) {
+  json.key("edges");
+  json.begin_array(JsonLayout::Row);
+  for (const auto& edge : defect.edges) {
+    json.begin_array(JsonLayout::Row);
+    for (const Index v : edge) json.value(mesh.vertex_ids.of(v));
+    json.end_array();
+  }
+  json.end_array();
+}
+
+void write_defect(JsonWriter& json, const Defect& defect, const MeshName& mesh) {
+  json.begin_object(JsonLayout::Row);
+  json.member("code", defect_name(defect.code));
+  json.member("severity", severity_name(defect.severity));
+  write_ids(json, "vertices", defect.vertices, mesh.vertex_ids);
+  write_edges(json, defect, mesh);
+  write_ids(json, "faces", defect.faces, mesh.face_ids);
+  write_pairs(json, defect, mesh);
+  json.key("positions");
+  json.begin_array(JsonLayout::Row);
+  for (const Vec3& p : defect.positions) write_point(json, p);
+  json.end_array();
+  json.member("value", defect.value);
+  json.member("limit", defect.limit);
+  if (!defect.detail.empty()) json.member("detail", std::string_view(defect.detail));
+  json.member("fixable", defect.fixable);
+  if (defect.fixable) json.member("fix", catalogue_entry(defect.code).passes);
+  json.end_object();
+}
+
+/// Members `counts`, `total`, `listed` and `defects`.
+void write_defects(JsonWriter& json, const MeshName& mesh, const DefectReport& report) {
+  json.key("counts");
+  json.begin_object();
+  for (const DefectCode code : all_defect_codes()) {
+    json.member(defect_name(code), report.count(code));
+  }
+  json.end_object();
+  json.member("total", report.total());
+  json.member("listed", report.defects.size());
+  json.key("defects");
+  json.begin_array();
+  for (const Defect& defect : report.defects) write_defect(json, defect, mesh);
+  json.end_array();
+}
+
+void write_warnings(JsonWriter& json, const std::vector<std::string>& warnings) {
+  json.key("warnings");
+  json.begin_array();
+  for (const std::string& warning : warnings) json.value(std::string_view(warning));
+  json.end_array();
+}
+
+void write_fixes(JsonWriter& json, const DefectCodes& fixes) {
+  json.key("fixes");
+  json.begin_array(JsonLayout::Row);
+  for (const DefectCode code : all_defect_codes()) {
+    if (fixes.contains(code)) json.value(defect_name(code));
+  }
+  json.end_array();
+}
+
+void write_key_ids(JsonWriter& json, std::string_view key, const std::vector<std::int64_t>& ids) {
+  if (ids.empty()) return;
+  json.key(key);
+  json.begin_array(JsonLayout::Row);
+  for (const std::int64_t id : ids) json.value(id);
+  json.end_array();
+}
+
+/// Rows [new id, old id] of the faces that are not the input's face of the same id, unchanged; old
+/// is null in a hole patch.
+void write_tracking(JsonWriter& json, const RepairStory& story, std::size_t mesh,
+                    const std::vector<std::uint8_t>& is_changed) {
+  const Draft& draft = story.result.meshes[mesh].draft;
+  json.key("tracking");
+  json.begin_array();
+  for (std::size_t f = 0; f < draft.face_keys.size(); ++f) {
+    const auto face = static_cast<Index>(f);
+    const Index origin = draft.origin_of_face(face);
+    const std::int64_t id = story.meshes[mesh].name.face_ids.of(face);
+    const bool is_old = draft.face_keys[f] < draft.n_input_faces && !is_changed[draft.face_keys[f]];
+    if (is_old && story.input.face_ids.of(origin) == id) continue;
+    json.begin_array(JsonLayout::Row);
+    json.value(id);
+    if (origin == kNoIndex) {
+      json.null();
+    } else {
+      json.value(story.input.face_ids.of(origin));
+    }
+    json.end_array();
+  }
+  json.end_array();
+}
+
+/// By face of the input: whether an operation has changed it.
+std::vector<std::uint8_t> changed_faces(const RepairStory& story) {
+  std::vector<std::uint8_t> changed(story.input.n_faces, 0);
+  for (const LoggedOperation& operation : story.result.log.operations) {
+    for (const Index key : operation.changed_faces) {
+      if (key < changed.size()) changed[key] = 1;
+    }
+  }
+  return changed;
+}
+
+void write_step(JsonWriter& json, const LogStep& step) {
+  json.begin_object(JsonLayout::Row);
+  json.member("pass", std::string_view(step.pass));
+  json.member("code", defect_name(step.code));
+  json.member("operations", step.operations);
+  json.member("undone", step.undone);
+  json.member("faces_removed", step.faces_removed);
+  json.member("faces_added", step.faces_added);
+  json.member("faces_changed", step.faces_changed);
+  json.member("vertices_removed", step.vertices_removed);
+  json.member("vertices_added", step.vertices_added);
+  json.member("vertices_moved", step.vertices_moved);
+  json.member("distance", step.distance);
+  json.end_object();
+}
+
+void write_operation(JsonWriter& json, const LoggedOperation& operation, const KeyIds& ids) {
+  json.begin_object(JsonLayout::Row);
+  json.member("step", operation.step);
+  write_key_ids(json, "removed_faces", ids.faces(operation.removed_faces));
+  write_key_ids(json, "added_faces", ids.faces(operation.added_faces));
+  write_key_ids(json, "changed_faces", ids.faces(operation.changed_faces));
+  write_key_ids(json, "removed_vertices", ids.vertices(operation.removed_vertices));
+  write_key_ids(json, "added_vertices", ids.vertices(operation.added_vertices));
+  write_key_ids(json, "moved_vertices", ids.vertices(operation.moved_vertices));
+  json.member("distance", operation.distance);
+  json.end_object();
+}
+
+void write_refusal(JsonWriter& json, const LoggedRefusal& refusal, const KeyIds& ids) {
+  json.begin_object(JsonLayout::Row);
+  json.member("pass", std::string_view(refusal.pass));
+  json.member("code", defect_name(refusal.code));
+  const auto vertex = ids.final_vertex(refusal.vertex);
+  const auto face = ids.final_face(refusal.face);
+  json.member("mesh",
+              vertex || face ? std::optional((vertex ? vertex : face)->mesh) : std::nullopt);
+  json.member("vertex", vertex ? std::optional(vertex->id) : std::nullopt);
+  json.member("face", face ? std::optional(face->id) : std::nullopt);
+  json.member("reason", std::string_view(refusal.reason));
+  json.end_object();
+}
+
+void write_log(JsonWriter& json, const RepairStory& story) {
+  const RepairLog& log = story.result.log;
+  const KeyIds ids(story);
+  json.key("log");
+  json.begin_object();
+  json.key("steps");
+  json.begin_array();
+  for (const LogStep& step : log.steps) write_step(json, step);
+  json.end_array();
+  json.key("operations");
+  json.begin_array();
+  for (const LoggedOperation& operation : log.operations) write_operation(json, operation, ids);
+  json.end_array();
+  json.key("refused");
+  json.begin_array();
+  for (const LoggedRefusal& refusal : log.refusals) write_refusal(json, refusal, ids);
+  json.end_array();
+  json.end_object();
+}
+
+void write_meshes(JsonWriter& json, const RepairStory& story) {
+  const std::vector<std::uint8_t> is_changed = changed_faces(story);
+  json.key("meshes");
+  json.begin_array();
+  for (std::size_t i = 0; i < story.meshes.size(); ++i) {
+    const FinalMesh& mesh = story.meshes[i];
+    json.begin_object();
+    write_name(json, mesh.name);
+    json.member("written", !mesh.name.path.empty());
+    write_defects(json, mesh.name, mesh.remaining);
+    write_tracking(json, story, i, is_changed);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+}  // namespace
+
+std::string json_report(const MeshName& mesh, const DefectReport& report,
+                        const DefectCodes& asked) {
+  JsonWriter json;
+  begin_report(json);
+  json.key("input");
+  json.begin_object();
+  write_name(json, mesh);
+  write_tolerances(json, report.tolerances);
+  write_warnings(json, report.warnings);
+  write_defects(json, mesh, report);
+  json.end_object();
+  write_fixes(json, asked);
+  json.member("remaining", n_asked(report, asked));
+  json.end_object();
+  return json.take();
+}
+
+std::string json_report(const RepairStory& story) {
+  JsonWriter json;
+  begin_report(json);
+  json.key("input");
+  json.begin_object();
+  write_name(json, story.input);
+  write_tolerances(json, story.result.before.tolerances);
+  write_warnings(json, story.result.before.warnings);
+  write_defects(json, story.input, story.result.before);
+  json.end_object();
+  write_fixes(json, story.fixes);
+  json.member("max_deviation", story.result.max_deviation);
+  json.member("deviation", story.result.deviation);
+  json.member("remaining", n_remaining(story));
+  json.key("notes");
+  json.begin_array();
+  for (const std::string& note : story.notes) json.value(std::string_view(note));
+  json.end_array();
+  write_meshes(json, story);
+  write_log(json, story);
+  json.end_object();
+  return json.take();
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "meshalyzer/analysis/analysis.h"
+#include "meshalyzer/set/object_findings.h"
+#include "meshalyzer/set/set_analysis.h"
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Whether the JSON report lists the offending elements (-p).
+enum class JsonOffenders { Omit, List };
+
+/// Takes the pieces of a text, one after the other.
+using TextSink = std::function<void(std::string_view)>;
+
+/// Writes the JSON report (contract 4, doc/report.schema.json) piece by piece, so that a set of any
+/// size needs no more memory than one mesh.
+///
+/// First all meshes are added, then all findings between them, then the report is finished: any
+/// other order throws InvalidArgument. What the sink throws comes through; then the report is lost.
+class JsonReport {
+ public:
+  JsonReport(TextSink sink, JsonOffenders offenders);
+  ~JsonReport();
+  JsonReport(JsonReport&&) noexcept;
+  JsonReport& operator=(JsonReport&&) noexcept;
+
+  /// A further element of "meshes".
+  void add(const Analysis& mesh);
+
+  /// The rows of "closest" of one mesh of a set, where its separation was asked for; what is said
+  /// of its intersections comes from finish().
+  /// @param names  Of the meshes of the set, by number.
+  void add(const ObjectFindings& findings, const std::vector<std::string>& names);
+
+  /// @param set  Null where there is no set: then the report has no "set".
+  void finish(const SetAnalysis* set);
+
+ private:
+  class Pieces;
+  std::unique_ptr<Pieces> pieces_;
+};
+
+/// The report as JSON (contract 4, doc/report.schema.json), all at once; see JsonReport.
+///
+/// @param set  Null where there is none: then the report has no "set". Its "closest" is null.
+[[nodiscard]] std::string json_report(std::span<const Analysis> meshes, const SetAnalysis* set,
+                                      JsonOffenders offenders);
+
+}  // namespace meshalyzer

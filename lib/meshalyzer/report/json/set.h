@@ -1,0 +1,15 @@
+#pragma once
+
+#include "meshalyzer/report/json/writer.h"
+#include "meshalyzer/set/set_analysis.h"
+
+#include <functional>
+
+namespace meshalyzer {
+
+/// Writes the members of "set" (contract 4) but for "closest"; the caller has begun the object.
+/// @param on_row  Called after each row of a list: the text so far may be drained.
+void write_set_members(JsonWriter& json, const SetAnalysis& set,
+                       const std::function<void()>& on_row);
+
+}  // namespace meshalyzer

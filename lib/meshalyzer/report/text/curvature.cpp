@@ -1,0 +1,34 @@
+#include "meshalyzer/report/text/curvature.h"
+
+namespace meshalyzer {
+namespace {
+
+/// How many vertices have no curvature for a reason; nothing where none has it.
+void append_without(LineSink& lines, const CurvatureStatistics& curvature, CurvatureState state,
+                    std::string_view name) {
+  const std::size_t count = curvature.vertices[static_cast<std::size_t>(state)];
+  if (count != 0) {
+    lines.line(name, count);
+  }
+}
+
+}  // namespace
+
+void append_curvature_counts(LineSink& lines, const CurvatureStatistics& curvature) {
+  lines.line("curvature area", area_name(curvature.area));
+  append_without(lines, curvature, CurvatureState::Border,
+                 "vertices without curvature, on a border");
+  append_without(lines, curvature, CurvatureState::NotOneFan,
+                 "vertices without curvature, not one fan");
+  append_without(lines, curvature, CurvatureState::NoArea, "vertices without curvature, no area");
+  lines.line("total angle defect", curvature.total_angle_defect);
+}
+
+void append_curvature(TextLines& lines, const CurvatureStatistics& curvature) {
+  append_curvature_counts(lines, curvature);
+  for_each_curvature(curvature, [&](const QuantityName& quantity, const Statistics& statistics) {
+    append_statistics(lines, quantity, statistics);
+  });
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,164 @@
+#include "meshalyzer/report/text/defect_lines.h"
+
+#include "meshalyzer/report/text/short_list.h"
+
+#include <cstddef>
+#include <string_view>
+
+namespace meshalyzer {
+namespace {
+
+void append_part(std::string& text, std::string_view separator, std::string_view part) {
+  if (part.empty()) return;
+  if (!text.empty()) text += separator;
+  text += part;
+}
+
+/// Appends `words` and n items, not too many of them.
+template <typename Item>
+void append_list(std::string& text, std::string_view words, std::size_t n, ListLength lists,
+                 Item item) {
+  if (n == 0) return;
+  append_part(text, ", ", words);
+  for (std::size_t i = 0; i < n_shown(n, lists); ++i) {
+    text += ' ';
+    text += item(i);
+  }
+  append_rest(text, n, lists);
+}
+
+/// Of a defect of a whole component, its first face stands for all of them.
+std::string_view word_for_faces(const Defect& defect) {
+  const bool is_component =
+      defect.code == DefectCode::Disjoint || defect.code == DefectCode::Inward;
+  if (is_component) return "component of face";
+  return defect.faces.size() == 1 ? "face" : "faces";
+}
+
+std::string elements_text(const Defect& defect, const MeshName& mesh, ListLength lists) {
+  const auto vertex = [&](Index v) { return std::to_string(mesh.vertex_ids.of(v)); };
+  const auto face = [&](Index f) { return std::to_string(mesh.face_ids.of(f)); };
+  std::string text;
+  append_list(text, defect.vertices.size() == 1 ? "vertex" : "vertices", defect.vertices.size(),
+              lists, [&](std::size_t i) { return vertex(defect.vertices[i]); });
+  append_list(text, defect.edges.size() == 1 ? "edge" : "edges", defect.edges.size(), lists,
+              [&](std::size_t i) {
+                std::string edge = vertex(defect.edges[i][0]);
+                edge += '-';
+                edge += vertex(defect.edges[i][1]);
+                return edge;
+              });
+  append_list(text, word_for_faces(defect), defect.faces.size(), lists,
+              [&](std::size_t i) { return face(defect.faces[i]); });
+  append_list(text, defect.pairs.size() == 1 ? "pair" : "pairs", defect.pairs.size(), lists,
+              [&](std::size_t i) {
+                std::string pair = face(defect.pairs[i].face_a);
+                pair += '/';
+                pair += face(defect.pairs[i].face_b);
+                pair += ' ';
+                pair += contact_name(defect.pairs[i].kind);
+                return pair;
+              });
+  return text;
+}
+
+std::string place_text(const Defect& defect) {
+  if (defect.positions.empty()) return "";
+  std::string text = "at";
+  for (const double coordinate : defect.positions.front()) {
+    text += ' ';
+    text += readable(coordinate);
+  }
+  return text;
+}
+
+/// What was measured, before the number and behind it.
+struct Measure {
+  std::string_view before;
+  std::string_view behind = "";
+};
+
+Measure measure_of(const Defect& defect) {
+  switch (defect.code) {
+    case DefectCode::Disjoint:
+      return {"", defect.value == 1.0 ? " face" : " faces"};
+    case DefectCode::Foldover:
+      return {"height "};
+    case DefectCode::FlatFacet:
+      return {"altitude "};
+    case DefectCode::DegenerateFacet:
+      return {"shortest edge "};
+    case DefectCode::Slit:
+      return {"gap "};
+    case DefectCode::SelfIntersection:
+      return {"", defect.value == 1.0 ? " pair" : " pairs"};
+    case DefectCode::NonManifold:
+      return {"", defect.edges.empty() ? " fans of faces" : " faces at it"};
+    case DefectCode::Corrupt:
+      return {"", " records"};
+    case DefectCode::Hole:
+      return {"length "};
+    case DefectCode::Inward:
+      return {"volume "};
+    case DefectCode::DuplicateFacet:
+      return {"", " faces"};
+    case DefectCode::Numbering:
+      return {"id "};
+    default:
+      return {"measured "};
+  }
+}
+
+std::string measured_text(const Defect& defect) {
+  if (!defect.value) return "";
+  const Measure measure = measure_of(defect);
+  std::string text(measure.before);
+  text += readable(*defect.value);
+  text += measure.behind;
+  if (defect.limit) {
+    text += defect.code == DefectCode::Numbering ? ", expected " : ", limit ";
+    text += readable(*defect.limit);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string defect_text(const Defect& defect, const MeshName& mesh, ListLength lists) {
+  std::string text = elements_text(defect, mesh, lists);
+  append_part(text, "; ", defect.detail);
+  append_part(text, "; ", place_text(defect));
+  append_part(text, "; ", measured_text(defect));
+  if (!defect.fixable) append_part(text, "; ", "no fix yet");
+  return text;
+}
+
+void append_tolerances(LineSink& lines, const DefectReport& report) {
+  lines.line("degeneracy tolerance", report.tolerances.degeneracy);
+  lines.line("slit tolerance", report.tolerances.slit);
+  lines.line("height tolerance", report.tolerances.height);
+  lines.line("maximum foldover angle", report.tolerances.max_foldover_angle);
+  for (const std::string& warning : report.warnings) lines.line("warning", warning);
+}
+
+void append_defects(TextLines& lines, const ListedDefects& listed, ListLength lists) {
+  auto defect = listed.report.defects.begin();
+  const auto end = listed.report.defects.end();
+  for (const DefectCode code : all_defect_codes()) {
+    std::size_t n = 0;
+    for (; defect != end && defect->code == code; ++defect) {
+      const bool is_told = lists == ListLength::Full || n < kShortList;
+      if (!is_told || !listed.codes.contains(code)) continue;
+      lines.line(defect_name(code), defect_text(*defect, listed.mesh, lists));
+      ++n;
+    }
+    const std::size_t left_out = listed.codes.contains(code) ? listed.report.count(code) - n : 0;
+    if (left_out == 0) continue;
+    std::string rest = std::to_string(left_out);
+    rest += ' ';
+    rest += defect_name(code);
+    lines.line("not listed", rest);
+  }
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "meshalyzer/report/text/defects_report.h"
+#include "meshalyzer/report/text/lines.h"
+
+#include <string>
+
+namespace meshalyzer {
+
+/// Which defects of a mesh are listed.
+struct ListedDefects {
+  const MeshName& mesh;
+  const DefectReport& report;
+  /// Only those of these codes.
+  DefectCodes codes = DefectCodes::all();
+};
+
+/// What there is to say of a defect but its code: elements by file id, place, what was measured.
+/// @param mesh  What its elements are called.
+[[nodiscard]] std::string defect_text(const Defect& defect, const MeshName& mesh, ListLength lists);
+
+/// Appends the tolerances that were used, and what is odd about them.
+void append_tolerances(LineSink& lines, const DefectReport& report);
+
+/// Appends a line for each defect: code, elements by file id, place, what was measured. Short lists
+/// have the first few of each code, and a line that says how many more there are.
+void append_defects(TextLines& lines, const ListedDefects& listed, ListLength lists);
+
+}  // namespace meshalyzer

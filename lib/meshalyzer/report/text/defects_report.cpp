@@ -1,0 +1,56 @@
+#include "meshalyzer/report/text/defects_report.h"
+
+#include "meshalyzer/defects/catalogue.h"
+#include "meshalyzer/report/text/defect_lines.h"
+
+#include <string>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+void append_counts(TextLines& lines, const DefectReport& report, const DefectCodes& asked) {
+  for (const DefectCode code : all_defect_codes()) {
+    std::string count = std::to_string(report.count(code));
+    if (report.count(code) != 0 && !asked.contains(code)) count += " (not asked for)";
+    lines.line(defect_name(code), count);
+  }
+  lines.line("defects", report.total());
+  lines.line("asked for", n_asked(report, asked));
+}
+
+/// Which passes treat what was found, as far as any does.
+void append_fixes(TextLines& lines, const DefectReport& report) {
+  DefectCodes fixable;
+  for (const Defect& defect : report.defects) {
+    if (defect.fixable) fixable.insert(defect.code);
+  }
+  for (const DefectCode code : all_defect_codes()) {
+    if (!fixable.contains(code)) continue;
+    std::string name = "fix of ";
+    name += defect_name(code);
+    lines.line(name, catalogue_entry(code).passes);
+  }
+}
+
+}  // namespace
+
+std::string text_report(const MeshName& mesh, const DefectReport& report, const DefectCodes& asked,
+                        ListLength lists) {
+  TextLines lines;
+  lines.heading("DEFECTS");
+  lines.line("file", mesh.path);
+  lines.line("format", format_name(mesh.format));
+  lines.line("vertices", mesh.n_vertices);
+  lines.line("faces", mesh.n_faces);
+  append_tolerances(lines, report);
+  append_counts(lines, report, asked);
+  if (report.total() != 0) {
+    append_fixes(lines, report);
+    lines.heading("WHERE");
+    append_defects(lines, {mesh, report}, lists);
+  }
+  return std::move(lines.text());
+}
+
+}  // namespace meshalyzer

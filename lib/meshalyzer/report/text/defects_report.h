@@ -1,0 +1,24 @@
+#pragma once
+
+#include "meshalyzer/defects/find_defects.h"
+#include "meshalyzer/report/repair_story.h"
+
+#include <string>
+
+namespace meshalyzer {
+
+/// How long the lists of elements in a text may be.
+enum class ListLength {
+  /// The first few, and how many there are beyond.
+  Short,
+  Full,
+};
+
+/// The report of what is wrong with a mesh, for people: what was looked for, the count of each
+/// code, and a line a defect.
+///
+/// @param asked  The codes that count; others are listed too, and said to be not asked for.
+[[nodiscard]] std::string text_report(const MeshName& mesh, const DefectReport& report,
+                                      const DefectCodes& asked, ListLength lists);
+
+}  // namespace meshalyzer

@@ -1,0 +1,34 @@
+#include "meshalyzer/report/text/lines.h"
+
+#include <fmt/format.h>
+
+namespace meshalyzer {
+
+std::string readable(double value) {
+  return fmt::format("{:.10g}", value + 0.0);  // -0.0 + 0.0 is 0.0
+}
+
+std::string undefined(const std::string& reason) {
+  return reason.empty() ? "undefined" : fmt::format("undefined ({})", reason);
+}
+
+void TextLines::heading(std::string_view title) {
+  if (!text_.empty()) {
+    text_ += '\n';
+  }
+  text_ += title;
+  text_ += '\n';
+}
+
+void TextLines::add(std::string_view name, std::string_view value) {
+  text_ += name;
+  text_ += ": ";
+  text_ += value;
+  text_ += '\n';
+}
+
+void ReportRows::add(std::string_view name, std::string_view value) {
+  rows_.push_back({std::string(name), std::string(value)});
+}
+
+}  // namespace meshalyzer

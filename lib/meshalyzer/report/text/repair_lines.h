@@ -1,0 +1,31 @@
+#pragma once
+
+#include "meshalyzer/report/refusal_groups.h"
+#include "meshalyzer/report/repair_story.h"
+#include "meshalyzer/report/text/defects_report.h"
+#include "meshalyzer/report/text/lines.h"
+
+#include <cstddef>
+#include <string>
+
+namespace meshalyzer {
+
+/// "2 -> 1".
+[[nodiscard]] std::string arrow(std::size_t before, std::size_t after);
+
+/// Appends ", largest move 0.5", where anything was moved.
+void append_distance(std::string& text, double distance);
+
+/// What a run of a pass did: "2 changes, 1 face removed, ...".
+[[nodiscard]] std::string step_text(const LogStep& step);
+
+/// Appends what came out: files, notes, sizes, deviations.
+void append_outcome(LineSink& lines, const RepairStory& story);
+
+/// Appends the places that a pass left, with the reason.
+void append_refusal(LineSink& lines, const RefusalGroup& group, ListLength lists);
+
+/// The path of one of several meshes, or, where none was written, its number.
+[[nodiscard]] std::string mesh_text(const RepairStory& story, std::size_t mesh);
+
+}  // namespace meshalyzer

@@ -1,0 +1,113 @@
+#include "meshalyzer/report/text/repair_report.h"
+
+#include "meshalyzer/report/key_ids.h"
+#include "meshalyzer/report/text/defect_lines.h"
+#include "meshalyzer/report/text/repair_lines.h"
+#include "meshalyzer/report/text/short_list.h"
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+void append_ids(std::string& text, std::string_view what, const std::vector<std::int64_t>& ids) {
+  if (ids.empty()) return;
+  text += ", ";
+  text += what;
+  for (const std::int64_t id : ids) {
+    text += ' ';
+    text += std::to_string(id);
+  }
+}
+
+std::string operation_text(const LoggedOperation& operation, const KeyIds& ids) {
+  std::string text;
+  append_ids(text, "removed faces", ids.faces(operation.removed_faces));
+  append_ids(text, "added faces", ids.faces(operation.added_faces));
+  append_ids(text, "changed faces", ids.faces(operation.changed_faces));
+  append_ids(text, "removed vertices", ids.vertices(operation.removed_vertices));
+  append_ids(text, "added vertices", ids.vertices(operation.added_vertices));
+  append_ids(text, "moved vertices", ids.vertices(operation.moved_vertices));
+  append_distance(text, operation.distance);
+  return text.empty() ? ", ids or normals only" : text;
+}
+
+void append_steps(TextLines& lines, const RepairStory& story, const KeyIds& ids, ListLength lists) {
+  lines.heading("WHAT WAS DONE");
+  const RepairLog& log = story.result.log;
+  if (log.steps.empty()) lines.line("changes", "none");
+  auto next = log.operations.begin();
+  for (std::size_t i = 0; i < log.steps.size(); ++i) {
+    lines.line(log.steps[i].pass, step_text(log.steps[i]));
+    for (; next != log.operations.end() && next->step == i; ++next) {
+      if (lists == ListLength::Short) continue;
+      std::string change = log.steps[i].pass;
+      change += operation_text(*next, ids);
+      lines.line("change", change);
+    }
+  }
+}
+
+/// What was left in one of the meshes, or, where none is named, in parts that are gone.
+void append_refusals(TextLines& lines, const std::vector<RefusalGroup>& groups,
+                     std::optional<std::size_t> mesh, ListLength lists) {
+  for (const RefusalGroup& group : groups) {
+    if (group.mesh == mesh) append_refusal(lines, group, lists);
+  }
+}
+
+void append_counts(TextLines& lines, const RepairStory& story) {
+  lines.heading("DEFECTS BEFORE AND AFTER");
+  std::size_t before = 0;
+  std::size_t after = 0;
+  for (const DefectCode code : all_defect_codes()) {
+    std::size_t left = 0;
+    for (const FinalMesh& mesh : story.meshes) left += mesh.remaining.count(code);
+    std::string text = arrow(story.result.before.count(code), left);
+    if (!story.fixes.contains(code) && left != 0) text += " (not asked for)";
+    lines.line(defect_name(code), text);
+    before += story.result.before.count(code);
+    after += left;
+  }
+  lines.line("defects", arrow(before, after));
+  lines.line("asked for and left", n_remaining(story));
+}
+
+/// Short: only what was asked for; of the rest the counts have told.
+void append_what_remains(TextLines& lines, const RepairStory& story, const KeyIds& ids,
+                         ListLength lists) {
+  const std::vector<RefusalGroup> refusals = group_refusals(story, ids);
+  const DefectCodes codes = lists == ListLength::Full ? DefectCodes::all() : story.fixes;
+  std::size_t n = 0;
+  for (const FinalMesh& mesh : story.meshes) n += n_asked(mesh.remaining, codes);
+  if (n == 0 && refusals.empty()) return;
+  lines.heading("WHAT REMAINS, AND WHY");
+  append_refusals(lines, refusals, std::nullopt, lists);
+  for (std::size_t i = 0; i < story.meshes.size(); ++i) {
+    const FinalMesh& mesh = story.meshes[i];
+    const bool is_refused = std::any_of(refusals.begin(), refusals.end(),
+                                        [&](const RefusalGroup& group) { return group.mesh == i; });
+    if (!is_refused && n_asked(mesh.remaining, codes) == 0) continue;
+    if (story.meshes.size() > 1) lines.line("mesh", mesh_text(story, i));
+    append_refusals(lines, refusals, i, lists);
+    append_defects(lines, {mesh.name, mesh.remaining, codes}, lists);
+  }
+}
+
+}  // namespace
+
+std::string text_report(const RepairStory& story, ListLength lists) {
+  const KeyIds ids(story);
+  TextLines lines;
+  lines.heading("REPAIR");
+  append_outcome(lines, story);
+  append_counts(lines, story);
+  append_steps(lines, story, ids, lists);
+  append_what_remains(lines, story, ids, lists);
+  return std::move(lines.text());
+}
+
+}  // namespace meshalyzer

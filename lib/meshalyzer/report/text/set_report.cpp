@@ -1,0 +1,54 @@
+#include "meshalyzer/report/text/set_report.h"
+
+#include "meshalyzer/report/set_verdict.h"
+#include "meshalyzer/report/text/lines.h"
+#include "meshalyzer/report/text/meetings.h"
+#include "meshalyzer/report/text/separation.h"
+#include "meshalyzer/report/text/set_totals.h"
+#include "meshalyzer/report/text/statistics.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+void append_verdict(TextLines& lines, const SetAnalysis& set) {
+  if (set.good) {
+    lines.line("good meshes", fmt::format("{} of {}", *set.good, set.meshes));
+  }
+  for (const UnfitMesh& mesh : set.not_good) {
+    lines.line("not good",
+               fmt::format("{}: {}", set.names[mesh.mesh], fmt::join(mesh.reasons, "; ")));
+  }
+  if (const std::optional<bool> good = is_good(set)) {
+    lines.line("set is good", *good);
+  }
+}
+
+}  // namespace
+
+std::string text_report(const SetAnalysis& set, OffenderStyle offenders) {
+  TextLines lines;
+  lines.heading("MESH SET");
+  lines.line("meshes", set.meshes);
+  lines.line("unreadable files", set.unreadable);
+  append_verdict(lines, set);
+  append_set_totals(lines, set);
+  if (set.statistics) {
+    append_measures(lines, *set.statistics);
+  }
+  append_meetings(lines, set, offenders);
+  append_separation(lines, set, offenders);
+  return std::move(lines.text());
+}
+
+std::string text_report_between(const SetAnalysis& set, OffenderStyle offenders) {
+  TextLines lines;
+  append_meetings(lines, set, offenders);
+  append_separation(lines, set, offenders);
+  return std::move(lines.text());
+}
+
+}  // namespace meshalyzer

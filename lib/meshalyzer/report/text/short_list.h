@@ -1,0 +1,37 @@
+#pragma once
+
+#include "meshalyzer/report/text/defects_report.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace meshalyzer {
+
+/// How many items of a list a person is shown who has not asked for all.
+inline constexpr std::size_t kShortList = 12;
+
+/// How many of n items are shown.
+[[nodiscard]] constexpr std::size_t n_shown(std::size_t n, ListLength lists) {
+  return lists == ListLength::Full || n <= kShortList ? n : kShortList;
+}
+
+/// Appends what was left out of a list of n.
+inline void append_rest(std::string& text, std::size_t n, ListLength lists) {
+  const std::size_t shown = n_shown(n, lists);
+  if (shown == n) return;
+  text += " and ";
+  text += std::to_string(n - shown);
+  text += " more";
+}
+
+/// "1 face", "2 faces".
+[[nodiscard]] inline std::string counted(std::size_t n, std::string_view one,
+                                         std::string_view many) {
+  std::string text = std::to_string(n);
+  text += ' ';
+  text += n == 1 ? one : many;
+  return text;
+}
+
+}  // namespace meshalyzer
