@@ -1,11 +1,11 @@
 #include "pictures.h"
 
 #include "field_export.h"
-#include "meshalyzer/defects/built_mesh.h"
 #include "meshalyzer/defects/find_defects.h"
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/picture/scene.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "separation_ply.h"
 
 #include <algorithm>
@@ -103,7 +103,7 @@ void Pictures::on_findings(const ObjectFindings& findings) {
 
 void Pictures::draw(Index number, const Waiting& mesh, const Soup& soup,
                     const ObjectSeparation* separation) {
-  BuiltMesh built(soup);
+  PreparedMesh built(soup);
   if (mesh.pairs) {
     built.know_intersecting_pairs(*mesh.pairs);
   }

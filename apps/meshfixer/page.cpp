@@ -1,8 +1,8 @@
 #include "page.h"
 
-#include "meshalyzer/defects/built_mesh.h"
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/picture/scene.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/report/html/page.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace meshalyzer::fixer {
 namespace {
 
 Scene scene_of(const Soup& soup, const DefectReport& defects) {
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   return make_scene({.mesh = mesh, .defects = &defects}, all_field_names());
 }
 

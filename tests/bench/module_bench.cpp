@@ -77,7 +77,7 @@ BENCHMARK_CAPTURE(curvature, shuffled, "shuffled")
 /// What a page shows of a big mesh, with its defects known.
 void scene_with_all_fields(benchmark::State& state) {
   const Soup& soup = soup_of("damaged");
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   const DefectReport report = find_defects(mesh);
   for (auto _ : state) {
     benchmark::DoNotOptimize(make_scene({mesh, &report}, all_field_names()));

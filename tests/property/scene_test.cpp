@@ -82,7 +82,7 @@ void expect_lines(const SceneLines& lines, const SceneLimits& limits) {
   }
 }
 
-void expect_scene(const BuiltMesh& mesh, const DefectReport& report, const SceneLimits& limits) {
+void expect_scene(const PreparedMesh& mesh, const DefectReport& report, const SceneLimits& limits) {
   const Scene scene = make_scene({mesh, &report}, all_field_names(), limits);
   expect_whole(scene.detail, mesh.soup());
   expect_whole(scene.context, mesh.soup());
@@ -100,7 +100,7 @@ void expect_scene(const BuiltMesh& mesh, const DefectReport& report, const Scene
 }
 
 void expect_scenes(const Soup& soup) {
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   const DefectReport report = find_defects(mesh);
   expect_scene(mesh, report, {});
   expect_scene(mesh, report, kTiny);

@@ -42,7 +42,7 @@ struct PassRun {
   constexpr std::size_t kMaxRounds = 100;
   PassRun run{.draft = make_draft(soup), .refused = {}, .operations = 0, .rounds = 0};
   while (true) {
-    const BuiltMesh mesh(run.draft.soup);
+    const PreparedMesh mesh(run.draft.soup);
     const Tolerances resolved = resolve_tolerances(tolerances, box_of(run.draft.soup));
     PassResult result = pass({run.draft, mesh, resolved, limits});
     run.refused = std::move(result.refused);

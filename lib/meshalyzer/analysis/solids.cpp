@@ -1,6 +1,6 @@
 #include "meshalyzer/analysis/solids.h"
 
-#include "meshalyzer/defects/shells.h"
+#include "meshalyzer/prepared/shells.h"
 
 #include <cstdint>
 

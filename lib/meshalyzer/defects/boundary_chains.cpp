@@ -137,7 +137,7 @@ std::vector<BoundaryChain> nearest_chains(const Soup& soup,
 
 }  // namespace
 
-std::vector<BoundaryChain> find_boundary_chains(const BuiltMesh& mesh,
+std::vector<BoundaryChain> find_boundary_chains(const PreparedMesh& mesh,
                                                 const ChainOptions& options) {
   const CutMesh& cut = mesh.cut();
   std::vector<BoundaryChain> chains;

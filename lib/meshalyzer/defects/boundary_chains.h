@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/defects/built_mesh.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 
 #include <array>
 #include <cstddef>
@@ -28,7 +28,7 @@ struct BoundaryChain {
 /// loops where it passes a vertex twice.
 ///
 /// @return  In order of their lowest border edge; with near_positions in their order, each once.
-[[nodiscard]] std::vector<BoundaryChain> find_boundary_chains(const BuiltMesh& mesh,
+[[nodiscard]] std::vector<BoundaryChain> find_boundary_chains(const PreparedMesh& mesh,
                                                               const ChainOptions& options = {});
 
 }  // namespace meshalyzer

@@ -60,7 +60,7 @@ std::vector<Index> find_unmatched(std::span<const Segment> segments,
   return unmatched;
 }
 
-void match_borders(const BuiltMesh& mesh, std::span<const Polyline> polylines,
+void match_borders(const PreparedMesh& mesh, std::span<const Polyline> polylines,
                    CheckResult& result) {
   const double tolerance = result.report.tolerances.slit;
   const std::vector<Segment> segments = segments_of(polylines);
@@ -82,7 +82,7 @@ void match_borders(const BuiltMesh& mesh, std::span<const Polyline> polylines,
 CheckResult check(const Soup& soup, const CheckOptions& options) {
   CheckResult result;
   if (options.level == CheckLevel::None) return result;
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   result.report =
       find_defects(mesh, {.codes = codes_of(options), .tolerances = options.tolerances});
   if (options.is_single_face && !options.polylines.empty()) {
@@ -92,8 +92,8 @@ CheckResult check(const Soup& soup, const CheckOptions& options) {
 }
 
 std::vector<IntersectingPair> check_pair(const Soup& a, const Soup& b) {
-  const BuiltMesh mesh_a(a);
-  const BuiltMesh mesh_b(b);
+  const PreparedMesh mesh_a(a);
+  const PreparedMesh mesh_b(b);
   return find_intersections(mesh_a.cut(), mesh_a.tree(), mesh_b.cut(), mesh_b.tree());
 }
 

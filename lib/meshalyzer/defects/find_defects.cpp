@@ -37,7 +37,7 @@ class Search {
     run_at_once();
   }
 
-  void search_mesh(const BuiltMesh& mesh) {
+  void search_mesh(const PreparedMesh& mesh) {
     add(DefectCode::Disjoint, [&] { return find_disjoint(mesh); });
     add(DefectCode::NonManifold, [&] { return find_non_manifold(mesh); });
     add(DefectCode::VertexNormal, [&] { return find_opposed_normals(mesh); });
@@ -68,14 +68,14 @@ class Search {
     if (asks(code)) finders_.emplace_back([this, code, finder] { findings_[code] = finder(); });
   }
 
-  void search_thin_facets(const BuiltMesh& mesh) {
+  void search_thin_facets(const PreparedMesh& mesh) {
     for (Defect& defect : find_thin_facets(mesh, tolerances_)) {
       const DefectCode code = defect.code;
       if (asks(code)) findings_[code].push_back(std::move(defect));
     }
   }
 
-  void search_borders(const BuiltMesh& mesh) {
+  void search_borders(const PreparedMesh& mesh) {
     std::vector<Defect> slits = find_slits(mesh, tolerances_);
     if (asks(DefectCode::Hole)) findings_[DefectCode::Hole] = find_holes(mesh, slits);
     if (asks(DefectCode::Slit)) findings_[DefectCode::Slit] = std::move(slits);
@@ -110,7 +110,7 @@ DefectReport make_report(Findings findings, Tolerances tolerances, std::size_t m
 }
 
 /// @param mesh  Null where the soup's positions are not finite, and so there is none.
-DefectReport find_in(const Soup& soup, const BuiltMesh* mesh, const DefectOptions& options) {
+DefectReport find_in(const Soup& soup, const PreparedMesh* mesh, const DefectOptions& options) {
   const Box3 box = mesh != nullptr ? used_box(soup) : Box3();
   const Tolerances tolerances = resolve_tolerances(options.tolerances, box);
   Search search(options.codes, tolerances);
@@ -127,11 +127,11 @@ std::size_t DefectReport::total() const {
 
 DefectReport find_defects(const Soup& soup, const DefectOptions& options) {
   if (!has_finite_positions(soup)) return find_in(soup, nullptr, options);
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   return find_in(soup, &mesh, options);
 }
 
-DefectReport find_defects(const BuiltMesh& mesh, const DefectOptions& options) {
+DefectReport find_defects(const PreparedMesh& mesh, const DefectOptions& options) {
   return find_in(mesh.soup(), &mesh, options);
 }
 

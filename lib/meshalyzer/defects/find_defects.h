@@ -1,8 +1,8 @@
 #pragma once
 
-#include "meshalyzer/defects/built_mesh.h"
 #include "meshalyzer/defects/defect.h"
 #include "meshalyzer/defects/tolerances.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 
 #include <array>
 #include <cstddef>
@@ -48,6 +48,7 @@ struct DefectReport {
 [[nodiscard]] DefectReport find_defects(const Soup& soup, const DefectOptions& options = {});
 
 /// The same for a mesh that is already built, whose positions are finite.
-[[nodiscard]] DefectReport find_defects(const BuiltMesh& mesh, const DefectOptions& options = {});
+[[nodiscard]] DefectReport find_defects(const PreparedMesh& mesh,
+                                        const DefectOptions& options = {});
 
 }  // namespace meshalyzer

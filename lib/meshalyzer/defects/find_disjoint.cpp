@@ -28,7 +28,7 @@ std::vector<Part> find_parts(const CutMesh& cut) {
 
 }  // namespace
 
-std::vector<Defect> find_disjoint(const BuiltMesh& mesh) {
+std::vector<Defect> find_disjoint(const PreparedMesh& mesh) {
   const std::vector<Part> parts = find_parts(mesh.cut());
   const auto largest =
       std::max_element(parts.begin(), parts.end(),

@@ -17,7 +17,7 @@ Triangle sorted(Triangle t) {
 }
 
 /// What faces that are there more than once name, each once, ascending.
-std::vector<Triangle> find_repeated_triangles(const BuiltMesh& mesh) {
+std::vector<Triangle> find_repeated_triangles(const PreparedMesh& mesh) {
   std::vector<Triangle> repeated;
   for (const FaceHandle f : find_duplicate_faces(mesh.cut())) {
     repeated.push_back(sorted(mesh.soup().triangles[mesh.cut().side.face(f)]));
@@ -56,7 +56,7 @@ std::vector<Copy> find_copies(const Soup& soup, const std::vector<Triangle>& rep
 
 }  // namespace
 
-std::vector<Defect> find_duplicate_facets(const BuiltMesh& mesh) {
+std::vector<Defect> find_duplicate_facets(const PreparedMesh& mesh) {
   const std::vector<Triangle> repeated = find_repeated_triangles(mesh);
   if (repeated.empty()) return {};
   std::vector<Defect> defects;

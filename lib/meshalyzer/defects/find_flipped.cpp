@@ -109,7 +109,7 @@ class Regions {
 /// face is met.
 class Listing {
  public:
-  Listing(const BuiltMesh& mesh, const Regions& regions)
+  Listing(const PreparedMesh& mesh, const Regions& regions)
       : mesh_(mesh), regions_(regions), defect_of_(regions.n_patches(), kNoIndex) {}
 
   std::vector<Defect> list() {
@@ -155,7 +155,7 @@ class Listing {
     defect.edges.push_back(ends);
   }
 
-  const BuiltMesh& mesh_;
+  const PreparedMesh& mesh_;
   const Regions& regions_;
   std::vector<Index> defect_of_;
   std::vector<Defect> defects_;
@@ -163,7 +163,7 @@ class Listing {
 
 }  // namespace
 
-std::vector<Defect> find_flipped(const BuiltMesh& mesh) {
+std::vector<Defect> find_flipped(const PreparedMesh& mesh) {
   if (mesh.cut().side.flipped_edges.size() == 0) {
     return {};
   }

@@ -193,7 +193,7 @@ std::vector<Index> choose_foldovers(std::vector<Patch>& patches, SheetCover& cov
   return foldovers;
 }
 
-Defect describe(const BuiltMesh& mesh, const Patch& patch, double height_tolerance) {
+Defect describe(const PreparedMesh& mesh, const Patch& patch, double height_tolerance) {
   const CutMesh& cut = mesh.cut();
   Defect defect = make_defect(DefectCode::Foldover);
   for (const Index f : patch.faces) defect.faces.push_back(cut.side.faces[f]);
@@ -210,7 +210,7 @@ Defect describe(const BuiltMesh& mesh, const Patch& patch, double height_toleran
 
 }  // namespace
 
-std::vector<Defect> find_foldovers(const BuiltMesh& mesh, const Tolerances& tolerances) {
+std::vector<Defect> find_foldovers(const PreparedMesh& mesh, const Tolerances& tolerances) {
   const std::vector<HalfedgeHandle> folds =
       find_folds(mesh.cut().mesh, tolerances.max_foldover_angle);
   if (folds.empty()) return {};

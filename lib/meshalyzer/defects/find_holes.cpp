@@ -49,7 +49,7 @@ double length(const Soup& soup, const std::vector<Edge>& edges) {
 
 }  // namespace
 
-std::vector<Defect> find_holes(const BuiltMesh& mesh, const std::vector<Defect>& slits) {
+std::vector<Defect> find_holes(const PreparedMesh& mesh, const std::vector<Defect>& slits) {
   std::vector<Defect> defects;
   const std::vector<BoundaryLoop> loops = find_boundary_loops(mesh.cut());
   if (loops.empty()) return defects;

@@ -1,7 +1,7 @@
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/places.h"
-#include "meshalyzer/defects/shells.h"
+#include "meshalyzer/prepared/shells.h"
 #include "meshalyzer/topology/components.h"
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-std::vector<Shell> shells_of(const BuiltMesh& mesh, const Components& components) {
+std::vector<Shell> shells_of(const PreparedMesh& mesh, const Components& components) {
   const std::vector<std::uint8_t> is_shell = which_are_shells(mesh.cut(), components);
   return find_shells(mesh, components, is_shell);
 }
@@ -25,7 +25,7 @@ Defect inward_component(const Soup& soup, Index first_face, const Shell& shell) 
 
 }  // namespace
 
-std::vector<Defect> find_inward(const BuiltMesh& mesh) {
+std::vector<Defect> find_inward(const PreparedMesh& mesh) {
   const Components components = find_components(mesh.cut());
   const std::vector<Shell> shells = shells_of(mesh, components);
   std::vector<Defect> defects;

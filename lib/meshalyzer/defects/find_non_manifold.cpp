@@ -13,7 +13,7 @@
 namespace meshalyzer {
 namespace {
 
-std::vector<Defect> find_crowded_edges(const BuiltMesh& mesh) {
+std::vector<Defect> find_crowded_edges(const PreparedMesh& mesh) {
   const CutMesh& cut = mesh.cut();
   const CutEdges& edges = cut.side.non_manifold_edges;
   std::vector<Defect> defects;
@@ -56,7 +56,7 @@ std::size_t count_sets(DisjointSets& sets, const std::vector<VertexHandle>& vert
   return static_cast<std::size_t>(std::unique(names.begin(), names.end()) - names.begin());
 }
 
-std::vector<Defect> find_pinches(const BuiltMesh& mesh) {
+std::vector<Defect> find_pinches(const PreparedMesh& mesh) {
   const CutMesh& cut = mesh.cut();
   const std::vector<Index> pinched = find_pinched_vertices(cut);
   if (pinched.empty()) return {};
@@ -79,7 +79,7 @@ Index lowest_vertex(const Defect& defect) {
 
 }  // namespace
 
-std::vector<Defect> find_non_manifold(const BuiltMesh& mesh) {
+std::vector<Defect> find_non_manifold(const PreparedMesh& mesh) {
   std::vector<Defect> edges = find_crowded_edges(mesh);
   std::vector<Defect> vertices = find_pinches(mesh);
   std::vector<Defect> defects;

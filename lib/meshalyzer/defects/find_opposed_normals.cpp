@@ -84,7 +84,7 @@ bool is_opposed(const Soup& soup, std::vector<Index>& faces, const Vec3& normal)
 }
 
 /// @param suspects  Those of one vertex.
-bool has_opposed_normal(const BuiltMesh& mesh, std::span<const GivenNormal> suspects) {
+bool has_opposed_normal(const PreparedMesh& mesh, std::span<const GivenNormal> suspects) {
   std::vector<Index> faces = faces_at(mesh.cut(), suspects.front().vertex);
   return std::any_of(suspects.begin(), suspects.end(), [&](const GivenNormal& given) {
     return is_opposed(mesh.soup(), faces, mesh.soup().normals[given.normal]);
@@ -93,7 +93,7 @@ bool has_opposed_normal(const BuiltMesh& mesh, std::span<const GivenNormal> susp
 
 }  // namespace
 
-std::vector<Defect> find_opposed_normals(const BuiltMesh& mesh) {
+std::vector<Defect> find_opposed_normals(const PreparedMesh& mesh) {
   const Soup& soup = mesh.soup();
   if (soup.corner_normals.empty()) return {};
   const std::vector<GivenNormal> suspects = find_suspects(soup);

@@ -55,7 +55,7 @@ DisjointSets join(const Soup& soup, std::span<const Index> faces,
 
 }  // namespace
 
-std::vector<Defect> find_self_intersection_patches(const BuiltMesh& mesh) {
+std::vector<Defect> find_self_intersection_patches(const PreparedMesh& mesh) {
   const std::vector<IntersectingPair>& pairs = mesh.intersecting_pairs();
   if (pairs.empty()) return {};
   const std::vector<Index> faces = faces_of(pairs);

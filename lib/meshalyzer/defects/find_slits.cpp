@@ -221,7 +221,7 @@ void pair_near(const Soup& soup, std::span<const BorderEdge> edges, std::span<co
 
 }  // namespace
 
-std::vector<Defect> find_slits(const BuiltMesh& mesh, const Tolerances& tolerances) {
+std::vector<Defect> find_slits(const PreparedMesh& mesh, const Tolerances& tolerances) {
   const Soup& soup = mesh.soup();
   const std::vector<BorderEdge> edges = border_edges(mesh.cut());
   if (edges.empty()) return {};

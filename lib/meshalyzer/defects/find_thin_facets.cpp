@@ -144,7 +144,7 @@ class ThinFacetFinder {
 
 }  // namespace
 
-std::vector<Defect> find_thin_facets(const BuiltMesh& mesh, const Tolerances& tolerances) {
+std::vector<Defect> find_thin_facets(const PreparedMesh& mesh, const Tolerances& tolerances) {
   const Soup& soup = mesh.soup();
   const ThinFacetFinder finder(soup, tolerances.degeneracy);
   auto parts = map_chunks<std::vector<Defect>>(soup.n_faces(),

@@ -70,7 +70,7 @@ std::vector<double> heights_above_side(const Polygon& polygon, const Corners& t,
 
 }  // namespace
 
-SheetCover::SheetCover(const BuiltMesh& mesh, std::span<const Index> patch_of_face,
+SheetCover::SheetCover(const PreparedMesh& mesh, std::span<const Index> patch_of_face,
                        double tolerance)
     : mesh_(mesh.cut().mesh),
       closest_(mesh.tree()),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/defects/built_mesh.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/spatial/closest_point.h"
 
 #include <cstdint>
@@ -30,7 +30,7 @@ class SheetCover {
  public:
   /// @param patch_of_face  #mesh faces; kNoIndex for those that nothing may lie on.
   /// @complexity           O(#F).
-  SheetCover(const BuiltMesh& mesh, std::span<const Index> patch_of_face, double tolerance);
+  SheetCover(const PreparedMesh& mesh, std::span<const Index> patch_of_face, double tolerance);
 
   /// @return     An upper bound of the distance of the sheet from what it lies on; nothing where it
   /// does not lie there, or is so much finer cut below that it was not found out.

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "meshalyzer/base/colour_map.h"
-#include "meshalyzer/defects/built_mesh.h"
 #include "meshalyzer/defects/find_defects.h"
 #include "meshalyzer/geometry/curvature.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/set/separation.h"
 
 #include <cstdint>
@@ -64,7 +64,7 @@ struct Field {
 
 /// What fields are computed of. Only referred to.
 struct FieldSource {
-  const BuiltMesh& mesh;
+  const PreparedMesh& mesh;
   /// For the field `defect`; may be null.
   const DefectReport* defects = nullptr;
   /// For the field `separation`; may be null.

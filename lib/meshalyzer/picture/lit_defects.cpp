@@ -60,7 +60,8 @@ class ComponentFaces {
 };
 
 /// Gives the defects that are components all faces of these.
-std::vector<std::vector<Index>> expand_components(const BuiltMesh& mesh, const DefectReport& report,
+std::vector<std::vector<Index>> expand_components(const PreparedMesh& mesh,
+                                                  const DefectReport& report,
                                                   std::vector<LitDefect>& lit, std::size_t max) {
   const auto is_one = [&](const LitDefect& one) {
     return names_component(report.defects[one.number]);
@@ -121,7 +122,8 @@ std::size_t fair_share(std::span<const std::size_t> sizes, std::size_t max_each,
   return low;
 }
 
-LitDefects::LitDefects(const BuiltMesh& mesh, const DefectReport& report, const SceneLimits& limits)
+LitDefects::LitDefects(const PreparedMesh& mesh, const DefectReport& report,
+                       const SceneLimits& limits)
     : report_(report), lit_(first_of_each_code(report, limits.max_defects_of_a_code)) {
   components_ = expand_components(mesh, report, lit_, limits.max_elements_of_a_defect);
   std::vector<std::size_t> sizes;

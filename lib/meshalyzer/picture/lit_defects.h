@@ -1,9 +1,9 @@
 #pragma once
 
-#include "meshalyzer/defects/built_mesh.h"
 #include "meshalyzer/defects/find_defects.h"
 #include "meshalyzer/picture/neighbourhoods.h"
 #include "meshalyzer/picture/scene.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 
 #include <array>
 #include <cstddef>
@@ -36,7 +36,7 @@ struct LitDefect {
 /// The defects of a report that are lit up. The mesh and the report must outlive it.
 class LitDefects {
  public:
-  LitDefects(const BuiltMesh& mesh, const DefectReport& report, const SceneLimits& limits);
+  LitDefects(const PreparedMesh& mesh, const DefectReport& report, const SceneLimits& limits);
   LitDefects(const LitDefects&) = delete;
   LitDefects& operator=(const LitDefects&) = delete;
 

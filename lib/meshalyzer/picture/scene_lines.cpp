@@ -26,7 +26,7 @@ std::vector<HalfedgeHandle> first_halfedges(const CutEdges& edges) {
 /// Draws the lines of one mesh, kind by kind.
 class LineDrawing {
  public:
-  LineDrawing(const BuiltMesh& mesh, const DrawingFrame& frame, std::size_t max)
+  LineDrawing(const PreparedMesh& mesh, const DrawingFrame& frame, std::size_t max)
       : mesh_(mesh), frame_(frame), max_(max) {}
 
   std::vector<float> edges(const std::vector<HalfedgeHandle>& halfedges, std::string_view kind) {
@@ -84,7 +84,7 @@ class LineDrawing {
     }
   }
 
-  const BuiltMesh& mesh_;
+  const PreparedMesh& mesh_;
   const DrawingFrame& frame_;
   std::size_t max_;
   std::vector<std::string> notes_;
@@ -92,7 +92,7 @@ class LineDrawing {
 
 }  // namespace
 
-DrawnLines draw_lines(const BuiltMesh& mesh, const DrawingFrame& frame, std::size_t max) {
+DrawnLines draw_lines(const PreparedMesh& mesh, const DrawingFrame& frame, std::size_t max) {
   LineDrawing drawing(mesh, frame, max);
   const SideTable& side = mesh.cut().side;
   DrawnLines drawn;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "meshalyzer/defects/built_mesh.h"
 #include "meshalyzer/picture/drawing_frame.h"
 #include "meshalyzer/picture/scene.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 
 #include <cstddef>
 #include <string>
@@ -19,7 +19,7 @@ struct DrawnLines {
 };
 
 /// @param max  Segments of each kind.
-[[nodiscard]] DrawnLines draw_lines(const BuiltMesh& mesh, const DrawingFrame& frame,
+[[nodiscard]] DrawnLines draw_lines(const PreparedMesh& mesh, const DrawingFrame& frame,
                                     std::size_t max);
 
 }  // namespace meshalyzer

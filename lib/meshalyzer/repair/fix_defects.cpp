@@ -30,7 +30,7 @@ double length_of(const Deviation& deviation, const Box3& box) {
 
 /// Numbers the records of a mesh anew: what taking it from others has left gaps in.
 Draft renumbered(const Draft& draft, const Tolerances& tolerances) {
-  const BuiltMesh mesh(draft.soup);
+  const PreparedMesh mesh(draft.soup);
   const RepairLimits limits;
   return apply_edits(draft, renumber({draft, mesh, tolerances, limits}).edits);
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "meshalyzer/defects/built_mesh.h"
 #include "meshalyzer/defects/defect.h"
 #include "meshalyzer/defects/tolerances.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/repair/edits/draft.h"
 #include "meshalyzer/repair/edits/edits.h"
 
@@ -44,7 +44,7 @@ struct RepairLimits {
 struct PassInput {
   const Draft& draft;
   /// Of draft.soup.
-  const BuiltMesh& mesh;
+  const PreparedMesh& mesh;
   const Tolerances& tolerances;
   const RepairLimits& limits;
 };

@@ -15,7 +15,7 @@ namespace meshalyzer {
 namespace {
 
 std::vector<BoundaryChain> chains_of(const Soup& soup, const ChainOptions& options = {}) {
-  return find_boundary_chains(BuiltMesh(soup), options);
+  return find_boundary_chains(PreparedMesh(soup), options);
 }
 
 TEST(FindBoundaryChains, ClosedMeshHasNone) {

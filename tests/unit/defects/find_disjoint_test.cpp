@@ -7,7 +7,7 @@ namespace meshalyzer {
 namespace {
 
 std::vector<Defect> disjoint_in(const Soup& soup) {
-  return find_disjoint(BuiltMesh(soup));
+  return find_disjoint(PreparedMesh(soup));
 }
 
 TEST(FindDisjoint, OneComponentIsNone) {

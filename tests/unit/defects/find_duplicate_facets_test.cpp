@@ -16,7 +16,7 @@ using FaceSets = std::vector<std::vector<Index>>;
 
 FaceSets duplicates_in(const Soup& soup) {
   FaceSets sets;
-  for (const Defect& defect : find_duplicate_facets(BuiltMesh(soup))) {
+  for (const Defect& defect : find_duplicate_facets(PreparedMesh(soup))) {
     EXPECT_EQ(defect.code, DefectCode::DuplicateFacet);
     EXPECT_EQ(defect.value, static_cast<double>(defect.faces.size()));
     EXPECT_EQ(defect.positions.size(), 1U);

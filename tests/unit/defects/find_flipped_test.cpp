@@ -15,7 +15,7 @@ namespace {
 using Edges = std::vector<std::array<Index, 2>>;
 
 std::vector<Defect> flipped_in(const Soup& soup) {
-  return find_flipped(BuiltMesh(soup));
+  return find_flipped(PreparedMesh(soup));
 }
 
 /// All the faces of the defects, ascending.

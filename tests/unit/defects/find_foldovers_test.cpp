@@ -18,7 +18,7 @@ namespace {
 using shapes::grid_vertex;
 
 std::vector<Defect> foldovers_of(const Soup& soup, const Tolerances& tolerances) {
-  return find_foldovers(BuiltMesh(soup), tolerances);
+  return find_foldovers(PreparedMesh(soup), tolerances);
 }
 
 std::vector<Defect> foldovers_of(const Soup& soup) {

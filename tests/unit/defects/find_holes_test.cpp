@@ -14,7 +14,7 @@ using Edge = std::array<Index, 2>;
 
 /// As find_defects() looks for them: slits first.
 std::vector<Defect> holes_of(const Soup& soup) {
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   return find_holes(mesh, find_slits(mesh, {.slit = 1e-9}));
 }
 

@@ -13,7 +13,7 @@ namespace {
 using shapes::InnerShell;
 
 std::vector<Defect> inward_in(const Soup& soup) {
-  return find_inward(BuiltMesh(soup));
+  return find_inward(PreparedMesh(soup));
 }
 
 /// The lowest face of each defect.

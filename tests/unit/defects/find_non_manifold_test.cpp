@@ -12,7 +12,7 @@ namespace {
 using Edges = std::vector<std::array<Index, 2>>;
 
 std::vector<Defect> non_manifold_in(const Soup& soup) {
-  return find_non_manifold(BuiltMesh(soup));
+  return find_non_manifold(PreparedMesh(soup));
 }
 
 TEST(FindNonManifold, ManifoldMeshesHaveNone) {

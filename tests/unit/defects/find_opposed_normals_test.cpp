@@ -13,7 +13,7 @@ namespace {
 
 std::vector<Index> opposed_in(const Soup& soup) {
   std::vector<Index> vertices;
-  for (const Defect& defect : find_opposed_normals(BuiltMesh(soup))) {
+  for (const Defect& defect : find_opposed_normals(PreparedMesh(soup))) {
     EXPECT_EQ(defect.code, DefectCode::VertexNormal);
     EXPECT_EQ(defect.severity, Severity::Warning);
     EXPECT_EQ(defect.vertices.size(), 1U);
@@ -141,7 +141,7 @@ TEST(FindOpposedNormals, VertexOfVeryManyFacesAndNormalsTakesNotTheSquareOfThem)
   }
   soup.triangles.push_back({0, 3, 1});
   soup.corner_normals.push_back({kNoIndex, kNoIndex, kNoIndex});
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_TRUE(find_opposed_normals(mesh).empty());
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));

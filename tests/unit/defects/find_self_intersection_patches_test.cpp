@@ -9,7 +9,7 @@ namespace meshalyzer {
 namespace {
 
 std::vector<Defect> patches_of(const Soup& soup) {
-  return find_self_intersection_patches(BuiltMesh(soup));
+  return find_self_intersection_patches(PreparedMesh(soup));
 }
 
 /// Two faces that cross each other, the second through the middle of the first.

@@ -18,7 +18,7 @@ namespace {
 using Edge = std::array<Index, 2>;
 
 std::vector<Defect> slits_of(const Soup& soup, double tolerance) {
-  return find_slits(BuiltMesh(soup), {.slit = tolerance});
+  return find_slits(PreparedMesh(soup), {.slit = tolerance});
 }
 
 /// Two squares of two faces side by side, the second one `gap` to the right; the edge 1-2 of the

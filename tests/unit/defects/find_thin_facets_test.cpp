@@ -11,7 +11,7 @@ namespace meshalyzer {
 namespace {
 
 std::vector<Defect> thin_in(const Soup& soup, double tolerance) {
-  return find_thin_facets(BuiltMesh(soup), {.degeneracy = tolerance});
+  return find_thin_facets(PreparedMesh(soup), {.degeneracy = tolerance});
 }
 
 /// One face.

@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> values_of(const Soup& soup, FieldName name, VertexArea area = {}) {
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   const std::vector<Field> fields = compute_fields({.mesh = mesh, .area = area}, {name});
   return fields.at(0).values;
 }
@@ -75,7 +75,7 @@ TEST(FieldOf, UndoesFieldName) {
 
 TEST(ComputeFields, AreAsAskedForButThoseThatLackSomething) {
   const Soup soup = shapes::cube();
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   const std::vector<Field> fields = compute_fields(
       {.mesh = mesh},
       {FieldName::Area, FieldName::Defect, FieldName::K1, FieldName::Separation, FieldName::Area});
@@ -152,7 +152,7 @@ TEST(ComputeFields, CubeIsCurvedByAQuarterOfPiTwiceOverTheFacesRoundEachCorner) 
 
 TEST(ComputeFields, CurvaturesAreThoseOfTheirNames) {
   const Soup soup = shapes::torus(3, 1, 12, 8);
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   const Curvature curvature = measure_curvature(mesh.cut(), VertexArea::Mixed);
   const std::vector<Field> fields = compute_fields(
       {.mesh = mesh}, {FieldName::Gaussian, FieldName::Mean, FieldName::K1, FieldName::K2});
@@ -174,7 +174,7 @@ TEST(ComputeFields, BorderHasNoCurvature) {
 }
 
 Field separation_of(const Soup& soup, std::vector<double> distances) {
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   ObjectSeparation separation;
   separation.distances = std::move(distances);
   return compute_fields({.mesh = mesh, .separation = &separation}, {FieldName::Separation}).at(0);
@@ -196,7 +196,7 @@ TEST(ComputeFields, SeparationIsSignedWhereAVertexIsInside) {
 
 TEST(ComputeFields, DefectIsOfFacesThatAreNotInTheComplexToo) {
   const Soup soup = cube_among_bad_records();
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   const DefectReport report = find_defects(mesh);
   const Field field = compute_fields({.mesh = mesh, .defects = &report}, {FieldName::Defect}).at(0);
   EXPECT_EQ(field.kind, FieldKind::Category);
@@ -207,7 +207,7 @@ TEST(ComputeFields, DefectIsOfFacesThatAreNotInTheComplexToo) {
 
 TEST(ComputeFields, MeshOfNothingHasFieldsOfNothing) {
   const Soup soup;
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   const DefectReport report = find_defects(mesh);
   const ObjectSeparation separation;
   const FieldSource source{.mesh = mesh, .defects = &report, .separation = &separation};

@@ -17,7 +17,7 @@ namespace {
 std::vector<Highlight> highlights_of(const Soup& soup, const DefectOptions& options = {},
                                      const std::optional<std::vector<Index>>& in_detail = {},
                                      const SceneLimits& limits = {}) {
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   const DefectReport report = find_defects(mesh, options);
   const LitDefects lit(mesh, report, limits);
   const std::vector<Index> faces = drawable_faces(soup);

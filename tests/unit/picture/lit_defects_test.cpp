@@ -27,7 +27,7 @@ TEST(LitDefects, FirstOfEachCodeAreLit) {
   Soup soup = shapes::cube();
   for (int i = 0; i < 5; ++i) soup.positions.emplace_back(i, 9, 9);
   soup = shapes::without_faces(soup, std::vector<Index>{0});
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   const DefectReport report = find_defects(mesh);
   const LitDefects lit(mesh, report, {.max_defects_of_a_code = 3});
   std::vector<DefectCode> codes;
@@ -38,7 +38,7 @@ TEST(LitDefects, FirstOfEachCodeAreLit) {
 
 TEST(LitDefects, ComponentIsAllOfItsFaces) {
   const Soup soup = shapes::merged(shapes::icosphere(1), shapes::cube(0.1, Vec3(5, 5, 5)));
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   const DefectReport report = find_defects(mesh);
   const LitDefects lit(mesh, report, {});
   ASSERT_EQ(lit.all().size(), 1U);
@@ -51,7 +51,7 @@ TEST(LitDefects, ComponentIsAllOfItsFaces) {
 
 TEST(LitDefects, LargeComponentIsCut) {
   const Soup soup = shapes::flipped(shapes::icosphere(3));
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   const DefectReport report = find_defects(mesh);
   ASSERT_EQ(report.count(DefectCode::Inward), 1U);
   const LitDefects lit(mesh, report, {.max_elements_of_a_defect = 100});
@@ -64,7 +64,7 @@ TEST(LitDefects, SeedsOfErrorsComeBeforeThoseOfWarnings) {
   // `disjoint`, a warning, is the first code; the small component is open, which is an error.
   const Soup soup =
       shapes::merged(shapes::icosphere(2), shapes::translated(shapes::grid(1, 1), Vec3(5, 0, 0)));
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   DefectReport report = find_defects(mesh);
   ASSERT_EQ(report.defects[0].code, DefectCode::Disjoint);
   Defect& thin = report.defects.emplace_back();
@@ -79,7 +79,7 @@ TEST(LitDefects, SeedsOfErrorsComeBeforeThoseOfWarnings) {
 TEST(LitDefects, SeedsOfLongDefectsLeaveRoomForShortOnes) {
   // The border of the square, of 80 edges, comes before that of the hole.
   const Soup soup = shapes::without_faces(shapes::grid(20, 20), std::vector<Index>{420});
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   const DefectReport report = find_defects(mesh);
   ASSERT_EQ(report.count(DefectCode::Hole), 2U);
   const Seeds seeds = LitDefects(mesh, report, {}).seeds(soup);
@@ -93,7 +93,7 @@ TEST(LitDefects, FacesThatCannotBeDrawnAreNoSeeds) {
   Soup soup = shapes::cube();
   soup.triangles[3][0] = kNoIndex;
   soup.missing = {{3, 0, 99}};
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   const DefectReport report = find_defects(mesh, {.codes = {DefectCode::Corrupt}});
   ASSERT_EQ(report.defects.size(), 1U);
   EXPECT_TRUE(LitDefects(mesh, report, {}).seeds(soup).faces.empty());

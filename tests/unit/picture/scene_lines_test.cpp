@@ -31,7 +31,7 @@ DrawingFrame no_frame() {
 
 TEST(DrawLines, BorderOfASquareIsItsSides) {
   const Soup soup = shapes::grid(1, 1);
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   const DrawnLines drawn = draw_lines(mesh, no_frame(), 100);
   const Point a{0, 0, 0};
   const Point b{1, 0, 0};
@@ -47,10 +47,10 @@ TEST(DrawLines, BorderOfASquareIsItsSides) {
 
 TEST(DrawLines, CutEdgeIsDrawnOnce) {
   const Soup fan = shapes::fan_of_three();
-  const BuiltMesh mesh(fan);
+  const PreparedMesh mesh(fan);
   EXPECT_EQ(draw_lines(mesh, no_frame(), 100).lines.non_manifold_edges.size(), 6U);
   const Soup turned = shapes::flipped(shapes::grid(1, 1), std::vector<Index>{1});
-  const BuiltMesh turned_mesh(turned);
+  const PreparedMesh turned_mesh(turned);
   EXPECT_EQ(draw_lines(turned_mesh, no_frame(), 100).lines.flipped_edges.size(), 6U);
 }
 
@@ -60,7 +60,7 @@ TEST(DrawLines, CrossingFacesMeetInALine) {
   const Soup blade =
       shapes::make({Vec3(0.25, 0.75, -1), Vec3(-0.25, 0.75, 1), Vec3(0.75, 0.75, 1)}, {{0, 1, 2}});
   soup = shapes::merged(soup, blade);
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   ASSERT_FALSE(mesh.intersecting_pairs().empty());
   const DrawnLines drawn = draw_lines(mesh, no_frame(), 100);
   float low = 9.0F;
@@ -77,7 +77,7 @@ TEST(DrawLines, CrossingFacesMeetInALine) {
 
 TEST(DrawLines, TooManyAreCutAndSaidSo) {
   const Soup soup = shapes::grid(10, 10);
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   const DrawnLines drawn = draw_lines(mesh, no_frame(), 7);
   EXPECT_EQ(drawn.lines.borders.size(), 42U);
   EXPECT_EQ(drawn.notes,
@@ -88,7 +88,7 @@ TEST(DrawLines, TooManyContactsAreCutAndSaidSo) {
   // Every two of these faces are duplicates: three pairs, with an outline of three lines each.
   const Soup soup = shapes::make({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)},
                                  {{0, 1, 2}, {0, 1, 2}, {0, 1, 2}});
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   EXPECT_EQ(draw_lines(mesh, no_frame(), 9).lines.intersections.size(), 54U);
   const DrawnLines drawn = draw_lines(mesh, no_frame(), 8);
   EXPECT_EQ(drawn.lines.intersections.size(), 48U);

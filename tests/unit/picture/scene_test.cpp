@@ -20,7 +20,7 @@ namespace {
 const std::vector<FieldName> kFields{FieldName::Area, FieldName::Valence, FieldName::Defect};
 
 Scene scene_of(const Soup& soup, const SceneLimits& limits = {}) {
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   const DefectReport report = find_defects(mesh);
   return make_scene({mesh, &report}, kFields, limits);
 }
@@ -233,7 +233,7 @@ TEST(MakeScene, ValuesBeyondSinglePrecisionStayFinite) {
 
 TEST(MakeScene, WithoutAReportNothingIsLit) {
   const Soup soup = shapes::open_cube();
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   const Scene scene = make_scene({mesh}, {});
   EXPECT_TRUE(scene.highlights.empty());
   EXPECT_EQ(scene.lines.borders.size(), 4 * 6U);

@@ -103,7 +103,7 @@ TEST(WorstDefects, CubeWithoutTopHasAHoleAtTheFourFacesBelow) {
 
 TEST(WorstDefects, CrossingCubesIntersectWhereTheirPairsAre) {
   const Soup soup = shapes::merged(shapes::cube(), shapes::cube(1, {0.5, 0.25, 0.375}));
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   std::set<Index> crossing;
   for (const IntersectingPair& pair : mesh.intersecting_pairs()) {
     crossing.insert({pair.face_a, pair.face_b});

@@ -14,7 +14,7 @@ namespace meshalyzer {
 namespace {
 
 std::size_t n_duplicate_sets(const Soup& soup) {
-  return find_duplicate_facets(BuiltMesh(soup)).size();
+  return find_duplicate_facets(PreparedMesh(soup)).size();
 }
 
 /// Two cubes side by side that share the four vertices of a square, which both have: two faces

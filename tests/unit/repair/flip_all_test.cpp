@@ -13,7 +13,7 @@ namespace {
 /// Once: flipping again would flip back.
 PassResult flip(const Soup& soup) {
   const Draft draft = make_draft(soup);
-  const BuiltMesh mesh(draft.soup);
+  const PreparedMesh mesh(draft.soup);
   const Tolerances tolerances;
   const RepairLimits limits;
   return flip_all({draft, mesh, tolerances, limits});

@@ -16,7 +16,7 @@ namespace {
 using Answers = std::vector<std::uint8_t>;
 
 Answers answers(const Soup& soup) {
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   return means_solid(mesh, find_components(mesh.cut()));
 }
 
@@ -110,14 +110,14 @@ TEST(MeansSolid, LargeSurfaceIsJudgedByItsAreaNotByItsFaces) {
   // A large box without a lid, area 500, of ten faces; far from it a fine sheet of area 400.
   const Soup box = shapes::merged(shapes::scaled(shapes::open_cube(), 10.0),
                                   shapes::translated(shapes::grid(20, 20), {0, 0, 1000}));
-  const BuiltMesh mesh(box);
+  const PreparedMesh mesh(box);
   const Components all{.count = 1, .of_face = std::vector<Index>(box.n_faces(), 0)};
   EXPECT_EQ(means_solid(mesh, all), Answers{1});
   // And the other way round: a large sheet, and a fine small sphere that lacks a face.
   const Soup ball = shapes::without_faces(shapes::icosphere(3), std::array{Index{0}});
   const Soup sheet = shapes::merged(shapes::scaled(shapes::grid(2, 2), 50.0),
                                     shapes::translated(ball, {50, 50, 20}));
-  const BuiltMesh mesh_of_sheet(sheet);
+  const PreparedMesh mesh_of_sheet(sheet);
   EXPECT_EQ(
       means_solid(mesh_of_sheet, {.count = 1, .of_face = std::vector<Index>(sheet.n_faces(), 0)}),
       Answers{0});

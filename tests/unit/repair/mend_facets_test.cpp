@@ -22,7 +22,7 @@ namespace {
 /// One round.
 PassResult mend_once(const Soup& soup, const RepairLimits& limits) {
   const Draft draft = make_draft(soup);
-  const BuiltMesh mesh(draft.soup);
+  const PreparedMesh mesh(draft.soup);
   const Tolerances tolerances = resolve_tolerances({}, box_of(soup));
   return mend_facets({draft, mesh, tolerances, limits});
 }
@@ -30,7 +30,7 @@ PassResult mend_once(const Soup& soup, const RepairLimits& limits) {
 /// The largest distance from the second surface of a lattice of points on each face of the first.
 double sampled_distance(const Soup& from, const Soup& to) {
   constexpr int kSteps = 12;
-  const BuiltMesh target(to);
+  const PreparedMesh target(to);
   const ClosestPoints closest(target.tree());
   double largest = 0.0;
   for (const Triangle& t : from.triangles) {

@@ -19,7 +19,7 @@ namespace {
 /// A mesh to try single steps on; faces are thin where the test says so.
 struct Workshop {
   Draft draft;
-  BuiltMesh built{draft.soup};
+  PreparedMesh built{draft.soup};
   Tolerances tolerances;
   RepairLimits limits;
   WorkingMesh mesh;

@@ -47,7 +47,7 @@ struct TopologyCounts {
 /// The faces that find_thin_facets() finds.
 [[nodiscard]] inline std::vector<Index> thin_faces(const Soup& soup,
                                                    const ToleranceOptions& options = {}) {
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   std::vector<Index> faces;
   for (const Defect& defect : find_thin_facets(mesh, resolve_tolerances(options, box_of(soup)))) {
     faces.push_back(defect.faces.front());

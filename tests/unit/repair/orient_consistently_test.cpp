@@ -69,7 +69,7 @@ TEST(OrientConsistently, NeighboursAtEdgesOfManyFacesAskNothing) {
   const Soup soup = shapes::two_tetrahedra_sharing_edge();
   for (Index f = 0; f < 8; ++f) {
     const PassRun run = run_pass(shapes::flipped(soup, std::array{f}), orient_consistently);
-    const BuiltMesh mesh(run.draft.soup);
+    const PreparedMesh mesh(run.draft.soup);
     EXPECT_TRUE(find_flipped(mesh).empty());
     EXPECT_EQ(run.rounds, 1U);
   }
@@ -79,7 +79,7 @@ TEST(OrientConsistently, DamagedMeshesEndConsistentWhereTheyCanBe) {
   std::mt19937 random(5);
   for (int i = 0; i < 30; ++i) {
     const PassRun run = run_pass(damaged(shapes::icosphere(2), 6, random), orient_consistently);
-    const BuiltMesh mesh(run.draft.soup);
+    const PreparedMesh mesh(run.draft.soup);
     for (const Defect& defect : find_flipped(mesh)) EXPECT_FALSE(defect.fixable);
     EXPECT_LE(run.rounds, 1U);
   }

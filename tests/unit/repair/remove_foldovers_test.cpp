@@ -35,7 +35,7 @@ RepairLimits limits_with_fixed(double max_deviation, const std::vector<Index>& f
 
 /// Whether nothing in a mesh is folded, meets anything, or is cut.
 void expect_clean(const Soup& soup) {
-  const BuiltMesh mesh(soup);
+  const PreparedMesh mesh(soup);
   EXPECT_TRUE(mesh.intersecting_pairs().empty());
   EXPECT_TRUE(find_foldovers(mesh, {.height = 1e-6, .max_foldover_angle = 1.0}).empty());
   EXPECT_EQ(mesh.cut().side.non_manifold_edges.size(), 0U);
@@ -78,8 +78,8 @@ TEST(RemoveFoldovers, VertexThatMayNotMoveSoFarIsTakenAway) {
   EXPECT_EQ(run.draft.soup.n_faces(), soup.n_faces() - 2);
   EXPECT_EQ(run.draft.soup.n_vertices(), soup.n_vertices() - 1);
   // The outline of the sheet is what it was: no hole is left.
-  EXPECT_EQ(find_holes(BuiltMesh(run.draft.soup), {}).size(), 1U);
-  EXPECT_EQ(*find_holes(BuiltMesh(run.draft.soup), {})[0].value, 18.0);
+  EXPECT_EQ(find_holes(PreparedMesh(run.draft.soup), {}).size(), 1U);
+  EXPECT_EQ(*find_holes(PreparedMesh(run.draft.soup), {})[0].value, 18.0);
 }
 
 TEST(RemoveFoldovers, NoVertexMovesFartherThanTheDeviation) {
@@ -189,14 +189,14 @@ TEST(RemoveFoldovers, PleatOfSeveralVerticesIsMended) {
   Soup soup = shapes::grid(8, 8);
   for (std::size_t x = 3; x <= 5; ++x) soup.positions[grid_vertex(8, x, 3)] += Vec3(0.05, 1.2, 0.0);
   const std::vector<Defect> before =
-      find_foldovers(BuiltMesh(soup), {.height = 1e-6, .max_foldover_angle = 1.0});
+      find_foldovers(PreparedMesh(soup), {.height = 1e-6, .max_foldover_angle = 1.0});
   ASSERT_EQ(before.size(), 1U);
   EXPECT_GT(before[0].faces.size(), 3U);
   for (const double deviation : {5.0, 0.001}) {
     const PassRun run = run_pass(soup, remove_foldovers, limits_of(deviation));
     EXPECT_TRUE(run.refused.empty());
     expect_clean(run.draft.soup);
-    EXPECT_EQ(*find_holes(BuiltMesh(run.draft.soup), {})[0].value, 32.0);
+    EXPECT_EQ(*find_holes(PreparedMesh(run.draft.soup), {})[0].value, 32.0);
   }
 }
 

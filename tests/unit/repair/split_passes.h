@@ -34,7 +34,7 @@ namespace meshalyzer {
 }
 
 [[nodiscard]] inline std::size_t n_intersecting_pairs(const Soup& soup) {
-  return BuiltMesh(soup).intersecting_pairs().size();
+  return PreparedMesh(soup).intersecting_pairs().size();
 }
 
 /// By component, ascending.

@@ -52,7 +52,7 @@ class Loop {
 
  private:
   Soup soup_;
-  BuiltMesh mesh_{soup_};
+  PreparedMesh mesh_{soup_};
   TakenEdges taken_;
   LoopPolygon polygon_;
   LoopRules rules_;

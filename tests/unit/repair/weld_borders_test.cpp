@@ -357,7 +357,7 @@ TEST(WeldBorders, OperationsAreIndependent) {
   for (const Soup& torn : torn_meshes()) {
     Draft draft = make_draft(torn);
     for (std::uint32_t round = 0; round < 5; ++round) {
-      const BuiltMesh mesh(draft.soup);
+      const PreparedMesh mesh(draft.soup);
       const RepairLimits limits = any_distance();
       const Edits edits = weld_borders({draft, mesh, {}, limits}, 0.05).edits;
       if (edits.empty()) break;

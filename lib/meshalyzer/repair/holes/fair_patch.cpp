@@ -37,7 +37,7 @@ struct Surroundings {
 
 class SurroundingsMaker {
  public:
-  SurroundingsMaker(const BuiltMesh& mesh, const WorkingPatch& patch)
+  SurroundingsMaker(const PreparedMesh& mesh, const WorkingPatch& patch)
       : cut_(mesh.cut()), patch_(patch) {
     result_.n_loop = patch.names.size();
     result_.n_new = patch.mesh.n_vertices() - patch.names.size();
@@ -176,7 +176,7 @@ bool relax(Surroundings& all) {
 
 }  // namespace
 
-bool fair_patch(const BuiltMesh& mesh, const HoleLoop& loop, WorkingPatch& patch) {
+bool fair_patch(const PreparedMesh& mesh, const HoleLoop& loop, WorkingPatch& patch) {
   Surroundings all = SurroundingsMaker(mesh, patch).run(loop);
   const Frame frame(all);
   if (all.n_new == 0 || !frame.is_usable()) return false;

@@ -10,6 +10,6 @@ namespace meshalyzer {
 ///
 /// @return      Whether there is such a place for each; if not, all stay.
 /// @complexity  That of a sparse factorisation of n rows, about O(n^1.5).
-bool fair_patch(const BuiltMesh& mesh, const HoleLoop& loop, WorkingPatch& patch);
+bool fair_patch(const PreparedMesh& mesh, const HoleLoop& loop, WorkingPatch& patch);
 
 }  // namespace meshalyzer

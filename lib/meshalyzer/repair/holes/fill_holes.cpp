@@ -46,7 +46,7 @@ double distance_from_patches(const PassInput& input, const Vec3& point) {
 }
 
 /// Gives a reason for all loops that are not chosen.
-void refuse_others(const BuiltMesh& mesh, std::span<const HoleLoop> loops,
+void refuse_others(const PreparedMesh& mesh, std::span<const HoleLoop> loops,
                    const std::string& reason, Choice& choice) {
   for (std::size_t i = 0; i < loops.size(); ++i) {
     if (choice.is_chosen[i] == 0) choice.refused.push_back(refuse_hole(mesh, loops[i], reason));
@@ -70,7 +70,7 @@ void choose_nearest(const PassInput& input, std::span<const HoleLoop> loops, con
 }
 
 /// Leaves out the loops of sheets.
-void refuse_sheets(const BuiltMesh& mesh, std::span<const HoleLoop> loops, Choice& choice) {
+void refuse_sheets(const PreparedMesh& mesh, std::span<const HoleLoop> loops, Choice& choice) {
   const Components components = find_edge_components(mesh.cut());
   const std::vector<std::uint8_t> is_solid = means_solid(mesh, components);
   for (std::size_t i = 0; i < loops.size(); ++i) {

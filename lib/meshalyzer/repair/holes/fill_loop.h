@@ -13,7 +13,7 @@ namespace meshalyzer {
 
 /// What filling a loop takes.
 struct FillTask {
-  const BuiltMesh& mesh;
+  const PreparedMesh& mesh;
   const TakenEdges& taken;
   /// Triangles with an altitude below this are avoided. In the mesh's unit.
   double degeneracy = 0.0;

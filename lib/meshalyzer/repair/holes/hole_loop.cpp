@@ -69,7 +69,7 @@ std::string objection(const CutMesh& cut, const BoundaryChain& chain, const Hole
 
 }  // namespace
 
-HoleLoops find_hole_loops(const BuiltMesh& mesh) {
+HoleLoops find_hole_loops(const PreparedMesh& mesh) {
   HoleLoops result;
   const std::vector<BoundaryChain> chains = find_boundary_chains(mesh);
   if (chains.empty()) return result;
@@ -86,7 +86,7 @@ HoleLoops find_hole_loops(const BuiltMesh& mesh) {
   return result;
 }
 
-Refusal refuse_hole(const BuiltMesh& mesh, const HoleLoop& loop, std::string reason) {
+Refusal refuse_hole(const PreparedMesh& mesh, const HoleLoop& loop, std::string reason) {
   Refusal refusal{.code = DefectCode::Hole,
                   .vertex = *std::min_element(loop.vertices.begin(), loop.vertices.end()),
                   .face = kNoIndex,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/defects/built_mesh.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/repair/pass.h"
 
 #include <vector>
@@ -32,10 +32,11 @@ struct HoleLoops {
 /// one way round, and have at least three edges.
 ///
 /// @return  In the order of find_boundary_chains().
-[[nodiscard]] HoleLoops find_hole_loops(const BuiltMesh& mesh);
+[[nodiscard]] HoleLoops find_hole_loops(const PreparedMesh& mesh);
 
 /// A refusal that names a loop by its lowest vertex and lowest face.
-[[nodiscard]] Refusal refuse_hole(const BuiltMesh& mesh, const HoleLoop& loop, std::string reason);
+[[nodiscard]] Refusal refuse_hole(const PreparedMesh& mesh, const HoleLoop& loop,
+                                  std::string reason);
 
 /// The length of a loop.
 [[nodiscard]] double length_of(const Soup& soup, const HoleLoop& loop);

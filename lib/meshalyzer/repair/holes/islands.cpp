@@ -20,7 +20,7 @@ std::vector<Box3> boxes_of(const Soup& soup, std::span<const HoleLoop> loops) {
 
 }  // namespace
 
-Islands::Islands(const BuiltMesh& mesh, std::span<const HoleLoop> loops)
+Islands::Islands(const PreparedMesh& mesh, std::span<const HoleLoop> loops)
     : mesh_(mesh), loops_(loops), boxes_(boxes_of(mesh.soup(), loops)), tree_(boxes_) {}
 
 double Islands::reach_of(std::size_t loop) const {

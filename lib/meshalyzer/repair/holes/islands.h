@@ -15,7 +15,7 @@ namespace meshalyzer {
 class Islands {
  public:
   /// @param loops  Must outlive this.
-  Islands(const BuiltMesh& mesh, std::span<const HoleLoop> loops);
+  Islands(const PreparedMesh& mesh, std::span<const HoleLoop> loops);
 
   /// Whether there is any loop that could lie on a patch of this one.
   [[nodiscard]] bool may_hold_any(std::size_t loop) const { return !candidates(loop).empty(); }
@@ -36,7 +36,7 @@ class Islands {
   /// The loops in the box of another one, as far as it reaches.
   [[nodiscard]] std::vector<Index> candidates(std::size_t loop) const;
 
-  const BuiltMesh& mesh_;
+  const PreparedMesh& mesh_;
   std::span<const HoleLoop> loops_;
   /// By loop.
   std::vector<Box3> boxes_;

@@ -43,7 +43,7 @@ Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
-LoopPolygon make_polygon(const BuiltMesh& mesh, const HoleLoop& loop, double degeneracy) {
+LoopPolygon make_polygon(const PreparedMesh& mesh, const HoleLoop& loop, double degeneracy) {
   const CutMesh& cut = mesh.cut();
   const Soup& soup = mesh.soup();
   const int exponent = scale_of(soup, loop);

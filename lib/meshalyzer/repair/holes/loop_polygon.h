@@ -23,7 +23,7 @@ struct LoopPolygon {
 };
 
 /// @param degeneracy  The altitude below which a facet is flat, in the mesh's unit.
-[[nodiscard]] LoopPolygon make_polygon(const BuiltMesh& mesh, const HoleLoop& loop,
+[[nodiscard]] LoopPolygon make_polygon(const PreparedMesh& mesh, const HoleLoop& loop,
                                        double degeneracy);
 
 /// What makes one triangulation of a loop better than another.

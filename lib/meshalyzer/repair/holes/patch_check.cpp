@@ -77,7 +77,7 @@ bool is_torn(const Soup& soup, const CutMesh& cut) {
 }
 
 /// Adds what a patch and the mesh have of each other.
-void find_meetings_with_mesh(const BuiltMesh& mesh, const PatchSoup& patch, const FaceTree& tree,
+void find_meetings_with_mesh(const PreparedMesh& mesh, const PatchSoup& patch, const FaceTree& tree,
                              PatchFaults& faults) {
   const BoxMeetings meetings(tree, mesh.tree());
   std::vector<std::vector<std::array<Index, 2>>> parts(meetings.n_chunks());
@@ -119,7 +119,7 @@ PatchSoup make_soup(const Soup& mesh, const Patch& patch) {
   return result;
 }
 
-PatchFaults check_patch(const BuiltMesh& mesh, const Patch& patch) {
+PatchFaults check_patch(const PreparedMesh& mesh, const Patch& patch) {
   PatchFaults faults;
   const PatchSoup own = make_soup(mesh.soup(), patch);
   const CutMesh cut = build(own.soup);
@@ -136,7 +136,7 @@ PatchFaults check_patch(const BuiltMesh& mesh, const Patch& patch) {
   return faults;
 }
 
-std::vector<std::uint8_t> keep_apart(const BuiltMesh& mesh, std::span<const Patch> patches) {
+std::vector<std::uint8_t> keep_apart(const PreparedMesh& mesh, std::span<const Patch> patches) {
   // One mesh of all patches: they have no vertex in common, but for the names of added ones.
   Patch all;
   std::vector<Index> patch_of;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/defects/built_mesh.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 
 #include <span>
 #include <vector>
@@ -31,11 +31,11 @@ struct PatchFaults {
 /// already, and to part the copies is another pass's matter.
 ///
 /// @complexity  O(n log #F + candidates).
-[[nodiscard]] PatchFaults check_patch(const BuiltMesh& mesh, const Patch& patch);
+[[nodiscard]] PatchFaults check_patch(const PreparedMesh& mesh, const Patch& patch);
 
 /// Finds the patches that meet one before them in the list which itself is kept: 1 for those that
 /// do not and are kept.
-[[nodiscard]] std::vector<std::uint8_t> keep_apart(const BuiltMesh& mesh,
+[[nodiscard]] std::vector<std::uint8_t> keep_apart(const PreparedMesh& mesh,
                                                    std::span<const Patch> patches);
 
 /// A patch as a mesh of its own.

@@ -38,7 +38,7 @@ Index face_at(const std::vector<Side>& sides, const std::array<Index, 2>& ends) 
 }
 
 /// By face of the patch: the file face that it is like.
-std::vector<Index> likes_of(const BuiltMesh& mesh, const HoleLoop& loop, const Patch& patch) {
+std::vector<Index> likes_of(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patch) {
   const CutMesh& cut = mesh.cut();
   const std::vector<Side> sides = sides_of(patch);
   std::vector<Index> likes(patch.triangles.size(), kNoIndex);
@@ -64,7 +64,7 @@ std::vector<Index> likes_of(const BuiltMesh& mesh, const HoleLoop& loop, const P
 
 }  // namespace
 
-void add_patch(const BuiltMesh& mesh, const HoleLoop& loop, const Patch& patch, Edits& edits) {
+void add_patch(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patch, Edits& edits) {
   const auto n_vertices = static_cast<Index>(mesh.soup().n_vertices());
   const auto shift = static_cast<Index>(edits.added_vertices.size());
   const Index op = edits.begin_operation();

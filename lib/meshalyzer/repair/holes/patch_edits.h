@@ -8,6 +8,6 @@ namespace meshalyzer {
 
 /// Adds a patch as one operation. Each of its faces is like the face beyond the border edge that
 /// the fewest faces lie between.
-void add_patch(const BuiltMesh& mesh, const HoleLoop& loop, const Patch& patch, Edits& edits);
+void add_patch(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patch, Edits& edits);
 
 }  // namespace meshalyzer

@@ -57,7 +57,7 @@ class Refiner {
   Refiner(const TakenEdges& taken, WorkingPatch& patch)
       : taken_(taken), patch_(patch), mesh_(patch.mesh) {}
 
-  void run(const BuiltMesh& mesh, const HoleLoop& loop) {
+  void run(const PreparedMesh& mesh, const HoleLoop& loop) {
     read_spacing(mesh, loop);
     for (std::size_t round = 0; round < kMaxRounds && split_faces(); ++round) flip_edges();
   }
@@ -69,7 +69,7 @@ class Refiner {
 
   /// Learns the lengths of edges round the loop, and makes them greater where they would make too
   /// many vertices.
-  void read_spacing(const BuiltMesh& mesh, const HoleLoop& loop) {
+  void read_spacing(const PreparedMesh& mesh, const HoleLoop& loop) {
     std::unordered_map<Index, double> length_at;
     for (std::size_t i = 0; i < loop.size(); ++i) {
       if (!loop.halfedges[i].is_valid()) continue;
@@ -180,7 +180,7 @@ class Refiner {
 
 }  // namespace
 
-void refine_patch(const BuiltMesh& mesh, const HoleLoop& loop, const TakenEdges& taken,
+void refine_patch(const PreparedMesh& mesh, const HoleLoop& loop, const TakenEdges& taken,
                   WorkingPatch& patch) {
   Refiner(taken, patch).run(mesh, loop);
 }

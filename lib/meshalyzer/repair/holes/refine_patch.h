@@ -26,7 +26,7 @@ struct WorkingPatch {
 /// coarser than what is round them.
 ///
 /// @complexity  O(n log n) for n triangles.
-void refine_patch(const BuiltMesh& mesh, const HoleLoop& loop, const TakenEdges& taken,
+void refine_patch(const PreparedMesh& mesh, const HoleLoop& loop, const TakenEdges& taken,
                   WorkingPatch& patch);
 
 }  // namespace meshalyzer

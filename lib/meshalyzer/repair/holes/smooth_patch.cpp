@@ -7,7 +7,7 @@
 
 namespace meshalyzer {
 
-std::optional<Patch> smooth_patch(const BuiltMesh& mesh, const HoleLoop& loop,
+std::optional<Patch> smooth_patch(const PreparedMesh& mesh, const HoleLoop& loop,
                                   const TakenEdges& taken, const Patch& patch) {
   PatchSoup own = make_soup(mesh.soup(), patch);
   WorkingPatch working{.mesh = build(own.soup).mesh, .names = std::move(own.vertices)};

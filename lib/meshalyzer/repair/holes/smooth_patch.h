@@ -13,7 +13,7 @@ namespace meshalyzer {
 /// @param patch  A triangulation of the loop, and a manifold.
 /// @return       Nothing where the patch needs no new vertex, or the fair surface is out of reach
 /// of numbers.
-[[nodiscard]] std::optional<Patch> smooth_patch(const BuiltMesh& mesh, const HoleLoop& loop,
+[[nodiscard]] std::optional<Patch> smooth_patch(const PreparedMesh& mesh, const HoleLoop& loop,
                                                 const TakenEdges& taken, const Patch& patch);
 
 }  // namespace meshalyzer

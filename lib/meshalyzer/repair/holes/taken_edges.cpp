@@ -13,7 +13,7 @@ std::uint64_t key_of(Index a, Index b) {
 
 }  // namespace
 
-TakenEdges::TakenEdges(const BuiltMesh& mesh, std::span<const HoleLoop> loops) {
+TakenEdges::TakenEdges(const PreparedMesh& mesh, std::span<const HoleLoop> loops) {
   const CutMesh& cut = mesh.cut();
   std::vector<std::uint8_t> is_on_loop(mesh.soup().n_vertices(), 0);
   for (const HoleLoop& loop : loops) {

@@ -13,7 +13,7 @@ namespace meshalyzer {
 class TakenEdges {
  public:
   /// @complexity O(#V + #E + n log n), n the number of such edges.
-  TakenEdges(const BuiltMesh& mesh, std::span<const HoleLoop> loops);
+  TakenEdges(const PreparedMesh& mesh, std::span<const HoleLoop> loops);
 
   /// Whether the mesh has an edge between two vertices, each of which is on a loop.
   ///

@@ -23,7 +23,7 @@ std::vector<std::uint8_t> which_are_closed(const CutMesh& cut, const Components&
 
 /// #file faces: 1 for those that must be turned to make the mesh consistent. What no turning makes
 /// consistent stays as it is.
-std::vector<std::uint8_t> which_are_flipped(const BuiltMesh& mesh) {
+std::vector<std::uint8_t> which_are_flipped(const PreparedMesh& mesh) {
   std::vector<std::uint8_t> is_flipped(mesh.soup().n_faces(), 0);
   for (const Defect& patch : find_flipped(mesh)) {
     for (const Index face : patch.faces) {
@@ -40,7 +40,7 @@ bool separates(std::vector<Corners> triangles) {
 
 }  // namespace
 
-std::vector<std::uint8_t> means_solid(const BuiltMesh& mesh, const Components& components) {
+std::vector<std::uint8_t> means_solid(const PreparedMesh& mesh, const Components& components) {
   std::vector<std::uint8_t> is_solid = which_are_closed(mesh.cut(), components);
   if (std::find(is_solid.begin(), is_solid.end(), 0) == is_solid.end()) {
     return is_solid;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/defects/built_mesh.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/topology/components.h"
 
 #include <cstdint>
@@ -21,7 +21,7 @@ namespace meshalyzer {
 /// @return            #components: 1 for those that do; closed ones (no edge has but one face)
 ///                    always do.
 /// @complexity        O(#E), and O(#F log #F) for open components.
-[[nodiscard]] std::vector<std::uint8_t> means_solid(const BuiltMesh& mesh,
+[[nodiscard]] std::vector<std::uint8_t> means_solid(const PreparedMesh& mesh,
                                                     const Components& components);
 
 }  // namespace meshalyzer

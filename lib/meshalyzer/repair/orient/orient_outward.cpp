@@ -1,4 +1,4 @@
-#include "meshalyzer/defects/shells.h"
+#include "meshalyzer/prepared/shells.h"
 #include "meshalyzer/repair/orient/outward_votes.h"
 #include "meshalyzer/repair/orient/side_votes.h"
 #include "meshalyzer/repair/passes.h"
@@ -15,7 +15,7 @@ namespace {
 /// beyond that edge would have to be turned with it.
 class WrongPatches {
  public:
-  explicit WrongPatches(const BuiltMesh& mesh)
+  explicit WrongPatches(const PreparedMesh& mesh)
       : mesh_(mesh),
         components_(find_components(mesh.cut())),
         is_shell_(which_are_shells(mesh.cut(), components_)),
@@ -49,7 +49,7 @@ class WrongPatches {
   }
 
  private:
-  const BuiltMesh& mesh_;
+  const PreparedMesh& mesh_;
   Components components_;
   std::vector<std::uint8_t> is_shell_;
   Components patches_;

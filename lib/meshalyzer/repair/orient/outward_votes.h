@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/defects/built_mesh.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/topology/components.h"
 
 #include <cstdint>
@@ -21,7 +21,7 @@ enum class PatchRole : std::uint8_t {
 
 /// What vote_outward() needs to be found before; only refers to it.
 struct OutwardBallot {
-  const BuiltMesh& mesh;
+  const PreparedMesh& mesh;
   /// As find_oriented_patches() returns them.
   const Components& patches;
   /// #patches.

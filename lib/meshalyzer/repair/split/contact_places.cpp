@@ -41,7 +41,7 @@ SharedPlaces shared_places(const Soup& soup, const IntersectingPair& pair) {
 }
 
 /// Pairs of vertices at one place whose faces touch; ascending, each once.
-std::vector<Link> find_links(const BuiltMesh& mesh) {
+std::vector<Link> find_links(const PreparedMesh& mesh) {
   std::vector<Link> links;
   for (const IntersectingPair& pair : mesh.intersecting_pairs()) {
     if (pair.kind != ContactKind::Unwelded && pair.kind != ContactKind::CoplanarOverlap) continue;
@@ -54,7 +54,7 @@ std::vector<Link> find_links(const BuiltMesh& mesh) {
   return links;
 }
 
-VertexStars stars_of(const BuiltMesh& mesh, const std::vector<Link>& links) {
+VertexStars stars_of(const PreparedMesh& mesh, const std::vector<Link>& links) {
   std::vector<Index> vertices;
   for (const Link& link : links) vertices.insert(vertices.end(), link.begin(), link.end());
   sort_and_unique(vertices);
@@ -164,7 +164,7 @@ class PlaceMaker {
 
 }  // namespace
 
-ContactPlaces find_contact_places(const BuiltMesh& mesh) {
+ContactPlaces find_contact_places(const PreparedMesh& mesh) {
   const std::vector<Link> links = find_links(mesh);
   VertexStars stars = stars_of(mesh, links);
   std::vector<ContactPlace> places = PlaceMaker(mesh.soup(), stars, links).make(links);

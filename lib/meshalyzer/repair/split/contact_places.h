@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/defects/built_mesh.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/repair/split/vertex_stars.h"
 
 #include <array>
@@ -28,6 +28,6 @@ struct ContactPlaces {
 
 /// Finds the places where faces touch that would not if vertices at identical places were one:
 /// pairs of kind Unwelded, and faces that lie on each other with all three corners.
-[[nodiscard]] ContactPlaces find_contact_places(const BuiltMesh& mesh);
+[[nodiscard]] ContactPlaces find_contact_places(const PreparedMesh& mesh);
 
 }  // namespace meshalyzer

@@ -29,7 +29,7 @@ struct SinglePairings {
   std::vector<std::uint8_t> alternates;
 };
 
-SinglePairings pair_each(const BuiltMesh& mesh, const EdgeStrands& strands) {
+SinglePairings pair_each(const PreparedMesh& mesh, const EdgeStrands& strands) {
   const Soup& soup = mesh.soup();
   const SurfacePatches patches = find_surface_patches(mesh.cut());
   SinglePairings result{.partner = std::vector<Index>(strands.faces.size(), kNoIndex),
@@ -223,7 +223,7 @@ std::vector<Index> ends_of_strands(const EdgeStrands& strands) {
   return vertices;
 }
 
-std::vector<Index> pair_strands(const BuiltMesh& mesh, const EdgeStrands& strands,
+std::vector<Index> pair_strands(const PreparedMesh& mesh, const EdgeStrands& strands,
                                 const VertexStars& stars) {
   SinglePairings single = pair_each(mesh, strands);
   const auto length = [&](Index edge) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/defects/built_mesh.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/repair/split/vertex_stars.h"
 
 #include <array>
@@ -44,7 +44,7 @@ struct EdgeStrands {
 ///
 /// @param stars  Of ends_of_strands().
 /// @return       #strands: the strand of the same edge that each is joined to, or kNoIndex.
-[[nodiscard]] std::vector<Index> pair_strands(const BuiltMesh& mesh, const EdgeStrands& strands,
+[[nodiscard]] std::vector<Index> pair_strands(const PreparedMesh& mesh, const EdgeStrands& strands,
                                               const VertexStars& stars);
 
 }  // namespace meshalyzer

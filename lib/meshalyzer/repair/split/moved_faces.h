@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/defects/built_mesh.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/spatial/triangle_contact.h"
 
 #include <array>
@@ -14,7 +14,7 @@ namespace meshalyzer {
 /// A mesh some of whose vertices are being moved by little.
 class MovedMesh {
  public:
-  explicit MovedMesh(const BuiltMesh& mesh) : mesh_(mesh), positions_(mesh.soup().positions) {}
+  explicit MovedMesh(const PreparedMesh& mesh) : mesh_(mesh), positions_(mesh.soup().positions) {}
 
   [[nodiscard]] const Vec3& position(Index vertex) const { return positions_[vertex]; }
   [[nodiscard]] const Triangle& triangle(Index face) const { return mesh_.soup().triangles[face]; }
@@ -28,7 +28,7 @@ class MovedMesh {
   [[nodiscard]] std::vector<Index> faces_near(const Box3& box) const;
 
  private:
-  const BuiltMesh& mesh_;
+  const PreparedMesh& mesh_;
   std::vector<Vec3> positions_;
   /// How far any vertex has been moved along an axis.
   double reach_ = 0.0;

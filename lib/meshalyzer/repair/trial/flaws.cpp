@@ -39,7 +39,7 @@ class Collector {
 
 }  // namespace
 
-std::vector<Flaw> find_flaws(const Draft& draft, const BuiltMesh& mesh,
+std::vector<Flaw> find_flaws(const Draft& draft, const PreparedMesh& mesh,
                              const Tolerances& tolerances) {
   const CutMesh& cut = mesh.cut();
   Collector flaws(draft, cut);

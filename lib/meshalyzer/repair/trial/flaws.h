@@ -1,8 +1,8 @@
 #pragma once
 
-#include "meshalyzer/defects/built_mesh.h"
 #include "meshalyzer/defects/defect.h"
 #include "meshalyzer/defects/tolerances.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/repair/edits/draft.h"
 
 #include <array>
@@ -28,7 +28,7 @@ struct Flaw {
 /// Not those that take a search in space.
 ///
 /// @complexity O(#V + #F).
-[[nodiscard]] std::vector<Flaw> find_flaws(const Draft& draft, const BuiltMesh& mesh,
+[[nodiscard]] std::vector<Flaw> find_flaws(const Draft& draft, const PreparedMesh& mesh,
                                            const Tolerances& tolerances);
 
 }  // namespace meshalyzer

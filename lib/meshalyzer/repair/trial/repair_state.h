@@ -1,7 +1,7 @@
 #pragma once
 
-#include "meshalyzer/defects/built_mesh.h"
 #include "meshalyzer/defects/tolerances.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/repair/edits/draft.h"
 #include "meshalyzer/repair/edits/touched.h"
 #include "meshalyzer/repair/trial/flaws.h"
@@ -25,7 +25,7 @@ class RepairState {
   RepairState& operator=(const RepairState&) = delete;
 
   [[nodiscard]] const Draft& draft() const { return draft_; }
-  [[nodiscard]] const BuiltMesh& mesh() const { return mesh_; }
+  [[nodiscard]] const PreparedMesh& mesh() const { return mesh_; }
   [[nodiscard]] const std::vector<Flaw>& flaws() const { return flaws_; }
   /// The pairs that the last change touched; by index.
   [[nodiscard]] const std::vector<IntersectingPair>& touched_pairs() const {
@@ -34,7 +34,7 @@ class RepairState {
 
  private:
   Draft draft_;
-  BuiltMesh mesh_;
+  PreparedMesh mesh_;
   std::vector<Flaw> flaws_;
   std::vector<IntersectingPair> touched_pairs_;
 };

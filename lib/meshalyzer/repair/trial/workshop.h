@@ -28,7 +28,7 @@ class Workshop {
   Workshop(Soup input, const Tolerances& tolerances, RepairLimits limits, FixedVertices fixed);
 
   [[nodiscard]] const Draft& draft() const { return state_->draft(); }
-  [[nodiscard]] const BuiltMesh& mesh() const { return state_->mesh(); }
+  [[nodiscard]] const PreparedMesh& mesh() const { return state_->mesh(); }
   /// An upper bound of the distance between the input and the draft, hole patches left out.
   [[nodiscard]] double deviation() const { return deviation_; }
 

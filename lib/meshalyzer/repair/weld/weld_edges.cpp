@@ -59,7 +59,7 @@ class PlaceTable {
 
 }  // namespace
 
-std::vector<WeldEdge> find_weld_edges(const BuiltMesh& mesh) {
+std::vector<WeldEdge> find_weld_edges(const PreparedMesh& mesh) {
   const CutMesh& cut = mesh.cut();
   const std::vector<EdgeKind> kinds = classify_edges(cut);
   std::vector<WeldEdge> edges;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/defects/built_mesh.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 
 #include <cstdint>
 #include <span>
@@ -52,7 +52,7 @@ struct WeldJoin {
 /// take such faces away, and that is for others to do.
 ///
 /// @return In order of the mesh's edges.
-[[nodiscard]] std::vector<WeldEdge> find_weld_edges(const BuiltMesh& mesh);
+[[nodiscard]] std::vector<WeldEdge> find_weld_edges(const PreparedMesh& mesh);
 
 /// The lowest end of one of these edges at the place of each end.
 ///

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "meshalyzer/defects/built_mesh.h"
 #include "meshalyzer/mesh/side_table.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/spatial/face_tree.h"
 #include "meshalyzer/spatial/intersecting_pair.h"
 #include "meshalyzer/topology/components.h"
@@ -51,7 +51,7 @@ struct Shell {
 /// The same for a mesh that is already built.
 ///
 /// @param is_shell  As which_are_shells() returns it.
-[[nodiscard]] std::vector<Shell> find_shells(const BuiltMesh& mesh, const Components& components,
+[[nodiscard]] std::vector<Shell> find_shells(const PreparedMesh& mesh, const Components& components,
                                              std::span<const std::uint8_t> is_shell);
 
 /// Tells which components are closed, manifold and consistent.

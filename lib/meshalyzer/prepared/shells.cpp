@@ -1,4 +1,4 @@
-#include "meshalyzer/defects/shells.h"
+#include "meshalyzer/prepared/shells.h"
 
 #include "meshalyzer/geometry/extent.h"
 #include "meshalyzer/spatial/nesting.h"
@@ -76,7 +76,7 @@ std::vector<Shell> find_shells(const ShellsInput& input) {
   return shells;
 }
 
-std::vector<Shell> find_shells(const BuiltMesh& mesh, const Components& components,
+std::vector<Shell> find_shells(const PreparedMesh& mesh, const Components& components,
                                std::span<const std::uint8_t> is_shell) {
   if (std::find(is_shell.begin(), is_shell.end(), 1) == is_shell.end()) {
     return std::vector<Shell>(components.count);  // no need to search for intersections

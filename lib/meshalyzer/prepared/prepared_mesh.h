@@ -12,12 +12,12 @@ namespace meshalyzer {
 /// A soup and what questions about it need: its half-edge mesh, a tree over its faces, and, once
 /// somebody has asked for them, its intersecting pairs. Stays where it is, since the tree refers to
 /// the mesh; the soup must outlive it. Safe to read from several threads.
-class BuiltMesh {
+class PreparedMesh {
  public:
   /// @complexity O(#F log #F).
-  explicit BuiltMesh(const Soup& soup) : soup_(soup), cut_(build(soup)), tree_(cut_) {}
-  BuiltMesh(const BuiltMesh&) = delete;
-  BuiltMesh& operator=(const BuiltMesh&) = delete;
+  explicit PreparedMesh(const Soup& soup) : soup_(soup), cut_(build(soup)), tree_(cut_) {}
+  PreparedMesh(const PreparedMesh&) = delete;
+  PreparedMesh& operator=(const PreparedMesh&) = delete;
 
   [[nodiscard]] const Soup& soup() const { return soup_; }
   [[nodiscard]] const CutMesh& cut() const { return cut_; }
