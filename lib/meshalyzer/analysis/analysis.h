@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/analysis/curvature_statistics.h"
+#include "meshalyzer/analysis/element_measures.h"
 #include "meshalyzer/analysis/offenders.h"
 #include "meshalyzer/base/statistics.h"
 #include "meshalyzer/base/types.h"
@@ -55,7 +56,7 @@ struct Attributes {
 
 /// What is measured (contract 1, Characteristics). Counts are of the file's records where it says
 /// so, else of the complex.
-struct Characteristics {
+struct Characteristics : ElementMeasures<Statistics> {
   /// Vertex records, orphans included.
   std::size_t vertices = 0;
   /// Faces of the file (triangles, after fanning), those left out of the complex included.
@@ -85,13 +86,6 @@ struct Characteristics {
   /// The genus of the components summed, where each has one; the same as genus but when orphans
   /// forbid that.
   std::optional<std::int64_t> genus_of_components;
-  /// Edges at a vertex, over the vertices that faces use.
-  Statistics vertex_valence;
-  Statistics face_area;
-  Statistics aspect_ratio;
-  Statistics edge_length;
-  /// Degrees; over the edges with two consistently oriented faces of non-zero area.
-  Statistics edge_angle;
 };
 
 /// What is known of one component: faces joined through shared vertices. No value: see the mesh's
@@ -125,13 +119,7 @@ struct ComponentAnalysis {
 };
 
 /// The measures of the faces, edges and vertices of one component.
-struct ComponentStatistics {
-  Summary vertex_valence;
-  Summary face_area;
-  Summary aspect_ratio;
-  Summary edge_length;
-  Summary edge_angle;
-};
+using ComponentStatistics = ElementMeasures<Summary>;
 
 /// A verdict.
 struct Goodness {
@@ -141,13 +129,7 @@ struct Goodness {
 };
 
 /// The values that the statistics of a mesh are of.
-struct MeasuredValues {
-  std::vector<double> vertex_valence;
-  std::vector<double> face_area;
-  std::vector<double> aspect_ratio;
-  std::vector<double> edge_length;
-  std::vector<double> edge_angle;
-};
+using MeasuredValues = ElementMeasures<std::vector<double>>;
 
 /// All that is known of one mesh. A plain value: reports render it, nothing measures after it.
 struct Analysis {

@@ -1,13 +1,18 @@
 #pragma once
 
+#include "meshalyzer/analysis/field_info.h"
 #include "meshalyzer/base/statistics.h"
 #include "meshalyzer/geometry/curvature.h"
 #include "meshalyzer/mesh/side_table.h"
 
 #include <array>
 #include <cstddef>
+#include <string_view>
 
 namespace meshalyzer {
+
+/// Why there may be no value of a curvature.
+inline constexpr std::string_view kWhyNoCurvature = "no vertex inside a surface that has one";
 
 /// How a surface bends, over the vertices where it has a curvature (CurvatureState::Defined).
 struct CurvatureStatistics {
@@ -22,6 +27,36 @@ struct CurvatureStatistics {
   std::array<std::size_t, kCurvatureStates> vertices{};
   /// Radians, over all vertices that faces use: 2 pi (V - E + F), to rounding (Gauss-Bonnet).
   double total_angle_defect = 0.0;
+};
+
+/// What is said of each curvature, in the order of reports.
+inline constexpr std::array kCurvatures{
+    QuantityRow<CurvatureStatistics, Statistics>{
+        {.info = {.key = "gaussian_curvature",
+                  .label = "Gaussian curvature",
+                  .definition = "how much a surface is like a ball (positive) or a saddle "
+                                "(negative); 1/length²"},
+         .if_none = kWhyNoCurvature},
+        &CurvatureStatistics::gaussian},
+    QuantityRow<CurvatureStatistics, Statistics>{
+        {.info = {.key = "mean_curvature",
+                  .label = "mean curvature",
+                  .definition = "how much a surface bends, on average of all directions: positive "
+                                "where it bulges to the side its normals point to; 1/length"},
+         .if_none = kWhyNoCurvature},
+        &CurvatureStatistics::mean},
+    QuantityRow<CurvatureStatistics, Statistics>{
+        {.info = {.key = "k1",
+                  .label = "principal curvature k1",
+                  .definition = "how much the surface bends where it bulges most; 1/length"},
+         .if_none = kWhyNoCurvature},
+        &CurvatureStatistics::k1},
+    QuantityRow<CurvatureStatistics, Statistics>{
+        {.info = {.key = "k2",
+                  .label = "principal curvature k2",
+                  .definition = "how much the surface bends where it bulges least; 1/length"},
+         .if_none = kWhyNoCurvature},
+        &CurvatureStatistics::k2},
 };
 
 /// Measures the curvature at the vertices of a mesh, and says it in figures.

@@ -41,18 +41,15 @@ class Measurer {
           faces_above(faces.aspect_ratio, *options_.aspect_above);
     }
     const auto component = [&](std::size_t i) { return components_.of_face[i]; };
-    analysis_.characteristics.face_area =
-        split_and_summarize(faces.area, &ComponentStatistics::face_area, component);
-    analysis_.characteristics.aspect_ratio =
-        split_and_summarize(faces.aspect_ratio, &ComponentStatistics::aspect_ratio, component);
+    record(
+        [](auto& of) -> auto& { return of.face_area; }, std::move(faces.area), component);
+    record(
+        [](auto& of) -> auto& { return of.aspect_ratio; }, std::move(faces.aspect_ratio),
+        component);
     // Statistics leave out what overflowed; the area must not.
     analysis_.characteristics.area = analysis_.characteristics.face_area.infinite == 0
                                          ? analysis_.characteristics.face_area.total
                                          : std::numeric_limits<double>::infinity();
-    if (options_.keep_values) {
-      analysis_.values.face_area = std::move(faces.area);
-      analysis_.values.aspect_ratio = std::move(faces.aspect_ratio);
-    }
     return std::move(faces.zero_area);
   }
 
@@ -68,12 +65,9 @@ class Measurer {
           cut_, edges, lengths, [limit = *options_.longer_than](double x) { return x > limit; });
     }
     list_indistinguishable(edges);
-    analysis_.characteristics.edge_length = split_and_summarize(
-        lengths, &ComponentStatistics::edge_length,
+    record(
+        [](auto& of) -> auto& { return of.edge_length; }, std::move(lengths),
         [&](std::size_t i) { return component_of(cut_.mesh.face_handle(edges[i])); });
-    if (options_.keep_values) {
-      analysis_.values.edge_length = std::move(lengths);
-    }
   }
 
   void measure_angles(std::span<const FaceHandle> zero_area) {
@@ -88,12 +82,9 @@ class Measurer {
           list_edges_if(cut_, angles.edges, angles.degrees,
                         [limit = *options_.angle_above_degrees](double x) { return x > limit; });
     }
-    analysis_.characteristics.edge_angle = split_and_summarize(
-        angles.degrees, &ComponentStatistics::edge_angle,
+    record(
+        [](auto& of) -> auto& { return of.edge_angle; }, std::move(angles.degrees),
         [&](std::size_t i) { return component_of(cut_.mesh.face_handle(angles.edges[i])); });
-    if (options_.keep_values) {
-      analysis_.values.edge_angle = std::move(angles.degrees);
-    }
   }
 
   void measure_valences() {
@@ -106,17 +97,15 @@ class Measurer {
         values.push_back(valences[v]);
       }
     }
-    analysis_.characteristics.vertex_valence =
-        split_and_summarize(values, &ComponentStatistics::vertex_valence, [&](std::size_t i) {
-          const VertexHandle v(static_cast<int>(vertices[i]));
-          const HalfedgeHandle h = cut_.mesh.halfedge_handle(v);
-          const FaceHandle f = cut_.mesh.face_handle(h);
-          return component_of(
-              f.is_valid() ? f : cut_.mesh.face_handle(cut_.mesh.opposite_halfedge_handle(h)));
-        });
-    if (options_.keep_values) {
-      analysis_.values.vertex_valence = std::move(values);
-    }
+    const auto component = [&](std::size_t i) {
+      const VertexHandle v(static_cast<int>(vertices[i]));
+      const HalfedgeHandle h = cut_.mesh.halfedge_handle(v);
+      const FaceHandle f = cut_.mesh.face_handle(h);
+      return component_of(
+          f.is_valid() ? f : cut_.mesh.face_handle(cut_.mesh.opposite_halfedge_handle(h)));
+    };
+    record(
+        [](auto& of) -> auto& { return of.vertex_valence; }, std::move(values), component);
   }
 
  private:
@@ -185,16 +174,26 @@ class Measurer {
     return found;
   }
 
-  Statistics split_and_summarize(std::span<double> values, Summary ComponentStatistics::*member,
-                                 const std::function<Index(std::size_t)>& component) {
+  /// Says in figures what was measured of each element, for the mesh and for each component, and
+  /// keeps the values where that is asked for.
+  ///
+  /// @param pick       Picks the quantity out of ElementMeasures of anything.
+  /// @param values     One an element.
+  /// @param component  The component of element i.
+  template <typename Pick>
+  void record(Pick pick, std::vector<double> values,
+              const std::function<Index(std::size_t)>& component) {
     if (!analysis_.component_statistics.empty()) {
       const std::vector<Summary> summaries =
           summarize_by_component(components_.count, values, component);
       for (std::size_t c = 0; c < summaries.size(); ++c) {
-        analysis_.component_statistics[c].*member = summaries[c];
+        pick(analysis_.component_statistics[c]) = summaries[c];
       }
     }
-    return summarize(values);
+    pick(analysis_.characteristics) = summarize(values);
+    if (options_.keep_values) {
+      pick(analysis_.values) = std::move(values);
+    }
   }
 
   const CutMesh& cut_;

@@ -44,6 +44,14 @@ struct SetIntersections {
   std::vector<ContainedMesh> partly_contained;
 };
 
+/// What is said of the separation distances of vertices.
+inline constexpr Quantity kSeparationDistance{
+    .info = {.key = "separation_all",
+             .label = "separation distance",
+             .definition = "from a vertex to the closest point of another mesh; negative where the "
+                           "vertex is inside one"},
+    .if_none = "no vertex has a closest point"};
+
 /// The separation distances of one mesh, in figures.
 struct MeshSeparation {
   Index mesh = 0;
@@ -67,14 +75,8 @@ struct SetSeparation {
   bool is_forced = false;
 };
 
-/// The statistics over all faces, edges and vertices of a set.
-struct SetStatistics {
-  Statistics vertex_valence;
-  Statistics face_area;
-  Statistics aspect_ratio;
-  Statistics edge_length;
-  Statistics edge_angle;
-};
+/// The statistics over all vertices, edges and faces of a set.
+using SetStatistics = ElementMeasures<Statistics>;
 
 /// A mesh that is not good, and why.
 struct UnfitMesh {

@@ -57,11 +57,9 @@ void SetTotals::add_mesh(Index number, const Analysis& mesh) {
   volume_.add(c.volume.value.value_or(0.0));
   without_volume_ += c.volume.value ? 0 : 1;
   judge(number, mesh);
-  vertex_valence_.append(mesh.values.vertex_valence);
-  face_area_.append(mesh.values.face_area);
-  aspect_ratio_.append(mesh.values.aspect_ratio);
-  edge_length_.append(mesh.values.edge_length);
-  edge_angle_.append(mesh.values.edge_angle);
+  for (std::size_t i = 0; i < kElementMeasures<PooledValues>.size(); ++i) {
+    pooled_[i].append(mesh.values[i]);
+  }
 }
 
 void SetTotals::judge(Index number, const Analysis& mesh) {
@@ -127,11 +125,11 @@ void SetTotals::add_separation(Index owner, const ObjectSeparation& separation) 
 }
 
 SetStatistics SetTotals::summarize_measures() {
-  return {.vertex_valence = vertex_valence_.summarize(),
-          .face_area = face_area_.summarize(),
-          .aspect_ratio = aspect_ratio_.summarize(),
-          .edge_length = edge_length_.summarize(),
-          .edge_angle = edge_angle_.summarize()};
+  SetStatistics statistics;
+  for (std::size_t i = 0; i < kElementMeasures<PooledValues>.size(); ++i) {
+    statistics[i] = pooled_[i].summarize();
+  }
+  return statistics;
 }
 
 SetAnalysis SetTotals::finish() {

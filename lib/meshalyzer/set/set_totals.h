@@ -45,11 +45,7 @@ class SetTotals {
   CompensatedSum area_;
   CompensatedSum volume_;
   std::size_t without_volume_ = 0;
-  PooledValues vertex_valence_;
-  PooledValues face_area_;
-  PooledValues aspect_ratio_;
-  PooledValues edge_length_;
-  PooledValues edge_angle_;
+  ElementMeasures<PooledValues> pooled_;
   PooledValues distance_;
 };
 

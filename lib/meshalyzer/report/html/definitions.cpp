@@ -1,5 +1,7 @@
 #include "meshalyzer/report/html/definitions.h"
 
+#include "meshalyzer/set/set_analysis.h"
+
 #include <algorithm>
 #include <array>
 
@@ -68,20 +70,6 @@ constexpr std::array kDefinitions{
         "genus",
         "how many handles the surface has: a ball has none, a ring one. From vertices - edges "
         "+ faces = 2 - 2 genus - boundaries"},
-    // Measures.
-    Definition{"vertex valence", "edges at a vertex"},
-    Definition{"face area", "area of a face"},
-    Definition{
-        "aspect ratio",
-        "longest edge of a face over its shortest altitude: 1.1547 where all edges are equal, "
-        "more the thinner it is"},
-    Definition{"edge length", "distance of the two ends of an edge"},
-    Definition{"edge angle",
-               "angle in degrees between the two faces of an edge, on the side their normals point "
-               "to: 180 is flat, 270 the edge of a cube seen from outside"},
-    Definition{"separation distance",
-               "from a vertex to the closest point of another mesh; negative where the vertex is "
-               "inside one"},
     // Curvature.
     Definition{"curvature area", "the area round a vertex that its curvature is spread over"},
     Definition{"vertices without curvature, on a border", "there the surface ends"},
@@ -93,16 +81,6 @@ constexpr std::array kDefinitions{
         "total angle defect",
         "what the angles of the faces lack of a full turn, summed over the vertices: 2 pi times "
         "vertices - edges + faces"},
-    Definition{"Gaussian curvature",
-               "how much a surface is like a ball (positive) or a saddle (negative); 1/length²"},
-    Definition{
-        "mean curvature",
-        "how much a surface bends, on average of all directions: positive where it bulges to "
-        "the side its normals point to; 1/length"},
-    Definition{"principal curvature k1",
-               "how much the surface bends where it bulges most; 1/length"},
-    Definition{"principal curvature k2",
-               "how much the surface bends where it bulges least; 1/length"},
     // Tolerances and repair.
     Definition{"degeneracy tolerance", "edges and altitudes shorter than this are defects"},
     Definition{"slit tolerance", "borders closer than this are the two sides of a slit"},
@@ -117,9 +95,22 @@ constexpr std::array kDefinitions{
     Definition{"partly contained meshes", "meshes some components of which lie inside another one"},
 };
 
+/// The definition in the row of a table whose label it is; empty where there is none.
+template <typename Rows>
+std::string_view definition_in(const Rows& rows, std::string_view term) {
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const auto& row) { return row.quantity.info.label == term; });
+  return found == rows.end() ? std::string_view() : found->quantity.info.definition;
+}
+
 }  // namespace
 
 std::string_view definition_of(std::string_view term) {
+  if (term == kSeparationDistance.info.label) return kSeparationDistance.info.definition;
+  for (const std::string_view definition :
+       {definition_in(kElementMeasures<Statistics>, term), definition_in(kCurvatures, term)}) {
+    if (!definition.empty()) return definition;
+  }
   const auto found =
       std::find_if(kDefinitions.begin(), kDefinitions.end(),
                    [&](const Definition& definition) { return definition.term == term; });

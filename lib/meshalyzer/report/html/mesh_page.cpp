@@ -86,7 +86,7 @@ void append_analysis(HtmlWriter& html, const Analysis& analysis) {
     append_extent(rows, analysis.characteristics);
   });
   append_components_section(html, analysis);
-  append_statistics_section(html, analysis);
+  append_statistics_sections(html, analysis);
 }
 
 }  // namespace

@@ -45,8 +45,7 @@ void append_separation_section(HtmlWriter& html, const SetAnalysis& set) {
   append_separation_counts(rows, *set.separation);
   append_rows(html, rows);
   append_text_table(html, separation_table(set), TableOrder::ByColumn);
-  append_figures(html, {"separation distance", "no vertex has a closest point"},
-                 set.separation->all);
+  append_figures(html, kSeparationDistance, set.separation->all);
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 #include "meshalyzer/report/html/statistics_section.h"
 
+#include "meshalyzer/report/figures.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/histogram_svg.h"
 #include "meshalyzer/report/text/curvature.h"
+#include "meshalyzer/report/text/statistics.h"
 
 #include <array>
 #include <cstddef>
@@ -11,17 +13,13 @@
 namespace meshalyzer {
 namespace {
 
-void append_figure_table(HtmlWriter& html, const QuantityName& quantity,
-                         const Statistics& statistics) {
+void append_figure_table(HtmlWriter& html, const Quantity& quantity, const Statistics& statistics) {
   ReportRows rows;
   rows.line("count", statistics.count);
   if (statistics.infinite > 0) rows.line("infinite (left out)", statistics.infinite);
-  rows.line("min", statistics.min);
-  rows.line("max", statistics.max);
-  rows.line("mean", statistics.mean);
-  rows.line("median", statistics.median);
-  rows.line("variance", statistics.variance);
-  if (quantity.total == QuantityName::Total::Show) rows.line("total", statistics.total);
+  for (const FieldRow<Summary, double>& figure : kFigures) {
+    if (is_shown(figure, quantity)) rows.line(figure.info.label, statistics.*figure.member);
+  }
   const HtmlElement box(html, "div", {{"class", "figures"}});
   append_rows(html, rows);
 }
@@ -37,7 +35,7 @@ void append_bins(HtmlWriter& html, const Histogram& histogram) {
   append_text_table(html, table);
 }
 
-std::string none_text(const QuantityName& quantity, const Statistics& statistics) {
+std::string none_text(const Quantity& quantity, const Statistics& statistics) {
   std::string text = "undefined (";
   text += quantity.if_none;
   text += ')';
@@ -53,33 +51,25 @@ void append_curvatures(HtmlWriter& html, const CurvatureStatistics& curvature) {
   ReportRows rows;
   append_curvature_counts(rows, curvature);
   append_rows(html, rows);
-  for_each_curvature(curvature, [&](const QuantityName& quantity, const Statistics& statistics) {
-    append_figures(html, quantity, statistics);
-  });
-}
-
-template <typename Measures>
-void append_measured(HtmlWriter& html, const Measures& measures) {
-  const HtmlSection section(html, "statistics", "Statistics");
-  for_each_measure(measures, [&](const QuantityName& quantity, const Statistics& statistics) {
-    append_figures(html, quantity, statistics);
-  });
+  for (const auto& [quantity, member] : kCurvatures) {
+    append_figures(html, quantity, curvature.*member);
+  }
 }
 
 }  // namespace
 
-void append_figures(HtmlWriter& html, const QuantityName& quantity, const Statistics& statistics) {
+void append_figures(HtmlWriter& html, const Quantity& quantity, const Statistics& statistics) {
   const HtmlElement figure(html, "figure", {{"class", "histogram"}});
   {
     const HtmlElement caption(html, "figcaption");
-    append_term(html, quantity.name);
+    append_term(html, quantity.info.label);
   }
   if (statistics.count == 0) {
     html.element("p", none_text(quantity, statistics));
     return;
   }
   const bool has_histogram = statistics.min != statistics.max;
-  if (has_histogram) append_histogram_svg(html, quantity.name, statistics.histogram);
+  if (has_histogram) append_histogram_svg(html, quantity.info.label, statistics.histogram);
   append_figure_table(html, quantity, statistics);
   if (has_histogram) {
     append_bins(html, statistics.histogram);
@@ -88,13 +78,16 @@ void append_figures(HtmlWriter& html, const QuantityName& quantity, const Statis
   }
 }
 
-void append_statistics_section(HtmlWriter& html, const Analysis& analysis) {
-  append_measured(html, analysis.characteristics);
+void append_statistics_sections(HtmlWriter& html, const Analysis& analysis) {
+  append_statistics_section(html, analysis.characteristics);
   if (analysis.curvature) append_curvatures(html, *analysis.curvature);
 }
 
-void append_statistics_section(HtmlWriter& html, const SetStatistics& statistics) {
-  append_measured(html, statistics);
+void append_statistics_section(HtmlWriter& html, const ElementMeasures<Statistics>& measures) {
+  const HtmlSection section(html, "statistics", "Statistics");
+  for (const auto& [quantity, member] : kElementMeasures<Statistics>) {
+    append_figures(html, quantity, measures.*member);
+  }
 }
 
 }  // namespace meshalyzer

@@ -1,7 +1,7 @@
 #include "meshalyzer/report/json/curvature.h"
 
+#include "meshalyzer/report/json/non_finite.h"
 #include "meshalyzer/report/json/statistics.h"
-#include "meshalyzer/report/json/statistics_reader.h"
 
 #include <array>
 #include <string_view>
@@ -24,14 +24,10 @@ VertexArea read_area(const JsonNode& node) {
 }  // namespace
 
 void write_curvature(JsonWriter& json, const CurvatureStatistics& curvature) {
-  const auto statistics = [&](std::string_view name, const Statistics& values) {
-    json.key(name);
-    write_statistics(json, values);
-  };
-  statistics("gaussian_curvature", curvature.gaussian);
-  statistics("mean_curvature", curvature.mean);
-  statistics("k1", curvature.k1);
-  statistics("k2", curvature.k2);
+  for (const auto& [quantity, member] : kCurvatures) {
+    json.key(quantity.info.key);
+    write_statistics(json, curvature.*member);
+  }
   json.key("curvature");
   json.begin_object();
   json.member("area", area_name(curvature.area));
@@ -57,10 +53,9 @@ std::optional<CurvatureStatistics> read_curvature(const JsonNode& object) {
   for (std::size_t i = 0; i < kCurvatureStates; ++i) {
     curvature.vertices[i] = vertices.member(kStateNames[i]).count();
   }
-  curvature.gaussian = read_statistics(object.member("gaussian_curvature"));
-  curvature.mean = read_statistics(object.member("mean_curvature"));
-  curvature.k1 = read_statistics(object.member("k1"));
-  curvature.k2 = read_statistics(object.member("k2"));
+  for (const auto& [quantity, member] : kCurvatures) {
+    curvature.*member = read_statistics(object.member(quantity.info.key));
+  }
   return curvature;
 }
 

@@ -1,8 +1,8 @@
 #include "meshalyzer/report/json/findings.h"
 
 #include "meshalyzer/report/json/name.h"
+#include "meshalyzer/report/json/non_finite.h"
 #include "meshalyzer/report/json/point.h"
-#include "meshalyzer/report/json/statistics.h"
 
 #include <cmath>
 

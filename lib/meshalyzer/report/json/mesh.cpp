@@ -3,6 +3,7 @@
 #include "meshalyzer/report/asked_lists.h"
 #include "meshalyzer/report/json/bytes.h"
 #include "meshalyzer/report/json/curvature.h"
+#include "meshalyzer/report/json/non_finite.h"
 #include "meshalyzer/report/json/offenders.h"
 #include "meshalyzer/report/json/point.h"
 #include "meshalyzer/report/json/statistics.h"
@@ -103,7 +104,7 @@ void write_place(JsonWriter& json, const Characteristics& c) {
   json.member("genus_of_components", c.genus_of_components);
 }
 
-void write_measures(JsonWriter& json, const Characteristics& c) {
+void write_measured(JsonWriter& json, const Characteristics& c) {
   json.member("indistinguishable_vertices", c.indistinguishable_vertices);
   json.member("indistinguishable_edges", c.indistinguishable_edges);
   json.member("zero_area_faces", c.zero_area_faces);
@@ -112,26 +113,18 @@ void write_measures(JsonWriter& json, const Characteristics& c) {
   json.member("unwelded_pairs", c.unwelded_pairs);
   json.member("intersecting_faces", c.intersecting_faces);
   json.member("area", c.area);
-  const auto statistics = [&](std::string_view name, const Statistics& values) {
-    json.key(name);
-    write_statistics(json, values);
-  };
-  statistics("vertex_valence", c.vertex_valence);
-  statistics("face_area", c.face_area);
-  statistics("aspect_ratio", c.aspect_ratio);
-  statistics("edge_length", c.edge_length);
-  statistics("edge_angle", c.edge_angle);
+  write_measures(json, &c);
 }
 
 /// What -a leaves out keeps its keys, so that a program need not ask which report it has.
 void write_uncomputed_measures(JsonWriter& json) {
   for (const std::string_view name :
        {"indistinguishable_vertices", "indistinguishable_edges", "zero_area_faces",
-        "duplicate_faces", "intersecting_pairs", "unwelded_pairs", "intersecting_faces", "area",
-        "vertex_valence", "face_area", "aspect_ratio", "edge_length", "edge_angle"}) {
+        "duplicate_faces", "intersecting_pairs", "unwelded_pairs", "intersecting_faces", "area"}) {
     json.key(name);
     json.null();
   }
+  write_measures(json, nullptr);
 }
 
 void write_characteristics(JsonWriter& json, const Analysis& analysis) {
@@ -140,7 +133,7 @@ void write_characteristics(JsonWriter& json, const Analysis& analysis) {
   write_topology(json, c);
   write_place(json, c);
   if (analysis.has_characteristics) {
-    write_measures(json, c);
+    write_measured(json, c);
   } else {
     write_uncomputed_measures(json);
   }
@@ -169,18 +162,6 @@ void write_component_topology(JsonWriter& json, const ComponentAnalysis& compone
   json.member("outward", component.outward);
 }
 
-void write_component_statistics(JsonWriter& json, const ComponentStatistics& statistics) {
-  const auto summary = [&](std::string_view name, const Summary& values) {
-    json.key(name);
-    write_summary(json, values);
-  };
-  summary("vertex_valence", statistics.vertex_valence);
-  summary("face_area", statistics.face_area);
-  summary("aspect_ratio", statistics.aspect_ratio);
-  summary("edge_length", statistics.edge_length);
-  summary("edge_angle", statistics.edge_angle);
-}
-
 void write_component(JsonWriter& json, const Analysis& analysis, std::size_t i) {
   const ComponentAnalysis& component = analysis.components[i];
   const auto measured = [&](auto value) {
@@ -200,7 +181,7 @@ void write_component(JsonWriter& json, const Analysis& analysis, std::size_t i) 
   write_non_finite(json, {{"area", measured(component.area).value_or(0.0)},
                           {"volume", component.volume.value_or(0.0)}});
   if (i < analysis.component_statistics.size()) {
-    write_component_statistics(json, analysis.component_statistics[i]);
+    write_measures(json, analysis.component_statistics[i]);
   }
   json.end_object();
 }

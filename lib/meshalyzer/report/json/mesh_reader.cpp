@@ -3,10 +3,11 @@
 #include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/report/json/bytes.h"
 #include "meshalyzer/report/json/curvature.h"
+#include "meshalyzer/report/json/non_finite.h"
 #include "meshalyzer/report/json/offenders_reader.h"
 #include "meshalyzer/report/json/point.h"
 #include "meshalyzer/report/json/record_ids.h"
-#include "meshalyzer/report/json/statistics_reader.h"
+#include "meshalyzer/report/json/statistics.h"
 #include "meshalyzer/report/json/tree.h"
 
 namespace meshalyzer {
@@ -98,7 +99,7 @@ void read_topology(const JsonNode& object, Characteristics& c) {
   c.flipped_edges = object.member("flipped_edges").count();
 }
 
-void read_measures(const JsonNode& object, Characteristics& c) {
+void read_measured(const JsonNode& object, Characteristics& c) {
   c.indistinguishable_vertices = object.member("indistinguishable_vertices").count();
   c.indistinguishable_edges = object.member("indistinguishable_edges").count();
   c.zero_area_faces = object.member("zero_area_faces").count();
@@ -107,11 +108,7 @@ void read_measures(const JsonNode& object, Characteristics& c) {
   c.unwelded_pairs = object.member("unwelded_pairs").count();
   c.intersecting_faces = object.member("intersecting_faces").count();
   c.area = read_real(object, "area");
-  c.vertex_valence = read_statistics(object.member("vertex_valence"));
-  c.face_area = read_statistics(object.member("face_area"));
-  c.aspect_ratio = read_statistics(object.member("aspect_ratio"));
-  c.edge_length = read_statistics(object.member("edge_length"));
-  c.edge_angle = read_statistics(object.member("edge_angle"));
+  read_measures(object, static_cast<ElementMeasures<Statistics>&>(c));
 }
 
 Characteristics read_characteristics(const JsonNode& mesh, bool has_measures) {
@@ -124,7 +121,7 @@ Characteristics read_characteristics(const JsonNode& mesh, bool has_measures) {
              .reason = read_reason(mesh, "genus")};
   c.genus_of_components = optional_integer(object.member("genus_of_components"));
   if (has_measures) {
-    read_measures(object, c);
+    read_measured(object, c);
   }
   return c;
 }
@@ -163,21 +160,13 @@ ComponentAnalysis read_component(const JsonNode& object, bool has_measures) {
   return component;
 }
 
-ComponentStatistics read_component_statistics(const JsonNode& object) {
-  return {.vertex_valence = read_summary(object.member("vertex_valence")),
-          .face_area = read_summary(object.member("face_area")),
-          .aspect_ratio = read_summary(object.member("aspect_ratio")),
-          .edge_length = read_summary(object.member("edge_length")),
-          .edge_angle = read_summary(object.member("edge_angle"))};
-}
-
 void read_components(const JsonNode& list, Analysis& analysis) {
   for (JsonElements elements = list.elements(); !elements.at_end();) {
     const JsonNode object = elements.next();
     // Either all have statistics or none: a mesh of many components has none of each.
-    if (object.find("vertex_valence")) {
+    if (has_measures(object)) {
       analysis.component_statistics.resize(analysis.components.size());
-      analysis.component_statistics.push_back(read_component_statistics(object));
+      read_measures(object, analysis.component_statistics.emplace_back());
     }
     analysis.components.push_back(read_component(object, analysis.has_characteristics));
   }
@@ -217,8 +206,7 @@ Analysis read_mesh_json(std::string_view object_text) {
   analysis.n_polygons = mesh.member("polygons").count();
   analysis.integrity = read_integrity(mesh.member("integrity"));
   analysis.attributes = read_attributes(mesh);
-  // -a leaves out all measures: one tells of all.
-  analysis.has_characteristics = !mesh.member("characteristics").member("face_area").is_null();
+  analysis.has_characteristics = !has_null_measures(mesh.member("characteristics"));
   analysis.characteristics = read_characteristics(mesh, analysis.has_characteristics);
   analysis.curvature = read_curvature(mesh.member("characteristics"));
   read_components(mesh.member("per_component"), analysis);

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/report/json/findings.h"
 #include "meshalyzer/report/json/name.h"
+#include "meshalyzer/report/json/non_finite.h"
 #include "meshalyzer/report/json/statistics.h"
 #include "meshalyzer/report/set_verdict.h"
 
@@ -48,18 +49,6 @@ void write_totals(JsonWriter& json, const SetAnalysis& set) {
   if (set.is_measured) {
     write_non_finite(json, {{"area", set.area}, {"volume", set.volume.value.value_or(0.0)}});
   }
-}
-
-void write_measures(JsonWriter& json, const SetStatistics& measures) {
-  const auto statistics = [&](std::string_view name, const Statistics& values) {
-    json.key(name);
-    write_statistics(json, values);
-  };
-  statistics("vertex_valence", measures.vertex_valence);
-  statistics("face_area", measures.face_area);
-  statistics("aspect_ratio", measures.aspect_ratio);
-  statistics("edge_length", measures.edge_length);
-  statistics("edge_angle", measures.edge_angle);
 }
 
 /// Why there is no volume, or what it is the volume of, and why there is no separation.
@@ -145,11 +134,7 @@ void write_set_members(JsonWriter& json, const SetAnalysis& set,
   write_not_good(json, set);
   json.member("is_good", is_good(set));
   write_totals(json, set);
-  if (set.statistics) {
-    write_measures(json, *set.statistics);
-  } else {
-    write_nulls(json, {"vertex_valence", "face_area", "aspect_ratio", "edge_length", "edge_angle"});
-  }
+  write_measures(json, set.statistics ? &*set.statistics : nullptr);
   write_undefined(json, set);
   write_intersections(json, set, on_row);
   write_separation(json, set);

@@ -1,31 +1,28 @@
 #include "meshalyzer/report/json/statistics.h"
 
-#include "meshalyzer/base/numbers.h"
+#include "meshalyzer/report/figures.h"
+#include "meshalyzer/report/json/non_finite.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 namespace meshalyzer {
 namespace {
 
+/// Either all measures are there or none, and so with nulls: the first one tells of all.
+constexpr std::string_view kFirstMeasure = kElementMeasures<Statistics>.front().quantity.info.key;
+
 void write_figures(JsonWriter& json, const Summary& summary) {
-  const auto figure = [&](double value) {
-    return summary.count == 0 ? std::nullopt : std::optional(value);
-  };
   json.member("count", summary.count);
   json.member("infinite", summary.infinite);
-  json.member("min", figure(summary.min));
-  json.member("max", figure(summary.max));
-  json.member("mean", figure(summary.mean));
-  json.member("median", figure(summary.median));
-  json.member("variance", figure(summary.variance));
-  json.member("total", figure(summary.total));
-  write_non_finite(json, {{"min", summary.min},
-                          {"max", summary.max},
-                          {"mean", summary.mean},
-                          {"median", summary.median},
-                          {"variance", summary.variance},
-                          {"total", summary.total}});
+  std::array<NamedReal, kFigures.size()> reals;
+  std::transform(kFigures.begin(), kFigures.end(), reals.begin(), [&](const auto& figure) {
+    return NamedReal{figure.info.key, summary.*figure.member};
+  });
+  for (const NamedReal& real : reals) {
+    json.member(real.name, summary.count == 0 ? std::nullopt : std::optional(real.value));
+  }
+  write_non_finite(json, reals);
 }
 
 void write_histogram(JsonWriter& json, const Histogram& histogram) {
@@ -45,6 +42,21 @@ void write_histogram(JsonWriter& json, const Histogram& histogram) {
   json.end_object();
 }
 
+Histogram read_histogram(const JsonNode& object) {
+  Histogram histogram;
+  JsonElements edges = object.member("edges").elements();
+  for (double& edge : histogram.edges) {
+    edge = edges.next().real();
+  }
+  edges.expect_end();
+  JsonElements counts = object.member("counts").elements();
+  for (std::size_t& count : histogram.counts) {
+    count = counts.next().count();
+  }
+  counts.expect_end();
+  return histogram;
+}
+
 }  // namespace
 
 void write_statistics(JsonWriter& json, const Statistics& statistics) {
@@ -59,25 +71,68 @@ void write_statistics(JsonWriter& json, const Statistics& statistics) {
   json.end_object();
 }
 
+Statistics read_statistics(const JsonNode& object) {
+  Statistics statistics{read_summary(object), {}};
+  if (statistics.count != 0) {
+    statistics.histogram = read_histogram(object.member("histogram"));
+  }
+  return statistics;
+}
+
 void write_summary(JsonWriter& json, const Summary& summary) {
   json.begin_object(JsonLayout::Row);
   write_figures(json, summary);
   json.end_object();
 }
 
-void write_non_finite(JsonWriter& json, std::initializer_list<NamedReal> reals) {
-  const auto is_finite = [](const NamedReal& real) { return std::isfinite(real.value); };
-  if (std::all_of(reals.begin(), reals.end(), is_finite)) {
-    return;
-  }
-  json.key("non_finite");
-  json.begin_object(JsonLayout::Row);
-  for (const NamedReal& real : reals) {
-    if (!is_finite(real)) {
-      json.member(real.name, std::string_view(shortest(real.value)));
+Summary read_summary(const JsonNode& object) {
+  Summary summary;
+  summary.count = object.member("count").count();
+  summary.infinite = object.member("infinite").count();
+  if (summary.count != 0) {
+    for (const auto& [info, member] : kFigures) {
+      summary.*member = read_real(object, info.key);
     }
   }
-  json.end_object();
+  return summary;
+}
+
+void write_measures(JsonWriter& json, const ElementMeasures<Statistics>* measures) {
+  for (const auto& [quantity, member] : kElementMeasures<Statistics>) {
+    json.key(quantity.info.key);
+    if (measures == nullptr) {
+      json.null();
+    } else {
+      write_statistics(json, measures->*member);
+    }
+  }
+}
+
+void write_measures(JsonWriter& json, const ElementMeasures<Summary>& measures) {
+  for (const auto& [quantity, member] : kElementMeasures<Summary>) {
+    json.key(quantity.info.key);
+    write_summary(json, measures.*member);
+  }
+}
+
+bool has_measures(const JsonNode& object) {
+  return object.find(kFirstMeasure).has_value();
+}
+
+bool has_null_measures(const JsonNode& object) {
+  return object.member(kFirstMeasure).is_null();
+}
+
+void read_measures(const JsonNode& object, ElementMeasures<Statistics>& measures) {
+  for (const auto& [quantity, member] : kElementMeasures<Statistics>) {
+    measures.*member = read_statistics(object.member(quantity.info.key));
+  }
+}
+
+void read_measures(const JsonNode& object, ElementMeasures<Summary>& measures) {
+  for (const auto& [quantity, member] : kElementMeasures<Summary>) {
+    measures.*member = read_summary(object.member(quantity.info.key));
+  }
 }
 
 }  // namespace meshalyzer

@@ -1,27 +1,37 @@
 #pragma once
 
+#include "meshalyzer/analysis/element_measures.h"
 #include "meshalyzer/base/statistics.h"
+#include "meshalyzer/report/json/tree.h"
 #include "meshalyzer/report/json/writer.h"
-
-#include <initializer_list>
-#include <string_view>
 
 namespace meshalyzer {
 
 /// Writes statistics as a value (contract 4, STAT).
 void write_statistics(JsonWriter& json, const Statistics& statistics);
 
+/// What write_statistics() wrote.
+[[nodiscard]] Statistics read_statistics(const JsonNode& object);
+
 /// The same without a histogram, in one line.
 void write_summary(JsonWriter& json, const Summary& summary);
+[[nodiscard]] Summary read_summary(const JsonNode& object);
 
-/// A real that is a member of a JSON object.
-struct NamedReal {
-  std::string_view name;
-  double value = 0.0;
-};
+/// Writes the statistics of all that is measured of vertices, edges and faces, a member each.
+/// @param measures  Null where they were not computed: then the members are null too.
+void write_measures(JsonWriter& json, const ElementMeasures<Statistics>* measures);
 
-/// Where any of the reals is infinite or NaN, writes a further member "non_finite" that tells which
-/// of these the null of each stands for: "inf", "-inf", "nan" or "-nan".
-void write_non_finite(JsonWriter& json, std::initializer_list<NamedReal> reals);
+/// Writes the summaries of the same, a line each.
+void write_measures(JsonWriter& json, const ElementMeasures<Summary>& measures);
+
+/// Whether an object has what write_measures() writes, as nulls too.
+[[nodiscard]] bool has_measures(const JsonNode& object);
+
+/// Whether write_measures() wrote nulls into an object.
+[[nodiscard]] bool has_null_measures(const JsonNode& object);
+
+/// Reads what write_measures() wrote into an object.
+void read_measures(const JsonNode& object, ElementMeasures<Statistics>& measures);
+void read_measures(const JsonNode& object, ElementMeasures<Summary>& measures);
 
 }  // namespace meshalyzer

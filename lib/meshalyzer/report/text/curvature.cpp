@@ -1,5 +1,7 @@
 #include "meshalyzer/report/text/curvature.h"
 
+#include "meshalyzer/report/text/statistics.h"
+
 namespace meshalyzer {
 namespace {
 
@@ -26,9 +28,9 @@ void append_curvature_counts(LineSink& lines, const CurvatureStatistics& curvatu
 
 void append_curvature(TextLines& lines, const CurvatureStatistics& curvature) {
   append_curvature_counts(lines, curvature);
-  for_each_curvature(curvature, [&](const QuantityName& quantity, const Statistics& statistics) {
-    append_statistics(lines, quantity, statistics);
-  });
+  for (const auto& [quantity, member] : kCurvatures) {
+    append_statistics(lines, quantity, curvature.*member);
+  }
 }
 
 }  // namespace meshalyzer

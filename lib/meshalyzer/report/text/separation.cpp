@@ -31,7 +31,9 @@ std::vector<std::string> row_of(const std::string& name, const MeshSeparation& m
 void append_meshes_in_full(TextLines& lines, const SetAnalysis& set) {
   for (const MeshSeparation& mesh : set.separation->meshes) {
     const std::string name = set.names[mesh.mesh] + " separation distance";
-    append_statistics(lines, {name, "no vertex has a closest point"}, mesh.distance);
+    Quantity quantity = kSeparationDistance;
+    quantity.info.label = name;
+    append_statistics(lines, quantity, mesh.distance);
   }
 }
 
@@ -85,8 +87,7 @@ void append_separation(TextLines& lines, const SetAnalysis& set, OffenderStyle s
     return;
   }
   append_separation_options(lines, *set.separation);
-  append_statistics(lines, {"separation distance", "no vertex has a closest point"},
-                    set.separation->all);
+  append_statistics(lines, kSeparationDistance, set.separation->all);
   append_separation_counts(lines, *set.separation);
   lines.line("separation distances, a mesh a row", "all");
   append_table(lines.text(), separation_table(set));

@@ -1,5 +1,7 @@
 #include "meshalyzer/report/text/statistics.h"
 
+#include "meshalyzer/report/figures.h"
+
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
@@ -50,9 +52,8 @@ std::array<std::string, Histogram::kBins + 1> edge_texts(const Histogram& histog
   return texts;
 }
 
-void append_statistics(TextLines& lines, const QuantityName& quantity,
-                       const Statistics& statistics) {
-  const std::string name(quantity.name);
+void append_statistics(TextLines& lines, const Quantity& quantity, const Statistics& statistics) {
+  const std::string name(quantity.info.label);
   if (statistics.infinite > 0) {
     lines.line(name + " infinite",
                fmt::format("{} (left out of the figures below)", statistics.infinite));
@@ -62,13 +63,10 @@ void append_statistics(TextLines& lines, const QuantityName& quantity,
     return;
   }
   lines.line(name + " count", statistics.count);
-  lines.line(name + " min", statistics.min);
-  lines.line(name + " max", statistics.max);
-  lines.line(name + " mean", statistics.mean);
-  lines.line(name + " median", statistics.median);
-  lines.line(name + " variance", statistics.variance);
-  if (quantity.total == QuantityName::Total::Show) {
-    lines.line(name + " total", statistics.total);
+  for (const FieldRow<Summary, double>& figure : kFigures) {
+    if (is_shown(figure, quantity)) {
+      lines.line(fmt::format("{} {}", name, figure.info.label), statistics.*figure.member);
+    }
   }
   if (statistics.min == statistics.max) {
     lines.line(name + " histogram", "none (all values are the same)");
@@ -76,6 +74,12 @@ void append_statistics(TextLines& lines, const QuantityName& quantity,
   }
   lines.line(name + " histogram", "16 bins of equal width");
   append_histogram(lines.text(), statistics.histogram);
+}
+
+void append_measures(TextLines& lines, const ElementMeasures<Statistics>& measures) {
+  for (const auto& [quantity, member] : kElementMeasures<Statistics>) {
+    append_statistics(lines, quantity, measures.*member);
+  }
 }
 
 }  // namespace meshalyzer

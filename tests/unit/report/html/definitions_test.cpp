@@ -48,11 +48,11 @@ TEST(DefinitionOf, EachToleranceIsDefined) {
 }
 
 TEST(DefinitionOf, EachQuantityIsDefined) {
-  const auto expect = [](const QuantityName& quantity, const Statistics&) {
-    EXPECT_FALSE(definition_of(quantity.name).empty()) << quantity.name;
+  const auto expect = [](const FieldInfo& info) {
+    EXPECT_FALSE(definition_of(info.label).empty()) << info.label;
   };
-  for_each_measure(Characteristics{}, expect);
-  for_each_curvature(CurvatureStatistics{}, expect);
+  for (const auto& row : kElementMeasures<Statistics>) expect(row.quantity.info);
+  for (const auto& row : kCurvatures) expect(row.quantity.info);
 }
 
 TEST(DefinitionOf, EachLineOfTheCurvatureIsDefined) {

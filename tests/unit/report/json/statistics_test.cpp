@@ -1,7 +1,7 @@
 #include "meshalyzer/report/json/statistics.h"
 
 #include "meshalyzer/base/error.h"
-#include "meshalyzer/report/json/statistics_reader.h"
+#include "meshalyzer/report/json/non_finite.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "meshalyzer/report/json/tree.h"
+#include "meshalyzer/report/json/writer.h"
+
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace meshalyzer {
+
+/// A real that is a member of a JSON object.
+struct NamedReal {
+  std::string_view name;
+  double value = 0.0;
+};
+
+/// Where any of the reals is infinite or NaN, writes a further member "non_finite" that tells which
+/// of these the null of each stands for: "inf", "-inf", "nan" or "-nan".
+void write_non_finite(JsonWriter& json, std::span<const NamedReal> reals);
+inline void write_non_finite(JsonWriter& json, std::initializer_list<NamedReal> reals) {
+  write_non_finite(json, std::span(reals.begin(), reals.end()));
+}
+
+/// A real that is a member of `object`, found in what write_non_finite() wrote where it is null.
+/// @return nothing where it is null and not there either.
+[[nodiscard]] std::optional<double> find_real(const JsonNode& object, std::string_view name);
+
+/// The same, where there must be a value.
+[[nodiscard]] double read_real(const JsonNode& object, std::string_view name);
+
+}  // namespace meshalyzer
