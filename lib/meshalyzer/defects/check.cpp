@@ -23,7 +23,7 @@ DefectCodes codes_of(const CheckOptions& options) {
 }
 
 /// The border edges of a mesh by their file vertices, the smaller first.
-std::vector<std::array<Index, 2>> border_edges(const CutMesh& cut) {
+std::vector<std::array<Index, 2>> border_edge_ends(const CutMesh& cut) {
   std::vector<std::array<Index, 2>> edges;
   for (const HalfedgeHandle h : find_border_edges(cut)) {
     const auto [from, to] = file_ends(cut, h);
@@ -64,7 +64,7 @@ void match_borders(const PreparedMesh& mesh, std::span<const Polyline> polylines
                    CheckResult& result) {
   const double tolerance = result.report.tolerances.slit;
   const std::vector<Segment> segments = segments_of(polylines);
-  const std::vector<std::array<Index, 2>> edges = border_edges(mesh.cut());
+  const std::vector<std::array<Index, 2>> edges = border_edge_ends(mesh.cut());
   std::vector<Segment> places;
   for (const auto& [a, b] : edges) {
     places.push_back({mesh.soup().positions[a], mesh.soup().positions[b]});

@@ -16,7 +16,7 @@ namespace {
 using Places = std::array<Vec3, 3>;
 
 /// Neither overflows early nor loses digits to underflow.
-double distance(const Vec3& from, const Vec3& to) {
+double length_between(const Vec3& from, const Vec3& to) {
   const Vec3 difference = to - from;
   const double size = difference.cwiseAbs().maxCoeff();
   return size > 1e-100 && size < 1e100 ? difference.norm() : difference.stableNorm();
@@ -24,7 +24,7 @@ double distance(const Vec3& from, const Vec3& to) {
 
 /// Lengths of the edges from corner k to corner k + 1.
 std::array<double, 3> edge_lengths(const Places& p) {
-  return {distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[0])};
+  return {length_between(p[0], p[1]), length_between(p[1], p[2]), length_between(p[2], p[0])};
 }
 
 Vec3 difference_in_units(const Vec3& from, const Vec3& to, double unit) {

@@ -13,11 +13,11 @@ namespace {
 constexpr double kBound = 6 * 8 * 0x1p-53 * 1.01;
 
 // Within these magnitudes nothing overflows, and what underflows is far below the bound.
-constexpr double kSmall = 1e-270;
-constexpr double kLarge = 1e290;
+constexpr double kSmallestMagnitude = 1e-270;
+constexpr double kLargestMagnitude = 1e290;
 
 bool is_in_range(double magnitude) {
-  return magnitude > kSmall && magnitude < kLarge;
+  return magnitude > kSmallestMagnitude && magnitude < kLargestMagnitude;
 }
 
 using Exact = CGAL::Mpzf;

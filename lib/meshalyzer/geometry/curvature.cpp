@@ -21,17 +21,17 @@ constexpr std::array kAreaNames{
     AreaName{VertexArea::Mixed, "mixed"}, AreaName{VertexArea::Voronoi, "voronoi"},
     AreaName{VertexArea::Barycentric, "barycentric"}, AreaName{VertexArea::OneRing, "one-ring"}};
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 Curvature without_figures(std::vector<CurvatureState> state) {
   const std::size_t n = state.size();
   return {.state = std::move(state),
           .angle_defect = std::vector<double>(n),
-          .area = std::vector<double>(n, kNone),
-          .gaussian = std::vector<double>(n, kNone),
-          .mean = std::vector<double>(n, kNone),
-          .k1 = std::vector<double>(n, kNone),
-          .k2 = std::vector<double>(n, kNone),
+          .area = std::vector<double>(n, kNoValue),
+          .gaussian = std::vector<double>(n, kNoValue),
+          .mean = std::vector<double>(n, kNoValue),
+          .k1 = std::vector<double>(n, kNoValue),
+          .k2 = std::vector<double>(n, kNoValue),
           .direction1 = std::vector<Vec3>(n, Vec3::Zero()),
           .direction2 = std::vector<Vec3>(n, Vec3::Zero())};
 }

@@ -22,18 +22,19 @@ constexpr std::size_t kUnknowns = 5;
 constexpr std::size_t kSlopeX = 3;
 constexpr std::size_t kSlopeY = 4;
 
-constexpr int kNone = -1;
+constexpr int kNoVertex = -1;
 
-/// The neighbours of a vertex, then kNone; none where they are too many. As long as a cache line.
+/// The neighbours of a vertex, then kNoVertex; none where they are too many. As long as a cache
+/// line.
 using Ring = std::array<int, kMostNeighbours>;
 
 Ring ring_of(const TriMesh& mesh, VertexHandle v) {
   Ring ring;
-  ring.fill(kNone);
+  ring.fill(kNoVertex);
   std::size_t n = 0;
   for (const VertexHandle w : one_ring_vertices(mesh, v)) {
     if (n == kMostNeighbours) {
-      ring.fill(kNone);
+      ring.fill(kNoVertex);
       break;
     }
     ring[n++] = w.idx();
@@ -45,13 +46,13 @@ Ring ring_of(const TriMesh& mesh, VertexHandle v) {
 class TwoRing {
  public:
   TwoRing(const std::vector<Ring>& rings, int centre) {
-    slots_.fill(kNone);
+    slots_.fill(kNoVertex);
     add(centre);
     for (const int v : rings[static_cast<std::size_t>(centre)]) {
-      if (v == kNone) break;
+      if (v == kNoVertex) break;
       add(v);
       for (const int w : rings[static_cast<std::size_t>(v)]) {
-        if (w == kNone) break;
+        if (w == kNoVertex) break;
         add(w);
       }
     }
@@ -65,9 +66,9 @@ class TwoRing {
   /// Without a branch on whether it is new, which half of them are.
   void add(int v) {
     std::size_t slot = static_cast<std::size_t>(v) % kSlots;
-    while (slots_[slot] != kNone && slots_[slot] != v) slot = (slot + 1) % kSlots;
+    while (slots_[slot] != kNoVertex && slots_[slot] != v) slot = (slot + 1) % kSlots;
     members_[n_] = v;
-    n_ += slots_[slot] == kNone ? 1 : 0;
+    n_ += slots_[slot] == kNoVertex ? 1 : 0;
     slots_[slot] = v;
   }
 

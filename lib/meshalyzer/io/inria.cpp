@@ -159,7 +159,7 @@ class InriaParser {
         std::find_if(kSkippedSections.begin(), kSkippedSections.end(),
                      [&](const SkippedSection& s) { return s.keyword == keyword; });
     if (section == kSkippedSections.end()) {
-      in_.fault(quoted(keyword) + " is no keyword of INRIA's format");
+      in_.fault(in_quotes(keyword) + " is no keyword of INRIA's format");
     }
     skip_numbers(begin_records(section->numbers_a_record, keyword) * section->numbers_a_record);
   }

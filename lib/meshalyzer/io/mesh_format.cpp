@@ -50,7 +50,7 @@ void parse_record(TextScanner& in, Part& part) {
     part.torn_lines.push_back(line);
     in.skip_record();
   } else {
-    in.fault(quoted(keyword) + " is neither Vertex nor Face");
+    in.fault(in_quotes(keyword) + " is neither Vertex nor Face");
   }
   in.end_record();
 }

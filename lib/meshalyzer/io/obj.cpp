@@ -59,7 +59,7 @@ class ObjParser {
       n_texture_points_ += keyword == "vt" ? 1 : 0;
       in_.skip_record();
     } else {
-      in_.fault(quoted(keyword) + " is no keyword of OBJ");
+      in_.fault(in_quotes(keyword) + " is no keyword of OBJ");
     }
   }
 
@@ -106,7 +106,7 @@ class ObjParser {
     std::size_t begin = 0;
     for (std::size_t n = 0; begin <= token.size(); ++n) {
       if (n == fields.size()) {
-        in_.fault(quoted(token) + " is no corner of a face");
+        in_.fault(in_quotes(token) + " is no corner of a face");
       }
       const std::size_t end = std::min(token.find('/', begin), token.size());
       fields[n] = token.substr(begin, end - begin);
@@ -128,7 +128,7 @@ class ObjParser {
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
     if (field.empty() || error == std::errc::invalid_argument ||
         end != field.data() + field.size()) {
-      in_.fault(quoted(token) + " is no corner of a face");
+      in_.fault(in_quotes(token) + " is no corner of a face");
     }
     if (error != std::errc{} || value > kLargestIndex) {
       in_.fault("index " + std::string(field) + " is beyond " + std::to_string(kLargestIndex));

@@ -75,7 +75,7 @@ class OffParser {
         in_.fault("OFF in other than three dimensions or in binary is not read");
       }
     } else if (keyword.find_first_not_of("0123456789") != std::string_view::npos) {
-      in_.fault(quoted(keyword) + " is not the keyword OFF");
+      in_.fault(in_quotes(keyword) + " is not the keyword OFF");
     }
     in_.require_record("its counts");
     constexpr std::size_t kShortestVertex = std::string_view("0 0 0\n").size();

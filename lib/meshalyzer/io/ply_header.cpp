@@ -103,7 +103,7 @@ class HeaderParser {
     } else if (keyword == "property") {
       parse_property(line);
     } else {
-      line.fault(quoted(keyword) + " is no keyword of a PLY header");
+      line.fault(in_quotes(keyword) + " is no keyword of a PLY header");
     }
     line.end_record();
   }
@@ -116,7 +116,7 @@ class HeaderParser {
       line.fault("triangle strips are not read");
     }
     if (element.name.empty() || has_name(header_.elements, element.name)) {
-      line.fault("element " + quoted(element.name) + " has no name or is declared twice");
+      line.fault("element " + in_quotes(element.name) + " has no name or is declared twice");
     }
     const std::int64_t count = line.integer();
     if (count < 0) {
@@ -143,7 +143,7 @@ class HeaderParser {
     property.name = line.word();
     PlyElement& element = header_.elements.back();
     if (property.name.empty() || has_name(element.properties, property.name)) {
-      line.fault("property " + quoted(property.name) + " has no name or is declared twice");
+      line.fault("property " + in_quotes(property.name) + " has no name or is declared twice");
     }
     if (element.name == "face" && is_corner_list(property) && !is_integer(property.type)) {
       line.fault("the vertex indices of faces are no integers");
@@ -155,7 +155,7 @@ class HeaderParser {
     const auto* const found = std::find_if(kTypeNames.begin(), kTypeNames.end(),
                                            [&](const auto& known) { return known.first == name; });
     if (found == kTypeNames.end()) {
-      line.fault(quoted(name) + " is no type of PLY");
+      line.fault(in_quotes(name) + " is no type of PLY");
     }
     return found->second;
   }

@@ -104,7 +104,7 @@ class AsciiStlParser {
     in_.require_record(keyword);
     const std::string_view word = in_.word();
     if (!equal_ignoring_case(word, keyword)) {
-      in_.fault(quoted(word) + " stands where " + std::string(keyword) + " should");
+      in_.fault(in_quotes(word) + " stands where " + std::string(keyword) + " should");
     }
   }
 

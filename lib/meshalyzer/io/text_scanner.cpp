@@ -24,7 +24,7 @@ bool is_all_digits(std::string_view token) {
 
 }  // namespace
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t kMaxBytes = 40;
   constexpr std::string_view kHex = "0123456789abcdef";
   std::string result = "\"";
@@ -76,7 +76,7 @@ void TextScanner::skip_number() {
     fault("the line ends where a number should stand");
   }
   if (!parse_real(token)) {
-    fault(quoted(token) + " is not a number");
+    fault(in_quotes(token) + " is not a number");
   }
 }
 
@@ -125,10 +125,10 @@ double TextScanner::unusual_real() {
   }
   const std::optional<double> value = parse_real(token);
   if (!value) {
-    fault(quoted(token) + " is not a number");
+    fault(in_quotes(token) + " is not a number");
   }
   if (!std::isfinite(*value)) {
-    fault(quoted(token) + " is not a finite number");
+    fault(in_quotes(token) + " is not a finite number");
   }
   return *value;
 }
@@ -140,13 +140,13 @@ std::int64_t TextScanner::unusual_integer() {
   }
   const std::optional<std::int64_t> value = parse_integer(token);
   if (!value) {
-    fault(quoted(token) + (is_all_digits(token) ? " is too large" : " is not an integer"));
+    fault(in_quotes(token) + (is_all_digits(token) ? " is too large" : " is not an integer"));
   }
   return *value;
 }
 
 void TextScanner::fault_surplus() {
-  fault(quoted(word()) + " stands where the line should end");
+  fault(in_quotes(word()) + " stands where the line should end");
 }
 
 void TextScanner::fault_index(std::int64_t value, std::int64_t first) const {

@@ -39,7 +39,7 @@ template <typename Parse>
 
 /// Content of a file as it may stand in a message: in quotes, cut after 40 bytes, what is not
 /// printable as \xNN.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// Whether a backslash at the end of a line joins the next line to it.
 enum class Continuation { None, Backslash };

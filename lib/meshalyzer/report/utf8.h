@@ -7,6 +7,9 @@
 
 namespace meshalyzer {
 
+/// U+FFFD, which stands where there is no character.
+inline constexpr std::string_view kReplacementCharacter = "\xEF\xBF\xBD";
+
 /// Length in bytes of the UTF-8 sequence that begins at `text[i]`; 0 where none does.
 [[nodiscard]] std::size_t utf8_sequence_length(std::string_view text, std::size_t i);
 

@@ -6,7 +6,7 @@
 namespace meshalyzer {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -29,7 +29,7 @@ FacesAtVertices::FacesAtVertices(const FaceTree& tree, std::size_t n_file_vertic
 EdgeNeighbourhood::EdgeNeighbourhood(const FaceTree& tree, const FacesAtVertices& faces)
     : tree_(tree),
       faces_(faces),
-      length_to_(faces.n_vertices(), kInfinity),
+      length_to_(faces.n_vertices(), kUnreached),
       is_marked_(tree.n_faces(), 0) {}
 
 std::span<const std::uint8_t> EdgeNeighbourhood::mark_within(Index file_vertex, double length) {
@@ -60,7 +60,7 @@ void EdgeNeighbourhood::go_on_from(Index vertex, double length_limit) {
 
 void EdgeNeighbourhood::reset() {
   for (const Index vertex : reached_) {
-    length_to_[vertex] = kInfinity;
+    length_to_[vertex] = kUnreached;
     for (const Index slot : faces_.slots(vertex)) {
       is_marked_[tree_.mesh_face(slot)] = 0;
     }
@@ -69,7 +69,7 @@ void EdgeNeighbourhood::reset() {
 }
 
 void EdgeNeighbourhood::reach(Index vertex, double length) {
-  if (length_to_[vertex] == kInfinity) {
+  if (length_to_[vertex] == kUnreached) {
     reached_.push_back(vertex);
   }
   length_to_[vertex] = length;

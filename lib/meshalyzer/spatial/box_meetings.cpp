@@ -16,14 +16,14 @@ namespace {
 using Next = BoxMeetings::Next;
 
 /// Leaves that one task looks at.
-constexpr std::size_t kLeavesPerChunk = 16;
+constexpr std::size_t kOuterLeavesPerChunk = 16;
 /// Of so many leaves one tells how laborious the search will be.
 constexpr std::size_t kSampled = 64;
 /// Of the inner tree: more boxes met for each of its faces are laborious. A mesh meets itself with
 /// about 15.
 constexpr std::size_t kMetPerFace = 64;
 /// Sums of three products of coordinates up to 1 are off by less than this.
-constexpr float kRelativeSlack = 0x1p-20F;
+constexpr float kRelativeRounding = 0x1p-20F;
 /// Corners farther out than this are not held against slabs.
 constexpr float kFarthestForSlabs = 0x1p+20F;
 
@@ -120,7 +120,7 @@ class LeafVisitor {
         inner_(visit.inner),
         mine_(boxes_of_leaf(visit)),
         box_(TreeBox::around(mine_)),
-        slack_(kRelativeSlack * reach_of(box_)) {
+        slack_(kRelativeRounding * reach_of(box_)) {
     if (visit.slabs != nullptr && reach_of(box_) < kFarthestForSlabs) {
       corners_.emplace(corners_of_leaf(visit));
     }
@@ -201,7 +201,7 @@ BoxMeetings::BoxMeetings(const FaceTree& a, const FaceTree& b)
 }
 
 std::size_t BoxMeetings::n_chunks() const {
-  return meshalyzer::n_chunks(leaves_.size(), kLeavesPerChunk);
+  return meshalyzer::n_chunks(leaves_.size(), kOuterLeavesPerChunk);
 }
 
 BoxMeetings::Next BoxMeetings::run(const Meet& meet) const {
@@ -210,7 +210,7 @@ BoxMeetings::Next BoxMeetings::run(const Meet& meet) const {
   };
   const Meet& in_order = is_swapped_ ? swapped : meet;
   std::atomic<bool> is_stopped = false;
-  parallel_chunks(leaves_.size(), kLeavesPerChunk, [&](Chunk chunk) {
+  parallel_chunks(leaves_.size(), kOuterLeavesPerChunk, [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end && !is_stopped; ++i) {
       const Visit visit{.outer = *outer_,
                         .inner = *inner_,

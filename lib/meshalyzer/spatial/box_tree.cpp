@@ -1,5 +1,7 @@
 #include "meshalyzer/spatial/box_tree.h"
 
+#include "meshalyzer/spatial/tree_width.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <utility>
@@ -7,7 +9,6 @@
 namespace meshalyzer {
 namespace {
 
-constexpr std::size_t kWidth = 8;
 constexpr unsigned kBits = 21;
 
 /// Every third bit of the result is one of the lowest 21 of `x`.
@@ -61,11 +62,11 @@ BoxTree::BoxTree(std::span<const Box3> boxes) : order_(order_in_space(boxes)), l
   for (const Index i : order_) {
     levels_.front().push_back(boxes[i]);
   }
-  while (levels_.back().size() > kWidth) {
+  while (levels_.back().size() > kTreeWidth) {
     const std::span<const Box3> below = levels_.back();
     std::vector<Box3> level;
-    for (std::size_t i = 0; i < below.size(); i += kWidth) {
-      level.push_back(box_of(below.subspan(i, std::min(kWidth, below.size() - i))));
+    for (std::size_t i = 0; i < below.size(); i += kTreeWidth) {
+      level.push_back(box_of(below.subspan(i, std::min(kTreeWidth, below.size() - i))));
     }
     levels_.push_back(std::move(level));
   }
@@ -89,8 +90,8 @@ void BoxTree::collect(std::size_t level, std::size_t i, const Box3& box,
     found.push_back(order_[i]);
     return;
   }
-  const std::size_t end = std::min(kWidth * (i + 1), levels_[level - 1].size());
-  for (std::size_t child = kWidth * i; child < end; ++child) {
+  const std::size_t end = std::min(kTreeWidth * (i + 1), levels_[level - 1].size());
+  for (std::size_t child = kTreeWidth * i; child < end; ++child) {
     collect(level - 1, child, box, found);
   }
 }

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/unbuild.h"
+#include "meshalyzer/spatial/tree_width.h"
 
 #include <algorithm>
 #include <bit>
@@ -11,8 +12,6 @@
 namespace meshalyzer {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr std::size_t kWidth = 8;
 /// Below this many faces a split is not worth a task of its own.
 constexpr std::size_t kParallelSplit = 32768;
 
@@ -37,11 +36,11 @@ std::size_t widest_axis(std::span<const Item> items) {
 
 /// Sorts items so that every aligned run of 8, 16, 32, ... is one side of a split at a median.
 void split(std::span<Item> items) {
-  if (items.size() <= kWidth) {
+  if (items.size() <= kTreeWidth) {
     return;
   }
-  const std::size_t leaves = (items.size() + kWidth - 1) / kWidth;
-  const std::size_t left = kWidth * (std::bit_ceil(leaves) / 2);
+  const std::size_t leaves = (items.size() + kTreeWidth - 1) / kTreeWidth;
+  const std::size_t left = kTreeWidth * (std::bit_ceil(leaves) / 2);
   const std::size_t axis = widest_axis(items);
   const auto less = [axis](const Item& a, const Item& b) {
     return a.middle[axis] != b.middle[axis] ? a.middle[axis] < b.middle[axis] : a.face < b.face;
@@ -59,24 +58,25 @@ void split(std::span<Item> items) {
 }  // namespace
 
 EightBoxes EightBoxes::empty() {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
   EightBoxes boxes;
   for (std::size_t k = 0; k < 3; ++k) {
-    boxes.min[k].fill(kInfinity);
-    boxes.max[k].fill(-kInfinity);
+    boxes.min[k].fill(infinity);
+    boxes.max[k].fill(-infinity);
   }
   return boxes;
 }
 
 unsigned EightBoxes::meeting(const TreeBox& other) const {
-  std::array<float, kWidth> gap;
+  std::array<float, kTreeWidth> gap;
   gap.fill(0.0F);
   for (std::size_t k = 0; k < 3; ++k) {
-    for (std::size_t i = 0; i < kWidth; ++i) {
+    for (std::size_t i = 0; i < kTreeWidth; ++i) {
       gap[i] = std::max({gap[i], min[k][i] - other.high[k], other.low[k] - max[k][i]});
     }
   }
   unsigned bits = 0;
-  for (std::size_t i = 0; i < kWidth; ++i) {
+  for (std::size_t i = 0; i < kTreeWidth; ++i) {
     bits |= static_cast<unsigned>(gap[i] <= 0.0F) << i;
   }
   return bits;
@@ -147,16 +147,16 @@ void FaceTree::order_faces(std::span<const Triangle> triangles) {
 }
 
 void FaceTree::box_faces() {
-  levels_.emplace_back(std::max<std::size_t>(1, (triangles_.size() + kWidth - 1) / kWidth),
+  levels_.emplace_back(std::max<std::size_t>(1, (triangles_.size() + kTreeWidth - 1) / kTreeWidth),
                        EightBoxes::empty());
   parallel_chunks(triangles_.size(), [&](Chunk chunk) {
     for (std::size_t slot = chunk.begin; slot < chunk.end; ++slot) {
-      EightBoxes& leaf = levels_.front()[slot / kWidth];
+      EightBoxes& leaf = levels_.front()[slot / kTreeWidth];
       for (const Index v : triangles_[slot]) {
         const auto p = map(points_[v]);
         for (std::size_t k = 0; k < 3; ++k) {
-          leaf.min[k][slot % kWidth] = std::min(leaf.min[k][slot % kWidth], p[k]);
-          leaf.max[k][slot % kWidth] = std::max(leaf.max[k][slot % kWidth], p[k]);
+          leaf.min[k][slot % kTreeWidth] = std::min(leaf.min[k][slot % kTreeWidth], p[k]);
+          leaf.max[k][slot % kTreeWidth] = std::max(leaf.max[k][slot % kTreeWidth], p[k]);
         }
       }
     }
@@ -166,12 +166,13 @@ void FaceTree::box_faces() {
 void FaceTree::box_levels() {
   while (levels_.back().size() > 1) {
     const std::vector<EightBoxes>& below = levels_.back();
-    std::vector<EightBoxes> level((below.size() + kWidth - 1) / kWidth, EightBoxes::empty());
+    std::vector<EightBoxes> level((below.size() + kTreeWidth - 1) / kTreeWidth,
+                                  EightBoxes::empty());
     for (std::size_t i = 0; i < below.size(); ++i) {
       const TreeBox box = TreeBox::around(below[i]);
       for (std::size_t k = 0; k < 3; ++k) {
-        level[i / kWidth].min[k][i % kWidth] = box.low[k];
-        level[i / kWidth].max[k][i % kWidth] = box.high[k];
+        level[i / kTreeWidth].min[k][i % kTreeWidth] = box.low[k];
+        level[i / kTreeWidth].max[k][i % kTreeWidth] = box.high[k];
       }
     }
     levels_.push_back(std::move(level));

@@ -10,7 +10,7 @@ namespace meshalyzer {
 namespace {
 
 /// Leaves that one task looks at.
-constexpr std::size_t kLeavesPerChunk = 1024;
+constexpr std::size_t kMarkedLeavesPerChunk = 1024;
 
 /// #mesh faces: non-zero for those of these file faces that are in the complex.
 std::vector<std::uint8_t> marked(const SideTable& side, std::span<const Index> file_faces) {
@@ -27,7 +27,7 @@ std::vector<std::uint8_t> marked(const SideTable& side, std::span<const Index> f
 /// #leaves: which of the eight faces of each are marked, as bits.
 std::vector<std::uint8_t> lanes_of(const FaceTree& tree, std::span<const std::uint8_t> marks) {
   std::vector<std::uint8_t> lanes(tree.n_leaves());
-  parallel_chunks(lanes.size(), kLeavesPerChunk, [&](Chunk chunk) {
+  parallel_chunks(lanes.size(), kMarkedLeavesPerChunk, [&](Chunk chunk) {
     const std::size_t end = std::min(8 * chunk.end, tree.n_faces());
     for (std::size_t slot = 8 * chunk.begin; slot < end; ++slot) {
       const unsigned bit = unsigned{marks[tree.mesh_face(slot)]} << (slot % 8);

@@ -62,9 +62,9 @@ TreeBox box_of_wanted(const Scene& scene, std::size_t leaf) {
 
 /// Looks for the partners of the wanted faces of one leaf. Those that are wanted too and come
 /// before are left out: they have found the pair themselves.
-class LeafVisitor {
+class PartnerSearch {
  public:
-  LeafVisitor(const Scene& scene, std::size_t leaf, Pairs& found)
+  PartnerSearch(const Scene& scene, std::size_t leaf, Pairs& found)
       : scene_(scene),
         tree_(scene.tree),
         found_(found),
@@ -77,7 +77,7 @@ class LeafVisitor {
     }
   }
 
-  void visit() { descend(tree_.n_levels() - 1, 0); }
+  void run() { descend(tree_.n_levels() - 1, 0); }
 
  private:
   void descend(std::size_t level, std::size_t i) {
@@ -158,7 +158,7 @@ std::vector<IntersectingPair> search_self_intersections(const SelfIntersectionSc
   parallel_chunks(n_leaves, kLeavesPerChunk, [&](Chunk chunk) {
     for (std::size_t leaf = chunk.begin; leaf < chunk.end; ++leaf) {
       if (wanted_lanes(scene, leaf) != 0) {
-        LeafVisitor(scene, leaf, parts[chunk.number]).visit();
+        PartnerSearch(scene, leaf, parts[chunk.number]).run();
       }
     }
   });

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/spatial/box_tree.h"
+#include "meshalyzer/spatial/tree_width.h"
 #include "meshalyzer/spatial/unit_scale.h"
 
 #include <algorithm>
@@ -14,7 +15,6 @@
 namespace meshalyzer {
 namespace {
 
-constexpr std::size_t kWidth = 8;
 /// A node is taken as a whole from beyond so many of its radii. The error falls with the square of
 /// this: 0.04 of a sphere at 2, 0.009 at 4.
 constexpr double kFar = 4.0;
@@ -132,9 +132,9 @@ struct WindingNumbers::Tree {
     for (const Index i : in_space.order()) {
       triangles.push_back(soup[i]);
     }
-    for (std::size_t length = kWidth; !triangles.empty(); length *= kWidth) {
+    for (std::size_t length = kTreeWidth; !triangles.empty(); length *= kTreeWidth) {
       levels.push_back(level_of(length));
-      if (levels.back().size() <= kWidth) {
+      if (levels.back().size() <= kTreeWidth) {
         break;
       }
     }
@@ -161,9 +161,9 @@ struct WindingNumbers::Tree {
       return dipole.share_from(to_centre, distance_squared);
     }
     const std::size_t n_below = level == 0 ? triangles.size() : levels[level - 1].size();
-    const std::size_t end = std::min(kWidth * (i + 1), n_below);
+    const std::size_t end = std::min(kTreeWidth * (i + 1), n_below);
     double sum = 0.0;
-    for (std::size_t child = kWidth * i; child < end; ++child) {
+    for (std::size_t child = kTreeWidth * i; child < end; ++child) {
       sum += level == 0 ? share_of_directions(triangles[child], point, near)
                         : share(level - 1, child, point);
     }

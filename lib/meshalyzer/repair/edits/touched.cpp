@@ -1,14 +1,11 @@
 #include "meshalyzer/repair/edits/touched.h"
 
+#include "meshalyzer/repair/sort_unique.h"
+
 #include <algorithm>
 
 namespace meshalyzer {
 namespace {
-
-void sort_unique(std::vector<Touch>& touches) {
-  std::sort(touches.begin(), touches.end());
-  touches.erase(std::unique(touches.begin(), touches.end()), touches.end());
-}
 
 /// By vertex: the operation that moves it.
 std::vector<Index> movers(const Draft& before, const Edits& edits,

@@ -30,9 +30,9 @@ std::vector<Vec3> places_of(const Soup& soup, const std::vector<Index>& faces) {
 }
 
 /// Tells what is near to the rest of the mesh.
-class Surroundings {
+class RestOfMesh {
  public:
-  Surroundings(const PassInput& input, const std::vector<Index>& without)
+  RestOfMesh(const PassInput& input, const std::vector<Index>& without)
       : closest_(input.mesh.tree()),
         is_excluded_(input.mesh.cut().mesh.n_faces(), 0),
         within_(input.limits.max_deviation) {
@@ -66,7 +66,7 @@ FlatComponents find_flat_components(const PassInput& input, std::span<const Inde
     faces_of[component].push_back(f);
   }
   if (faces_of.empty()) return flat;
-  const Surroundings rest(input, flat.faces);
+  const RestOfMesh rest(input, flat.faces);
   for (const auto& [component, faces] : faces_of) {
     if (rest.are_near(places_of(input.draft.soup, faces))) flat.needless.push_back(faces);
   }

@@ -12,45 +12,45 @@ namespace meshalyzer {
 namespace {
 
 /// A side of a face at a vertex: the neighbour at its other end, and which face of the star it is.
-using Spoke = std::pair<Index, Index>;
+using StarSide = std::pair<Index, Index>;
 
-/// All spokes, those to the same neighbour side by side.
-std::vector<Spoke> find_spokes(const WorkingMesh& mesh, Index vertex) {
-  std::vector<Spoke> spokes;
+/// All sides, those to the same neighbour side by side.
+std::vector<StarSide> find_sides(const WorkingMesh& mesh, Index vertex) {
+  std::vector<StarSide> sides;
   const auto star = mesh.star(vertex);
   for (std::size_t i = 0; i < star.size(); ++i) {
     for (const Index v : mesh.triangle(star[i])) {
-      if (v != vertex) spokes.emplace_back(v, static_cast<Index>(i));
+      if (v != vertex) sides.emplace_back(v, static_cast<Index>(i));
     }
   }
-  std::sort(spokes.begin(), spokes.end());
-  return spokes;
+  std::sort(sides.begin(), sides.end());
+  return sides;
 }
 
-/// The fans of a vertex, and the runs of spokes that are edges without exactly two faces.
+/// The fans of a vertex, and the runs of sides that are edges without exactly two faces.
 struct FanCount {
   DisjointSets fan_of;
-  std::vector<std::span<const Spoke>> odd_edges;
+  std::vector<std::span<const StarSide>> odd_edges;
 };
 
-FanCount join_fans(std::span<const Spoke> spokes, std::size_t n_faces) {
+FanCount join_fans(std::span<const StarSide> sides, std::size_t n_faces) {
   FanCount result{DisjointSets(n_faces), {}};
-  for (std::size_t begin = 0; begin < spokes.size();) {
+  for (std::size_t begin = 0; begin < sides.size();) {
     std::size_t end = begin;
-    while (end < spokes.size() && spokes[end].first == spokes[begin].first) ++end;
+    while (end < sides.size() && sides[end].first == sides[begin].first) ++end;
     if (end - begin == 2) {
-      result.fan_of.unite(spokes[begin].second, spokes[begin + 1].second);
+      result.fan_of.unite(sides[begin].second, sides[begin + 1].second);
     } else {
-      result.odd_edges.push_back(spokes.subspan(begin, end - begin));
+      result.odd_edges.push_back(sides.subspan(begin, end - begin));
     }
     begin = end;
   }
   return result;
 }
 
-std::vector<Index> fans_at(FanCount& fans, std::span<const Spoke> edge) {
+std::vector<Index> fans_at(FanCount& fans, std::span<const StarSide> edge) {
   std::vector<Index> result;
-  for (const Spoke& spoke : edge) result.push_back(fans.fan_of.find(spoke.second));
+  for (const StarSide& side : edge) result.push_back(fans.fan_of.find(side.second));
   std::sort(result.begin(), result.end());
   return result;
 }
@@ -96,8 +96,8 @@ bool is_link_shared_by_edge_alone(const WorkingMesh& mesh, Index gone, Index kep
 
 VertexSurroundings look_round(const WorkingMesh& mesh, Index vertex) {
   const std::size_t n_faces = mesh.star(vertex).size();
-  const std::vector<Spoke> spokes = find_spokes(mesh, vertex);
-  FanCount fans = join_fans(spokes, n_faces);
+  const std::vector<StarSide> sides = find_sides(mesh, vertex);
+  FanCount fans = join_fans(sides, n_faces);
   std::size_t n_fans = 0;
   for (Index i = 0; i < n_faces; ++i) n_fans += fans.fan_of.find(i) == i ? 1U : 0U;
   VertexSurroundings result;

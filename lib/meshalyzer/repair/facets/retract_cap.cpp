@@ -12,7 +12,7 @@ namespace meshalyzer {
 namespace {
 
 /// A face beyond the longest edge, and the two that it is split into.
-struct Split {
+struct SplitFace {
   Index face;
   /// Opposite to the edge.
   Index tip;
@@ -47,9 +47,9 @@ class Retraction {
   }
 
  private:
-  [[nodiscard]] Split split(Index face) const {
+  [[nodiscard]] SplitFace split(Index face) const {
     const Triangle& t = mesh_.triangle(face);
-    Split result{face, kNoIndex, {t, t}};
+    SplitFace result{face, kNoIndex, {t, t}};
     result.tip = *std::find_if(t.begin(), t.end(), [&](Index v) { return v != a_ && v != b_; });
     std::replace(result.halves[0].begin(), result.halves[0].end(), b_, apex_);
     std::replace(result.halves[1].begin(), result.halves[1].end(), a_, apex_);
@@ -58,7 +58,7 @@ class Retraction {
 
   /// The same as splitting the edge in a new vertex and merging that into the apex.
   [[nodiscard]] bool keeps_topology() {
-    for (const Split& split : splits_) {
+    for (const SplitFace& split : splits_) {
       if (split.tip == apex_ || mesh_.are_joined(split.tip, apex_)) return false;
       step_.read_edges.push_back({split.tip, apex_});
     }
@@ -73,7 +73,7 @@ class Retraction {
   [[nodiscard]] bool keeps_group_borders() const {
     const Index group = rules_.group(mesh_, cap_);
     return rules_.groups() == Groups::Names ||
-           std::all_of(splits_.begin(), splits_.end(), [&](const Split& split) {
+           std::all_of(splits_.begin(), splits_.end(), [&](const SplitFace& split) {
              return rules_.group(mesh_, split.face) == group;
            });
   }
@@ -81,7 +81,7 @@ class Retraction {
   [[nodiscard]] MendOutcome judge() const {
     std::size_t n_thin_before = 1;
     std::size_t n_thin_after = 0;
-    for (const Split& split : splits_) {
+    for (const SplitFace& split : splits_) {
       n_thin_before += mesh_.is_thin(split.face) ? 1U : 0U;
       const FacetShape old = measure_facet(mesh_.corners(mesh_.triangle(split.face)));
       for (const Triangle& half : split.halves) {
@@ -108,7 +108,7 @@ class Retraction {
   void write_step() {
     bool is_cap_free = true;
     const Index group = rules_.group(mesh_, cap_);
-    for (const Split& split : splits_) {
+    for (const SplitFace& split : splits_) {
       step_.changed.push_back({split.face, split.halves[0]});
       if (is_cap_free && rules_.group(mesh_, split.face) == group) {
         step_.changed.push_back({cap_, aligned(split.halves[1])});
@@ -138,7 +138,7 @@ class Retraction {
   Index apex_ = kNoIndex;
   double length_ = 0.0;
   double altitude_ = 0.0;
-  std::vector<Split> splits_;
+  std::vector<SplitFace> splits_;
   MendStep step_;
 };
 

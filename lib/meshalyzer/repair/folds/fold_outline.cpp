@@ -77,9 +77,9 @@ std::optional<Plane> plane_of(std::span<const Vec3> outline) {
 }
 
 /// Cuts ears off an outline.
-class EarCutter {
+class OutlineCutter {
  public:
-  EarCutter(std::span<const Vec3> outline, const MayJoin& may_join)
+  OutlineCutter(std::span<const Vec3> outline, const MayJoin& may_join)
       : points_(outline), may_join_(may_join), left_(outline.size()) {
     for (std::size_t i = 0; i < left_.size(); ++i) left_[i] = static_cast<Index>(i);
     const Vec3 normal = normal_of(outline);
@@ -161,7 +161,7 @@ std::optional<Vec3> middle_of_kernel(std::span<const Vec3> outline) {
 }
 
 std::vector<Triangle> cut_ears(std::span<const Vec3> outline, const MayJoin& may_join) {
-  return EarCutter(outline, may_join).run();
+  return OutlineCutter(outline, may_join).run();
 }
 
 double shape_quality(const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -1,14 +1,11 @@
 #include "meshalyzer/repair/folds/fold_star.h"
 
+#include "meshalyzer/repair/sort_unique.h"
+
 #include <algorithm>
 
 namespace meshalyzer {
 namespace {
-
-void sort_out(std::vector<Index>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
 
 VertexHandle handle(Index vertex) {
   return VertexHandle(static_cast<int>(vertex));
@@ -21,7 +18,7 @@ std::size_t count_vertices(const TriMesh& mesh, std::span<const Index> faces) {
       vertices.push_back(static_cast<Index>(v.idx()));
     }
   }
-  sort_out(vertices);
+  sort_unique(vertices);
   return vertices.size();
 }
 
@@ -77,7 +74,7 @@ std::optional<FoldStar> star_of(const CutMesh& cut, std::span<const Index> verti
       star.faces.push_back(static_cast<Index>(f.idx()));
     }
   }
-  sort_out(star.faces);
+  sort_unique(star.faces);
   star.outline = outline_of(cut.mesh, star.faces);
   if (star.outline.size() < 3) return std::nullopt;
   // A disc, by V - E + F = 1 with 3 F = 2 E - n for n edges round it.

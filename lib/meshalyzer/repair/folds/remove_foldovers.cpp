@@ -4,6 +4,7 @@
 #include "meshalyzer/repair/folds/fold_star.h"
 #include "meshalyzer/repair/folds/fold_trial.h"
 #include "meshalyzer/repair/passes.h"
+#include "meshalyzer/repair/sort_unique.h"
 #include "meshalyzer/spatial/closest_point.h"
 
 #include <algorithm>
@@ -25,11 +26,6 @@ constexpr std::size_t kMaxAround = 512;
 constexpr std::string_view kNoWay =
     "no vertex of it can be moved or taken away, within the deviation, so that it unfolds";
 
-void sort_out(std::vector<Index>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
-
 bool contains(const std::vector<Index>& sorted, Index item) {
   return std::binary_search(sorted.begin(), sorted.end(), item);
 }
@@ -49,7 +45,7 @@ struct Region {
 };
 
 /// A vertex of a region moved to where it unfolds.
-struct Move {
+struct VertexMove {
   Index vertex = kNoIndex;
   Vec3 to;
   double quality = -1.0;
@@ -97,8 +93,8 @@ class FoldoverRemover {
   [[nodiscard]] bool overlaps_itself_below(const Region& region) const;
 
   bool move(const Region& region);
-  [[nodiscard]] Move best_move(Index vertex) const;
-  [[nodiscard]] std::optional<double> try_move(const FoldStar& star, const Move& move) const;
+  [[nodiscard]] VertexMove best_move(Index vertex) const;
+  [[nodiscard]] std::optional<double> try_move(const FoldStar& star, const VertexMove& move) const;
 
   bool replace_one(const Region& region);
   bool replace_all(const Region& region);
@@ -132,7 +128,7 @@ Region FoldoverRemover::region_of(const Defect& foldover) const {
     const Triangle& t = soup_.triangles[f];
     region.vertices.insert(region.vertices.end(), t.begin(), t.end());
   }
-  sort_out(region.vertices);
+  sort_unique(region.vertices);
   return region;
 }
 
@@ -174,7 +170,7 @@ std::vector<Index> FoldoverRemover::faces_around(const FoldStar& star) const {
       if (!contains(star.faces, face)) around.push_back(face);
     }
   }
-  sort_out(around);
+  sort_unique(around);
   return around;
 }
 
@@ -213,7 +209,7 @@ bool FoldoverRemover::overlaps_itself_below(const Region& region) const {
       if (!contains(region.faces, face)) around.push_back(face);
     }
   }
-  sort_out(around);
+  sort_unique(around);
   if (around.size() > kMaxAround) return true;
   std::vector<PlacedFace> faces;
   for (const Index f : around) faces.push_back(placed(f));
@@ -246,7 +242,7 @@ bool FoldoverRemover::drop(const Region& region) {
       return false;
     }
   }
-  sort_out(faces);
+  sort_unique(faces);
   if (!claim(faces)) return true;
   const Index op = result_.edits.begin_operation();
   for (const Index f : region.faces) {
@@ -258,10 +254,10 @@ bool FoldoverRemover::drop(const Region& region) {
 // Dragged vertices: moved back.
 
 bool FoldoverRemover::move(const Region& region) {
-  Move best;
+  VertexMove best;
   for (const Index v : region.vertices) {
     if (!may_change(v)) continue;
-    Move candidate = best_move(v);
+    VertexMove candidate = best_move(v);
     if (candidate.quality > best.quality) best = std::move(candidate);
   }
   if (best.vertex == kNoIndex) return false;
@@ -272,8 +268,8 @@ bool FoldoverRemover::move(const Region& region) {
 }
 
 /// The best place for a vertex on the way to the middle of where it sees all its faces.
-Move FoldoverRemover::best_move(Index vertex) const {
-  Move best;
+VertexMove FoldoverRemover::best_move(Index vertex) const {
+  VertexMove best;
   const std::array<Index, 1> vertices{vertex};
   const std::optional<FoldStar> star = star_of(cut_, vertices);
   if (!star || star->faces.size() > kMaxFaces) return best;
@@ -289,7 +285,7 @@ Move FoldoverRemover::best_move(Index vertex) const {
   const double farthest = std::min(1.0, input_.limits.max_deviation * (1.0 - 1e-12) / way);
   if (!(farthest > 0.0)) return best;
   for (const double part : {1.0, 0.75, 0.5, 0.25, 0.125}) {
-    Move move{vertex, from + part * farthest * (*middle - from), -1.0, {}};
+    VertexMove move{vertex, from + part * farthest * (*middle - from), -1.0, {}};
     const std::optional<double> quality = try_move(*star, move);
     if (!quality || *quality <= best.quality) continue;
     move.quality = *quality;
@@ -303,7 +299,8 @@ Move FoldoverRemover::best_move(Index vertex) const {
 
 /// How well the faces are shaped if all that were turned over turn back, no other turns over, and
 /// none touches any but what still is turned over; else nothing.
-std::optional<double> FoldoverRemover::try_move(const FoldStar& star, const Move& move) const {
+std::optional<double> FoldoverRemover::try_move(const FoldStar& star,
+                                                const VertexMove& move) const {
   std::vector<PlacedFace> faces;
   for (const Index f : star.faces) {
     const PlacedFace before = placed(f);

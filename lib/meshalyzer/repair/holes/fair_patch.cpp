@@ -15,7 +15,7 @@ namespace meshalyzer {
 namespace {
 
 /// Weights are those of the surface as it was before: so often they are taken anew.
-constexpr std::size_t kRounds = 4;
+constexpr std::size_t kReweightings = 4;
 /// Cotangents of needles' angles are held within these.
 constexpr double kLeastWeight = 1e-3;
 constexpr double kGreatestWeight = 1e3;
@@ -181,7 +181,7 @@ bool fair_patch(const PreparedMesh& mesh, const HoleLoop& loop, WorkingPatch& pa
   const Frame frame(all);
   if (all.n_new == 0 || !frame.is_usable()) return false;
   for (Vec3& p : all.points) p = frame.into(p);
-  for (std::size_t round = 0; round < kRounds; ++round) {
+  for (std::size_t round = 0; round < kReweightings; ++round) {
     if (!relax(all)) return false;
   }
   for (std::size_t i = 0; i < all.n_new; ++i) {

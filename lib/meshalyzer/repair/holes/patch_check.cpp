@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/holes/patch_check.h"
 
+#include "meshalyzer/repair/sort_unique.h"
 #include "meshalyzer/spatial/box_meetings.h"
 #include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/spatial/triangle_contact.h"
@@ -54,11 +55,6 @@ Placed placed(const FaceTree& tree, std::size_t slot) {
   return {t, {tree.point(t[0]), tree.point(t[1]), tree.point(t[2])}};
 }
 
-void sort_once(std::vector<Index>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
-
 /// The intersections of patches with themselves and each other that count.
 std::vector<IntersectingPair> own_intersections(const Soup& soup, const CutMesh& cut,
                                                 const FaceTree& tree) {
@@ -104,7 +100,7 @@ PatchSoup make_soup(const Soup& mesh, const Patch& patch) {
   for (const Triangle& t : patch.triangles) {
     result.vertices.insert(result.vertices.end(), t.begin(), t.end());
   }
-  sort_once(result.vertices);
+  sort_unique(result.vertices);
   for (const Index v : result.vertices) {
     result.soup.positions.push_back(v < mesh.n_vertices() ? mesh.positions[v]
                                                           : patch.added[v - mesh.n_vertices()]);
@@ -131,8 +127,8 @@ PatchFaults check_patch(const PreparedMesh& mesh, const Patch& patch) {
     faults.meeting.push_back(pair.face_b);
   }
   find_meetings_with_mesh(mesh, own, tree, faults);
-  sort_once(faults.meeting);
-  sort_once(faults.met_faces);
+  sort_unique(faults.meeting);
+  sort_unique(faults.met_faces);
   return faults;
 }
 

@@ -14,7 +14,7 @@ namespace {
 const double kDensity = std::sqrt(2.0);
 constexpr std::size_t kMaxNewVertices = 50'000;
 /// Each round splits a triangle once at most, which about halves the edges' lengths in two.
-constexpr std::size_t kMaxRounds = 40;
+constexpr std::size_t kMaxSplitRounds = 40;
 constexpr std::size_t kMaxSweeps = 20;
 
 /// Mean length of the mesh's edges at a vertex.
@@ -59,7 +59,7 @@ class Refiner {
 
   void run(const PreparedMesh& mesh, const HoleLoop& loop) {
     read_spacing(mesh, loop);
-    for (std::size_t round = 0; round < kMaxRounds && split_faces(); ++round) flip_edges();
+    for (std::size_t round = 0; round < kMaxSplitRounds && split_faces(); ++round) flip_edges();
   }
 
  private:

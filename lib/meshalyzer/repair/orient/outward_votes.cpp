@@ -74,9 +74,9 @@ struct Around {
 };
 
 /// What may be round a patch: voters that mean a solid, and shells.
-class Surroundings {
+class EncloserSearch {
  public:
-  Surroundings(const OutwardBallot& ballot, std::span<const Voter> voters)
+  EncloserSearch(const OutwardBallot& ballot, std::span<const Voter> voters)
       : tree_(ballot.mesh.tree()),
         voters_(voters),
         boxes_(boxes_of(voters)),
@@ -187,12 +187,12 @@ void drop_crossing(const OutwardBallot& ballot, std::vector<std::vector<Index>>&
 /// By patch: those that each voter with a clear vote is inside of.
 std::vector<std::vector<Index>> find_enclosers(const OutwardBallot& ballot,
                                                const std::vector<Voter>& voters) {
-  const Surroundings surroundings(ballot, voters);
+  const EncloserSearch search(ballot, voters);
   std::vector<std::vector<Index>> enclosers(ballot.patches.count);
   parallel_chunks(voters.size(), 16, [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       if (voters[i].votes.is_clear()) {
-        enclosers[voters[i].patch] = surroundings.enclosers(voters[i]);
+        enclosers[voters[i].patch] = search.enclosers(voters[i]);
       }
     }
   });

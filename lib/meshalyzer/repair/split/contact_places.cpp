@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/split/contact_places.h"
 
+#include "meshalyzer/repair/sort_unique.h"
 #include "meshalyzer/topology/disjoint_sets.h"
 
 #include <algorithm>
@@ -11,11 +12,6 @@ namespace meshalyzer {
 namespace {
 
 using Link = std::array<Index, 2>;
-
-void sort_and_unique(std::vector<Index>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
 
 bool precedes(const Vec3& a, const Vec3& b) {
   return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
@@ -57,7 +53,7 @@ std::vector<Link> find_links(const PreparedMesh& mesh) {
 VertexStars stars_of(const PreparedMesh& mesh, const std::vector<Link>& links) {
   std::vector<Index> vertices;
   for (const Link& link : links) vertices.insert(vertices.end(), link.begin(), link.end());
-  sort_and_unique(vertices);
+  sort_unique(vertices);
   return {mesh.cut(), std::move(vertices)};
 }
 

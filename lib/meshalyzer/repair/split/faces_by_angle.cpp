@@ -11,8 +11,6 @@
 namespace meshalyzer {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Where a half-plane lies, counter-clockwise from the first one.
 enum class Half : std::uint8_t { First, Left, Opposite, Right };
 
@@ -55,11 +53,11 @@ class Protractor {
   /// @param half  Bounds the answer, which is 0 where there is no telling.
   [[nodiscard]] double angle(const Vec3& apex, Half half) const {
     if (half == Half::First) return 0.0;
-    if (half == Half::Opposite) return kPi;
+    if (half == Half::Opposite) return std::numbers::pi;
     const Vec3 arm = scaled(apex);
     const double turn = std::atan2(arm.dot(y_), arm.dot(x_));
-    if (half == Half::Left) return turn >= 0.0 ? std::min(turn, kPi) : 0.0;
-    return turn <= 0.0 ? 2 * kPi + turn : kPi;
+    if (half == Half::Left) return turn >= 0.0 ? std::min(turn, std::numbers::pi) : 0.0;
+    return turn <= 0.0 ? 2 * std::numbers::pi + turn : std::numbers::pi;
   }
 
  private:

@@ -13,7 +13,7 @@ namespace {
 
 /// So many pairs of faces are never too many to look at, beside those of the moving faces among
 /// themselves.
-constexpr std::size_t kMaxPairs = 4096;
+constexpr std::size_t kFreePairs = 4096;
 
 Box3 grown(const Box3& box, double by) {
   return {box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by)};
@@ -62,7 +62,7 @@ std::vector<Index> MovedMesh::faces_near(const Box3& box) const {
 Move::Move(const MovedMesh& mesh, std::span<const Index> vertices, std::span<const Index> faces,
            double reach)
     : mesh_(mesh), vertices_(vertices), faces_(faces), reach_(reach) {
-  const std::size_t max_pairs = kMaxPairs + faces.size() * faces.size();
+  const std::size_t max_pairs = kFreePairs + faces.size() * faces.size();
   for (const Index face : faces_) {
     Box3 box;
     for (const Vec3& corner : mesh_.corners(mesh_.triangle(face))) box.extend(corner);

@@ -13,7 +13,6 @@
 namespace meshalyzer {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 /// Among more faces than this nothing is weighed up: that takes quadratic time and more.
 constexpr std::size_t kMaxWeighed = 32;
 
@@ -129,7 +128,8 @@ class EdgeMatcher {
     for (const std::size_t i : begins) {
       for (const std::size_t j : ends) {
         const double inside = angle_between(i, j);
-        candidates.push_back(candidate(i, j, one_is_odd ? std::abs(inside - kPi) : inside));
+        candidates.push_back(
+            candidate(i, j, one_is_odd ? std::abs(inside - std::numbers::pi) : inside));
         if (!one_is_odd) candidates.back().is_other_patch = false;
       }
     }
@@ -144,7 +144,7 @@ class EdgeMatcher {
       for (std::size_t i = 0; i < n_places(); ++i) {
         for (std::size_t j = i + 1; j < n_places(); ++j) {
           if (partner_[face_at(i)] != kNoIndex || partner_[face_at(j)] != kNoIndex) continue;
-          candidates.push_back(candidate(i, j, std::abs(angle_between(i, j) - kPi)));
+          candidates.push_back(candidate(i, j, std::abs(angle_between(i, j) - std::numbers::pi)));
         }
       }
       goes_on = join_cheapest(candidates);
@@ -175,13 +175,13 @@ class EdgeMatcher {
   /// From one place round to another, counter-clockwise: 0 to 2 pi.
   [[nodiscard]] double angle_between(std::size_t from, std::size_t to) const {
     const double turn = by_angle_.order[to].angle - by_angle_.order[from].angle;
-    return from < to ? turn : turn + 2 * kPi;
+    return from < to ? turn : turn + 2 * std::numbers::pi;
   }
 
   [[nodiscard]] Candidate candidate(std::size_t i, std::size_t j, double turn) const {
     const double openness = faces_[face_at(i)].openness + faces_[face_at(j)].openness;
     return {.is_other_patch = !same_patch(face_at(i), face_at(j)),
-            .cost = turn / kPi + kOpenPenalty * openness,
+            .cost = turn / std::numbers::pi + kOpenPenalty * openness,
             .span = (j + n_places() - i) % n_places(),
             .first = i,
             .second = j};

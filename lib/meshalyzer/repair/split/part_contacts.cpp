@@ -20,7 +20,7 @@ namespace {
 constexpr double kFineGrowth = 2.0;
 constexpr double kCoarseGrowth = 16.0;
 /// For so many times the step neighbours are looked up at once.
-constexpr double kReach = 256.0;
+constexpr double kLookupReach = 256.0;
 /// Of so many units that touch at a place, the one that gets by with the smallest step is moved.
 constexpr std::size_t kUnitsAtOnce = 4;
 
@@ -196,9 +196,9 @@ class Parting {
     // Finite, so that steps come to an end.
     const double max =
         std::min(input_.limits.max_deviation, std::numeric_limits<double>::max() / 2);
-    std::vector<Move> moves = make_moves(trial, kReach * first_step_);
+    std::vector<Move> moves = make_moves(trial, kLookupReach * first_step_);
     for (double step = first_step_; step <= max; step *= growth) {
-      if (step > moves.front().reach()) moves = make_moves(trial, kReach * step);
+      if (step > moves.front().reach()) moves = make_moves(trial, kLookupReach * step);
       if (std::all_of(moves.begin(), moves.end(), std::mem_fn(&Move::is_crowded))) break;
       for (std::size_t i = 0; i < trial.units.size(); ++i) {
         const Vec3& from = mesh_.position(trial.place.units[trial.units[i]].front());

@@ -8,7 +8,7 @@ namespace meshalyzer {
 namespace {
 
 /// Steps of the search for the direction behind all faces: its error goes down like their inverse.
-constexpr std::size_t kSteps = 64;
+constexpr std::size_t kSearchSteps = 64;
 /// Below this, no direction is behind all faces.
 constexpr double kMinDepth = 1e-6;
 
@@ -35,7 +35,7 @@ std::vector<Vec3> inward_normals(std::span<const Corners> faces) {
 Vec3 deepest_direction(std::span<const Vec3> vectors) {
   Vec3 nearest = Vec3::Zero();
   for (const Vec3& v : vectors) nearest += v / static_cast<double>(vectors.size());
-  for (std::size_t step = 0; step < kSteps; ++step) {
+  for (std::size_t step = 0; step < kSearchSteps; ++step) {
     const Vec3& lowest = *std::min_element(
         vectors.begin(), vectors.end(),
         [&](const Vec3& v, const Vec3& w) { return nearest.dot(v) < nearest.dot(w); });

@@ -25,7 +25,7 @@ constexpr double kInwards = 1.0 / 16;
 /// What is cut off is nearer than this part of the resolution beyond what was found.
 constexpr double kAim = 1.0 / 8;
 /// Steps towards the point where an edge leaves the neighbourhood of a face, at most.
-constexpr int kMaxSteps = 24;
+constexpr int kMaxEdgeSteps = 24;
 
 /// Neither overflows nor underflows before its time.
 double length(const Vec3& v) {
@@ -37,7 +37,7 @@ Vec3 between(const Vec3& a, const Vec3& b, double at) {
   return (1.0 - at) * a + at * b;
 }
 
-Vec3 middle_of(const Corners& t) {
+Vec3 centroid_of(const Corners& t) {
   return t[0] / 3 + t[1] / 3 + t[2] / 3;
 }
 
@@ -57,7 +57,7 @@ double exit_of(const Corners& face, const std::array<Vec3, 2>& segment,
                const std::array<double, 2>& target_and_level) {
   const auto [target, level] = target_and_level;
   double at = 1.0;
-  for (int step = 0; step < kMaxSteps; ++step) {
+  for (int step = 0; step < kMaxEdgeSteps; ++step) {
     const Vec3 point = between(segment[0], segment[1], at);
     const TrianglePoint foot = closest_on_triangle(face, point);
     if (foot.distance <= level) {
@@ -127,7 +127,7 @@ bool SurfaceDistance::is_precise(const Estimate& known) const {
 SurfaceDistance::Estimate SurfaceDistance::estimate(const Piece& piece) {
   const Corners& t = piece.corners;
   const auto& d = piece.distances;
-  const Vec3 middle = middle_of(t);
+  const Vec3 middle = centroid_of(t);
   const SurfacePoint at_middle = closest(middle);
   Estimate known;
   known.lower = std::max({d[0], d[1], d[2], at_middle.distance});

@@ -13,8 +13,8 @@ namespace meshalyzer {
 namespace {
 
 /// Each reach is so many times the one before.
-constexpr double kStep = 8.0;
-constexpr int kSteps = 12;
+constexpr double kReachStep = 8.0;
+constexpr int kReachSteps = 12;
 
 /// Follows chains along one edge.
 class ChainWalk {
@@ -32,8 +32,8 @@ class ChainWalk {
   [[nodiscard]] std::optional<WeldChain> chain() {
     if (!has_company()) return std::nullopt;
     const double longest = reach_;
-    for (int step = kSteps; step >= 0; --step) {
-      reach_ = longest * std::pow(kStep, -step);
+    for (int step = kReachSteps; step >= 0; --step) {
+      reach_ = longest * std::pow(kReachStep, -step);
       std::vector<WeldChain> found = chains();
       if (found.size() == 1) return std::move(found.front());
       if (!found.empty()) return std::nullopt;

@@ -14,11 +14,11 @@ namespace {
 
 /// Of joins that do harm the farthest are dropped. After so many trials whatever hangs together
 /// with what does harm goes with it: then nothing is left of it that could do harm in another way.
-constexpr std::size_t kMaxTrials = 8;
+constexpr std::size_t kMaxJoinTrials = 8;
 /// Joins are added in steps where they do harm together: in each those of edges that are up to so
 /// many times as far apart as the nearest, in the last one all that are left.
-constexpr double kStep = 8.0;
-constexpr std::size_t kMaxSteps = 6;
+constexpr double kJoinStep = 8.0;
+constexpr std::size_t kMaxJoinSteps = 6;
 
 /// Joins as they would be made.
 struct JoinedMesh {
@@ -101,7 +101,7 @@ class Settlement {
                      [](const WeldJoin& a, const WeldJoin& b) { return a.distance < b.distance; });
     std::vector<WeldJoin> waiting = std::exchange(joins, {});
     for (std::size_t step = 1; !waiting.empty(); ++step) {
-      const auto end = step < kMaxSteps ? end_of_step(waiting) : waiting.end();
+      const auto end = step < kMaxJoinSteps ? end_of_step(waiting) : waiting.end();
       const std::size_t n_settled = joins.size();
       joins.insert(joins.end(), waiting.begin(), end);
       waiting.erase(waiting.begin(), end);
@@ -115,7 +115,7 @@ class Settlement {
 
   /// The first that is much farther than the first of all.
   [[nodiscard]] static Joins::iterator end_of_step(Joins& joins) {
-    const double farthest = kStep * joins.front().distance;
+    const double farthest = kJoinStep * joins.front().distance;
     return std::find_if(joins.begin(), joins.end(),
                         [&](const WeldJoin& join) { return join.distance > farthest; });
   }
@@ -133,7 +133,7 @@ class Settlement {
       std::vector<WeldHarm> harms = harms_of(joined);
       if (harms.empty() || joins.size() <= n_settled) return joined;
       std::vector<double> farthest(joined.staying.size(), 0.0);
-      if (trial < kMaxTrials) {
+      if (trial < kMaxJoinTrials) {
         farthest = farthest_joins(joined, std::span(joins).subspan(n_settled));
       } else {
         spread(harms, find_clusters(stage_, joined, joins));

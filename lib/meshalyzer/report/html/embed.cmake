@@ -13,7 +13,9 @@ endforeach()
 add_library(meshalyzer_assets OBJECT)
 target_compile_features(meshalyzer_assets PRIVATE cxx_std_20)
 target_include_directories(meshalyzer_assets PRIVATE ${PROJECT_SOURCE_DIR}/lib)
-set_target_properties(meshalyzer_assets PROPERTIES CXX_CLANG_TIDY "") # there is nothing of ours to look at
+set_target_properties(meshalyzer_assets PROPERTIES
+  CXX_CLANG_TIDY "" # there is nothing of ours to look at
+  UNITY_BUILD OFF)  # nor anything to share
 if(BUILD_SHARED_LIBS)
   set_target_properties(meshalyzer_assets PROPERTIES POSITION_INDEPENDENT_CODE ON)
 endif()

@@ -9,8 +9,6 @@
 namespace meshalyzer {
 namespace {
 
-constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
-
 /// Elements that begin a line of the source, so that a person can read it; in these a line feed
 /// before the tag means nothing.
 constexpr std::array<std::string_view, 31> kOnOwnLine{
@@ -51,7 +49,7 @@ void append_ascii(std::string& html, char c) {
       break;
   }
   if (is_control(static_cast<unsigned char>(c))) {
-    html += kReplacement;
+    html += kReplacementCharacter;
   } else {
     html += c;
   }
@@ -78,7 +76,7 @@ void append_escaped_html(std::string& html, std::string_view text) {
       append_ascii(html, text[i]);
     } else {
       const std::string_view sequence = text.substr(i, length);
-      html += length == 0 || is_c1_control(sequence) ? kReplacement : sequence;
+      html += length == 0 || is_c1_control(sequence) ? kReplacementCharacter : sequence;
     }
     i += std::max<std::size_t>(1, length);
   }

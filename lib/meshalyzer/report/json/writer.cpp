@@ -9,8 +9,6 @@
 namespace meshalyzer {
 namespace {
 
-constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
-
 void append_escaped(std::string& out, char c) {
   constexpr std::string_view kHex = "0123456789abcdef";
   switch (c) {
@@ -105,7 +103,7 @@ void JsonWriter::quoted(std::string_view text) {
     if (length == 1) {
       append_escaped(text_, text[i]);
     } else {
-      text_ += length == 0 ? kReplacement : text.substr(i, length);
+      text_ += length == 0 ? kReplacementCharacter : text.substr(i, length);
     }
     i += length == 0 ? 1 : length;
   }

@@ -9,10 +9,6 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-std::string cell(std::optional<bool> truth) {
-  return !truth ? "-" : *truth ? "yes" : "no";
-}
-
 template <typename Integer>
 std::string cell_of(const std::optional<Integer>& number) {
   return number ? std::to_string(*number) : "-";
@@ -32,10 +28,10 @@ Row row_of(const Analysis& analysis, std::size_t i) {
           std::to_string(component.vertices),
           std::to_string(component.edges),
           std::to_string(component.boundaries),
-          cell(component.closed),
-          cell(component.manifold),
-          cell(component.consistent),
-          cell(component.outward),
+          truth_cell(component.closed),
+          truth_cell(component.manifold),
+          truth_cell(component.consistent),
+          truth_cell(component.outward),
           cell_of(component.inside),
           cell_of(component.genus),
           readable(component.area),

@@ -73,12 +73,12 @@ std::string place_text(const Defect& defect) {
 }
 
 /// What was measured, before the number and behind it.
-struct Measure {
+struct MeasureWords {
   std::string_view before;
   std::string_view behind = "";
 };
 
-Measure measure_of(const Defect& defect) {
+MeasureWords measure_of(const Defect& defect) {
   switch (defect.code) {
     case DefectCode::Disjoint:
       return {"", defect.value == 1.0 ? " face" : " faces"};
@@ -111,7 +111,7 @@ Measure measure_of(const Defect& defect) {
 
 std::string measured_text(const Defect& defect) {
   if (!defect.value) return "";
-  const Measure measure = measure_of(defect);
+  const MeasureWords measure = measure_of(defect);
   std::string text(measure.before);
   text += readable(*defect.value);
   text += measure.behind;

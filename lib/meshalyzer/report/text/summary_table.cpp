@@ -48,12 +48,12 @@ std::vector<std::string> characters_of(std::string_view name) {
 std::string fitted_name(std::string_view name, std::size_t width) {
   std::vector<std::string> characters = characters_of(name);
   if (characters.size() > width) {
-    constexpr std::string_view kGap = "...";
-    const std::size_t kept = width - kGap.size();
+    constexpr std::string_view kEllipsis = "...";
+    const std::size_t kept = width - kEllipsis.size();
     const auto front = static_cast<std::ptrdiff_t>(kept / 2);
     const auto back = static_cast<std::ptrdiff_t>(kept - kept / 2);
     characters.erase(characters.begin() + front, characters.end() - back);
-    characters.emplace(characters.begin() + front, kGap);
+    characters.emplace(characters.begin() + front, kEllipsis);
   }
   std::string text;
   for (const std::string& character : characters) {
@@ -79,10 +79,6 @@ std::string fitted(double value, std::size_t width) {
   return text;
 }
 
-std::string cell(const std::optional<bool>& truth) {
-  return std::string(!truth ? kNone : *truth ? "yes" : "no");
-}
-
 std::string line_of(std::string name, const Cells& cells) {
   for (std::size_t i = 0; i < kColumns.size(); ++i) {
     name += fmt::format(" {:>{}}", cells[i], kColumns[i].width);
@@ -90,28 +86,28 @@ std::string line_of(std::string name, const Cells& cells) {
   return name;
 }
 
-const std::optional<Goodness>& verdict_of(const Analysis& analysis) {
+const std::optional<Goodness>& goodness_of(const Analysis& analysis) {
   return analysis.goodness ? analysis.goodness : analysis.fitness;
 }
 
 Cells cells_of(const Analysis& analysis) {
   const Characteristics& c = analysis.characteristics;
   const Attributes& attributes = analysis.attributes;
-  const std::optional<Goodness>& verdict = verdict_of(analysis);
+  const std::optional<Goodness>& verdict = goodness_of(analysis);
   const auto measured = [&](auto value, std::size_t column) {
     return analysis.has_characteristics ? fitted(value, kColumns[column].width)
                                         : std::string(kNone);
   };
   return {fitted(c.faces, kColumns[0].width),
-          cell(attributes.closed.value),
-          cell(attributes.manifold.value),
-          cell(attributes.outward.value),
+          truth_cell(attributes.closed.value),
+          truth_cell(attributes.manifold.value),
+          truth_cell(attributes.outward.value),
           fitted(c.components, kColumns[4].width),
           c.genus.value ? std::to_string(*c.genus.value) : std::string(kNone),
           measured(c.intersecting_pairs, 6),
           measured(c.area, 7),
           c.volume.value ? fitted(*c.volume.value, kColumns[8].width) : std::string(kNone),
-          cell(verdict ? std::optional(verdict->good) : std::nullopt)};
+          truth_cell(verdict ? std::optional(verdict->good) : std::nullopt)};
 }
 
 }  // namespace
@@ -132,7 +128,7 @@ std::string summary_header(std::size_t width) {
 }
 
 std::string summary_line(std::string_view name, const Analysis& analysis, std::size_t width) {
-  const std::optional<Goodness>& verdict = verdict_of(analysis);
+  const std::optional<Goodness>& verdict = goodness_of(analysis);
   const bool has_reason = verdict && !verdict->reasons.empty();
   return line_of(fitted_name(name, width), cells_of(analysis)) +
          (has_reason ? "  " + verdict->reasons.front() : "") + '\n';

@@ -14,6 +14,10 @@ std::size_t n_characters(std::string_view text) {
   return count;
 }
 
+std::string truth_cell(std::optional<bool> truth) {
+  return !truth ? "-" : *truth ? "yes" : "no";
+}
+
 void append_table(std::string& text, const TextTable& table) {
   std::vector<std::size_t> widths(table.rows.front().size(), 0);
   for (const std::vector<std::string>& row : table.rows) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,9 @@ namespace meshalyzer {
 
 /// Characters of a UTF-8 text; a byte that belongs to none counts as one.
 [[nodiscard]] std::size_t n_characters(std::string_view text);
+
+/// What stands in a table for a truth: yes, no, or a dash where it is not known.
+[[nodiscard]] std::string truth_cell(std::optional<bool> truth);
 
 /// A table for people.
 struct TextTable {
