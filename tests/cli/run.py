@@ -53,6 +53,8 @@ class Case:
         """Compares bytes with the file of that name, or rewrites it; what is empty needs no file."""
         lines = self.folder / (name + LINES)
         if lines.exists():
+            if (self.folder / name).exists():
+                self.fail(f"{name} and {name + LINES} cannot both be held")
             self.check_lines(name + LINES, read(lines), got)
         elif UPDATE:
             rewrite(self.folder / name, got)

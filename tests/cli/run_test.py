@@ -74,6 +74,14 @@ class Runs(unittest.TestCase):
         self.assertIn("line 1 is not found after line 0 of the output: holes: 2", message)
         self.assertIn("--- got\nholes: 1", message)
 
+    def test_a_text_beside_its_lines_is_an_error(self):
+        self.write("stdout_lines", "holes: ...\n")
+        self.assertEqual(self.run_case()[0], 0)
+        self.write("stdout", "holes: 7\n")
+        status, message = self.run_case()
+        self.assertEqual(status, 1)
+        self.assertIn("stdout and stdout_lines cannot both be held", message)
+
     def test_an_update_writes_whole_texts(self):
         self.assertEqual(self.run_case()[0], 1)
         self.assertEqual(self.run_case(UPDATE="1")[0], 0)
