@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> names_of(const std::vector<std::string>& paths,
-                                  const std::string& ending) {
+std::vector<std::string> file_names_of(const std::vector<std::string>& paths,
+                                       const std::string& ending) {
   std::vector<std::string> names;
   std::set<std::string> distinct;
   for (const std::string& path : paths) {
@@ -54,7 +54,7 @@ void name_pages(const std::string& file, const Inputs& inputs, PicturePaths& pat
   }
   fs::path folder = without_ending(file);
   folder += "_pages";
-  const std::vector<std::string> names = names_of(inputs.files, ending);
+  const std::vector<std::string> names = file_names_of(inputs.files, ending);
   paths.folders.push_back(folder.string());
   paths.pages = files_in(folder, names);
   paths.links = files_in(folder.filename(), names);
@@ -69,7 +69,7 @@ void name_fields(const std::string& file, const Inputs& inputs, PicturePaths& pa
   }
   const fs::path folder = without_ending(file);
   paths.folders.push_back(folder.string());
-  paths.fields = files_in(folder, names_of(inputs.files, ending));
+  paths.fields = files_in(folder, file_names_of(inputs.files, ending));
 }
 
 /// The next run would take what is written there for meshes to be looked at.
@@ -104,7 +104,7 @@ PicturePaths picture_paths(const Options& options, const Inputs& inputs) {
   }
   if (options.separation_ply) {
     const fs::path folder = *options.separation_ply;
-    paths.separations = files_in(folder, names_of(inputs.files, ".ply"));
+    paths.separations = files_in(folder, file_names_of(inputs.files, ".ply"));
     // As a file in it names it: `DIR/` is `DIR`.
     paths.folders.push_back((folder / "x").parent_path().string());
   }

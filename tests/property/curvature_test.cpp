@@ -3,6 +3,7 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/build.h"
 #include "soups_to_try.h"
+#include "support/constants.h"
 #include "support/curved_shapes.h"
 #include "support/shapes.h"
 
@@ -14,7 +15,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <numbers>
 #include <random>
 #include <set>
 #include <string>
@@ -28,11 +28,10 @@ using shapes::CurvedShape;
 using shapes::Meshing;
 using shapes::Surface;
 
-constexpr double kPi = std::numbers::pi;
-constexpr std::uint32_t kSeed = 5;
+constexpr std::uint32_t kNumberingSeed = 5;
 /// Sums in another order differ by some units in the last place, which dividing by the square of an
 /// edge of 1/20 makes a thousand times as large.
-constexpr double kRounding = 1e-10;
+constexpr double kCurvatureRounding = 1e-10;
 
 Curvature curvature_of(const Soup& soup) {
   return measure_curvature(build(soup));
@@ -91,7 +90,7 @@ TEST(GaussBonnetLaw, HoldsOnEverySoup) {
 }
 
 TEST(GaussBonnetLaw, HoldsOnRandomClosedSurfacesOfEveryGenus) {
-  std::mt19937 random(kSeed);
+  std::mt19937 random(kNumberingSeed);
   for (std::size_t genus = 0; genus < 30; ++genus) {
     SCOPED_TRACE(genus);
     const Soup soup = jittered(shapes::genus_block(genus), random);
@@ -125,7 +124,7 @@ Errors errors_of(const CurvedShape& shape) {
 /// Every edge halved: errors of second order fall to a quarter, of first order to a half. A tenth
 /// is left for what is of higher order, and `rounding` for what is no error of the method.
 void expect_order(double coarse, double fine, double order) {
-  EXPECT_LE(fine, coarse * std::pow(2.0, -order) * 1.1 + kRounding);
+  EXPECT_LE(fine, coarse * std::pow(2.0, -order) * 1.1 + kCurvatureRounding);
 }
 
 TEST(CurvatureError, AllFallsWithTheSquareOfTheEdgeLengthOnRegularGrids) {
@@ -208,12 +207,12 @@ void expect_same_curvature(const Soup& soup, const Image& image) {
   for (std::size_t v = 0; v < a.state.size(); ++v) {
     const Index w = image.vertex[v];
     ASSERT_EQ(a.state[v], b.state[w]);
-    EXPECT_NEAR(a.angle_defect[v], b.angle_defect[w], kRounding);
+    EXPECT_NEAR(a.angle_defect[v], b.angle_defect[w], kCurvatureRounding);
     if (a.state[v] != CurvatureState::Defined) continue;
-    EXPECT_NEAR(a.gaussian[v], b.gaussian[w], kRounding);
-    EXPECT_NEAR(a.mean[v], b.mean[w], kRounding);
-    EXPECT_NEAR(a.k1[v], b.k1[w], kRounding);
-    EXPECT_NEAR(a.k2[v], b.k2[w], kRounding);
+    EXPECT_NEAR(a.gaussian[v], b.gaussian[w], kCurvatureRounding);
+    EXPECT_NEAR(a.mean[v], b.mean[w], kCurvatureRounding);
+    EXPECT_NEAR(a.k1[v], b.k1[w], kCurvatureRounding);
+    EXPECT_NEAR(a.k2[v], b.k2[w], kCurvatureRounding);
     if (!has_directions(a, v)) continue;
     expect_same_line(image.turn * a.direction1[v], b.direction1[w]);
     expect_same_line(image.turn * a.direction2[v], b.direction2[w]);
@@ -240,8 +239,9 @@ std::vector<Index> same_vertices(const Soup& soup) {
 TEST(CurvatureLaw, RenumberingAndShufflingChangesNothing) {
   for (const CurvedShape& shape : shapes_to_try()) {
     Image image;
-    image.soup = shapes::shuffled_faces(shapes::renumbered_vertices(shape.soup, kSeed), kSeed);
-    image.vertex = shapes::permutation(shape.soup.n_vertices(), kSeed);
+    image.soup = shapes::shuffled_faces(shapes::renumbered_vertices(shape.soup, kNumberingSeed),
+                                        kNumberingSeed);
+    image.vertex = shapes::permutation(shape.soup.n_vertices(), kNumberingSeed);
     expect_same_curvature(shape.soup, image);
   }
 }
@@ -262,10 +262,10 @@ TEST(CurvatureLaw, TurningAllFacesOverTurnsSigns) {
     for (std::size_t v = 0; v < a.state.size(); ++v) {
       ASSERT_EQ(a.state[v], b.state[v]);
       if (a.state[v] != CurvatureState::Defined) continue;
-      EXPECT_NEAR(a.gaussian[v], b.gaussian[v], kRounding);
-      EXPECT_NEAR(a.mean[v], -b.mean[v], kRounding);
-      EXPECT_NEAR(a.k1[v], -b.k2[v], kRounding);
-      EXPECT_NEAR(a.k2[v], -b.k1[v], kRounding);
+      EXPECT_NEAR(a.gaussian[v], b.gaussian[v], kCurvatureRounding);
+      EXPECT_NEAR(a.mean[v], -b.mean[v], kCurvatureRounding);
+      EXPECT_NEAR(a.k1[v], -b.k2[v], kCurvatureRounding);
+      EXPECT_NEAR(a.k2[v], -b.k1[v], kCurvatureRounding);
       if (has_directions(a, v)) expect_same_line(a.direction1[v], b.direction2[v]);
       if (testing::Test::HasFailure()) return;
     }

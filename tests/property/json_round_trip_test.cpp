@@ -17,11 +17,11 @@ namespace meshalyzer {
 namespace {
 
 std::string line_of(const Analysis& analysis, JsonOffenders offenders) {
-  JsonWriter json;
-  json.begin_object(JsonLayout::Row);
-  write_mesh_members(json, analysis, offenders);
-  json.end_object();
-  return json.take();
+  JsonWriter writer;
+  writer.begin_object(JsonLayout::Row);
+  write_mesh_members(writer, analysis, offenders);
+  writer.end_object();
+  return writer.take();
 }
 
 std::string json_of(const Analysis& analysis, JsonOffenders offenders) {

@@ -16,7 +16,7 @@ namespace meshalyzer {
 namespace {
 
 /// Far below the degeneracy and slit tolerance of a mesh of some units: 1e-8 of the diagonal.
-constexpr double kTiny = 1e-10;
+constexpr double kTinyShare = 1e-10;
 
 /// A number in -1 ... 1, a multiple of 1/1024.
 double any_number(std::mt19937& random) {
@@ -105,7 +105,7 @@ void add_needle(Soup& soup, std::mt19937& random) {
   const Triangle face = soup.triangles[any_face(soup, random)];
   const Index a = face[0];
   const Index b = face[1];
-  const double share = kTiny * below(random, 3);
+  const double share = kTinyShare * below(random, 3);
   const Index m =
       add_vertex(soup, soup.positions[a] + share * (soup.positions[b] - soup.positions[a]));
   const std::size_t n = soup.n_faces();
@@ -124,7 +124,7 @@ void add_cap(Soup& soup, std::mt19937& random) {
   const Index face = any_face(soup, random);
   const auto [a, b, c] = soup.triangles[face];
   const Vec3 middle = 0.5 * (soup.positions[a] + soup.positions[b]);
-  const double share = kTiny * below(random, 3);
+  const double share = kTinyShare * below(random, 3);
   const Index m = add_vertex(soup, middle + share * (soup.positions[c] - middle));
   soup.triangles[face] = {a, b, m};
   soup.triangles.push_back({b, c, m});
@@ -135,7 +135,7 @@ void add_cap(Soup& soup, std::mt19937& random) {
 void loosen_face(Soup& soup, std::mt19937& random) {
   const Index face = any_face(soup, random);
   const Index n = 1 + below(random, 3);
-  const double amount = kTiny * below(random, 3);
+  const double amount = kTinyShare * below(random, 3);
   for (std::size_t k = 0; k < n; ++k) {
     const Vec3 place = soup.positions[soup.triangles[face][k]] + amount * any_vector(random);
     soup.triangles[face][k] = add_vertex(soup, place);
@@ -146,7 +146,7 @@ void loosen_face(Soup& soup, std::mt19937& random) {
 void open_seam(Soup& soup, std::mt19937& random) {
   const Vec3 normal = any_vector(random);
   const Vec3 through = soup.positions[soup.triangles[any_face(soup, random)][0]];
-  const double amount = kTiny * below(random, 3);
+  const double amount = kTinyShare * below(random, 3);
   std::vector<std::uint8_t> is_near(soup.n_vertices(), 0);
   std::vector<Index> far_faces;
   for (Index f = 0; f < soup.n_faces(); ++f) {

@@ -20,7 +20,7 @@
 namespace meshalyzer {
 namespace {
 
-constexpr std::uint32_t kSeeds = 200;
+constexpr std::uint32_t kDamagedSoups = 200;
 /// Of the next forty thousand, those that have broken a law: what comes of a patch, or of a border
 /// that is one no more, needs care.
 constexpr std::array<std::uint32_t, 15> kHardSeeds{2596,  2597,  2831,  2949,  5227,
@@ -28,7 +28,7 @@ constexpr std::array<std::uint32_t, 15> kHardSeeds{2596,  2597,  2831,  2949,  5
                                                    29302, 29772, 35262, 37000, 39377};
 
 std::vector<std::uint32_t> seeds_to_try() {
-  std::vector<std::uint32_t> seeds(kSeeds);
+  std::vector<std::uint32_t> seeds(kDamagedSoups);
   std::iota(seeds.begin(), seeds.end(), 0U);
   seeds.insert(seeds.end(), kHardSeeds.begin(), kHardSeeds.end());
   return seeds;
@@ -162,7 +162,7 @@ std::string described(const RepairLog& log) {
 
 TEST(RepairLaw, NumberOfThreadsChangesNothing) {
   test::Effort effort;
-  for (std::uint32_t seed = 0; seed < kSeeds; seed += 3) {
+  for (std::uint32_t seed = 0; seed < kDamagedSoups; seed += 3) {
     if (!effort.runs_next()) continue;
     const NamedSoup mesh = damaged_mesh(seed);
     SCOPED_TRACE(mesh.name);

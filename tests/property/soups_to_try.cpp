@@ -14,7 +14,7 @@
 namespace meshalyzer {
 namespace {
 
-constexpr std::uint32_t kSeeds = 300;
+constexpr std::uint32_t kRandomSoups = 300;
 
 /// Any faces over the points of a small lattice: degenerate, flat, duplicate, with missing
 /// vertices.
@@ -57,7 +57,7 @@ std::vector<NamedSoup> make_soups() {
   for (const std::string& file : mesh_files(MESHALYZER_MESHES, "broken")) {
     all.push_back({file, read_mesh(file)});
   }
-  for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+  for (std::uint32_t seed = 0; seed < kRandomSoups; ++seed) {
     all.push_back({"lattice, seed " + std::to_string(seed), lattice_soup(seed)});
     all.push_back({"damage, seed " + std::to_string(seed), damaged_soup(seed)});
   }

@@ -1,20 +1,19 @@
 #include "support/curved_shapes.h"
 
 #include "meshalyzer/mesh/build.h"
+#include "support/constants.h"
 #include "support/shapes.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <utility>
 
 namespace meshalyzer::shapes {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kTorusRadius = 2.0;
 constexpr double kJitter = 0.25;
 constexpr double kNoise = 0.01;

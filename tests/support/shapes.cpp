@@ -1,18 +1,17 @@
 #include "support/shapes.h"
 
+#include "support/constants.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <random>
 #include <tuple>
 #include <utility>
 
 namespace meshalyzer::shapes {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 Index index(std::size_t i) {
   return static_cast<Index>(i);

@@ -1,17 +1,16 @@
 #include "support/surface_distance.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "support/constants.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace meshalyzer::test {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Cells along the longest side of the grid, at most.
 constexpr double kMaxCells = 64;
 

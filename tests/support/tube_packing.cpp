@@ -1,14 +1,14 @@
 #include "support/tube_packing.h"
 
+#include "support/constants.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
 namespace meshalyzer::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kLength = 20.0;
 constexpr double kHelixRadius = 3.0;
 /// Of the helix, where it does not rest: it turns once along a tube's length.

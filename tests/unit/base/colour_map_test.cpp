@@ -1,5 +1,7 @@
 #include "meshalyzer/base/colour_map.h"
 
+#include "support/constants.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,8 +14,6 @@
 namespace meshalyzer {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array kPalettes{Palette::Sequential, Palette::Diverging, Palette::Jet, Palette::Hot};
 
 void expect_near(const Colour& colour, const Colour& expected) {

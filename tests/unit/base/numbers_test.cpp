@@ -1,5 +1,7 @@
 #include "meshalyzer/base/numbers.h"
 
+#include "support/constants.h"
+
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -11,8 +13,6 @@
 
 namespace meshalyzer {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(Shortest, IsTheShortestTextOfTheDouble) {
   EXPECT_EQ(shortest(6.0), "6");

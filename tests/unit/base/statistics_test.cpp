@@ -1,6 +1,7 @@
 #include "meshalyzer/base/statistics.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "support/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +14,6 @@
 
 namespace meshalyzer {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// 1, 2, ..., n in an order that is not theirs.
 std::vector<double> shuffled_counting(std::size_t n) {

@@ -1,4 +1,5 @@
 #include "meshalyzer/defects/finders.h"
+#include "support/constants.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -9,8 +10,6 @@
 
 namespace meshalyzer {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(FindCorrupt, MeshIsNot) {
   EXPECT_TRUE(find_corrupt({}).empty());

@@ -1,11 +1,11 @@
 #include "meshalyzer/defects/finders.h"
+#include "support/constants.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace meshalyzer {
@@ -73,7 +73,6 @@ TEST(FindOpposedNormals, NormalAlongTheFacesIsNot) {
 
 TEST(FindOpposedNormals, NormalThatSaysNothingIsNot) {
   EXPECT_TRUE(opposed_in(grid_with_normal({0, 0, 0})).empty());
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(opposed_in(grid_with_normal({0, 0, -kInfinity})).empty());
   EXPECT_TRUE(opposed_in(grid_with_normal({0, 0, std::nan("")})).empty());
 }

@@ -1,17 +1,15 @@
 #include "meshalyzer/defects/tolerances.h"
 
 #include "meshalyzer/base/error.h"
+#include "support/constants.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace meshalyzer {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// With a diagonal of 13: 3^2 + 4^2 + 12^2 = 13^2.
 Box3 box_of_diagonal_thirteen() {

@@ -1,5 +1,6 @@
 #include "meshalyzer/geometry/curvature.h"
 #include "meshalyzer/mesh/build.h"
+#include "support/constants.h"
 #include "support/random_soups.h"
 #include "support/shapes.h"
 
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <set>
 #include <span>
@@ -16,8 +16,6 @@
 
 namespace meshalyzer {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// Over the vertices that faces use, in units of 2 pi.
 double total_defect(const Curvature& curvature) {

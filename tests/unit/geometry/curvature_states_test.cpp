@@ -1,3 +1,4 @@
+#include "curvature_of.h"
 #include "meshalyzer/geometry/curvature.h"
 #include "meshalyzer/geometry/vertex_normals.h"
 #include "meshalyzer/mesh/build.h"
@@ -15,10 +16,6 @@ namespace meshalyzer {
 namespace {
 
 using enum CurvatureState;
-
-Curvature curvature_of(const Soup& soup, VertexArea area = VertexArea::Mixed) {
-  return measure_curvature(build(soup), area);
-}
 
 /// That the columns are filled as the states say.
 void expect_figures_where_defined(const Curvature& c) {

@@ -1,7 +1,9 @@
 #include "meshalyzer/geometry/curvature.h"
 
+#include "curvature_of.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/build.h"
+#include "support/constants.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -13,14 +15,9 @@
 namespace meshalyzer {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kSqrt3 = std::numbers::sqrt3;
 constexpr std::array kAreas{VertexArea::Mixed, VertexArea::Voronoi, VertexArea::Barycentric,
                             VertexArea::OneRing};
-
-Curvature curvature_of(const Soup& soup, VertexArea area = VertexArea::Mixed) {
-  return measure_curvature(build(soup), area);
-}
 
 /// Corners (0, 0, +-h) over and under a regular triangle of circumradius 1.
 Soup bipyramid(double h) {

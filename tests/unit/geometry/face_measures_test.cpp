@@ -1,6 +1,7 @@
 #include "meshalyzer/geometry/face_measures.h"
 
 #include "meshalyzer/mesh/build.h"
+#include "support/constants.h"
 #include "support/shape_figures.h"
 #include "support/shapes.h"
 
@@ -8,15 +9,12 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <vector>
 
 namespace meshalyzer {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 FaceMeasures measure(const Soup& soup) {
   return measure_faces(build(soup).mesh);

@@ -1,17 +1,15 @@
 #include "meshalyzer/geometry/face_shape.h"
 
 #include "meshalyzer/mesh/build.h"
+#include "support/constants.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace meshalyzer {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// Of a single face.
 FaceShape shape_of(const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -1,22 +1,16 @@
+#include "curvature_of.h"
 #include "meshalyzer/geometry/curvature.h"
-#include "meshalyzer/mesh/build.h"
+#include "support/constants.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 // The principal curvatures of measure_curvature().
 namespace meshalyzer {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-Curvature curvature_of(const Soup& soup) {
-  return measure_curvature(build(soup));
-}
 
 /// A tube of n sides and `bands` bands of the given height round the z axis, open at both ends.
 Soup tube(double radius, std::size_t n, std::size_t bands, double height) {

@@ -1,4 +1,5 @@
 #include "meshalyzer/picture/field.h"
+#include "support/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +11,7 @@
 namespace meshalyzer {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMax = std::numeric_limits<double>::max();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 Field magnitudes(std::vector<double> values) {
   return {FieldName::Area, FieldPlace::Faces, FieldKind::Magnitude, std::move(values)};

@@ -1,5 +1,6 @@
 #include "meshalyzer/picture/field.h"
 
+#include "support/constants.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -7,16 +8,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <set>
 
 namespace meshalyzer {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> values_of(const Soup& soup, FieldName name, VertexArea area = {}) {
   const PreparedMesh mesh(soup);

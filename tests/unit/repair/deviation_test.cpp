@@ -49,7 +49,7 @@ void add_face(Draft& draft, const Triangle& corners, Index origin) {
   draft.soup.triangles.push_back(corners);
 }
 
-Faces range(Index begin, Index end) {
+Faces face_range(Index begin, Index end) {
   Faces faces(end - begin);
   std::iota(faces.begin(), faces.end(), begin);
   return faces;
@@ -88,8 +88,8 @@ TEST(DeviationMeter, RaisedPlaneIsAsFarAsItWasRaised) {
 TEST(DeviationMeter, RaisedPlaneIsFarAllOverWhereTheBoundIsSmaller) {
   const Soup input = shapes::grid(6, 5);
   const Result result = measure(input, moved(input, {0, 0, 0.25}), 0.2499);
-  EXPECT_EQ(result.far_input_faces, range(0, 60));
-  EXPECT_EQ(result.far_draft_faces, range(0, 60));
+  EXPECT_EQ(result.far_input_faces, face_range(0, 60));
+  EXPECT_EQ(result.far_draft_faces, face_range(0, 60));
   EXPECT_GE(result.largest, 0.25);
 }
 
@@ -109,7 +109,7 @@ TEST(DeviationMeter, PlaneMovedAlongItselfIsFarOnlyAtItsEnds) {
 TEST(DeviationMeter, PlaneCutIntoOtherFacesIsNowhereAway) {
   // Two large faces instead of many small ones.
   const Soup input = shapes::grid(12, 12);
-  Draft draft = without_faces(make_draft(input), range(0, 288));
+  Draft draft = without_faces(make_draft(input), face_range(0, 288));
   add_face(draft, {0, 12, 168}, 0);
   add_face(draft, {0, 168, 156}, 1);
   expect_largest(measure(input, draft, 0.01), 0.0, 0.01);
@@ -174,17 +174,17 @@ TEST(DeviationMeter, DuplicatesThatAreDroppedAreNowhereAway) {
     const Triangle t = input.triangles[7 * f];
     input.triangles.push_back({t[1], t[0], t[2]});
   }
-  const Result result = measure(input, without_faces(make_draft(input), range(320, 360)), 0.0);
+  const Result result = measure(input, without_faces(make_draft(input), face_range(320, 360)), 0.0);
   EXPECT_TRUE(result.is_within());
   EXPECT_EQ(result.largest, 0.0);
 }
 
 TEST(DeviationMeter, ComponentThatIsRemovedWasAsFarAsItsFarSide) {
   const Soup input = shapes::merged(shapes::cube(), shapes::cube(1.0, {5, 0, 0}));
-  const Draft draft = without_faces(make_draft(input), range(12, 24));
+  const Draft draft = without_faces(make_draft(input), face_range(12, 24));
   expect_largest(measure(input, draft, 6.0), 5.0, 6.0);
   const Result result = measure(input, draft, 0.1);
-  EXPECT_EQ(result.far_input_faces, range(12, 24));
+  EXPECT_EQ(result.far_input_faces, face_range(12, 24));
   EXPECT_TRUE(result.far_draft_faces.empty());
   EXPECT_GE(result.largest, 5.0);
 }
@@ -240,8 +240,8 @@ TEST(DeviationMeter, FacesInNoComplexAreNotMeasured) {
 
 TEST(DeviationMeter, WhereNothingIsLeftAllIsInfinitelyFar) {
   const Soup input = shapes::cube();
-  const Result gone = measure(input, without_faces(make_draft(input), range(0, 12)), 100.0);
-  EXPECT_EQ(gone.far_input_faces, range(0, 12));
+  const Result gone = measure(input, without_faces(make_draft(input), face_range(0, 12)), 100.0);
+  EXPECT_EQ(gone.far_input_faces, face_range(0, 12));
   EXPECT_EQ(gone.largest, std::numeric_limits<double>::infinity());
   // Faces out of nothing.
   const Soup empty = shapes::make(input.positions, {});

@@ -14,7 +14,7 @@ namespace {
 using Keys = std::vector<Index>;
 using shapes::InnerShell;
 
-Keys range(Index begin, Index end) {
+Keys key_range(Index begin, Index end) {
   Keys keys(end - begin);
   std::iota(keys.begin(), keys.end(), begin);
   return keys;
@@ -46,10 +46,10 @@ TEST(Separate, TwoSolidsComeApartTheLargerFirst) {
 TEST(Separate, ElementsKeepTheirKeys) {
   const std::vector<Draft> parts = separate(make_draft(small_then_large()));
   ASSERT_EQ(parts.size(), 2u);
-  EXPECT_EQ(parts[0].vertex_keys, range(4, 12));
-  EXPECT_EQ(parts[0].face_keys, range(4, 16));
-  EXPECT_EQ(parts[1].vertex_keys, range(0, 4));
-  EXPECT_EQ(parts[1].face_keys, range(0, 4));
+  EXPECT_EQ(parts[0].vertex_keys, key_range(4, 12));
+  EXPECT_EQ(parts[0].face_keys, key_range(4, 16));
+  EXPECT_EQ(parts[1].vertex_keys, key_range(0, 4));
+  EXPECT_EQ(parts[1].face_keys, key_range(0, 4));
   EXPECT_EQ(parts[1].n_input_vertices, 12u);
   EXPECT_EQ(parts[1].n_input_faces, 16u);
 }
@@ -93,8 +93,8 @@ TEST(Separate, FacesThatAlternateInTheFileKeepTheirOrder) {
 TEST(Separate, CavityStaysAMeshOfItsOwn) {
   const std::vector<Draft> parts = separate(make_draft(shapes::nested_cubes(InnerShell::Cavity)));
   ASSERT_EQ(parts.size(), 2u);
-  EXPECT_EQ(parts[0].face_keys, range(0, 12));
-  EXPECT_EQ(parts[1].face_keys, range(12, 24));
+  EXPECT_EQ(parts[0].face_keys, key_range(0, 12));
+  EXPECT_EQ(parts[1].face_keys, key_range(12, 24));
 }
 
 TEST(Separate, SolidsThatShareAVertexStayTogether) {
@@ -130,7 +130,7 @@ TEST(Separate, NamedIdsAreKept) {
   const std::vector<Draft> parts = separate(make_draft(soup));
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(ids_of(parts[0].soup.vertex_ids, 8), (Keys{90, 91, 92, 93, 94, 95, 96, 98}));
-  EXPECT_EQ(ids_of(parts[0].soup.face_ids, 12), range(11, 23));
+  EXPECT_EQ(ids_of(parts[0].soup.face_ids, 12), key_range(11, 23));
   EXPECT_EQ(ids_of(parts[1].soup.vertex_ids, 4), (Keys{7, 1, 30, 2}));
   EXPECT_EQ(ids_of(parts[1].soup.face_ids, 4), (Keys{4, 3, 2, 1}));
 }
@@ -210,8 +210,8 @@ TEST(Separate, OrphansStayWithTheFirst) {
     for (Index& v : soup.triangles[f]) ++v;
   }
   const std::vector<Draft> parts = separate(make_draft(soup));
-  EXPECT_EQ(parts[0].vertex_keys, range(4, 13));
-  EXPECT_EQ(parts[1].vertex_keys, range(0, 4));
+  EXPECT_EQ(parts[0].vertex_keys, key_range(4, 13));
+  EXPECT_EQ(parts[1].vertex_keys, key_range(0, 4));
 }
 
 TEST(Separate, BrokenFacesGoWithTheirVertices) {

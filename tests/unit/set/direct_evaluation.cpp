@@ -3,6 +3,7 @@
 #include "meshalyzer/geometry/vertex_normals.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/triangle_distance.h"
+#include "support/constants.h"
 #include "support/rational_oracle.h"
 
 #include <algorithm>
@@ -18,8 +19,6 @@
 
 namespace meshalyzer::test {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Corners corners_of(const Soup& soup, const Triangle& t) {
   return {soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]};

@@ -1,5 +1,6 @@
 #include "meshalyzer/set/object_meeting.h"
 
+#include "cube_at.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -27,10 +28,6 @@ std::size_t count(const ObjectMeeting& meeting, ContactKind kind) {
   return static_cast<std::size_t>(
       std::count_if(meeting.pairs.begin(), meeting.pairs.end(),
                     [&](const IntersectingPair& pair) { return pair.kind == kind; }));
-}
-
-Soup cube_at(double low, double side) {
-  return shapes::cube(side, Vec3::Constant(low));
 }
 
 /// What the first object is to the second, which must not be in the first, both ways round.

@@ -1,5 +1,6 @@
 #include "meshalyzer/set/set_run.h"
 
+#include "cube_at.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/set/object_meeting.h"
@@ -53,10 +54,6 @@ std::vector<Soup> row_of_cubes(int n) {
     cubes.push_back(shapes::cube(1.0, {-2.0 * i, 0, 0}));
   }
   return cubes;
-}
-
-Soup cube_at(double low, double side) {
-  return shapes::cube(side, Vec3::Constant(low));
 }
 
 std::vector<Soup> packed(std::size_t n) {

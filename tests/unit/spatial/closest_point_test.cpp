@@ -1,19 +1,17 @@
 #include "meshalyzer/spatial/closest_point.h"
 
 #include "meshalyzer/mesh/build.h"
+#include "support/constants.h"
 #include "support/random_soups.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 namespace meshalyzer {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A mesh and all that answers questions about it.
 struct Scene {

@@ -3,18 +3,16 @@
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/topology/boundary.h"
 #include "meshalyzer/topology/edges.h"
+#include "support/constants.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 namespace meshalyzer {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 using Counts = std::array<std::size_t, 4>;
 

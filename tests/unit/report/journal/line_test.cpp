@@ -5,6 +5,7 @@
 #include "meshalyzer/report/json/report.h"
 #include "sample_analysis.h"
 #include "sample_set.h"
+#include "support/constants.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -19,8 +20,6 @@
 
 namespace meshalyzer {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 const std::vector<std::string>& sample_names() {
   static const std::vector<std::string> names = sample_set().names;

@@ -4,13 +4,13 @@
 #include "meshalyzer/report/json/mesh.h"
 #include "meshalyzer/report/text/mesh_report.h"
 #include "sample_analysis.h"
+#include "support/constants.h"
 #include "support/effort.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -20,8 +20,6 @@ namespace meshalyzer {
 namespace {
 
 using nlohmann::json;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::string line_of(const Analysis& analysis, JsonOffenders offenders = JsonOffenders::List) {
   JsonWriter writer;

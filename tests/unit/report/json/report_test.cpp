@@ -274,7 +274,7 @@ TEST(JsonReport, SetStandsBesideTheMeshesOfAFolder) {
   EXPECT_EQ(report["set"]["area"], 3.5);
   EXPECT_EQ(report["set"]["volume"], -1.25);
   EXPECT_TRUE(report["set"]["separation"].is_null());
-  EXPECT_FALSE(parsed({}).contains("set"));
+  EXPECT_FALSE(parsed(Analysis{}).contains("set"));
 }
 
 TEST(JsonReport, PathThatIsNotUnicodeLeavesAReadableReport) {

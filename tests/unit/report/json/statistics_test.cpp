@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/report/json/non_finite.h"
+#include "support/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -13,19 +14,18 @@
 namespace meshalyzer {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 std::string json_of(const Statistics& statistics) {
-  JsonWriter json;
-  write_statistics(json, statistics);
-  return json.take();
+  JsonWriter writer;
+  write_statistics(writer, statistics);
+  return writer.take();
 }
 
 std::string json_of(const Summary& summary) {
-  JsonWriter json;
-  write_summary(json, summary);
-  return json.take();
+  JsonWriter writer;
+  write_summary(writer, summary);
+  return writer.take();
 }
 
 Statistics read_back(const Statistics& statistics) {
@@ -68,11 +68,11 @@ TEST(ReadStatistics, OfNothingAreThoseOfNothing) {
 TEST(ReadStatistics, HistogramOfOtherThanSixteenBinsIsRefused) {
   Statistics written;
   written.count = 1;
-  std::string json = json_of(written);
-  json.erase(json.find("[0, 0") + 1, 2);
-  EXPECT_THROW(static_cast<void>(read_statistics(JsonTree(json).root())), InvalidArgument);
-  json.insert(json.find("[ 0") + 1, "0, 0, 0,");
-  EXPECT_THROW(static_cast<void>(read_statistics(JsonTree(json).root())), InvalidArgument);
+  std::string text = json_of(written);
+  text.erase(text.find("[0, 0") + 1, 2);
+  EXPECT_THROW(static_cast<void>(read_statistics(JsonTree(text).root())), InvalidArgument);
+  text.insert(text.find("[ 0") + 1, "0, 0, 0,");
+  EXPECT_THROW(static_cast<void>(read_statistics(JsonTree(text).root())), InvalidArgument);
 }
 
 TEST(ReadSummary, EveryFigureComesBack) {
@@ -103,19 +103,19 @@ TEST(ReadReal, FiniteNumberIsNoExplanation) {
 }
 
 TEST(WriteNonFinite, FiniteRealsHaveNoMember) {
-  JsonWriter json;
-  json.begin_object(JsonLayout::Row);
-  write_non_finite(json, {{"area", 1e308}, {"volume", -0.0}});
-  json.end_object();
-  EXPECT_EQ(json.take(), "{}\n");
+  JsonWriter writer;
+  writer.begin_object(JsonLayout::Row);
+  write_non_finite(writer, {{"area", 1e308}, {"volume", -0.0}});
+  writer.end_object();
+  EXPECT_EQ(writer.take(), "{}\n");
 }
 
 TEST(WriteNonFinite, OnlyThoseThatAreNotFiniteAreNamed) {
-  JsonWriter json;
-  json.begin_object(JsonLayout::Row);
-  write_non_finite(json, {{"a", 1.0}, {"b", kInfinity}, {"c", -kInfinity}, {"d", kNan}});
-  json.end_object();
-  EXPECT_EQ(json.take(), "{\"non_finite\": {\"b\": \"inf\", \"c\": \"-inf\", \"d\": \"nan\"}}\n");
+  JsonWriter writer;
+  writer.begin_object(JsonLayout::Row);
+  write_non_finite(writer, {{"a", 1.0}, {"b", kInfinity}, {"c", -kInfinity}, {"d", kNan}});
+  writer.end_object();
+  EXPECT_EQ(writer.take(), "{\"non_finite\": {\"b\": \"inf\", \"c\": \"-inf\", \"d\": \"nan\"}}\n");
 }
 
 }  // namespace

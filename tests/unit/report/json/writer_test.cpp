@@ -9,9 +9,9 @@ namespace meshalyzer {
 namespace {
 
 std::string written(const auto& value) {
-  JsonWriter json;
-  json.value(value);
-  return json.take();
+  JsonWriter writer;
+  writer.value(value);
+  return writer.take();
 }
 
 std::string written_text(std::string_view text) {
@@ -63,97 +63,97 @@ TEST(JsonWriter, BytesThatAreNotUnicodeBecomeReplacementCharacters) {
 }
 
 TEST(JsonWriter, LinesAreIndentedAndRowsStayOnOneLine) {
-  JsonWriter json;
-  json.begin_object();
-  json.member("n", 1);
-  json.key("row");
-  json.begin_array(JsonLayout::Row);
-  json.value(1);
-  json.value(true);
-  json.begin_array(JsonLayout::Row);
-  json.end_array();
-  json.end_array();
-  json.key("none");
-  json.begin_array();
-  json.end_array();
-  json.end_object();
-  EXPECT_EQ(json.take(), "{\n \"n\": 1,\n \"row\": [1, true, []],\n \"none\": []\n}\n");
+  JsonWriter writer;
+  writer.begin_object();
+  writer.member("n", 1);
+  writer.key("row");
+  writer.begin_array(JsonLayout::Row);
+  writer.value(1);
+  writer.value(true);
+  writer.begin_array(JsonLayout::Row);
+  writer.end_array();
+  writer.end_array();
+  writer.key("none");
+  writer.begin_array();
+  writer.end_array();
+  writer.end_object();
+  EXPECT_EQ(writer.take(), "{\n \"n\": 1,\n \"row\": [1, true, []],\n \"none\": []\n}\n");
 }
 
 TEST(JsonWriter, WhatIsNestedInARowIsOnItsLineToo) {
-  JsonWriter json;
-  json.begin_object(JsonLayout::Row);
-  json.key("list");
-  json.begin_array();
-  json.begin_object(JsonLayout::Lines);
-  json.member("n", 1);
-  json.end_object();
-  json.value(2);
-  json.end_array();
-  json.member("last", true);
-  json.end_object();
-  EXPECT_EQ(json.take(), "{\"list\": [{\"n\": 1}, 2], \"last\": true}\n");
+  JsonWriter writer;
+  writer.begin_object(JsonLayout::Row);
+  writer.key("list");
+  writer.begin_array();
+  writer.begin_object(JsonLayout::Lines);
+  writer.member("n", 1);
+  writer.end_object();
+  writer.value(2);
+  writer.end_array();
+  writer.member("last", true);
+  writer.end_object();
+  EXPECT_EQ(writer.take(), "{\"list\": [{\"n\": 1}, 2], \"last\": true}\n");
 }
 
 /// Writes an object with something of everything, and calls `between` after each step.
 template <typename Between>
 std::string written_in_steps(Between&& between) {
-  JsonWriter json;
+  JsonWriter writer;
   std::string text;
-  const auto step = [&] { text += between(json); };
-  json.begin_object();
+  const auto step = [&] { text += between(writer); };
+  writer.begin_object();
   step();
-  json.key("lines");
+  writer.key("lines");
   step();
-  json.begin_array();
+  writer.begin_array();
   step();
-  json.value(1.5);
+  writer.value(1.5);
   step();
-  json.value(std::string_view("two"));
+  writer.value(std::string_view("two"));
   step();
-  json.end_array();
+  writer.end_array();
   step();
-  json.key("row");
-  json.begin_object(JsonLayout::Row);
+  writer.key("row");
+  writer.begin_object(JsonLayout::Row);
   step();
-  json.member("a", 1);
+  writer.member("a", 1);
   step();
-  json.member("b", 2);
-  json.end_object();
+  writer.member("b", 2);
+  writer.end_object();
   step();
-  json.end_object();
+  writer.end_object();
   step();
-  return text + json.take();
+  return text + writer.take();
 }
 
 TEST(JsonWriter, DrainedAnywhereGivesTheSameText) {
   const std::string whole = written_in_steps([](JsonWriter&) { return std::string(); });
-  const std::string drained = written_in_steps([](JsonWriter& json) { return json.drain(); });
+  const std::string drained = written_in_steps([](JsonWriter& writer) { return writer.drain(); });
   EXPECT_EQ(drained, whole);
   EXPECT_EQ(whole, "{\n \"lines\": [\n  1.5,\n  \"two\"\n ],\n \"row\": {\"a\": 1, \"b\": 2}\n}\n");
 }
 
 TEST(JsonWriter, WhatIsPendingIsWhatADrainWillGive) {
-  JsonWriter json;
-  EXPECT_EQ(json.pending(), 0U);
-  json.begin_array(JsonLayout::Row);
-  json.value(12);
-  EXPECT_EQ(json.pending(), 3U);  // [12
-  EXPECT_EQ(json.drain(), "[12");
-  EXPECT_EQ(json.pending(), 0U);
-  json.end_array();
-  EXPECT_EQ(json.take(), "]\n");
+  JsonWriter writer;
+  EXPECT_EQ(writer.pending(), 0U);
+  writer.begin_array(JsonLayout::Row);
+  writer.value(12);
+  EXPECT_EQ(writer.pending(), 3U);  // [12
+  EXPECT_EQ(writer.drain(), "[12");
+  EXPECT_EQ(writer.pending(), 0U);
+  writer.end_array();
+  EXPECT_EQ(writer.take(), "]\n");
 }
 
 TEST(JsonWriter, WritesOneTextAfterAnother) {
-  JsonWriter json;
-  json.begin_object(JsonLayout::Row);
-  json.end_object();
-  std::string lines = json.take();
-  json.begin_object(JsonLayout::Row);
-  json.member("n", 2);
-  json.end_object();
-  lines += json.take();
+  JsonWriter writer;
+  writer.begin_object(JsonLayout::Row);
+  writer.end_object();
+  std::string lines = writer.take();
+  writer.begin_object(JsonLayout::Row);
+  writer.member("n", 2);
+  writer.end_object();
+  lines += writer.take();
   EXPECT_EQ(lines, "{}\n{\"n\": 2}\n");
 }
 

@@ -21,7 +21,7 @@ std::string report_of(const Analysis& analysis) {
 }
 
 TEST(TextReport, SectionsStandInOrder) {
-  const std::string report = report_of({});
+  const std::string report = report_of(Analysis{});
   const std::size_t integrity = report.find("MESH FILE INTEGRITY\n");
   const std::size_t attributes = report.find("\n\nMESH ATTRIBUTES\n");
   const std::size_t characteristics = report.find("\n\nMESH CHARACTERISTICS\n");

@@ -65,7 +65,7 @@ TEST(SetTextReport, SetWithoutAFaultIsGood) {
 }
 
 TEST(SetTextReport, SetThatWasNotJudgedIsNeitherGoodNorNot) {
-  EXPECT_THAT(report_of({}), Not(HasSubstr("good")));
+  EXPECT_THAT(report_of(SetAnalysis{}), Not(HasSubstr("good")));
 }
 
 TEST(SetTextReport, StatisticsAreThoseOfAMesh) {
