@@ -11,39 +11,11 @@ namespace {
 
 constexpr std::size_t kMaxThreads = 1024;
 
-/// The option that a message of the parser begins with.
-std::string upto_colon(std::string_view message) {
-  return std::string(message.substr(0, message.find(':')));
-}
-
-void refuse_empty_values(const CLI::App& app) {
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& value : option->results()) {
-      if (value.empty()) {
-        throw UsageError(option->get_name() + " needs a value, not an empty text");
-      }
-    }
-  }
-}
-
 }  // namespace
 
 std::string_view without_sign(std::string_view text) {
   text.remove_prefix(text.starts_with('=') ? 1 : 0);
   return text;
-}
-
-void parse_arguments(CLI::App& app, int argc, const char* const* argv) {
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    throw;
-  } catch (const CLI::ArgumentMismatch& error) {
-    throw UsageError(upto_colon(error.what()) + " must be given once, with one value");
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(error.what());
-  }
-  refuse_empty_values(app);
 }
 
 double to_real(const std::string& text, const std::string& option) {
@@ -62,13 +34,10 @@ double to_length(const std::string& text, const std::string& option) {
   return value;
 }
 
-std::size_t to_thread_count(const std::string& text) {
-  if (text.empty()) {
-    return 0;
-  }
+std::size_t to_thread_count(const std::string& text, const std::string& option) {
   const std::optional<std::int64_t> value = parse_integer(text);
   if (!value || *value < 0 || *value > static_cast<std::int64_t>(kMaxThreads)) {
-    throw UsageError("--threads needs a whole number from 0 to " + std::to_string(kMaxThreads) +
+    throw UsageError(option + " needs a whole number from 0 to " + std::to_string(kMaxThreads) +
                      ", not '" + text + "'");
   }
   return static_cast<std::size_t>(*value);

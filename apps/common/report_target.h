@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace meshalyzer {
@@ -10,5 +11,10 @@ struct ReportTarget {
 
   [[nodiscard]] bool is_stdout() const { return file == "-"; }
 };
+
+/// Whether there is a report, and it goes to standard output.
+[[nodiscard]] inline bool is_stdout(const std::optional<ReportTarget>& target) {
+  return target && target->is_stdout();
+}
 
 }  // namespace meshalyzer

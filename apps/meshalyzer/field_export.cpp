@@ -98,9 +98,9 @@ void write_field(const std::string& file, const ColouredField& field) {
 }
 
 void write_field(const std::string& file, const FieldSource& source, const FieldExport& wanted) {
-  for (const Field& field : compute_fields(source, {wanted.field})) {
+  for (const Field& field : compute_fields(source, {*wanted.field})) {
     const FieldColours colours = colours_of(field, wanted.palette);
-    write_field(file, {source.mesh.soup(), field, colours, remark_on(source, wanted.field)});
+    write_field(file, {source.mesh.soup(), field, colours, remark_on(source, *wanted.field)});
   }
 }
 

@@ -1,8 +1,13 @@
 #include "inputs.h"
 
+#include "meshalyzer/set/set_files.h"
+#include "request.h"
+#include "usage_error.h"
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <set>
 #include <string_view>
 #include <system_error>
 
@@ -42,13 +47,6 @@ void add_folder(Inputs& inputs, const std::string& folder) {
   }
 }
 
-}  // namespace
-
-bool is_folder(const std::string& path) {
-  std::error_code ignored;
-  return fs::is_directory(path, ignored);
-}
-
 Inputs find_inputs(const std::vector<std::string>& paths) {
   Inputs inputs;
   for (const std::string& path : paths) {
@@ -59,6 +57,72 @@ Inputs find_inputs(const std::vector<std::string>& paths) {
       inputs.files.push_back(path);
     }
   }
+  return inputs;
+}
+
+/// What speaks against this use of folders, which only looking at the paths can tell.
+void check_folders(const Options& options) {
+  if (!options.total_volume) {
+    return;
+  }
+  for (const std::string& path : options.paths) {
+    if (!is_folder(path)) {
+      throw UsageError("-v needs a folder, and " + path + " is none");
+    }
+  }
+}
+
+bool has_stdin(const std::vector<std::string>& paths) {
+  return std::find(paths.begin(), paths.end(), "-") != paths.end();
+}
+
+/// Several files are a set too where somebody asks for what is between them.
+void decide_set(const Options& options, Inputs& inputs) {
+  if (options.asked.any() && options.paths.size() > 1) {
+    inputs.is_set = true;
+  }
+  if (options.asked.any() && !inputs.is_set) {
+    throw UsageError("-i and -s need a folder, or several files");
+  }
+  const bool shows_separation = options.field_export.field == FieldName::Separation;
+  if (shows_separation && !inputs.is_set) {
+    throw UsageError("--field separation needs a folder, or several files with -s");
+  }
+  if (has_stdin(inputs.files) && inputs.is_set && request_of(options, true).between.is_between()) {
+    throw UsageError("standard input can be read only once, so it cannot be part of a set");
+  }
+}
+
+/// A journal is of files that are there to be looked at again.
+void check_stdin(const Options& options) {
+  const bool has_journal = options.resume || (options.ndjson && !options.ndjson->is_stdout());
+  if (has_stdin(options.paths) && has_journal) {
+    throw UsageError("no journal can tell whether standard input (-) is still the same");
+  }
+}
+
+/// A file named twice is one mesh of a set.
+void drop_repeated(std::vector<std::string>& files) {
+  std::set<std::string> met;
+  std::erase_if(files, [&](const std::string& file) { return !met.insert(file).second; });
+}
+
+}  // namespace
+
+bool is_folder(const std::string& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+Inputs inputs_of(const Options& options) {
+  check_folders(options);
+  check_stdin(options);
+  Inputs inputs = find_inputs(options.paths);
+  decide_set(options, inputs);
+  if (inputs.is_set) {
+    drop_repeated(inputs.files);
+  }
+  inputs.names = set_names(inputs.files);
   return inputs;
 }
 

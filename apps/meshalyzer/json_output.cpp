@@ -11,8 +11,9 @@ std::optional<FileReplacement> open(const ReportTarget& target) {
 
 }  // namespace
 
-JsonOutput::JsonOutput(const ReportTarget& target, JsonOffenders offenders, std::ostream& out)
-    : file_(open(target)),
+JsonOutput::JsonOutput(const Run& run, std::ostream& out)
+    : run_(run),
+      file_(open(*run.options.json)),
       report_(
           [this, &out](std::string_view text) {
             if (file_) {
@@ -21,7 +22,15 @@ JsonOutput::JsonOutput(const ReportTarget& target, JsonOffenders offenders, std:
               out << text;
             }
           },
-          offenders) {}
+          run.request.list_offenders ? JsonOffenders::List : JsonOffenders::Omit) {}
+
+void JsonOutput::on_mesh(Index, const Analysis& mesh) {
+  report_.add(mesh);
+}
+
+void JsonOutput::on_findings(const ObjectFindings& findings) {
+  report_.add(findings, run_.inputs.names);
+}
 
 void JsonOutput::finish(const SetAnalysis* set) {
   report_.finish(set);

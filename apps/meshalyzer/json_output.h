@@ -2,31 +2,31 @@
 
 #include "meshalyzer/io/file_replacement.h"
 #include "meshalyzer/report/json/report.h"
-#include "options.h"
+#include "output.h"
+#include "run.h"
 
 #include <iosfwd>
-#include <memory>
 #include <optional>
 
 namespace meshalyzer {
 
 /// The JSON report on its way to standard output or a file, which it replaces when it is complete.
-class JsonOutput {
+class JsonOutput : public Output {
  public:
   /// @throws IoError if the file cannot be written.
-  JsonOutput(const ReportTarget& target, JsonOffenders offenders, std::ostream& out);
+  JsonOutput(const Run& run, std::ostream& out);
 
   JsonOutput(const JsonOutput&) = delete;
   JsonOutput& operator=(const JsonOutput&) = delete;
 
-  [[nodiscard]] JsonReport& report() { return report_; }
-  /// Ends the report.
-  ///
-  /// @param set  Null where there is none to tell of.
-  /// @throws IoError if the file cannot be written.
-  void finish(const SetAnalysis* set);
+  // What follows throws IoError if the file cannot be written.
+
+  void on_mesh(Index number, const Analysis& mesh) override;
+  void on_findings(const ObjectFindings& findings) override;
+  void finish(const SetAnalysis* set) override;
 
  private:
+  const Run& run_;
   std::optional<FileReplacement> file_;
   JsonReport report_;
 };

@@ -1,404 +1,178 @@
 #include "options.h"
 
 #include "arguments.h"
-#include "help.h"
-#include "meshalyzer/base/memory_size.h"
-#include "meshalyzer/base/numbers.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include "check_options.h"
+#include "values.h"
 
 namespace meshalyzer {
 namespace {
 
-/// The options as they stand on the command line; numbers are still text, so that no locale reads
-/// them.
-struct Raw {
-  std::vector<std::string> paths;
-  bool attributes_only = false;
-  std::string goodness;
-  bool print = false;
-  bool points = false;
-  bool total_volume = false;
-  std::string shorter, longer, angle_below, angle_above, aspect_above;
-  bool exact_coincidence = false;
-  std::string json;
-  std::string threads;
-  bool quiet = false;
-  bool no_progress = false;
-  bool version = false;
-  bool intersections = false;
-  bool separation = false;
-  bool force = false;
-  std::string search_radius, search_cone, include_self;
-  std::string separation_ply;
-  bool summary = false;
-  std::string ndjson, resume, shard, memory_limit;
-  std::string curvature, export_file, field, palette, html;
-};
-
-void declare_options(CLI::App& app, Raw& raw) {
-  app.add_option("PATH", raw.paths);
-  app.add_flag("-a", raw.attributes_only);
-  app.add_option("-g", raw.goodness)->type_name("AR,ANGLE,LEN");
-  app.add_flag("-v", raw.total_volume);
-  app.add_flag("--exact-coincidence", raw.exact_coincidence);
-  app.add_flag("-p", raw.print);
-  app.add_flag("-q", raw.points);
-  app.add_option("-b", raw.shorter)->type_name("N");
-  app.add_option("-c", raw.longer)->type_name("N");
-  app.add_option("-d", raw.angle_below)->type_name("N");
-  app.add_option("-e", raw.angle_above)->type_name("N");
-  app.add_option("-f", raw.aspect_above)->type_name("N");
-  // A flag with a value, not an option: a PATH that follows must not be taken for its FILE.
-  app.add_flag("--json{-}", raw.json);
-  app.add_flag("--summary", raw.summary);
-  app.add_option("--threads", raw.threads)->type_name("N");
-  app.add_flag("--quiet", raw.quiet);
-  app.add_flag("--no-progress", raw.no_progress);
-  app.add_flag("--version", raw.version);
+void declare_questions(OptionTable& table, Options& options) {
+  MeshRequest& mesh = options.mesh;
+  table.group("What is done");
+  table.flag(
+      "-a", [&mesh] { mesh.scope = Scope::AttributesOnly; }, "only the attributes");
+  table.option("-g AR,ANGLE,LEN", into(mesh.goodness, to_thresholds),
+               "is the mesh good? Prints 1 or 0, with -p every reason. Good: closed, manifold, "
+               "outward, no intersecting faces, no orphan, missing vertex or degenerate face, "
+               "contiguous numbering, largest aspect ratio < AR, smallest edge angle > ANGLE "
+               "degrees, shortest edge > LEN; not with -a");
+  table.flag("-i", options.asked.intersections,
+             "set: faces of different meshes that share a point, and meshes inside others");
+  table.flag("-s", options.asked.separation,
+             "set: for each vertex the distance to the closest point of any other mesh, negative "
+             "inside one; every mesh must be good. Without -i, -s, -a and -g a folder is asked "
+             "for both");
+  table.flag("-v", options.total_volume, "folder: print only the total volume of the set");
+  table.flag("--exact-coincidence", mesh.exact_coincidence,
+             "indistinguishable vertices: only those at exactly the same place");
+  table.option_or("mixed", "--curvature[=AREA]", into(mesh.curvature, to_area),
+                  "also the Gaussian, mean (signed) and principal curvatures at the vertices, "
+                  "spread over their mixed areas, or with AREA over: voronoi, barycentric, "
+                  "one-ring");
 }
 
-void declare_set_options(CLI::App& app, Raw& raw) {
-  app.add_flag("-i", raw.intersections);
-  app.add_flag("-s", raw.separation);
-  app.add_option("--search-radius", raw.search_radius)->type_name("R");
-  app.add_option("--search-cone", raw.search_cone)->type_name("DEG");
-  app.add_option("--include-self", raw.include_self)->type_name("R");
-  app.add_flag("--force", raw.force);
-  app.add_option("--separation-ply", raw.separation_ply)->type_name("DIR");
-  app.add_flag("--ndjson{-}", raw.ndjson);
-  app.add_option("--resume", raw.resume)->type_name("FILE");
-  app.add_option("--shard", raw.shard)->type_name("K/N");
-  app.add_option("--memory-limit", raw.memory_limit)->type_name("SIZE");
+void declare_names(OptionTable& table, Options& options) {
+  MeshRequest& mesh = options.mesh;
+  table.group("Which elements are named, by their ids in the file");
+  table.flag(
+      "-p", [&options] { options.offenders = OffenderStyle::Ids; }, "every offending element");
+  table.flag(
+      "-q", [&options] { options.offenders = OffenderStyle::CustomPoints; },
+      "as -p, vertices as DReAMM custom points: x y z 1 0 0 1");
+  table.option("-b N", into(mesh.shorter_than, to_real), "edges shorter than N");
+  table.option("-c N", into(mesh.longer_than, to_real), "edges longer than N");
+  table.option("-d N", into(mesh.angle_below_degrees, to_real),
+               "edges with an angle smaller than N degrees");
+  table.option("-e N", into(mesh.angle_above_degrees, to_real),
+               "edges with an angle larger than N degrees");
+  table.option("-f N", into(mesh.aspect_above, to_real),
+               "faces with an aspect ratio larger than N");
 }
 
-void declare_picture_options(CLI::App& app, Raw& raw) {
-  app.add_flag("--curvature{mixed}", raw.curvature);
-  app.add_option("--export", raw.export_file)->type_name("FILE");
-  app.add_option("--field", raw.field)->type_name("F");
-  app.add_option("--palette", raw.palette)->type_name("NAME");
-  app.add_option("--html", raw.html)->type_name("FILE");
+void declare_separation(OptionTable& table, Options& options) {
+  SeparationOptions& separation = options.separation;
+  table.group("How separation is measured (-s)");
+  table.option("--search-radius R", into(separation.search_radius, to_length),
+               "vertices with nothing within R are counted, not measured");
+  table.option("--search-cone DEG", into(separation.search_cone_degrees, to_cone),
+               "only points within DEG degrees, 0 to 90, of the vertex normal (70 is usual)");
+  table.option("--include-self R", into(separation.include_self, to_length),
+               "also the mesh's own surface, but for faces with a vertex that is reached along "
+               "edges within R: the width of a fold");
+  table.flag("--force", options.force, "although a mesh is not good");
+  table.option("--separation-ply DIR", into(options.separation_ply),
+               "a PLY of each mesh in DIR, its vertices coloured by it");
 }
 
-std::optional<double> to_limit(const std::string& text, const std::string& option) {
-  return text.empty() ? std::nullopt : std::optional(to_real(text, option));
+void declare_pictures(OptionTable& table, Options& options) {
+  FieldExport& wanted = options.field_export;
+  table.group("Pictures");
+  table.option("--html FILE", into(options.html),
+               "the report as one page that opens in any browser, offline, with a 3D view, every "
+               "defect in a list and shown in place; of several meshes an index, the pages in "
+               "FILE_pages/");
+  table.option("--export FILE", into(wanted.file),
+               "a field as quality and colour of the vertices of a .ply, .obj or .vtp; of several "
+               "meshes a file each, in a folder called as FILE without its ending; needs --field");
+  table.option("--field F", into(wanted.field, to_field),
+               "which: " + names_of(all_field_names(), field_name) + " (needs -s)");
+  table.option("--palette NAME", into(wanted.palette, to_palette),
+               "viridis, diverging, jet or hot in place of what suits F");
 }
 
-/// @param text  "AR,ANGLE,LEN".
-GoodnessThresholds to_thresholds(const std::string& text) {
-  std::string_view rest = without_sign(text);
-  std::array<double, 3> numbers{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t comma = rest.find(',');
-    const std::optional<double> value = parse_real(rest.substr(0, comma));
-    const bool is_last = comma == std::string_view::npos;
-    if (!value || std::isnan(*value) || is_last != (i == 2)) {
-      throw UsageError("-g needs three numbers AR,ANGLE,LEN, not '" + text + "'");
-    }
-    numbers[i] = *value;
-    rest.remove_prefix(is_last ? rest.size() : comma + 1);
-  }
-  return {numbers[0], numbers[1], numbers[2]};
+void declare_reports(OptionTable& table, Options& options) {
+  declare_json(table, options);
+  table.flag("--summary", options.summary, "a line a mesh, in place of its report");
 }
 
-bool names_by_threshold(const Raw& raw) {
-  return !(raw.shorter.empty() && raw.longer.empty() && raw.angle_below.empty() &&
-           raw.angle_above.empty() && raw.aspect_above.empty());
+void declare_journal(OptionTable& table, Options& options) {
+  table.option_or("-", "--ndjson[=FILE]", into(options.ndjson),
+                  "a line of JSON for each mesh as it is done, and for what is between it and the "
+                  "others, in place of text; or in FILE, a journal, and the report as text; lines "
+                  "that are there of an earlier run, and still hold, stay");
+  table.option("--resume FILE", into(options.resume),
+               "go on with a journal: what is in it, of files that have not changed since, is not "
+               "done again");
+  table.option("--shard K/N", into(options.shard, to_shard),
+               "only part K of N of the work; needs --ndjson=FILE, of which `meshalyzer merge` "
+               "makes the report of the whole");
 }
 
-/// What curvatures and pictures need, and do not go with.
-void check_picture_options(const Raw& raw) {
-  if (raw.export_file.empty() != raw.field.empty()) {
-    throw UsageError("--export FILE and --field F need each other");
-  }
-  if (!raw.palette.empty() && raw.export_file.empty()) {
-    throw UsageError("--palette needs --export");
-  }
-  const std::string_view asked = !raw.curvature.empty()     ? "--curvature"
-                                 : !raw.export_file.empty() ? "--export"
-                                 : !raw.html.empty()        ? "--html"
-                                                            : "";
-  if (asked.empty()) {
-    return;
-  }
-  if (raw.attributes_only) {
-    throw UsageError("-a measures nothing, so " + std::string(asked) + " cannot go with it");
-  }
-  if (raw.total_volume) {
-    throw UsageError("-v prints only the total volume: no other report can go with it");
-  }
-  if (!raw.shard.empty() && !raw.html.empty()) {
-    throw UsageError("--shard does a part of the work: --html shows the whole of it");
-  }
+void declare_work(OptionTable& table, Options& options) {
+  table.option("--memory-limit SIZE", into(options.memory_limit, to_bytes),
+               "stay below it (500M, 4G) where the largest few meshes allow it; the default is "
+               "half of the memory");
+  declare_conduct(table, options);
 }
 
-/// Whether the distances between the meshes of a set are asked for.
-bool measures_separation(const Raw& raw) {
-  const bool has_set_work = raw.intersections || raw.separation;
-  return raw.separation || (!has_set_work && !raw.attributes_only && raw.goodness.empty());
-}
-
-/// What the options of a set do not allow.
-void check_set_options(const Raw& raw) {
-  const bool has_set_work = raw.intersections || raw.separation;
-  if (raw.total_volume && has_set_work) {
-    throw UsageError("-v prints only the total volume: -i and -s cannot go with it");
+/// -v prints but one number: volumes need no more than the attributes do.
+void complete(Options& options) {
+  if (options.total_volume) {
+    options.mesh.scope = Scope::AttributesOnly;
   }
-  const std::string_view needs_separation = !raw.search_radius.empty()    ? "--search-radius"
-                                            : !raw.search_cone.empty()    ? "--search-cone"
-                                            : !raw.include_self.empty()   ? "--include-self"
-                                            : !raw.separation_ply.empty() ? "--separation-ply"
-                                            : raw.field == "separation"   ? "--field separation"
-                                            : raw.force                   ? "--force"
-                                                                          : "";
-  if (!needs_separation.empty() && !measures_separation(raw)) {
-    throw UsageError(std::string(needs_separation) + " needs -s");
+  if (options.resume && !options.ndjson) {
+    options.ndjson = ReportTarget{*options.resume};
   }
-  const bool has_journal = !raw.ndjson.empty() || !raw.resume.empty();
-  if (has_journal && raw.points) {
-    throw UsageError("-q prints positions, which the lines of --ndjson do not hold: use -p");
-  }
-  if (raw.ndjson == "-" && raw.json == "-") {
-    throw UsageError("--json and --ndjson cannot both go to standard output");
-  }
-  if (!raw.shard.empty() && (!has_journal || raw.ndjson == "-")) {
-    throw UsageError("--shard needs --ndjson=FILE, for `meshalyzer merge` to make the report of");
-  }
-  if (!raw.shard.empty() && !raw.json.empty()) {
-    throw UsageError("--shard does a part of the work: `meshalyzer merge --json` makes the report");
-  }
-  if (raw.total_volume && (has_journal || raw.summary)) {
-    throw UsageError("-v prints only the total volume: no other report can go with it");
-  }
-}
-
-void check_consistent(const Raw& raw) {
-  if (raw.paths.empty()) {
-    throw UsageError("no PATH: name a mesh file, a folder, or - for standard input");
-  }
-  if (std::count(raw.paths.begin(), raw.paths.end(), "-") > 1) {
-    throw UsageError("standard input (-) can be read only once");
-  }
-  if (raw.attributes_only && !raw.goodness.empty()) {
-    throw UsageError("-a and -g exclude each other");
-  }
-  if (raw.attributes_only && names_by_threshold(raw)) {
-    throw UsageError("-a measures nothing, so -b, -c, -d, -e and -f cannot go with it");
-  }
-  if (raw.total_volume && (raw.attributes_only || raw.print || raw.points ||
-                           !raw.goodness.empty() || !raw.json.empty() || names_by_threshold(raw))) {
-    throw UsageError("-v prints only the total volume: no other report can go with it");
-  }
-}
-
-VertexArea to_area(const std::string& text) {
-  const std::optional<VertexArea> area = vertex_area(text);
-  if (!area) {
-    throw UsageError("--curvature needs mixed, voronoi, barycentric or one-ring, not '" + text +
-                     "'");
-  }
-  return *area;
-}
-
-/// The names of some values, "a, b, c".
-template <typename Values, typename Name>
-std::string names_of(const Values& values, const Name& name) {
-  std::string text;
-  for (const auto value : values) {
-    text += (text.empty() ? "" : ", ") + std::string(name(value));
-  }
-  return text;
-}
-
-AnalysisOptions to_analysis_options(const Raw& raw) {
-  AnalysisOptions options;
-  // Volumes need no more than the attributes do.
-  options.scope =
-      raw.attributes_only || raw.total_volume ? Scope::AttributesOnly : Scope::Everything;
-  if (!raw.goodness.empty()) {
-    options.goodness = to_thresholds(raw.goodness);
-  }
-  options.shorter_than = to_limit(raw.shorter, "-b");
-  options.longer_than = to_limit(raw.longer, "-c");
-  options.angle_below_degrees = to_limit(raw.angle_below, "-d");
-  options.angle_above_degrees = to_limit(raw.angle_above, "-e");
-  options.aspect_above = to_limit(raw.aspect_above, "-f");
-  options.exact_coincidence = raw.exact_coincidence;
-  options.curvature = raw.curvature.empty() ? std::nullopt : std::optional(to_area(raw.curvature));
-  options.keep_soup = raw.points || !raw.html.empty() || !raw.export_file.empty();
-  return options;
-}
-
-/// What is asked of --export and --field.
-std::optional<FieldExport> to_field_export(const Raw& raw) {
-  if (raw.export_file.empty()) {
-    return std::nullopt;
-  }
-  const std::optional<FieldName> field = field_of(raw.field);
-  if (!field) {
-    throw UsageError("--field needs one of " + names_of(all_field_names(), field_name) + ", not '" +
-                     raw.field + "'");
-  }
-  FieldExport wanted{raw.export_file, *field};
-  if (!raw.palette.empty()) {
-    wanted.palette = palette_of(raw.palette);
-    if (!wanted.palette) {
-      throw UsageError("--palette needs viridis, diverging, jet or hot, not '" + raw.palette + "'");
-    }
-  }
-  return wanted;
-}
-
-double to_cone(const std::string& text, const std::string& option) {
-  const double degrees = to_real(text, option);
-  if (!(degrees >= 0.0 && degrees <= 90.0)) {
-    throw UsageError(option + " needs an angle from 0 to 90 degrees, not '" + text + "'");
-  }
-  return degrees;
-}
-
-SeparationOptions to_separation_options(const Raw& raw) {
-  SeparationOptions options;
-  if (!raw.search_radius.empty()) {
-    options.search_radius = to_length(raw.search_radius, "--search-radius");
-  }
-  if (!raw.search_cone.empty()) {
-    options.search_cone_degrees = to_cone(raw.search_cone, "--search-cone");
-  }
-  if (!raw.include_self.empty()) {
-    options.include_self = to_length(raw.include_self, "--include-self");
-  }
-  return options;
-}
-
-/// @param text  "K/N", K from 1.
-Shard to_shard(const std::string& text) {
-  if (text.empty()) {
-    return {};
-  }
-  const std::size_t slash = text.find('/');
-  const std::optional<std::int64_t> k = parse_integer(text.substr(0, slash));
-  const std::optional<std::int64_t> n =
-      slash == std::string::npos ? std::nullopt : parse_integer(text.substr(slash + 1));
-  if (!k || !n || *k < 1 || *k > *n) {
-    throw UsageError("--shard needs K/N, the number of the part and of all parts, not '" + text +
-                     "'");
-  }
-  return {static_cast<std::size_t>(*k - 1), static_cast<std::size_t>(*n)};
-}
-
-std::uint64_t to_memory_limit(const std::string& text) {
-  if (text.empty()) {
-    return physical_memory() / 2;
-  }
-  const std::optional<std::uint64_t> bytes = parse_memory_size(text);
-  if (!bytes) {
-    throw UsageError("--memory-limit needs a size such as 500M or 4G, not '" + text + "'");
-  }
-  return *bytes;
-}
-
-std::string to_asked_text(const Raw& raw) {
-  std::string text;
-  const auto word = [&](std::string_view option, bool is_there) {
-    if (is_there) {
-      text += (text.empty() ? "" : " ") + std::string(option);
-    }
-  };
-  const auto value = [&](const std::string& option, const std::string& given) {
-    word(option + "=" + std::string(without_sign(given)), !given.empty());
-  };
-  word("-a", raw.attributes_only);
-  value("-g", raw.goodness);
-  word("-v", raw.total_volume);
-  word("--exact-coincidence", raw.exact_coincidence);
-  word("-p", raw.print);
-  value("-b", raw.shorter);
-  value("-c", raw.longer);
-  value("-d", raw.angle_below);
-  value("-e", raw.angle_above);
-  value("-f", raw.aspect_above);
-  value("--curvature", raw.curvature);
-  word("-i", raw.intersections);
-  word("-s", raw.separation);
-  word("--force", raw.force);
-  value("--search-radius", raw.search_radius);
-  value("--search-cone", raw.search_cone);
-  value("--include-self", raw.include_self);
-  return text;
-}
-
-Options to_options(const Raw& raw) {
-  check_consistent(raw);
-  check_set_options(raw);
-  check_picture_options(raw);
-  Options options;
-  options.paths = raw.paths;
-  options.analysis = to_analysis_options(raw);
-  options.offenders = raw.points  ? OffenderStyle::CustomPoints
-                      : raw.print ? OffenderStyle::Ids
-                                  : OffenderStyle::None;
-  options.show = raw.total_volume ? Show::TotalVolume : raw.summary ? Show::Summary : Show::Report;
-  options.asked = {raw.intersections, raw.separation};
-  options.separation = to_separation_options(raw);
-  options.force = raw.force;
-  const auto target = [](const std::string& file) {
-    return file.empty() ? std::nullopt : std::optional(ReportTarget{file});
-  };
-  options.json = target(raw.json);
-  options.resume = raw.resume.empty() ? std::nullopt : std::optional(raw.resume);
-  options.ndjson = target(raw.ndjson.empty() ? raw.resume : raw.ndjson);
-  options.separation_ply =
-      raw.separation_ply.empty() ? std::nullopt : std::optional(raw.separation_ply);
-  options.field_export = to_field_export(raw);
-  options.html = raw.html.empty() ? std::nullopt : std::optional(raw.html);
-  options.shard = to_shard(raw.shard);
-  options.memory_limit = to_memory_limit(raw.memory_limit);
-  options.asked_text = to_asked_text(raw);
-  options.threads = to_thread_count(raw.threads);
-  options.progress =
-      raw.quiet || raw.no_progress ? Options::Progress::Never : Options::Progress::OnTerminal;
-  return options;
 }
 
 }  // namespace
 
-SetQuestions questions_of(const Options& options) {
-  const bool all = !options.asked.any() && tells_totals(options);
-  SetQuestions questions;
-  questions.intersections = all || options.asked.intersections;
-  if (all || options.asked.separation) {
-    questions.separation = options.separation;
-  }
-  questions.force = options.force;
-  return questions;
-}
-
-bool tells_totals(const Options& options) {
-  return options.analysis.scope == Scope::Everything && !options.analysis.goodness;
-}
-
-JsonOffenders json_offenders(const Options& options) {
-  return options.offenders == OffenderStyle::None ? JsonOffenders::Omit : JsonOffenders::List;
-}
-
 CommandLine parse_command_line(int argc, const char* const* argv) {
-  Raw raw;
-  CLI::App app;
-  declare_options(app, raw);
-  declare_set_options(app, raw);
-  declare_picture_options(app, raw);
+  CommandLine command;
+  OptionTable table(
+      {.calls = {"meshalyzer [options] PATH...", "meshalyzer merge [options] FILE.ndjson..."},
+       .purpose = "Checks triangle meshes: is the file whole, is the surface closed, manifold, "
+                  "orientable, consistent and outward, does it intersect itself, and how large, "
+                  "long, thin and bent are its parts?",
+       .footer = "Exit status: 0 done (with -g: good); 1 with -g: not good; 2 wrong usage; 3 an "
+                 "input could not be read, or the report not be written; 130 interrupted.",
+       .version = "meshalyzer " MESHALYZER_VERSION "\n"});
+  Options& options = command.options;
+  table.arguments("PATH", options.paths,
+                  "a mesh file (.mesh .obj .off .stl .ply), - for standard input, or a folder: "
+                  "all mesh files in it, in name order, as one set.");
+  declare_questions(table, options);
+  declare_names(table, options);
+  declare_separation(table, options);
+  declare_pictures(table, options);
+  table.group("How it is told");
+  declare_reports(table, options);
+  declare_journal(table, options);
+  declare_work(table, options);
+  command.answer = table.parse(argc, argv);
+  if (!command.answer) {
+    check_options(options);
+    complete(options);
+  }
+  return command;
+}
+
+CommandLine parse_merge_command_line(int argc, const char* const* argv) {
+  CommandLine command;
+  OptionTable table(
+      {.calls = {"meshalyzer merge [options] FILE.ndjson..."},
+       .purpose = "Makes the report of a run of the journals of its parts (--shard), or of a "
+                  "whole one: the same, byte for byte, as the run would have printed. What was "
+                  "asked stands in the journals; the options only say how to tell it.",
+       .footer = "The statistics over all faces of a set are made of the mesh files, which must "
+                 "be where they were and unchanged.\n\n"
+                 "Exit status: 0 done (with -g: good); 1 with -g: not good; 2 wrong usage; 3 a "
+                 "part is missing, or a file cannot be read.",
+       .version = ""});
+  table.arguments("FILE", command.options.paths, "");
+  table.group("How it is told");
+  declare_reports(table, command.options);
+  declare_work(table, command.options);
   try {
-    parse_arguments(app, argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    return {{}, std::string(help_text())};
+    command.answer = table.parse(argc, argv);
+  } catch (const UsageError& error) {
+    throw UsageError(std::string("merge: ") + error.what());
   }
-  if (raw.version) {
-    return {{}, "meshalyzer " MESHALYZER_VERSION "\n"};
+  if (!command.answer && command.options.paths.empty()) {
+    throw UsageError("merge: no FILE: name the journals of all parts");
   }
-  return {to_options(raw), std::nullopt};
+  return command;
 }
 
 }  // namespace meshalyzer

@@ -1,29 +1,19 @@
 #pragma once
 
 #include "meshalyzer/base/colour_map.h"
+#include "meshalyzer/base/memory_size.h"
 #include "meshalyzer/picture/field.h"
-#include "meshalyzer/report/json/report.h"
 #include "meshalyzer/report/text/mesh_report.h"
-#include "meshalyzer/set/set_options.h"
-#include "report_target.h"
+#include "meshalyzer/set/request.h"
+#include "meshalyzer/set/shard.h"
+#include "report_options.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace meshalyzer {
-
-/// What goes to standard output.
-enum class Show {
-  /// The report of each mesh, and of a set what there is to say of it.
-  Report,
-  /// A line a mesh, and of a set what there is to say of it (--summary).
-  Summary,
-  /// Only the total volume of a folder (-v).
-  TotalVolume,
-};
 
 /// What is asked about a set: where neither is named, a folder is asked for both, but for nothing
 /// with -a or -g.
@@ -36,43 +26,44 @@ struct AskedOfSet {
 
 /// A field of each mesh, written to a file.
 struct FieldExport {
-  /// Of one mesh; else FILE without its ending is a folder, with a file a mesh.
-  std::string file;
-  FieldName field = FieldName::Gaussian;
+  /// Of one mesh; of several FILE without its ending is a folder, with a file a mesh.
+  std::optional<std::string> file;
+  /// There where a file is.
+  std::optional<FieldName> field;
   /// Where absent: the one that suits the field.
-  std::optional<Palette> palette = std::nullopt;
+  std::optional<Palette> palette;
 };
 
-/// A command line, understood.
-struct Options {
-  /// Mesh files, folders, or "-"; at least one.
+/// A command line, understood. What is not on it is as it is here.
+struct Options : ReportOptions {
+  /// Mesh files, folders, or "-"; at least one. Of merge: journals.
   std::vector<std::string> paths;
-  AnalysisOptions analysis;
+  MeshRequest mesh;
   AskedOfSet asked;
   SeparationOptions separation;
   /// --force
   bool force = false;
   OffenderStyle offenders = OffenderStyle::None;
-  Show show = Show::Report;
-  std::optional<ReportTarget> json;
+  /// Only the total volume of a folder goes to standard output (-v).
+  bool total_volume = false;
+  /// A line a mesh in place of its report.
+  bool summary = false;
   std::optional<ReportTarget> ndjson;
   /// The journal of an earlier run to go on with.
   std::optional<std::string> resume;
   /// A folder for a PLY an object, coloured by its separation.
   std::optional<std::string> separation_ply;
-  std::optional<FieldExport> field_export;
+  FieldExport field_export;
   /// The file of the page of one mesh, or of the index of several.
   std::optional<std::string> html;
-  Shard shard;
+  std::optional<Shard> shard;
   /// Bytes.
-  std::uint64_t memory_limit = 0;
-  /// 0: as many as the machine has cores.
-  std::size_t threads = 0;
-  enum class Progress { OnTerminal, Never };
-  Progress progress = Progress::OnTerminal;
-  /// The options that decide what is found, in a fixed order and spelling; parse_command_line() of
-  /// these words, and a path, gives the same findings.
-  std::string asked_text;
+  std::uint64_t memory_limit = physical_memory() / 2;
+
+  /// Whether what is told of a mesh shows places, for which its file is needed.
+  [[nodiscard]] bool shows_places() const {
+    return offenders == OffenderStyle::CustomPoints || html || field_export.file;
+  }
 };
 
 /// An Options, or the text that --help or --version asks for.
@@ -82,20 +73,14 @@ struct CommandLine {
   std::optional<std::string> answer;
 };
 
-/// What to find out between the meshes of a set.
-[[nodiscard]] SetQuestions questions_of(const Options& options);
-
-/// Whether there is anything to say of a set beside what lies between its meshes: with -a and -g
-/// there is not.
-[[nodiscard]] bool tells_totals(const Options& options);
-
-/// Whether reports for programs list the offending elements.
-[[nodiscard]] JsonOffenders json_offenders(const Options& options);
-
 /// Understands a command line (contract 3). Touches no file.
 ///
 /// @throws UsageError if it is wrong: an unknown option, a bad number, no path, or options that
 /// exclude each other.
 [[nodiscard]] CommandLine parse_command_line(int argc, const char* const* argv);
+
+/// Understands that of `meshalyzer merge`.
+/// @param argv  From the word `merge` on.
+[[nodiscard]] CommandLine parse_merge_command_line(int argc, const char* const* argv);
 
 }  // namespace meshalyzer

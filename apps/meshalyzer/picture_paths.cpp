@@ -99,8 +99,8 @@ PicturePaths picture_paths(const Options& options, const Inputs& inputs) {
   if (options.html) {
     name_pages(*options.html, inputs, paths);
   }
-  if (options.field_export) {
-    name_fields(options.field_export->file, inputs, paths);
+  if (options.field_export.file) {
+    name_fields(*options.field_export.file, inputs, paths);
   }
   if (options.separation_ply) {
     const fs::path folder = *options.separation_ply;

@@ -50,14 +50,18 @@ Offenders first_offenders(const Offenders& all) {
 
 }  // namespace
 
-Pictures::Pictures(PictureSubject subject) : subject_(std::move(subject)) {
-  if (subject_.options.html) {
-    rows_.resize(subject_.files.size());
+bool draws_pictures(const Options& options) {
+  return options.html || options.field_export.file || options.separation_ply;
+}
+
+Pictures::Pictures(const Run& run) : run_(run), paths_(run.pictures) {
+  if (run.options.html) {
+    rows_.resize(run.inputs.files.size());
   }
 }
 
 bool Pictures::draws_meshes() const {
-  return subject_.options.html || subject_.options.field_export;
+  return run_.options.html || run_.options.field_export.file;
 }
 
 void Pictures::on_mesh(Index number, const Analysis& mesh) {
@@ -71,33 +75,34 @@ void Pictures::on_mesh(Index number, const Analysis& mesh) {
   }
   waiting.analysis.offenders = first_offenders(mesh.offenders);
   waiting.analysis.soup.reset();
-  if (subject_.separation == PictureSubject::Separation::Follows) {
+  if (run_.request.between.separation) {
     waiting_.emplace(number, std::move(waiting));
   } else if (mesh.soup) {
     draw(number, waiting, *mesh.soup, nullptr);
   } else {
-    draw(number, waiting, read_mesh(subject_.files[number]), nullptr);
+    draw(number, waiting, read_mesh(run_.inputs.files[number]), nullptr);
   }
 }
 
 void Pictures::on_unreadable(Index number, const std::string& why) {
   if (!rows_.empty()) {
-    rows_[number].name = subject_.names[number];
+    rows_[number].name = run_.inputs.names[number];
     rows_[number].trouble = why;
   }
 }
 
 void Pictures::on_findings(const ObjectFindings& findings) {
   const ObjectSeparation* separation = findings.separation ? &*findings.separation : nullptr;
-  if (separation != nullptr && !subject_.paths.separations.empty()) {
-    prepare(subject_.paths.separations[findings.owner], subject_.paths);
+  if (separation != nullptr && !paths_.separations.empty()) {
+    prepare(paths_.separations[findings.owner], paths_);
     write_separation_ply(
-        subject_.paths.separations[findings.owner],
-        {subject_.files[findings.owner], *separation, subject_.options.separation.search_radius});
+        paths_.separations[findings.owner],
+        {run_.inputs.files[findings.owner], *separation, run_.options.separation.search_radius});
   }
   const auto waiting = waiting_.extract(findings.owner);
   if (!waiting.empty()) {
-    draw(findings.owner, waiting.mapped(), read_mesh(subject_.files[findings.owner]), separation);
+    draw(findings.owner, waiting.mapped(), read_mesh(run_.inputs.files[findings.owner]),
+         separation);
   }
 }
 
@@ -109,37 +114,37 @@ void Pictures::draw(Index number, const Waiting& mesh, const Soup& soup,
   }
   const DefectReport defects = find_defects(built);
   const FieldSource source{built, &defects, separation,
-                           subject_.options.analysis.curvature.value_or(VertexArea::Mixed)};
-  if (subject_.options.field_export) {
-    prepare(subject_.paths.fields[number], subject_.paths);
-    write_field(subject_.paths.fields[number], source, *subject_.options.field_export);
+                           run_.request.mesh.curvature.value_or(VertexArea::Mixed)};
+  if (run_.options.field_export.file) {
+    prepare(paths_.fields[number], paths_);
+    write_field(paths_.fields[number], source, run_.options.field_export);
   }
-  if (subject_.options.html) {
+  if (run_.options.html) {
     write_page(number, mesh, source);
   }
 }
 
 void Pictures::write_page(Index number, const Waiting& mesh, const FieldSource& source) {
   const Scene scene = make_scene(source, all_field_names());
-  const MeshName name = name_of(source.mesh.soup(), subject_.files[number]);
-  const std::string& page = subject_.paths.pages[number];
+  const MeshName name = name_of(source.mesh.soup(), run_.inputs.files[number]);
+  const std::string& page = paths_.pages[number];
   std::string index;
-  if (subject_.paths.index) {
-    index = "../" + std::filesystem::path(*subject_.paths.index).filename().string();
-    rows_[number] = index_row(mesh.analysis, *source.defects, subject_.names[number],
-                              subject_.paths.links[number]);
+  if (paths_.index) {
+    index = "../" + std::filesystem::path(*paths_.index).filename().string();
+    rows_[number] =
+        index_row(mesh.analysis, *source.defects, run_.inputs.names[number], paths_.links[number]);
     rows_[number].separation = smallest(source.separation);
   }
-  prepare(page, subject_.paths);
+  prepare(page, paths_);
   replace_file(page, html_report(MeshPage{mesh.analysis, {name, *source.defects, scene}, index}));
 }
 
 void Pictures::finish(const SetAnalysis* set) {
   for (const auto& [number, mesh] : std::exchange(waiting_, {})) {
-    draw(number, mesh, read_mesh(subject_.files[number]), nullptr);
+    draw(number, mesh, read_mesh(run_.inputs.files[number]), nullptr);
   }
-  if (subject_.paths.index) {
-    replace_file(*subject_.paths.index, html_index(rows_, set));
+  if (paths_.index) {
+    replace_file(*paths_.index, html_index(rows_, set));
   }
 }
 

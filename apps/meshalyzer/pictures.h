@@ -2,10 +2,9 @@
 
 #include "meshalyzer/analysis/analysis.h"
 #include "meshalyzer/report/html/page.h"
-#include "meshalyzer/set/object_findings.h"
-#include "meshalyzer/set/set_analysis.h"
-#include "options.h"
+#include "output.h"
 #include "picture_paths.h"
+#include "run.h"
 
 #include <map>
 #include <optional>
@@ -14,32 +13,21 @@
 
 namespace meshalyzer {
 
-/// What a run is of, for its pictures. Only referred to.
-struct PictureSubject {
-  const Options& options;
-  /// The mesh files.
-  const std::vector<std::string>& files;
-  /// What the meshes are called in the report.
-  const std::vector<std::string>& names;
-  PicturePaths paths;
-  enum class Separation { Never, Follows };
-  /// Whether the pictures of a mesh wait for its distances to others.
-  Separation separation = Separation::Never;
-};
+/// Whether any pictures are asked for.
+[[nodiscard]] bool draws_pictures(const Options& options);
 
 /// Writes the pictures of a run as its findings come: a page a mesh and their index (--html), a
 /// field (--export), the separation (--separation-ply).
-class Pictures {
+class Pictures : public Output {
  public:
-  explicit Pictures(PictureSubject subject);
+  explicit Pictures(const Run& run);
 
   // What follows throws IoError where a file cannot be read again, or written.
 
-  void on_mesh(Index number, const Analysis& mesh);
-  void on_unreadable(Index number, const std::string& why);
-  void on_findings(const ObjectFindings& findings);
-  /// @param set  Null where there is none to tell of.
-  void finish(const SetAnalysis* set);
+  void on_mesh(Index number, const Analysis& mesh) override;
+  void on_unreadable(Index number, const std::string& why) override;
+  void on_findings(const ObjectFindings& findings) override;
+  void finish(const SetAnalysis* set) override;
 
  private:
   /// A mesh whose distances to others are not known yet.
@@ -54,7 +42,8 @@ class Pictures {
   void write_page(Index number, const Waiting& mesh, const FieldSource& source);
   [[nodiscard]] bool draws_meshes() const;
 
-  PictureSubject subject_;
+  const Run& run_;
+  const PicturePaths& paths_;
   /// By number, in order: what waits is drawn in the same order whatever came first.
   std::map<Index, Waiting> waiting_;
   std::vector<IndexRow> rows_;

@@ -40,13 +40,13 @@ std::string clock(double seconds) {
 
 }  // namespace
 
-std::string progress_text(const SetProgress& progress, std::chrono::duration<double> elapsed) {
+std::string progress_text(const RunProgress& progress, std::chrono::duration<double> elapsed) {
   const double share = progress.total == 0 ? 1.0
                                            : static_cast<double>(progress.done) /
                                                  static_cast<double>(progress.total);
   const auto faces = static_cast<double>(progress.faces);
   std::string text = bar(share) + " ";
-  text += progress.stage == SetProgress::Stage::Files ? "files " : "between ";
+  text += progress.stage == RunProgress::Stage::Files ? "files " : "between ";
   text += std::to_string(progress.done) + "/" + std::to_string(progress.total) + ", " +
           short_count(faces) + " faces";
   if (progress.done != 0 && elapsed.count() > 0.0) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/set/set_run.h"
+#include "meshalyzer/set/run_listener.h"
 
 #include <chrono>
 #include <string>
@@ -11,7 +11,7 @@ namespace meshalyzer {
 /// columns.
 ///
 /// @param elapsed  Since the stage began.
-[[nodiscard]] std::string progress_text(const SetProgress& progress,
+[[nodiscard]] std::string progress_text(const RunProgress& progress,
                                         std::chrono::duration<double> elapsed);
 
 }  // namespace meshalyzer

@@ -1,287 +1,219 @@
 #include "options.h"
 
 #include "arguments.h"
-#include "file_ending.h"
-#include "help.h"
 #include "meshalyzer/base/numbers.h"
-#include "meshalyzer/io/format_of.h"
-#include "usage_error.h"
+#include "values.h"
 
-#include <array>
-#include <cstdint>
-#include <functional>
-#include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace meshalyzer::fixer {
 namespace {
 
-/// The options as they stand on the command line.
-struct Raw {
+/// What only together with the rest of a command line says what is to be done.
+struct Said {
   std::vector<std::string> paths;
-  std::string output;
   bool find = false, dry_run = false;
-  std::string fix, no_fix;
-  std::string weld;
-  bool flip = false, renumber = false, drop_orphans = false;
-  bool separate = false;
-  std::string keep_largest;
-  bool keep_borders = false, by_group = false, keep_contact = false;
-  std::string fill_holes, fill_at, fill_shape;
-  std::string max_deviation;
-  std::string tolerance, degeneracy, slit, height, foldover_angle;
-  bool print = false;
-  std::string max_defects, json, threads;
-  bool quiet = false, no_progress = false, version = false;
-  bool guarantee = false;
-  std::string html;
-
+  std::optional<CodeList> fix, no_fix;
+  bool renumber = false, drop_orphans = false, separate = false;
   /// Whether holes are asked for by name, beside --fix.
-  [[nodiscard]] bool names_holes() const {
-    return !fill_holes.empty() || !fill_at.empty() || !fill_shape.empty();
-  }
-  [[nodiscard]] bool names_operation() const {
-    return !weld.empty() || flip || renumber || drop_orphans;
-  }
-  [[nodiscard]] bool changes_by_name() const {
-    return names_operation() || separate || !keep_largest.empty();
-  }
+  bool names_holes = false;
+  bool guarantee = false;
 };
 
-void declare_actions(CLI::App& app, Raw& raw) {
-  app.add_option("IN", raw.paths);
-  app.add_option("-o", raw.output)->type_name("OUT");
-  app.add_flag("--find", raw.find);
-  app.add_flag("--dry-run", raw.dry_run);
-  app.add_option("--fix", raw.fix)->type_name("LIST");
-  app.add_option("--no-fix", raw.no_fix)->type_name("LIST");
-  app.add_option("--weld", raw.weld)->type_name("TOL");
-  app.add_flag("--flip", raw.flip);
-  app.add_flag("--renumber", raw.renumber);
-  app.add_flag("--drop-orphans", raw.drop_orphans);
-  app.add_flag("--separate", raw.separate);
-  app.add_option("--keep-largest", raw.keep_largest)->type_name("N");
-  app.add_flag("--keep-borders", raw.keep_borders);
-  app.add_flag("--by-group", raw.by_group);
-  app.add_flag("--keep-contact", raw.keep_contact);
-  app.add_option("--fill-holes", raw.fill_holes)->type_name("N");
-  app.add_option("--fill-at", raw.fill_at)->type_name("X,Y,Z");
-  app.add_option("--fill-shape", raw.fill_shape)->type_name("SHAPE");
-  app.add_flag("--guarantee", raw.guarantee);
+bool names_operation(const Said& said, const RepairOptions& repair) {
+  return repair.weld_within || repair.turn == Turn::Everything || said.renumber ||
+         said.drop_orphans;
 }
 
-void declare_limits_and_reports(CLI::App& app, Raw& raw) {
-  app.add_option("--max-deviation", raw.max_deviation)->type_name("D");
-  app.add_option("--tolerance", raw.tolerance)->type_name("T");
-  app.add_option("--degen-tolerance", raw.degeneracy)->type_name("T");
-  app.add_option("--slit-tolerance", raw.slit)->type_name("T");
-  app.add_option("--height-tolerance", raw.height)->type_name("T");
-  app.add_option("--max-foldover-angle", raw.foldover_angle)->type_name("DEG");
-  app.add_flag("-p", raw.print);
-  app.add_option("--max-defects", raw.max_defects)->type_name("N");
-  // A flag with a value, not an option: an IN that follows must not be taken for its FILE.
-  app.add_flag("--json{-}", raw.json);
-  app.add_option("--html", raw.html)->type_name("FILE");
-  app.add_option("--threads", raw.threads)->type_name("N");
-  app.add_flag("--quiet", raw.quiet);
-  app.add_flag("--no-progress", raw.no_progress);
-  app.add_flag("--version", raw.version);
+void declare_actions(OptionTable& table, Options& options, Said& said) {
+  table.group("What is done");
+  table.option("-o OUT", into(options.output, to_mesh_file), "where the repaired mesh goes");
+  table.flag("--find", said.find,
+             "only report the defects; of these, --fix and --no-fix say which count for the exit "
+             "status");
+  table.flag("--dry-run", said.dry_run, "repair and report, but write nothing");
+  table.option("--fix LIST", into(said.fix, to_codes),
+               "only these, by code: " + names_of(all_defect_codes(), defect_name) +
+                   "; or default (all but disjoint and numbering), or all");
+  table.option("--no-fix LIST", into(said.no_fix, to_codes), "all of these but those named");
 }
 
-void check_consistent(const Raw& raw) {
-  if (raw.guarantee) throw UsageError("--guarantee is not available yet in this version");
-  if (raw.paths.empty()) throw UsageError("no IN: name a mesh file, or - for standard input");
-  if (raw.paths.size() > 1) {
-    throw UsageError("one mesh at a time: " + raw.paths[1] + " is one too many");
+void declare_operations(OptionTable& table, Options& options, Said& said) {
+  RepairOptions& repair = options.repair;
+  table.option("--weld TOL", into(repair.weld_within, to_length),
+               "join borders whose ends are within TOL");
+  table.flag(
+      "--flip", [&repair] { repair.turn = Turn::Everything; }, "turn every face over");
+  table.flag("--renumber", said.renumber, "number vertices and faces 1, 2, ..., n");
+  table.flag("--drop-orphans", said.drop_orphans,
+             "drop vertices that no face uses. These four alone where nothing else is asked for");
+  table.flag("--separate", said.separate,
+             "one file a component: OUT_1, OUT_2, ..., largest first; so too where disjoint is "
+             "fixed, as by --fix all");
+  table.option("--keep-largest N", into(repair.keep_largest, to_count_from_one),
+               "only the N components with most faces");
+}
+
+/// Takes a value that asks for holes to be filled.
+OptionTable::Take of_holes(Said& said, OptionTable::Take take) {
+  return [&said, take = std::move(take)](const std::string& text, const std::string& option) {
+    said.names_holes = true;
+    take(text, option);
+  };
+}
+
+void declare_holes(OptionTable& table, Options& options, Said& said) {
+  RepairOptions& repair = options.repair;
+  FillOptions& fill = repair.fill;
+  table.flag(
+      "--keep-borders", [&repair] { repair.borders = Borders::Meant; },
+      "borders are meant: no hole is filled, and their vertices stay where they are");
+  table.flag(
+      "--by-group", [&repair] { repair.groups = Groups::Faces; },
+      "the groups of the file are faces of a body: their common borders keep every vertex and "
+      "edge");
+  table.option("--fill-holes N", of_holes(said, into(fill.max_edges, to_count)),
+               "fill loops of at most N edges");
+  table.option("--fill-at X,Y,Z", of_holes(said, into(fill.at, to_point)),
+               "fill only the loop that is nearest to this point");
+  table.option("--fill-shape SHAPE", of_holes(said, into(fill.shape, to_fill_shape)),
+               "linear (no new vertices) or smooth (refined and faired); asked for by any of "
+               "these three or --fix, holes of sheets (surfaces that mean no solid) are filled "
+               "too");
+  table.flag(
+      "--keep-contact", [&repair] { repair.contact = Contact::Keep; },
+      "copies of a vertex that was split stay in one place");
+}
+
+/// "1e-8", "0.1".
+std::string default_text(double value) {
+  std::string text = shortest(value);
+  if (const std::size_t exponent = text.find("e-0"); exponent != std::string::npos) {
+    text.erase(exponent + 2, 1);
   }
-  if (raw.find && (!raw.output.empty() || raw.dry_run || raw.changes_by_name())) {
+  return text;
+}
+
+void declare_limits(OptionTable& table, RepairOptions& repair) {
+  ToleranceOptions& tolerances = repair.tolerances;
+  table.group("How far it may go");
+  table.option("--max-deviation D", into(repair.max_deviation, to_deviation),
+               "no point of the old surface ends up farther than D from the new one, and outside "
+               "of hole patches none of the new one from the old; D is a length, or a share of "
+               "the diagonal as in " +
+                   default_text(repair.max_deviation.value * 100.0) + "%, the default");
+  table.option(
+      "--tolerance T", into(tolerances.tolerance, to_length),
+      "of all three below; default " + default_text(kDefaultTolerance) + " of the diagonal");
+  table.option("--degen-tolerance T", into(tolerances.degeneracy, to_length),
+               "edges and altitudes below it are degenerate");
+  table.option("--slit-tolerance T", into(tolerances.slit, to_length),
+               "border edges within it are at one place");
+  table.option("--height-tolerance T", into(tolerances.height, to_length),
+               "a foldover is within it of what it lies on");
+  table.option("--max-foldover-angle DEG", into(tolerances.max_foldover_angle, to_foldover_angle),
+               "of a fold; default " + default_text(tolerances.max_foldover_angle));
+}
+
+void declare_reports(OptionTable& table, Options& options) {
+  table.group("How it is told");
+  table.flag(
+      "-p", [&options] { options.lists = ListLength::Full; },
+      "name every element and every change, and what remains but was not asked for");
+  table.option("--max-defects N", into(options.repair.max_defects, to_count),
+               "list so many defects at most; 0, the default: all");
+  declare_json(table, options);
+  table.option("--html FILE", into(options.html, to_page),
+               "as one page that opens in any browser, offline, with a 3D view before and after, "
+               "every defect in a list and shown in place");
+  declare_conduct(table, options);
+}
+
+void check_consistent(const Said& said, const Options& options) {
+  if (said.guarantee) throw UsageError("--guarantee is not available yet in this version");
+  if (said.paths.empty()) throw UsageError("no IN: name a mesh file, or - for standard input");
+  if (said.paths.size() > 1) {
+    throw UsageError("one mesh at a time: " + said.paths[1] + " is one too many");
+  }
+  const bool changes =
+      names_operation(said, options.repair) || said.separate || options.repair.keep_largest != 0;
+  if (said.find && (options.output || said.dry_run || changes)) {
     throw UsageError("--find only reports: no option that changes or writes a mesh can go with it");
   }
-  if (raw.dry_run && !raw.output.empty()) {
+  if (said.dry_run && options.output) {
     throw UsageError("--dry-run writes nothing, so -o cannot go with it");
   }
-  if (!raw.find && !raw.dry_run && raw.output.empty()) {
+  if (!said.find && !said.dry_run && !options.output) {
     throw UsageError("no OUT: name it with -o, or ask for --find or --dry-run");
   }
-  if (raw.keep_borders && raw.names_holes()) {
+  if (options.repair.borders == Borders::Meant && said.names_holes) {
     throw UsageError("--keep-borders fills no hole, so no --fill- option can go with it");
   }
-  if (!raw.output.empty() && !format_of_name(raw.output)) {
-    throw UsageError("'" + raw.output + "' has the ending of no known mesh format");
-  }
-}
-
-/// Calls `use` for each item of a list with commas.
-void for_each_item(std::string_view list, const std::function<void(std::string_view)>& use) {
-  while (true) {
-    const std::size_t comma = list.find(',');
-    use(list.substr(0, comma));
-    if (comma == std::string_view::npos) return;
-    list.remove_prefix(comma + 1);
-  }
-}
-
-DefectCodes to_codes(const std::string& list, const std::string& option) {
-  DefectCodes codes;
-  for_each_item(list, [&](std::string_view item) {
-    const std::optional<DefectCode> one = defect_code(item);
-    if (one) {
-      codes.insert(*one);
-    } else if (item == "all" || item == "default") {
-      const DefectCodes more = item == "all" ? DefectCodes::all() : default_fixes();
-      for (const DefectCode code : all_defect_codes()) {
-        if (more.contains(code)) codes.insert(code);
-      }
-    } else {
-      throw UsageError(option + " needs defect codes, not '" + std::string(item) + "'");
-    }
-  });
-  return codes;
 }
 
 /// What is to be fixed: what --fix says, else nothing where only single operations are named, else
 /// the default; and what options ask for that go by the name of a defect.
-DefectCodes to_fixes(const Raw& raw) {
+DefectCodes fixes_of(const Said& said, const RepairOptions& repair) {
   DefectCodes fixes = default_fixes();
-  if (!raw.fix.empty()) {
-    fixes = to_codes(raw.fix, "--fix");
-  } else if (raw.names_operation() && raw.no_fix.empty()) {
+  if (said.fix) {
+    fixes = said.fix->codes;
+  } else if (names_operation(said, repair) && !said.no_fix) {
     fixes = {};
   }
-  if (!raw.no_fix.empty()) {
-    const DefectCodes but = to_codes(raw.no_fix, "--no-fix");
+  if (said.no_fix) {
     for (const DefectCode code : all_defect_codes()) {
-      if (but.contains(code)) fixes.erase(code);
+      if (said.no_fix->codes.contains(code)) fixes.erase(code);
     }
   }
-  if (raw.names_holes()) fixes.insert(DefectCode::Hole);
-  if (raw.renumber) fixes.insert(DefectCode::Numbering);
-  if (raw.drop_orphans) fixes.insert(DefectCode::OrphanVertex);
-  if (raw.separate) fixes.insert(DefectCode::Disjoint);
-  if (raw.keep_borders) fixes.erase(DefectCode::Hole);
+  if (said.names_holes) fixes.insert(DefectCode::Hole);
+  if (said.renumber) fixes.insert(DefectCode::Numbering);
+  if (said.drop_orphans) fixes.insert(DefectCode::OrphanVertex);
+  if (said.separate) fixes.insert(DefectCode::Disjoint);
+  if (repair.borders == Borders::Meant) fixes.erase(DefectCode::Hole);
   return fixes;
 }
 
-std::size_t to_count(const std::string& text, const std::string& option, std::int64_t least) {
-  const std::optional<std::int64_t> value = parse_integer(text);
-  if (!value || *value < least) {
-    throw UsageError(option + " needs a whole number from " + std::to_string(least) + ", not '" +
-                     text + "'");
-  }
-  return static_cast<std::size_t>(*value);
-}
-
-Vec3 to_point(const std::string& text) {
-  std::vector<double> numbers;
-  for_each_item(text, [&](std::string_view item) {
-    const std::optional<double> value = parse_real(item);
-    if (!value) throw UsageError("--fill-at needs a point X,Y,Z, not '" + text + "'");
-    numbers.push_back(*value);
-  });
-  if (numbers.size() != 3) throw UsageError("--fill-at needs a point X,Y,Z, not '" + text + "'");
-  return {numbers[0], numbers[1], numbers[2]};
-}
-
-FillOptions to_fill(const Raw& raw) {
-  FillOptions fill;
-  if (!raw.fill_holes.empty()) fill.max_edges = to_count(raw.fill_holes, "--fill-holes", 0);
-  if (!raw.fill_at.empty()) fill.at = to_point(raw.fill_at);
-  if (raw.fill_shape == "smooth") {
-    fill.shape = FillShape::Smooth;
-  } else if (!raw.fill_shape.empty() && raw.fill_shape != "linear") {
-    throw UsageError("--fill-shape needs linear or smooth, not '" + raw.fill_shape + "'");
-  }
-  const bool is_named =
-      raw.names_holes() ||
-      (!raw.fix.empty() && to_codes(raw.fix, "--fix").contains(DefectCode::Hole) &&
-       raw.fix != "all" && raw.fix != "default");
-  fill.sheets = is_named ? FillSheets::Yes : FillSheets::No;
-  return fill;
-}
-
-/// @param text  A length, or a share of the diagonal as in "0.1%".
-Deviation to_deviation(const std::string& text) {
-  if (text.empty()) return {};
-  if (text.back() == '%') {
-    const std::string number = text.substr(0, text.size() - 1);
-    return {to_length(number, "--max-deviation") / 100.0, Deviation::Unit::Diagonal};
-  }
-  return {to_length(text, "--max-deviation"), Deviation::Unit::Length};
-}
-
-ToleranceOptions to_tolerances(const Raw& raw) {
-  const auto length = [](const std::string& text, const std::string& option) {
-    return text.empty() ? std::nullopt : std::optional(to_length(text, option));
-  };
-  ToleranceOptions tolerances;
-  tolerances.tolerance = length(raw.tolerance, "--tolerance");
-  tolerances.degeneracy = length(raw.degeneracy, "--degen-tolerance");
-  tolerances.slit = length(raw.slit, "--slit-tolerance");
-  tolerances.height = length(raw.height, "--height-tolerance");
-  if (!raw.foldover_angle.empty()) {
-    tolerances.max_foldover_angle = to_real(raw.foldover_angle, "--max-foldover-angle");
-    if (!(tolerances.max_foldover_angle >= 0.0 && tolerances.max_foldover_angle <= 180.0)) {
-      throw UsageError("--max-foldover-angle needs an angle from 0 to 180 degrees, not '" +
-                       raw.foldover_angle + "'");
-    }
-  }
-  return tolerances;
-}
-
-RepairOptions to_repair(const Raw& raw) {
-  RepairOptions repair;
-  repair.fixes = to_fixes(raw);
-  repair.tolerances = to_tolerances(raw);
-  repair.max_deviation = to_deviation(raw.max_deviation);
-  repair.fill = to_fill(raw);
-  if (!raw.weld.empty()) repair.weld_within = to_length(raw.weld, "--weld");
-  repair.turn = raw.flip ? Turn::Everything : Turn::Nothing;
-  repair.contact = raw.keep_contact ? Contact::Keep : Contact::Part;
-  repair.borders = raw.keep_borders ? Borders::Meant : Borders::Holes;
-  repair.groups = raw.by_group ? Groups::Faces : Groups::Names;
-  if (!raw.keep_largest.empty()) {
-    repair.keep_largest = to_count(raw.keep_largest, "--keep-largest", 1);
-  }
-  if (!raw.max_defects.empty()) {
-    repair.max_defects = to_count(raw.max_defects, "--max-defects", 0);
-  }
-  return repair;
-}
-
-Options to_options(const Raw& raw) {
-  check_consistent(raw);
-  Options options;
-  options.input = raw.paths.front();
-  options.action = raw.find ? Options::Action::Find : Options::Action::Fix;
-  if (!raw.output.empty()) options.output = raw.output;
-  options.repair = to_repair(raw);
-  options.lists = raw.print ? ListLength::Full : ListLength::Short;
-  if (!raw.json.empty()) options.json = ReportTarget{raw.json};
-  if (!raw.html.empty()) {
-    static_cast<void>(require_ending(raw.html, "--html", {".html", ".htm"}));
-    options.html = raw.html;
-  }
-  options.threads = to_thread_count(raw.threads);
-  options.progress =
-      raw.quiet || raw.no_progress ? Options::Progress::Never : Options::Progress::OnTerminal;
-  return options;
+void complete(const Said& said, Options& options) {
+  options.input = said.paths.front();
+  options.action = said.find ? Options::Action::Find : Options::Action::Fix;
+  options.repair.fixes = fixes_of(said, options.repair);
+  const bool is_named = said.names_holes || (said.fix && said.fix->names_holes);
+  options.repair.fill.sheets = is_named ? FillSheets::Yes : FillSheets::No;
 }
 
 }  // namespace
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
-  Raw raw;
-  CLI::App app;
-  declare_actions(app, raw);
-  declare_limits_and_reports(app, raw);
-  try {
-    parse_arguments(app, argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    return {{}, std::string(help_text())};
+  CommandLine command;
+  Options& options = command.options;
+  Said said;
+  OptionTable table(
+      {.calls = {"meshfixer [options] IN -o OUT", "meshfixer --find [options] IN"},
+       .purpose = "Finds what is wrong with a triangle mesh, repairs it as far as it can within a "
+                  "maximum deviation, writes a new file, and says what remains wrong with it. "
+                  "The input is never changed; what is not broken stays bit for bit.",
+       .footer = "Not available yet in this version: --guarantee; self-intersections are found "
+                 "and left.\n\n"
+                 "Exit status: 0 nothing asked for remains; 1 defects remain; 2 wrong usage; 3 a "
+                 "file could not be read or written.",
+       .version = "meshfixer " MESHALYZER_VERSION "\n"});
+  table.arguments("IN", said.paths,
+                  "a mesh file (.mesh .obj .off .stl .ply) or - for standard input; OUT one with "
+                  "such an ending.");
+  table.flag("--guarantee", said.guarantee, "");
+  declare_actions(table, options, said);
+  declare_operations(table, options, said);
+  declare_holes(table, options, said);
+  declare_limits(table, options.repair);
+  declare_reports(table, options);
+  command.answer = table.parse(argc, argv);
+  if (!command.answer) {
+    check_consistent(said, options);
+    complete(said, options);
   }
-  if (raw.version) return {{}, "meshfixer " MESHALYZER_VERSION "\n"};
-  return {to_options(raw), std::nullopt};
+  return command;
 }
 
 }  // namespace meshalyzer::fixer

@@ -2,31 +2,26 @@
 
 #include "meshalyzer/repair/fix_defects.h"
 #include "meshalyzer/report/text/defects_report.h"
-#include "report_target.h"
+#include "report_options.h"
 
-#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 
 namespace meshalyzer::fixer {
 
-/// A command line, understood.
-struct Options {
+/// A command line, understood. What is not on it is as it is here.
+struct Options : ReportOptions {
   /// A mesh file, or "-".
   std::string input;
-  enum class Action { Find, Fix };
+  enum class Action : std::uint8_t { Find, Fix };
   Action action = Action::Fix;
   /// Absent with --find and --dry-run.
   std::optional<std::string> output;
   RepairOptions repair;
   ListLength lists = ListLength::Short;
-  std::optional<ReportTarget> json;
   /// The file of the page.
   std::optional<std::string> html;
-  /// 0: as many as the machine has cores.
-  std::size_t threads = 0;
-  enum class Progress { OnTerminal, Never };
-  Progress progress = Progress::OnTerminal;
 };
 
 /// An Options, or the text that --help or --version asks for.

@@ -143,7 +143,7 @@ ExitCode verdict(const Options& options, const RepairStory& story, Streams strea
 
 ExitCode fix(const Options& options, Soup soup, const Source& source, Streams streams) {
   const MeshName input = name_of(soup, options.input);
-  ProgressLine progress(streams.err, options.progress == Options::Progress::Never
+  ProgressLine progress(streams.err, options.progress == ReportOptions::Progress::Never
                                          ? ProgressLine::State::Off
                                          : terminal_state(streams.err));
   RepairOptions repair = options.repair;

@@ -11,9 +11,20 @@ using namespace meshalyzer;
 
 const std::vector<std::string> kNames{"a.mesh", "b\xE9.mesh", "c \"c\".off"};
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Request asked() {
+  Request request;
+  request.mesh.goodness = GoodnessThresholds{2.5, 10, kInfinity};
+  request.mesh.curvature = VertexArea::OneRing;
+  request.is_set = true;
+  request.between.separation = SeparationOptions{.search_radius = 0.1};
+  request.between.statistics = false;
+  return request;
+}
+
 /// Something in every list, and what JSON cannot say.
 std::string good_line() {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   ObjectFindings findings;
   findings.owner = 1;
@@ -32,7 +43,7 @@ std::string good_line() {
                       .of = 3,
                       .path = "b\xE9.mesh",
                       .stamp = {12, -34},
-                      .asked = "-i -s",
+                      .asked = asked(),
                       .set = "ab12"};
   return between_line(head, findings, kNames);
 }

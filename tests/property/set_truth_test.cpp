@@ -43,7 +43,7 @@ std::vector<std::string> files_of(const std::string& folder) {
 }
 
 /// Keeps the findings.
-class Finder : public SetListener {
+class Finder : public RunListener {
  public:
   std::vector<ObjectFindings> findings;
   std::string text;
@@ -146,7 +146,7 @@ TEST(SetTruth, OwnSurfaceAcrossASlotIsAsFarAsTheSlotIsWide) {
   const json folds = expected_sets().at("fold").at("folds");
   for (const double length : {1.0, 1.5}) {
     SetOptions options = test::asking_all();
-    options.questions.separation->include_self = length;
+    options.request.between.separation->include_self = length;
     const Result result = analyzed(files_of(kMeshes + "/fold"), options);
     std::size_t n_checked = 0;
     for (const ObjectFindings& findings : result.findings) {

@@ -187,9 +187,9 @@ class Changed(Resume):
         self.check("nest")
 
     def test_other_options_reuse_nothing(self):
-        for options in (("-i",), ("-s",), ("-p",), ("-s", "--search-radius", "1"), ("-g", "100,0,0"), ("-a",)):
+        for options in (("-i",), ("-s",), ("-p",), ("-e", "200"), ("--curvature",), ("-s", "--search-radius", "1"), ("-g", "100,0,0"), ("-a",)):
             self.check(*options, "nest")
-            self.assertTrue(all(not line["asked"].endswith(" set ") for line in self.lines(JOURNAL)))
+            self.assertTrue(all(line["asked"] != self.old_lines[0]["asked"] for line in self.lines(JOURNAL)))
 
     def test_other_ways_to_tell_reuse_everything(self):
         journal = self.read(JOURNAL)
@@ -264,6 +264,18 @@ class NoJournal(Resume):
         report = self.run_program("--json", "gap").out
         shutil.rmtree(self.folder / "gap")
         self.check(report)
+
+    def test_journal_of_an_earlier_version(self):
+        self.check(b'{"number": 0, "of": 1, "kind": "unreadable", "bytes": 1, "modified": 1, "asked": "0.1.0 set ", '
+                   b'"set": "1f", "path": "set/a.mesh", "error": "torn"}\n')
+
+    def test_journal_of_another_version(self):
+        self.copy("gap")
+        self.journal("gap")
+        journal = self.read(JOURNAL).replace(b'"version": "', b'"version": "9.')
+        shutil.rmtree(self.folder / "gap")
+        (self.folder / JOURNAL).unlink()
+        self.check(journal)
 
     def test_standard_input_has_no_journal(self):
         said = self.run_program(f"--ndjson={JOURNAL}", "-", status=program.USAGE)

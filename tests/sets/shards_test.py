@@ -183,7 +183,7 @@ class Refusals(Parts):
         second = self.do_part(2, 2, "-i", "clash")
         errors = self.refused(first, second)
         self.assertIn(f"{second}:1:", errors)
-        self.assertIn("set -i', and lines before '", errors)
+        self.assertRegex(errors, r'was asked {.*"intersections": true}}, and lines before {.*"separation": {}}}')
 
     def test_other_files(self):
         first = self.do_part(1, 2, "clash")

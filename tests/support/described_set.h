@@ -126,8 +126,8 @@ inline void describe(const SetSeparation& separation, Describer& text) {
 /// Everything, with room for all of it.
 inline SetOptions asking_all() {
   SetOptions options;
-  options.questions.intersections = true;
-  options.questions.separation.emplace();
+  options.request.between.intersections = true;
+  options.request.between.separation.emplace();
   options.memory_limit = std::uint64_t{1} << 40;
   return options;
 }

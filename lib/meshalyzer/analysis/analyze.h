@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// The thresholds of -g (contract 3).
+/// The thresholds of goodness (contract 3).
 struct GoodnessThresholds {
   /// The largest aspect ratio must be below this.
   double aspect_ratio = 0.0;
@@ -16,39 +16,47 @@ struct GoodnessThresholds {
   double edge_angle_degrees = 0.0;
   /// The shortest edge must be longer than this.
   double edge_length = 0.0;
+
+  friend bool operator==(const GoodnessThresholds&, const GoodnessThresholds&) = default;
 };
 
 /// How much of a mesh to look at.
 enum class Scope {
   /// Everything of contract 1 and 2.
   Everything,
-  /// The five attributes, the integrity of the file, and what follows from the topology alone (-a).
+  /// The five attributes, the integrity of the file, and what follows from the topology alone.
   AttributesOnly,
 };
 
-/// What to analyse, and which elements to name.
-struct AnalysisOptions {
+/// What to find out of a mesh, and which elements to name: all that decides what is found.
+struct MeshRequest {
   Scope scope = Scope::Everything;
-  /// Judge goodness against these (-g).
+  /// Judge goodness against these.
   std::optional<GoodnessThresholds> goodness;
-  /// Name edges shorter / longer than this (-b, -c).
+  /// Name edges shorter / longer than this.
   std::optional<double> shorter_than;
   std::optional<double> longer_than;
-  /// Name edges with an angle smaller / larger than this, in degrees (-d, -e).
+  /// Name edges with an angle smaller / larger than this, in degrees.
   std::optional<double> angle_below_degrees;
   std::optional<double> angle_above_degrees;
-  /// Name faces with an aspect ratio larger than this (-f).
+  /// Name faces with an aspect ratio larger than this.
   std::optional<double> aspect_above;
-  /// Indistinguishable vertices: only those at exactly the same place (--exact-coincidence).
+  /// Indistinguishable vertices: only those at exactly the same place.
   bool exact_coincidence = false;
   /// Judge fitness also where only the attributes are asked for: what needs a good mesh asks for
   /// it.
   bool judge_fitness = false;
+  /// Measure the curvature, spread over this area.
+  std::optional<VertexArea> curvature;
+
+  friend bool operator==(const MeshRequest&, const MeshRequest&) = default;
+};
+
+/// How to analyse a mesh: what to find out, and what else to keep of it.
+struct AnalysisOptions : MeshRequest {
   /// Keep the measured values in the result, for the statistics of a set.
   bool keep_values = false;
-  /// Measure the curvature, spread over this area (--curvature).
-  std::optional<VertexArea> curvature;
-  /// Keep the file in the result, for reports that show places (-q, --html, --export).
+  /// Keep the file in the result, for reports that show places.
   bool keep_soup = false;
   PhaseListener on_phase;
 };

@@ -8,15 +8,14 @@
 
 namespace meshalyzer {
 
-/// What to look at when the separation of objects is measured (contract 3, -s).
+/// What to look at when the separation of objects is measured.
 struct SeparationOptions {
-  /// Vertices with nothing closer than this are counted, not measured (--search-radius).
+  /// Vertices with nothing closer than this are counted, not measured.
   std::optional<double> search_radius = std::nullopt;
-  /// Only points whose direction lies within so many degrees of the vertex normal, 0 ... 90
-  /// (--search-cone).
+  /// Only points whose direction lies within so many degrees of the vertex normal, 0 ... 90.
   std::optional<double> search_cone_degrees = std::nullopt;
   /// Also the object's own surface, but for faces with a vertex that is reached along edges within
-  /// this length (--include-self).
+  /// this length.
   std::optional<double> include_self = std::nullopt;
 
   friend bool operator==(const SeparationOptions&, const SeparationOptions&) = default;

@@ -1,38 +1,24 @@
 #pragma once
 
-#include "meshalyzer/analysis/analyze.h"
-#include "meshalyzer/set/separation.h"
+#include "meshalyzer/set/earlier_findings.h"
+#include "meshalyzer/set/request.h"
 #include "meshalyzer/set/shard.h"
 
 #include <cstdint>
-#include <optional>
 
 namespace meshalyzer {
 
-/// What to find out between the meshes of a set.
-struct SetQuestions {
-  /// Which faces of different meshes share a point, and which meshes are inside others (-i).
-  bool intersections = false;
-  /// How far each vertex is from the closest other mesh (-s).
-  std::optional<SeparationOptions> separation = std::nullopt;
-  /// The statistics over the faces, edges and vertices of all meshes.
-  bool statistics = true;
-  /// Measure separation although a mesh is not good (--force).
-  bool force = false;
-
-  /// Whether any of it is about what lies between the meshes.
-  [[nodiscard]] bool is_between() const { return intersections || separation; }
-};
-
-/// How to analyse a set.
+/// How to analyse files, as a set or each for itself.
 struct SetOptions {
-  /// What to do for each mesh.
-  AnalysisOptions analysis;
-  SetQuestions questions;
+  Request request;
+  /// Keep the files in the analyses, for reports that show places.
+  bool keep_soup = false;
   /// Bytes to stay below where the largest few meshes allow it; objects are read again when they
   /// had to be forgotten.
   std::uint64_t memory_limit = 0;
   Shard shard;
+  /// What need not be looked for again, if there is any; must outlive the run.
+  const EarlierFindings* earlier = nullptr;
 };
 
 }  // namespace meshalyzer

@@ -38,8 +38,8 @@ SetIntersections in_order(SetIntersections found) {
 SetTotals::SetTotals(std::vector<std::string> names, const SetOptions& options)
     : options_(options) {
   set_.names = std::move(names);
-  set_.is_measured = options.analysis.scope == Scope::Everything;
-  if (options.questions.intersections) {
+  set_.is_measured = options.request.mesh.scope == Scope::Everything;
+  if (options.request.between.intersections) {
     set_.intersections.emplace();
   }
 }
@@ -79,7 +79,7 @@ void SetTotals::add_unreadable(Index number, const std::string& why) {
 }
 
 std::string SetTotals::why_no_separation() const {
-  if (set_.not_good.empty() || options_.questions.force) {
+  if (set_.not_good.empty() || options_.request.between.force) {
     return "";
   }
   const UnfitMesh& first = set_.not_good.front();
@@ -102,7 +102,7 @@ void SetTotals::add_findings(const ObjectFindings& findings) {
 void SetTotals::begin_separation() {
   if (!set_.separation) {
     set_.separation.emplace();
-    set_.separation->options = *options_.questions.separation;
+    set_.separation->options = *options_.request.between.separation;
     set_.separation->is_forced = !set_.not_good.empty();
   }
 }
@@ -140,13 +140,13 @@ SetAnalysis SetTotals::finish() {
   if (without_volume_ != 0) {
     set_.volume.reason = "meshes without a volume: " + std::to_string(without_volume_);
   }
-  if (set_.is_measured && options_.questions.statistics) {
+  if (set_.is_measured && options_.request.between.statistics) {
     set_.statistics = summarize_measures();
   }
   if (set_.intersections) {
     set_.intersections = in_order(std::move(*set_.intersections));
   }
-  if (options_.questions.separation) {
+  if (options_.request.between.separation) {
     finish_separation();
   }
   return std::move(set_);

@@ -63,7 +63,7 @@ struct Told {
 };
 
 /// Writes down all calls; knows what it is given.
-class Recorder : public SetListener {
+class Recorder : public RunListener, public EarlierFindings {
  public:
   Told known;
   Told told;
@@ -84,17 +84,17 @@ class Recorder : public SetListener {
     call("findings " + std::to_string(findings.owner), described(findings));
     told.findings.emplace(findings.owner, findings);
   }
-  void on_progress(const SetProgress& progress) override {
-    const bool is_files = progress.stage == SetProgress::Stage::Files;
+  void on_progress(const RunProgress& progress) override {
+    const bool is_files = progress.stage == RunProgress::Stage::Files;
     call((is_files ? "files " : "between ") + std::to_string(progress.done) + "/" +
              std::to_string(progress.total) + " " + std::to_string(progress.faces),
          "");
   }
-  std::optional<Analysis> known_mesh(Index number) override { return find(known.meshes, number); }
-  std::optional<std::string> known_trouble(Index number) override {
+  std::optional<Analysis> mesh(Index number) const override { return find(known.meshes, number); }
+  std::optional<std::string> trouble(Index number) const override {
     return find(known.troubles, number);
   }
-  std::optional<ObjectFindings> known_findings(Index owner) override {
+  std::optional<ObjectFindings> findings(Index owner) const override {
     return find(known.findings, owner);
   }
 
@@ -119,5 +119,11 @@ class Recorder : public SetListener {
   std::atomic<bool> is_in_call_ = false;
   std::atomic<bool> was_called_at_once_ = false;
 };
+
+/// The options of a run that need not look for what a recorder knows.
+inline SetOptions knowing(const Recorder& recorder, SetOptions options = {}) {
+  options.earlier = &recorder;
+  return options;
+}
 
 }  // namespace meshalyzer::test

@@ -13,6 +13,7 @@ namespace meshalyzer {
 namespace {
 
 using test::asking_all;
+using test::knowing;
 using test::Recorder;
 using test::SoupFiles;
 using test::Told;
@@ -70,7 +71,7 @@ TEST(AnalyzeSetInShards, AllOfThemTellWhatTheWholeTells) {
   SoupFiles files(packed());
   files.add("bad.mesh", "Vertex 1 0 0\n");
   SetOptions options = asking_all();
-  options.questions.force = true;
+  options.request.between.force = true;
   const Whole whole = whole_run(files, options);
   for (const std::size_t count : {1U, 2U, 3U, 20U}) {
     SCOPED_TRACE(count);
@@ -101,7 +102,7 @@ TEST(AnalyzeSetInShards, WhatTheyToldMakesTheAnalysisOfTheWhole) {
   const Whole whole = whole_run(files, asking_all());
   Recorder recorder;
   recorder.known = without_values(together(shard_runs(files, asking_all(), 3)));
-  const auto set = analyze_set(files.paths(), asking_all(), recorder);
+  const auto set = analyze_set(files.paths(), knowing(recorder, asking_all()), recorder);
   EXPECT_TRUE(test::described(set.value()) == whole.set);
   EXPECT_TRUE(recorder.told.text() == whole.told.text());
 }
@@ -115,21 +116,22 @@ TEST(AnalyzeSetInShards, MeshOfAnotherShardThatIsNotGoodForbidsSeparationInTheEn
   EXPECT_FALSE(parts[1].findings.begin()->second.separation.has_value());
   Recorder recorder;
   recorder.known = without_values(together(parts));
-  const SetAnalysis set = analyze_set(files.paths(), asking_all(), recorder).value();
+  const SetAnalysis set =
+      analyze_set(files.paths(), knowing(recorder, asking_all()), recorder).value();
   EXPECT_FALSE(set.separation.has_value());
   EXPECT_EQ(test::described(set), whole_run(files, asking_all()).set);
 }
 
 TEST(AnalyzeSetAgain, WhatIsKnownIsNotLookedForAgain) {
   SetOptions options = asking_all();
-  options.questions.statistics = false;
+  options.request.between.statistics = false;
   Recorder recorder;
   std::string set;
   std::vector<std::string> paths;
   {
     SoupFiles files(packed());
     files.add("bad.mesh", "Vertex 1 0 0\n");
-    options.questions.force = true;
+    options.request.between.force = true;
     const Whole whole = whole_run(files, options);
     recorder.known = without_values(whole.told);
     set = whole.set;
@@ -137,7 +139,8 @@ TEST(AnalyzeSetAgain, WhatIsKnownIsNotLookedForAgain) {
   }
   // The files are gone.
   ASSERT_FALSE(std::filesystem::exists(paths.front()));
-  EXPECT_TRUE(test::described(analyze_set(paths, options, recorder).value()) == set);
+  EXPECT_TRUE(test::described(analyze_set(paths, knowing(recorder, options), recorder).value()) ==
+              set);
   EXPECT_TRUE(recorder.told.text() == recorder.known.text());
 }
 
@@ -150,7 +153,8 @@ TEST(AnalyzeSetAgain, KnownPartOfARunIsCompleted) {
     recorder.known.meshes.erase(number);
     recorder.known.findings.erase(number + 1);
   }
-  EXPECT_TRUE(test::described(analyze_set(files.paths(), asking_all(), recorder).value()) ==
+  EXPECT_TRUE(test::described(
+                  analyze_set(files.paths(), knowing(recorder, asking_all()), recorder).value()) ==
               whole.set);
   EXPECT_TRUE(recorder.told.text() == whole.told.text());
 }
@@ -163,7 +167,7 @@ TEST(AnalyzeSetAgain, StatisticsNeedTheFilesOfKnownMeshes) {
     recorder.known = whole_run(files, {}).told;
     paths = files.paths();
   }
-  EXPECT_EQ(analyze_set(paths, {}, recorder).value().unreadable, 1U);
+  EXPECT_EQ(analyze_set(paths, knowing(recorder), recorder).value().unreadable, 1U);
   EXPECT_EQ(recorder.told.troubles.count(0), 1U);
 }
 
@@ -172,12 +176,14 @@ TEST(AnalyzeSetAgain, KnownFindingsThatAreNotAskedForAreLeftOut) {
   Recorder recorder;
   recorder.known = without_values(whole_run(files, asking_all()).told);
   SetOptions intersections = asking_all();
-  intersections.questions.separation.reset();
-  const SetAnalysis met = analyze_set(files.paths(), intersections, recorder).value();
+  intersections.request.between.separation.reset();
+  const SetAnalysis met =
+      analyze_set(files.paths(), knowing(recorder, intersections), recorder).value();
   EXPECT_EQ(test::described(met), whole_run(files, intersections).set);
   SetOptions separation = asking_all();
-  separation.questions.intersections = false;
-  const SetAnalysis measured = analyze_set(files.paths(), separation, recorder).value();
+  separation.request.between.intersections = false;
+  const SetAnalysis measured =
+      analyze_set(files.paths(), knowing(recorder, separation), recorder).value();
   EXPECT_EQ(test::described(measured), whole_run(files, separation).set);
 }
 

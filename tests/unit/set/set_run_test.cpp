@@ -29,16 +29,16 @@ constexpr std::uint64_t kMuchMemory = std::uint64_t{1} << 40;
 
 SetOptions asking(bool intersections, bool separation, std::uint64_t memory_limit = kMuchMemory) {
   SetOptions options;
-  options.questions.intersections = intersections;
+  options.request.between.intersections = intersections;
   if (separation) {
-    options.questions.separation.emplace();
+    options.request.between.separation.emplace();
   }
   options.memory_limit = memory_limit;
   return options;
 }
 
 SetOptions forced(SetOptions options) {
-  options.questions.force = true;
+  options.request.between.force = true;
   return options;
 }
 
@@ -170,13 +170,14 @@ TEST(AnalyzeSet, SeparationIsThatOfEachObject) {
   const std::vector<Soup> soups = packed(10);
   const SoupFiles files(soups);
   SetOptions options = asking(false, true);
-  options.questions.separation = SeparationOptions{.search_radius = 0.5, .include_self = 0.25};
+  options.request.between.separation =
+      SeparationOptions{.search_radius = 0.5, .include_self = 0.25};
   Recorder recorder;
   (void)analyze_set(files.paths(), options, recorder);
   test::ObjectScene scene(soups);
   for (Index object = 0; object < soups.size(); ++object) {
     const ObjectFindings expected{object, std::nullopt,
-                                  scene.measure(object, *options.questions.separation)};
+                                  scene.measure(object, *options.request.between.separation)};
     EXPECT_EQ(test::described(recorder.told.findings.at(object)), test::described(expected));
   }
 }
@@ -226,7 +227,7 @@ TEST(AnalyzeSet, MeshThatIsNotGoodForbidsSeparationAlone) {
 
 TEST(AnalyzeSet, AttributesAloneAreEnoughForWhatIsBetween) {
   SetOptions options = asking(true, true);
-  options.analysis.scope = Scope::AttributesOnly;
+  options.request.mesh.scope = Scope::AttributesOnly;
   std::vector<Soup> soups = row_of_cubes(3);
   const SetAnalysis good = analyzed(SoupFiles(soups), options);
   EXPECT_EQ(good.separation.value().all.count, 24U);
@@ -339,14 +340,6 @@ TEST(AnalyzeSet, StopsWhenTheListenerWantsIt) {
   }
   Impatient patient(whole.calls.size() + 1);
   EXPECT_TRUE(analyze_set(files.paths(), asking(true, true), patient).has_value());
-}
-
-TEST(SetNames, AreTheLastPartsOfPathsWhereTheseDiffer) {
-  using Names = std::vector<std::string>;
-  EXPECT_EQ(set_names({"/a/x.mesh", "b/y.mesh", "z.mesh"}), (Names{"x.mesh", "y.mesh", "z.mesh"}));
-  EXPECT_EQ(set_names({"/a/x.mesh", "/b/x.mesh", "z.mesh"}),
-            (Names{"/a/x.mesh", "/b/x.mesh", "z.mesh"}));
-  EXPECT_EQ(set_names({}), Names{});
 }
 
 }  // namespace

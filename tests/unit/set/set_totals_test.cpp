@@ -24,13 +24,13 @@ Analysis analyzed(const Soup& soup) {
 
 SetOptions intersecting() {
   SetOptions options;
-  options.questions.intersections = true;
+  options.request.between.intersections = true;
   return options;
 }
 
 SetOptions separating() {
   SetOptions options;
-  options.questions.separation.emplace();
+  options.request.between.separation.emplace();
   return options;
 }
 
@@ -137,15 +137,15 @@ TEST(SetTotals, StatisticsAreThoseOfAllValuesTogether) {
 
 TEST(SetTotals, StatisticsAreLeftOutWhereNotAskedFor) {
   SetOptions options;
-  options.questions.statistics = false;
+  options.request.between.statistics = false;
   EXPECT_FALSE(totals_of({shapes::cube()}, options).finish().statistics.has_value());
 }
 
 TEST(SetTotals, AttributesAloneAreNeitherMeasuredNorJudged) {
   SetOptions options;
-  options.analysis.scope = Scope::AttributesOnly;
+  options.request.mesh.scope = Scope::AttributesOnly;
   SetTotals totals({"a"}, options);
-  totals.add_mesh(0, analyze(shapes::cube(), "a", options.analysis));
+  totals.add_mesh(0, analyze(shapes::cube(), "a", {options.request.mesh, false, false, {}}));
   const SetAnalysis set = totals.finish();
   EXPECT_FALSE(set.is_measured);
   EXPECT_FALSE(set.statistics.has_value());
@@ -173,9 +173,9 @@ TEST(SetTotals, NoGoodMeshIsACountToo) {
 
 TEST(SetTotals, ThresholdsDecideWhereThereAreAny) {
   SetOptions options;
-  options.analysis.goodness = {.aspect_ratio = 9, .edge_angle_degrees = 0, .edge_length = 1};
+  options.request.mesh.goodness = {.aspect_ratio = 9, .edge_angle_degrees = 0, .edge_length = 1};
   SetTotals totals({"a"}, options);
-  totals.add_mesh(0, analyze(shapes::cube(), "a", options.analysis));
+  totals.add_mesh(0, analyze(shapes::cube(), "a", {options.request.mesh, false, false, {}}));
   const SetAnalysis set = totals.finish();
   EXPECT_EQ(set.good, 0U);
   EXPECT_EQ(set.not_good.at(0).reasons, Reasons{"shortest edge 1 is not longer than 1"});
@@ -249,7 +249,7 @@ TEST(SetTotals, FurtherMeshesThatForbidSeparationAreCounted) {
 
 TEST(SetTotals, ForceMeasuresWhatIsNotGoodAndSaysSo) {
   SetOptions options = separating();
-  options.questions.force = true;
+  options.request.between.force = true;
   SetTotals totals = totals_of({shapes::open_cube()}, options);
   EXPECT_EQ(totals.why_no_separation(), "");
   EXPECT_TRUE(totals.finish().separation.value().is_forced);

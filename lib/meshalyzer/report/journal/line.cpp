@@ -1,6 +1,7 @@
 #include "meshalyzer/report/journal/line.h"
 
 #include "meshalyzer/report/journal/line_kind.h"
+#include "meshalyzer/report/journal/request.h"
 #include "meshalyzer/report/json/bytes.h"
 #include "meshalyzer/report/json/findings.h"
 #include "meshalyzer/report/json/mesh.h"
@@ -17,7 +18,8 @@ void write_head(JsonWriter& json, const LineHead& head, LineHead::Kind kind) {
   json.member("kind", kind_name(kind));
   json.member("bytes", head.stamp.bytes);
   json.member("modified", head.stamp.modified_ns);
-  json.member("asked", std::string_view(head.asked));
+  json.key("asked");
+  write_request(json, head.asked);
   json.member("set", std::string_view(head.set));
 }
 

@@ -4,6 +4,7 @@
 #include "meshalyzer/report/json/report.h"
 #include "meshalyzer/set/file_stamp.h"
 #include "meshalyzer/set/object_findings.h"
+#include "meshalyzer/set/request.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -31,8 +32,7 @@ struct LineHead {
   std::size_t of = 0;
   std::string path;
   FileStamp stamp;
-  /// The options that decide what was looked for, as a text that is the same for the same ones.
-  std::string asked;
+  Request asked;
   /// A fingerprint of all files of the set.
   std::string set;
 
@@ -58,7 +58,8 @@ struct LineHead {
 
 /// Reads the head of a line, and no more of it than that: a line that was cut off later is not
 /// noticed.
-/// @throws InvalidArgument  Not the beginning of such a line.
+/// @throws InvalidArgument  Not the beginning of such a line, or one of another version of
+/// meshalyzer, which may find otherwise.
 /// @complexity  O(length of the head).
 [[nodiscard]] LineHead read_head(std::string_view line);
 

@@ -26,13 +26,20 @@ const std::vector<std::string>& sample_names() {
   return names;
 }
 
+Request sample_request() {
+  Request request;
+  request.is_set = true;
+  request.between.separation = SeparationOptions{.search_radius = 0.1};
+  return request;
+}
+
 LineHead sample_head(LineHead::Kind kind) {
   return {.kind = kind,
           .number = 1,
           .of = 4,
           .path = "folder/b \"b\"\n.mesh",
           .stamp = {std::uint64_t{1} << 40U, -1'234'567'890'123'456'789},
-          .asked = "-i -s\t--search-radius 0.1",
+          .asked = sample_request(),
           .set = "0123456789abcdef"};
 }
 

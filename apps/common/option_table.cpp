@@ -1,0 +1,116 @@
+#include "option_table.h"
+
+#include "help_formatter.h"
+#include "usage_error.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string_view>
+
+namespace meshalyzer {
+namespace {
+
+/// The option that a message of the parser begins with.
+std::string upto_colon(std::string_view message) {
+  return std::string(message.substr(0, message.find(':')));
+}
+
+/// "-b N" and "--json[=FILE]" in two.
+std::pair<std::string, std::string> name_and_value(const std::string& names) {
+  const std::size_t end = names.find_first_of(" [");
+  return {names.substr(0, end), names.substr(end)};
+}
+
+void refuse_empty_values(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& value : option->results()) {
+      if (value.empty()) {
+        throw UsageError(option->get_name() + " needs a value, not an empty text");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+OptionTable::OptionTable(ProgramTexts texts)
+    : app_(std::make_unique<CLI::App>()), texts_(std::move(texts)) {
+  app_->set_help_flag();
+  app_->description(texts_.purpose);
+  app_->footer(texts_.footer);
+  app_->formatter(std::make_shared<HelpFormatter>(texts_.calls));
+}
+
+OptionTable::~OptionTable() = default;
+
+void OptionTable::declare(CLI::Option* option, const std::string& value_name, Take take) {
+  option->group(group_);
+  option->option_text(value_name);
+  declared_.push_back({option, std::move(take)});
+}
+
+void OptionTable::arguments(const std::string& name, std::vector<std::string>& target,
+                            const std::string& help) {
+  app_->add_option(name, target, help);
+}
+
+void OptionTable::flag(const std::string& name, std::function<void()> set,
+                       const std::string& help) {
+  CLI::Option* option = app_->add_flag(name)->description(help);
+  declare(option, "", [option, set = std::move(set)](const std::string&, const std::string&) {
+    if (option->as<bool>()) {
+      set();
+    }
+  });
+}
+
+void OptionTable::flag(const std::string& name, bool& target, const std::string& help) {
+  flag(
+      name, [&target] { target = true; }, help);
+}
+
+void OptionTable::option(const std::string& names, Take take, const std::string& help) {
+  const auto [name, value] = name_and_value(names);
+  CLI::Option* option = app_->add_option(name)->description(help);
+  declare(option, value, std::move(take));
+}
+
+void OptionTable::option_or(const std::string& otherwise, const std::string& names, Take take,
+                            const std::string& help) {
+  const auto [name, value] = name_and_value(names);
+  CLI::Option* option = app_->add_flag(name + "{" + otherwise + "}")->description(help);
+  declare(option, value, std::move(take));
+}
+
+std::optional<std::string> OptionTable::parse(int argc, const char* const* argv) {
+  CLI::Option* version = nullptr;
+  if (!texts_.version.empty()) {
+    version = app_->add_flag("--version")->description("print the version")->group(group_);
+  }
+  app_->set_help_flag("-h,--help", "print this help")->group(group_);
+  try {
+    app_->parse(argc, argv);
+    refuse_empty_values(*app_);
+    if (version != nullptr && version->as<bool>()) {
+      return texts_.version;
+    }
+    take_values();
+  } catch (const CLI::CallForHelp&) {
+    return app_->help();
+  } catch (const CLI::ArgumentMismatch& error) {
+    throw UsageError(upto_colon(error.what()) + " must be given once, with one value");
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what());
+  }
+  return std::nullopt;
+}
+
+void OptionTable::take_values() const {
+  for (const auto& [option, take] : declared_) {
+    if (option->count() != 0) {
+      take(option->as<std::string>(), option->get_name());
+    }
+  }
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,20 @@
+#include "report_options.h"
+
+#include "arguments.h"
+
+namespace meshalyzer {
+
+void declare_json(OptionTable& table, ReportOptions& options) {
+  table.option_or("-", "--json[=FILE]", into(options.json),
+                  "as JSON in place of text; or as JSON in FILE, and as text");
+}
+
+void declare_conduct(OptionTable& table, ReportOptions& options) {
+  const auto be_quiet = [&options] { options.progress = ReportOptions::Progress::Never; };
+  table.option("--threads N", into(options.threads, to_thread_count),
+               "at most N threads; 0, the default: one a core");
+  table.flag("--quiet", be_quiet, "nothing on standard error but what is wrong");
+  table.flag("--no-progress", be_quiet, "no progress on standard error (only a terminal has it)");
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "output.h"
+#include "run.h"
+#include "streams.h"
+
+#include <memory>
+#include <vector>
+
+namespace meshalyzer {
+
+/// The reports that a run is asked for, in the order in which they hear of what is found.
+/// @throws IoError if one cannot be written.
+[[nodiscard]] std::vector<std::unique_ptr<Output>> outputs_of(const Run& run, Streams streams);
+
+}  // namespace meshalyzer

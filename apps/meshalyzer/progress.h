@@ -1,0 +1,36 @@
+#pragma once
+
+#include "meshalyzer/set/run_listener.h"
+#include "options.h"
+#include "progress_line.h"
+#include "streams.h"
+
+#include <atomic>
+#include <chrono>
+#include <optional>
+
+namespace meshalyzer {
+
+/// Shows how far a run has come, and stops it where the user interrupts it or standard output takes
+/// no more.
+class Progress : public RunListener {
+ public:
+  Progress(const Options& options, Streams streams);
+
+  void on_mesh(Index number, const Analysis& mesh) override;
+  void on_unreadable(Index number, const std::string& why) override;
+  void on_progress(const RunProgress& progress) override;
+  [[nodiscard]] bool wants_to_stop() override;
+  /// Takes the line off the terminal.
+  void clear() { line_.clear(); }
+
+ private:
+  std::ostream& out_;
+  ProgressLine line_;
+  std::optional<RunProgress::Stage> last_stage_;
+  std::chrono::steady_clock::time_point stage_begin_;
+  std::chrono::steady_clock::time_point last_shown_;
+  std::atomic<bool> is_out_of_order_ = false;
+};
+
+}  // namespace meshalyzer

@@ -1,0 +1,110 @@
+#include "run.h"
+
+#include "interrupt.h"
+#include "meshalyzer/set/analyze_files.h"
+#include "meshalyzer/set/set_run.h"
+#include "outcome.h"
+#include "outputs.h"
+#include "progress.h"
+
+#include <algorithm>
+#include <memory>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// Several listeners as one: each hears everything, one after the other.
+class Audience : public RunListener {
+ public:
+  void add(RunListener& listener) { listeners_.push_back(&listener); }
+
+  void on_mesh(Index number, const Analysis& mesh) override {
+    for (RunListener* listener : listeners_) listener->on_mesh(number, mesh);
+  }
+  void on_unreadable(Index number, const std::string& why) override {
+    for (RunListener* listener : listeners_) listener->on_unreadable(number, why);
+  }
+  void on_findings(const ObjectFindings& findings) override {
+    for (RunListener* listener : listeners_) listener->on_findings(findings);
+  }
+  void on_progress(const RunProgress& progress) override {
+    for (RunListener* listener : listeners_) listener->on_progress(progress);
+  }
+  [[nodiscard]] bool wants_to_stop() override {
+    return std::any_of(listeners_.begin(), listeners_.end(),
+                       [](RunListener* listener) { return listener->wants_to_stop(); });
+  }
+
+ private:
+  std::vector<RunListener*> listeners_;
+};
+
+/// What came of the files.
+struct Findings {
+  /// False where the run was stopped, or is but a part.
+  bool is_whole = false;
+  std::optional<SetAnalysis> set;
+};
+
+Findings analyze(const Run& run, RunListener& listener) {
+  const Options& options = run.options;
+  const SetOptions how{.request = run.request,
+                       .keep_soup = options.shows_places(),
+                       .memory_limit = options.memory_limit,
+                       .shard = options.shard.value_or(Shard{}),
+                       .earlier = run.earlier};
+  if (!run.request.is_set) {
+    return {analyze_files(run.inputs.files, how, listener), std::nullopt};
+  }
+  std::optional<SetAnalysis> set = analyze_set(run.inputs.files, how, listener);
+  return {set.has_value(), std::move(set)};
+}
+
+void tell_interrupted(const Run& run, const Outcome& outcome, std::ostream& err) {
+  err << "meshalyzer: interrupted: " << outcome.n_files_done() << " of " << run.inputs.files.size()
+      << " files are done";
+  if (run.options.ndjson && !run.options.ndjson->is_stdout()) {
+    err << "; --resume " << run.options.ndjson->file << " goes on with it";
+  }
+  err << '\n';
+}
+
+}  // namespace
+
+ExitCode carry_out(const Run& run, Streams streams) {
+  Outcome outcome(streams.err);
+  for (const std::string& trouble : run.inputs.troubles) {
+    outcome.complain(trouble);
+  }
+  Progress progress(run.options, streams);
+  const std::vector<std::unique_ptr<Output>> outputs = outputs_of(run, streams);
+  Audience audience;
+  audience.add(progress);
+  if (run.journal != nullptr) {
+    audience.add(*run.journal);
+  }
+  for (const std::unique_ptr<Output>& output : outputs) {
+    audience.add(*output);
+  }
+  audience.add(outcome);
+  const Findings found = analyze(run, audience);
+  progress.clear();
+  const bool is_interrupted = !found.is_whole && InterruptGuard::is_interrupted();
+  if (is_interrupted) {
+    tell_interrupted(run, outcome, streams.err);
+  }
+  if (found.is_whole) {
+    // What a person waits for comes first.
+    std::for_each(outputs.rbegin(), outputs.rend(),
+                  [&](const auto& output) { output->finish(found.set ? &*found.set : nullptr); });
+  }
+  if (!streams.out.flush()) {
+    outcome.complain("meshalyzer: standard output: cannot be written");
+  }
+  return is_interrupted ? ExitCode::Interrupted : outcome.exit_code();
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "output.h"
+#include "streams.h"
+
+namespace meshalyzer {
+
+/// The total volume of a set, and nothing else (-v).
+class VolumeOutput : public Output {
+ public:
+  explicit VolumeOutput(Streams streams) : streams_(streams) {}
+
+  void finish(const SetAnalysis* set) override;
+
+ private:
+  Streams streams_;
+};
+
+}  // namespace meshalyzer

@@ -1,0 +1,115 @@
+#include "values.h"
+
+#include "arguments.h"
+#include "file_ending.h"
+#include "meshalyzer/base/numbers.h"
+#include "meshalyzer/io/format_of.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace meshalyzer::fixer {
+namespace {
+
+/// Calls `use` for each item of a list with commas.
+void for_each_item(std::string_view list, const std::function<void(std::string_view)>& use) {
+  while (true) {
+    const std::size_t comma = list.find(',');
+    use(list.substr(0, comma));
+    if (comma == std::string_view::npos) return;
+    list.remove_prefix(comma + 1);
+  }
+}
+
+std::size_t to_count(const std::string& text, const std::string& option, std::int64_t least) {
+  const std::optional<std::int64_t> value = parse_integer(text);
+  if (!value || *value < least) {
+    throw UsageError(option + " needs a whole number from " + std::to_string(least) + ", not '" +
+                     text + "'");
+  }
+  return static_cast<std::size_t>(*value);
+}
+
+void add_codes(std::string_view item, const std::string& option, DefectCodes& codes) {
+  if (const std::optional<DefectCode> one = defect_code(item)) {
+    codes.insert(*one);
+  } else if (item == "all" || item == "default") {
+    const DefectCodes more = item == "all" ? DefectCodes::all() : default_fixes();
+    for (const DefectCode code : all_defect_codes()) {
+      if (more.contains(code)) codes.insert(code);
+    }
+  } else {
+    throw UsageError(option + " needs defect codes, not '" + std::string(item) + "'");
+  }
+}
+
+}  // namespace
+
+CodeList to_codes(const std::string& text, const std::string& option) {
+  CodeList list;
+  for_each_item(text, [&](std::string_view item) { add_codes(item, option, list.codes); });
+  list.names_holes = list.codes.contains(DefectCode::Hole) && text != "all" && text != "default";
+  return list;
+}
+
+std::size_t to_count(const std::string& text, const std::string& option) {
+  return to_count(text, option, 0);
+}
+
+std::size_t to_count_from_one(const std::string& text, const std::string& option) {
+  return to_count(text, option, 1);
+}
+
+Vec3 to_point(const std::string& text, const std::string& option) {
+  std::vector<double> numbers;
+  bool is_point = true;
+  for_each_item(text, [&](std::string_view item) {
+    const std::optional<double> value = parse_real(item);
+    is_point = is_point && value.has_value();
+    numbers.push_back(value.value_or(0.0));
+  });
+  if (!is_point || numbers.size() != 3) {
+    throw UsageError(option + " needs a point X,Y,Z, not '" + text + "'");
+  }
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+FillShape to_fill_shape(const std::string& text, const std::string& option) {
+  if (text != "linear" && text != "smooth") {
+    throw UsageError(option + " needs linear or smooth, not '" + text + "'");
+  }
+  return text == "smooth" ? FillShape::Smooth : FillShape::Linear;
+}
+
+Deviation to_deviation(const std::string& text, const std::string& option) {
+  if (text.back() == '%') {
+    const std::string number = text.substr(0, text.size() - 1);
+    return {to_length(number, option) / 100.0, Deviation::Unit::Diagonal};
+  }
+  return {to_length(text, option), Deviation::Unit::Length};
+}
+
+double to_foldover_angle(const std::string& text, const std::string& option) {
+  const double degrees = to_real(text, option);
+  if (!(degrees >= 0.0 && degrees <= 180.0)) {
+    throw UsageError(option + " needs an angle from 0 to 180 degrees, not '" + text + "'");
+  }
+  return degrees;
+}
+
+std::string to_page(const std::string& text, const std::string& option) {
+  static_cast<void>(require_ending(text, option, {".html", ".htm"}));
+  return text;
+}
+
+std::string to_mesh_file(const std::string& text, const std::string& /*option*/) {
+  if (!format_of_name(text)) {
+    throw UsageError("'" + text + "' has the ending of no known mesh format");
+  }
+  return text;
+}
+
+}  // namespace meshalyzer::fixer

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "meshalyzer/repair/fix_defects.h"
+
+#include <cstddef>
+#include <string>
+
+namespace meshalyzer::fixer {
+
+// What the values of options are read with. All throw UsageError where the text is none.
+
+/// Codes in a list with commas.
+struct CodeList {
+  DefectCodes codes;
+  /// Not only among all, or those by default.
+  bool names_holes = false;
+};
+
+[[nodiscard]] CodeList to_codes(const std::string& text, const std::string& option);
+[[nodiscard]] std::size_t to_count(const std::string& text, const std::string& option);
+/// 1 or more.
+[[nodiscard]] std::size_t to_count_from_one(const std::string& text, const std::string& option);
+/// "X,Y,Z".
+[[nodiscard]] Vec3 to_point(const std::string& text, const std::string& option);
+[[nodiscard]] FillShape to_fill_shape(const std::string& text, const std::string& option);
+/// A length, or a share of the diagonal as in "0.1%".
+[[nodiscard]] Deviation to_deviation(const std::string& text, const std::string& option);
+/// Degrees, 0 to 180.
+[[nodiscard]] double to_foldover_angle(const std::string& text, const std::string& option);
+/// The file of a page.
+[[nodiscard]] std::string to_page(const std::string& text, const std::string& option);
+/// The file of a mesh, with the ending of a known format.
+[[nodiscard]] std::string to_mesh_file(const std::string& text, const std::string& option);
+
+}  // namespace meshalyzer::fixer

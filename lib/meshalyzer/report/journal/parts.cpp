@@ -1,0 +1,77 @@
+#include "meshalyzer/report/journal/parts.h"
+
+#include "meshalyzer/base/error.h"
+#include "meshalyzer/io/file.h"
+#include "meshalyzer/report/journal/for_each_line.h"
+#include "meshalyzer/report/journal/request.h"
+
+#include <cstddef>
+#include <map>
+#include <optional>
+
+namespace meshalyzer {
+namespace {
+
+/// What all lines of all parts agree on, and the files that they name.
+class PartHeads {
+ public:
+  void add(const LineHead& head);
+  /// @param journal  The first one, for errors.
+  /// @throws IoError where a part is missing.
+  [[nodiscard]] JournalSubject subject(const std::string& journal) const;
+
+ private:
+  std::optional<LineHead> first_;
+  std::map<std::size_t, LineHead> files_;
+};
+
+void PartHeads::add(const LineHead& head) {
+  if (!first_) {
+    first_ = head;
+  }
+  if (head.asked != first_->asked) {
+    throw InvalidArgument("was asked " + request_text(head.asked) + ", and lines before " +
+                          request_text(first_->asked));
+  }
+  if (head.of != first_->of || head.set != first_->set) {
+    throw InvalidArgument("is of other files than the lines before, or of files that changed");
+  }
+  if (head.kind != LineHead::Kind::Between) {
+    files_.emplace(head.number, head);
+  }
+}
+
+JournalSubject PartHeads::subject(const std::string& journal) const {
+  if (files_.empty()) {
+    throw IoError(journal, {}, "holds no line of a file");
+  }
+  if (files_.size() != first_->of || files_.rbegin()->first >= first_->of) {
+    throw IoError(journal, {},
+                  "and the other journals hold lines of " + std::to_string(files_.size()) +
+                      " files, and the set has " + std::to_string(first_->of) +
+                      ": a part is missing, or not complete");
+  }
+  JournalSubject subject;
+  for (const auto& [number, head] : files_) {
+    subject.files.paths.push_back(head.path);
+    subject.files.stamps.push_back(head.stamp);
+  }
+  subject.files.names = set_names(subject.files.paths);
+  subject.files.fingerprint = first_->set;
+  subject.request = first_->asked;
+  return subject;
+}
+
+}  // namespace
+
+JournalSubject read_subject(const std::vector<std::string>& journals) {
+  PartHeads heads;
+  for (const std::string& journal : journals) {
+    const FileContent content(journal);
+    for_each_line(content.bytes(), journal,
+                  [&](std::string_view line) { heads.add(read_head(line)); });
+  }
+  return heads.subject(journals.front());
+}
+
+}  // namespace meshalyzer

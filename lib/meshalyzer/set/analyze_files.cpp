@@ -1,0 +1,13 @@
+#include "meshalyzer/set/analyze_files.h"
+
+#include "meshalyzer/set/file_run.h"
+
+namespace meshalyzer {
+
+bool analyze_files(const std::vector<std::string>& paths, const SetOptions& options,
+                   RunListener& listener) {
+  const bool is_whole = FileRun(paths, options, listener).run([](Index, const FileResult&) {});
+  return is_whole && options.shard.count == 1;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,154 @@
+#include "meshalyzer/set/file_run.h"
+
+#include "meshalyzer/analysis/measure_again.h"
+#include "meshalyzer/base/error.h"
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/parallel_in_order.h"
+#include "meshalyzer/io/read.h"
+#include "meshalyzer/set/file_stamp.h"
+
+#include <algorithm>
+#include <iterator>
+#include <new>
+#include <optional>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// About the bytes of memory that the analysis of a file takes for each byte of it.
+constexpr std::uint64_t kMemoryPerFileByte = 12;
+
+Box3 box_of(const Soup& soup) {
+  Box3 box;
+  for (const Triangle& t : soup.triangles) {
+    if (is_in_complex(t)) {
+      for (const Index v : t) {
+        box.extend(soup.positions[v]);
+      }
+    }
+  }
+  return box;
+}
+
+FileResult unreadable(std::string why) {
+  FileResult result;
+  result.kind = FileResult::Kind::Unreadable;
+  result.trouble = std::move(why);
+  return result;
+}
+
+}  // namespace
+
+FileRun::FileRun(const std::vector<std::string>& paths, const SetOptions& options,
+                 RunListener& listener)
+    : paths_(paths),
+      options_(options),
+      listener_(listener),
+      progress_{.stage = RunProgress::Stage::Files, .total = paths.size()} {}
+
+bool FileRun::run(const std::function<void(Index, const FileResult&)>& take) {
+  bool is_stopped = false;
+  parallel_in_order(
+      paths_.size(), n_files_at_once(),
+      [this](std::size_t i) { return look_at(static_cast<Index>(i)); },
+      [&](std::size_t i, const FileResult& result) {
+        is_stopped = listener_.wants_to_stop();
+        if (is_stopped) {
+          return Next::Stop;
+        }
+        take(static_cast<Index>(i), result);
+        tell(static_cast<Index>(i), result);
+        return Next::GoOn;
+      });
+  return !is_stopped;
+}
+
+/// As many files as the largest of them leave memory for.
+std::size_t FileRun::n_files_at_once() const {
+  std::vector<std::uint64_t> bytes;
+  std::transform(paths_.begin(), paths_.end(), std::back_inserter(bytes),
+                 [](const std::string& path) { return stamp_of(path).bytes; });
+  std::sort(bytes.begin(), bytes.end(), std::greater<>());
+  const std::size_t most = std::min(2 * max_threads(), bytes.size());
+  std::uint64_t memory = 0;
+  std::size_t n = 0;
+  while (n < most && (memory += kMemoryPerFileByte * bytes[n]) <= options_.memory_limit) {
+    ++n;
+  }
+  return std::max<std::size_t>(1, n);
+}
+
+FileResult FileRun::look_at(Index number) const {
+  if (listener_.wants_to_stop()) {
+    return {};
+  }
+  try {
+    return options_.shard.owns_file(number) ? look_at_own(number) : glance_at(number);
+  } catch (const IoError& error) {
+    return unreadable(error.what());
+  } catch (const std::bad_alloc&) {
+    return unreadable(paths_[number] + ": not enough memory");
+  }
+}
+
+FileResult FileRun::look_at_own(Index number) const {
+  const EarlierFindings* earlier = options_.earlier;
+  if (std::optional<std::string> trouble = earlier ? earlier->trouble(number) : std::nullopt) {
+    return unreadable(std::move(*trouble));
+  }
+  FileResult result;
+  result.kind = FileResult::Kind::Mesh;
+  if (std::optional<Analysis> known = earlier ? earlier->mesh(number) : std::nullopt) {
+    result.mesh = std::move(*known);
+    if (wants_values()) {
+      result.mesh.values = measure_again(read_mesh(paths_[number]));
+    }
+  } else {
+    result.mesh = analysis_of(number);
+  }
+  result.box = result.mesh.characteristics.bounding_box;
+  result.n_faces = result.mesh.characteristics.faces;
+  return result;
+}
+
+Analysis FileRun::analysis_of(Index number) const {
+  AnalysisOptions options{options_.request.mesh, wants_values(), options_.keep_soup, {}};
+  options.judge_fitness =
+      options.judge_fitness || (looks_between() && options_.request.between.separation);
+  return analyze(read_mesh(paths_[number]), paths_[number], options);
+}
+
+/// The statistics of the set are of no use to a shard, nor where only attributes are asked for.
+bool FileRun::wants_values() const {
+  return options_.request.is_set && options_.request.between.statistics &&
+         options_.shard.count == 1 && options_.request.mesh.scope == Scope::Everything;
+}
+
+bool FileRun::looks_between() const {
+  return options_.request.is_set && options_.request.between.is_between();
+}
+
+/// Of a file that another shard analyses only its place is needed.
+FileResult FileRun::glance_at(Index number) const {
+  FileResult result;
+  if (looks_between()) {
+    const Soup soup = read_mesh(paths_[number]);
+    result.box = box_of(soup);
+    result.n_faces = soup.n_faces();
+  }
+  return result;
+}
+
+void FileRun::tell(Index number, const FileResult& result) {
+  if (result.kind == FileResult::Kind::Mesh) {
+    listener_.on_mesh(number, result.mesh);
+  } else if (result.kind == FileResult::Kind::Unreadable && options_.shard.owns_file(number)) {
+    listener_.on_unreadable(number, result.trouble);
+  }
+  ++progress_.done;
+  progress_.faces += result.n_faces;
+  listener_.on_progress(progress_);
+}
+
+}  // namespace meshalyzer

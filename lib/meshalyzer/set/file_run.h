@@ -1,0 +1,57 @@
+#pragma once
+
+#include "meshalyzer/analysis/analysis.h"
+#include "meshalyzer/base/types.h"
+#include "meshalyzer/set/run_listener.h"
+#include "meshalyzer/set/set_options.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace meshalyzer {
+
+/// What came of one file.
+struct FileResult {
+  enum class Kind : std::uint8_t { Mesh, Unreadable, OfAnotherShard };
+  Kind kind = Kind::OfAnotherShard;
+  Analysis mesh;
+  std::string trouble;
+  /// What the work between objects needs to know of it, whichever shard analyses it; empty for what
+  /// cannot be read or has no face.
+  Box3 box;
+  std::size_t n_faces = 0;
+};
+
+/// Looks at files one by one: a few at a time as memory allows, big ones in parallel inside. Where
+/// they are a set, each is made ready for what is to be found between them.
+class FileRun {
+ public:
+  /// All must outlive this.
+  FileRun(const std::vector<std::string>& paths, const SetOptions& options, RunListener& listener);
+
+  /// Tells the listener of each file, in order.
+  ///
+  /// @param take  Gets each result before the listener does.
+  /// @return      Whether the listener let it come to the end.
+  [[nodiscard]] bool run(const std::function<void(Index, const FileResult&)>& take);
+
+ private:
+  [[nodiscard]] std::size_t n_files_at_once() const;
+  [[nodiscard]] FileResult look_at(Index number) const;
+  [[nodiscard]] FileResult look_at_own(Index number) const;
+  [[nodiscard]] FileResult glance_at(Index number) const;
+  [[nodiscard]] Analysis analysis_of(Index number) const;
+  [[nodiscard]] bool wants_values() const;
+  [[nodiscard]] bool looks_between() const;
+  void tell(Index number, const FileResult& result);
+
+  const std::vector<std::string>& paths_;
+  const SetOptions& options_;
+  RunListener& listener_;
+  RunProgress progress_;
+};
+
+}  // namespace meshalyzer

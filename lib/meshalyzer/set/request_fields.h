@@ -1,0 +1,88 @@
+#pragma once
+
+#include "meshalyzer/base/member_count.h"
+#include "meshalyzer/set/request.h"
+
+#include <cstddef>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+namespace meshalyzer {
+
+/// A member of a part of a request, and the key that it is written with.
+template <typename Part, typename Member>
+struct RequestField {
+  std::string_view key;
+  Member Part::*member;
+};
+template <typename Part, typename Member>
+RequestField(std::string_view, Member Part::*) -> RequestField<Part, Member>;
+
+/// All members of a part of a request. What is written of a request, and read back, is this table:
+/// a member that is missing here does not compile.
+template <typename Part>
+inline constexpr auto kRequestFields = std::tuple{};
+
+template <>
+inline constexpr auto kRequestFields<GoodnessThresholds> = std::tuple{
+    RequestField{"aspect_ratio", &GoodnessThresholds::aspect_ratio},
+    RequestField{"edge_angle_degrees", &GoodnessThresholds::edge_angle_degrees},
+    RequestField{"edge_length", &GoodnessThresholds::edge_length},
+};
+
+template <>
+inline constexpr auto kRequestFields<MeshRequest> = std::tuple{
+    RequestField{"scope", &MeshRequest::scope},
+    RequestField{"goodness", &MeshRequest::goodness},
+    RequestField{"shorter_than", &MeshRequest::shorter_than},
+    RequestField{"longer_than", &MeshRequest::longer_than},
+    RequestField{"angle_below_degrees", &MeshRequest::angle_below_degrees},
+    RequestField{"angle_above_degrees", &MeshRequest::angle_above_degrees},
+    RequestField{"aspect_above", &MeshRequest::aspect_above},
+    RequestField{"exact_coincidence", &MeshRequest::exact_coincidence},
+    RequestField{"judge_fitness", &MeshRequest::judge_fitness},
+    RequestField{"curvature", &MeshRequest::curvature},
+};
+
+template <>
+inline constexpr auto kRequestFields<SeparationOptions> = std::tuple{
+    RequestField{"search_radius", &SeparationOptions::search_radius},
+    RequestField{"search_cone_degrees", &SeparationOptions::search_cone_degrees},
+    RequestField{"include_self", &SeparationOptions::include_self},
+};
+
+template <>
+inline constexpr auto kRequestFields<SetQuestions> = std::tuple{
+    RequestField{"intersections", &SetQuestions::intersections},
+    RequestField{"separation", &SetQuestions::separation},
+    RequestField{"statistics", &SetQuestions::statistics},
+    RequestField{"force", &SetQuestions::force},
+};
+
+template <>
+inline constexpr auto kRequestFields<Request> = std::tuple{
+    RequestField{"mesh", &Request::mesh},
+    RequestField{"list_offenders", &Request::list_offenders},
+    RequestField{"is_set", &Request::is_set},
+    RequestField{"between", &Request::between},
+};
+
+template <typename Part>
+inline constexpr std::size_t kRequestFieldCount =
+    std::tuple_size_v<std::remove_const_t<decltype(kRequestFields<Part>)>>;
+
+/// Whether a type is a part of a request, with members of its own.
+template <typename T>
+concept RequestPart = kRequestFieldCount<T>
+!= 0;
+
+/// Calls `use` with each row of the table of a part.
+template <RequestPart Part, typename Use>
+void for_each_request_field(const Use& use) {
+  static_assert(member_count<Part>() == kRequestFieldCount<Part>,
+                "a member of the request is missing in kRequestFields");
+  std::apply([&](const auto&... field) { (use(field), ...); }, kRequestFields<Part>);
+}
+
+}  // namespace meshalyzer
