@@ -2,7 +2,6 @@
 #include "check_parser.h"
 #include "meshalyzer/analysis/analyze.h"
 #include "meshalyzer/report/json/mesh.h"
-#include "meshalyzer/report/json/mesh_reader.h"
 #include "meshalyzer/report/text/mesh_report.h"
 
 namespace {

@@ -1,7 +1,6 @@
 #include "meshalyzer/analysis/analyze.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/report/json/mesh.h"
-#include "meshalyzer/report/json/mesh_reader.h"
 #include "meshalyzer/report/json/report.h"
 #include "meshalyzer/report/text/mesh_report.h"
 #include "soups_to_try.h"

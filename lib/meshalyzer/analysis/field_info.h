@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <tuple>
 
 namespace meshalyzer {
 
@@ -16,12 +17,30 @@ struct FieldInfo {
   std::string_view definition = {};
 };
 
+/// Which analyses know a field.
+enum class Known {
+  Always,
+  /// Not those that were asked for the attributes alone (-a).
+  Measured,
+};
+
 /// A row of a table of fields: what is said of one, and where a Struct holds it.
 template <typename Struct, typename T>
 struct FieldRow {
   FieldInfo info;
   T Struct::*member;
+  Known known = Known::Always;
 };
+template <typename Struct, typename T>
+FieldRow(FieldInfo, T Struct::*) -> FieldRow<Struct, T>;
+template <typename Struct, typename T>
+FieldRow(FieldInfo, T Struct::*, Known) -> FieldRow<Struct, T>;
+
+/// Calls `visit` with each row of a table whose fields are of several types, a tuple.
+template <typename Rows, typename Visit>
+constexpr void for_each_row(const Rows& rows, const Visit& visit) {
+  std::apply([&](const auto&... row) { (visit(row), ...); }, rows);
+}
 
 /// What is said of a quantity that has a value for each vertex, edge or face: its statistics.
 struct Quantity {

@@ -1,5 +1,7 @@
 #include "meshalyzer/set/set_totals.h"
 
+#include "meshalyzer/set/set_counts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -47,12 +49,9 @@ SetTotals::SetTotals(std::vector<std::string> names, const SetOptions& options)
 void SetTotals::add_mesh(Index number, const Analysis& mesh) {
   const Characteristics& c = mesh.characteristics;
   ++set_.meshes;
-  set_.vertices += c.vertices;
-  set_.faces += c.faces;
-  set_.edges += c.edges;
-  set_.components += c.components;
-  set_.boundaries += c.boundaries;
-  set_.intersecting_pairs_within += c.intersecting_pairs;
+  for (const SetCount& count : kSetCounts) {
+    set_.*count.total += c.*count.of_mesh;
+  }
   area_.add(c.area);
   volume_.add(c.volume.value.value_or(0.0));
   without_volume_ += c.volume.value ? 0 : 1;

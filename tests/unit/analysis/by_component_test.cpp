@@ -48,11 +48,9 @@ void expect_component(const Analysis& whole, std::size_t i, const Soup& alone) {
   EXPECT_EQ(component.bounding_box.min(), part.characteristics.bounding_box.min());
   EXPECT_EQ(component.bounding_box.max(), part.characteristics.bounding_box.max());
   const ComponentStatistics& statistics = whole.component_statistics.at(i);
-  expect_same(statistics.vertex_valence, part.characteristics.vertex_valence);
-  expect_same(statistics.face_area, part.characteristics.face_area);
-  expect_same(statistics.aspect_ratio, part.characteristics.aspect_ratio);
-  expect_same(statistics.edge_length, part.characteristics.edge_length);
-  expect_same(statistics.edge_angle, part.characteristics.edge_angle);
+  for (std::size_t row = 0; row < kElementMeasures<Summary>.size(); ++row) {
+    expect_same(statistics[row], part.characteristics[row]);
+  }
 }
 
 TEST(SummarizeByComponent, ValuesGoToTheirComponentAndOthersNowhere) {

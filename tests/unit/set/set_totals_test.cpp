@@ -116,21 +116,14 @@ TEST(SetTotals, StatisticsAreThoseOfAllValuesTogether) {
   MeasuredValues all;
   for (const Soup& soup : soups) {
     const MeasuredValues values = analyzed(soup).values;
-    const auto append = [&](std::vector<double> MeasuredValues::*member) {
-      (all.*member).insert((all.*member).end(), (values.*member).begin(), (values.*member).end());
-    };
-    append(&MeasuredValues::vertex_valence);
-    append(&MeasuredValues::face_area);
-    append(&MeasuredValues::aspect_ratio);
-    append(&MeasuredValues::edge_length);
-    append(&MeasuredValues::edge_angle);
+    for (std::size_t i = 0; i < kElementMeasures<std::vector<double>>.size(); ++i) {
+      all[i].insert(all[i].end(), values[i].begin(), values[i].end());
+    }
   }
   const auto text = [](const Statistics& s) { return test::Describer().add("", s).text(); };
-  EXPECT_EQ(text(statistics.vertex_valence), text(summarize(all.vertex_valence)));
-  EXPECT_EQ(text(statistics.face_area), text(summarize(all.face_area)));
-  EXPECT_EQ(text(statistics.aspect_ratio), text(summarize(all.aspect_ratio)));
-  EXPECT_EQ(text(statistics.edge_length), text(summarize(all.edge_length)));
-  EXPECT_EQ(text(statistics.edge_angle), text(summarize(all.edge_angle)));
+  for (std::size_t i = 0; i < kElementMeasures<Statistics>.size(); ++i) {
+    EXPECT_EQ(text(statistics[i]), text(summarize(all[i]))) << i;
+  }
   // 20 4^2 faces, 2 20 11, 10 and 12.
   EXPECT_EQ(statistics.face_area.count, 782U);
 }

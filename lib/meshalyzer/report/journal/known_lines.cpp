@@ -3,7 +3,7 @@
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/report/journal/for_each_line.h"
-#include "meshalyzer/report/json/mesh_reader.h"
+#include "meshalyzer/report/json/mesh.h"
 
 #include <algorithm>
 

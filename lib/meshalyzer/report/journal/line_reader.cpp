@@ -1,9 +1,9 @@
 #include "meshalyzer/report/journal/line.h"
 #include "meshalyzer/report/journal/line_kind.h"
 #include "meshalyzer/report/json/bytes.h"
+#include "meshalyzer/report/json/elements.h"
 #include "meshalyzer/report/json/name.h"
 #include "meshalyzer/report/json/non_finite.h"
-#include "meshalyzer/report/json/offenders_reader.h"
 #include "meshalyzer/report/json/point.h"
 #include "meshalyzer/report/json/tree.h"
 

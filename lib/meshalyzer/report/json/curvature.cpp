@@ -4,14 +4,20 @@
 #include "meshalyzer/report/json/statistics.h"
 
 #include <array>
+#include <string>
 #include <string_view>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
 
 /// By CurvatureState.
-constexpr std::array<std::string_view, kCurvatureStates> kStateNames{"defined", "unused", "border",
-                                                                     "not_one_fan", "no_area"};
+constexpr std::array<FieldInfo, kCurvatureStates> kStates{
+    {{.key = "defined"},
+     {.key = "unused", .definition = "no face uses the vertex"},
+     {.key = "border"},
+     {.key = "not_one_fan", .definition = "non-manifold, pinched, or the end of a flipped edge"},
+     {.key = "no_area"}}};
 
 VertexArea read_area(const JsonNode& node) {
   const std::optional<VertexArea> area = vertex_area(node.text());
@@ -19,6 +25,11 @@ VertexArea read_area(const JsonNode& node) {
     node.refuse("no area of curvatures");
   }
   return *area;
+}
+
+std::string area_type() {
+  return schema_enum({area_name(VertexArea::Mixed), area_name(VertexArea::Voronoi),
+                      area_name(VertexArea::Barycentric), area_name(VertexArea::OneRing)});
 }
 
 }  // namespace
@@ -35,7 +46,7 @@ void write_curvature(JsonWriter& json, const CurvatureStatistics& curvature) {
   json.key("vertices");
   json.begin_object(JsonLayout::Row);
   for (std::size_t i = 0; i < kCurvatureStates; ++i) {
-    json.member(kStateNames[i], curvature.vertices[i]);
+    json.member(kStates[i].key, curvature.vertices[i]);
   }
   json.end_object();
   json.end_object();
@@ -51,12 +62,44 @@ std::optional<CurvatureStatistics> read_curvature(const JsonNode& object) {
   curvature.total_angle_defect = read_real(*node, "total_angle_defect");
   const JsonNode vertices = node->member("vertices");
   for (std::size_t i = 0; i < kCurvatureStates; ++i) {
-    curvature.vertices[i] = vertices.member(kStateNames[i]).count();
+    curvature.vertices[i] = vertices.member(kStates[i].key).count();
   }
   for (const auto& [quantity, member] : kCurvatures) {
     curvature.*member = read_statistics(object.member(quantity.info.key));
   }
   return curvature;
+}
+
+void define_curvature(SchemaDefinitions& schema) {
+  std::vector<SchemaMember> states;
+  for (const FieldInfo& state : kStates) {
+    states.push_back(
+        {std::string(state.key), std::string(state.definition), std::string(schema_type::kCount)});
+  }
+  schema.define("curvature_vertices",
+                {.description = "how many vertices have a curvature, or none and why",
+                 .members = std::move(states),
+                 .others = SchemaObject::Others::Forbidden});
+  schema.define("curvature",
+                {.description = "what the statistics of the curvatures are of",
+                 .members = {{"area", "what the curvatures are spread over", area_type()},
+                             {"total_angle_defect", "radians: 2 pi (V - E + F), to rounding",
+                              std::string(schema_type::kReal)},
+                             {"vertices", "", schema_reference("curvature_vertices")},
+                             non_finite_member()},
+                 .others = SchemaObject::Others::Forbidden});
+}
+
+void append_curvature_members(std::vector<SchemaMember>& members) {
+  for (const auto& [quantity, member] : kCurvatures) {
+    SchemaMember& row = members.emplace_back(statistics_member(quantity));
+    row.description += "; with --curvature";
+    row.presence = SchemaMember::Presence::Sometimes;
+  }
+  members.push_back({.key = "curvature",
+                     .description = "with --curvature",
+                     .type = schema_reference("curvature"),
+                     .presence = SchemaMember::Presence::Sometimes});
 }
 
 }  // namespace meshalyzer

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/analysis/analysis.h"
+#include "meshalyzer/report/json/schema_writer.h"
 #include "meshalyzer/report/json/tree.h"
 #include "meshalyzer/report/json/writer.h"
 
@@ -15,5 +16,11 @@ void write_curvature(JsonWriter& json, const CurvatureStatistics& curvature);
 
 /// What write_curvature() wrote into an object; nothing where it did not.
 [[nodiscard]] std::optional<CurvatureStatistics> read_curvature(const JsonNode& object);
+
+/// Defines "curvature", which tells what the statistics are of.
+void define_curvature(SchemaDefinitions& schema);
+
+/// Appends what the schema says of what write_curvature() writes.
+void append_curvature_members(std::vector<SchemaMember>& members);
 
 }  // namespace meshalyzer

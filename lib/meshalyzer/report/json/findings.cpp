@@ -85,4 +85,33 @@ void FindingsWriter::end_row() {
   on_row_();
 }
 
+void define_findings(SchemaDefinitions& schema) {
+  schema.define("name",
+                "of a mesh in its set: that of its file where these differ, else its path; bytes "
+                "that are not UTF-8 are U+FFFD and two hexadecimal digits",
+                schema_type::kText);
+  schema.define("set_pairs", "between meshes: name, face id, name, face id, kind; null without -i",
+                R"("type": ["array", "null"], "items": {"type": "array", "minItems": 5, )"
+                R"("maxItems": 5, "prefixItems": [{"$ref": "#/$defs/name"}, {"type": "integer"}, )"
+                R"({"$ref": "#/$defs/name"}, {"type": "integer"}, {"$ref": "#/$defs/contact"}]})");
+  schema.define("contained", "inner mesh, outer mesh; null without -i",
+                R"("type": ["array", "null"], "items": {"type": "array", "minItems": 2, )"
+                R"("maxItems": 2, "items": {"$ref": "#/$defs/name"}})");
+  schema.define("closest",
+                "vertex id, distance (negative where it lies inside another mesh), name, face id, "
+                "point; all but the first null where nothing was found. Where a real is not finite "
+                "a sixth element tells which",
+                R"("type": "array", "minItems": 5, "maxItems": 6, "prefixItems": [)"
+                R"({"type": "integer"}, {"type": ["number", "null"]}, )"
+                R"({"type": ["string", "null"]}, {"type": ["integer", "null"]}, )"
+                R"({"type": ["array", "null"], "items": {"type": ["number", "null"]}, )"
+                R"("minItems": 3, "maxItems": 3}, {"$ref": "#/$defs/closest_reals"}])");
+  schema.define("closest_reals", {.description = "the reals of a row that are not all finite",
+                                  .members = {{"distance", "", std::string(schema_type::kReal)},
+                                              {"x", "", std::string(schema_type::kReal)},
+                                              {"y", "", std::string(schema_type::kReal)},
+                                              {"z", "", std::string(schema_type::kReal)},
+                                              {"non_finite", "", schema_reference("non_finite")}}});
+}
+
 }  // namespace meshalyzer

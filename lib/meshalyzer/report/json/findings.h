@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/report/json/schema_writer.h"
 #include "meshalyzer/report/json/writer.h"
 #include "meshalyzer/set/object_findings.h"
 
@@ -40,5 +41,9 @@ class FindingsWriter {
   const std::vector<std::string>& names_;
   std::function<void()> on_row_;
 };
+
+/// Defines "set_pairs", "contained" and "closest", the lists that FindingsWriter writes, and
+/// "name", by which they name meshes.
+void define_findings(SchemaDefinitions& schema);
 
 }  // namespace meshalyzer

@@ -1,27 +1,35 @@
 #include "meshalyzer/report/json/mesh.h"
 
+#include "meshalyzer/analysis/fields.h"
+#include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/report/asked_lists.h"
 #include "meshalyzer/report/json/bytes.h"
+#include "meshalyzer/report/json/components.h"
 #include "meshalyzer/report/json/curvature.h"
-#include "meshalyzer/report/json/non_finite.h"
+#include "meshalyzer/report/json/elements.h"
+#include "meshalyzer/report/json/fields.h"
 #include "meshalyzer/report/json/offenders.h"
-#include "meshalyzer/report/json/point.h"
+#include "meshalyzer/report/json/record_ids.h"
 #include "meshalyzer/report/json/statistics.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
 
 namespace meshalyzer {
 namespace {
 
-void write_box(JsonWriter& json, const Box3& box) {
-  if (box.isEmpty()) {
-    json.null();
-    return;
+constexpr std::array kFormats{Format::Mesh, Format::Inria, Format::Obj,
+                              Format::Off,  Format::Stl,   Format::Ply};
+
+Format read_format(const JsonNode& node) {
+  const auto* const found = std::find_if(kFormats.begin(), kFormats.end(), [&](Format format) {
+    return format_name(format) == node.text();
+  });
+  if (found == kFormats.end()) {
+    node.refuse("no format of meshes");
   }
-  json.begin_object(JsonLayout::Row);
-  json.key("min");
-  write_point(json, box.min());
-  json.key("max");
-  write_point(json, box.max());
-  json.end_object();
+  return *found;
 }
 
 /// What a report says of broken numbering and torn lines without -p too.
@@ -39,159 +47,113 @@ void write_first_breaks(JsonWriter& json, const Offenders& offenders) {
   }
 }
 
+void read_first_breaks(const JsonNode& integrity, Offenders& offenders) {
+  if (offenders.torn_lines.empty() && integrity.member("torn_lines").count() != 0) {
+    offenders.torn_lines.push_back(integrity.member("first_torn_line").integer());
+  }
+  if (const std::optional<JsonNode> node = integrity.find("vertex_numbering")) {
+    offenders.vertex_numbering = read_numbering(*node);
+  }
+  if (const std::optional<JsonNode> node = integrity.find("face_numbering")) {
+    offenders.face_numbering = read_numbering(*node);
+  }
+}
+
 void write_integrity(JsonWriter& json, const Analysis& analysis) {
-  const Integrity& integrity = analysis.integrity;
   json.begin_object();
-  json.member("orphan_vertices", integrity.orphan_vertices);
-  json.member("missing_vertices", integrity.missing_vertices);
-  json.member("degenerate_faces", integrity.degenerate_faces);
-  json.member("duplicate_vertex_indices", integrity.duplicate_vertex_indices);
-  json.member("duplicate_face_indices", integrity.duplicate_face_indices);
-  json.member("torn_lines", integrity.torn_lines);
-  json.member("contiguous_vertices", integrity.contiguous_vertices);
-  json.member("contiguous_faces", integrity.contiguous_faces);
+  write_fields(json, analysis.integrity, kIntegrityFields, Known::Always);
   write_first_breaks(json, analysis.offenders);
   json.end_object();
 }
 
+void define_integrity(SchemaDefinitions& schema) {
+  constexpr auto kSometimes = SchemaMember::Presence::Sometimes;
+  SchemaObject object{.description = "whether the file says what it means"};
+  append_members(object.members, Integrity(), kIntegrityFields);
+  object.members.push_back({"first_torn_line", "only where there are any",
+                            R"("type": "integer", "minimum": 1)", kSometimes});
+  for (const char* const key : {"vertex_numbering", "face_numbering"}) {
+    object.members.push_back(
+        {key, "only where it is broken", schema_reference("numbering"), kSometimes});
+  }
+  schema.define("integrity", object);
+}
+
 void write_attributes(JsonWriter& json, const Attributes& attributes) {
   json.begin_object();
-  json.member("closed", attributes.closed.value);
-  json.member("manifold", attributes.manifold.value);
-  json.member("orientable", attributes.orientable.value);
-  json.member("consistent", attributes.consistent.value);
-  json.member("outward", attributes.outward.value);
+  write_fields(json, attributes, kAttributeFields, Known::Always);
   json.end_object();
+}
+
+void define_attributes(SchemaDefinitions& schema) {
+  SchemaObject object{.description = "null where \"undefined\" tells why"};
+  append_members(object.members, Attributes(), kAttributeFields);
+  schema.define("attributes", object);
+}
+
+/// Calls `visit` with the key and the reason of each field that may have no value.
+template <typename Struct, typename Rows, typename Visit>
+void for_each_reason(Struct& of, const Rows& rows, const Visit& visit) {
+  for_each_row(rows, [&](const auto& row) {
+    if constexpr (requires { (of.*row.member).reason; }) {
+      visit(row.info.key, of.*row.member);
+    }
+  });
 }
 
 /// Of each attribute and characteristic that is null: why.
 void write_undefined(JsonWriter& json, const Analysis& analysis) {
-  const auto reason = [&](std::string_view name, const auto& measure) {
+  const auto write_reason = [&](std::string_view key, const auto& measure) {
     if (!measure.value && !measure.reason.empty()) {
-      json.member(name, std::string_view(measure.reason));
+      json.member(key, std::string_view(measure.reason));
     }
   };
   json.begin_object();
-  reason("closed", analysis.attributes.closed);
-  reason("manifold", analysis.attributes.manifold);
-  reason("orientable", analysis.attributes.orientable);
-  reason("consistent", analysis.attributes.consistent);
-  reason("outward", analysis.attributes.outward);
-  reason("volume", analysis.characteristics.volume);
-  reason("genus", analysis.characteristics.genus);
+  for_each_reason(analysis.attributes, kAttributeFields, write_reason);
+  for_each_reason(analysis.characteristics, kCharacteristicFields, write_reason);
   json.end_object();
 }
 
-void write_topology(JsonWriter& json, const Characteristics& c) {
-  json.member("vertices", c.vertices);
-  json.member("faces", c.faces);
-  json.member("edges", c.edges);
-  json.member("components", c.components);
-  json.member("edge_components", c.edge_components);
-  json.member("boundaries", c.boundaries);
-  json.member("border_edges", c.border_edges);
-  json.member("non_manifold_edges", c.non_manifold_edges);
-  json.member("non_manifold_vertices", c.non_manifold_vertices);
-  json.member("pinched_vertices", c.pinched_vertices);
-  json.member("flipped_edges", c.flipped_edges);
-}
-
-void write_place(JsonWriter& json, const Characteristics& c) {
-  json.key("bounding_box");
-  write_box(json, c.bounding_box);
-  json.member("volume", c.volume.value);
-  json.member("genus", c.genus.value);
-  json.member("genus_of_components", c.genus_of_components);
-}
-
-void write_measured(JsonWriter& json, const Characteristics& c) {
-  json.member("indistinguishable_vertices", c.indistinguishable_vertices);
-  json.member("indistinguishable_edges", c.indistinguishable_edges);
-  json.member("zero_area_faces", c.zero_area_faces);
-  json.member("duplicate_faces", c.duplicate_faces);
-  json.member("intersecting_pairs", c.intersecting_pairs);
-  json.member("unwelded_pairs", c.unwelded_pairs);
-  json.member("intersecting_faces", c.intersecting_faces);
-  json.member("area", c.area);
-  write_measures(json, &c);
-}
-
-/// What -a leaves out keeps its keys, so that a program need not ask which report it has.
-void write_uncomputed_measures(JsonWriter& json) {
-  for (const std::string_view name :
-       {"indistinguishable_vertices", "indistinguishable_edges", "zero_area_faces",
-        "duplicate_faces", "intersecting_pairs", "unwelded_pairs", "intersecting_faces", "area"}) {
-    json.key(name);
-    json.null();
-  }
-  write_measures(json, nullptr);
+void read_undefined(const JsonNode& object, Analysis& analysis) {
+  const auto read_reason = [&](std::string_view key, auto& measure) {
+    if (const std::optional<JsonNode> reason = object.find(key)) {
+      measure.reason = reason->text();
+    }
+  };
+  for_each_reason(analysis.attributes, kAttributeFields, read_reason);
+  for_each_reason(analysis.characteristics, kCharacteristicFields, read_reason);
 }
 
 void write_characteristics(JsonWriter& json, const Analysis& analysis) {
   const Characteristics& c = analysis.characteristics;
+  const Known known = known_of(analysis);
   json.begin_object();
-  write_topology(json, c);
-  write_place(json, c);
-  if (analysis.has_characteristics) {
-    write_measured(json, c);
-  } else {
-    write_uncomputed_measures(json);
-  }
+  write_fields(json, c, kCharacteristicFields, known);
+  write_measures(json, analysis.has_characteristics ? &c : nullptr);
   if (analysis.curvature) {
     write_curvature(json, *analysis.curvature);
   }
-  write_non_finite(json, {{"area", analysis.has_characteristics ? c.area : 0.0},
-                          {"volume", c.volume.value.value_or(0.0)}});
+  write_non_finite_fields(json, c, kCharacteristicFields, known);
   json.end_object();
 }
 
-void write_component_topology(JsonWriter& json, const ComponentAnalysis& component) {
-  json.member("faces", component.faces);
-  json.member("vertices", component.vertices);
-  json.member("edges", component.edges);
-  json.member("edge_components", component.edge_components);
-  json.member("boundaries", component.boundaries);
-  json.member("border_edges", component.border_edges);
-  json.member("non_manifold_edges", component.non_manifold_edges);
-  json.member("non_manifold_vertices", component.non_manifold_vertices);
-  json.member("flipped_edges", component.flipped_edges);
-  json.member("closed", component.closed);
-  json.member("manifold", component.manifold);
-  json.member("orientable", component.orientable);
-  json.member("consistent", component.consistent);
-  json.member("outward", component.outward);
+void read_characteristics(const JsonNode& object, Analysis& analysis) {
+  analysis.has_characteristics = !has_null_measures(object);
+  read_fields(object, analysis.characteristics, kCharacteristicFields, known_of(analysis));
+  if (analysis.has_characteristics) {
+    ElementMeasures<Statistics>& measures = analysis.characteristics;
+    read_measures(object, measures);
+  }
+  analysis.curvature = read_curvature(object);
 }
 
-void write_component(JsonWriter& json, const Analysis& analysis, std::size_t i) {
-  const ComponentAnalysis& component = analysis.components[i];
-  const auto measured = [&](auto value) {
-    return analysis.has_characteristics ? std::optional(value) : std::nullopt;
-  };
-  json.begin_object();
-  json.member("first_face", analysis.face_ids.of(component.first_face));
-  write_component_topology(json, component);
-  json.member("zero_area_faces", measured(component.zero_area_faces));
-  json.member("intersecting_pairs", measured(component.intersecting_pairs));
-  json.member("genus", component.genus);
-  json.member("volume", component.volume);
-  json.member("area", measured(component.area));
-  json.key("bounding_box");
-  write_box(json, component.bounding_box);
-  json.member("inside", component.inside);
-  write_non_finite(json, {{"area", measured(component.area).value_or(0.0)},
-                          {"volume", component.volume.value_or(0.0)}});
-  if (i < analysis.component_statistics.size()) {
-    write_measures(json, analysis.component_statistics[i]);
-  }
-  json.end_object();
-}
-
-void write_components(JsonWriter& json, const Analysis& analysis) {
-  json.begin_array();
-  for (std::size_t i = 0; i < analysis.components.size(); ++i) {
-    write_component(json, analysis, i);
-  }
-  json.end_array();
+void define_characteristics(SchemaDefinitions& schema) {
+  SchemaObject object{.description = "what was counted and measured"};
+  append_members(object.members, Characteristics(), kCharacteristicFields);
+  append_measures(object.members, "statistics", SchemaMember::Presence::Always);
+  append_curvature_members(object.members);
+  object.members.push_back(non_finite_member());
+  schema.define("characteristics", object);
 }
 
 void write_verdict(JsonWriter& json, const std::optional<Goodness>& verdict) {
@@ -206,6 +168,18 @@ void write_verdict(JsonWriter& json, const std::optional<Goodness>& verdict) {
   json.end_array();
 }
 
+std::optional<Goodness> read_verdict(const JsonNode& object) {
+  const JsonNode good = object.member("good");
+  if (good.is_null()) {
+    return std::nullopt;
+  }
+  Goodness verdict{good.truth(), {}};
+  for (JsonElements reasons = object.member("reasons").elements(); !reasons.at_end();) {
+    verdict.reasons.emplace_back(reasons.next().text());
+  }
+  return verdict;
+}
+
 /// Only where it does not follow from what else is written.
 void write_fitness(JsonWriter& json, const Analysis& analysis) {
   if (analysis.fitness && !analysis.has_characteristics) {
@@ -214,6 +188,31 @@ void write_fitness(JsonWriter& json, const Analysis& analysis) {
     write_verdict(json, analysis.fitness);
     json.end_object();
   }
+}
+
+/// It follows from the characteristics where these are known; else it is written where it was asked
+/// for.
+std::optional<Goodness> read_fitness(const JsonNode& mesh, const Analysis& analysis) {
+  if (analysis.has_characteristics) {
+    return judge_fitness(analysis);
+  }
+  const std::optional<JsonNode> fitness = mesh.find("fitness");
+  return fitness ? read_verdict(*fitness) : std::nullopt;
+}
+
+/// What "path" to "polygons" are.
+std::vector<SchemaMember> file_members() {
+  std::vector<std::string_view> formats;
+  std::transform(kFormats.begin(), kFormats.end(), std::back_inserter(formats), format_name);
+  const std::string count(schema_type::kCount);
+  return {{"path", "as the user named it; bytes that are not UTF-8 are U+FFFD",
+           std::string(schema_type::kText)},
+          {"path_bytes",
+           "only where the path is not UTF-8: its bytes, each as the character of its number",
+           std::string(schema_type::kText), SchemaMember::Presence::Sometimes},
+          {"format", "", schema_enum(formats)},
+          {"merged_points", "STL: corners whose point had been met before, bit by bit", count},
+          {"polygons", "faces of more than three corners, each fanned into triangles", count}};
 }
 
 }  // namespace
@@ -239,6 +238,60 @@ void write_mesh_members(JsonWriter& json, const Analysis& analysis, JsonOffender
     json.key("offenders");
     write_offenders(json, analysis, offenders);
   }
+}
+
+Analysis read_mesh_json(std::string_view object_text) {
+  const JsonTree tree(object_text);
+  const JsonNode mesh = tree.root();
+  Analysis analysis;
+  analysis.path = read_bytes(mesh, "path");
+  analysis.format = read_format(mesh.member("format"));
+  analysis.n_merged_points = mesh.member("merged_points").count();
+  analysis.n_polygons = mesh.member("polygons").count();
+  const JsonNode integrity = mesh.member("integrity");
+  read_fields(integrity, analysis.integrity, kIntegrityFields, Known::Always);
+  read_fields(mesh.member("attributes"), analysis.attributes, kAttributeFields, Known::Always);
+  read_characteristics(mesh.member("characteristics"), analysis);
+  read_undefined(mesh.member("undefined"), analysis);
+  read_components(mesh.member("per_component"), analysis);
+  analysis.goodness = read_verdict(mesh);
+  analysis.fitness = read_fitness(mesh, analysis);
+  if (const std::optional<JsonNode> offenders = mesh.find("offenders")) {
+    analysis.offenders = read_offenders(*offenders);
+  }
+  read_first_breaks(integrity, analysis.offenders);
+  index_records(analysis);
+  return analysis;
+}
+
+void define_mesh(SchemaDefinitions& schema) {
+  define_integrity(schema);
+  define_attributes(schema);
+  define_characteristics(schema);
+  define_component(schema);
+  schema.define("fitness", {.description = "",
+                            .members = {{"good", "", std::string(schema_type::kTruth)},
+                                        {"reasons", "", std::string(schema_type::kTexts)}}});
+  constexpr auto kSometimes = SchemaMember::Presence::Sometimes;
+  SchemaObject mesh{.description = "", .members = file_members()};
+  const std::vector<SchemaMember> parts{
+      {"integrity", "", schema_reference("integrity")},
+      {"attributes", "", schema_reference("attributes")},
+      {"characteristics", "", schema_reference("characteristics")},
+      {"undefined", "attribute or characteristic that has no value -> why",
+       std::string(schema_type::kTextByKey)},
+      {"per_component", "by lowest face",
+       R"("type": "array", "items": {"$ref": "#/$defs/component"})"},
+      {"good", "null without -g", std::string(schema_type::kTruthOrNull)},
+      {"reasons", "why it is not good", std::string(schema_type::kTexts)},
+      {"fitness",
+       "the parts of goodness that need no threshold; only where they were judged although the "
+       "rest was left out (-a -s)",
+       schema_reference("fitness"), kSometimes},
+      {"offenders", "with -p; with -b ... -f alone only their lists", schema_reference("offenders"),
+       kSometimes}};
+  mesh.members.insert(mesh.members.end(), parts.begin(), parts.end());
+  schema.define("mesh", mesh);
 }
 
 }  // namespace meshalyzer

@@ -53,4 +53,18 @@ double read_real(const JsonNode& object, std::string_view name) {
   return *value;
 }
 
+void define_non_finite(SchemaDefinitions& schema) {
+  schema.define(
+      "non_finite",
+      "only where some real beside it is infinite or NaN, and so null: its key -> which",
+      R"("type": "object", "additionalProperties": {"enum": ["inf", "-inf", "nan", "-nan"]})");
+}
+
+SchemaMember non_finite_member() {
+  return {.key = "non_finite",
+          .description = "",
+          .type = schema_reference("non_finite"),
+          .presence = SchemaMember::Presence::Sometimes};
+}
+
 }  // namespace meshalyzer

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/report/json/schema_writer.h"
 #include "meshalyzer/report/json/tree.h"
 #include "meshalyzer/report/json/writer.h"
 
@@ -29,5 +30,11 @@ inline void write_non_finite(JsonWriter& json, std::initializer_list<NamedReal> 
 
 /// The same, where there must be a value.
 [[nodiscard]] double read_real(const JsonNode& object, std::string_view name);
+
+/// Defines "non_finite", which write_non_finite() writes.
+void define_non_finite(SchemaDefinitions& schema);
+
+/// That member of an object.
+[[nodiscard]] SchemaMember non_finite_member();
 
 }  // namespace meshalyzer

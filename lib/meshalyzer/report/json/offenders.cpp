@@ -1,180 +1,327 @@
 #include "meshalyzer/report/json/offenders.h"
 
+#include "meshalyzer/analysis/field_info.h"
+#include "meshalyzer/report/json/elements.h"
+
+#include <limits>
 #include <span>
+#include <tuple>
 
 namespace meshalyzer {
 namespace {
 
-class OffenderWriter {
- public:
-  OffenderWriter(JsonWriter& json, const Analysis& analysis) : json_(json), analysis_(analysis) {}
+/// A list of offenders.
+template <typename List>
+struct ListRow {
+  std::string_view key;
+  List Offenders::*member;
+  /// Of the records in a list of indices.
+  Ids Analysis::*ids = nullptr;
+};
+template <typename List>
+ListRow(std::string_view, List Offenders::*) -> ListRow<List>;
+template <typename List>
+ListRow(std::string_view, List Offenders::*, Ids Analysis::*) -> ListRow<List>;
 
-  void vertices(std::string_view name, std::span<const Index> list) {
-    ids(name, list, analysis_.vertex_ids);
-  }
-  void faces(std::string_view name, std::span<const Index> list) {
-    ids(name, list, analysis_.face_ids);
-  }
-  /// What is an id already.
-  void file_ids(std::string_view name, std::span<const std::int64_t> list);
-  void edges(std::string_view name, const EdgeList& list);
-  /// Those that were asked for by a threshold; no key where not.
-  void asked(std::string_view name, const std::optional<EdgeList>& list);
-  void asked(std::string_view name, const std::optional<FaceList>& list);
-  void pairs(std::string_view name, std::span<const IntersectingPair> list);
-  void numbering(std::string_view name, const std::optional<NumberingBreak>& place);
-
- private:
-  void ids(std::string_view name, std::span<const Index> list, const Ids& ids);
-
-  JsonWriter& json_;
-  const Analysis& analysis_;
+/// What is known however little was asked for.
+constexpr std::tuple kLists{
+    ListRow{"torn_lines", &Offenders::torn_lines},
+    ListRow{"orphan_vertices", &Offenders::orphan_vertices, &Analysis::vertex_ids},
+    ListRow{"missing_vertices", &Offenders::missing_vertices},
+    ListRow{"faces_with_missing_vertices", &Offenders::faces_with_missing_vertices,
+            &Analysis::face_ids},
+    ListRow{"degenerate_faces", &Offenders::degenerate_faces, &Analysis::face_ids},
+    ListRow{"duplicate_vertex_indices", &Offenders::duplicate_vertex_records,
+            &Analysis::vertex_ids},
+    ListRow{"duplicate_face_indices", &Offenders::duplicate_face_records, &Analysis::face_ids},
+    ListRow{"vertex_numbering", &Offenders::vertex_numbering},
+    ListRow{"face_numbering", &Offenders::face_numbering},
+    ListRow{"border_edges", &Offenders::border_edges},
+    ListRow{"non_manifold_edges", &Offenders::non_manifold_edges},
+    ListRow{"non_manifold_vertices", &Offenders::non_manifold_vertices, &Analysis::vertex_ids},
+    ListRow{"pinched_vertices", &Offenders::pinched_vertices, &Analysis::vertex_ids},
+    ListRow{"flipped_edges", &Offenders::flipped_edges},
 };
 
-void OffenderWriter::ids(std::string_view name, std::span<const Index> list, const Ids& ids) {
-  json_.key(name);
-  json_.begin_array(JsonLayout::Row);
+/// What -a leaves out.
+constexpr std::tuple kMeasuredLists{
+    ListRow{"indistinguishable_vertices", &Offenders::indistinguishable_vertices,
+            &Analysis::vertex_ids},
+    ListRow{"indistinguishable_edges", &Offenders::indistinguishable_edges},
+    ListRow{"zero_area_faces", &Offenders::zero_area_faces, &Analysis::face_ids},
+    ListRow{"duplicate_faces", &Offenders::duplicate_faces, &Analysis::face_ids},
+    ListRow{"intersecting_pairs", &Offenders::intersecting_pairs},
+};
+
+/// What was asked for by a threshold; no key where it was not.
+constexpr std::tuple kAskedLists{
+    ListRow{"short_edges", &Offenders::short_edges},
+    ListRow{"long_edges", &Offenders::long_edges},
+    ListRow{"small_angles", &Offenders::small_angles},
+    ListRow{"large_angles", &Offenders::large_angles},
+    ListRow{"large_aspect_ratios", &Offenders::large_aspect_ratios},
+};
+
+// Numbers that are no records: ids that are missing, lines.
+
+void write_list(JsonWriter& json, const Analysis& /*analysis*/,
+                const std::vector<std::int64_t>& list, Ids Analysis::* /*ids*/) {
+  json.begin_array(JsonLayout::Row);
+  for (const std::int64_t number : list) {
+    json.value(number);
+  }
+  json.end_array();
+}
+
+void read_list(const JsonNode& node, std::vector<std::int64_t>& list) {
+  for (JsonElements elements = node.elements(); !elements.at_end();) {
+    list.push_back(elements.next().integer());
+  }
+}
+
+// Vertices or faces.
+
+void write_list(JsonWriter& json, const Analysis& analysis, const std::vector<Index>& list,
+                Ids Analysis::*ids) {
+  json.begin_array(JsonLayout::Row);
   for (const Index record : list) {
-    json_.value(ids.of(record));
+    json.value((analysis.*ids).of(record));
   }
-  json_.end_array();
+  json.end_array();
 }
 
-void OffenderWriter::file_ids(std::string_view name, std::span<const std::int64_t> list) {
-  json_.key(name);
-  json_.begin_array(JsonLayout::Row);
-  for (const std::int64_t id : list) {
-    json_.value(id);
+void read_list(const JsonNode& node, std::vector<Index>& list) {
+  for (JsonElements elements = node.elements(); !elements.at_end();) {
+    list.push_back(read_id(elements.next()));
   }
-  json_.end_array();
 }
 
-void OffenderWriter::edges(std::string_view name, const EdgeList& list) {
-  json_.key(name);
-  json_.begin_array();
+// Edges, measured ones too.
+
+/// A measured value; the writer has null for an infinite one (NaN compares with no threshold, and
+/// nothing that is measured is negative).
+double read_measured(const JsonNode& node) {
+  return node.is_null() ? std::numeric_limits<double>::infinity() : node.real();
+}
+
+void write_list(JsonWriter& json, const Analysis& analysis, const EdgeList& list,
+                Ids Analysis::* /*ids*/) {
+  json.begin_array();
   for (std::size_t i = 0; i < list.size(); ++i) {
-    json_.begin_array(JsonLayout::Row);
-    json_.value(analysis_.vertex_ids.of(list.ends[i][0]));
-    json_.value(analysis_.vertex_ids.of(list.ends[i][1]));
-    json_.begin_array(JsonLayout::Row);
+    json.begin_array(JsonLayout::Row);
+    json.value(analysis.vertex_ids.of(list.ends[i][0]));
+    json.value(analysis.vertex_ids.of(list.ends[i][1]));
+    json.begin_array(JsonLayout::Row);
     for (Index k = list.begin[i]; k < list.begin[i + 1]; ++k) {
-      json_.value(analysis_.face_ids.of(list.faces[k]));
+      json.value(analysis.face_ids.of(list.faces[k]));
     }
-    json_.end_array();
+    json.end_array();
     if (!list.values.empty()) {
-      json_.value(list.values[i]);
+      json.value(list.values[i]);
     }
-    json_.end_array();
+    json.end_array();
   }
-  json_.end_array();
+  json.end_array();
 }
 
-void OffenderWriter::asked(std::string_view name, const std::optional<EdgeList>& list) {
-  if (list) {
-    edges(name, *list);
+enum class EdgeValues { Absent, Present };
+
+void read_edge(const JsonNode& edge, EdgeValues values, EdgeList& list) {
+  JsonElements parts = edge.elements();
+  const Index a = read_id(parts.next());
+  const Index b = read_id(parts.next());
+  list.ends.push_back({a, b});
+  read_list(parts.next(), list.faces);
+  list.begin.push_back(static_cast<Index>(list.faces.size()));
+  if (values == EdgeValues::Present) {
+    list.values.push_back(read_measured(parts.next()));
+  }
+  parts.expect_end();
+}
+
+void read_edges(const JsonNode& node, EdgeValues values, EdgeList& list) {
+  for (JsonElements edges = node.elements(); !edges.at_end();) {
+    read_edge(edges.next(), values, list);
   }
 }
 
-void OffenderWriter::pairs(std::string_view name, std::span<const IntersectingPair> list) {
-  json_.key(name);
-  json_.begin_array();
+void read_list(const JsonNode& node, EdgeList& list) {
+  read_edges(node, EdgeValues::Absent, list);
+}
+
+void read_list(const JsonNode& node, std::optional<EdgeList>& list) {
+  read_edges(node, EdgeValues::Present, list.emplace());
+}
+
+// Measured faces.
+
+void write_list(JsonWriter& json, const Analysis& analysis, const FaceList& list,
+                Ids Analysis::* /*ids*/) {
+  json.begin_array();
+  for (std::size_t i = 0; i < list.faces.size(); ++i) {
+    json.begin_array(JsonLayout::Row);
+    json.value(analysis.face_ids.of(list.faces[i]));
+    json.value(list.values[i]);
+    json.end_array();
+  }
+  json.end_array();
+}
+
+void read_list(const JsonNode& node, std::optional<FaceList>& list) {
+  list.emplace();
+  for (JsonElements faces = node.elements(); !faces.at_end();) {
+    JsonElements parts = faces.next().elements();
+    list->faces.push_back(read_id(parts.next()));
+    list->values.push_back(read_measured(parts.next()));
+    parts.expect_end();
+  }
+}
+
+// Pairs of faces.
+
+void write_list(JsonWriter& json, const Analysis& analysis,
+                const std::vector<IntersectingPair>& list, Ids Analysis::* /*ids*/) {
+  json.begin_array();
   for (const IntersectingPair& pair : list) {
-    json_.begin_array(JsonLayout::Row);
-    json_.value(analysis_.face_ids.of(pair.face_a));
-    json_.value(analysis_.face_ids.of(pair.face_b));
-    json_.value(contact_name(pair.kind));
-    json_.end_array();
+    json.begin_array(JsonLayout::Row);
+    json.value(analysis.face_ids.of(pair.face_a));
+    json.value(analysis.face_ids.of(pair.face_b));
+    json.value(contact_name(pair.kind));
+    json.end_array();
   }
-  json_.end_array();
+  json.end_array();
 }
 
-void OffenderWriter::asked(std::string_view name, const std::optional<FaceList>& list) {
-  if (!list) {
-    return;
+void read_list(const JsonNode& node, std::vector<IntersectingPair>& list) {
+  for (JsonElements elements = node.elements(); !elements.at_end();) {
+    JsonElements parts = elements.next().elements();
+    const Index a = read_id(parts.next());
+    const Index b = read_id(parts.next());
+    list.push_back({a, b, read_contact(parts.next())});
+    parts.expect_end();
   }
-  json_.key(name);
-  json_.begin_array();
-  for (std::size_t i = 0; i < list->faces.size(); ++i) {
-    json_.begin_array(JsonLayout::Row);
-    json_.value(analysis_.face_ids.of(list->faces[i]));
-    json_.value(list->values[i]);
-    json_.end_array();
-  }
-  json_.end_array();
 }
 
-void OffenderWriter::numbering(std::string_view name, const std::optional<NumberingBreak>& place) {
-  json_.key(name);
+// Breaks of the numbering.
+
+void write_list(JsonWriter& json, const Analysis& /*analysis*/,
+                const std::optional<NumberingBreak>& place, Ids Analysis::* /*ids*/) {
   if (place) {
-    write_numbering(json_, *place);
+    write_numbering(json, *place);
   } else {
-    json_.null();
+    json.null();
   }
 }
 
-void write_integrity(OffenderWriter& writer, const Offenders& all) {
-  writer.file_ids("torn_lines", all.torn_lines);
-  writer.vertices("orphan_vertices", all.orphan_vertices);
-  writer.file_ids("missing_vertices", all.missing_vertices);
-  writer.faces("faces_with_missing_vertices", all.faces_with_missing_vertices);
-  writer.faces("degenerate_faces", all.degenerate_faces);
-  writer.vertices("duplicate_vertex_indices", all.duplicate_vertex_records);
-  writer.faces("duplicate_face_indices", all.duplicate_face_records);
-  writer.numbering("vertex_numbering", all.vertex_numbering);
-  writer.numbering("face_numbering", all.face_numbering);
+void read_list(const JsonNode& node, std::optional<NumberingBreak>& place) {
+  if (!node.is_null()) {
+    place = read_numbering(node);
+  }
 }
 
-void write_attributes(OffenderWriter& writer, const Offenders& all) {
-  writer.edges("border_edges", all.border_edges);
-  writer.edges("non_manifold_edges", all.non_manifold_edges);
-  writer.vertices("non_manifold_vertices", all.non_manifold_vertices);
-  writer.vertices("pinched_vertices", all.pinched_vertices);
-  writer.edges("flipped_edges", all.flipped_edges);
+template <typename Rows>
+void write_lists(JsonWriter& json, const Analysis& analysis, const Rows& rows) {
+  for_each_row(rows, [&](const auto& row) {
+    json.key(row.key);
+    write_list(json, analysis, analysis.offenders.*row.member, row.ids);
+  });
 }
 
-void write_characteristics(OffenderWriter& writer, const Offenders& all) {
-  writer.vertices("indistinguishable_vertices", all.indistinguishable_vertices);
-  writer.edges("indistinguishable_edges", all.indistinguishable_edges);
-  writer.faces("zero_area_faces", all.zero_area_faces);
-  writer.faces("duplicate_faces", all.duplicate_faces);
-  writer.pairs("intersecting_pairs", all.intersecting_pairs);
+void write_asked_lists(JsonWriter& json, const Analysis& analysis) {
+  for_each_row(kAskedLists, [&](const auto& row) {
+    if (const auto& list = analysis.offenders.*row.member) {
+      json.key(row.key);
+      write_list(json, analysis, *list, row.ids);
+    }
+  });
 }
 
-void write_asked(OffenderWriter& writer, const Offenders& all) {
-  writer.asked("short_edges", all.short_edges);
-  writer.asked("long_edges", all.long_edges);
-  writer.asked("small_angles", all.small_angles);
-  writer.asked("large_angles", all.large_angles);
-  writer.asked("large_aspect_ratios", all.large_aspect_ratios);
+// What the lists are called in the schema.
+constexpr std::string_view type_name(const std::vector<std::int64_t>& /*list*/) {
+  return "ids";
 }
+constexpr std::string_view type_name(const std::vector<Index>& /*list*/) {
+  return "ids";
+}
+constexpr std::string_view type_name(const EdgeList& /*list*/) {
+  return "edges";
+}
+constexpr std::string_view type_name(const std::vector<IntersectingPair>& /*list*/) {
+  return "face_pairs";
+}
+constexpr std::string_view type_name(const std::optional<NumberingBreak>& /*place*/) {
+  return "numbering";
+}
+constexpr std::string_view type_name(const std::optional<EdgeList>& /*list*/) {
+  return "measured_edges";
+}
+constexpr std::string_view type_name(const std::optional<FaceList>& /*list*/) {
+  return "measured_faces";
+}
+
+/// An array of rows of n places.
+std::string rows_type(std::size_t n, std::string_view places) {
+  const std::string size = std::to_string(n);
+  return R"("type": "array", "items": {"type": "array", "minItems": )" + size +
+         R"(, "maxItems": )" + size + R"(, "prefixItems": [)" + std::string(places) + "]}";
+}
+
+void define_rows(SchemaDefinitions& schema) {
+  schema.define(
+      "edges", "two vertex ids, all faces",
+      rows_type(3, R"({"type": "integer"}, {"type": "integer"}, {"$ref": "#/$defs/ids"})"));
+  schema.define("measured_edges", "two vertex ids, all faces, the measured value (null: infinite)",
+                rows_type(4, R"({"type": "integer"}, {"type": "integer"}, )"
+                             R"({"$ref": "#/$defs/ids"}, {"type": ["number", "null"]})"));
+  schema.define("measured_faces", "face id, the measured value (null: infinite)",
+                rows_type(2, R"({"type": "integer"}, {"type": ["number", "null"]})"));
+  schema.define("face_pairs", "two face ids, how they meet",
+                rows_type(3, R"({"type": "integer"}, {"type": "integer"}, )"
+                             R"({"$ref": "#/$defs/contact"})"));
+}
+
+/// The rows of all tables.
+constexpr auto kAllLists = std::tuple_cat(kLists, kMeasuredLists, kAskedLists);
 
 }  // namespace
 
-void write_numbering(JsonWriter& json, const NumberingBreak& place) {
-  json.begin_object(JsonLayout::Row);
-  json.key("ids");
-  json.begin_array(JsonLayout::Row);
-  for (const std::int64_t id : place.ids) {
-    json.value(id);
+void write_offenders(JsonWriter& json, const Analysis& analysis, JsonOffenders offenders) {
+  json.begin_object();
+  if (offenders == JsonOffenders::List) {
+    write_lists(json, analysis, kLists);
+    // A list that nobody computed must not look like one without elements.
+    if (analysis.has_characteristics) {
+      write_lists(json, analysis, kMeasuredLists);
+    }
   }
-  json.end_array();
-  json.member("offender", place.offender);
+  write_asked_lists(json, analysis);
   json.end_object();
 }
 
-void write_offenders(JsonWriter& json, const Analysis& analysis, JsonOffenders offenders) {
-  OffenderWriter writer(json, analysis);
-  json.begin_object();
-  if (offenders == JsonOffenders::List) {
-    write_integrity(writer, analysis.offenders);
-    write_attributes(writer, analysis.offenders);
-    // A list that nobody computed must not look like one without elements.
-    if (analysis.has_characteristics) {
-      write_characteristics(writer, analysis.offenders);
+Offenders read_offenders(const JsonNode& object) {
+  Offenders all;
+  for_each_row(kAllLists, [&](const auto& row) {
+    if (const std::optional<JsonNode> node = object.find(row.key)) {
+      read_list(*node, all.*row.member);
     }
-  }
-  write_asked(writer, analysis.offenders);
-  json.end_object();
+  });
+  return all;
+}
+
+void define_offenders(SchemaDefinitions& schema) {
+  define_elements(schema);
+  define_rows(schema);
+  SchemaObject object{.description =
+                          "every element by its id in the file; lists that were not "
+                          "computed have no key"};
+  const Offenders none;
+  for_each_row(kAllLists, [&](const auto& row) {
+    object.members.push_back({.key = std::string(row.key),
+                              .description = "",
+                              .type = schema_reference(type_name(none.*row.member)),
+                              .presence = SchemaMember::Presence::Sometimes});
+  });
+  schema.define("offenders", object);
 }
 
 }  // namespace meshalyzer

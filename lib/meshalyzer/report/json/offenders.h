@@ -2,6 +2,8 @@
 
 #include "meshalyzer/analysis/analysis.h"
 #include "meshalyzer/report/json/report.h"
+#include "meshalyzer/report/json/schema_writer.h"
+#include "meshalyzer/report/json/tree.h"
 #include "meshalyzer/report/json/writer.h"
 
 namespace meshalyzer {
@@ -14,7 +16,11 @@ namespace meshalyzer {
 /// only those do.
 void write_offenders(JsonWriter& json, const Analysis& analysis, JsonOffenders offenders);
 
-/// Writes a break of the numbering as a value.
-void write_numbering(JsonWriter& json, const NumberingBreak& place);
+/// What write_offenders() wrote; lists that it left out stay empty. In the place of each record
+/// stands its id, see index_records().
+[[nodiscard]] Offenders read_offenders(const JsonNode& object);
+
+/// Defines "offenders", and what its lists are of.
+void define_offenders(SchemaDefinitions& schema);
 
 }  // namespace meshalyzer

@@ -20,4 +20,13 @@ Vec3 read_point(const JsonNode& node) {
   return point;
 }
 
+void define_points(SchemaDefinitions& schema) {
+  schema.define("point", "",
+                R"("type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3)");
+  schema.define("box", {.description = "null where it is of nothing",
+                        .members = {{"min", "", schema_reference("point")},
+                                    {"max", "", schema_reference("point")}},
+                        .null = SchemaObject::Null::Sometimes});
+}
+
 }  // namespace meshalyzer

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/base/types.h"
+#include "meshalyzer/report/json/schema_writer.h"
 #include "meshalyzer/report/json/tree.h"
 #include "meshalyzer/report/json/writer.h"
 
@@ -12,5 +13,8 @@ void write_point(JsonWriter& json, const Vec3& point);
 /// What write_point() wrote.
 /// @throws InvalidArgument  Not three reals.
 [[nodiscard]] Vec3 read_point(const JsonNode& node);
+
+/// Defines "point", which write_point() writes, and "box", of two of them.
+void define_points(SchemaDefinitions& schema);
 
 }  // namespace meshalyzer

@@ -1,10 +1,12 @@
 #include "meshalyzer/report/json/set.h"
 
+#include "meshalyzer/report/json/fields.h"
 #include "meshalyzer/report/json/findings.h"
 #include "meshalyzer/report/json/name.h"
 #include "meshalyzer/report/json/non_finite.h"
 #include "meshalyzer/report/json/statistics.h"
 #include "meshalyzer/report/set_verdict.h"
+#include "meshalyzer/set/set_counts.h"
 
 #include <initializer_list>
 
@@ -38,12 +40,10 @@ void write_totals(JsonWriter& json, const SetAnalysis& set) {
   const auto measured = [&](auto value) {
     return set.is_measured ? std::optional(value) : std::nullopt;
   };
-  json.member("vertices", set.vertices);
-  json.member("faces", set.faces);
-  json.member("edges", set.edges);
-  json.member("components", set.components);
-  json.member("boundaries", set.boundaries);
-  json.member("intersecting_pairs_within", measured(set.intersecting_pairs_within));
+  for (const SetCount& count : kSetCounts) {
+    const bool is_known = count.known == Known::Always || set.is_measured;
+    json.member(count.info.key, is_known ? std::optional(set.*count.total) : std::nullopt);
+  }
   json.member("area", measured(set.area));
   json.member("volume", set.is_measured ? set.volume.value : std::nullopt);
   if (set.is_measured) {
@@ -111,7 +111,7 @@ void write_separation(JsonWriter& json, const SetAnalysis& set) {
   const SetSeparation& separation = *set.separation;
   write_options(json, separation.options);
   json.member("separation_forced", separation.is_forced);
-  json.key("separation_all");
+  json.key(kSeparationDistance.info.key);
   write_statistics(json, separation.all);
   json.member("separation_inside_count", separation.inside);
   json.member("separation_without_closest_count", separation.without_closest);
@@ -122,6 +122,86 @@ void write_separation(JsonWriter& json, const SetAnalysis& set) {
   json.key("separation");
   write_by_mesh(json, set,
                 [&](const MeshSeparation& mesh) { write_statistics(json, mesh.distance); });
+}
+
+// The members in the schema, in the order of the report.
+
+using Members = std::vector<SchemaMember>;
+
+void append(Members& to, const Members& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+Members verdict_members() {
+  const std::string count(schema_type::kCount);
+  return {{"closest", "with -s: of each mesh a row a vertex that a face uses",
+           R"("type": ["object", "null"], "additionalProperties": )"
+           R"({"type": "array", "items": {"$ref": "#/$defs/closest"}})"},
+          {"meshes", "those that could be read", count},
+          {"unreadable", "files that could not be read", count},
+          {"good",
+           "meshes that are good, without -g by the parts of goodness that need no threshold; "
+           "null with -a",
+           std::string(schema_type::kCountOrNull)},
+          {"not_good", "meshes that are not, and files that could not be read: name, reasons",
+           R"("type": "array", "items": {"type": "array", "minItems": 2, "maxItems": 2, )"
+           R"("prefixItems": [{"$ref": "#/$defs/name"}, )"
+           R"({"type": "array", "items": {"type": "string"}}]})"},
+          {"is_good",
+           "no mesh is not good and, where that was asked for, none intersects or is inside "
+           "another; null with -a",
+           std::string(schema_type::kTruthOrNull)}};
+}
+
+Members total_members() {
+  Members members;
+  for (const SetCount& count : kSetCounts) {
+    members.push_back({.key = std::string(count.info.key),
+                       .description = description_of(count.info, count.known),
+                       .type = type_of(std::size_t{0}, count.known)});
+  }
+  members.push_back({"area", "null with -a", std::string(schema_type::kReal)});
+  members.push_back(
+      {"volume", "of the meshes that have one; null with -a", std::string(schema_type::kReal)});
+  members.push_back(non_finite_member());
+  append_measures(members, "statistics", SchemaMember::Presence::Always);
+  members.push_back({"undefined",
+                     "volume -> which meshes have none; separation -> why it was not measured",
+                     std::string(schema_type::kTextByKey)});
+  return members;
+}
+
+Members intersection_members() {
+  return {{"intersecting_pair_count", "null without -i", std::string(schema_type::kCountOrNull)},
+          {"contained", "meshes inside another one", schema_reference("contained")},
+          {"partly_contained", "meshes some components of which are inside another one",
+           schema_reference("contained")},
+          {"intersecting_pairs", "", schema_reference("set_pairs")}};
+}
+
+Members separation_members() {
+  SchemaMember all = statistics_member(kSeparationDistance);
+  all.description += "; null as separation";
+  return {{"separation_options",
+           "what --search-radius, --search-cone and --include-self were given; null as separation",
+           schema_reference("separation_options")},
+          {"separation_forced", "measured although a mesh is not good; null as separation",
+           std::string(schema_type::kTruthOrNull)},
+          all,
+          {"separation_inside_count", "the sum of separation_inside",
+           std::string(schema_type::kCountOrNull)},
+          {"separation_without_closest_count", "the sum of separation_without_closest",
+           std::string(schema_type::kCountOrNull)},
+          {"separation_inside", "name -> vertices that lie inside another mesh; null as separation",
+           schema_reference("count_by_mesh")},
+          {"separation_without_closest",
+           "name -> vertices with nothing within the search radius and cone; null as separation",
+           schema_reference("count_by_mesh")},
+          {"separation",
+           "name -> statistics of the distances, of each mesh with a face; null without -s, or "
+           "where \"undefined\" tells why",
+           R"("type": ["object", "null"], "additionalProperties": )"
+           R"({"$ref": "#/$defs/statistics"})"}};
 }
 
 }  // namespace
@@ -138,6 +218,25 @@ void write_set_members(JsonWriter& json, const SetAnalysis& set,
   write_undefined(json, set);
   write_intersections(json, set, on_row);
   write_separation(json, set);
+}
+
+void define_set(SchemaDefinitions& schema) {
+  define_findings(schema);
+  schema.define("count_by_mesh", "",
+                R"("type": ["object", "null"], "additionalProperties": )"
+                R"({"type": "integer", "minimum": 0})");
+  schema.define("separation_options",
+                {.description = "",
+                 .members = {{"search_radius", "", std::string(schema_type::kReal)},
+                             {"search_cone_degrees", "", std::string(schema_type::kReal)},
+                             {"include_self", "", std::string(schema_type::kReal)}},
+                 .null = SchemaObject::Null::Sometimes});
+  SchemaObject set{.description = "what is known of all meshes together, and between them",
+                   .members = verdict_members()};
+  for (const Members& members : {total_members(), intersection_members(), separation_members()}) {
+    append(set.members, members);
+  }
+  schema.define("set", set);
 }
 
 }  // namespace meshalyzer

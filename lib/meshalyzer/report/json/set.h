@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/report/json/schema_writer.h"
 #include "meshalyzer/report/json/writer.h"
 #include "meshalyzer/set/set_analysis.h"
 
@@ -11,5 +12,8 @@ namespace meshalyzer {
 /// @param on_row  Called after each row of a list: the text so far may be drained.
 void write_set_members(JsonWriter& json, const SetAnalysis& set,
                        const std::function<void()>& on_row);
+
+/// Defines "set", and what it consists of.
+void define_set(SchemaDefinitions& schema);
 
 }  // namespace meshalyzer

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -23,6 +26,19 @@ void write_figures(JsonWriter& json, const Summary& summary) {
     json.member(real.name, summary.count == 0 ? std::nullopt : std::optional(real.value));
   }
   write_non_finite(json, reals);
+}
+
+std::vector<SchemaMember> figure_members() {
+  std::vector<SchemaMember> members{
+      {"count", "finite values: the figures are of these alone", std::string(schema_type::kCount)},
+      {"infinite", "infinite values, counted apart", std::string(schema_type::kCount)}};
+  for (const auto& [info, member, known] : kFigures) {
+    members.push_back({.key = std::string(info.key),
+                       .description = std::string(info.definition),
+                       .type = std::string(schema_type::kReal)});
+  }
+  members.push_back(non_finite_member());
+  return members;
 }
 
 void write_histogram(JsonWriter& json, const Histogram& histogram) {
@@ -90,7 +106,7 @@ Summary read_summary(const JsonNode& object) {
   summary.count = object.member("count").count();
   summary.infinite = object.member("infinite").count();
   if (summary.count != 0) {
-    for (const auto& [info, member] : kFigures) {
+    for (const auto& [info, member, known] : kFigures) {
       summary.*member = read_real(object, info.key);
     }
   }
@@ -132,6 +148,45 @@ void read_measures(const JsonNode& object, ElementMeasures<Statistics>& measures
 void read_measures(const JsonNode& object, ElementMeasures<Summary>& measures) {
   for (const auto& [quantity, member] : kElementMeasures<Summary>) {
     measures.*member = read_summary(object.member(quantity.info.key));
+  }
+}
+
+void define_statistics(SchemaDefinitions& schema) {
+  SchemaObject summary{.description = "statistics without histogram", .members = figure_members()};
+  schema.define("summary", summary);
+  SchemaObject statistics{.description = "null with -a; every figure is null where count is 0",
+                          .members = std::move(summary.members),
+                          .null = SchemaObject::Null::Sometimes};
+  statistics.members.push_back(
+      {"histogram", "null where count is 0", schema_reference("histogram")});
+  schema.define("statistics", statistics);
+  const std::string bins = std::to_string(Histogram::kBins);
+  const std::string edges = std::to_string(Histogram::kBins + 1);
+  schema.define(
+      "histogram",
+      {.description = "bins of equal width, from the smallest to the largest value",
+       .members = {{"edges", "",
+                    R"("type": "array", "items": {"type": "number"}, "minItems": )" + edges +
+                        R"(, "maxItems": )" + edges},
+                   {"counts", "",
+                    R"("type": "array", "items": {"type": "integer", "minimum": 0}, "minItems": )" +
+                        bins + R"(, "maxItems": )" + bins}},
+       .null = SchemaObject::Null::Sometimes});
+}
+
+SchemaMember statistics_member(const Quantity& quantity) {
+  return {.key = std::string(quantity.info.key),
+          .description = std::string(quantity.info.definition),
+          .type = schema_reference("statistics")};
+}
+
+void append_measures(std::vector<SchemaMember>& members, std::string_view type,
+                     SchemaMember::Presence presence) {
+  for (const auto& [quantity, member] : kElementMeasures<Statistics>) {
+    members.push_back({.key = std::string(quantity.info.key),
+                       .description = std::string(quantity.info.definition),
+                       .type = schema_reference(type),
+                       .presence = presence});
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/analysis/element_measures.h"
 #include "meshalyzer/base/statistics.h"
+#include "meshalyzer/report/json/schema_writer.h"
 #include "meshalyzer/report/json/tree.h"
 #include "meshalyzer/report/json/writer.h"
 
@@ -33,5 +34,16 @@ void write_measures(JsonWriter& json, const ElementMeasures<Summary>& measures);
 /// Reads what write_measures() wrote into an object.
 void read_measures(const JsonNode& object, ElementMeasures<Statistics>& measures);
 void read_measures(const JsonNode& object, ElementMeasures<Summary>& measures);
+
+/// Defines "statistics" and "summary", which write_statistics() and write_summary() write.
+void define_statistics(SchemaDefinitions& schema);
+
+/// The statistics of a quantity as a member.
+[[nodiscard]] SchemaMember statistics_member(const Quantity& quantity);
+
+/// Appends what the schema says of what write_measures() writes.
+/// @param type  "statistics" or "summary".
+void append_measures(std::vector<SchemaMember>& members, std::string_view type,
+                     SchemaMember::Presence presence);
 
 }  // namespace meshalyzer

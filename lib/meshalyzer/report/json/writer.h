@@ -55,6 +55,9 @@ class JsonWriter {
     maybe ? value(*maybe) : null();
   }
 
+  /// What is JSON already: a value, or members of an object.
+  void verbatim(std::string_view json) { literal(json); }
+
   /// key() and value() in one.
   template <typename T>
   void member(std::string_view name, const T& content) {

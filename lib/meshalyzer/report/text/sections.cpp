@@ -1,5 +1,6 @@
 #include "meshalyzer/report/text/sections.h"
 
+#include "meshalyzer/analysis/fields.h"
 #include "meshalyzer/report/text/offenders.h"
 
 #include <fmt/format.h>
@@ -26,6 +27,40 @@ void append_numbering(LineSink& lines, std::string_view name, bool contiguous,
   }
 }
 
+void append_integrity_field(LineSink& lines, const FieldRow<Integrity, std::size_t>& row,
+                            const Analysis& analysis) {
+  const std::size_t count = analysis.integrity.*row.member;
+  if (row.member != &Integrity::torn_lines) {
+    lines.line(row.info.label, count);
+  } else if (count > 0) {
+    lines.line(row.info.label, fmt::format("{} (without Vertex or Face, skipped; first: line {})",
+                                           count, analysis.offenders.torn_lines.front()));
+  }
+}
+
+void append_integrity_field(LineSink& lines, const FieldRow<Integrity, bool>& row,
+                            const Analysis& analysis) {
+  append_numbering(lines, row.info.label, analysis.integrity.*row.member,
+                   row.member == &Integrity::contiguous_vertices
+                       ? analysis.offenders.vertex_numbering
+                       : analysis.offenders.face_numbering);
+}
+
+void append_count(LineSink& lines, const FieldRow<Characteristics, std::size_t>& row,
+                  const Characteristics& c) {
+  if (row.member == &Characteristics::intersecting_pairs) {
+    lines.line(row.info.label,
+               fmt::format("{} (of these unwelded: {})", c.intersecting_pairs, c.unwelded_pairs));
+  } else if (!row.info.label.empty()) {
+    lines.line(row.info.label, c.*row.member);
+  }
+}
+
+/// What is no count stands in append_extent().
+template <typename T>
+void append_count(LineSink& /*lines*/, const FieldRow<Characteristics, T>& /*row*/,
+                  const Characteristics& /*c*/) {}
+
 std::string point_text(const Vec3& point) {
   return fmt::format("{} {} {}", readable(point.x()), readable(point.y()), readable(point.z()));
 }
@@ -44,7 +79,6 @@ std::string genus_text(const Characteristics& c) {
 }  // namespace
 
 void append_integrity(LineSink& lines, const Analysis& analysis) {
-  const Integrity& integrity = analysis.integrity;
   lines.line("file", analysis.path);
   lines.line("format", format_name(analysis.format));
   if (analysis.format == Format::Stl) {
@@ -56,49 +90,18 @@ void append_integrity(LineSink& lines, const Analysis& analysis) {
     lines.line("polygons", fmt::format("{} (each fanned into triangles from its first corner)",
                                        analysis.n_polygons));
   }
-  lines.line("orphan vertices", integrity.orphan_vertices);
-  lines.line("missing vertices", integrity.missing_vertices);
-  lines.line("degenerate faces", integrity.degenerate_faces);
-  lines.line("duplicate vertex indices", integrity.duplicate_vertex_indices);
-  lines.line("duplicate face indices", integrity.duplicate_face_indices);
-  if (integrity.torn_lines > 0) {
-    lines.line("torn lines",
-               fmt::format("{} (without Vertex or Face, skipped; first: line {})",
-                           integrity.torn_lines, analysis.offenders.torn_lines.front()));
-  }
-  append_numbering(lines, "contiguous vertex numbering", integrity.contiguous_vertices,
-                   analysis.offenders.vertex_numbering);
-  append_numbering(lines, "contiguous face numbering", integrity.contiguous_faces,
-                   analysis.offenders.face_numbering);
+  for_each_row(kIntegrityFields,
+               [&](const auto& row) { append_integrity_field(lines, row, analysis); });
 }
 
 void append_attributes(LineSink& lines, const Attributes& attributes) {
-  append_answer(lines, "closed", attributes.closed);
-  append_answer(lines, "manifold", attributes.manifold);
-  append_answer(lines, "orientable", attributes.orientable);
-  append_answer(lines, "consistent", attributes.consistent);
-  append_answer(lines, "outward", attributes.outward);
+  for_each_row(kAttributeFields, [&](const auto& row) {
+    append_answer(lines, row.info.label, attributes.*row.member);
+  });
 }
 
 void append_counts(LineSink& lines, const Characteristics& c) {
-  lines.line("vertices", c.vertices);
-  lines.line("faces", c.faces);
-  lines.line("edges", c.edges);
-  lines.line("components", c.components);
-  lines.line("edge components", c.edge_components);
-  lines.line("boundaries", c.boundaries);
-  lines.line("border edges", c.border_edges);
-  lines.line("non-manifold edges", c.non_manifold_edges);
-  lines.line("non-manifold vertices", c.non_manifold_vertices);
-  lines.line("pinched vertices", c.pinched_vertices);
-  lines.line("flipped edges", c.flipped_edges);
-  lines.line("indistinguishable vertices", c.indistinguishable_vertices);
-  lines.line("indistinguishable edges", c.indistinguishable_edges);
-  lines.line("zero-area faces", c.zero_area_faces);
-  lines.line("duplicate faces", c.duplicate_faces);
-  lines.line("intersecting pairs",
-             fmt::format("{} (of these unwelded: {})", c.intersecting_pairs, c.unwelded_pairs));
-  lines.line("intersecting faces", c.intersecting_faces);
+  for_each_row(kCharacteristicFields, [&](const auto& row) { append_count(lines, row, c); });
 }
 
 void append_extent(LineSink& lines, const Characteristics& c) {

@@ -1,5 +1,8 @@
 #include "meshalyzer/report/text/set_totals.h"
 
+#include "meshalyzer/set/set_counts.h"
+
+#include <fmt/format.h>
 #include <string>
 
 namespace meshalyzer {
@@ -16,13 +19,12 @@ std::string volume_text(const Measure<double>& volume) {
 }  // namespace
 
 void append_set_totals(LineSink& lines, const SetAnalysis& set) {
-  lines.line("total vertices", set.vertices);
-  lines.line("total faces", set.faces);
-  lines.line("total edges", set.edges);
-  lines.line("total components", set.components);
-  lines.line("total boundaries", set.boundaries);
+  for (const SetCount& count : kSetCounts) {
+    if (count.known == Known::Always || set.is_measured) {
+      lines.line(fmt::format("total {}", count.info.label), set.*count.total);
+    }
+  }
   if (set.is_measured) {
-    lines.line("total intersecting pairs within meshes", set.intersecting_pairs_within);
     lines.line("total area", set.area);
     lines.line("total volume", volume_text(set.volume));
   }

@@ -1,7 +1,7 @@
 #include "meshalyzer/report/journal/line.h"
 
 #include "meshalyzer/base/error.h"
-#include "meshalyzer/report/json/mesh_reader.h"
+#include "meshalyzer/report/json/mesh.h"
 #include "meshalyzer/report/json/report.h"
 #include "sample_analysis.h"
 #include "sample_set.h"

@@ -1,7 +1,7 @@
-#include "meshalyzer/report/json/mesh_reader.h"
-
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/report/json/mesh.h"
+#include "meshalyzer/report/json/report.h"
+#include "meshalyzer/report/json/writer.h"
 #include "meshalyzer/report/text/mesh_report.h"
 #include "sample_analysis.h"
 #include "support/constants.h"

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "meshalyzer/analysis/analysis.h"
+#include "meshalyzer/report/json/schema_writer.h"
+#include "meshalyzer/report/json/tree.h"
+#include "meshalyzer/report/json/writer.h"
+
+namespace meshalyzer {
+
+/// Writes the list of all components, with their statistics where the analysis has them.
+void write_components(JsonWriter& json, const Analysis& analysis);
+
+/// Reads what write_components() wrote into an analysis that has all but the components.
+void read_components(const JsonNode& list, Analysis& analysis);
+
+/// Defines "component".
+void define_component(SchemaDefinitions& schema);
+
+}  // namespace meshalyzer

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "meshalyzer/analysis/offenders.h"
+#include "meshalyzer/report/json/schema_writer.h"
+#include "meshalyzer/report/json/tree.h"
+#include "meshalyzer/report/json/writer.h"
+
+namespace meshalyzer {
+
+// Elements of a mesh, by their ids in the file.
+
+/// The id of a record in its place, see index_records().
+/// @throws InvalidArgument where it is none that a file can have.
+[[nodiscard]] Index read_id(const JsonNode& node);
+
+/// What contact_name() called it.
+[[nodiscard]] ContactKind read_contact(const JsonNode& node);
+
+/// Writes a break of the numbering as a value.
+void write_numbering(JsonWriter& json, const NumberingBreak& place);
+
+/// What write_numbering() wrote.
+[[nodiscard]] NumberingBreak read_numbering(const JsonNode& object);
+
+/// Defines "ids", "contact" and "numbering".
+void define_elements(SchemaDefinitions& schema);
+
+}  // namespace meshalyzer

@@ -1,0 +1,50 @@
+#include "meshalyzer/report/json/schema.h"
+
+#include "meshalyzer/report/json/curvature.h"
+#include "meshalyzer/report/json/mesh.h"
+#include "meshalyzer/report/json/non_finite.h"
+#include "meshalyzer/report/json/offenders.h"
+#include "meshalyzer/report/json/point.h"
+#include "meshalyzer/report/json/set.h"
+#include "meshalyzer/report/json/statistics.h"
+
+namespace meshalyzer {
+namespace {
+
+SchemaObject report_object() {
+  return {.description =
+              "What `meshalyzer --json` prints. Every real is the shortest decimal that "
+              "reads back the same; null is undefined or not computed. A program may "
+              "rely on these keys; more may be added. Definitions: doc/definitions.md.",
+          .members = {{"schema", "", R"("const": "meshalyzer-report/1")"},
+                      {"version", "", std::string(schema_type::kText)},
+                      {"meshes", "in the order of the command line, those of a folder by name",
+                       R"("type": "array", "items": {"$ref": "#/$defs/mesh"})"},
+                      {"set", "only where a folder was given", schema_reference("set"),
+                       SchemaMember::Presence::Sometimes}}};
+}
+
+}  // namespace
+
+std::string json_schema() {
+  JsonWriter json;
+  json.begin_object();
+  json.member("$schema", std::string_view("https://json-schema.org/draft/2020-12/schema"));
+  json.member("title", std::string_view("meshalyzer-report/1"));
+  write_schema(json, report_object());
+  json.key("$defs");
+  json.begin_object();
+  SchemaDefinitions definitions(json);
+  define_mesh(definitions);
+  define_curvature(definitions);
+  define_offenders(definitions);
+  define_set(definitions);
+  define_statistics(definitions);
+  define_non_finite(definitions);
+  define_points(definitions);
+  json.end_object();
+  json.end_object();
+  return json.take();
+}
+
+}  // namespace meshalyzer

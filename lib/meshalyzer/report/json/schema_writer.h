@@ -1,0 +1,72 @@
+#pragma once
+
+#include "meshalyzer/report/json/writer.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Types of values, as JSON Schema says them: keywords of an object, in JSON.
+namespace schema_type {
+inline constexpr std::string_view kText = R"("type": "string")";
+inline constexpr std::string_view kTexts = R"("type": "array", "items": {"type": "string"})";
+inline constexpr std::string_view kTextByKey =
+    R"("type": "object", "additionalProperties": {"type": "string"})";
+inline constexpr std::string_view kTruth = R"("type": "boolean")";
+inline constexpr std::string_view kTruthOrNull = R"("type": ["boolean", "null"])";
+inline constexpr std::string_view kInteger = R"("type": "integer")";
+inline constexpr std::string_view kIntegerOrNull = R"("type": ["integer", "null"])";
+inline constexpr std::string_view kCount = R"("type": "integer", "minimum": 0)";
+inline constexpr std::string_view kCountOrNull = R"("type": ["integer", "null"], "minimum": 0)";
+/// Null also where it is infinite.
+inline constexpr std::string_view kReal = R"("type": ["number", "null"])";
+}  // namespace schema_type
+
+/// That of what is defined by a name: `"$ref": "#/$defs/box"`.
+[[nodiscard]] std::string schema_reference(std::string_view name);
+
+/// That of a text that is one of a few: `"enum": ["yes", "no"]`.
+[[nodiscard]] std::string schema_enum(const std::vector<std::string_view>& names);
+
+/// A member of an object.
+struct SchemaMember {
+  std::string key;
+  /// Empty where the key says all.
+  std::string description;
+  /// Keywords: see schema_type.
+  std::string type;
+  enum class Presence { Always, Sometimes };
+  Presence presence = Presence::Always;
+};
+
+/// An object, and what its members are.
+struct SchemaObject {
+  std::string description;
+  std::vector<SchemaMember> members = {};
+  enum class Null { Never, Sometimes };
+  Null null = Null::Never;
+  /// Whether it may have members that are not named: then more may be added later.
+  enum class Others { Allowed, Forbidden };
+  Others others = Others::Allowed;
+};
+
+/// Writes the keywords of an object; the caller has begun it.
+void write_schema(JsonWriter& json, const SchemaObject& object);
+
+/// Writes the definitions of a schema, "$defs".
+class SchemaDefinitions {
+ public:
+  /// @param json  In an object; only referred to.
+  explicit SchemaDefinitions(JsonWriter& json) : json_(json) {}
+
+  void define(std::string_view name, const SchemaObject& object);
+  /// @param type  Keywords: see schema_type.
+  void define(std::string_view name, std::string_view description, std::string_view type);
+
+ private:
+  JsonWriter& json_;
+};
+
+}  // namespace meshalyzer
