@@ -61,7 +61,7 @@ class Stripper:
         if text.lstrip().startswith('{'):
             return self.strip_json(text)
         for label in self.labels:
-            text = re.sub(r'<figure class="histogram"><figcaption>(?:(?!</figure>).)*?>%s<.*?</figure>' % label, '',
+            text = re.sub(r'<figure class="histogram">\s*<figcaption>(?:(?!</figure>).)*?>%s<.*?</figure>\s*' % label, '',
                           text, flags=re.S)
             text = re.sub(r'^%s .*\n(?:  .*\n)*' % label, '', text, flags=re.M)
             text = re.sub(r'^%s: undefined.*\n' % label, '', text, flags=re.M)

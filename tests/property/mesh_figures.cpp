@@ -92,6 +92,7 @@ MeshFigures figures_of(const Analysis& analysis) {
   for (const ComponentAnalysis& each : analysis.components) add_component(analysis, each, figures);
   add_summary("face area", c.face_area, 2, 0, figures);
   add_summary("aspect ratio", c.aspect_ratio, 0, 0, figures);
+  add_summary("corner angle", c.corner_angle, 0, 60, figures);
   add_summary("edge length", c.edge_length, 1, 0, figures);
   add_summary("edge angle", c.edge_angle, 0, 360, figures);
   add_summary("valence", c.vertex_valence, 0, 0, figures);

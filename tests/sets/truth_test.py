@@ -28,7 +28,7 @@ class Truth(program.SetTest):
     def test_statistics_are_of_all_faces(self):
         for name in TRUTH:
             report = self.report(str(program.MESHES / name))
-            for key in ("vertex_valence", "face_area", "aspect_ratio", "edge_length", "edge_angle"):
+            for key in ("vertex_valence", "face_area", "aspect_ratio", "corner_angle", "edge_length", "edge_angle"):
                 parts = [mesh["characteristics"][key] for mesh in report["meshes"]]
                 whole = report["set"][key]
                 count = sum(part["count"] for part in parts)

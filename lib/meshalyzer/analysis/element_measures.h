@@ -18,6 +18,8 @@ struct ElementMeasures {
   T vertex_valence;
   T face_area;
   T aspect_ratio;
+  /// Degrees; 0 for a face of zero area.
+  T corner_angle;
   T edge_length;
   /// Degrees; over the edges with two consistently oriented faces of non-zero area.
   T edge_angle;
@@ -47,6 +49,13 @@ inline constexpr std::array kElementMeasures{
                                 "all edges are equal, more the thinner it is"},
          .if_none = "no face with an area"},
         &ElementMeasures<T>::aspect_ratio},
+    QuantityRow<ElementMeasures<T>, T>{
+        {.info = {.key = "corner_angle",
+                  .label = "corner angle",
+                  .definition = "smallest of the three angles of a face, in degrees: 60 where all "
+                                "edges are equal, 0 where the face has no area"},
+         .if_none = "no face"},
+        &ElementMeasures<T>::corner_angle},
     QuantityRow<ElementMeasures<T>, T>{
         {.info = {.key = "edge_length",
                   .label = "edge length",

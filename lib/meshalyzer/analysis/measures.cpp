@@ -46,6 +46,9 @@ class Measurer {
     record(
         [](auto& of) -> auto& { return of.aspect_ratio; }, std::move(faces.aspect_ratio),
         component);
+    record(
+        [](auto& of) -> auto& { return of.corner_angle; }, std::move(faces.corner_angle),
+        component);
     // Statistics leave out what overflowed; the area must not.
     analysis_.characteristics.area = analysis_.characteristics.face_area.infinite == 0
                                          ? analysis_.characteristics.face_area.total

@@ -6,17 +6,59 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace meshalyzer {
 namespace {
 
-struct Measure2 {
+using Corners = std::array<Vec3, 3>;
+
+/// Of a face with an area.
+struct Figures {
   double area;
   double aspect_ratio;
+  double corner_angle;
 };
 
-Measure2 measure(const std::array<Vec3, 3>& p) {
+double twice_area_seen_from(const Corners& p, std::size_t apex) {
+  return accurate_normal(p[apex], p[(apex + 1) % 3], p[(apex + 2) % 3]).stableNorm();
+}
+
+double angle_degrees(double sine, double cosine) {
+  return std::atan2(sine, cosine) * (180.0 / std::numbers::pi);
+}
+
+double dot_product_at(const Corners& p, std::size_t corner) {
+  return (p[(corner + 1) % 3] - p[corner]).dot(p[(corner + 2) % 3] - p[corner]);
+}
+
+/// The angle at a corner where products of lengths leave the range of doubles: that of the same
+/// face at another scale.
+double rescaled_angle(const Corners& p, std::size_t corner) {
+  double largest = 0.0;
+  for (const Vec3& point : p) {
+    largest = std::max(largest, point.lpNorm<Eigen::Infinity>());
+  }
+  const int exponent = std::ilogb(largest);
+  Corners scaled;
+  for (std::size_t i = 0; i < 3; ++i) {
+    scaled[i] = p[i].unaryExpr([&](double x) { return std::scalbn(x, -exponent); });
+  }
+  return angle_degrees(twice_area_seen_from(scaled, corner), dot_product_at(scaled, corner));
+}
+
+/// The angle at a corner. The sine and cosine are those of the angle times the same product of
+/// lengths.
+double corner_angle(const Corners& p, std::size_t corner, double twice_area) {
+  const double dot_product = dot_product_at(p, corner);
+  return std::isnormal(twice_area) && std::isfinite(dot_product)
+             ? angle_degrees(twice_area, dot_product)
+             : rescaled_angle(p, corner);
+}
+
+Figures measure(const Corners& p) {
   std::array<double, 3> opposite;
   for (std::size_t i = 0; i < 3; ++i) {
     opposite[i] = (p[(i + 2) % 3] - p[(i + 1) % 3]).stableNorm();
@@ -25,12 +67,14 @@ Measure2 measure(const std::array<Vec3, 3>& p) {
   // lost.
   const auto apex = static_cast<std::size_t>(std::max_element(opposite.begin(), opposite.end()) -
                                              opposite.begin());
-  const double twice_area =
-      accurate_normal(p[apex], p[(apex + 1) % 3], p[(apex + 2) % 3]).stableNorm();
+  const double twice_area = twice_area_seen_from(p, apex);
   // Altitude on the longest edge = twice_area / longest; divided in two steps, so that nothing
   // overflows early.
   const double longest = opposite[apex];
-  return {twice_area / 2, longest / (twice_area / longest)};
+  // The smallest angle is opposite to the shortest edge.
+  const auto sharpest = static_cast<std::size_t>(
+      std::min_element(opposite.begin(), opposite.end()) - opposite.begin());
+  return {twice_area / 2, longest / (twice_area / longest), corner_angle(p, sharpest, twice_area)};
 }
 
 }  // namespace
@@ -46,6 +90,7 @@ FaceMeasures measure_faces(const TriMesh& mesh) {
   FaceMeasures measures;
   measures.area.resize(mesh.n_faces());
   measures.aspect_ratio.resize(mesh.n_faces());
+  measures.corner_angle.resize(mesh.n_faces());
   std::vector<std::vector<FaceHandle>> zero_area(n_chunks(mesh.n_faces()));
   parallel_chunks(mesh.n_faces(), [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
@@ -54,11 +99,13 @@ FaceMeasures measure_faces(const TriMesh& mesh) {
       if (are_collinear(p[0], p[1], p[2])) {
         measures.area[i] = 0.0;
         measures.aspect_ratio[i] = std::numeric_limits<double>::infinity();
+        measures.corner_angle[i] = 0.0;
         zero_area[chunk.number].push_back(face);
       } else {
-        const Measure2 m = measure(p);
-        measures.area[i] = m.area;
-        measures.aspect_ratio[i] = m.aspect_ratio;
+        const Figures figures = measure(p);
+        measures.area[i] = figures.area;
+        measures.aspect_ratio[i] = figures.aspect_ratio;
+        measures.corner_angle[i] = figures.corner_angle;
       }
     }
   });

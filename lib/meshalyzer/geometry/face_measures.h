@@ -16,6 +16,9 @@ struct FaceMeasures {
   /// #mesh faces: longest edge over shortest altitude, at least 2 / sqrt(3); infinite for a face of
   /// zero area.
   std::vector<double> aspect_ratio;
+  /// #mesh faces: the smallest of the three angles at the corners, in degrees; 0 for a face of zero
+  /// area, else at most 60, to rounding.
+  std::vector<double> corner_angle;
   /// Mesh faces whose corners are collinear, decided exactly. Ascending.
   std::vector<FaceHandle> zero_area;
 };

@@ -108,6 +108,7 @@ TEST(Analyze, CubeHasTheStatisticsOfHalfSquares) {
   EXPECT_EQ(c.face_area.count, 12U);
   EXPECT_EQ(c.face_area.median, 2.0);
   EXPECT_NEAR(c.aspect_ratio.max, 2.0, 1e-14);
+  EXPECT_NEAR(c.corner_angle.min, 45.0, 1e-13);
   EXPECT_EQ(c.edge_length.count, 18U);
   EXPECT_EQ(c.edge_length.median, 2.0);
   EXPECT_EQ(c.edge_angle.count, 18U);

@@ -17,11 +17,9 @@ void expect_as_analyzed(const Soup& soup) {
   options.keep_values = true;
   const MeasuredValues first = analyze(soup, "soup", options).values;
   const MeasuredValues again = measure_again(soup);
-  EXPECT_EQ(again.vertex_valence, first.vertex_valence);
-  EXPECT_EQ(again.face_area, first.face_area);
-  EXPECT_EQ(again.aspect_ratio, first.aspect_ratio);
-  EXPECT_EQ(again.edge_length, first.edge_length);
-  EXPECT_EQ(again.edge_angle, first.edge_angle);
+  for (const auto& [quantity, member] : kElementMeasures<std::vector<double>>) {
+    EXPECT_EQ(again.*member, first.*member) << quantity.info.key;
+  }
 }
 
 TEST(MeasureAgain, GivesTheValuesOfTheAnalysisInItsOrder) {
@@ -38,6 +36,7 @@ TEST(MeasureAgain, GivesOneValueAFaceAnEdgeAndAVertex) {
   EXPECT_EQ(values.vertex_valence.size(), 8U);
   EXPECT_EQ(values.face_area, std::vector<double>(12, 0.5));
   EXPECT_EQ(values.aspect_ratio.size(), 12U);
+  EXPECT_EQ(values.corner_angle.size(), 12U);
   EXPECT_EQ(values.edge_length.size(), 18U);
   EXPECT_EQ(values.edge_angle.size(), 18U);
 }

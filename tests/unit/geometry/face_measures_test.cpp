@@ -31,6 +31,15 @@ void expect_triangle(const std::vector<Vec3>& corners, double area, double aspec
   }
 }
 
+/// The smallest corner angle of one triangle, whichever corner comes first.
+void expect_corner_angle(const std::vector<Vec3>& corners, double degrees) {
+  for (const Triangle& t : {Triangle{0, 1, 2}, Triangle{1, 2, 0}, Triangle{2, 0, 1}}) {
+    const FaceMeasures faces = measure(shapes::make(corners, {t}));
+    ASSERT_EQ(faces.corner_angle.size(), 1U);
+    EXPECT_NEAR(faces.corner_angle[0] / degrees, 1.0, 1e-12);
+  }
+}
+
 TEST(FaceCorners, RunCounterClockwiseFromAnyOfThem) {
   const CutMesh cut = build(shapes::make({{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}, {{2, 0, 1}}));
   const std::array<Vec3, 3> p = face_corners(cut.mesh, FaceHandle(0));
@@ -41,6 +50,7 @@ TEST(MeasureFaces, NoFacesHaveNoMeasures) {
   const FaceMeasures faces = measure(Soup{});
   EXPECT_TRUE(faces.area.empty());
   EXPECT_TRUE(faces.aspect_ratio.empty());
+  EXPECT_TRUE(faces.corner_angle.empty());
   EXPECT_TRUE(faces.zero_area.empty());
 }
 
@@ -48,6 +58,37 @@ TEST(MeasureFaces, EquilateralTriangleHasTheSmallestAspectRatio) {
   // Sides sqrt 2, altitudes sqrt(3/2), area (sqrt 3)/2.
   using std::numbers::sqrt3;
   expect_triangle({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, sqrt3 / 2, 2 / sqrt3);
+}
+
+TEST(MeasureFaces, SmallestCornerAngleOfAnEquilateralTriangleIs60) {
+  expect_corner_angle({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 60);
+}
+
+TEST(MeasureFaces, SmallestCornerAngleOfARightTriangleIsOppositeToItsShortLeg) {
+  // Legs 1 and e: atan(e), beside 90 and 90 - atan(e).
+  for (const double e : {1.0, 0.5, 1e-3, 1e-12, 1e-100}) {
+    expect_corner_angle({{0, 0, 0}, {1, 0, 0}, {0, e, 0}}, std::atan(e) * 180 / std::numbers::pi);
+  }
+}
+
+TEST(MeasureFaces, SmallestCornerAngleOfACapIsThatAtItsBase) {
+  // Base 2, apex over its middle: atan(height) twice, where floating point would lose the height.
+  for (const double height : {0.5, 1e-9, 1e-30}) {
+    expect_corner_angle({{0, 0, 0}, {2, 0, 0}, {1, height, 0}},
+                        std::atan(height) * 180 / std::numbers::pi);
+  }
+}
+
+TEST(MeasureFaces, SmallestCornerAngleIsTheSameAtAnyScale) {
+  // Products of the lengths overflow, or vanish.
+  for (const double scale : {1e300, 1e160, 1e-160, 1e-300}) {
+    expect_corner_angle({{0, 0, 0}, {scale, 0, 0}, {0, scale, 0}}, 45);
+  }
+}
+
+TEST(MeasureFaces, SmallestCornerAngleOfAFaceOfZeroAreaIsZero) {
+  EXPECT_EQ(measure(shapes::make({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}, {{0, 1, 2}})).corner_angle,
+            std::vector<double>{0.0});
 }
 
 TEST(MeasureFaces, NeedleIsMeasuredByItsLongestSide) {

@@ -76,6 +76,7 @@ TEST(JsonReport, HasAllKeysThatProgramsRelyOn) {
                                         "vertex_valence",
                                         "face_area",
                                         "aspect_ratio",
+                                        "corner_angle",
                                         "edge_length",
                                         "edge_angle"});
   expect_keys(mesh["per_component"][0],
