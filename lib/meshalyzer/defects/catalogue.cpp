@@ -1,21 +1,28 @@
 #include "meshalyzer/defects/catalogue.h"
 
+#include <algorithm>
+
 namespace meshalyzer {
 namespace {
 
 constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
     {.code = DefectCode::Disjoint,
+     .name = "disjoint",
+     .summary = "a component beside the largest one",
      .severity = Severity::Warning,
      .meaning = "The mesh has more than one component (faces joined through shared vertices). One "
                 "defect a component beyond the largest; the largest has the most faces, and of "
                 "equal ones it is the first.",
      .value = "The component's number of faces.",
+     .measured = {.before = "", .one = "face", .many = "faces"},
      .elements = "The component's first face, and the middle of it.",
      .fix = "Only where asked for: `--separate` writes each component to a file of its own, "
             "`--keep-largest` drops the small ones.",
      .passes = "separate or keep largest",
      .fixed_by_default = false},
     {.code = DefectCode::Foldover,
+     .name = "foldover",
+     .summary = "faces folded back onto the surface",
      .severity = Severity::Error,
      .meaning =
          "A region of faces is folded back onto its surroundings: its normals are opposed to "
@@ -24,22 +31,28 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
          "them.",
      .value = "The largest distance of the region from its surroundings; limit: the height "
               "tolerance.",
+     .measured = {.before = "height"},
      .elements = "The faces of the region, the edges of the folds, and a point of the region.",
      .fix = "A vertex of the region is moved back to where its faces unfold, or taken away and its "
             "place closed.",
      .passes = "remove foldovers",
      .fixed_by_default = true},
     {.code = DefectCode::FlatFacet,
+     .name = "flat-facet",
+     .summary = "a face that is all but a line",
      .severity = Severity::Error,
      .meaning = "A face has an altitude below the degeneracy tolerance, but no edge below it. A "
                 "face of zero area (exact) is always flat.",
      .value = "The shortest altitude; limit: the degeneracy tolerance.",
+     .measured = {.before = "altitude"},
      .elements = "The face, and the middle of it.",
      .fix = "Its longest edge is flipped, or the face beyond that edge is split; the edges next to "
             "a very short one are brought together.",
      .passes = "mend facets",
      .fixed_by_default = true},
     {.code = DefectCode::DegenerateFacet,
+     .name = "degenerate-facet",
+     .summary = "a face with an edge of all but no length",
      .severity = Severity::Error,
      .meaning =
          "A face has an edge shorter than the degeneracy tolerance, or names a vertex twice. "
@@ -47,6 +60,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
          "degenerate.",
      .value = "The length of the shortest edge, 0 where a vertex is named twice; limit: the "
               "degeneracy tolerance.",
+     .measured = {.before = "shortest edge"},
      .elements = "The face, its edges that are too short, the vertex that it names twice, and the "
                  "middle of the shortest edge.",
      .fix = "A face that names a vertex twice is dropped; else the short edge is collapsed to a "
@@ -54,19 +68,25 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .passes = "mend facets",
      .fixed_by_default = true},
     {.code = DefectCode::Slit,
+     .name = "slit",
+     .summary = "borders that lie on each other and are not joined",
      .severity = Severity::Error,
      .meaning = "Border edges lie on each other: the two sides of a chain of edges were never "
                 "joined. Their ends are within the slit tolerance.",
      .value = "The largest gap; limit: the slit tolerance.",
+     .measured = {.before = "gap"},
      .elements = "The border edges of both sides, and a point of the slit.",
      .fix = "The two sides are welded.",
      .passes = "weld borders",
      .fixed_by_default = true},
     {.code = DefectCode::SelfIntersection,
+     .name = "self-intersection",
+     .summary = "faces that run into each other",
      .severity = Severity::Error,
      .meaning = "Faces share a point that is not on a vertex or edge which both have. One defect a "
                 "connected patch of intersecting faces.",
      .value = "The number of intersecting pairs in the patch.",
+     .measured = {.before = "", .one = "pair", .many = "pairs"},
      .elements = "The faces, the pairs with their kinds, and a point of the patch.",
      .fix =
          "Faces that are there twice, folds, and seams that were never welded, are mended as what "
@@ -74,10 +94,13 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .passes = "weld borders, drop duplicates or remove foldovers",
      .fixed_by_default = true},
     {.code = DefectCode::NonManifold,
+     .name = "non-manifold",
+     .summary = "an edge or vertex where sheets of faces meet",
      .severity = Severity::Error,
      .meaning = "An edge has more than two faces; or the faces round a vertex that is on no such "
                 "edge are more than one fan.",
      .value = "The number of faces at the edge, or of fans at the vertex.",
+     .measured = {.before = "", .one = "faces at it", .many = "faces at it"},
      .elements = "The edge or the vertex, the faces there, and its place.",
      .fix = "The mesh is cut at the edge, its faces paired by angle so that each solid stays "
             "closed; each fan gets a vertex of its own. The copies are moved apart by the smallest "
@@ -85,6 +108,8 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .passes = "split edges, split vertices and part contacts",
      .fixed_by_default = true},
     {.code = DefectCode::VertexNormal,
+     .name = "vertex-normal",
+     .summary = "a normal of the file that points into the mesh",
      .severity = Severity::Warning,
      .meaning = "A normal that the file gives at a vertex points into the mesh: its dot product "
                 "with the normal of every face at the vertex is below 0 (exact). Of several "
@@ -95,6 +120,8 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .passes = "renew normals",
      .fixed_by_default = true},
     {.code = DefectCode::Corrupt,
+     .name = "corrupt",
+     .summary = "records that make no mesh",
      .severity = Severity::Error,
      .meaning = "The data make no mesh: faces name a vertex that no record defines (one defect a "
                 "missing id); records repeat an id (one defect an id); a coordinate is NaN or "
@@ -102,6 +129,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
                 "such a coordinate are refused when they are read; where a program made the mesh, "
                 "nothing that depends on positions is looked for.",
      .value = "The number of records that have the id.",
+     .measured = {.before = "", .one = "records", .many = "records"},
      .elements = "The faces that name the missing vertex, and a corner of them that there is; the "
                  "records that have the id, and their places; the vertex whose position is not "
                  "finite. The id or line is told in words.",
@@ -111,16 +139,21 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .passes = "drop corrupt records",
      .fixed_by_default = true},
     {.code = DefectCode::Hole,
+     .name = "hole",
+     .summary = "a border loop",
      .severity = Severity::Error,
      .meaning = "A border: a chain of edges with one face each, that is no slit. One defect a "
                 "boundary.",
      .value = "The length of the boundary.",
+     .measured = {.before = "length"},
      .elements = "The border edges in walking order, and a point of the border.",
      .fix = "Filled by a patch that intersects nothing. A sheet, which means no solid, is left "
             "open unless filling is asked for by name.",
      .passes = "fill holes",
      .fixed_by_default = true},
     {.code = DefectCode::Flipped,
+     .name = "flipped",
+     .summary = "faces turned against their neighbours",
      .severity = Severity::Error,
      .meaning = "Both faces of an edge cross it in the same direction. One defect a patch of faces "
                 "that must be turned for all to be consistent, the smaller side by area; one, not "
@@ -132,25 +165,33 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .passes = "orient consistently",
      .fixed_by_default = true},
     {.code = DefectCode::Inward,
+     .name = "inward",
+     .summary = "a closed component that is inside out",
      .severity = Severity::Error,
      .meaning = "A closed, manifold and consistent component points the wrong way: into its solid, "
                 "or, the wall of a cavity, out of the cavity.",
      .value = "The component's volume.",
+     .measured = {.before = "volume"},
      .elements = "The component's first face, and a point of it.",
      .fix = "The component is turned.",
      .passes = "orient outward",
      .fixed_by_default = true},
     {.code = DefectCode::DuplicateFacet,
+     .name = "duplicate-facet",
+     .summary = "faces with the same three vertices",
      .severity = Severity::Error,
      .meaning = "Faces have the same three vertices, in whatever order. One defect a set of equal "
                 "faces.",
      .value = "The number of faces in the set.",
+     .measured = {.before = "", .one = "faces", .many = "faces"},
      .elements = "The faces, and the middle of them.",
      .fix = "Of those that face the same way all but the first are dropped. Of a wall between two "
             "solids that is there once for each, each solid keeps its own, and they come apart.",
      .passes = "drop duplicates",
      .fixed_by_default = true},
     {.code = DefectCode::OrphanVertex,
+     .name = "orphan-vertex",
+     .summary = "a vertex that no face uses",
      .severity = Severity::Warning,
      .meaning = "A vertex that no face uses. A record that repeats an id is none: it is `corrupt`.",
      .value = "",
@@ -159,10 +200,13 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .passes = "drop orphans",
      .fixed_by_default = true},
     {.code = DefectCode::Numbering,
+     .name = "numbering",
+     .summary = "ids that do not count 1, 2, 3, ...",
      .severity = Severity::Warning,
      .meaning = "Ids are not 1, 2, ..., n in file order: one defect for the vertices and one for "
                 "the faces. Only `.mesh` names its ids.",
      .value = "The first id that is not as it should be; limit: what it should be.",
+     .measured = {.before = "id"},
      .elements = "The vertex or face that has this id, and its place.",
      .fix = "Only where asked for: `--renumber` counts anew.",
      .passes = "renumber",
@@ -185,6 +229,18 @@ std::span<const CatalogueEntry> defect_catalogue() {
 
 const CatalogueEntry& catalogue_entry(DefectCode code) {
   return kCatalogue[static_cast<std::size_t>(code)];
+}
+
+std::string_view defect_name(DefectCode code) {
+  return catalogue_entry(code).name;
+}
+
+std::optional<DefectCode> defect_code(std::string_view name) {
+  const auto* const found =
+      std::find_if(kCatalogue.begin(), kCatalogue.end(),
+                   [&](const CatalogueEntry& entry) { return entry.name == name; });
+  if (found == kCatalogue.end()) return std::nullopt;
+  return found->code;
 }
 
 Defect make_defect(DefectCode code) {

@@ -7,14 +7,27 @@
 
 namespace meshalyzer {
 
+/// How a measured value is told: "height 0.1", "1 face", "2 faces".
+struct MeasuredWords {
+  std::string_view before = "measured";
+  std::string_view one = {};
+  std::string_view many = {};
+};
+
 /// What is known of a code before any mesh is seen: doc/defects.md is made of this.
 struct CatalogueEntry {
   DefectCode code;
+  /// What programs call it: "flat-facet". Never changed.
+  std::string_view name;
+  /// A few words, for pages.
+  std::string_view summary;
   Severity severity;
   /// A sentence.
   std::string_view meaning;
   /// What the measured value is, and the limit; empty where there is none.
   std::string_view value;
+  /// The words round the measured value.
+  MeasuredWords measured = {};
   /// Which elements and positions are listed.
   std::string_view elements;
   /// What meshfixer does about it.

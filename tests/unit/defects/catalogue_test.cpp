@@ -7,7 +7,9 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <string>
+#include <string_view>
 
 namespace meshalyzer {
 namespace {
@@ -23,6 +25,19 @@ TEST(DefectCatalogue, SaysAllOfEveryCode) {
       EXPECT_EQ(said.back(), '.');
     }
   }
+}
+
+TEST(DefectCatalogue, EachCodeHasItsOwnNameAndSummary) {
+  std::set<std::string_view> names;
+  std::set<std::string_view> summaries;
+  for (const CatalogueEntry& entry : defect_catalogue()) {
+    EXPECT_FALSE(entry.name.empty());
+    EXPECT_FALSE(entry.summary.empty());
+    names.insert(entry.name);
+    summaries.insert(entry.summary);
+  }
+  EXPECT_EQ(names.size(), kDefectCodes);
+  EXPECT_EQ(summaries.size(), kDefectCodes);
 }
 
 TEST(DefectCatalogue, AllIsFixedByDefaultButWhatMayBeMeant) {

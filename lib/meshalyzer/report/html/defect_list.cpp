@@ -3,7 +3,6 @@
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/colour_text.h"
-#include "meshalyzer/report/html/definitions.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -77,7 +76,7 @@ class DefectList {
       html.element("span", {{"class", "severity"}}, severity_name(Severity::Warning));
       html.text(" ");
     }
-    html.element("span", {{"class", "meaning"}}, short_meaning(code));
+    html.element("span", {{"class", "meaning"}}, catalogue_entry(code).summary);
   }
 
   /// @return How many are listed.

@@ -97,40 +97,4 @@ std::string_view definition_of(std::string_view term) {
   return lookup.definition().empty() ? other_definition(term) : lookup.definition();
 }
 
-std::string_view short_meaning(DefectCode code) {
-  switch (code) {
-    case DefectCode::Disjoint:
-      return "a component beside the largest one";
-    case DefectCode::Foldover:
-      return "faces folded back onto the surface";
-    case DefectCode::FlatFacet:
-      return "a face that is all but a line";
-    case DefectCode::DegenerateFacet:
-      return "a face with an edge of all but no length";
-    case DefectCode::Slit:
-      return "borders that lie on each other and are not joined";
-    case DefectCode::SelfIntersection:
-      return "faces that run into each other";
-    case DefectCode::NonManifold:
-      return "an edge or vertex where sheets of faces meet";
-    case DefectCode::VertexNormal:
-      return "a normal of the file that points into the mesh";
-    case DefectCode::Corrupt:
-      return "records that make no mesh";
-    case DefectCode::Hole:
-      return "a border loop";
-    case DefectCode::Flipped:
-      return "faces turned against their neighbours";
-    case DefectCode::Inward:
-      return "a closed component that is inside out";
-    case DefectCode::DuplicateFacet:
-      return "faces with the same three vertices";
-    case DefectCode::OrphanVertex:
-      return "a vertex that no face uses";
-    case DefectCode::Numbering:
-      return "ids that do not count 1, 2, 3, ...";
-  }
-  return {};
-}
-
 }  // namespace meshalyzer

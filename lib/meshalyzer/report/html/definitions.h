@@ -1,7 +1,5 @@
 #pragma once
 
-#include "meshalyzer/defects/defect.h"
-
 #include <string_view>
 
 namespace meshalyzer {
@@ -10,8 +8,5 @@ namespace meshalyzer {
 /// stands in doc/definitions.md.
 /// @param term  As the text report names it: "border edges".
 [[nodiscard]] std::string_view definition_of(std::string_view term);
-
-/// What a defect of this code is, in a few words; in full it stands in the catalogue.
-[[nodiscard]] std::string_view short_meaning(DefectCode code);
 
 }  // namespace meshalyzer

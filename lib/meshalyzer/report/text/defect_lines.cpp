@@ -1,5 +1,6 @@
 #include "meshalyzer/report/text/defect_lines.h"
 
+#include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/report/text/short_list.h"
 
 #include <cstddef>
@@ -72,49 +73,18 @@ std::string place_text(const Defect& defect) {
   return text;
 }
 
-/// What was measured, before the number and behind it.
-struct MeasureWords {
-  std::string_view before;
-  std::string_view behind = "";
-};
-
-MeasureWords measure_of(const Defect& defect) {
-  switch (defect.code) {
-    case DefectCode::Disjoint:
-      return {"", defect.value == 1.0 ? " face" : " faces"};
-    case DefectCode::Foldover:
-      return {"height "};
-    case DefectCode::FlatFacet:
-      return {"altitude "};
-    case DefectCode::DegenerateFacet:
-      return {"shortest edge "};
-    case DefectCode::Slit:
-      return {"gap "};
-    case DefectCode::SelfIntersection:
-      return {"", defect.value == 1.0 ? " pair" : " pairs"};
-    case DefectCode::NonManifold:
-      return {"", defect.edges.empty() ? " fans of faces" : " faces at it"};
-    case DefectCode::Corrupt:
-      return {"", " records"};
-    case DefectCode::Hole:
-      return {"length "};
-    case DefectCode::Inward:
-      return {"volume "};
-    case DefectCode::DuplicateFacet:
-      return {"", " faces"};
-    case DefectCode::Numbering:
-      return {"id "};
-    default:
-      return {"measured "};
-  }
+/// Of a non-manifold vertex the fans of faces are counted, not the faces at the edge.
+std::string_view words_behind(const Defect& defect, const MeasuredWords& words) {
+  if (defect.code == DefectCode::NonManifold && defect.edges.empty()) return "fans of faces";
+  return defect.value == 1.0 ? words.one : words.many;
 }
 
 std::string measured_text(const Defect& defect) {
   if (!defect.value) return "";
-  const MeasureWords measure = measure_of(defect);
-  std::string text(measure.before);
-  text += readable(*defect.value);
-  text += measure.behind;
+  const MeasuredWords& words = catalogue_entry(defect.code).measured;
+  std::string text(words.before);
+  append_part(text, " ", readable(*defect.value));
+  append_part(text, " ", words_behind(defect, words));
   if (defect.limit) {
     text += defect.code == DefectCode::Numbering ? ", expected " : ", limit ";
     text += readable(*defect.limit);

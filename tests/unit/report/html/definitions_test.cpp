@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
 namespace meshalyzer {
 namespace {
 
@@ -66,15 +64,6 @@ TEST(DefinitionOf, EachLineOfTheCurvatureIsDefined) {
 TEST(DefinitionOf, UnknownWordHasNone) {
   EXPECT_EQ(definition_of("warning"), "");
   EXPECT_EQ(definition_of(""), "");
-}
-
-TEST(ShortMeaning, EachCodeHasItsOwn) {
-  std::set<std::string_view> meanings;
-  for (const DefectCode code : all_defect_codes()) {
-    EXPECT_FALSE(short_meaning(code).empty());
-    meanings.insert(short_meaning(code));
-  }
-  EXPECT_EQ(meanings.size(), kDefectCodes);
 }
 
 }  // namespace
