@@ -53,7 +53,7 @@ std::string name_of(const CLI::Option& option) {
 
 std::string line_of(const CLI::Option& option) {
   std::string line = "  " + name_of(option);
-  if (line.size() >= kIndent) {
+  if (line.size() + 1 >= kIndent) {
     line += '\n';
     line.append(kIndent, ' ');
   } else {
