@@ -54,6 +54,10 @@ bool draws_pictures(const Options& options) {
   return options.html || options.field_export.file || options.separation_ply;
 }
 
+bool draws_at_once(const Run& run) {
+  return (run.options.html || run.options.field_export.file) && !run.request.between.separation;
+}
+
 Pictures::Pictures(const Run& run) : run_(run), paths_(run.pictures) {
   if (run.options.html) {
     rows_.resize(run.inputs.files.size());
@@ -68,6 +72,16 @@ void Pictures::on_mesh(Index number, const Analysis& mesh) {
   if (!draws_meshes()) {
     return;
   }
+  if (run_.request.between.separation) {
+    wait(number, mesh);
+  } else if (mesh.mesh) {
+    draw(number, mesh, *mesh.mesh, nullptr);
+  } else {
+    read_and_draw(number, {mesh, std::nullopt}, nullptr);
+  }
+}
+
+void Pictures::wait(Index number, const Analysis& mesh) {
   Waiting waiting{mesh, std::nullopt};
   // What a journal knows has no file with it, and its pairs are by other records.
   if (mesh.soup) {
@@ -75,13 +89,7 @@ void Pictures::on_mesh(Index number, const Analysis& mesh) {
   }
   waiting.analysis.offenders = first_offenders(mesh.offenders);
   waiting.analysis.soup.reset();
-  if (run_.request.between.separation) {
-    waiting_.emplace(number, std::move(waiting));
-  } else if (mesh.soup) {
-    draw(number, waiting, *mesh.soup, nullptr);
-  } else {
-    draw(number, waiting, read_mesh(run_.inputs.files[number]), nullptr);
-  }
+  waiting_.emplace(number, std::move(waiting));
 }
 
 void Pictures::on_unreadable(Index number, const std::string& why) {
@@ -101,30 +109,35 @@ void Pictures::on_findings(const ObjectFindings& findings) {
   }
   const auto waiting = waiting_.extract(findings.owner);
   if (!waiting.empty()) {
-    draw(findings.owner, waiting.mapped(), read_mesh(run_.inputs.files[findings.owner]),
-         separation);
+    read_and_draw(findings.owner, waiting.mapped(), separation);
   }
 }
 
-void Pictures::draw(Index number, const Waiting& mesh, const Soup& soup,
-                    const ObjectSeparation* separation) {
-  PreparedMesh built(soup);
-  if (mesh.pairs) {
-    built.know_intersecting_pairs(*mesh.pairs);
+void Pictures::read_and_draw(Index number, const Waiting& waiting,
+                             const ObjectSeparation* separation) {
+  const Soup soup = read_mesh(run_.inputs.files[number]);
+  PreparedMesh mesh(soup);
+  if (waiting.pairs) {
+    mesh.set_intersecting_pairs(*waiting.pairs);
   }
-  const DefectReport defects = find_defects(built);
-  const FieldSource source{built, &defects, separation,
+  draw(number, waiting.analysis, mesh, separation);
+}
+
+void Pictures::draw(Index number, const Analysis& analysis, const PreparedMesh& mesh,
+                    const ObjectSeparation* separation) {
+  const DefectReport defects = find_defects(mesh);
+  const FieldSource source{mesh, &defects, separation,
                            run_.request.mesh.curvature.value_or(VertexArea::Mixed)};
   if (run_.options.field_export.file) {
     prepare(paths_.fields[number], paths_);
     write_field(paths_.fields[number], source, run_.options.field_export);
   }
   if (run_.options.html) {
-    write_page(number, mesh, source);
+    write_page(number, analysis, source);
   }
 }
 
-void Pictures::write_page(Index number, const Waiting& mesh, const FieldSource& source) {
+void Pictures::write_page(Index number, const Analysis& analysis, const FieldSource& source) {
   const Scene scene = make_scene(source, all_field_names());
   const MeshName name = name_of(source.mesh.soup(), run_.inputs.files[number]);
   const std::string& page = paths_.pages[number];
@@ -132,16 +145,16 @@ void Pictures::write_page(Index number, const Waiting& mesh, const FieldSource& 
   if (paths_.index) {
     index = "../" + std::filesystem::path(*paths_.index).filename().string();
     rows_[number] =
-        index_row(mesh.analysis, *source.defects, run_.inputs.names[number], paths_.links[number]);
+        index_row(analysis, *source.defects, run_.inputs.names[number], paths_.links[number]);
     rows_[number].separation = smallest(source.separation);
   }
   prepare(page, paths_);
-  replace_file(page, html_report(MeshPage{mesh.analysis, {name, *source.defects, scene}, index}));
+  replace_file(page, html_report(MeshPage{analysis, {name, *source.defects, scene}, index}));
 }
 
 void Pictures::finish(const SetAnalysis* set) {
-  for (const auto& [number, mesh] : std::exchange(waiting_, {})) {
-    draw(number, mesh, read_mesh(run_.inputs.files[number]), nullptr);
+  for (const auto& [number, waiting] : std::exchange(waiting_, {})) {
+    read_and_draw(number, waiting, nullptr);
   }
   if (paths_.index) {
     replace_file(*paths_.index, html_index(rows_, set));

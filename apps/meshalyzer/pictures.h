@@ -16,6 +16,10 @@ namespace meshalyzer {
 /// Whether any pictures are asked for.
 [[nodiscard]] bool draws_pictures(const Options& options);
 
+/// Whether the meshes of a run are drawn as soon as they are analysed, so that what was built for
+/// the analysis should be kept until then (SetOptions::keep_mesh).
+[[nodiscard]] bool draws_at_once(const Run& run);
+
 /// Writes the pictures of a run as its findings come: a page a mesh and their index (--html), a
 /// field (--export), the separation (--separation-ply).
 class Pictures : public Output {
@@ -37,9 +41,11 @@ class Pictures : public Output {
     std::optional<std::vector<IntersectingPair>> pairs;
   };
 
-  void draw(Index number, const Waiting& mesh, const Soup& soup,
+  void wait(Index number, const Analysis& mesh);
+  void read_and_draw(Index number, const Waiting& waiting, const ObjectSeparation* separation);
+  void draw(Index number, const Analysis& analysis, const PreparedMesh& mesh,
             const ObjectSeparation* separation);
-  void write_page(Index number, const Waiting& mesh, const FieldSource& source);
+  void write_page(Index number, const Analysis& analysis, const FieldSource& source);
   [[nodiscard]] bool draws_meshes() const;
 
   const Run& run_;

@@ -5,6 +5,7 @@
 #include "meshalyzer/set/set_run.h"
 #include "outcome.h"
 #include "outputs.h"
+#include "pictures.h"
 #include "progress.h"
 
 #include <algorithm>
@@ -53,6 +54,7 @@ Findings analyze(const Run& run, RunListener& listener) {
   const Options& options = run.options;
   const SetOptions how{.request = run.request,
                        .keep_soup = options.shows_places(),
+                       .keep_mesh = draws_at_once(run),
                        .memory_limit = options.memory_limit,
                        .shard = options.shard.value_or(Shard{}),
                        .earlier = run.earlier};

@@ -12,8 +12,7 @@
 namespace meshalyzer::fixer {
 namespace {
 
-Scene scene_of(const Soup& soup, const DefectReport& defects) {
-  const PreparedMesh mesh(soup);
+Scene scene_of(const PreparedMesh& mesh, const DefectReport& defects) {
   return make_scene({.mesh = mesh, .defects = &defects}, all_field_names());
 }
 
@@ -92,15 +91,15 @@ JoinedMesh join(const std::vector<FinalMesh>& meshes, const std::vector<Soup>& s
 }  // namespace
 
 void write_page(const std::string& file, const FoundPage& found) {
-  const Scene scene = scene_of(found.soup, found.report);
+  const Scene scene = scene_of(found.mesh, found.report);
   replace_file(file, html_report({found.name, found.report, scene}, found.asked));
 }
 
 void write_page(const std::string& file, const RepairStory& story, const Soup& input,
                 const std::vector<Soup>& finals) {
-  const Scene before = scene_of(input, story.result.before);
+  const Scene before = scene_of(PreparedMesh(input), story.result.before);
   const JoinedMesh all = story.meshes.empty() ? JoinedMesh{} : join(story.meshes, finals);
-  const Scene after = scene_of(all.soup, all.report);
+  const Scene after = scene_of(PreparedMesh(all.soup), all.report);
   replace_file(
       file, html_report(RepairPage{
                 story, {story.input, story.result.before, before}, {all.name, all.report, after}}));

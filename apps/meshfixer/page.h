@@ -1,7 +1,7 @@
 #pragma once
 
 #include "meshalyzer/defects/find_defects.h"
-#include "meshalyzer/mesh/soup.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/report/repair_story.h"
 
 #include <string>
@@ -11,7 +11,7 @@ namespace meshalyzer::fixer {
 
 /// What --find found.
 struct FoundPage {
-  const Soup& soup;
+  const PreparedMesh& mesh;
   const MeshName& name;
   const DefectReport& report;
   /// The codes that count in the verdict.

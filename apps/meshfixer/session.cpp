@@ -2,6 +2,7 @@
 
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/io/read.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/report/json/repair_report.h"
 #include "meshalyzer/report/text/defects_report.h"
 #include "meshalyzer/report/text/repair_report.h"
@@ -12,6 +13,7 @@
 #include "usage_error.h"
 
 #include <algorithm>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -34,12 +36,14 @@ ExitCode tell(const Options& options, Streams streams, Text text, Json json) {
 }
 
 ExitCode find(const Options& options, const Soup& soup, Streams streams) {
-  const DefectReport report = find_defects(soup, {.codes = DefectCodes::all(),
-                                                  .tolerances = options.repair.tolerances,
-                                                  .max_defects = options.repair.max_defects});
+  std::optional<PreparedMesh> mesh(std::in_place, soup);
+  const DefectReport report = find_defects(*mesh, {.codes = DefectCodes::all(),
+                                                   .tolerances = options.repair.tolerances,
+                                                   .max_defects = options.repair.max_defects});
   const MeshName name = name_of(soup, options.input);
   const DefectCodes& asked = options.repair.fixes;
-  if (options.html) write_page(*options.html, {soup, name, report, asked});
+  if (options.html) write_page(*options.html, {*mesh, name, report, asked});
+  mesh.reset();
   const ExitCode told = tell(
       options, streams, [&] { return text_report(name, report, asked, options.lists); },
       [&] { return json_report(name, report, asked); });

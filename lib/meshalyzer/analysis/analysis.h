@@ -131,6 +131,8 @@ struct Goodness {
 /// The values that the statistics of a mesh are of.
 using MeasuredValues = ElementMeasures<std::vector<double>>;
 
+class PreparedMesh;
+
 /// All that is known of one mesh. A plain value: reports render it, nothing measures after it.
 struct Analysis {
   /// As the user named it.
@@ -162,6 +164,8 @@ struct Analysis {
   Offenders offenders;
   /// The file itself; only kept where a report will show places (-q, --html, --export).
   std::shared_ptr<const Soup> soup;
+  /// The file with what was built for it; only kept where a picture will be made of it.
+  std::shared_ptr<const PreparedMesh> mesh;
   /// In no particular order; only kept for the statistics of a set.
   MeasuredValues values;
 };

@@ -6,13 +6,11 @@
 #include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/analysis/integrity.h"
 #include "meshalyzer/analysis/measures.h"
-#include "meshalyzer/analysis/solids.h"
-#include "meshalyzer/geometry/extent.h"
-#include "meshalyzer/mesh/build.h"
-#include "meshalyzer/spatial/self_intersection.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <utility>
 
 namespace meshalyzer {
@@ -20,34 +18,39 @@ namespace {
 
 /// Frees what only the file needs; ids go into the analysis, and all of it where a report will
 /// show places.
-void keep_what_reports_need(Soup soup, bool keep_soup, Analysis& analysis) {
-  if (keep_soup) {
-    analysis.vertex_ids = soup.vertex_ids;
-    analysis.face_ids = soup.face_ids;
-    analysis.soup = std::make_shared<const Soup>(std::move(soup));
+void keep_what_reports_need(std::shared_ptr<Soup> soup, const AnalysisOptions& options,
+                            PreparedMesh& mesh, Analysis& analysis) {
+  if (options.keep_soup || options.keep_mesh) {
+    analysis.vertex_ids = soup->vertex_ids;
+    analysis.face_ids = soup->face_ids;
   } else {
-    analysis.vertex_ids = std::move(soup.vertex_ids);
-    analysis.face_ids = std::move(soup.face_ids);
+    analysis.vertex_ids = std::move(soup->vertex_ids);
+    analysis.face_ids = std::move(soup->face_ids);
+  }
+  if (!options.keep_mesh) {
+    mesh.release_soup();
+  }
+  if (options.keep_soup) {
+    analysis.soup = std::move(soup);
   }
 }
 
-void box_components(const CutMesh& cut, const Components& components, Analysis& analysis) {
-  const std::vector<Box3> boxes =
-      bounding_boxes(cut.mesh, {.of_face = components.of_face, .count = components.count});
+void box_components(const std::vector<Box3>& boxes, Analysis& analysis) {
   for (std::size_t c = 0; c < boxes.size(); ++c) {
     analysis.components[c].bounding_box = boxes[c];
     analysis.characteristics.bounding_box.extend(boxes[c]);
   }
 }
 
-void count_pairs(const CutMesh& cut, const Components& components,
-                 const std::vector<IntersectingPair>& pairs, Analysis& analysis) {
-  std::vector<std::uint8_t> intersects(cut.mesh.n_faces(), 0);
+void count_pairs(const PreparedMesh& mesh, Analysis& analysis) {
+  const SideTable& side = mesh.cut().side;
+  std::vector<std::uint8_t> intersects(side.faces.size(), 0);
   const auto meet = [&](Index file_face) {
-    const std::size_t mesh_face = cut.side.mesh_face(file_face);
+    const std::size_t mesh_face = side.mesh_face(file_face);
     intersects[mesh_face] = 1;
-    return components.of_face[mesh_face];
+    return mesh.components().of_face[mesh_face];
   };
+  const std::vector<IntersectingPair>& pairs = mesh.intersecting_pairs();
   for (const IntersectingPair& pair : pairs) {
     const Index a = meet(pair.face_a);
     const Index b = meet(pair.face_b);
@@ -58,6 +61,32 @@ void count_pairs(const CutMesh& cut, const Components& components,
   analysis.characteristics.intersecting_pairs = pairs.size();
   analysis.characteristics.intersecting_faces =
       static_cast<std::size_t>(std::count(intersects.begin(), intersects.end(), 1));
+}
+
+/// Says of every closed, manifold, consistent component whether it points outward, its volume, and
+/// which component directly encloses it. One that encloses no volume does not point anywhere; one
+/// whose volume is too large for a double has none.
+void describe_shells(const std::vector<Shell>& shells, std::vector<ComponentAnalysis>& components) {
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    components[c].volume = shells[c].volume;
+    components[c].outward = shells[c].outward;
+    if (shells[c].inside != kNoIndex) {
+      components[c].inside = shells[c].inside;
+    }
+  }
+}
+
+/// What is left to say when all is counted and measured.
+void conclude(const AnalysisOptions& options, bool is_orientable, Analysis& analysis) {
+  analysis.attributes = answer_attributes(analysis, is_orientable);
+  analysis.characteristics.volume = total_volume(analysis);
+  answer_genus(analysis);
+  if (options.scope == Scope::Everything || options.judge_fitness) {
+    analysis.fitness = judge_fitness(analysis);
+  }
+  if (options.goodness) {
+    analysis.goodness = judge(analysis, *options.goodness);
+  }
 }
 
 }  // namespace
@@ -79,48 +108,38 @@ Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options) {
   phase("integrity");
   analysis.integrity = check_integrity(soup, analysis.offenders);
   phase("half-edges");
-  const CutMesh cut = build(soup);
+  auto file = std::make_shared<Soup>(std::move(soup));
+  const auto mesh = std::make_shared<PreparedMesh>(file);
   phase("topology");
-  const ComplexTopology topology = analyze_topology(cut, analysis.offenders);
+  const ComplexTopology topology = analyze_topology(*mesh, analysis.offenders);
   analysis.components = analyze_components(topology.counts);
-  count_elements(soup, topology, analysis);
-  keep_what_reports_need(std::exchange(soup, {}), options.keep_soup, analysis);
+  count_elements(*file, topology, analysis);
+  keep_what_reports_need(std::exchange(file, nullptr), options, *mesh, analysis);
 
-  box_components(cut, topology.components, analysis);
+  box_components(mesh->component_boxes(), analysis);
   if (everything) {
     phase("measures");
-    measure(cut, topology.components, options, analysis);
+    measure(mesh->cut(), mesh->components(), options, analysis);
   }
   if (everything && options.curvature) {
     phase("curvature");
-    analysis.curvature = curvature_statistics(cut, *options.curvature);
+    analysis.curvature = curvature_statistics(mesh->cut(), *options.curvature);
   }
-  phase("face tree");
-  const FaceTree tree(cut);
-  phase("self-intersection");
-  // Whether components cross matters also to which encloses which, and so to the attributes.
-  const bool wants_pairs = everything || options.judge_fitness;
-  std::vector<IntersectingPair> pairs;
-  if (wants_pairs || topology.components.count > 1) {
-    pairs = find_self_intersections(cut, tree);
+  if (everything || options.judge_fitness) {
+    phase("face tree");
+    static_cast<void>(mesh->tree());
+    phase("self-intersection");
+    count_pairs(*mesh, analysis);
   }
   phase("solids");
-  analyze_solids({.cut = cut, .tree = tree, .components = topology.components, .pairs = pairs},
-                 analysis.components);
-  if (wants_pairs) {
-    count_pairs(cut, topology.components, pairs, analysis);
+  describe_shells(mesh->shells(), analysis.components);
+  conclude(options, topology.orientable, analysis);
+  if (options.keep_mesh) {
+    analysis.mesh = mesh;
   }
   if (everything) {
-    analysis.offenders.intersecting_pairs = std::move(pairs);
-  }
-  analysis.attributes = answer_attributes(analysis, topology.orientable);
-  analysis.characteristics.volume = total_volume(analysis);
-  answer_genus(analysis);
-  if (wants_pairs) {
-    analysis.fitness = judge_fitness(analysis);
-  }
-  if (options.goodness) {
-    analysis.goodness = judge(analysis, *options.goodness);
+    analysis.offenders.intersecting_pairs =
+        options.keep_mesh ? mesh->intersecting_pairs() : std::move(*mesh).intersecting_pairs();
   }
   return analysis;
 }

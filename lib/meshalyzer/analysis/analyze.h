@@ -58,6 +58,8 @@ struct AnalysisOptions : MeshRequest {
   bool keep_values = false;
   /// Keep the file in the result, for reports that show places.
   bool keep_soup = false;
+  /// Keep the file and what was built for it in the result, for finding defects and for pictures.
+  bool keep_mesh = false;
   PhaseListener on_phase;
 };
 

@@ -90,7 +90,7 @@ void count_elements(const Soup& soup, const ComplexTopology& topology, Analysis&
   c.vertices = soup.n_vertices();
   c.faces = soup.n_faces();
   c.edges = topology.n_edges;
-  c.components = topology.components.count;
+  c.components = topology.counts.size();
   c.edge_components = topology.n_edge_components;
   c.boundaries = topology.n_boundaries;
   c.border_edges = offenders.border_edges.size();

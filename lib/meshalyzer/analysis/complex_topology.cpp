@@ -10,13 +10,13 @@
 
 namespace meshalyzer {
 
-ComplexTopology analyze_topology(const CutMesh& cut, Offenders& offenders) {
+ComplexTopology analyze_topology(const PreparedMesh& mesh, Offenders& offenders) {
+  const CutMesh& cut = mesh.cut();
   ComplexTopology topology;
-  topology.components = find_components(cut);
   const Components edge_components = find_edge_components(cut);
   const Orientability orientability = find_orientability(cut, edge_components);
   const std::vector<BoundaryLoop> boundaries = find_boundary_loops(cut);
-  topology.counts = count_by_component(cut, {.components = topology.components,
+  topology.counts = count_by_component(cut, {.components = mesh.components(),
                                              .edge_components = edge_components,
                                              .orientability = orientability,
                                              .boundaries = boundaries});

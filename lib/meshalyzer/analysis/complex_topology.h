@@ -1,9 +1,8 @@
 #pragma once
 
 #include "meshalyzer/analysis/analysis.h"
-#include "meshalyzer/mesh/side_table.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/topology/component_counts.h"
-#include "meshalyzer/topology/components.h"
 
 #include <vector>
 
@@ -11,7 +10,6 @@ namespace meshalyzer {
 
 /// All that follows from which faces name which vertices.
 struct ComplexTopology {
-  Components components;
   /// One a component.
   std::vector<ComponentCounts> counts;
   std::size_t n_edges = 0;
@@ -25,6 +23,6 @@ struct ComplexTopology {
 /// @param offenders  Receives border, non-manifold and flipped edges, non-manifold and pinched
 /// vertices, duplicate faces.
 /// @complexity       Near O(#V + #F).
-[[nodiscard]] ComplexTopology analyze_topology(const CutMesh& cut, Offenders& offenders);
+[[nodiscard]] ComplexTopology analyze_topology(const PreparedMesh& mesh, Offenders& offenders);
 
 }  // namespace meshalyzer

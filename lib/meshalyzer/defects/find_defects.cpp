@@ -12,7 +12,7 @@
 namespace meshalyzer {
 namespace {
 
-/// What was found, by code.
+/// The defects that were found, by code.
 class Findings {
  public:
   [[nodiscard]] std::vector<Defect>& operator[](DefectCode code) {
@@ -29,7 +29,7 @@ class Search {
   Search(const DefectCodes& codes, const Tolerances& tolerances)
       : codes_(codes), tolerances_(tolerances) {}
 
-  /// What is seen in the records alone, wherever the vertices are.
+  /// Looks for what can be seen in the records alone, wherever the vertices are.
   void search_records(const Soup& soup) {
     add(DefectCode::Corrupt, [&] { return find_corrupt(soup); });
     add(DefectCode::OrphanVertex, [&] { return find_orphans(soup); });
@@ -47,8 +47,8 @@ class Search {
       finders_.emplace_back([&] { search_thin_facets(mesh); });
     }
     run_at_once();
-    // One after the other, each parallel within. These may ask for the intersecting pairs, which
-    // are searched once: a thread that helps with that must not meet another finder that asks.
+    // One after the other, each parallel within. Several of these ask for the intersecting pairs:
+    // at the same time, all but the first would wait.
     add(DefectCode::Foldover, [&] { return find_foldovers(mesh, tolerances_); });
     add(DefectCode::SelfIntersection, [&] { return find_self_intersection_patches(mesh); });
     add(DefectCode::Inward, [&] { return find_inward(mesh); });
@@ -132,7 +132,7 @@ DefectReport find_defects(const Soup& soup, const DefectOptions& options) {
 }
 
 DefectReport find_defects(const PreparedMesh& mesh, const DefectOptions& options) {
-  return find_in(mesh.soup(), &mesh, options);
+  return find_in(mesh.soup(), has_finite_positions(mesh.soup()) ? &mesh : nullptr, options);
 }
 
 }  // namespace meshalyzer

@@ -1,7 +1,6 @@
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/places.h"
-#include "meshalyzer/topology/components.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,13 +14,13 @@ struct Part {
   std::size_t n_faces = 0;
 };
 
-std::vector<Part> find_parts(const CutMesh& cut) {
-  const Components components = find_components(cut);
+std::vector<Part> find_parts(const PreparedMesh& mesh) {
+  const Components& components = mesh.components();
   std::vector<Part> parts(components.count);
   if (components.count < 2) return parts;
   for (std::size_t f = 0; f < components.of_face.size(); ++f) {
     Part& part = parts[components.of_face[f]];
-    if (part.n_faces++ == 0) part.face = cut.side.faces[f];
+    if (part.n_faces++ == 0) part.face = mesh.cut().side.faces[f];
   }
   return parts;
 }
@@ -29,7 +28,7 @@ std::vector<Part> find_parts(const CutMesh& cut) {
 }  // namespace
 
 std::vector<Defect> find_disjoint(const PreparedMesh& mesh) {
-  const std::vector<Part> parts = find_parts(mesh.cut());
+  const std::vector<Part> parts = find_parts(mesh);
   const auto largest =
       std::max_element(parts.begin(), parts.end(),
                        [](const Part& a, const Part& b) { return a.n_faces < b.n_faces; });

@@ -1,19 +1,12 @@
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/places.h"
-#include "meshalyzer/prepared/shells.h"
-#include "meshalyzer/topology/components.h"
 
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 namespace meshalyzer {
 namespace {
-
-std::vector<Shell> shells_of(const PreparedMesh& mesh, const Components& components) {
-  const std::vector<std::uint8_t> is_shell = which_are_shells(mesh.cut(), components);
-  return find_shells(mesh, components, is_shell);
-}
 
 Defect inward_component(const Soup& soup, Index first_face, const Shell& shell) {
   Defect defect = make_defect(DefectCode::Inward);
@@ -26,8 +19,7 @@ Defect inward_component(const Soup& soup, Index first_face, const Shell& shell) 
 }  // namespace
 
 std::vector<Defect> find_inward(const PreparedMesh& mesh) {
-  const Components components = find_components(mesh.cut());
-  const std::vector<Shell> shells = shells_of(mesh, components);
+  const Components& components = mesh.components();
   std::vector<Defect> defects;
   std::size_t n_seen = 0;
   for (std::size_t f = 0; f < components.of_face.size() && n_seen < components.count; ++f) {
@@ -35,7 +27,7 @@ std::vector<Defect> find_inward(const PreparedMesh& mesh) {
     if (components.of_face[f] != n_seen) {
       continue;
     }
-    const Shell& shell = shells[n_seen++];
+    const Shell& shell = mesh.shells()[n_seen++];
     if (!shell.outward.value_or(true)) {
       defects.push_back(inward_component(mesh.soup(), mesh.cut().side.faces[f], shell));
     }

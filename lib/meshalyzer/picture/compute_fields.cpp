@@ -2,7 +2,6 @@
 #include "meshalyzer/picture/field.h"
 #include "meshalyzer/picture/separation_values.h"
 #include "meshalyzer/picture/worst_defects.h"
-#include "meshalyzer/topology/components.h"
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>
@@ -38,7 +37,7 @@ class FieldComputer {
       case FieldName::Area:
         return of_faces(name, FieldKind::Magnitude, by_record(face_measures().area));
       case FieldName::Component:
-        return of_faces(name, FieldKind::Category, by_record(components().of_face));
+        return of_faces(name, FieldKind::Category, by_record(source_.mesh.components().of_face));
       case FieldName::Defect:
         return defects();
       case FieldName::Separation:
@@ -69,13 +68,6 @@ class FieldComputer {
     return *face_measures_;
   }
 
-  const Components& components() {
-    if (!components_) {
-      components_ = find_components(source_.mesh.cut());
-    }
-    return *components_;
-  }
-
   [[nodiscard]] std::vector<double> valences() const {
     const std::vector<Index> valences = vertex_valences(source_.mesh.cut());
     std::vector<double> values(valences.size());
@@ -88,9 +80,10 @@ class FieldComputer {
     if (source_.defects == nullptr) {
       return std::nullopt;
     }
-    return of_faces(FieldName::Defect, FieldKind::Category,
-                    spread_over_components(worst_defects(source_.mesh.soup(), *source_.defects),
-                                           *source_.defects, source_.mesh.cut(), components()));
+    return of_faces(
+        FieldName::Defect, FieldKind::Category,
+        spread_over_components(worst_defects(source_.mesh.soup(), *source_.defects),
+                               *source_.defects, source_.mesh.cut(), source_.mesh.components()));
   }
 
   [[nodiscard]] std::optional<Field> separation() const {
@@ -118,7 +111,6 @@ class FieldComputer {
   const FieldSource& source_;
   std::optional<Curvature> curvature_;
   std::optional<FaceMeasures> face_measures_;
-  std::optional<Components> components_;
 };
 
 /// The value of a vertex from those of two faces round it, or of more one after the other.

@@ -2,7 +2,6 @@
 
 #include "meshalyzer/picture/drawn_surface.h"
 #include "meshalyzer/picture/worst_defects.h"
-#include "meshalyzer/topology/components.h"
 
 #include <algorithm>
 
@@ -29,8 +28,8 @@ std::vector<LitDefect> first_of_each_code(const DefectReport& report, std::size_
 /// The faces of components of the mesh.
 class ComponentFaces {
  public:
-  explicit ComponentFaces(const CutMesh& cut)
-      : cut_(cut), components_(find_components(cut)), list_of_(components_.count, kNoIndex) {}
+  explicit ComponentFaces(const PreparedMesh& mesh)
+      : cut_(mesh.cut()), components_(mesh.components()), list_of_(components_.count, kNoIndex) {}
 
   /// The number of the list of the component that a face is in.
   Index list_of(Index face) {
@@ -54,7 +53,7 @@ class ComponentFaces {
 
  private:
   const CutMesh& cut_;
-  Components components_;
+  const Components& components_;
   std::vector<Index> list_of_;
   Index n_lists_ = 0;
 };
@@ -67,7 +66,7 @@ std::vector<std::vector<Index>> expand_components(const PreparedMesh& mesh,
     return names_component(report.defects[one.number]);
   };
   if (std::none_of(lit.begin(), lit.end(), is_one)) return {};
-  ComponentFaces components(mesh.cut());
+  ComponentFaces components(mesh);
   std::vector<Index> list_of(lit.size(), kNoIndex);
   for (std::size_t i = 0; i < lit.size(); ++i) {
     if (is_one(lit[i])) list_of[i] = components.list_of(lit[i].faces[0]);

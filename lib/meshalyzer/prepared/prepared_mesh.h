@@ -1,43 +1,87 @@
 #pragma once
 
+#include "meshalyzer/base/lazy.h"
 #include "meshalyzer/mesh/build.h"
+#include "meshalyzer/prepared/shells.h"
 #include "meshalyzer/spatial/face_tree.h"
 #include "meshalyzer/spatial/intersecting_pair.h"
+#include "meshalyzer/topology/components.h"
 
-#include <mutex>
+#include <memory>
 #include <vector>
 
 namespace meshalyzer {
 
-/// A soup and what questions about it need: its half-edge mesh, a tree over its faces, and, once
-/// somebody has asked for them, its intersecting pairs. Stays where it is, since the tree refers to
-/// the mesh; the soup must outlive it. Safe to read from several threads.
+/// A mesh with what questions about it need, each built once: whoever asks the same mesh several
+/// things hands the same PreparedMesh on. (JTS and GEOS call a geometry with such indices a
+/// PreparedGeometry.)
+///
+/// The half-edge mesh is built at once: O(#F) time, about 200 bytes a face. All else is built when
+/// it is first asked for, and kept as long as this lives: each function says what it costs. Any
+/// number of threads may ask at a time. It stays where it is, since its parts refer to each other.
 class PreparedMesh {
  public:
-  /// @complexity O(#F log #F).
-  explicit PreparedMesh(const Soup& soup) : soup_(soup), cut_(build(soup)), tree_(cut_) {}
+  /// Prepares a mesh of which the caller keeps the records.
+  ///
+  /// @param soup  Must outlive this, or what is left of this after release_soup().
+  explicit PreparedMesh(const Soup& soup);
+  /// Prepares a mesh and keeps its records.
+  explicit PreparedMesh(std::shared_ptr<const Soup> soup);
   PreparedMesh(const PreparedMesh&) = delete;
   PreparedMesh& operator=(const PreparedMesh&) = delete;
 
-  [[nodiscard]] const Soup& soup() const { return soup_; }
+  /// The records of the file.
+  ///
+  /// @throws InvalidArgument  after release_soup().
+  [[nodiscard]] const Soup& soup() const;
+
+  /// Gives up the records, so that their memory is free unless somebody else holds them. Nothing
+  /// else that can be asked for needs them.
+  void release_soup() { soup_.reset(); }
+
+  /// The half-edge mesh, cut open where the mesh is not manifold: see build().
   [[nodiscard]] const CutMesh& cut() const { return cut_; }
-  [[nodiscard]] const FaceTree& tree() const { return tree_; }
 
-  /// As find_self_intersections(): searched when first asked for.
-  [[nodiscard]] const std::vector<IntersectingPair>& intersecting_pairs() const;
+  /// The tree over the faces.
+  ///
+  /// @complexity O(#F log #F) time, 48 bytes a face.
+  [[nodiscard]] const FaceTree& tree() const;
 
-  /// Tells the pairs, where they are known already, so that nobody searches them. Call before
-  /// anybody asks.
+  /// The components: see find_components().
+  ///
+  /// @complexity Near O(#F) time, 4 bytes a face.
+  [[nodiscard]] const Components& components() const;
+
+  /// The box of each component: see bounding_boxes().
+  ///
+  /// @complexity O(#F) time.
+  [[nodiscard]] const std::vector<Box3>& component_boxes() const;
+
+  /// The pairs of faces that intersect: see find_self_intersections(). Asks for the tree.
+  ///
+  /// @complexity O(#F log #F + candidates) time.
+  [[nodiscard]] const std::vector<IntersectingPair>& intersecting_pairs() const&;
+  /// The same for one who needs nothing else any more.
+  [[nodiscard]] std::vector<IntersectingPair> intersecting_pairs() &&;
+
+  /// Says what the pairs are where they are known already, so that nobody searches them. Must be
+  /// called before anybody asks for them.
   ///
   /// @param pairs  What find_self_intersections() would return.
-  void know_intersecting_pairs(std::vector<IntersectingPair> pairs);
+  void set_intersecting_pairs(std::vector<IntersectingPair> pairs);
+
+  /// What each component is as the wall of a solid: see find_shells(). Asks for the tree and the
+  /// intersecting pairs only where there are several components and some component is a shell.
+  [[nodiscard]] const std::vector<Shell>& shells() const;
 
  private:
-  const Soup& soup_;
+  std::shared_ptr<const Soup> soup_;
   CutMesh cut_;
-  FaceTree tree_;
-  mutable std::once_flag pairs_known_;
-  mutable std::vector<IntersectingPair> pairs_;
+  mutable Lazy<FaceTree> tree_;
+  mutable Lazy<Components> components_;
+  mutable Lazy<std::vector<Box3>> component_boxes_;
+  mutable Lazy<std::vector<IntersectingPair>> pairs_;
+  mutable Lazy<std::vector<Shell>> shells_;
 };
 
 }  // namespace meshalyzer

@@ -1,10 +1,12 @@
 #include "meshalyzer/prepared/shells.h"
 
 #include "meshalyzer/geometry/extent.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/spatial/nesting.h"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <tuple>
 
 namespace meshalyzer {
@@ -42,57 +44,52 @@ std::vector<PartContact> find_contacts(const CutMesh& cut, const Components& com
   return contacts;
 }
 
-/// The component of each face, but only of those that are shells.
-std::vector<Index> shell_of_face(const ShellsInput& input) {
-  std::vector<Index> of_face(input.components.of_face);
+/// #mesh faces: the component of each face; kNoIndex where that is no shell.
+std::vector<Index> shell_of_face(const Components& components,
+                                 std::span<const std::uint8_t> is_shell) {
+  std::vector<Index> of_face(components.of_face);
   for (Index& c : of_face) {
-    c = input.is_shell[c] != 0 ? c : kNoIndex;
+    c = is_shell[c] != 0 ? c : kNoIndex;
   }
   return of_face;
 }
 
+Nesting nesting_of_components(const PreparedMesh& mesh, std::span<const std::uint8_t> is_shell) {
+  const Components& components = mesh.components();
+  if (components.count == 1) {
+    return {.depth = {0}, .inside = {kNoIndex}};  // needs no tree
+  }
+  const std::vector<PartContact> contacts =
+      find_contacts(mesh.cut(), components, mesh.intersecting_pairs());
+  return find_nesting(mesh.tree(),
+                      {.parts = {.of_face = components.of_face, .count = components.count},
+                       .is_closed = is_shell,
+                       .contacts = contacts});
+}
+
 }  // namespace
 
-std::vector<Shell> find_shells(const ShellsInput& input) {
-  const Components& components = input.components;
-  const std::vector<Index> of_face = shell_of_face(input);
-  const std::vector<SignedVolume> volumes =
-      signed_volumes(input.cut.mesh, {.of_face = of_face, .count = components.count}, input.boxes);
-  const std::vector<PartContact> contacts = find_contacts(input.cut, components, input.pairs);
-  const Nesting nesting =
-      find_nesting(input.tree, {.parts = {.of_face = components.of_face, .count = components.count},
-                                .is_closed = input.is_shell,
-                                .contacts = contacts});
+std::vector<Shell> find_shells(const PreparedMesh& mesh) {
+  const Components& components = mesh.components();
+  const std::vector<std::uint8_t> is_shell = which_are_shells(mesh.cut(), components);
   std::vector<Shell> shells(components.count);
+  if (std::find(is_shell.begin(), is_shell.end(), 1) == is_shell.end()) {
+    return shells;  // no need to search for intersections
+  }
+  const std::vector<Index> of_face = shell_of_face(components, is_shell);
+  const std::vector<SignedVolume> volumes = signed_volumes(
+      mesh.cut().mesh, {.of_face = of_face, .count = components.count}, mesh.component_boxes());
+  const Nesting nesting = nesting_of_components(mesh, is_shell);
   for (std::size_t c = 0; c < components.count; ++c) {
     shells[c].inside = nesting.inside[c];
-    if (input.is_shell[c] != 0 && std::isfinite(volumes[c].value)) {
+    if (is_shell[c] != 0 && std::isfinite(volumes[c].value)) {
       shells[c].volume = volumes[c].value;
     }
-    if (input.is_shell[c] != 0 && volumes[c].sign != 0) {
+    if (is_shell[c] != 0 && volumes[c].sign != 0) {
       shells[c].outward = (volumes[c].sign > 0) == (nesting.depth[c] % 2 == 0);
     }
   }
   return shells;
-}
-
-std::vector<Shell> find_shells(const PreparedMesh& mesh, const Components& components,
-                               std::span<const std::uint8_t> is_shell) {
-  if (std::find(is_shell.begin(), is_shell.end(), 1) == is_shell.end()) {
-    return std::vector<Shell>(components.count);  // no need to search for intersections
-  }
-  const std::vector<Box3> boxes =
-      bounding_boxes(mesh.cut().mesh, {.of_face = components.of_face, .count = components.count});
-  ShellsInput input{.cut = mesh.cut(),
-                    .tree = mesh.tree(),
-                    .components = components,
-                    .is_shell = is_shell,
-                    .boxes = boxes,
-                    .pairs = {}};
-  if (components.count > 1) {
-    input.pairs = mesh.intersecting_pairs();
-  }
-  return find_shells(input);
 }
 
 std::vector<std::uint8_t> which_are_shells(const CutMesh& cut, const Components& components) {

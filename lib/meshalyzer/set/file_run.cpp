@@ -113,7 +113,8 @@ FileResult FileRun::look_at_own(Index number) const {
 }
 
 Analysis FileRun::analysis_of(Index number) const {
-  AnalysisOptions options{options_.request.mesh, wants_values(), options_.keep_soup, {}};
+  AnalysisOptions options{
+      options_.request.mesh, wants_values(), options_.keep_soup, options_.keep_mesh, {}};
   options.judge_fitness =
       options.judge_fitness || (looks_between() && options_.request.between.separation);
   return analyze(read_mesh(paths_[number]), paths_[number], options);

@@ -1,7 +1,5 @@
 #include "meshalyzer/set/set_object.h"
 
-#include "meshalyzer/geometry/extent.h"
-#include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/ray_parity.h"
 #include "meshalyzer/topology/edges.h"
 
@@ -52,20 +50,18 @@ std::uint64_t bytes_of(const std::vector<T>& items) {
 }  // namespace
 
 SetObject::SetObject(const Soup& soup, ClosestUse use)
-    : cut_(build(soup)),
-      tree_(cut_),
-      components_(find_components(cut_)),
-      component_boxes_(
-          bounding_boxes(cut_.mesh, {.of_face = components_.of_face, .count = components_.count})),
-      component_vertices_(first_vertices(cut_, components_)),
-      solids_(find_solids(cut_, components_)),
+    : PreparedMesh(soup),
+      component_vertices_(first_vertices(cut(), components())),
+      solids_(find_solids(cut(), components())),
       vertex_ids_(soup.vertex_ids),
       face_ids_(soup.face_ids) {
-  for (const Box3& box : component_boxes_) {
+  release_soup();
+  for (const Box3& box : component_boxes()) {
     box_.extend(box);
   }
+  const FaceTree& faces = tree();
   if (use == ClosestUse::Prepared) {
-    closest_.emplace(tree_);
+    closest_.emplace(faces);
   }
 }
 
@@ -73,7 +69,7 @@ Side SetObject::side_of(const Vec3& point) const {
   if (!is_solid() || !box_.contains(point)) {
     return Side::Outside;
   }
-  const PointLocation place = locate(tree_, {.of_face = solids_.of_face, .count = 1}, point);
+  const PointLocation place = locate(tree(), {.of_face = solids_.of_face, .count = 1}, point);
   if (std::binary_search(place.on.begin(), place.on.end(), kSolid)) {
     return Side::OnSurface;
   }
@@ -87,11 +83,11 @@ std::uint64_t SetObject::bytes() const {
   constexpr std::uint64_t kVertex = 32;
   constexpr std::uint64_t kEdge = 40;
   constexpr std::uint64_t kFace = 56;
-  const std::uint64_t closest = closest_ ? cut_.mesh.n_faces() * sizeof(EightTriangles) / 8 : 0;
-  return cut_.mesh.n_vertices() * kVertex + cut_.mesh.n_edges() * kEdge +
-         cut_.mesh.n_faces() * kFace + bytes_of(cut_.side.faces) + bytes_of(components_.of_face) +
-         bytes_of(solids_.of_face) + bytes_of(vertex_ids_.named) + bytes_of(face_ids_.named) +
-         bytes_of(component_boxes_) + closest + sizeof(SetObject);
+  const std::uint64_t closest = closest_ ? cut().mesh.n_faces() * sizeof(EightTriangles) / 8 : 0;
+  return cut().mesh.n_vertices() * kVertex + cut().mesh.n_edges() * kEdge +
+         cut().mesh.n_faces() * kFace + bytes_of(cut().side.faces) +
+         bytes_of(components().of_face) + bytes_of(solids_.of_face) + bytes_of(vertex_ids_.named) +
+         bytes_of(face_ids_.named) + bytes_of(component_boxes()) + closest + sizeof(SetObject);
 }
 
 }  // namespace meshalyzer

@@ -1,10 +1,8 @@
 #pragma once
 
-#include "meshalyzer/mesh/side_table.h"
 #include "meshalyzer/mesh/soup.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/spatial/closest_point.h"
-#include "meshalyzer/spatial/face_tree.h"
-#include "meshalyzer/topology/components.h"
 
 #include <cstdint>
 #include <optional>
@@ -28,22 +26,16 @@ enum class Side : std::uint8_t { Outside, Inside, OnSurface };
 /// Whether an object is to be asked for closest points, which takes memory of its own.
 enum class ClosestUse : std::uint8_t { Never, Prepared };
 
-/// One mesh of a set, ready for questions about what is near it. Stays where it is: the tree refers
-/// to the mesh.
-class SetObject {
+/// One mesh of a set, ready for questions about what is near it. Its tree and its components are
+/// built from the start, so that its size is known; its records are not kept, but for their ids.
+class SetObject : public PreparedMesh {
  public:
-  /// @complexity O(#F log #F) time.
+  /// @param soup  Is not needed any more afterwards.
+  /// @complexity  O(#F log #F) time.
   explicit SetObject(const Soup& soup, ClosestUse use = ClosestUse::Never);
-  SetObject(const SetObject&) = delete;
-  SetObject& operator=(const SetObject&) = delete;
 
-  [[nodiscard]] const CutMesh& cut() const { return cut_; }
-  [[nodiscard]] const FaceTree& tree() const { return tree_; }
   /// Only where ClosestUse::Prepared was asked for.
   [[nodiscard]] const ClosestPoints& closest() const { return *closest_; }
-  [[nodiscard]] const Components& components() const { return components_; }
-  /// Of each component, the vertices that its faces use.
-  [[nodiscard]] const std::vector<Box3>& component_boxes() const { return component_boxes_; }
   /// #components: a vertex of each (file vertex).
   [[nodiscard]] const std::vector<Index>& component_vertices() const { return component_vertices_; }
   [[nodiscard]] const Ids& vertex_ids() const { return vertex_ids_; }
@@ -63,11 +55,7 @@ class SetObject {
   [[nodiscard]] std::uint64_t bytes() const;
 
  private:
-  CutMesh cut_;
-  FaceTree tree_;
   std::optional<ClosestPoints> closest_;
-  Components components_;
-  std::vector<Box3> component_boxes_;
   std::vector<Index> component_vertices_;
   SolidParts solids_;
   Box3 box_;

@@ -13,6 +13,9 @@ struct SetOptions {
   Request request;
   /// Keep the files in the analyses, for reports that show places.
   bool keep_soup = false;
+  /// Keep the files and what was built for them, where pictures are drawn as soon as a mesh is
+  /// analysed.
+  bool keep_mesh = false;
   /// Bytes to stay below where the largest few meshes allow it; objects are read again when they
   /// had to be forgotten.
   std::uint64_t memory_limit = 0;

@@ -1,6 +1,7 @@
 #include "meshalyzer/analysis/analyze.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/report/json/report.h"
 #include "support/shape_figures.h"
 #include "support/shapes.h"
@@ -178,6 +179,20 @@ TEST(Analyze, FileIsKeptOnlyWhereAskedFor) {
   ASSERT_NE(analysis.soup, nullptr);
   EXPECT_EQ(analysis.soup->positions, shapes::cube().positions);
   EXPECT_EQ(analysis.soup->triangles, shapes::cube().triangles);
+}
+
+TEST(Analyze, KeptMeshKnowsTheRecordsAndThePairsThatWereFound) {
+  const Soup soup =
+      shapes::merged(shapes::cube(), shapes::cube(1.0, {0.5, 0.25, 0.125}));  // they cross
+  EXPECT_EQ(analyze(soup, "cubes").mesh, nullptr);
+  AnalysisOptions options;
+  options.keep_mesh = true;
+  const Analysis analysis = analyze(soup, "cubes", options);
+  ASSERT_NE(analysis.mesh, nullptr);
+  EXPECT_EQ(analysis.mesh->soup().triangles, soup.triangles);
+  EXPECT_FALSE(analysis.offenders.intersecting_pairs.empty());
+  EXPECT_EQ(analysis.mesh->intersecting_pairs(), analysis.offenders.intersecting_pairs);
+  EXPECT_EQ(analysis.vertex_ids.first, soup.vertex_ids.first);
 }
 
 TEST(Analyze, CurvatureIsMeasuredOnlyWhereAskedFor) {

@@ -1,5 +1,3 @@
-#include "meshalyzer/analysis/solids.h"
-
 #include "meshalyzer/analysis/analyze.h"
 #include "support/shapes.h"
 

@@ -17,15 +17,15 @@ class WrongPatches {
  public:
   explicit WrongPatches(const PreparedMesh& mesh)
       : mesh_(mesh),
-        components_(find_components(mesh.cut())),
-        is_shell_(which_are_shells(mesh.cut(), components_)),
         patches_(find_oriented_patches(mesh.cut())),
         component_(patches_.count),
         roles_(patches_.count) {
+    const Components& components = mesh.components();
+    const std::vector<std::uint8_t> is_shell = which_are_shells(mesh.cut(), components);
     for (std::size_t f = 0; f < patches_.of_face.size(); ++f) {
-      const Index component = components_.of_face[f];
+      const Index component = components.of_face[f];
       component_[patches_.of_face[f]] = component;
-      roles_[patches_.of_face[f]] = is_shell_[component] != 0 ? PatchRole::Shell : PatchRole::Voter;
+      roles_[patches_.of_face[f]] = is_shell[component] != 0 ? PatchRole::Shell : PatchRole::Voter;
     }
     for (const HalfedgeHandle h : mesh.cut().side.flipped_edges.halfedges) {
       const auto face = static_cast<std::size_t>(mesh.cut().mesh.face_handle(h).idx());
@@ -39,10 +39,9 @@ class WrongPatches {
   [[nodiscard]] std::vector<std::uint8_t> find() const {
     std::vector<std::uint8_t> is_wrong =
         vote_outward({.mesh = mesh_, .patches = patches_, .roles = roles_});
-    const std::vector<Shell> shells = find_shells(mesh_, components_, is_shell_);
     for (std::size_t p = 0; p < patches_.count; ++p) {
       if (roles_[p] == PatchRole::Shell) {
-        is_wrong[p] = shells[component_[p]].outward.value_or(true) ? 0 : 1;
+        is_wrong[p] = mesh_.shells()[component_[p]].outward.value_or(true) ? 0 : 1;
       }
     }
     return is_wrong;
@@ -50,8 +49,6 @@ class WrongPatches {
 
  private:
   const PreparedMesh& mesh_;
-  Components components_;
-  std::vector<std::uint8_t> is_shell_;
   Components patches_;
   /// By patch.
   std::vector<Index> component_;

@@ -65,7 +65,7 @@ RepairState::RepairState(Draft draft, const Tolerances& tolerances, const Repair
   std::vector<IntersectingPair> pairs = untouched_pairs(before, touched, place);
   pairs.insert(pairs.end(), touched_pairs_.begin(), touched_pairs_.end());
   std::sort(pairs.begin(), pairs.end(), comes_before);
-  mesh_.know_intersecting_pairs(std::move(pairs));
+  mesh_.set_intersecting_pairs(std::move(pairs));
 }
 
 }  // namespace meshalyzer
