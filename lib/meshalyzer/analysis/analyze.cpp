@@ -1,11 +1,11 @@
 #include "meshalyzer/analysis/analyze.h"
 
-#include "meshalyzer/analysis/attributes.h"
-#include "meshalyzer/analysis/complex_topology.h"
 #include "meshalyzer/analysis/curvature_statistics.h"
 #include "meshalyzer/analysis/goodness.h"
-#include "meshalyzer/analysis/integrity.h"
-#include "meshalyzer/analysis/measures.h"
+#include "meshalyzer/analysis/internal/attributes.h"
+#include "meshalyzer/analysis/internal/complex_topology.h"
+#include "meshalyzer/analysis/internal/integrity.h"
+#include "meshalyzer/analysis/internal/measures.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 
 #include <algorithm>

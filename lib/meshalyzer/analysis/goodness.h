@@ -5,10 +5,10 @@
 
 namespace meshalyzer {
 
-/// Judges the parts of goodness that need no threshold (contract 3, -g and -s).
+/// Judges the parts of goodness that need no threshold ("Good" in doc/definitions.md).
 [[nodiscard]] Goodness judge_fitness(const Analysis& analysis);
 
-/// Judges whether a mesh is good (contract 3, -g).
+/// Judges whether a mesh is good ("Good" in doc/definitions.md).
 [[nodiscard]] Goodness judge(const Analysis& analysis, const GoodnessThresholds& thresholds);
 
 }  // namespace meshalyzer

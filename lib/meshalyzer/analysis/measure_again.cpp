@@ -1,6 +1,6 @@
 #include "meshalyzer/analysis/measure_again.h"
 
-#include "meshalyzer/analysis/measures.h"
+#include "meshalyzer/analysis/internal/measures.h"
 #include "meshalyzer/mesh/build.h"
 
 #include <utility>

@@ -65,7 +65,7 @@ struct Offenders {
   std::vector<Index> duplicate_faces;
   std::optional<NumberingBreak> vertex_numbering;
   std::optional<NumberingBreak> face_numbering;
-  /// -b, -c, -d, -e, -f: present where asked for.
+  /// The elements beyond the thresholds of AnalysisOptions, present where one was given.
   std::optional<EdgeList> short_edges;
   std::optional<EdgeList> long_edges;
   std::optional<EdgeList> small_angles;

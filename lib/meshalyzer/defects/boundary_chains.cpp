@@ -1,6 +1,6 @@
 #include "meshalyzer/defects/boundary_chains.h"
 
-#include "meshalyzer/defects/places.h"
+#include "meshalyzer/defects/internal/places.h"
 #include "meshalyzer/spatial/triangle_distance.h"
 #include "meshalyzer/topology/boundary.h"
 #include "meshalyzer/topology/edges.h"
@@ -14,7 +14,7 @@ namespace {
 
 using Edge = std::array<Index, 2>;
 
-/// The vertices that a boundary passes, in walking order; of a loop the first only once.
+/// Returns the vertices that a boundary passes, in walking order; a loop does not repeat the first.
 std::vector<Index> vertices_of(const CutMesh& cut, const BoundaryLoop& loop) {
   Edge first = file_ends(cut, loop.halfedges[0]);
   if (loop.halfedges.size() > 1) {
@@ -32,12 +32,12 @@ std::vector<Index> vertices_of(const CutMesh& cut, const BoundaryLoop& loop) {
   return vertices;
 }
 
-/// Cuts walks into simple ones.
+/// Cuts walks into chains that pass no vertex twice.
 class WalkCutter {
  public:
   explicit WalkCutter(std::size_t n_vertices) : place_(n_vertices, kNoIndex) {}
 
-  /// @param walk  Of a loop the first vertex only once.
+  /// @param walk  The vertices that are passed; a loop does not repeat the first.
   void cut(const std::vector<Index>& walk, BoundaryShape shape,
            std::vector<BoundaryChain>& chains) {
     for (const Index v : walk) {
@@ -52,7 +52,7 @@ class WalkCutter {
   }
 
  private:
-  /// Takes away the vertices from a place on.
+  /// Takes the vertices from a place on out of open_.
   std::vector<Index> take_from(std::size_t begin) {
     std::vector<Index> taken(open_.begin() + static_cast<std::ptrdiff_t>(begin), open_.end());
     open_.resize(begin);
@@ -62,7 +62,7 @@ class WalkCutter {
 
   /// Vertices that have been passed and are in no finished loop.
   std::vector<Index> open_;
-  /// #V: where each is in open_.
+  /// #V: the place of each vertex in open_; kNoIndex where it is not there.
   std::vector<Index> place_;
 };
 
@@ -70,7 +70,7 @@ std::size_t n_edges(const BoundaryChain& chain) {
   return chain.is_closed ? chain.vertices.size() : chain.vertices.size() - 1;
 }
 
-/// Edge i of a chain, the smaller vertex first.
+/// Returns edge i of a chain, the smaller vertex first.
 Edge edge_of(const BoundaryChain& chain, std::size_t i) {
   const Index a = chain.vertices[i];
   const Index b = chain.vertices[i + 1 < chain.vertices.size() ? i + 1 : 0];

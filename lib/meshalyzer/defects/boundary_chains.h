@@ -9,10 +9,12 @@
 
 namespace meshalyzer {
 
+/// Which chains find_boundary_chains() returns.
 struct ChainOptions {
-  /// Only chains of so many edges at most; 0: all.
+  /// Chains of more edges than this are left out; 0 leaves out none.
   std::size_t max_edges = 0;
-  /// If any: only the chain that is nearest to each of these, by its edges.
+  /// Where this is not empty, only the chain whose edges are nearest to each of these positions is
+  /// returned.
   std::vector<Vec3> near_positions = {};
 };
 
@@ -27,7 +29,8 @@ struct BoundaryChain {
 /// Finds the chains of border edges: the boundaries of find_boundary_loops(), each cut into simple
 /// loops where it passes a vertex twice.
 ///
-/// @return  In order of their lowest border edge; with near_positions in their order, each once.
+/// @return  The chains in order of their lowest border edge; where ChainOptions::near_positions is
+///          not empty in the order of those, each chain once.
 [[nodiscard]] std::vector<BoundaryChain> find_boundary_chains(const PreparedMesh& mesh,
                                                               const ChainOptions& options = {});
 

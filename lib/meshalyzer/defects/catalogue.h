@@ -14,7 +14,7 @@ struct MeasuredWords {
   std::string_view many = {};
 };
 
-/// What is known of a code before any mesh is seen: doc/defects.md is made of this.
+/// Describes a defect code for users; doc/defects.md is made of these descriptions.
 struct CatalogueEntry {
   DefectCode code;
   /// What programs call it: "flat-facet". Never changed.
@@ -22,28 +22,29 @@ struct CatalogueEntry {
   /// A few words, for pages.
   std::string_view summary;
   Severity severity;
-  /// A sentence.
+  /// Says in sentences when a mesh has the defect.
   std::string_view meaning;
-  /// What the measured value is, and the limit; empty where there is none.
+  /// Says what Defect::value and Defect::limit are; empty where the defect has none.
   std::string_view value;
   /// The words round the measured value.
   MeasuredWords measured = {};
-  /// Which elements and positions are listed.
+  /// Says which elements and positions a defect lists.
   std::string_view elements;
-  /// What meshfixer does about it.
+  /// Says what repair does about the defect.
   std::string_view fix;
-  /// The pass, or passes, that do it, as logs name them.
+  /// Names the repair passes that do it, as repair logs name them.
   std::string_view passes;
-  /// Whether it is fixed where nothing else is asked for.
+  /// Tells whether repair mends the defect unless told otherwise.
   bool fixed_by_default;
 };
 
-/// One entry a code, in the order of DefectCode.
+/// Returns one entry for each code, in the order of DefectCode.
 [[nodiscard]] std::span<const CatalogueEntry> defect_catalogue();
 
+/// Returns the entry of one code.
 [[nodiscard]] const CatalogueEntry& catalogue_entry(DefectCode code);
 
-/// A defect of this code, as severe as the catalogue says, of which nothing else is known yet.
+/// Returns a defect that has this code and the severity of its entry, and is empty otherwise.
 [[nodiscard]] Defect make_defect(DefectCode code);
 
 }  // namespace meshalyzer

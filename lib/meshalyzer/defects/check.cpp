@@ -1,7 +1,7 @@
 #include "meshalyzer/defects/check.h"
 
-#include "meshalyzer/defects/segment_grid.h"
 #include "meshalyzer/spatial/mutual_intersection.h"
+#include "meshalyzer/spatial/segment_grid.h"
 #include "meshalyzer/topology/border.h"
 #include "meshalyzer/topology/edges.h"
 
@@ -22,7 +22,7 @@ DefectCodes codes_of(const CheckOptions& options) {
   return codes;
 }
 
-/// The border edges of a mesh by their file vertices, the smaller first.
+/// Returns the border edges of a mesh by their file vertices, the smaller first.
 std::vector<std::array<Index, 2>> border_edge_ends(const CutMesh& cut) {
   std::vector<std::array<Index, 2>> edges;
   for (const HalfedgeHandle h : find_border_edges(cut)) {
@@ -32,7 +32,7 @@ std::vector<std::array<Index, 2>> border_edge_ends(const CutMesh& cut) {
   return edges;
 }
 
-/// The segments of all polylines but those of length 0, which run nowhere.
+/// Returns the segments of all polylines but those of length 0, which have no direction.
 std::vector<Segment> segments_of(std::span<const Polyline> polylines) {
   std::vector<Segment> segments;
   for (const Polyline& line : polylines) {
@@ -43,9 +43,9 @@ std::vector<Segment> segments_of(std::span<const Polyline> polylines) {
   return segments;
 }
 
-/// Tells which of some segments lie on none of some others.
+/// Finds the segments that lie on none of the others.
 ///
-/// @return The numbers of those, ascending.
+/// @return Their numbers, ascending.
 std::vector<Index> find_unmatched(std::span<const Segment> segments,
                                   std::span<const Segment> others, double tolerance) {
   const SegmentGrid grid(others, tolerance);

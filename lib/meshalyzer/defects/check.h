@@ -8,30 +8,33 @@
 
 namespace meshalyzer {
 
-/// How thoroughly to check (contract 5, P 86.4).
+/// How thoroughly check() checks; doc/defects.md has a table of the levels.
 enum class CheckLevel : std::uint8_t {
-  /// Nothing.
+  /// Every mesh is valid.
   None,
-  /// Not non-manifold, no degenerate or flat facet, no opposed vertex normal; where the mesh is
-  /// that of a single face of a body: not disjoint, borders matched to the polylines given.
+  /// The mesh must be manifold and have no degenerate or flat facet and no opposed vertex normal.
+  /// The mesh of a single face of a body must also be in one piece, and its border must match the
+  /// polylines that are given.
   Basic,
-  /// Also no slit and no self-intersection.
+  /// The mesh must also have no slit and no self-intersection.
   Full,
 };
 
 /// Points along an edge of a body, in order, that the border of a face's mesh must run through.
 using Polyline = std::vector<Vec3>;
 
+/// What check() checks.
 struct CheckOptions {
   CheckLevel level = CheckLevel::Full;
   ToleranceOptions tolerances = {};
-  /// Whether the mesh is that of a single face of a body.
+  /// Tells whether the mesh is that of a single face of a body.
   bool is_single_face = false;
-  /// What the border of a single face must match; none: any border will do. Only referred to.
+  /// The border of a single face must match these; where there are none, any border will do. The
+  /// caller keeps them.
   std::span<const Polyline> polylines = {};
 };
 
-/// What makes a mesh invalid at a level.
+/// Lists what makes a mesh invalid at the level that was asked for.
 struct CheckResult {
   DefectReport report;
   /// Segments of polylines that no border edge matches within the slit tolerance, and border edges
@@ -44,11 +47,12 @@ struct CheckResult {
   }
 };
 
+/// Checks a mesh.
 [[nodiscard]] CheckResult check(const Soup& soup, const CheckOptions& options = {});
 
 /// Finds the clashes between two meshes: all pairs of faces, one of each, that share a point.
 ///
-/// @return  As find_intersections().
+/// @return  The same as find_intersections().
 [[nodiscard]] std::vector<IntersectingPair> check_pair(const Soup& a, const Soup& b);
 
 }  // namespace meshalyzer

@@ -13,7 +13,7 @@
 
 namespace meshalyzer {
 
-/// What can be wrong with a mesh (contract 5). Never renamed.
+/// The kinds of faults that a mesh can have. doc/defects.md describes each; none is ever renamed.
 enum class DefectCode : std::uint8_t {
   Disjoint,
   Foldover,
@@ -34,13 +34,13 @@ enum class DefectCode : std::uint8_t {
 
 inline constexpr std::size_t kDefectCodes = 15;
 
-/// All codes, in the order of the enumeration, which is that of reports.
+/// Returns all codes in the order of the enumeration, which is also the order of reports.
 [[nodiscard]] const std::array<DefectCode, kDefectCodes>& all_defect_codes();
 
-/// "disjoint", "foldover", "flat-facet", ...
+/// Returns the name of a code in reports: "disjoint", "foldover", "flat-facet", ...
 [[nodiscard]] std::string_view defect_name(DefectCode code);
 
-/// The code of a name; nothing where there is none of that name.
+/// Returns the code that has a name; nothing where none has it.
 [[nodiscard]] std::optional<DefectCode> defect_code(std::string_view name);
 
 /// A set of defect codes.
@@ -76,29 +76,29 @@ enum class Severity : std::uint8_t {
   Warning,
 };
 
-/// "error", "warning".
+/// Returns "error" or "warning".
 [[nodiscard]] std::string_view severity_name(Severity severity);
 
-/// One thing that is wrong with a mesh, and where. Records by index in the soup, each list
-/// ascending unless its finder says otherwise; which of the lists are filled is told in
-/// doc/defects.md, code by code.
+/// One fault of a mesh and where it is. The lists hold indices of records of the soup and are
+/// ascending unless the finder says otherwise; doc/defects.md says which lists each code fills.
 struct Defect {
   DefectCode code = DefectCode::Corrupt;
   Severity severity = Severity::Error;
   std::vector<Index> vertices;
-  /// By their two vertices, the smaller first (a border loop: in walking order).
+  /// Each edge is given by its two vertices, the smaller first, but those of a border loop in
+  /// walking order.
   std::vector<std::array<Index, 2>> edges;
   std::vector<Index> faces;
-  /// Where to look: at least one point, but for what has no place.
+  /// Points where the defect can be seen: at least one, unless it is nowhere in space.
   std::vector<Vec3> positions;
-  /// Self-intersection only.
+  /// Only self-intersections have pairs.
   std::vector<IntersectingPair> pairs;
-  /// What was measured, and what it should not be below, or above; the catalogue says which.
+  /// The measured value, and the limit that it passes; CatalogueEntry::value says what they are.
   std::optional<double> value;
   std::optional<double> limit;
-  /// What no list can hold, such as the id of a vertex that does not exist; mostly empty.
+  /// Says what no list can hold, such as the id of a vertex that does not exist; mostly empty.
   std::string detail;
-  /// Whether meshfixer has a fix for it.
+  /// Tells whether repair has a fix for the defect.
   bool fixable = true;
 };
 

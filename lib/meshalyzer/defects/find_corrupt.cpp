@@ -1,7 +1,7 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/defects/places.h"
+#include "meshalyzer/defects/internal/places.h"
 #include "meshalyzer/mesh/repeated_ids.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace meshalyzer {
 namespace {
 
-/// "<before><number><after>"
+/// Returns "<before><number><after>".
 std::string sentence(std::string_view before, std::int64_t number, std::string_view after) {
   std::string text(before);
   text += std::to_string(number);
@@ -36,7 +36,8 @@ void add_positions(const Soup& soup, std::vector<Defect>& defects) {
   }
 }
 
-/// Records that have an id in common, ascending. Sets in order of their first record.
+/// Returns the sets of records that have an id in common, each ascending, in order of their first
+/// record.
 std::vector<std::vector<Index>> find_namesakes(const Ids& ids) {
   const std::vector<Index> repeated = find_repeated_ids(ids);
   if (repeated.empty()) return {};

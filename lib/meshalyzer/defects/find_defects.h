@@ -11,43 +11,45 @@
 
 namespace meshalyzer {
 
+/// What find_defects() looks for, and how much it lists.
 struct DefectOptions {
-  /// What to look for.
+  /// The finders look for these.
   DefectCodes codes = DefectCodes::all();
   ToleranceOptions tolerances = {};
-  /// List so many at most, 0: all. Counts are complete all the same.
+  /// At most so many defects are listed; 0 lists all. Counts are complete all the same.
   std::size_t max_defects = 0;
 };
 
-/// What is wrong with a mesh.
+/// The defects of a mesh.
 struct DefectReport {
-  /// By code, then by lowest element.
+  /// Sorted by code, then by lowest element.
   std::vector<Defect> defects;
-  /// By code: how many there are, listed or not.
+  /// The number of defects of each code, whether they are listed or not.
   std::array<std::size_t, kDefectCodes> counts{};
-  /// As they were used.
+  /// The tolerances that the finders used.
   Tolerances tolerances;
-  /// Sentences about inconsistent tolerances.
+  /// Sentences that say which tolerances contradict each other.
   std::vector<std::string> warnings;
 
   [[nodiscard]] std::size_t count(DefectCode code) const {
     return counts[static_cast<std::size_t>(code)];
   }
+  /// The number of all defects, whether they are listed or not.
   [[nodiscard]] std::size_t total() const;
-  /// Whether there are more defects than are listed.
+  /// Tells whether there are more defects than are listed.
   [[nodiscard]] bool is_cut() const { return total() > defects.size(); }
 };
 
-/// Finds all that is wrong with a mesh (contract 5).
+/// Finds the defects of a mesh (doc/defects.md).
 ///
-/// The same for any number of threads. Where a position is not finite, the mesh is corrupt, and
-/// nothing is looked for but corrupt, orphan-vertex and numbering.
+/// The result does not depend on the number of threads. A mesh with a position that is not finite
+/// is only searched for corrupt records, orphan vertices and breaks of the numbering.
 ///
-/// @throws InvalidArgument  as resolve_tolerances().
+/// @throws InvalidArgument  where resolve_tolerances() does.
 /// @complexity  O(#F log #F) for meshes whose faces meet few others.
 [[nodiscard]] DefectReport find_defects(const Soup& soup, const DefectOptions& options = {});
 
-/// The same for a mesh that is already built, whose positions are finite.
+/// Does the same for a prepared mesh.
 [[nodiscard]] DefectReport find_defects(const PreparedMesh& mesh,
                                         const DefectOptions& options = {});
 

@@ -1,6 +1,6 @@
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/defects/places.h"
+#include "meshalyzer/defects/internal/places.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -9,7 +9,7 @@ namespace meshalyzer {
 namespace {
 
 struct Part {
-  /// The lowest one, in the file.
+  /// The lowest record of its faces.
   Index face = kNoIndex;
   std::size_t n_faces = 0;
 };

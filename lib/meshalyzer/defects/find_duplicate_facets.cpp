@@ -1,7 +1,7 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/defects/places.h"
+#include "meshalyzer/defects/internal/places.h"
 #include "meshalyzer/topology/duplicate_faces.h"
 
 #include <algorithm>
@@ -10,13 +10,13 @@
 namespace meshalyzer {
 namespace {
 
-/// The same for faces with the same three vertices.
+/// Returns the corners in ascending order, so that faces with the same vertices are equal.
 Triangle sorted(Triangle t) {
   std::sort(t.begin(), t.end());
   return t;
 }
 
-/// What faces that are there more than once name, each once, ascending.
+/// Returns the triangles that several faces name, each once, ascending.
 std::vector<Triangle> find_repeated_triangles(const PreparedMesh& mesh) {
   std::vector<Triangle> repeated;
   for (const FaceHandle f : find_duplicate_faces(mesh.cut())) {
@@ -28,12 +28,12 @@ std::vector<Triangle> find_repeated_triangles(const PreparedMesh& mesh) {
 }
 
 struct Copy {
-  /// Which of the repeated triangles.
+  /// The place of its triangle among the repeated ones.
   Index triangle;
   Index face;
 };
 
-/// All faces on repeated triangles, the first of each included. Ascending.
+/// Returns all faces that name a repeated triangle, the first of each included, ascending.
 std::vector<Copy> find_copies(const Soup& soup, const std::vector<Triangle>& repeated) {
   // Most faces are told apart by their lowest vertex.
   std::vector<std::uint8_t> is_lowest(soup.n_vertices(), 0);

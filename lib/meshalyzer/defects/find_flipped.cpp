@@ -1,7 +1,7 @@
 #include "meshalyzer/base/sum.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/defects/places.h"
+#include "meshalyzer/defects/internal/places.h"
 #include "meshalyzer/geometry/face_measures.h"
 #include "meshalyzer/topology/components.h"
 #include "meshalyzer/topology/disjoint_sets.h"
@@ -49,7 +49,7 @@ class Regions {
   [[nodiscard]] Index patch_of(std::size_t mesh_face) const { return patches_.of_face[mesh_face]; }
   [[nodiscard]] Index region_of(Index patch) const { return region_[patch]; }
   [[nodiscard]] bool is_one_sided(Index patch) const { return one_sided_[region_[patch]] != 0; }
-  /// Whether a patch is on the side that is to be turned.
+  /// Tells whether a patch is on the side that is to be turned.
   [[nodiscard]] bool is_turned(Index patch) const {
     return !is_one_sided(patch) && side_[patch] == turned_side_[region_[patch]];
   }
@@ -83,8 +83,8 @@ class Regions {
     std::transform(sides.begin(), sides.end(), turned_side_.begin(), smaller_side);
   }
 
-  /// By area, then by faces; of equal ones the second, which has not the lowest face. Areas that
-  /// are too large for a double are the same.
+  /// Returns the side with less area or, where areas are equal, fewer faces; where these are equal
+  /// too the second side, which has not the lowest face. Areas too large for a double are equal.
   static std::uint8_t smaller_side(const std::array<Side, 2>& sides) {
     const double a = sides[0].area.value();
     const double b = sides[1].area.value();
@@ -97,10 +97,10 @@ class Regions {
   const CutMesh& cut_;
   Components patches_;
   DisjointSets sides_;
-  /// By patch.
+  /// The region of each patch, and the side of that on which it is.
   std::vector<Index> region_;
   std::vector<std::uint8_t> side_;
-  /// By region: 1 where no turning makes it consistent; which side is to be turned.
+  /// Tells for each region whether no turning makes it consistent (1), and the side to be turned.
   std::vector<std::uint8_t> one_sided_;
   std::vector<std::uint8_t> turned_side_;
 };
@@ -138,7 +138,8 @@ class Listing {
     return defects_[number];
   }
 
-  /// Of its two patches one is to be turned, unless the region is one-sided.
+  /// Adds a flipped edge to the defect of the one of its two patches that is to be turned, or of
+  /// the region where that is one-sided.
   void list_edge(const CutEdge& edge) {
     const CutMesh& cut = mesh_.cut();
     const auto patch_at = [&](HalfedgeHandle h) {

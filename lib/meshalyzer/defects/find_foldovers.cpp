@@ -1,9 +1,11 @@
+#include "meshalyzer/base/parallel.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/defects/folds.h"
-#include "meshalyzer/defects/places.h"
-#include "meshalyzer/defects/sheet_cover.h"
+#include "meshalyzer/defects/internal/places.h"
+#include "meshalyzer/defects/internal/sheet_cover.h"
 #include "meshalyzer/exact/normal.h"
+#include "meshalyzer/exact/predicates.h"
+#include "meshalyzer/geometry/edge_measures.h"
 #include "meshalyzer/geometry/face_measures.h"
 #include "meshalyzer/topology/disjoint_sets.h"
 #include "meshalyzer/topology/edges.h"
@@ -17,21 +19,78 @@
 namespace meshalyzer {
 namespace {
 
+/// The places of the ends of an edge, and of the third corners of its two faces.
+struct EdgePlaces {
+  const Vec3& a;
+  const Vec3& b;
+  const Vec3& c;
+  const Vec3& d;
+};
+
+EdgePlaces edge_places(const TriMesh& mesh, HalfedgeHandle h) {
+  const HalfedgeHandle opposite = mesh.opposite_halfedge_handle(h);
+  return {mesh.point(mesh.from_vertex_handle(h)), mesh.point(mesh.to_vertex_handle(h)),
+          mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(h))),
+          mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(opposite)))};
+}
+
+/// Tells whether the angle between the faces is above 90 degrees for sure, because their normals
+/// are at less than 90 degrees. The products are off by some 2^-50 of the lengths that are
+/// multiplied; nothing is sure of edges whose squared length overflows or vanishes.
+bool is_surely_blunt(const EdgePlaces& p) {
+  const Vec3 edge = p.b - p.a;
+  const Vec3 u = p.c - p.a;
+  const Vec3 v = p.d - p.a;
+  const double dot = edge.cross(u).dot(v.cross(edge));
+  const double size = edge.squaredNorm();
+  return dot > 0.0 && dot * dot > 1e-24 * size * size * u.squaredNorm() * v.squaredNorm() &&
+         size > 1e-60;
+}
+
+bool is_fold_edge(const TriMesh& mesh, HalfedgeHandle h, double max_angle) {
+  const EdgePlaces p = edge_places(mesh, h);
+  if (max_angle < 90.0 && is_surely_blunt(p)) return false;
+  if (are_collinear(p.a, p.b, p.c) || are_collinear(p.a, p.b, p.d)) return false;
+  const double angle = edge_angle_degrees(mesh, h);
+  return std::min(angle, 360.0 - angle) <= max_angle;
+}
+
+/// Finds the folds: edges with two consistently oriented faces of non-zero area, the smaller angle
+/// between which is at most `max_angle` degrees.
+///
+/// @return     A half-edge of each, in order of the mesh's edges.
+/// @complexity O(#E), a few operations each but for edges that are sharp.
+std::vector<HalfedgeHandle> find_folds(const TriMesh& mesh, double max_angle) {
+  const auto found = map_chunks<std::vector<HalfedgeHandle>>(mesh.n_edges(), [&](Chunk chunk) {
+    std::vector<HalfedgeHandle> folds;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const EdgeHandle e(static_cast<int>(i));
+      if (mesh.is_boundary(e)) continue;
+      const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
+      if (is_fold_edge(mesh, h, max_angle)) folds.push_back(h);
+    }
+    return folds;
+  });
+  std::vector<HalfedgeHandle> folds;
+  for (const auto& part : found) folds.insert(folds.end(), part.begin(), part.end());
+  return folds;
+}
+
 /// A fold between two patches, each by its lowest face.
 struct Crease {
   HalfedgeHandle fold;
   std::array<Index, 2> patches;
 };
 
-/// A largest set of faces that hang together through edges which are no folds; only those that a
-/// fold parts from another.
+/// A largest set of faces that hang together through edges which are no folds, and that a fold
+/// parts from another such set.
 struct Patch {
   /// Mesh faces, ascending.
   std::vector<Index> faces;
   double area = 0.0;
   /// Numbers of the patches beyond its folds, ascending.
   std::vector<Index> neighbours;
-  /// Folds towards these.
+  /// The folds towards its neighbours.
   std::vector<HalfedgeHandle> folds;
   /// How far it is from its neighbours, where it lies on them.
   std::optional<double> distance;
@@ -85,7 +144,7 @@ class FoldedPatches {
   }
 
   [[nodiscard]] std::vector<Patch>& patches() { return patches_; }
-  /// #mesh faces; kNoIndex where no fold parts the face's patch from another.
+  /// #mesh faces: the patch of each; kNoIndex where no fold parts it from another patch.
   [[nodiscard]] const std::vector<Index>& of_face() const { return of_face_; }
 
  private:
@@ -135,18 +194,19 @@ class FoldedPatches {
   std::vector<Index> of_face_;
 };
 
-/// Whether there is room for a patch on its neighbours: a sheet that has more area than those that
-/// it should lie on sticks out somewhere, though by no more than a large tolerance.
+/// Tells whether there is room for a patch on its neighbours: a sheet that has more area than those
+/// that it should lie on sticks out somewhere, though by no more than a large tolerance.
 bool has_room(const std::vector<Patch>& patches, const Patch& patch) {
-  // What areas of the same sheets, differently triangulated, may differ by.
+  // Areas of the same sheet may differ by this share where it is triangulated differently.
   constexpr double kSlack = 1e-6;
   double room = 0.0;
   for (const Index other : patch.neighbours) room += patches[other].area;
   return patch.area <= room * (1.0 + kSlack);
 }
 
-/// The numbers of the patches that lie on their neighbours, the smallest first, but for those of
-/// parts where all do: sheets that lie on each other everywhere are folded onto nothing.
+/// Returns the numbers of the patches that lie on their neighbours, the smallest first. It leaves
+/// out parts of the surface of which all patches do: sheets that lie on each other everywhere are
+/// folded onto nothing.
 std::vector<Index> find_candidates(const std::vector<Patch>& patches) {
   DisjointSets parts(patches.size());
   for (Index i = 0; i < patches.size(); ++i) {
@@ -169,8 +229,8 @@ std::vector<Index> find_candidates(const std::vector<Patch>& patches) {
   return candidates;
 }
 
-/// Decides which patches are foldovers, the smallest first: those that lie on neighbours which are
-/// none themselves.
+/// Decides which patches are foldovers, the smallest first: the patches that lie on neighbours
+/// which are not foldovers themselves.
 ///
 /// @return Their numbers, ascending.
 std::vector<Index> choose_foldovers(std::vector<Patch>& patches, SheetCover& cover) {

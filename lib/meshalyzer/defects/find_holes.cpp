@@ -22,7 +22,7 @@ std::vector<Edge> edges_of(const CutMesh& cut, const BoundaryLoop& loop) {
   return edges;
 }
 
-/// All edges of slits, in order.
+/// Returns the edges of all slits, sorted.
 std::vector<Edge> slit_edges(const std::vector<Defect>& slits) {
   std::vector<Edge> edges;
   for (const Defect& slit : slits) edges.insert(edges.end(), slit.edges.begin(), slit.edges.end());
@@ -30,7 +30,7 @@ std::vector<Edge> slit_edges(const std::vector<Defect>& slits) {
   return edges;
 }
 
-/// The mean of the middles of edges.
+/// Returns the mean of the middles of edges.
 Vec3 centre(const Soup& soup, const std::vector<Edge>& edges) {
   Vec3 sum = Vec3::Zero();
   const auto share = 2.0 * static_cast<double>(edges.size());

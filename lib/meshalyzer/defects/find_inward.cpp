@@ -1,6 +1,6 @@
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/defects/places.h"
+#include "meshalyzer/defects/internal/places.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "meshalyzer/defects/catalogue.h"
-#include "meshalyzer/defects/faces_at.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/defects/places.h"
+#include "meshalyzer/defects/internal/faces_at.h"
+#include "meshalyzer/defects/internal/places.h"
 #include "meshalyzer/topology/disjoint_sets.h"
 #include "meshalyzer/topology/edges.h"
 #include "meshalyzer/topology/manifold.h"
@@ -33,7 +33,8 @@ std::vector<Defect> find_crowded_edges(const PreparedMesh& mesh) {
   return defects;
 }
 
-/// Mesh vertices that are one fan of the complex: a fan that passes flipped edges is cut there.
+/// The mesh vertices that make up one fan of the complex: where a fan passes flipped edges the mesh
+/// is cut.
 DisjointSets join_through_flipped_edges(const CutMesh& cut) {
   DisjointSets fans(cut.mesh.n_vertices());
   const auto unite = [&](VertexHandle a, VertexHandle b) {

@@ -1,6 +1,6 @@
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/defects/places.h"
+#include "meshalyzer/defects/internal/places.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -8,7 +8,8 @@
 namespace meshalyzer {
 namespace {
 
-/// The first of `n` records whose id is not its number from 1; n where all are.
+/// Returns the first of `n` records whose id is not its number, counted from 1; n where there is
+/// none.
 Index first_out_of_order(const Ids& ids, std::size_t n) {
   Index i = 0;
   while (i < n && ids.of(i) == std::int64_t{i} + 1) ++i;

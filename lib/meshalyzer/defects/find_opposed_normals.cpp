@@ -1,7 +1,7 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/defects/catalogue.h"
-#include "meshalyzer/defects/faces_at.h"
 #include "meshalyzer/defects/finders.h"
+#include "meshalyzer/defects/internal/faces_at.h"
 #include "meshalyzer/exact/facing.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace meshalyzer {
 namespace {
 
-/// A normal given at a vertex, by record.
+/// A normal that the file gives at a vertex, both by record.
 struct GivenNormal {
   Index vertex;
   Index normal;
@@ -24,10 +24,10 @@ struct GivenNormal {
 
 /// How a face stands to a normal at one of its vertices.
 enum class Say : std::uint8_t {
-  /// It has no area, or is not in the complex.
+  /// The face has no area, or is not in the complex.
   None,
   Opposed,
-  /// Along it, or on the right side of it.
+  /// The face lies along the normal or is turned to its side.
   NotOpposed,
 };
 
@@ -42,8 +42,8 @@ Say say_of(const Soup& soup, Index face, const Vec3& normal) {
   return sign == 0 && are_collinear(a, b, c) ? Say::None : Say::NotOpposed;
 }
 
-/// The normals that the face they are given for does not clear of being opposed: in a mesh that is
-/// right there are none but in faces of zero area.
+/// Returns the normals that may be opposed, because the face they are given for does not agree with
+/// them. In a mesh without faults only faces of zero area have such normals.
 std::vector<GivenNormal> find_suspects(const Soup& soup) {
   const auto parts = map_chunks<std::vector<GivenNormal>>(soup.n_faces(), [&](Chunk chunk) {
     std::vector<GivenNormal> suspects;
@@ -68,8 +68,9 @@ std::vector<GivenNormal> find_suspects(const Soup& soup) {
   return suspects;
 }
 
-/// Whether a normal is opposed to all faces that have a say, and there is one. The face that
-/// objects comes to the front: it is likely to object to the next normal at the vertex too.
+/// Tells whether a normal is opposed to all faces of non-zero area, of which there must be one. A
+/// face that agrees with the normal is moved to the front: it is likely to agree with the next
+/// normal at the vertex too.
 bool is_opposed(const Soup& soup, std::vector<Index>& faces, const Vec3& normal) {
   bool any = false;
   for (Index& face : faces) {
@@ -83,7 +84,7 @@ bool is_opposed(const Soup& soup, std::vector<Index>& faces, const Vec3& normal)
   return any;
 }
 
-/// @param suspects  Those of one vertex.
+/// @param suspects  The suspect normals of one vertex.
 bool has_opposed_normal(const PreparedMesh& mesh, std::span<const GivenNormal> suspects) {
   std::vector<Index> faces = faces_at(mesh.cut(), suspects.front().vertex);
   return std::any_of(suspects.begin(), suspects.end(), [&](const GivenNormal& given) {

@@ -1,6 +1,6 @@
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/defects/places.h"
+#include "meshalyzer/defects/internal/places.h"
 #include "meshalyzer/topology/disjoint_sets.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The faces of all pairs, ascending.
+/// Returns the faces of all pairs, ascending.
 std::vector<Index> faces_of(std::span<const IntersectingPair> pairs) {
   std::vector<Index> faces;
   faces.reserve(2 * pairs.size());
@@ -29,13 +29,13 @@ std::size_t place_in(std::span<const Index> sorted, Index face) {
                                   sorted.begin());
 }
 
-/// Whether another fix takes such a pair away with what it mends.
+/// Tells whether mending another defect takes pairs of this kind away.
 bool is_matter_of_another_fix(ContactKind kind) {
   return kind == ContactKind::Duplicate || kind == ContactKind::Unwelded ||
          kind == ContactKind::FoldOver;
 }
 
-/// Joins faces, by their place in a list, that intersect or have a vertex in common.
+/// Joins faces that intersect or have a vertex in common; each is given by its place in a list.
 DisjointSets join(const Soup& soup, std::span<const Index> faces,
                   std::span<const IntersectingPair> pairs) {
   DisjointSets sets(faces.size());

@@ -1,8 +1,8 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/defects/places.h"
-#include "meshalyzer/defects/segment_grid.h"
+#include "meshalyzer/defects/internal/places.h"
+#include "meshalyzer/spatial/segment_grid.h"
 #include "meshalyzer/topology/border.h"
 #include "meshalyzer/topology/disjoint_sets.h"
 #include "meshalyzer/topology/edges.h"
@@ -20,9 +20,9 @@ namespace meshalyzer {
 namespace {
 
 struct BorderEdge {
-  /// File vertices, the smaller first.
+  /// The file vertices of its ends, the smaller first.
   std::array<Index, 2> ends;
-  /// Of the mesh.
+  /// The mesh face at the edge.
   FaceHandle face;
 };
 
@@ -45,8 +45,8 @@ std::uint64_t hash_of(const Vec3& p) {
   return hash;
 }
 
-/// Gives all vertices that are at exactly the same place the same name: the lowest of them. Of
-/// vertices that no border edge has nothing is said.
+/// Gives all vertices that are at exactly the same place the same name: the lowest of them.
+/// Vertices of no border edge get none.
 std::vector<Index> names_of_places(const Soup& soup, std::span<const BorderEdge> edges) {
   std::vector<Index> names(soup.n_vertices(), kNoIndex);
   std::size_t n_ends = 0;
@@ -71,7 +71,7 @@ std::vector<Index> names_of_places(const Soup& soup, std::span<const BorderEdge>
   return names;
 }
 
-/// Border edges that lie on each other, as far as they are known.
+/// Collects pairs of border edges that lie on each other.
 class Slits {
  public:
   explicit Slits(std::span<const BorderEdge> edges)
@@ -88,7 +88,7 @@ class Slits {
 
   /// Joins pairs that have a vertex in common to chains.
   void join_at_vertices(std::size_t n_vertices);
-  /// One defect a chain.
+  /// Returns one defect for each chain.
   [[nodiscard]] std::vector<Defect> chains(const Soup& soup, double tolerance);
 
  private:
@@ -96,7 +96,7 @@ class Slits {
 
   std::span<const BorderEdge> edges_;
   DisjointSets sets_;
-  /// #edges: between it and the nearest that it lies on.
+  /// #edges: the gap between each edge and the nearest one that it lies on.
   std::vector<double> gaps_;
 };
 
@@ -132,14 +132,14 @@ std::vector<Defect> Slits::chains(const Soup& soup, double tolerance) {
 }
 
 struct NamedEdge {
-  /// Names of the places of its ends, the smaller in the upper half.
+  /// The names of the places of its ends, the smaller in the upper half.
   std::uint64_t places;
   Index edge;
   friend auto operator<=>(const NamedEdge&, const NamedEdge&) = default;
 };
 
-/// Border edges in order of their places, so that those at exactly the same ones follow each other.
-/// Edges of length 0 are none.
+/// Sorts border edges by their places, so that edges at exactly the same places follow each other.
+/// Edges of length 0 are left out.
 std::vector<NamedEdge> by_place(const Soup& soup, std::span<const BorderEdge> edges) {
   const std::vector<Index> names = names_of_places(soup, edges);
   std::vector<NamedEdge> named;
@@ -152,7 +152,7 @@ std::vector<NamedEdge> by_place(const Soup& soup, std::span<const BorderEdge> ed
   return named;
 }
 
-/// Pairs the edges that are at exactly the same places, the first with all others.
+/// Pairs the edges that are at exactly the same places: the first of them with all others.
 ///
 /// @return One edge for each pair of places.
 std::vector<Index> pair_equal(std::span<const NamedEdge> named, std::span<const BorderEdge> edges,
@@ -199,8 +199,8 @@ std::vector<std::vector<NearPair>> find_near(std::span<const Segment> segments, 
   });
 }
 
-/// Pairs edges whose ends are within the tolerance. Those that are no longer than it themselves
-/// would be near whatever is there.
+/// Pairs edges whose ends are within the tolerance. It leaves out edges no longer than the
+/// tolerance, which would be near whatever is there.
 void pair_near(const Soup& soup, std::span<const BorderEdge> edges, std::span<const Index> firsts,
                double tolerance, Slits& slits) {
   std::vector<Segment> segments;

@@ -1,7 +1,7 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/defects/places.h"
+#include "meshalyzer/defects/internal/places.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/exact/predicates.h"
 
@@ -15,14 +15,14 @@ namespace {
 
 using Places = std::array<Vec3, 3>;
 
-/// Neither overflows early nor loses digits to underflow.
+/// Measures a length; it neither overflows early nor loses digits to underflow.
 double length_between(const Vec3& from, const Vec3& to) {
   const Vec3 difference = to - from;
   const double size = difference.cwiseAbs().maxCoeff();
   return size > 1e-100 && size < 1e100 ? difference.norm() : difference.stableNorm();
 }
 
-/// Lengths of the edges from corner k to corner k + 1.
+/// Returns the lengths of the edges from corner k to corner k + 1.
 std::array<double, 3> edge_lengths(const Places& p) {
   return {length_between(p[0], p[1]), length_between(p[1], p[2]), length_between(p[2], p[0])};
 }
@@ -31,7 +31,7 @@ Vec3 difference_in_units(const Vec3& from, const Vec3& to, double unit) {
   return unit > 1.0 ? Vec3((to / 2 - from / 2) / (unit / 2)) : Vec3((to - from) / unit);
 }
 
-/// Twice the area by the longest edge, which is what all is measured in.
+/// Returns twice the area in units of the longest edge.
 double altitude_in_units(const Places& p, double longest) {
   const double unit = std::min(longest, std::numeric_limits<double>::max());
   const Vec3 u = difference_in_units(p[0], p[1], unit);
@@ -39,7 +39,8 @@ double altitude_in_units(const Places& p, double longest) {
   return accurate_normal(Vec3::Zero(), u, v).stableNorm() * unit;
 }
 
-/// The shortest altitude: that on the longest edge. 0 exactly where the corners are collinear.
+/// Returns the shortest altitude, that on the longest edge. It is 0 exactly where the corners are
+/// collinear.
 double shortest_altitude(const Places& p, double longest) {
   // Squares of lengths in this range neither overflow nor underflow.
   const bool is_usual = longest > 1e-100 && longest < 1e100;
@@ -49,15 +50,15 @@ double shortest_altitude(const Places& p, double longest) {
   return std::max(altitude, std::numeric_limits<double>::denorm_min());
 }
 
-/// Tells most faces that are not thin at a glance.
+/// Recognises most faces that are not thin, quickly.
 class Glance {
  public:
-  /// Squares beyond the range of double become 0 or infinite; then the glance is all the same right
-  /// in what it is sure of.
+  /// Squares beyond the range of double become 0 or infinite; what is_surely_thick() says is true
+  /// all the same.
   explicit Glance(double tolerance) : least_(tolerance * tolerance * 1.0001) {}
 
-  /// Whether no edge and no altitude is below the tolerance, or 0, for sure. Never of a face that
-  /// names a vertex twice.
+  /// Tells whether for sure no edge and no altitude is 0 or below the tolerance. The answer is no
+  /// for a face that names a vertex twice.
   [[nodiscard]] bool is_surely_thick(const Places& p) const {
     const Vec3 u = p[1] - p[0];
     const Vec3 v = p[2] - p[0];
@@ -109,7 +110,8 @@ class ThinFacetFinder {
     defect.limit = tolerance_;
   }
 
-  /// A vertex that is named twice is at an edge of length 0.
+  /// Describes a degenerate facet. Where it names a vertex twice, that vertex is at an edge of
+  /// length 0.
   [[nodiscard]] Defect degenerate(Index face, const std::array<double, 3>& lengths) const {
     const Triangle& t = soup_.triangles[face];
     const auto shortest = static_cast<std::size_t>(
@@ -131,7 +133,8 @@ class ThinFacetFinder {
     return defect;
   }
 
-  /// Of a face that names a vertex twice, two sides are one edge.
+  /// Sorts edges and drops repeated ones: two sides of a face that names a vertex twice are one
+  /// edge.
   static void sort_once(std::vector<std::array<Index, 2>>& edges) {
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());

@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-/// A share of the diagonal of a box, whose own length may be too large for a double.
+/// Returns a share of the diagonal of a box, which may itself be too long for a double.
 double share_of_diagonal(double share, const Box3& box) {
   if (box.isEmpty()) return 0.0;
   const Vec3 quarter = box.max() / 4 - box.min() / 4;

@@ -8,10 +8,11 @@
 
 namespace meshalyzer {
 
-/// What a user may say of tolerances; what is left out follows from the rest. Lengths in the mesh's
-/// unit, finite and not negative.
+/// The tolerances that a user may set. Those that are left out follow from the others. Lengths are
+/// in the unit of the mesh, finite and not negative.
 struct ToleranceOptions {
-  /// For all three; by default kDefaultTolerance of the diagonal of the bounding box.
+  /// The value of the three lengths that are not set on their own; by default kDefaultTolerance
+  /// times the diagonal of the bounding box.
   std::optional<double> tolerance = std::nullopt;
   std::optional<double> degeneracy = std::nullopt;
   std::optional<double> slit = std::nullopt;
@@ -20,10 +21,10 @@ struct ToleranceOptions {
   double max_foldover_angle = 1.0;
 };
 
-/// Of the diagonal of the bounding box.
+/// The default of tolerances, as a share of the diagonal of the bounding box.
 inline constexpr double kDefaultTolerance = 1e-8;
 
-/// The tolerances that finders and repairs go by: lengths in the mesh's unit.
+/// The tolerances that finders and repairs use; lengths are in the unit of the mesh.
 struct Tolerances {
   /// An edge or altitude shorter than this is degenerate.
   double degeneracy = 0.0;
@@ -34,22 +35,22 @@ struct Tolerances {
   double max_foldover_angle = 1.0;
 };
 
-/// The box that default tolerances are a share of: of the vertices that faces of the complex use.
-/// Empty where there are none.
+/// Returns the box whose diagonal default tolerances are a share of: that of the vertices which
+/// faces of the complex use. It is empty where there are none.
 ///
 /// @complexity O(#F).
 [[nodiscard]] Box3 used_box(const Soup& soup);
 
-/// Fills in what was not said.
+/// Fills in the tolerances that a user has not set.
 ///
-/// @param box  As used_box(); may be empty, then defaults are 0.
+/// @param box  What used_box() returns; may be empty, then defaults are 0.
 /// @throws InvalidArgument  for a negative or not finite length, or an angle outside 0 ... 180.
 [[nodiscard]] Tolerances resolve_tolerances(const ToleranceOptions& options, const Box3& box);
 
-/// Options that say just these tolerances: for another search that is to go by the same.
+/// Returns options from which resolve_tolerances() makes these tolerances, whatever the box.
 [[nodiscard]] ToleranceOptions as_options(const Tolerances& tolerances);
 
-/// What contradicts what, a sentence each: slit or height below degeneracy.
+/// Says in a sentence each which tolerances contradict each other: slit or height below degeneracy.
 [[nodiscard]] std::vector<std::string> inconsistencies(const Tolerances& tolerances);
 
 }  // namespace meshalyzer

@@ -1,7 +1,7 @@
 #include "meshalyzer/geometry/face_measures.h"
 #include "meshalyzer/picture/field.h"
+#include "meshalyzer/picture/internal/worst_defects.h"
 #include "meshalyzer/picture/separation_values.h"
-#include "meshalyzer/picture/worst_defects.h"
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Computes fields one after the other, and keeps what several need.
+/// Computes fields one after the other and keeps what several need.
 class FieldComputer {
  public:
   explicit FieldComputer(const FieldSource& source) : source_(source) {}
@@ -97,7 +97,7 @@ class FieldComputer {
                        std::move(values));
   }
 
-  /// The values of mesh faces by the file's faces.
+  /// Returns the values of mesh faces in the order of the file's faces.
   template <typename T>
   [[nodiscard]] std::vector<double> by_record(const std::vector<T>& of_mesh_faces) const {
     const std::vector<Index>& faces = source_.mesh.cut().side.faces;
@@ -113,7 +113,7 @@ class FieldComputer {
   std::optional<FaceMeasures> face_measures_;
 };
 
-/// The value of a vertex from those of two faces round it, or of more one after the other.
+/// Combines the values of two faces round a vertex; more are combined one after the other.
 double combined(FieldName name, double a, double b) {
   switch (name) {
     case FieldName::Area:

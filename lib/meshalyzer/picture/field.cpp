@@ -13,7 +13,7 @@ struct FieldTitle {
   std::string_view label;
 };
 
-/// In the order of FieldName.
+/// The names and labels of the fields, in the order of FieldName.
 constexpr std::array<FieldTitle, kFieldNames> kTitles{{
     {FieldName::Gaussian, "gaussian", "Gaussian curvature K (1/length²)"},
     {FieldName::Mean, "mean", "Mean curvature H (1/length)"},

@@ -29,26 +29,26 @@ enum class FieldName : std::uint8_t {
 
 inline constexpr std::size_t kFieldNames = 10;
 
-/// All of them, in the order of the enumeration, which is that of menus.
+/// Returns all names in the order of the enumeration, which is also the order of menus.
 [[nodiscard]] const std::vector<FieldName>& all_field_names();
-/// "gaussian", "mean", "k1", "k2", "valence", "aspect-ratio", "area", "component", "defect",
-/// "separation".
+/// Returns the name of a field in commands and files: "gaussian", "mean", "k1", "k2", "valence",
+/// "aspect-ratio", "area", "component", "defect", "separation".
 [[nodiscard]] std::string_view field_name(FieldName name);
-/// The field of a name; nothing where there is none of that name.
+/// Returns the field that has a name; nothing where none has it.
 [[nodiscard]] std::optional<FieldName> field_of(std::string_view name);
-/// For a person, with its symbol and unit: "Gaussian curvature K (1/length²)".
+/// Returns the label that people read, with symbol and unit: "Gaussian curvature K (1/length²)".
 [[nodiscard]] std::string_view field_label(FieldName name);
 
-/// What a field has values of.
+/// The elements of which a field has values.
 enum class FieldPlace : std::uint8_t { Vertices, Faces };
 
 /// How a field's values are to be shown.
 enum class FieldKind : std::uint8_t {
-  /// Sizes, none negative: along a sequential palette.
+  /// Sizes, none of them negative, are shown along a sequential palette.
   Magnitude,
-  /// Values of both signs: along a diverging palette, its middle at 0.
+  /// Values of both signs are shown along a diverging palette with 0 in its middle.
   Signed,
-  /// Numbers that name something (a component, a defect's code): a colour each, without an order.
+  /// Numbers that name something (a component, a defect code) have a colour each, in no order.
   Category,
 };
 
@@ -57,66 +57,70 @@ struct Field {
   FieldName name = FieldName::Gaussian;
   FieldPlace place = FieldPlace::Vertices;
   FieldKind kind = FieldKind::Magnitude;
-  /// #V or #F of the soup, by record; NaN where there is none, infinite for the aspect ratio of a
-  /// face of zero area.
+  /// #V or #F of the soup: the value of each record; NaN where it has none, infinite for the aspect
+  /// ratio of a face of zero area.
   std::vector<double> values;
 };
 
-/// What fields are computed of. Only referred to.
+/// What fields are computed from. The caller keeps the data.
 struct FieldSource {
   const PreparedMesh& mesh;
-  /// For the field `defect`; may be null.
+  /// The field `defect` needs these; may be null.
   const DefectReport* defects = nullptr;
-  /// For the field `separation`; may be null.
+  /// The field `separation` needs these; may be null.
   const ObjectSeparation* separation = nullptr;
   VertexArea area = VertexArea::Mixed;
 };
 
-/// Computes fields; several at once share what they have in common.
+/// Computes fields. Asking for several at once saves the work that they have in common.
 ///
-/// Of vertices: the curvatures (NaN where the surface has none), the valence (edges at the vertex)
-/// and the separation (signed where a distance is negative); no value where no face of the complex
-/// uses the vertex. Of faces: aspect ratio, area, component (from 0, in order of their lowest face)
-/// and defect: 0 where the face, its vertices, edges and component are in no listed defect, else 1
-/// + the place of the worst one's code in DefectCode (errors before warnings, then the first code).
-/// Faces that are not in the complex have no value but for `defect`.
+/// Vertices have the curvatures (NaN where the surface has none), the valence (the number of edges
+/// at the vertex) and the separation (signed where a distance is negative), and no value where no
+/// face of the complex uses the vertex. Faces have the aspect ratio, the area, the component
+/// (numbered from 0, in order of their lowest face) and the defect: 0 where the face, its vertices,
+/// edges and component are in no listed defect, else 1 + the place in DefectCode of the worst
+/// defect's code (errors before warnings, then the first code). Faces that are not in the complex
+/// have a value for `defect` alone.
 ///
 /// @param names  Fields for which the source has not what they need are left out.
-/// @return       In the order of `names`.
+/// @return       The fields in the order of `names`.
 /// @complexity   O(#V + #F).
 [[nodiscard]] std::vector<Field> compute_fields(const FieldSource& source,
                                                 const std::vector<FieldName>& names);
 
-/// The values of a field at the vertices, for formats that know no others: of a face field the
-/// largest value of the faces round the vertex (for `area` a third of their sum, so that the total
+/// Returns the values of a field at the vertices, for formats that know no others. A vertex gets
+/// the largest value of the faces round it (for `area` a third of their sum, so that the total
 /// stays; for `defect` the worst).
-/// @param soup  What the field is of.
-/// @return      #V; NaN where there is none.
+///
+/// @param soup  The mesh that the field was computed of.
+/// @return      #V: the value of each vertex; NaN where it has none.
 /// @complexity  O(#V + #F).
 [[nodiscard]] std::vector<double> at_vertices(const Field& field, const Soup& soup);
 
-/// The range of colours that shows a field best: for a signed field symmetric about 0. Outliers do
-/// not take all colours: the ends are the 2nd and the 98th percentile of the finite values (nearest
-/// rank), where these differ by more than rounding does, a billionth of the range of all; else the
-/// smallest and the largest. Categories run from the smallest to the largest.
+/// Chooses the range of colours that shows a field best; that of a signed field is symmetric about
+/// 0. So that outliers do not take all colours, the ends are the 2nd and the 98th percentile of the
+/// finite values (nearest rank), where these differ by more than rounding, a billionth of the whole
+/// range; else the smallest and the largest value. Categories run from the smallest to the largest.
+///
 /// @complexity O(#values).
 [[nodiscard]] ColourScale scale_of(const Field& field);
 
-/// Light grey: that of faces in no defect.
+/// The colour of faces in no defect: light grey.
 inline constexpr Colour kNoDefectColour{217, 217, 217};
 
-/// What colours the values of a field have.
+/// Gives colours to the values of a field.
 struct FieldColours {
   FieldName name = FieldName::Gaussian;
-  /// Absent for categories, which have a category_colour() each: component 0 and the first code of
-  /// defects the first one.
+  /// Absent for categories, which have a category_colour() each: component 0 and the first defect
+  /// code have the first one.
   std::optional<ColourScale> scale = std::nullopt;
 
   [[nodiscard]] Colour of(double value) const;
 };
 
-/// The colours of a field: along scale_of(); of categories a colour each.
-/// @param palette  In place of the field's own; then categories run along it too.
+/// Chooses the colours of a field: values run along scale_of(), categories have a colour each.
+///
+/// @param palette  Takes the place of the field's own; then categories run along it too.
 [[nodiscard]] FieldColours colours_of(const Field& field,
                                       std::optional<Palette> palette = std::nullopt);
 

@@ -8,12 +8,13 @@
 namespace meshalyzer {
 namespace {
 
-/// Of the range of all values: what lies closer together is the same but for rounding, as the
-/// curvatures of the flat parts of a machine part.
+/// A share of the range of all values. Values that are closer than this differ by rounding only,
+/// such as the curvatures of the flat parts of a machine part.
 constexpr double kRounding = 1e-9;
 
-/// The value that p percent of all do not exceed: nearest rank.
-/// @param values  Reordered; not empty.
+/// Returns the value that p percent of all values do not exceed (nearest rank).
+///
+/// @param values  Must not be empty; is reordered.
 double percentile(std::vector<double>& values, std::size_t p) {
   const std::size_t rank = std::max<std::size_t>((p * values.size() + 99) / 100, 1);
   const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank - 1);
@@ -22,7 +23,7 @@ double percentile(std::vector<double>& values, std::size_t p) {
   return *place + 0.0;
 }
 
-/// From where to where colours run, not sign or palette; 0 ... 0 where there is no finite value.
+/// Returns the ends of the range of colours; 0 ... 0 where there is no finite value.
 ColourScale shown_range(const std::vector<double>& values) {
   std::vector<double> finite;
   std::copy_if(values.begin(), values.end(), std::back_inserter(finite),
@@ -35,7 +36,7 @@ ColourScale shown_range(const std::vector<double>& values) {
   const double max = *most + 0.0;
   const double low = percentile(finite, 2);
   const double high = percentile(finite, 98);
-  // Halves, as the whole of the range may be too large for a double.
+  // Halves are used, because the whole range may be too large for a double.
   const bool shows_values = high / 2.0 - low / 2.0 > kRounding * (max / 2.0 - min / 2.0);
   return shows_values ? ColourScale{Palette::Sequential, low, high}
                       : ColourScale{Palette::Sequential, min, max};

@@ -1,18 +1,21 @@
 #include "meshalyzer/picture/scene.h"
 
 #include "meshalyzer/geometry/vertex_normals.h"
-#include "meshalyzer/picture/drawn_fields.h"
-#include "meshalyzer/picture/drawn_surface.h"
-#include "meshalyzer/picture/edge_lengths.h"
-#include "meshalyzer/picture/highlights.h"
-#include "meshalyzer/picture/lit_defects.h"
-#include "meshalyzer/picture/neighbourhoods.h"
-#include "meshalyzer/picture/note_text.h"
-#include "meshalyzer/picture/scene_lines.h"
-#include "meshalyzer/picture/vertex_clusters.h"
+#include "meshalyzer/picture/internal/drawn_surface.h"
+#include "meshalyzer/picture/internal/edge_lengths.h"
+#include "meshalyzer/picture/internal/highlights.h"
+#include "meshalyzer/picture/internal/lit_defects.h"
+#include "meshalyzer/picture/internal/neighbourhoods.h"
+#include "meshalyzer/picture/internal/note_text.h"
+#include "meshalyzer/picture/internal/scene_lines.h"
+#include "meshalyzer/picture/internal/vertex_clusters.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
+#include <span>
+#include <tuple>
 #include <utility>
 
 namespace meshalyzer {
@@ -21,6 +24,42 @@ namespace {
 const DefectReport& no_defects() {
   static const DefectReport none;
   return none;
+}
+
+/// Converts a value to single precision; what is finite stays finite.
+float to_float(double value) {
+  constexpr double kMax = std::numeric_limits<float>::max();
+  return static_cast<float>(std::isfinite(value) ? std::clamp(value, -kMax, kMax) : value);
+}
+
+std::vector<float> values_on(const Field& field, const DrawnSurface& surface) {
+  const std::vector<Index>& records =
+      field.place == FieldPlace::Vertices ? surface.vertices : surface.faces;
+  std::vector<float> values(records.size());
+  std::transform(records.begin(), records.end(), values.begin(),
+                 [&](Index record) { return to_float(field.values[record]); });
+  return values;
+}
+
+DrawnField draw_field(const Field& field, const DrawnSurface& detail, const DrawnSurface& context) {
+  DrawnField drawn;
+  drawn.name = field.name;
+  drawn.place = field.place;
+  drawn.kind = field.kind;
+  drawn.detail = values_on(field, detail);
+  drawn.context = values_on(field, context);
+  drawn.scale = scale_of(field);
+  std::tie(drawn.min, drawn.max) = finite_range(field.values).value_or(std::pair(0.0, 0.0));
+  return drawn;
+}
+
+/// Takes the values of fields at the vertices and faces that are drawn.
+std::vector<DrawnField> draw_fields(std::span<const Field> fields, const DrawnSurface& detail,
+                                    const DrawnSurface& context) {
+  std::vector<DrawnField> drawn;
+  drawn.reserve(fields.size());
+  for (const Field& field : fields) drawn.push_back(draw_field(field, detail, context));
+  return drawn;
 }
 
 /// Makes a scene, part by part.
@@ -55,7 +94,7 @@ class SceneMaker {
   [[nodiscard]] const Soup& soup() const { return source_.mesh.soup(); }
   [[nodiscard]] bool is_whole() const { return faces_.size() <= limits_.max_whole_faces; }
 
-  /// Of what is drawn in detail half is for what is round the defects.
+  /// Returns limits that leave half of what is drawn in detail to the surroundings of the defects.
   [[nodiscard]] SceneLimits limits_of_lit() const {
     SceneLimits limits = limits_;
     if (!is_whole()) {
@@ -150,7 +189,7 @@ class SceneMaker {
   const FieldSource& source_;
   const SceneLimits& limits_;
   const DefectReport& report_;
-  /// Those that can be drawn.
+  /// The faces that can be drawn.
   std::vector<Index> faces_;
   DrawingFrame frame_;
   LitDefects lit_;

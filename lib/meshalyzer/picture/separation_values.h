@@ -7,11 +7,9 @@
 
 namespace meshalyzer {
 
-// Private to the picture module and the programs.
-
-/// The distances of all vertex records.
+/// Returns the distance of each vertex record to other objects, for a field of the mesh.
 ///
-/// @param separation  Of this soup.
+/// @param separation  What was measured of this soup.
 /// @return            #V; NaN for vertices that no face of the complex uses, and where nothing was
 ///                    found.
 /// @complexity        O(#V + #F).

@@ -9,7 +9,7 @@ namespace meshalyzer {
 namespace {
 
 /// What collinear corners span; u == v for a point.
-struct Segment {
+struct CollinearHull {
   Vec3 u;
   Vec3 v;
 };
@@ -19,21 +19,21 @@ bool lexicographically_less(const Vec3& a, const Vec3& b) {
 }
 
 /// Along a line, lexicographic order is the order on the line.
-Segment hull(const Corners& t) {
+CollinearHull hull(const Corners& t) {
   const auto [low, high] = std::minmax_element(t.begin(), t.end(), lexicographically_less);
   return {*low, *high};
 }
 
-bool is_point(const Segment& s) {
+bool is_point(const CollinearHull& s) {
   return s.u == s.v;
 }
 
 /// For x on the line of s.
-bool is_within(const Segment& s, const Vec3& x) {
+bool is_within(const CollinearHull& s, const Vec3& x) {
   return !lexicographically_less(x, s.u) && !lexicographically_less(s.v, x);
 }
 
-bool is_on(const Segment& s, const Vec3& x) {
+bool is_on(const CollinearHull& s, const Vec3& x) {
   return are_collinear(s.u, s.v, x) && is_within(s, x);
 }
 
@@ -46,12 +46,12 @@ bool same_direction(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 /// For segments in one plane that projects properly along `axis`, not all of it on one line.
-bool cross_in_plane(Axis axis, const Segment& s, const Segment& t) {
+bool cross_in_plane(Axis axis, const CollinearHull& s, const CollinearHull& t) {
   return orient2d(axis, s.u, s.v, t.u) * orient2d(axis, s.u, s.v, t.v) <= 0 &&
          orient2d(axis, t.u, t.v, s.u) * orient2d(axis, t.u, t.v, s.v) <= 0;
 }
 
-bool segments_meet(const Segment& s, const Segment& t) {
+bool segments_meet(const CollinearHull& s, const CollinearHull& t) {
   if (is_point(s)) {
     return is_on(t, s.u);
   }
@@ -85,7 +85,7 @@ PlanarTriangle planar(const Corners& t) {
 
 /// Whether a segment in the plane of t meets it: no edge of t, nor the segment itself, separates
 /// the two.
-bool meets_in_plane(const PlanarTriangle& t, const Segment& s) {
+bool meets_in_plane(const PlanarTriangle& t, const CollinearHull& s) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3& a = t.corners[i];
     const Vec3& b = t.corners[(i + 1) % 3];
@@ -109,7 +109,7 @@ bool meets_in_plane(const PlanarTriangle& t, const Segment& s) {
 /// Where the line of a segment that is not in the plane of t passes it.
 enum class Pass { Outside, Border, Inside };
 
-Pass pass_of_line(const Corners& t, const Segment& s) {
+Pass pass_of_line(const Corners& t, const CollinearHull& s) {
   Sign low = 1;
   Sign high = -1;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -123,7 +123,7 @@ Pass pass_of_line(const Corners& t, const Segment& s) {
   return low == 0 || high == 0 ? Pass::Border : Pass::Inside;
 }
 
-std::optional<ContactKind> contact_with_segment(const Corners& t, const Segment& s) {
+std::optional<ContactKind> contact_with_segment(const Corners& t, const CollinearHull& s) {
   const Sign at_u = orient3d(t[0], t[1], t[2], s.u);
   const Sign at_v = orient3d(t[0], t[1], t[2], s.v);
   if (at_u * at_v > 0) {
@@ -141,7 +141,7 @@ std::optional<ContactKind> contact_with_segment(const Corners& t, const Segment&
 }
 
 /// t has non-zero area, and its first corner is a point of s: does s go on inside t?
-bool segment_goes_into(const Corners& t, const Segment& s) {
+bool segment_goes_into(const Corners& t, const CollinearHull& s) {
   const PlanarTriangle flat = planar(t);
   const Vec3& a = flat.corners[0];
   const auto is_inside = [&](const Vec3& end) {
@@ -153,7 +153,7 @@ bool segment_goes_into(const Corners& t, const Segment& s) {
 }
 
 /// Two segments through the point a: do they go on in the same direction?
-bool segments_go_together(const Vec3& a, const Segment& s, const Segment& t) {
+bool segments_go_together(const Vec3& a, const CollinearHull& s, const CollinearHull& t) {
   return same_direction(a, s.u, t.u) || same_direction(a, s.u, t.v) ||
          same_direction(a, s.v, t.u) || same_direction(a, s.v, t.v);
 }
@@ -161,8 +161,8 @@ bool segments_go_together(const Vec3& a, const Segment& s, const Segment& t) {
 /// Two segments that both hold the common edge a b: do both go beyond the same end of it?
 bool segments_outreach(const Corners& p, const Corners& q) {
   const auto [low, high] = std::minmax(p[0], p[1], lexicographically_less);
-  const Segment s = hull(p);
-  const Segment t = hull(q);
+  const CollinearHull s = hull(p);
+  const CollinearHull t = hull(q);
   const bool below = lexicographically_less(s.u, low) && lexicographically_less(t.u, low);
   const bool above = lexicographically_less(high, s.v) && lexicographically_less(high, t.v);
   return below || above;

@@ -1,4 +1,4 @@
-#include "meshalyzer/analysis/attributes.h"
+#include "meshalyzer/analysis/internal/attributes.h"
 
 #include "meshalyzer/analysis/analyze.h"
 #include "support/shapes.h"

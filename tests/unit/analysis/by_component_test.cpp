@@ -1,4 +1,4 @@
-#include "meshalyzer/analysis/by_component.h"
+#include "meshalyzer/analysis/internal/by_component.h"
 
 #include "meshalyzer/analysis/analyze.h"
 #include "support/shapes.h"

@@ -1,4 +1,4 @@
-#include "meshalyzer/analysis/edge_lists.h"
+#include "meshalyzer/analysis/internal/edge_lists.h"
 
 #include "meshalyzer/analysis/analyze.h"
 #include "support/shapes.h"

@@ -1,4 +1,4 @@
-#include "meshalyzer/analysis/integrity.h"
+#include "meshalyzer/analysis/internal/integrity.h"
 
 #include "support/shapes.h"
 

@@ -1,4 +1,4 @@
-#include "meshalyzer/picture/contact_segments.h"
+#include "meshalyzer/picture/internal/contact_segments.h"
 
 #include "meshalyzer/spatial/triangle_distance.h"
 #include "support/random_soups.h"

@@ -1,4 +1,4 @@
-#include "meshalyzer/picture/drawing_frame.h"
+#include "meshalyzer/picture/internal/drawing_frame.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "meshalyzer/picture/highlights.h"
+#include "meshalyzer/picture/internal/highlights.h"
 
-#include "meshalyzer/picture/drawn_surface.h"
+#include "meshalyzer/picture/internal/drawn_surface.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>

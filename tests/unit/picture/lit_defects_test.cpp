@@ -1,4 +1,4 @@
-#include "meshalyzer/picture/lit_defects.h"
+#include "meshalyzer/picture/internal/lit_defects.h"
 
 #include "support/shapes.h"
 

@@ -1,4 +1,4 @@
-#include "meshalyzer/picture/scene_lines.h"
+#include "meshalyzer/picture/internal/scene_lines.h"
 
 #include "support/shapes.h"
 

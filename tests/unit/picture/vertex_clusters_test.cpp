@@ -1,4 +1,4 @@
-#include "meshalyzer/picture/vertex_clusters.h"
+#include "meshalyzer/picture/internal/vertex_clusters.h"
 
 #include "meshalyzer/base/parallel.h"
 #include "support/shapes.h"

@@ -1,4 +1,4 @@
-#include "meshalyzer/picture/worst_defects.h"
+#include "meshalyzer/picture/internal/worst_defects.h"
 
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/mesh/build.h"

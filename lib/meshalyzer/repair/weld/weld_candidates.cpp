@@ -1,7 +1,7 @@
 #include "meshalyzer/repair/weld/weld_candidates.h"
 
 #include "meshalyzer/base/parallel.h"
-#include "meshalyzer/defects/segment_grid.h"
+#include "meshalyzer/spatial/segment_grid.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,0 +1,163 @@
+#include "meshalyzer/analysis/internal/attributes.h"
+
+#include "meshalyzer/base/sum.h"
+#include "meshalyzer/topology/genus.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace meshalyzer {
+namespace {
+
+constexpr const char* kNoFaces = "no faces";
+constexpr const char* kNotManifold = "the mesh is not manifold";
+
+Answer yes_or_no(bool value) {
+  return {.value = value, .reason = {}};
+}
+
+template <typename Result>
+Result none(std::string_view reason) {
+  return {.value = std::nullopt, .reason = std::string(reason)};
+}
+
+/// Why a mesh bounds no solid; empty where it does.
+std::string reason_of_no_solid(const Attributes& attributes) {
+  if (!attributes.closed.value) {
+    return kNoFaces;
+  }
+  if (!*attributes.closed.value) {
+    return "the mesh is not closed";
+  }
+  if (!*attributes.manifold.value) {
+    return kNotManifold;
+  }
+  return *attributes.consistent.value ? "" : "the mesh is not consistently oriented";
+}
+
+Answer answer_outward(const Analysis& analysis, const Attributes& attributes) {
+  if (const std::string reason = reason_of_no_solid(attributes); !reason.empty()) {
+    return none<Answer>(reason);
+  }
+  bool outward = true;
+  std::size_t undecided = 0;
+  for (const ComponentAnalysis& c : analysis.components) {
+    undecided += c.outward ? 0 : 1;
+    outward = outward && c.outward.value_or(true);
+  }
+  if (outward && undecided != 0) {
+    return none<Answer>(undecided == 1 && analysis.components.size() == 1
+                            ? "it encloses no volume"
+                            : "components that enclose no volume: " + std::to_string(undecided));
+  }
+  return yes_or_no(outward);
+}
+
+}  // namespace
+
+std::vector<ComponentAnalysis> analyze_components(std::span<const ComponentCounts> counts) {
+  std::vector<ComponentAnalysis> analyses(counts.size());
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const ComponentCounts& n = counts[i];
+    ComponentAnalysis& c = analyses[i];
+    c.first_face = n.first_face;
+    c.faces = n.faces;
+    c.vertices = n.vertices;
+    c.edges = n.edges;
+    c.edge_components = n.edge_components;
+    c.boundaries = n.boundaries;
+    c.border_edges = n.border_edges;
+    c.non_manifold_edges = n.non_manifold_edges;
+    c.non_manifold_vertices = n.non_manifold_vertices;
+    c.flipped_edges = n.flipped_edges;
+    c.closed = n.border_edges == 0;
+    c.manifold = n.non_manifold_edges == 0 && n.non_manifold_vertices == 0;
+    if (c.manifold) {
+      c.orientable = n.orientable;
+      c.consistent = n.flipped_edges == 0;
+    }
+    if (c.manifold && n.orientable) {
+      c.genus = genus(
+          {.vertices = n.vertices, .edges = n.edges, .faces = n.faces, .boundaries = n.boundaries});
+    }
+  }
+  return analyses;
+}
+
+void count_elements(const Soup& soup, const ComplexTopology& topology, Analysis& analysis) {
+  Characteristics& c = analysis.characteristics;
+  const Offenders& offenders = analysis.offenders;
+  c.vertices = soup.n_vertices();
+  c.faces = soup.n_faces();
+  c.edges = topology.n_edges;
+  c.components = topology.counts.size();
+  c.edge_components = topology.n_edge_components;
+  c.boundaries = topology.n_boundaries;
+  c.border_edges = offenders.border_edges.size();
+  c.non_manifold_edges = offenders.non_manifold_edges.size();
+  c.non_manifold_vertices = offenders.non_manifold_vertices.size();
+  c.pinched_vertices = offenders.pinched_vertices.size();
+  c.flipped_edges = offenders.flipped_edges.size();
+  c.duplicate_faces = offenders.duplicate_faces.size();
+}
+
+Attributes answer_attributes(const Analysis& analysis, bool orientable) {
+  Attributes attributes;
+  const Characteristics& c = analysis.characteristics;
+  if (analysis.components.empty()) {
+    const Answer unknown = none<Answer>(kNoFaces);
+    return {unknown, unknown, unknown, unknown, unknown};
+  }
+  attributes.closed = yes_or_no(c.border_edges == 0);
+  attributes.manifold = yes_or_no(c.non_manifold_edges == 0 && c.non_manifold_vertices == 0);
+  if (*attributes.manifold.value) {
+    attributes.orientable = yes_or_no(orientable);
+    attributes.consistent = yes_or_no(c.flipped_edges == 0);
+  } else {
+    attributes.orientable = none<Answer>(kNotManifold);
+    attributes.consistent = none<Answer>(kNotManifold);
+  }
+  attributes.outward = answer_outward(analysis, attributes);
+  return attributes;
+}
+
+Measure<double> total_volume(const Analysis& analysis) {
+  if (const std::string reason = reason_of_no_solid(analysis.attributes); !reason.empty()) {
+    return none<Measure<double>>(reason);
+  }
+  CompensatedSum sum;
+  for (const ComponentAnalysis& c : analysis.components) {
+    if (!c.volume) {
+      return none<Measure<double>>("it is too large for a double");
+    }
+    sum.add(*c.volume);
+  }
+  return {.value = sum.value(), .reason = {}};
+}
+
+void answer_genus(Analysis& analysis) {
+  const std::vector<ComponentAnalysis>& components = analysis.components;
+  Characteristics& c = analysis.characteristics;
+  const bool all_known =
+      std::all_of(components.begin(), components.end(),
+                  [](const ComponentAnalysis& each) { return each.genus.has_value(); });
+  if (all_known && !components.empty()) {
+    c.genus_of_components = 0;
+    for (const ComponentAnalysis& each : components) {
+      *c.genus_of_components += *each.genus;
+    }
+  }
+  if (components.empty()) {
+    c.genus.reason = kNoFaces;
+  } else if (!*analysis.attributes.manifold.value) {
+    c.genus.reason = kNotManifold;
+  } else if (!all_known) {
+    c.genus.reason = "the mesh is not orientable";
+  } else if (analysis.integrity.orphan_vertices != 0) {
+    c.genus.reason = "orphan vertices: " + std::to_string(analysis.integrity.orphan_vertices);
+  } else {
+    c.genus.value = c.genus_of_components;
+  }
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "meshalyzer/base/statistics.h"
+#include "meshalyzer/base/types.h"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Summarises values apart for each component.
+///
+/// @param n             Number of components.
+/// @param component_of  The component of value i; kNoIndex where it belongs to none.
+/// @return              One summary for each component.
+/// @complexity          O(#values + n) time; one copy of the values.
+[[nodiscard]] std::vector<Summary> summarize_by_component(
+    std::size_t n, std::span<const double> values,
+    const std::function<Index(std::size_t)>& component_of);
+
+}  // namespace meshalyzer

@@ -1,0 +1,219 @@
+#include "meshalyzer/analysis/internal/measures.h"
+
+#include "meshalyzer/analysis/internal/by_component.h"
+#include "meshalyzer/analysis/internal/edge_lists.h"
+#include "meshalyzer/base/sum.h"
+#include "meshalyzer/geometry/coincidence.h"
+#include "meshalyzer/geometry/edge_measures.h"
+#include "meshalyzer/geometry/face_measures.h"
+#include "meshalyzer/mesh/complex_edges.h"
+#include "meshalyzer/topology/edges.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace meshalyzer {
+namespace {
+
+/// Where measures of a mesh go: its own statistics, and those of its components where these are
+/// wanted.
+class Measurer {
+ public:
+  Measurer(const CutMesh& cut, const Components& components, const AnalysisOptions& options,
+           Analysis& analysis)
+      : cut_(cut), components_(components), options_(options), analysis_(analysis) {
+    if (components.count >= 2 && components.count <= Analysis::kMaxComponentStatistics) {
+      analysis.component_statistics.resize(components.count);
+    }
+  }
+
+  /// @return The faces of zero area.
+  std::vector<FaceHandle> measure_all_faces() {
+    FaceMeasures faces = measure_faces(cut_.mesh);
+    sum_areas(faces.area);
+    for (const FaceHandle f : faces.zero_area) {
+      analysis_.offenders.zero_area_faces.push_back(cut_.side.face(f));
+      ++analysis_.components[component_of(f)].zero_area_faces;
+    }
+    analysis_.characteristics.zero_area_faces = faces.zero_area.size();
+    if (options_.aspect_above) {
+      analysis_.offenders.large_aspect_ratios =
+          faces_above(faces.aspect_ratio, *options_.aspect_above);
+    }
+    const auto component = [&](std::size_t i) { return components_.of_face[i]; };
+    record(
+        [](auto& of) -> auto& { return of.face_area; }, std::move(faces.area), component);
+    record(
+        [](auto& of) -> auto& { return of.aspect_ratio; }, std::move(faces.aspect_ratio),
+        component);
+    record(
+        [](auto& of) -> auto& { return of.corner_angle; }, std::move(faces.corner_angle),
+        component);
+    // Statistics leave out what overflowed; the area must not.
+    analysis_.characteristics.area = analysis_.characteristics.face_area.infinite == 0
+                                         ? analysis_.characteristics.face_area.total
+                                         : std::numeric_limits<double>::infinity();
+    return std::move(faces.zero_area);
+  }
+
+  void measure_lengths() {
+    const std::vector<HalfedgeHandle> edges = complex_edges(cut_);
+    std::vector<double> lengths = edge_lengths(cut_.mesh, edges);
+    if (options_.shorter_than) {
+      analysis_.offenders.short_edges = list_edges_if(
+          cut_, edges, lengths, [limit = *options_.shorter_than](double x) { return x < limit; });
+    }
+    if (options_.longer_than) {
+      analysis_.offenders.long_edges = list_edges_if(
+          cut_, edges, lengths, [limit = *options_.longer_than](double x) { return x > limit; });
+    }
+    list_indistinguishable(edges);
+    record(
+        [](auto& of) -> auto& { return of.edge_length; }, std::move(lengths),
+        [&](std::size_t i) { return component_of(cut_.mesh.face_handle(edges[i])); });
+  }
+
+  void measure_angles(std::span<const FaceHandle> zero_area) {
+    EdgeAngles angles = measure_edge_angles(cut_.mesh, zero_area);
+    if (options_.angle_below_degrees) {
+      analysis_.offenders.small_angles =
+          list_edges_if(cut_, angles.edges, angles.degrees,
+                        [limit = *options_.angle_below_degrees](double x) { return x < limit; });
+    }
+    if (options_.angle_above_degrees) {
+      analysis_.offenders.large_angles =
+          list_edges_if(cut_, angles.edges, angles.degrees,
+                        [limit = *options_.angle_above_degrees](double x) { return x > limit; });
+    }
+    record(
+        [](auto& of) -> auto& { return of.edge_angle; }, std::move(angles.degrees),
+        [&](std::size_t i) { return component_of(cut_.mesh.face_handle(angles.edges[i])); });
+  }
+
+  void measure_valences() {
+    const std::vector<Index> valences = vertex_valences(cut_);
+    std::vector<Index> vertices;
+    std::vector<double> values;
+    for (std::size_t v = 0; v < valences.size(); ++v) {
+      if (valences[v] != 0) {
+        vertices.push_back(static_cast<Index>(v));
+        values.push_back(valences[v]);
+      }
+    }
+    const auto component = [&](std::size_t i) {
+      const VertexHandle v(static_cast<int>(vertices[i]));
+      const HalfedgeHandle h = cut_.mesh.halfedge_handle(v);
+      const FaceHandle f = cut_.mesh.face_handle(h);
+      return component_of(
+          f.is_valid() ? f : cut_.mesh.face_handle(cut_.mesh.opposite_halfedge_handle(h)));
+    };
+    record(
+        [](auto& of) -> auto& { return of.vertex_valence; }, std::move(values), component);
+  }
+
+ private:
+  [[nodiscard]] Index component_of(FaceHandle f) const {
+    return components_.of_face[static_cast<std::size_t>(f.idx())];
+  }
+
+  void sum_areas(const std::vector<double>& areas) {
+    std::vector<CompensatedSum> sums(components_.count);
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+      sums[components_.of_face[i]].add(areas[i]);
+    }
+    for (std::size_t c = 0; c < sums.size(); ++c) {
+      analysis_.components[c].area = sums[c].value();
+    }
+  }
+
+  [[nodiscard]] FaceList faces_above(const std::vector<double>& values, double limit) const {
+    FaceList list;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (values[i] > limit) {
+        list.faces.push_back(cut_.side.faces[i]);
+        list.values.push_back(values[i]);
+      }
+    }
+    return list;
+  }
+
+  void list_indistinguishable(const std::vector<HalfedgeHandle>& edges) {
+    const TriMesh& mesh = cut_.mesh;
+    const Coincidence coincidence =
+        options_.exact_coincidence ? Coincidence::Exact : Coincidence::Tolerant;
+    Offenders& offenders = analysis_.offenders;
+    offenders.indistinguishable_vertices = indistinguishable_ids(coincidence);
+    std::vector<HalfedgeHandle> collapsed;
+    if (!offenders.indistinguishable_vertices.empty()) {
+      std::copy_if(edges.begin(), edges.end(), std::back_inserter(collapsed),
+                   [&](HalfedgeHandle h) {
+                     return is_indistinguishable(mesh.point(mesh.from_vertex_handle(h)),
+                                                 mesh.point(mesh.to_vertex_handle(h)), coincidence);
+                   });
+    }
+    offenders.indistinguishable_edges = list_edges(cut_, collapsed);
+    analysis_.characteristics.indistinguishable_vertices =
+        offenders.indistinguishable_vertices.size();
+    analysis_.characteristics.indistinguishable_edges = collapsed.size();
+  }
+
+  /// Records that repeat an id are left out: they are no vertex of their own.
+  [[nodiscard]] std::vector<Index> indistinguishable_ids(Coincidence coincidence) const {
+    const std::span<const Vec3> records(cut_.mesh.points(), cut_.side.n_file_vertices);
+    const std::vector<Index>& repeated = analysis_.offenders.duplicate_vertex_records;
+    if (repeated.empty()) {
+      return find_indistinguishable_vertices(records, coincidence);
+    }
+    std::vector<Index> kept;
+    std::vector<Vec3> positions;
+    for (Index v = 0; v < records.size(); ++v) {
+      if (!std::binary_search(repeated.begin(), repeated.end(), v)) {
+        kept.push_back(v);
+        positions.push_back(records[v]);
+      }
+    }
+    std::vector<Index> found = find_indistinguishable_vertices(positions, coincidence);
+    std::transform(found.begin(), found.end(), found.begin(), [&](Index i) { return kept[i]; });
+    return found;
+  }
+
+  /// Says in figures what was measured of each element, for the mesh and for each component, and
+  /// keeps the values where that is asked for.
+  ///
+  /// @param pick       Picks the quantity out of ElementMeasures of anything.
+  /// @param values     One an element.
+  /// @param component  The component of element i.
+  template <typename Pick>
+  void record(Pick pick, std::vector<double> values,
+              const std::function<Index(std::size_t)>& component) {
+    if (!analysis_.component_statistics.empty()) {
+      const std::vector<Summary> summaries =
+          summarize_by_component(components_.count, values, component);
+      for (std::size_t c = 0; c < summaries.size(); ++c) {
+        pick(analysis_.component_statistics[c]) = summaries[c];
+      }
+    }
+    pick(analysis_.characteristics) = summarize(values);
+    if (options_.keep_values) {
+      pick(analysis_.values) = std::move(values);
+    }
+  }
+
+  const CutMesh& cut_;
+  const Components& components_;
+  const AnalysisOptions& options_;
+  Analysis& analysis_;
+};
+
+}  // namespace
+
+void measure(const CutMesh& cut, const Components& components, const AnalysisOptions& options,
+             Analysis& analysis) {
+  Measurer measurer(cut, components, options, analysis);
+  const std::vector<FaceHandle> zero_area = measurer.measure_all_faces();
+  measurer.measure_lengths();
+  measurer.measure_angles(zero_area);
+  measurer.measure_valences();
+}
+
+}  // namespace meshalyzer

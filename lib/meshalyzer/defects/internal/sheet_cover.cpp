@@ -1,0 +1,165 @@
+#include "meshalyzer/defects/internal/sheet_cover.h"
+
+#include "meshalyzer/exact/normal.h"
+#include "meshalyzer/geometry/face_measures.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+using Polygon = std::vector<Vec3>;
+
+/// The search for a cover of one face is given up after so many pieces or faces passed over.
+constexpr std::size_t kMaxPieces = 4096;
+constexpr std::size_t kMaxPassedOver = 1024;
+
+/// Returns what distances may be off by, because the cuts are made in floating point.
+double rounding_of(const Box3& box) {
+  if (box.isEmpty()) return 0.0;
+  return 0x1p-46 * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+}
+
+Vec3 unit_normal(const Corners& t) {
+  return accurate_normal(t[0], t[1], t[2]).stableNormalized();
+}
+
+Vec3 middle(const Polygon& polygon) {
+  Vec3 sum = Vec3::Zero();
+  // Divided first, so that nothing overflows.
+  for (const Vec3& corner : polygon) sum += corner / static_cast<double>(polygon.size());
+  return sum;
+}
+
+/// The two halves of a convex polygon that a plane cuts; either may be empty.
+struct Halves {
+  Polygon inside;
+  Polygon outside;
+};
+
+/// @param heights  The height of each corner above the plane; inside is above.
+Halves cut(const Polygon& polygon, const std::vector<double>& heights) {
+  Halves halves;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const std::size_t next = i + 1 < polygon.size() ? i + 1 : 0;
+    const double here = heights[i];
+    const double there = heights[next];
+    if (here >= 0.0) halves.inside.push_back(polygon[i]);
+    if (here <= 0.0) halves.outside.push_back(polygon[i]);
+    if ((here < 0.0 && there > 0.0) || (here > 0.0 && there < 0.0)) {
+      const double share = here / (here - there);
+      const Vec3 crossing = polygon[i] * (1.0 - share) + polygon[next] * share;
+      halves.inside.push_back(crossing);
+      halves.outside.push_back(crossing);
+    }
+  }
+  return halves;
+}
+
+/// Returns the heights of corners above the plane through side k of a triangle that is
+/// perpendicular to the triangle; the triangle is above.
+std::vector<double> heights_above_side(const Polygon& polygon, const Corners& t, std::size_t k) {
+  const Vec3 along = (t[(k + 1) % 3] - t[k]).stableNormalized();
+  const Vec3 inward = unit_normal(t).cross(along);
+  std::vector<double> heights;
+  heights.reserve(polygon.size());
+  for (const Vec3& corner : polygon) heights.push_back(inward.dot(corner - t[k]));
+  return heights;
+}
+
+}  // namespace
+
+SheetCover::SheetCover(const PreparedMesh& mesh, std::span<const Index> patch_of_face,
+                       double tolerance)
+    : mesh_(mesh.cut().mesh),
+      closest_(mesh.tree()),
+      patch_of_face_(patch_of_face),
+      tolerance_(tolerance + rounding_of(mesh.tree().bounds())),
+      excluded_(mesh_.n_faces(), 0) {}
+
+std::optional<double> SheetCover::measure(const SheetQuery& query) {
+  for (const Index f : query.faces) excluded_[f] = 1;
+  std::optional<double> largest = 0.0;
+  for (const Index f : query.faces) {
+    const std::optional<double> distance = measure_face(f, query);
+    for (const Index passed : passed_over_) excluded_[passed] = 0;
+    passed_over_.clear();
+    if (!distance) {
+      largest.reset();
+      break;
+    }
+    largest = std::max(*largest, *distance);
+  }
+  for (const Index f : query.faces) excluded_[f] = 0;
+  return largest;
+}
+
+std::optional<double> SheetCover::measure_face(Index face, const SheetQuery& query) {
+  const Corners corners = face_corners(mesh_, FaceHandle(static_cast<int>(face)));
+  const Vec3 normal = unit_normal(corners);
+  std::vector<Polygon> pieces{{corners.begin(), corners.end()}};
+  double largest = 0.0;
+  for (std::size_t n = 0; !pieces.empty(); ++n) {
+    if (n == kMaxPieces) return std::nullopt;
+    Polygon piece = std::move(pieces.back());
+    pieces.pop_back();
+    const std::optional<Corners> below = find_below(piece, query, normal);
+    if (!below) return std::nullopt;
+    for (std::size_t k = 0; k < 3 && !gap(piece, *below); ++k) {
+      const std::vector<double> heights = heights_above_side(piece, *below, k);
+      if (*std::min_element(heights.begin(), heights.end()) >= -tolerance_ / 2) continue;
+      Halves halves = cut(piece, heights);
+      if (halves.inside.empty()) return std::nullopt;
+      if (const std::optional<double> left = gap(halves.outside, *below)) {
+        largest = std::max(largest, *left);
+      } else {
+        pieces.push_back(std::move(halves.outside));
+      }
+      piece = std::move(halves.inside);
+    }
+    const std::optional<double> distance = gap(piece, *below);
+    if (!distance) return std::nullopt;
+    largest = std::max(largest, *distance);
+  }
+  return largest;
+}
+
+/// Finds the face below the middle of a piece; nothing where there is none within the tolerance.
+std::optional<Corners> SheetCover::find_below(const Polygon& piece, const SheetQuery& query,
+                                              const Vec3& normal) {
+  const Vec3 point = middle(piece);
+  if (!point.allFinite()) return std::nullopt;
+  while (passed_over_.size() < kMaxPassedOver) {
+    const auto found = closest_.find({.point = point, .within = tolerance_, .excluded = excluded_});
+    if (!found) return std::nullopt;
+    if (lies_below(found->mesh_face, query, normal)) {
+      return face_corners(mesh_, FaceHandle(static_cast<int>(found->mesh_face)));
+    }
+    excluded_[found->mesh_face] = 1;
+    passed_over_.push_back(found->mesh_face);
+  }
+  return std::nullopt;
+}
+
+bool SheetCover::lies_below(Index face, const SheetQuery& query, const Vec3& normal) const {
+  if (!std::binary_search(query.under.begin(), query.under.end(), patch_of_face_[face])) {
+    return false;
+  }
+  const Vec3 other = unit_normal(face_corners(mesh_, FaceHandle(static_cast<int>(face))));
+  // A face of zero area has no normal, and may lie on any face that has one.
+  return normal.isZero(0.0) ? !other.isZero(0.0) : normal.dot(other) < 0.0;
+}
+
+/// Measures the distance of the corner that is farthest from a face, if it is within the tolerance.
+std::optional<double> SheetCover::gap(const Polygon& piece, const Corners& below) const {
+  double farthest = 0.0;
+  for (const Vec3& corner : piece) {
+    const double distance = closest_on_triangle(below, corner).distance;
+    if (!(distance <= tolerance_)) return std::nullopt;
+    farthest = std::max(farthest, distance);
+  }
+  return farthest;
+}
+
+}  // namespace meshalyzer

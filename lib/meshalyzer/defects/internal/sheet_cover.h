@@ -1,0 +1,59 @@
+#pragma once
+
+#include "meshalyzer/prepared/prepared_mesh.h"
+#include "meshalyzer/spatial/closest_point.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// A sheet of faces, and the patches that it may lie on. The caller keeps the data.
+struct SheetQuery {
+  /// The mesh faces of the sheet.
+  std::span<const Index> faces;
+  /// The numbers of the patches that it may lie on, ascending; its own is not among them.
+  std::span<const Index> under;
+};
+
+/// Tells whether a sheet lies on other patches of a mesh: whether each of its points is within a
+/// tolerance of a face of theirs whose normal is opposed to that of the point's face.
+///
+/// The answer is never a false yes. Distance from a face is a convex function, so a convex
+/// piece lies on a face where its corners do: each face of the sheet is cut along the sides of the
+/// faces below it until every piece lies on one of these.
+class SheetCover {
+ public:
+  /// @param patch_of_face  #mesh faces: the patch of each; kNoIndex where no sheet may lie on it.
+  /// @complexity           O(#F).
+  SheetCover(const PreparedMesh& mesh, std::span<const Index> patch_of_face, double tolerance);
+
+  /// Measures how far a sheet is from the patches.
+  ///
+  /// @return     An upper bound of the distance; nothing where the sheet does not lie on the
+  ///             patches, or these are cut so finely that the search was given up.
+  /// @complexity O(#faces + pieces log #F); stops at the first piece that is too far.
+  [[nodiscard]] std::optional<double> measure(const SheetQuery& query);
+
+ private:
+  using Polygon = std::vector<Vec3>;
+
+  [[nodiscard]] bool lies_below(Index face, const SheetQuery& query, const Vec3& normal) const;
+  [[nodiscard]] std::optional<Corners> find_below(const Polygon& piece, const SheetQuery& query,
+                                                  const Vec3& normal);
+  [[nodiscard]] std::optional<double> measure_face(Index face, const SheetQuery& query);
+  [[nodiscard]] std::optional<double> gap(const Polygon& piece, const Corners& below) const;
+
+  const TriMesh& mesh_;
+  ClosestPoints closest_;
+  std::span<const Index> patch_of_face_;
+  double tolerance_;
+  /// #mesh faces: non-zero for those that closest_ must not find.
+  std::vector<std::uint8_t> excluded_;
+  /// The faces that are excluded only while one face of the sheet is measured.
+  std::vector<Index> passed_over_;
+};
+
+}  // namespace meshalyzer

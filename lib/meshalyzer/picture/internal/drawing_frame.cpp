@@ -1,0 +1,37 @@
+#include "meshalyzer/picture/internal/drawing_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meshalyzer {
+namespace {
+
+/// Meshes of a size between these are drawn as they are: lengths, areas and volumes all have their
+/// digits in single precision, and stay above the smallest steps that viewers take note of.
+constexpr int kSmallestExponent = -3;
+constexpr int kLargestExponent = 17;
+
+double scale_for_size(double half) {
+  const int exponent = std::ilogb(half);
+  if (exponent >= kSmallestExponent && exponent <= kLargestExponent) return 1.0;
+  // The scale is a normal double, so that dividing by it is exact too.
+  return std::ldexp(1.0, std::clamp(-exponent, -1022, 1022));
+}
+
+}  // namespace
+
+DrawingFrame::DrawingFrame(const Box3& box) {
+  if (box.isEmpty()) return;
+  // Halves before the sum and the difference: these may overflow where the coordinates do not.
+  centre_ = box.min() / 2 + box.max() / 2;
+  const Vec3 half = box.max() / 2 - box.min() / 2;
+  if (!(half.maxCoeff() > 0.0)) return;
+  scale_ = scale_for_size(half.maxCoeff());
+  radius_ = (half * scale_).norm();
+}
+
+void append_point(std::vector<float>& array, const Vec3& drawn) {
+  for (const double x : drawn) array.push_back(static_cast<float>(x));
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,150 @@
+#include "meshalyzer/picture/internal/lit_defects.h"
+
+#include "meshalyzer/picture/internal/drawn_surface.h"
+#include "meshalyzer/picture/internal/worst_defects.h"
+
+#include <algorithm>
+
+namespace meshalyzer {
+namespace {
+
+/// Returns the first defects of each code.
+std::vector<LitDefect> first_of_each_code(const DefectReport& report, std::size_t max) {
+  std::array<std::size_t, kDefectCodes> taken{};
+  std::vector<LitDefect> lit;
+  for (std::size_t i = 0; i < report.defects.size(); ++i) {
+    const Defect& defect = report.defects[i];
+    if (taken[static_cast<std::size_t>(defect.code)]++ >= max) continue;
+    LitDefect& one = lit.emplace_back();
+    one.number = i;
+    one.faces = defect.faces;
+    one.edges = defect.edges;
+    one.pairs = defect.pairs;
+    one.vertices = defect.vertices;
+  }
+  return lit;
+}
+
+/// Lists the faces of some components of the mesh.
+class ComponentFaces {
+ public:
+  explicit ComponentFaces(const PreparedMesh& mesh)
+      : cut_(mesh.cut()), components_(mesh.components()), list_of_(components_.count, kNoIndex) {}
+
+  /// Returns the number of the list of the component that a face is in.
+  Index list_of(Index face) {
+    Index& list = list_of_[components_.of_face[cut_.side.mesh_face(face)]];
+    if (list == kNoIndex) list = n_lists_++;
+    return list;
+  }
+
+  /// Fills each list with the first faces that can be drawn, one more than may be lit up, so that
+  /// one sees that there are more.
+  [[nodiscard]] std::vector<std::vector<Index>> fill(const Soup& soup, std::size_t max) const {
+    std::vector<std::vector<Index>> lists(n_lists_);
+    for (std::size_t f = 0; f < components_.of_face.size(); ++f) {
+      const Index list = list_of_[components_.of_face[f]];
+      const Index face = cut_.side.faces[f];
+      if (list == kNoIndex || lists[list].size() > max) continue;
+      if (is_drawable(soup, face)) lists[list].push_back(face);
+    }
+    return lists;
+  }
+
+ private:
+  const CutMesh& cut_;
+  const Components& components_;
+  std::vector<Index> list_of_;
+  Index n_lists_ = 0;
+};
+
+/// Gives each defect that is a component all faces of that component.
+std::vector<std::vector<Index>> expand_components(const PreparedMesh& mesh,
+                                                  const DefectReport& report,
+                                                  std::vector<LitDefect>& lit, std::size_t max) {
+  const auto is_one = [&](const LitDefect& one) {
+    return names_component(report.defects[one.number]);
+  };
+  if (std::none_of(lit.begin(), lit.end(), is_one)) return {};
+  ComponentFaces components(mesh);
+  std::vector<Index> list_of(lit.size(), kNoIndex);
+  for (std::size_t i = 0; i < lit.size(); ++i) {
+    if (is_one(lit[i])) list_of[i] = components.list_of(lit[i].faces[0]);
+  }
+  std::vector<std::vector<Index>> lists = components.fill(mesh.soup(), max);
+  for (std::size_t i = 0; i < lit.size(); ++i) {
+    if (list_of[i] != kNoIndex) lit[i].faces = lists[list_of[i]];
+  }
+  return lists;
+}
+
+std::size_t size_of(const LitDefect& lit) {
+  return std::max({lit.faces.size(), lit.edges.size(), lit.pairs.size(), lit.vertices.size()});
+}
+
+void cut_to(LitDefect& lit, std::size_t max) {
+  const auto cut = [max](auto& list) { list = list.first(std::min(list.size(), max)); };
+  lit.is_cut = size_of(lit) > max;
+  cut(lit.faces);
+  cut(lit.edges);
+  cut(lit.pairs);
+  cut(lit.vertices);
+}
+
+/// Adds one element of each list of a defect to the seeds.
+void add_seeds(const Soup& soup, const LitDefect& lit, std::size_t place, Seeds& seeds) {
+  if (place < lit.faces.size() && is_drawable(soup, lit.faces[place])) {
+    seeds.faces.push_back(lit.faces[place]);
+  }
+  if (place < lit.edges.size()) {
+    seeds.vertices.insert(seeds.vertices.end(), lit.edges[place].begin(), lit.edges[place].end());
+  }
+  if (place < lit.vertices.size()) seeds.vertices.push_back(lit.vertices[place]);
+}
+
+}  // namespace
+
+std::size_t fair_share(std::span<const std::size_t> sizes, std::size_t max_each,
+                       std::size_t total) {
+  std::size_t low = 1;
+  std::size_t high = std::max<std::size_t>(max_each, 1);
+  while (low < high) {
+    const std::size_t share = high - (high - low) / 2;
+    std::size_t sum = 0;
+    for (const std::size_t size : sizes) sum += std::min(size, share);
+    if (sum <= total) {
+      low = share;
+    } else {
+      high = share - 1;
+    }
+  }
+  return low;
+}
+
+LitDefects::LitDefects(const PreparedMesh& mesh, const DefectReport& report,
+                       const SceneLimits& limits)
+    : report_(report), lit_(first_of_each_code(report, limits.max_defects_of_a_code)) {
+  components_ = expand_components(mesh, report, lit_, limits.max_elements_of_a_defect);
+  std::vector<std::size_t> sizes;
+  for (const LitDefect& lit : lit_) sizes.push_back(size_of(lit));
+  const std::size_t share =
+      fair_share(sizes, limits.max_elements_of_a_defect, limits.max_elements_of_all);
+  for (LitDefect& lit : lit_) cut_to(lit, share);
+}
+
+Seeds LitDefects::seeds(const Soup& soup) const {
+  std::vector<const LitDefect*> left;
+  for (const Severity severity : {Severity::Error, Severity::Warning}) {
+    for (const LitDefect& lit : lit_) {
+      if (report_.defects[lit.number].severity == severity) left.push_back(&lit);
+    }
+  }
+  Seeds seeds;
+  for (std::size_t place = 0; !left.empty(); ++place) {
+    for (const LitDefect* lit : left) add_seeds(soup, *lit, place, seeds);
+    std::erase_if(left, [&](const LitDefect* lit) { return size_of(*lit) <= place + 1; });
+  }
+  return seeds;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "meshalyzer/defects/find_defects.h"
+#include "meshalyzer/picture/internal/neighbourhoods.h"
+#include "meshalyzer/picture/scene.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// The elements of a defect that are lit up: the first ones. Others keep the data.
+struct LitDefect {
+  /// The place of the defect in DefectReport::defects.
+  std::size_t number = 0;
+  /// All faces of the component where the defect is a whole component (disjoint, inward).
+  std::span<const Index> faces;
+  std::span<const std::array<Index, 2>> edges;
+  std::span<const IntersectingPair> pairs;
+  std::span<const Index> vertices;
+  /// Tells whether the defect has more elements.
+  bool is_cut = false;
+};
+
+/// Returns the largest number such that the sizes, each cut to that number, add up to at most
+/// `total`. It is at least 1 and at most `max_each`.
+///
+/// @complexity O(#sizes log max_each).
+[[nodiscard]] std::size_t fair_share(std::span<const std::size_t> sizes, std::size_t max_each,
+                                     std::size_t total);
+
+/// Chooses the defects of a report that are lit up. The mesh and the report must outlive it.
+class LitDefects {
+ public:
+  LitDefects(const PreparedMesh& mesh, const DefectReport& report, const SceneLimits& limits);
+  LitDefects(const LitDefects&) = delete;
+  LitDefects& operator=(const LitDefects&) = delete;
+
+  /// The chosen defects, in the order of the report.
+  [[nodiscard]] std::span<const LitDefect> all() const { return lit_; }
+  /// The places round which the mesh is drawn in detail: the first element of each defect, errors
+  /// before warnings, then the second of each, and so on, so that one long defect does not take all
+  /// the detail.
+  [[nodiscard]] Seeds seeds(const Soup& soup) const;
+
+ private:
+  const DefectReport& report_;
+  std::vector<LitDefect> lit_;
+  /// The faces of each component that some defect is, as many as may be lit up.
+  std::vector<std::vector<Index>> components_;
+};
+
+}  // namespace meshalyzer

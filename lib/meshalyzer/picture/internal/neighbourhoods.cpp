@@ -1,0 +1,92 @@
+#include "meshalyzer/picture/internal/neighbourhoods.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace meshalyzer {
+namespace {
+
+/// The faces at each vertex, in one flat list.
+class FacesAtVertices {
+ public:
+  FacesAtVertices(const Soup& soup, std::span<const Index> faces)
+      : begin_(soup.n_vertices() + 1, 0), faces_(3 * faces.size()) {
+    for (const Index f : faces) {
+      for (const Index v : soup.triangles[f]) ++begin_[v];
+    }
+    // The lists are filled from their ends, so that begin_ ends up at their beginnings.
+    std::size_t end = 0;
+    for (std::size_t& begin : begin_) begin = end += begin;
+    for (auto f = faces.rbegin(); f != faces.rend(); ++f) {
+      for (const Index v : soup.triangles[*f]) faces_[--begin_[v]] = *f;
+    }
+  }
+
+  [[nodiscard]] std::span<const Index> operator[](Index vertex) const {
+    return std::span(faces_).subspan(begin_[vertex], begin_[vertex + 1] - begin_[vertex]);
+  }
+
+ private:
+  std::vector<std::size_t> begin_;
+  std::vector<Index> faces_;
+};
+
+/// A walk that takes each face and each vertex once.
+class Walk {
+ public:
+  Walk(const Soup& soup, std::size_t max_faces)
+      : soup_(soup),
+        max_faces_(max_faces),
+        has_face_(soup.n_faces(), 0),
+        has_vertex_(soup.n_vertices(), 0) {}
+
+  [[nodiscard]] bool is_full() const { return taken_.size() >= max_faces_; }
+
+  void take_face(Index face) {
+    if (is_full() || has_face_[face] != 0) return;
+    has_face_[face] = 1;
+    taken_.push_back(face);
+    for (const Index v : soup_.triangles[face]) take_vertex(v);
+  }
+
+  void take_vertex(Index vertex) {
+    if (has_vertex_[vertex] != 0) return;
+    has_vertex_[vertex] = 1;
+    queue_.push_back(vertex);
+  }
+
+  /// Walks on from the vertices in the order in which they were met, so that faces come ring by
+  /// ring.
+  void go_on(const FacesAtVertices& faces) {
+    for (std::size_t i = 0; i < queue_.size() && !is_full(); ++i) {
+      for (const Index f : faces[queue_[i]]) take_face(f);
+    }
+  }
+
+  [[nodiscard]] std::vector<Index> taken_in_order() {
+    std::sort(taken_.begin(), taken_.end());
+    return std::move(taken_);
+  }
+
+ private:
+  const Soup& soup_;
+  std::size_t max_faces_;
+  std::vector<std::uint8_t> has_face_;
+  std::vector<std::uint8_t> has_vertex_;
+  std::vector<Index> taken_;
+  std::vector<Index> queue_;
+};
+
+}  // namespace
+
+std::vector<Index> faces_round(const Soup& soup, std::span<const Index> drawable,
+                               const Seeds& seeds, std::size_t max_faces) {
+  if (seeds.faces.empty() && seeds.vertices.empty()) return {};
+  Walk walk(soup, max_faces);
+  for (const Index f : seeds.faces) walk.take_face(f);
+  for (const Index v : seeds.vertices) walk.take_vertex(v);
+  walk.go_on(FacesAtVertices(soup, drawable));
+  return walk.taken_in_order();
+}
+
+}  // namespace meshalyzer

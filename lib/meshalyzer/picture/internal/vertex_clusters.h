@@ -1,0 +1,35 @@
+#pragma once
+
+#include "meshalyzer/picture/internal/drawing_frame.h"
+#include "meshalyzer/picture/internal/drawn_surface.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// How far faces are decimated. The caller keeps the data.
+struct ClusterLimits {
+  /// At most so many faces are left, and not many fewer where the mesh allows.
+  std::size_t max_faces = 0;
+  /// #V: not 0 for vertices that stay as they are, so that no gap opens beside faces that are drawn
+  /// in full. They are ignored where the faces at them are too many.
+  std::span<const std::uint8_t> pinned;
+};
+
+/// Decimates faces by vertex clustering (Rossignac and Borrel 1993): the vertices in each cell of a
+/// uniform grid become one of them, the one that is closest to their mean. Faces that lose a corner
+/// are dropped, and of faces that become the same, however they are turned, all but the first.
+///
+/// The size of the cells is found by trying: the smallest of a few that leaves no more faces than
+/// are allowed. Where all faces are allowed they stay as they are.
+///
+/// @param faces  Drawable faces, ascending.
+/// @return       Triangles in the order of the faces that they come from.
+/// @complexity   O(#V log #V + #F).
+[[nodiscard]] TriangleList cluster_vertices(const Soup& soup, const DrawingFrame& frame,
+                                            std::vector<Index> faces, const ClusterLimits& limits);
+
+}  // namespace meshalyzer

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "meshalyzer/base/types.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// The two ends of a straight edge.
+using Segment = std::array<Vec3, 2>;
+
+/// Measures how far two segments are from having the same ends: the larger distance of two ends, in
+/// the better of the two directions. It is 0 exactly where the ends are at the same places.
+[[nodiscard]] double gap_between(const Segment& a, const Segment& b);
+
+/// Finds the segments that nearly lie on each other, by the two cells of a grid that their ends are
+/// in.
+///
+/// The pair of cells tells more than the cell of one end or of the middle would: the edges of a fan
+/// share an end and the diagonals of a box their middle, but only edges that nearly lie on each
+/// other share both ends.
+class SegmentGrid {
+ public:
+  /// @param tolerance  A length, finite.
+  /// @complexity       O(n).
+  SegmentGrid(std::span<const Segment> segments, double tolerance);
+
+  /// Tells whether so many segments are in the same cells that visiting all of them takes long.
+  [[nodiscard]] bool is_crowded() const;
+
+  /// Calls `visit` with the number of each segment whose ends may be within the tolerance of the
+  /// ends of this one. The order is arbitrary, some segments are farther away, and short ones may
+  /// come twice.
+  ///
+  /// @complexity O(1 + found).
+  template <typename Visit>
+  void visit_near(const Segment& segment, Visit&& visit) const {
+    const NearCells at_first = cells_near(segment[0]);
+    const NearCells at_second = cells_near(segment[1]);
+    for (std::size_t i = 0; i < at_first.size; ++i) {
+      for (std::size_t j = 0; j < at_second.size; ++j) {
+        const std::uint64_t key = key_of(at_first.hashes[i], at_second.hashes[j]);
+        for (const Entry& entry : bucket(key)) {
+          if (entry.key == key) visit(entry.segment);
+        }
+      }
+    }
+  }
+
+ private:
+  /// Hashes of cells. Segments of two cells with the same hash are found together; whoever asked
+  /// tells them apart by their distance.
+  struct NearCells {
+    std::array<std::uint64_t, 8> hashes{};
+    std::size_t size = 0;
+  };
+  struct Entry {
+    std::uint64_t key = 0;
+    Index segment = 0;
+  };
+
+  void sort_into_cells(std::span<const Segment> segments);
+  [[nodiscard]] std::int64_t cell_of(double coordinate) const;
+  [[nodiscard]] std::uint64_t cell_of(const Vec3& point) const;
+  [[nodiscard]] NearCells cells_near(const Vec3& point) const;
+  /// Returns the key of a pair of cells, which is the same for both directions of a segment.
+  [[nodiscard]] static std::uint64_t key_of(std::uint64_t a, std::uint64_t b) {
+    const std::uint64_t mixed = (a + b) * 0x9E3779B97F4A7C15U;
+    return mixed ^ (mixed >> 32U);
+  }
+  [[nodiscard]] std::span<const Entry> bucket(std::uint64_t key) const {
+    const std::size_t i = key & (begin_.size() - 2);
+    return std::span(entries_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
+  }
+
+  /// Ends that are within the tolerance are within this, whatever the rounding.
+  double reach_ = 0.0;
+  double cell_size_ = 1.0;
+  /// The entries bucket by bucket, and where each bucket begins (#buckets + 1 places); the number
+  /// of buckets is a power of two.
+  std::vector<Entry> entries_;
+  std::vector<Index> begin_;
+};
+
+}  // namespace meshalyzer
