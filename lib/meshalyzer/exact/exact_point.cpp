@@ -1,0 +1,175 @@
+#include "meshalyzer/exact/exact_point.h"
+
+#include <CGAL/Gmpq.h>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+using Exact = CGAL::Mpzf;
+
+// Between these, a quotient of two doubles neither overflows nor loses bits.
+constexpr double kSmallestSafe = 0x1p-400;
+constexpr double kLargestSafe = 0x1p+400;
+
+bool is_safe(double x) {
+  return std::abs(x) > kSmallestSafe && std::abs(x) < kLargestSafe;
+}
+
+/// a / b with a relative error below 2^-50, or an absolute one of a few of the smallest doubles;
+/// never zero where a is not.
+double quotient(const Exact& a, const Exact& b) {
+  if (a.is_zero()) return 0.0;
+  const double x = a.to_double();
+  const double y = b.to_double();
+  if (is_safe(x) && is_safe(y)) return x / y;
+  const double q = CGAL::to_double(CGAL::Gmpq(a) / CGAL::Gmpq(b));
+  return q != 0.0 ? q : std::copysign(std::numeric_limits<double>::denorm_min(), a.sign());
+}
+
+/// A double, and how far it is from the number that it stands for.
+struct Rounded {
+  double value = 0.0;
+  double rest = 0.0;
+};
+
+bool is_odd(double x) {
+  return (std::bit_cast<std::uint64_t>(x) & 1U) != 0;
+}
+
+/// Whether a / b lies nearer to `next` than to its neighbour `value`, or half-way and `next` is the
+/// even one. `towards` is the sign of next - value.
+bool is_nearer(const Exact& a, const Exact& b, std::pair<double, double> value_next, Sign towards) {
+  const auto [value, next] = value_next;
+  const Sign beyond = (a + a - (Exact(value) + Exact(next)) * b).sign() * towards;
+  return beyond > 0 || (beyond == 0 && is_odd(value));
+}
+
+/// The double nearest to a / b, b > 0. Begins near it and goes on from one to the next.
+Rounded nearest(const Exact& a, const Exact& b) {
+  Rounded result{.value = quotient(a, b)};
+  for (;;) {
+    result.rest = quotient(a - Exact(result.value) * b, b);
+    if (result.rest == 0.0) return result;
+    const Sign towards = result.rest > 0.0 ? 1 : -1;
+    const double next =
+        std::nextafter(result.value, towards * std::numeric_limits<double>::infinity());
+    if (!std::isfinite(next)) return result;
+    // The rest is known so well that only the middle needs an exact look.
+    const double step = std::abs(next - result.value);
+    if (std::abs(result.rest) < 0.499 * step && step > kSmallestSafe) return result;
+    if (!is_nearer(a, b, {result.value, next}, towards)) return result;
+    result.value = next;
+  }
+}
+
+/// A difference of coordinates of two exact points, and a bound of its error.
+struct Difference {
+  double value = 0.0;
+  double error = 0.0;
+};
+
+// Two roundings of the parts, one of their sum; a rest is off by less than 2^-50 of itself.
+Difference difference(const ExactPoint& p, const ExactPoint& q, Eigen::Index k) {
+  const double coarse = p.rounded[k] - q.rounded[k];
+  const double fine = p.rest[k] - q.rest[k];
+  return {coarse + fine, 0x1.1p-52 * (std::abs(coarse) + std::abs(fine)) +
+                             0x1.1p-50 * (std::abs(p.rest[k]) + std::abs(q.rest[k]))};
+}
+
+Sign compare_coordinate(const ExactPoint& a, const ExactPoint& b, Eigen::Index k) {
+  if (a.rounded[k] != b.rounded[k]) return a.rounded[k] < b.rounded[k] ? -1 : 1;
+  const double x = a.rest[k];
+  const double y = b.rest[k];
+  if (x == 0.0 && y == 0.0) return 0;
+  if (std::abs(x - y) > 0x1p-48 * (std::abs(x) + std::abs(y)) && std::abs(x - y) > kSmallestSafe) {
+    return x < y ? -1 : 1;
+  }
+  const auto i = static_cast<std::size_t>(k);
+  return (a.numerator[i] * b.denominator - b.numerator[i] * a.denominator).sign();
+}
+
+Sign exact_orient2d(std::size_t i, std::size_t j, const std::array<const ExactPoint*, 3>& p) {
+  const auto minor = [&](const ExactPoint& q, const ExactPoint& r) {
+    return q.numerator[i] * r.numerator[j] - q.numerator[j] * r.numerator[i];
+  };
+  return (p[0]->denominator * minor(*p[1], *p[2]) + p[1]->denominator * minor(*p[2], *p[0]) +
+          p[2]->denominator * minor(*p[0], *p[1]))
+      .sign();
+}
+
+/// The sign of (b - a) x (c - a) in the coordinates i and j, where floating point is sure of it.
+std::optional<Sign> filtered(Eigen::Index i, Eigen::Index j,
+                             const std::array<const ExactPoint*, 3>& p) {
+  const Difference ux = difference(*p[1], *p[0], i);
+  const Difference uy = difference(*p[1], *p[0], j);
+  const Difference vx = difference(*p[2], *p[0], i);
+  const Difference vy = difference(*p[2], *p[0], j);
+  const double first = std::abs(ux.value * vy.value);
+  const double second = std::abs(uy.value * vx.value);
+  const double bound =
+      1.01 * (ux.error * (std::abs(vy.value) + vy.error) + std::abs(ux.value) * vy.error +
+              uy.error * (std::abs(vx.value) + vx.error) + std::abs(uy.value) * vx.error +
+              0x1p-52 * (first + second));
+  const double determinant = ux.value * vy.value - uy.value * vx.value;
+  if (std::abs(determinant) > bound && bound > kSmallestSafe && bound < kLargestSafe) {
+    return determinant > 0.0 ? 1 : -1;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+ExactPoint exact_point(const Vec3& point) {
+  ExactPoint result;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    result.numerator[static_cast<std::size_t>(k)] = Exact(point[k]);
+  }
+  result.denominator = Exact(1);
+  result.rounded = point;
+  return result;
+}
+
+ExactPoint exact_point(std::array<Exact, 3> numerator, Exact denominator) {
+  ExactPoint result{.numerator = std::move(numerator), .denominator = std::move(denominator)};
+  if (result.denominator.sign() < 0) {
+    for (Exact& x : result.numerator) x = -x;
+    result.denominator = -result.denominator;
+  }
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const Rounded rounded =
+        nearest(result.numerator[static_cast<std::size_t>(k)], result.denominator);
+    result.rounded[k] = rounded.value;
+    result.rest[k] = rounded.rest;
+  }
+  return result;
+}
+
+Sign compare_lexicographically(const ExactPoint& a, const ExactPoint& b) {
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    if (const Sign sign = compare_coordinate(a, b, k)) return sign;
+  }
+  return 0;
+}
+
+Sign orient2d(Axis dropped, const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+  if (a.is_rounded() && b.is_rounded() && c.is_rounded()) {
+    return orient2d(dropped, a.rounded, b.rounded, c.rounded);
+  }
+  const auto k = static_cast<std::size_t>(dropped);
+  const std::size_t i = (k + 1) % 3;
+  const std::size_t j = (k + 2) % 3;
+  const std::array<const ExactPoint*, 3> points{&a, &b, &c};
+  if (const auto sure =
+          filtered(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j), points)) {
+    return *sure;
+  }
+  return exact_orient2d(i, j, points);
+}
+
+}  // namespace meshalyzer
