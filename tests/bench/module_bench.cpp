@@ -1,4 +1,5 @@
 #include "big_meshes.h"
+#include "meshalyzer/arrangement/arrange.h"
 #include "meshalyzer/geometry/curvature.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/io/write.h"
@@ -103,6 +104,20 @@ BENCHMARK_CAPTURE(self_intersections, flat, "flat")
 BENCHMARK_CAPTURE(self_intersections, crossing, "crossing")
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
+
+/// A fifth of the faces: the search for pairs apart.
+void arrangement_of_crossing(benchmark::State& state) {
+  const Soup soup = bench::big_mesh("crossing", kFaces / 5);
+  const CutMesh cut = build(soup);
+  const std::vector<IntersectingPair> pairs = find_self_intersections(cut, FaceTree(cut));
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(arrange(soup, pairs));
+  }
+  state.counters["s_per_pair"] = benchmark::Counter(
+      static_cast<double>(pairs.size()),
+      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(arrangement_of_crossing)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 void self_intersections_of_slivers(benchmark::State& state) {
   const CutMesh cut = build(bench::big_mesh("slivers", 20000));

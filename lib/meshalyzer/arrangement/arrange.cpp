@@ -1,0 +1,138 @@
+#include "meshalyzer/arrangement/arrange.h"
+
+#include "meshalyzer/arrangement/assemble.h"
+#include "meshalyzer/arrangement/flat_faces.h"
+#include "meshalyzer/arrangement/segment_crossings.h"
+#include "meshalyzer/base/error.h"
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/mesh/build.h"
+#include "meshalyzer/spatial/self_intersection.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// Clusters and pairs take some ten microseconds each.
+constexpr std::size_t kItemsAtOnce = 64;
+
+void require_faces(const Soup& soup, std::span<const IntersectingPair> pairs) {
+  for (const IntersectingPair& pair : pairs) {
+    for (const Index face : {pair.face_a, pair.face_b}) {
+      if (face >= soup.n_faces() || !is_in_complex(soup.triangles[face])) {
+        throw InvalidArgument("arrange: a pair names a face that is in no complex");
+      }
+    }
+  }
+}
+
+FaceContacts find_contacts(const Soup& soup, std::span<const FaceShape> shapes,
+                           std::span<const IntersectingPair> pairs) {
+  std::vector<FaceContacts> parts(n_chunks(pairs.size(), kItemsAtOnce));
+  parallel_chunks(pairs.size(), kItemsAtOnce, [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const FaceShape& a = shapes[shape_number(shapes, pairs[i].face_a)];
+      const FaceShape& b = shapes[shape_number(shapes, pairs[i].face_b)];
+      find_face_contact(soup, a, b, parts[chunk.number]);
+    }
+  });
+  FaceContacts all;
+  for (FaceContacts& part : parts) {
+    all.points.insert(all.points.end(), part.points.begin(), part.points.end());
+    all.segments.insert(all.segments.end(), part.segments.begin(), part.segments.end());
+    part = {};
+  }
+  return all;
+}
+
+NamedPoints name_contacts(const Soup& soup, std::span<const FaceShape> shapes,
+                          const FaceContacts& contacts) {
+  std::vector<PointName> names;
+  for (const FaceShape& shape : shapes) {
+    for (const Index v : shape.vertices) names.push_back(vertex_name(v));
+  }
+  for (const ContactPoint& point : contacts.points) names.push_back(point.point);
+  return {soup, std::move(names)};
+}
+
+/// The crossings in each cluster.
+std::vector<std::vector<PointName>> find_crossings(std::span<const FaceShape> shapes,
+                                                   std::span<const FaceCluster> clusters,
+                                                   const NamedPoints& points) {
+  std::vector<std::vector<PointName>> crossings(clusters.size());
+  parallel_chunks(clusters.size(), kItemsAtOnce, [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      crossings[i] = find_segment_crossings(shapes, clusters[i], points);
+    }
+  });
+  return crossings;
+}
+
+NamedPoints name_crossings(const Soup& soup, std::span<const std::vector<PointName>> crossings) {
+  std::vector<PointName> names;
+  for (const auto& some : crossings) names.insert(names.end(), some.begin(), some.end());
+  return {soup, std::move(names)};
+}
+
+std::vector<ClusterPieces> cut_clusters(const CuttingScene& scene,
+                                        std::span<const FaceCluster> clusters,
+                                        std::span<const std::vector<PointName>> crossings) {
+  std::vector<ClusterPieces> pieces(clusters.size());
+  parallel_chunks(clusters.size(), kItemsAtOnce, [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      pieces[i] = cut_cluster(scene, clusters[i], crossings[i]);
+    }
+  });
+  return pieces;
+}
+
+/// Of the edges of faces of no area, as their neighbours and they themselves know them.
+std::vector<EdgeNode> collect_edge_nodes(std::vector<EdgeNode> own,
+                                         std::span<const ClusterPieces> clusters) {
+  for (const ClusterPieces& cluster : clusters) {
+    own.insert(own.end(), cluster.edge_nodes.begin(), cluster.edge_nodes.end());
+  }
+  std::sort(own.begin(), own.end());
+  own.erase(std::unique(own.begin(), own.end()), own.end());
+  return own;
+}
+
+}  // namespace
+
+Arrangement arrange(const Soup& soup, std::span<const IntersectingPair> pairs) {
+  require_faces(soup, pairs);
+  const std::vector<FaceShape> shapes = shapes_of(soup, pairs);
+  const FaceContacts contacts = find_contacts(soup, shapes, pairs);
+  const NamedPoints points = name_contacts(soup, shapes, contacts);
+  const std::vector<FaceCluster> clusters = make_clusters(shapes, pairs, contacts, points);
+  const auto crossings = find_crossings(shapes, clusters, points);
+  const NamedPoints crossing_points = name_crossings(soup, crossings);
+  Nodes nodes = unite_points(points, crossing_points);
+
+  const std::vector<Index> flat_faces = find_flat_faces(soup);
+  const std::vector<VertexPair> flat_edges = edges_of_faces(soup, flat_faces);
+  const std::vector<ClusterPieces> pieces = cut_clusters({.shapes = shapes,
+                                                          .points = points,
+                                                          .crossings = crossing_points,
+                                                          .nodes = nodes,
+                                                          .flat_edges = flat_edges},
+                                                         clusters, crossings);
+  const std::vector<EdgeNode> edge_nodes =
+      collect_edge_nodes(find_edge_nodes(shapes, contacts, points, nodes), pieces);
+  return assemble({.soup = soup,
+                   .shapes = shapes,
+                   .points = points,
+                   .clusters = pieces,
+                   .flat_faces = flat_faces,
+                   .edge_nodes = edge_nodes},
+                  std::move(nodes));
+}
+
+Arrangement arrange(const Soup& soup) {
+  const CutMesh cut = build(soup);
+  const FaceTree tree(cut);
+  return arrange(soup, find_self_intersections(cut, tree));
+}
+
+}  // namespace meshalyzer

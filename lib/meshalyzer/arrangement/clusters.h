@@ -1,0 +1,50 @@
+#pragma once
+
+#include "meshalyzer/arrangement/face_contact.h"
+#include "meshalyzer/arrangement/named_points.h"
+#include "meshalyzer/spatial/intersecting_pair.h"
+
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// A ContactSegment in a cluster, its ends by their numbers.
+struct ClusterSegment {
+  Index from = kNoIndex;
+  Index to = kNoIndex;
+  SegmentLine line = SegmentLine::Plane;
+  /// The face of the cluster that the segment is in, and the other one, both by file index.
+  Index face = kNoIndex;
+  Index other = kNoIndex;
+};
+
+/// Triangles that are cut together: one that overlaps no other in its plane, or all that do,
+/// directly or through others.
+struct FaceCluster {
+  /// Along which the plane projects properly.
+  Axis axis = Axis::X;
+  /// Ascending, by number of their shapes.
+  std::vector<Index> faces;
+  /// Numbers of the points that lie in the faces, their corners included. Ascending, each once.
+  std::vector<Index> points;
+  std::vector<ClusterSegment> segments;
+};
+
+/// The shapes of the faces of these pairs, ascending by face.
+[[nodiscard]] std::vector<FaceShape> shapes_of(const Soup& soup,
+                                               std::span<const IntersectingPair> pairs);
+
+/// The number of the shape of a face, which must have one.
+[[nodiscard]] Index shape_number(std::span<const FaceShape> shapes, Index face);
+
+/// Groups the triangles among the faces, with all that lies in them.
+///
+/// @param points  Holds the corners of all shapes, and all that the contacts name.
+/// @return        Ascending by first face.
+[[nodiscard]] std::vector<FaceCluster> make_clusters(std::span<const FaceShape> shapes,
+                                                     std::span<const IntersectingPair> pairs,
+                                                     const FaceContacts& contacts,
+                                                     const NamedPoints& points);
+
+}  // namespace meshalyzer

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "meshalyzer/arrangement/arrangement.h"
+#include "meshalyzer/arrangement/clusters.h"
+#include "meshalyzer/arrangement/nodes.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// A node inside an edge of a face.
+struct EdgeNode {
+  /// The edge's vertices, the lower first.
+  VertexPair edge{};
+  Index node = kNoIndex;
+
+  friend auto operator<=>(const EdgeNode&, const EdgeNode&) = default;
+};
+
+/// What becomes of the faces of a cluster.
+struct ClusterPieces {
+  /// Three nodes each.
+  std::vector<std::array<Index, 3>> triangles;
+  /// #triangles + 1: where the sources of each begin in `sources`. The first has the sign 1.
+  std::vector<Index> source_begin{0};
+  std::vector<PieceSource> sources;
+  /// The edges that lie on the cluster's segments, by their nodes, the lower first.
+  std::vector<std::array<Index, 2>> curves;
+  /// The nodes inside those edges of the faces that are edges of faces of no area too.
+  std::vector<EdgeNode> edge_nodes;
+};
+
+/// What is known when a cluster is cut. Only refers.
+struct CuttingScene {
+  std::span<const FaceShape> shapes;
+  const NamedPoints& points;
+  const NamedPoints& crossings;
+  const Nodes& nodes;
+  /// The edges of faces of no area, the lower vertex first. Ascending.
+  std::span<const VertexPair> flat_edges;
+};
+
+/// Triangulates the faces of a cluster with all points and segments in them.
+///
+/// @param crossings  Of its segments with each other.
+[[nodiscard]] ClusterPieces cut_cluster(const CuttingScene& scene, const FaceCluster& cluster,
+                                        std::span<const PointName> crossings);
+
+}  // namespace meshalyzer

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "meshalyzer/arrangement/point_name.h"
+
+#include <vector>
+
+namespace meshalyzer {
+
+/// What a face is as a set of points: a triangle, or where its area is zero a segment or a point.
+struct FaceShape {
+  Index face = kNoIndex;
+  Triangle vertices{};
+  /// 2, 1 or 0.
+  int dimension = 2;
+  /// Of a triangle: along which it projects to non-zero area.
+  Axis axis = Axis::X;
+  /// Of a segment: its ends, the lexicographically lower first.
+  VertexPair ends{};
+
+  [[nodiscard]] bool is_triangle() const { return dimension == 2; }
+  /// The edges of a triangle, the one of a segment, none of a point.
+  [[nodiscard]] std::vector<VertexPair> edges() const;
+};
+
+/// @param face  In the complex.
+[[nodiscard]] FaceShape face_shape(const Soup& soup, Index face);
+
+/// Whether x lies on the closed segment between two vertices, which are at different places.
+[[nodiscard]] bool is_on_segment(const Soup& soup, const VertexPair& ends, Index x);
+
+/// Whether a vertex lies in the closed shape.
+[[nodiscard]] bool contains(const Soup& soup, const FaceShape& shape, Index x);
+
+/// On which side of a triangle's plane a vertex lies, as orient3d() says.
+[[nodiscard]] Sign side_of(const Soup& soup, const FaceShape& triangle, Index x);
+
+}  // namespace meshalyzer

@@ -1,0 +1,87 @@
+#include "meshalyzer/arrangement/flat_faces.h"
+
+#include "meshalyzer/base/parallel.h"
+
+#include <algorithm>
+
+namespace meshalyzer {
+namespace {
+
+/// Takes out of a closed walk one step that leads nowhere, or two that lead forth and back.
+/// @return  Whether there was such a step.
+bool shorten(std::vector<Index>& walk) {
+  const std::size_t n = walk.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t first = (i + 1) % n;
+    const std::size_t second = (i + 2) % n;
+    const bool stays = walk[first] == walk[i];
+    if (!stays && walk[second] != walk[i]) continue;
+    walk.erase(walk.begin() + static_cast<std::ptrdiff_t>(stays ? first : std::max(first, second)));
+    if (!stays) walk.erase(walk.begin() + static_cast<std::ptrdiff_t>(std::min(first, second)));
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Index> find_flat_faces(const Soup& soup) {
+  const auto parts = map_chunks<std::vector<Index>>(soup.n_faces(), [&](Chunk chunk) {
+    std::vector<Index> flat;
+    for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
+      if (!is_in_complex(soup.triangles[f])) continue;
+      const auto corners = corners_of(soup, static_cast<Index>(f));
+      if (are_collinear(corners[0], corners[1], corners[2])) flat.push_back(static_cast<Index>(f));
+    }
+    return flat;
+  });
+  std::vector<Index> faces;
+  for (const std::vector<Index>& part : parts) faces.insert(faces.end(), part.begin(), part.end());
+  return faces;
+}
+
+std::vector<VertexPair> edges_of_faces(const Soup& soup, std::span<const Index> faces) {
+  std::vector<VertexPair> edges;
+  for (const Index face : faces) {
+    const Triangle& t = soup.triangles[face];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
+      edges.push_back({low, high});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+std::vector<EdgeNode> find_edge_nodes(std::span<const FaceShape> shapes,
+                                      const FaceContacts& contacts, const NamedPoints& points,
+                                      const Nodes& nodes) {
+  std::vector<EdgeNode> found;
+  const auto corner = [&](Index v) { return nodes.of_first[points.find(vertex_name(v))]; };
+  for (const auto& [face, point] : contacts.points) {
+    const FaceShape& shape = shapes[shape_number(shapes, face)];
+    if (shape.is_triangle()) continue;
+    const Index node = nodes.of_first[points.find(point)];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [u, v] = std::minmax(shape.vertices[i], shape.vertices[(i + 1) % 3]);
+      // All are in one line, along which nodes are in order.
+      const auto [low, high] = std::minmax({corner(u), corner(v)});
+      if (low < node && node < high) found.push_back({{u, v}, node});
+    }
+  }
+  return found;
+}
+
+std::vector<Triangle> fill_flat_walk(std::vector<Index> walk) {
+  while (walk.size() > 2 && shorten(walk)) {
+  }
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 1; i + 1 < walk.size(); ++i) {
+    const Triangle t{walk[0], walk[i], walk[i + 1]};
+    if (is_in_complex(t)) triangles.push_back(t);
+  }
+  return triangles;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "meshalyzer/arrangement/point_name.h"
+
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Points by their names. One point may be here several times, under different names.
+class NamedPoints {
+ public:
+  /// Constructs the points, each name once, in parallel.
+  /// @param names  In any order.
+  NamedPoints(const Soup& soup, std::vector<PointName> names);
+
+  [[nodiscard]] std::size_t size() const { return names_.size(); }
+  /// Ascending.
+  [[nodiscard]] const std::vector<PointName>& names() const { return names_; }
+  /// The number of a name, which must be one of those given.
+  [[nodiscard]] Index find(const PointName& name) const;
+  [[nodiscard]] const ExactPoint& operator[](Index i) const { return points_[i]; }
+
+ private:
+  std::vector<PointName> names_;
+  std::vector<ExactPoint> points_;
+};
+
+}  // namespace meshalyzer

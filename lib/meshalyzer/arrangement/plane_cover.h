@@ -1,0 +1,39 @@
+#pragma once
+
+#include "meshalyzer/arrangement/triangulation.h"
+
+#include <array>
+#include <compare>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// An edge of a triangulation that is part of the border of a face.
+struct BorderEdge {
+  /// Two vertices of the triangulation, the lower first.
+  std::array<Index, 2> ends{};
+  Index face = kNoIndex;
+
+  friend auto operator<=>(const BorderEdge&, const BorderEdge&) = default;
+};
+
+/// Which faces cover each triangle of a triangulation.
+struct PlaneCover {
+  /// #triangles: which of `sets` is of each.
+  std::vector<Index> set_of;
+  /// Ascending each.
+  std::vector<std::vector<Index>> sets;
+
+  [[nodiscard]] std::span<const Index> of(std::size_t triangle) const {
+    return sets[set_of[triangle]];
+  }
+};
+
+/// Finds them from outside in: who crosses the border of a face enters or leaves it.
+///
+/// @param borders  The whole border of each face, in any order. All its edges are constrained.
+[[nodiscard]] PlaneCover cover_by_borders(const Triangulation& triangulation,
+                                          std::vector<BorderEdge> borders);
+
+}  // namespace meshalyzer

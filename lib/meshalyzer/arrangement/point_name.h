@@ -1,0 +1,41 @@
+#pragma once
+
+#include "meshalyzer/exact/exact_point.h"
+#include "meshalyzer/mesh/soup.h"
+
+#include <array>
+#include <compare>
+#include <cstdint>
+
+namespace meshalyzer {
+
+/// Two vertices of a soup, by index: the ends of an edge, or what spans a line.
+using VertexPair = std::array<Index, 2>;
+
+/// Which lines and planes meet in a point.
+enum class PointKind : std::uint8_t { Vertex, LineAndPlane, TwoLines, ThreePlanes };
+
+/// How a point of an arrangement is made of the input's vertices and faces, never of other such
+/// points. One point may have several names; a name stands for one point.
+struct PointName {
+  PointKind kind = PointKind::Vertex;
+  /// TwoLines: along which axis the lines are seen.
+  Axis axis = Axis::X;
+  /// Vertex: the vertex. LineAndPlane: two vertices and a face. TwoLines: two vertices each.
+  /// ThreePlanes: three faces.
+  std::array<Index, 4> of{kNoIndex, kNoIndex, kNoIndex, kNoIndex};
+
+  friend auto operator<=>(const PointName&, const PointName&) = default;
+};
+
+[[nodiscard]] PointName vertex_name(Index vertex);
+/// Where the line through two vertices meets the plane of a face. The same whichever comes first.
+[[nodiscard]] PointName line_and_plane_name(VertexPair line, Index face);
+/// Where two lines in one plane meet.
+[[nodiscard]] PointName two_lines_name(VertexPair p, VertexPair q, Axis axis);
+/// Where the planes of three faces meet.
+[[nodiscard]] PointName three_planes_name(std::array<Index, 3> faces);
+
+[[nodiscard]] ExactPoint construct_point(const Soup& soup, const PointName& name);
+
+}  // namespace meshalyzer

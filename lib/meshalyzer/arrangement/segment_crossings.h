@@ -1,0 +1,17 @@
+#pragma once
+
+#include "meshalyzer/arrangement/clusters.h"
+
+namespace meshalyzer {
+
+/// Finds the points inside the segments of a cluster where they cross each other.
+///
+/// Edges of faces cross nothing that is not known from pairs of faces: segments that lie on them
+/// are left out.
+///
+/// @complexity  O(n log n + pairs whose boxes meet).
+[[nodiscard]] std::vector<PointName> find_segment_crossings(std::span<const FaceShape> shapes,
+                                                            const FaceCluster& cluster,
+                                                            const NamedPoints& points);
+
+}  // namespace meshalyzer
