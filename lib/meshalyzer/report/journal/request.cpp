@@ -39,15 +39,15 @@ void write_scalar(JsonWriter& json, VertexArea area) {
 
 /// The members of a part of a request that are not as they are by default.
 template <RequestPart Part>
-void write_members(JsonWriter& json, const Part& part);
+void write_request_members(JsonWriter& json, const Part& part);
 
 template <typename T>
-void write_value(JsonWriter& json, const T& value) {
+void write_request_value(JsonWriter& json, const T& value) {
   if constexpr (kIsOptional<T>) {
-    value ? write_value(json, *value) : json.null();
+    value ? write_request_value(json, *value) : json.null();
   } else if constexpr (RequestPart<T>) {
     json.begin_object(JsonLayout::Row);
-    write_members(json, value);
+    write_request_members(json, value);
     json.end_object();
   } else {
     write_scalar(json, value);
@@ -55,12 +55,12 @@ void write_value(JsonWriter& json, const T& value) {
 }
 
 template <RequestPart Part>
-void write_members(JsonWriter& json, const Part& part) {
+void write_request_members(JsonWriter& json, const Part& part) {
   const Part by_default{};
   for_each_request_field<Part>([&](const auto& field) {
     if (part.*field.member != by_default.*field.member) {
       json.key(field.key);
-      write_value(json, part.*field.member);
+      write_request_value(json, part.*field.member);
     }
   });
 }
@@ -150,7 +150,7 @@ void require_version(const HeadMembers& members, const std::string& object) {
 void write_request(JsonWriter& json, const Request& request) {
   json.begin_object(JsonLayout::Row);
   json.member("version", std::string_view(MESHALYZER_VERSION));
-  write_members(json, request);
+  write_request_members(json, request);
   json.end_object();
 }
 
