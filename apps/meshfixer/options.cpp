@@ -68,7 +68,7 @@ void declare_holes(OptionTable& table, Options& options, Said& said) {
   RepairOptions& repair = options.repair;
   FillOptions& fill = repair.fill;
   table.flag(
-      "--keep-borders", [&repair] { repair.borders = Borders::Meant; },
+      "--keep-borders", [&repair] { repair.borders = Borders::Intended; },
       "borders are meant: no hole is filled, and their vertices stay where they are");
   table.flag(
       "--by-group", [&repair] { repair.groups = Groups::Faces; },
@@ -148,7 +148,7 @@ void check_consistent(const Said& said, const Options& options) {
   if (!said.find && !said.dry_run && !options.output) {
     throw UsageError("no OUT: name it with -o, or ask for --find or --dry-run");
   }
-  if (options.repair.borders == Borders::Meant && said.names_holes) {
+  if (options.repair.borders == Borders::Intended && said.names_holes) {
     throw UsageError("--keep-borders fills no hole, so no --fill- option can go with it");
   }
 }
@@ -171,7 +171,7 @@ DefectCodes fixes_of(const Said& said, const RepairOptions& repair) {
   if (said.renumber) fixes.insert(DefectCode::Numbering);
   if (said.drop_orphans) fixes.insert(DefectCode::OrphanVertex);
   if (said.separate) fixes.insert(DefectCode::Disjoint);
-  if (repair.borders == Borders::Meant) fixes.erase(DefectCode::Hole);
+  if (repair.borders == Borders::Intended) fixes.erase(DefectCode::Hole);
   return fixes;
 }
 

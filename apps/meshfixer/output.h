@@ -1,7 +1,7 @@
 #pragma once
 
 #include "meshalyzer/mesh/soup.h"
-#include "meshalyzer/report/repair_story.h"
+#include "meshalyzer/report/repair_report.h"
 
 #include <cstddef>
 #include <string>

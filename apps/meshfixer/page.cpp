@@ -95,14 +95,14 @@ void write_page(const std::string& file, const FoundPage& found) {
   replace_file(file, html_report({found.name, found.report, scene}, found.asked));
 }
 
-void write_page(const std::string& file, const RepairStory& story, const Soup& input,
+void write_page(const std::string& file, const RepairReport& report, const Soup& input,
                 const std::vector<Soup>& finals) {
-  const Scene before = scene_of(PreparedMesh(input), story.result.before);
-  const JoinedMesh all = story.meshes.empty() ? JoinedMesh{} : join(story.meshes, finals);
+  const Scene before = scene_of(PreparedMesh(input), report.result.before);
+  const JoinedMesh all = report.meshes.empty() ? JoinedMesh{} : join(report.meshes, finals);
   const Scene after = scene_of(PreparedMesh(all.soup), all.report);
-  replace_file(
-      file, html_report(RepairPage{
-                story, {story.input, story.result.before, before}, {all.name, all.report, after}}));
+  replace_file(file, html_report(RepairPage{report,
+                                            {report.input, report.result.before, before},
+                                            {all.name, all.report, after}}));
 }
 
 }  // namespace meshalyzer::fixer

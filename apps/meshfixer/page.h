@@ -2,7 +2,7 @@
 
 #include "meshalyzer/defects/find_defects.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
-#include "meshalyzer/report/repair_story.h"
+#include "meshalyzer/report/repair_report.h"
 
 #include <string>
 #include <vector>
@@ -24,9 +24,9 @@ void write_page(const std::string& file, const FoundPage& found);
 
 /// Writes the page of a repair.
 /// @param input   What was read.
-/// @param finals  The meshes of the story, as they are.
+/// @param finals  The meshes of the report, as they are.
 /// @throws IoError if the file cannot be written.
-void write_page(const std::string& file, const RepairStory& story, const Soup& input,
+void write_page(const std::string& file, const RepairReport& report, const Soup& input,
                 const std::vector<Soup>& finals);
 
 }  // namespace meshalyzer::fixer

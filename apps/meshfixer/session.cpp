@@ -69,25 +69,25 @@ DefectOptions final_search(const Options& options, const Tolerances& used) {
 DefectReport remaining_on_disk(const RepairedMesh& mesh, const Soup& disk,
                                const DefectOptions& search) {
   const bool has_numbers = disk.format == Format::Mesh;
-  if (is_same_mesh(disk, mesh.draft.soup) &&
-      has_numbers == (mesh.draft.soup.format == Format::Mesh)) {
+  if (is_same_mesh(disk, mesh.tracked.soup) &&
+      has_numbers == (mesh.tracked.soup.format == Format::Mesh)) {
     return mesh.remaining;
   }
   return find_defects(disk, search);
 }
 
 /// Whether a result is the input as it was read.
-bool is_unchanged(const RepairStory& story) {
-  if (story.result.meshes.size() != 1 || !story.result.log.steps.empty()) return false;
-  const Soup& soup = story.result.meshes.front().draft.soup;
-  return soup.n_vertices() == story.input.n_vertices && soup.n_faces() == story.input.n_faces;
+bool is_unchanged(const RepairReport& report) {
+  if (report.result.meshes.size() != 1 || !report.result.log.steps.empty()) return false;
+  const Soup& soup = report.result.meshes.front().tracked.soup;
+  return soup.n_vertices() == report.input.n_vertices && soup.n_faces() == report.input.n_faces;
 }
 
 /// The paths of the meshes of a result, none of which is the input.
-std::vector<std::string> output_paths(const Options& options, const RepairStory& story) {
-  if (!story.fixes.contains(DefectCode::Disjoint)) return {*options.output};
+std::vector<std::string> output_paths(const Options& options, const RepairReport& report) {
+  if (!report.fixes.contains(DefectCode::Disjoint)) return {*options.output};
   std::vector<std::string> paths;
-  for (std::size_t i = 0; i < story.result.meshes.size(); ++i) {
+  for (std::size_t i = 0; i < report.result.meshes.size(); ++i) {
     paths.push_back(numbered_path(*options.output, i + 1));
     if (is_same_file(options.input, paths.back())) {
       throw UsageError(paths.back() +
@@ -97,52 +97,52 @@ std::vector<std::string> output_paths(const Options& options, const RepairStory&
   return paths;
 }
 
-/// Writes the meshes of a result, reads them back, and adds what they are to the story.
-/// @return The meshes of the story as they are, where there will be a page of them.
-std::vector<Soup> write_all(const Options& options, const Source& source, RepairStory& story) {
+/// Writes the meshes of a result, reads them back, and adds what they are to the report.
+/// @return The meshes of the report as they are, where there will be a page of them.
+std::vector<Soup> write_all(const Options& options, const Source& source, RepairReport& report) {
   std::vector<Soup> finals;
-  const std::vector<std::string> paths = output_paths(options, story);
-  const DefectOptions search = final_search(options, story.result.before.tolerances);
+  const std::vector<std::string> paths = output_paths(options, report);
+  const DefectOptions search = final_search(options, report.result.before.tolerances);
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    const RepairedMesh& mesh = story.result.meshes[i];
-    if (!has_content(mesh.draft.soup, paths[i])) {
-      story.notes.push_back(kNothingLeft);
-      story.meshes.push_back({name_of(mesh.draft.soup, ""), mesh.remaining});
-      if (options.html) finals.push_back(mesh.draft.soup);
+    const RepairedMesh& mesh = report.result.meshes[i];
+    if (!has_content(mesh.tracked.soup, paths[i])) {
+      report.notes.push_back(kNothingLeft);
+      report.meshes.push_back({name_of(mesh.tracked.soup, ""), mesh.remaining});
+      if (options.html) finals.push_back(mesh.tracked.soup);
       continue;
     }
-    Written written = is_unchanged(story) && keeps_format(paths[i], source)
+    Written written = is_unchanged(report) && keeps_format(paths[i], source)
                           ? write_unchanged(paths[i], source)
-                          : write_result(mesh.draft.soup, paths[i], source);
-    if (!written.note.empty()) story.notes.push_back(written.note);
-    story.meshes.push_back({name_of(written.soup, paths[i]),
-                            remaining_on_disk(mesh, written.soup, search),
-                            vertex_records(mesh.draft.soup, written.soup)});
+                          : write_result(mesh.tracked.soup, paths[i], source);
+    if (!written.note.empty()) report.notes.push_back(written.note);
+    report.meshes.push_back({name_of(written.soup, paths[i]),
+                             remaining_on_disk(mesh, written.soup, search),
+                             vertex_records(mesh.tracked.soup, written.soup)});
     if (options.html) finals.push_back(std::move(written.soup));
   }
   return finals;
 }
 
 /// The same for what is not to be written.
-std::vector<Soup> take_unwritten(const Options& options, RepairStory& story) {
+std::vector<Soup> take_unwritten(const Options& options, RepairReport& report) {
   std::vector<Soup> finals;
-  for (const RepairedMesh& mesh : story.result.meshes) {
-    story.meshes.push_back({name_of(mesh.draft.soup, ""), mesh.remaining});
-    if (options.html) finals.push_back(mesh.draft.soup);
+  for (const RepairedMesh& mesh : report.result.meshes) {
+    report.meshes.push_back({name_of(mesh.tracked.soup, ""), mesh.remaining});
+    if (options.html) finals.push_back(mesh.tracked.soup);
   }
   return finals;
 }
 
 /// Done or NotGood; Trouble where a mesh should have been written and was not.
-ExitCode verdict(const Options& options, const RepairStory& story, Streams streams) {
+ExitCode verdict(const Options& options, const RepairReport& report, Streams streams) {
   const bool is_missing =
-      story.meshes.empty() || std::any_of(story.meshes.begin(), story.meshes.end(),
-                                          [](const FinalMesh& m) { return m.name.path.empty(); });
+      report.meshes.empty() || std::any_of(report.meshes.begin(), report.meshes.end(),
+                                           [](const FinalMesh& m) { return m.name.path.empty(); });
   if (options.output && is_missing) {
     streams.err << *options.output << ": not written: " << kNothingLeft << '\n';
     return ExitCode::Trouble;
   }
-  return n_remaining(story) == 0 ? ExitCode::Done : ExitCode::NotGood;
+  return n_remaining(report) == 0 ? ExitCode::Done : ExitCode::NotGood;
 }
 
 ExitCode fix(const Options& options, Soup soup, const Source& source, Streams streams) {
@@ -155,14 +155,14 @@ ExitCode fix(const Options& options, Soup soup, const Source& source, Streams st
   const Soup before = options.html ? soup : Soup();
   const RepairResult result = fix_defects(std::move(soup), repair);
   progress.clear();
-  RepairStory story{input, result, repair.fixes, {}, {}};
+  RepairReport report{input, result, repair.fixes, {}, {}};
   const std::vector<Soup> finals =
-      options.output ? write_all(options, source, story) : take_unwritten(options, story);
-  if (options.html) write_page(*options.html, story, before, finals);
+      options.output ? write_all(options, source, report) : take_unwritten(options, report);
+  if (options.html) write_page(*options.html, report, before, finals);
   const ExitCode told = tell(
-      options, streams, [&] { return text_report(story, options.lists); },
-      [&] { return json_report(story); });
-  return told == ExitCode::Done ? verdict(options, story, streams) : told;
+      options, streams, [&] { return text_report(report, options.lists); },
+      [&] { return json_report(report); });
+  return told == ExitCode::Done ? verdict(options, report, streams) : told;
 }
 
 /// Refuses to write a report over the input, or over OUT.

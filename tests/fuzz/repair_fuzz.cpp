@@ -35,7 +35,7 @@ class Bytes {
 
 RepairOptions read_options(Bytes& bytes) {
   RepairOptions options;
-  options.borders = bytes.next_bit() ? Borders::Meant : Borders::Holes;
+  options.borders = bytes.next_bit() ? Borders::Intended : Borders::Holes;
   options.contact = bytes.next_bit() ? Contact::Keep : Contact::Part;
   options.groups = bytes.next_bit() ? Groups::Faces : Groups::Names;
   options.fill.shape = bytes.next_bit() ? FillShape::Smooth : FillShape::Linear;
@@ -95,13 +95,13 @@ bool names_all_that_went(const Soup& input, const RepairResult& result) {
       if (key < is_known.size()) is_known[key] = 1;
     }
   };
-  know(result.meshes.front().draft.face_keys);
+  know(result.meshes.front().tracked.face_keys);
   for (const LoggedOperation& operation : result.log.operations) know(operation.removed_faces);
   return std::all_of(is_known.begin(), is_known.end(), [](auto known) { return known != 0; });
 }
 
 void check(const Soup& input, const RepairResult& result) {
-  const Soup& soup = result.meshes.front().draft.soup;
+  const Soup& soup = result.meshes.front().tracked.soup;
   const auto is_finite = [](const Vec3& p) { return p.allFinite(); };
   if (!validate(build(soup), soup).empty() || !(result.deviation <= result.max_deviation) ||
       !std::all_of(soup.positions.begin(), soup.positions.end(), is_finite) ||
@@ -126,7 +126,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     RepairResult result = fix_defects(soup, options);
     check(soup, result);
     if (result.log.operations.empty()) return 0;
-    soup = std::move(result.meshes.front().draft.soup);
+    soup = std::move(result.meshes.front().tracked.soup);
   }
   __builtin_trap();
 }

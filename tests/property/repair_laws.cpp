@@ -66,9 +66,9 @@ std::string group_name(const Soup& soup, Index face) {
 }
 
 /// The three corners by key, from the one where the face begins.
-Triangle corner_keys(const Draft& draft, Index face) {
-  Triangle corners = draft.soup.triangles[face];
-  for (Index& v : corners) v = v == kNoIndex ? kNoIndex : draft.vertex_keys[v];
+Triangle corner_keys(const TrackedMesh& tracked, Index face) {
+  Triangle corners = tracked.soup.triangles[face];
+  for (Index& v : corners) v = v == kNoIndex ? kNoIndex : tracked.vertex_keys[v];
   return corners;
 }
 
@@ -78,42 +78,43 @@ bool has_step(const RepairLog& log, DefectCode code) {
 }
 
 void expect_vertices_untouched(const Soup& input, const RepairResult& result, const Named& named) {
-  const Draft& draft = result.meshes.front().draft;
+  const TrackedMesh& tracked = result.meshes.front().tracked;
   const bool is_renumbered = has_step(result.log, DefectCode::Numbering);
-  for (Index v = 0; v < draft.soup.n_vertices(); ++v) {
-    const Index key = draft.vertex_keys[v];
-    if (key >= draft.n_input_vertices || named.moved_vertices.contains(key)) continue;
-    EXPECT_TRUE(is_same_place(draft.soup.positions[v], input.positions[key])) << "vertex " << key;
-    if (draft.soup.format == Format::Mesh && !is_renumbered) {
-      EXPECT_EQ(draft.soup.vertex_ids.of(v), input.vertex_ids.of(key)) << "vertex " << key;
+  for (Index v = 0; v < tracked.soup.n_vertices(); ++v) {
+    const Index key = tracked.vertex_keys[v];
+    if (key >= tracked.n_input_vertices || named.moved_vertices.contains(key)) continue;
+    EXPECT_TRUE(is_same_place(tracked.soup.positions[v], input.positions[key])) << "vertex " << key;
+    if (tracked.soup.format == Format::Mesh && !is_renumbered) {
+      EXPECT_EQ(tracked.soup.vertex_ids.of(v), input.vertex_ids.of(key)) << "vertex " << key;
     }
   }
 }
 
-void expect_normals_untouched(const Soup& input, const Draft& draft, Index face) {
-  const Index key = draft.face_keys[face];
+void expect_normals_untouched(const Soup& input, const TrackedMesh& tracked, Index face) {
+  const Index key = tracked.face_keys[face];
   if (input.corner_normals.empty()) return;
   for (std::size_t k = 0; k < 3; ++k) {
     const Index was = input.corner_normals[key][k];
-    const Index is = draft.soup.corner_normals[face][k];
+    const Index is = tracked.soup.corner_normals[face][k];
     ASSERT_EQ(was == kNoIndex, is == kNoIndex);
     if (was != kNoIndex) {
-      EXPECT_TRUE(is_same_place(input.normals[was], draft.soup.normals[is])) << "face " << key;
+      EXPECT_TRUE(is_same_place(input.normals[was], tracked.soup.normals[is])) << "face " << key;
     }
   }
 }
 
 /// By face key: whether it is a hole patch, or was made of one together with what is round it.
 std::set<Index> patch_keys(const RepairResult& result) {
-  const Draft& draft = result.meshes.front().draft;
+  const TrackedMesh& tracked = result.meshes.front().tracked;
   std::set<Index> keys;
-  for (std::size_t i = 0; i < draft.face_origins.size(); ++i) {
-    if (draft.face_origins[i] == kNoIndex) keys.insert(static_cast<Index>(draft.n_input_faces + i));
+  for (std::size_t i = 0; i < tracked.face_origins.size(); ++i) {
+    if (tracked.face_origins[i] == kNoIndex)
+      keys.insert(static_cast<Index>(tracked.n_input_faces + i));
   }
   for (const LoggedOperation& operation : result.log.operations) {
-    const auto is_patch = [&](Index key) { return keys.contains(key); };
+    const auto fills_hole = [&](Index key) { return keys.contains(key); };
     const auto has_patch = [&](const std::vector<Index>& faces) {
-      return std::any_of(faces.begin(), faces.end(), is_patch);
+      return std::any_of(faces.begin(), faces.end(), fills_hole);
     };
     if (!has_patch(operation.removed_faces) && !has_patch(operation.changed_faces)) continue;
     keys.insert(operation.changed_faces.begin(), operation.changed_faces.end());
@@ -123,12 +124,12 @@ std::set<Index> patch_keys(const RepairResult& result) {
 }
 
 Soup without_patches(const RepairResult& result) {
-  const Draft& draft = result.meshes.front().draft;
+  const TrackedMesh& tracked = result.meshes.front().tracked;
   const std::set<Index> patches = patch_keys(result);
-  Soup soup = draft.soup;
+  Soup soup = tracked.soup;
   std::vector<Triangle> kept;
   for (Index f = 0; f < soup.n_faces(); ++f) {
-    if (!patches.contains(draft.face_keys[f])) kept.push_back(soup.triangles[f]);
+    if (!patches.contains(tracked.face_keys[f])) kept.push_back(soup.triangles[f]);
   }
   soup.triangles = std::move(kept);
   return soup;
@@ -140,18 +141,18 @@ void expect_done(const RepairResult& result, const RepairOptions& options) {
   RepairOptions again = options;
   again.turn = Turn::Nothing;
   for (const RepairedMesh& mesh : result.meshes) {
-    const RepairResult second = fix_defects(mesh.draft.soup, again);
+    const RepairResult second = fix_defects(mesh.tracked.soup, again);
     EXPECT_TRUE(second.log.operations.empty())
         << "second run: " << second.log.steps.front().pass << ", " << second.log.operations.size()
         << " operations";
     ASSERT_EQ(second.meshes.size(), 1U);
-    EXPECT_TRUE(same_soup(second.meshes.front().draft.soup, mesh.draft.soup));
+    EXPECT_TRUE(same_soup(second.meshes.front().tracked.soup, mesh.tracked.soup));
   }
 }
 
 void expect_reasons(const RepairResult& result, const RepairOptions& options) {
   std::set<DefectCode> refused;
-  if (options.borders == Borders::Meant) refused.insert(DefectCode::Hole);
+  if (options.borders == Borders::Intended) refused.insert(DefectCode::Hole);
   for (const LoggedRefusal& refusal : result.log.refusals) {
     refused.insert(refusal.code);
     EXPECT_FALSE(refusal.reason.empty());
@@ -170,34 +171,35 @@ void expect_reasons(const RepairResult& result, const RepairOptions& options) {
 
 void expect_log_complete(const Soup& input, const RepairResult& result) {
   ASSERT_EQ(result.meshes.size(), 1U);
-  const Draft& draft = result.meshes.front().draft;
+  const TrackedMesh& tracked = result.meshes.front().tracked;
   const Named named = named_in(result.log);
   {
     SCOPED_TRACE("faces");
-    expect_named(draft.face_keys, input.n_faces(), named.removed_faces, named.added_faces);
+    expect_named(tracked.face_keys, input.n_faces(), named.removed_faces, named.added_faces);
   }
   SCOPED_TRACE("vertices");
-  expect_named(draft.vertex_keys, input.n_vertices(), named.removed_vertices, named.added_vertices);
+  expect_named(tracked.vertex_keys, input.n_vertices(), named.removed_vertices,
+               named.added_vertices);
 }
 
 void expect_rest_untouched(const Soup& input, const RepairResult& result) {
   ASSERT_EQ(result.meshes.size(), 1U);
-  const Draft& draft = result.meshes.front().draft;
+  const TrackedMesh& tracked = result.meshes.front().tracked;
   const Named named = named_in(result.log);
   expect_vertices_untouched(input, result, named);
   const bool may_rename =
       has_step(result.log, DefectCode::Corrupt) || has_step(result.log, DefectCode::Numbering);
   const bool may_change_normals = has_step(result.log, DefectCode::VertexNormal);
-  for (Index f = 0; f < draft.soup.n_faces(); ++f) {
-    const Index key = draft.face_keys[f];
+  for (Index f = 0; f < tracked.soup.n_faces(); ++f) {
+    const Index key = tracked.face_keys[f];
     if (key >= input.n_faces()) continue;
-    EXPECT_EQ(group_name(draft.soup, f), group_name(input, key));
-    if (draft.soup.format == Format::Mesh && !may_rename) {
-      EXPECT_EQ(draft.soup.face_ids.of(f), input.face_ids.of(key)) << "face " << key;
+    EXPECT_EQ(group_name(tracked.soup, f), group_name(input, key));
+    if (tracked.soup.format == Format::Mesh && !may_rename) {
+      EXPECT_EQ(tracked.soup.face_ids.of(f), input.face_ids.of(key)) << "face " << key;
     }
     if (named.changed_faces.contains(key)) continue;
-    EXPECT_EQ(corner_keys(draft, f), input.triangles[key]) << "face " << key;
-    if (!may_change_normals) expect_normals_untouched(input, draft, f);
+    EXPECT_EQ(corner_keys(tracked, f), input.triangles[key]) << "face " << key;
+    if (!may_change_normals) expect_normals_untouched(input, tracked, f);
   }
 }
 
@@ -209,8 +211,8 @@ void expect_within_deviation(const Soup& input, const RepairResult& result) {
   const double spacing = size / 24;
   // To the sampler, a point of a face that is all but flat is as far as that face is high.
   const double rounding = 1e-9 * size;
-  const Draft& draft = result.meshes.front().draft;
-  const double lost = test::sampled_distance(input, draft.soup, spacing);
+  const TrackedMesh& tracked = result.meshes.front().tracked;
+  const double lost = test::sampled_distance(input, tracked.soup, spacing);
   const double gained = test::sampled_distance(without_patches(result), input, spacing);
   EXPECT_LE(lost, result.max_deviation + rounding);
   EXPECT_LE(gained, result.max_deviation + rounding);
@@ -219,10 +221,10 @@ void expect_within_deviation(const Soup& input, const RepairResult& result) {
 
 void expect_valid(const RepairResult& result) {
   for (const RepairedMesh& mesh : result.meshes) {
-    const Soup& soup = mesh.draft.soup;
+    const Soup& soup = mesh.tracked.soup;
     EXPECT_TRUE(validate(build(soup), soup).empty());
-    EXPECT_EQ(mesh.draft.vertex_keys.size(), soup.n_vertices());
-    EXPECT_EQ(mesh.draft.face_keys.size(), soup.n_faces());
+    EXPECT_EQ(mesh.tracked.vertex_keys.size(), soup.n_vertices());
+    EXPECT_EQ(mesh.tracked.face_keys.size(), soup.n_faces());
     std::size_t n_missing = 0;
     for (const Triangle& t : soup.triangles) {
       for (const Index v : t) {

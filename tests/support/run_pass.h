@@ -13,7 +13,7 @@ namespace meshalyzer {
 
 /// What a pass made of a mesh.
 struct PassRun {
-  Draft draft;
+  TrackedMesh tracked;
   /// By the last round.
   std::vector<Refusal> refused;
   std::size_t operations = 0;
@@ -31,8 +31,7 @@ struct PassRun {
 [[nodiscard]] inline RepairLimits wide_limits(const Soup& soup) {
   return {.max_deviation = 0.01 * box_of(soup).diagonal().norm(),
           .fixed_vertices = {},
-          .groups = Groups::Names,
-          .most_steps = RepairLimits{}.most_steps};
+          .groups = Groups::Names};
 }
 
 /// Asks a pass until it proposes nothing more, and does all that it proposes.
@@ -40,11 +39,11 @@ struct PassRun {
                                       const RepairLimits& limits,
                                       const ToleranceOptions& tolerances = {}) {
   constexpr std::size_t kMaxRounds = 100;
-  PassRun run{.draft = make_draft(soup), .refused = {}, .operations = 0, .rounds = 0};
+  PassRun run{.tracked = track_mesh(soup), .refused = {}, .operations = 0, .rounds = 0};
   while (true) {
-    const PreparedMesh mesh(run.draft.soup);
-    const Tolerances resolved = resolve_tolerances(tolerances, box_of(run.draft.soup));
-    PassResult result = pass({run.draft, mesh, resolved, limits});
+    const PreparedMesh mesh(run.tracked.soup);
+    const Tolerances resolved = resolve_tolerances(tolerances, box_of(run.tracked.soup));
+    PassResult result = pass({run.tracked, mesh, resolved, limits});
     run.refused = std::move(result.refused);
     if (result.edits.empty()) return run;
     run.operations += result.edits.n_operations;
@@ -52,7 +51,7 @@ struct PassRun {
       ADD_FAILURE() << "the pass never ends";
       return run;
     }
-    run.draft = apply_edits(run.draft, result.edits);
+    run.tracked = apply_edits(run.tracked, result.edits);
   }
 }
 

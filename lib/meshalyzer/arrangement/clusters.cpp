@@ -1,7 +1,7 @@
 #include "meshalyzer/arrangement/clusters.h"
 
+#include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/parallel.h"
-#include "meshalyzer/topology/disjoint_sets.h"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
+#include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/sum.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/internal/places.h"
 #include "meshalyzer/geometry/face_measures.h"
 #include "meshalyzer/topology/components.h"
-#include "meshalyzer/topology/disjoint_sets.h"
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>
@@ -25,12 +25,12 @@ struct Side {
   std::size_t n_faces = 0;
 };
 
-/// The patches (see find_oriented_patches()) and the regions that they make up, joined through
+/// The patches (see find_oriented_regions()) and the regions that they make up, joined through
 /// flipped edges. A region is named by its lowest patch, which is on its first side.
 class Regions {
  public:
   explicit Regions(const CutMesh& cut)
-      : cut_(cut), patches_(find_oriented_patches(cut)), sides_(2 * patches_.count) {
+      : cut_(cut), patches_(find_oriented_regions(cut)), sides_(2 * patches_.count) {
     join_patches();
     region_.resize(patches_.count);
     side_.resize(patches_.count);

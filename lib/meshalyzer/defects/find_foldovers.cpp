@@ -1,3 +1,4 @@
+#include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
@@ -7,7 +8,6 @@
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/geometry/edge_measures.h"
 #include "meshalyzer/geometry/face_measures.h"
-#include "meshalyzer/topology/disjoint_sets.h"
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
+#include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/internal/faces_at.h"
 #include "meshalyzer/defects/internal/places.h"
-#include "meshalyzer/topology/disjoint_sets.h"
 #include "meshalyzer/topology/edges.h"
 #include "meshalyzer/topology/manifold.h"
 

@@ -1,10 +1,10 @@
+#include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/internal/places.h"
 #include "meshalyzer/spatial/segment_grid.h"
 #include "meshalyzer/topology/border.h"
-#include "meshalyzer/topology/disjoint_sets.h"
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "meshalyzer/base/hash.h"
 #include "meshalyzer/base/types.h"
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -31,19 +31,9 @@ class PointTable {
   }
 
  private:
-  /// Adding 0.0 turns -0.0 into 0.0 and changes nothing else.
-  static std::uint64_t hash(const Vec3& point) {
-    std::uint64_t mixed = 0;
-    for (const double coordinate : point) {
-      mixed = (mixed ^ std::bit_cast<std::uint64_t>(coordinate + 0.0)) * 0x9E3779B97F4A7C15U;
-      mixed ^= mixed >> 32U;
-    }
-    return mixed;
-  }
-
   [[nodiscard]] std::size_t find_slot(const std::vector<Vec3>& points, const Vec3& point) const {
     const std::size_t mask = slots_.size() - 1;
-    std::size_t slot = hash(point) & mask;
+    std::size_t slot = hash_position(point) & mask;
     while (slots_[slot] != kNoIndex && points[slots_[slot]] != point) {
       slot = (slot + 1) & mask;
     }

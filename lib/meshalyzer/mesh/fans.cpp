@@ -1,10 +1,10 @@
 #include "meshalyzer/mesh/fans.h"
 
+#include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/parallel.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 
 namespace meshalyzer {
@@ -101,8 +101,7 @@ class SplitVertices {
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
       n_joined_fans_.push_back(find_fans_of(i, pairs.opposite));
     }
-    parent_.resize(n_fans_);
-    std::iota(parent_.begin(), parent_.end(), Index{0});
+    joined_fans_ = DisjointSets(n_fans_);
   }
 
   /// The further fans: all but the first of each vertex.
@@ -152,21 +151,16 @@ class SplitVertices {
     return corners_.begin[i] + static_cast<std::size_t>(found - list.begin());
   }
 
-  [[nodiscard]] Index root(Index fan) {
-    while (parent_[fan] != fan) fan = parent_[fan] = parent_[parent_[fan]];
-    return fan;
-  }
-
   /// Joins the fans of two corners at the same vertex.
   void join_at(Index corner, Index other_corner) {
     const Index v = complex_.vertex(corner);
     const auto found = std::lower_bound(vertices_.begin(), vertices_.end(), v);
     if (found == vertices_.end() || *found != v) return;
     const auto i = static_cast<std::size_t>(found - vertices_.begin());
-    const Index a = root(fan_of_[place_of(i, corner)]);
-    const Index b = root(fan_of_[place_of(i, other_corner)]);
-    if (a == b) return;
-    parent_[std::max(a, b)] = std::min(a, b);
+    const Index a = fan_of_[place_of(i, corner)];
+    const Index b = fan_of_[place_of(i, other_corner)];
+    if (joined_fans_.find(a) == joined_fans_.find(b)) return;
+    joined_fans_.unite(a, b);
     --n_joined_fans_[i];
   }
 
@@ -178,7 +172,7 @@ class SplitVertices {
   Index n_fans_ = 0;
   /// Fans at each vertex, those that join_across() joined counted as one.
   std::vector<Index> n_joined_fans_;
-  std::vector<Index> parent_;
+  DisjointSets joined_fans_{0};
   std::vector<Index> copies_;
   CornerLists copied_corners_;
 };

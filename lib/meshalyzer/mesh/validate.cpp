@@ -1,11 +1,11 @@
 #include "meshalyzer/mesh/validate.h"
 
+#include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/mesh/unbuild.h"
 #include "meshalyzer/mesh/validate_mesh.h"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <numeric>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -79,38 +79,30 @@ Edges sort_out_edges(std::span<const Side> sides, const Soup& soup) {
 /// Sets of corners 3 face + i of the soup that can be reached from one another.
 class CornerSets {
  public:
-  explicit CornerSets(const Soup& soup) : soup_(soup), parent_(3 * soup.n_faces()) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
+  explicit CornerSets(const Soup& soup) : soup_(soup), sets_(3 * soup.n_faces()) {}
   /// Joins the corners of the two faces of an edge at its smaller, and at its larger vertex.
   void join_across(Edge edge) {
-    join(corner_at(edge[0], edge[0].smaller), corner_at(edge[1], edge[0].smaller));
-    join(corner_at(edge[0], edge[0].larger), corner_at(edge[1], edge[0].larger));
+    sets_.unite(corner_at(edge[0], edge[0].smaller), corner_at(edge[1], edge[0].smaller));
+    sets_.unite(corner_at(edge[0], edge[0].larger), corner_at(edge[1], edge[0].larger));
   }
   /// #V: how many sets the corners at each vertex make.
   [[nodiscard]] std::vector<Index> sets_at_vertices() const {
     std::vector<Index> n(soup_.n_vertices(), 0);
-    for (std::size_t corner = 0; corner < parent_.size(); ++corner) {
+    for (Index corner = 0; corner < 3 * soup_.n_faces(); ++corner) {
       const Triangle& t = soup_.triangles[corner / 3];
-      if (is_in_complex(t) && parent_[corner] == corner) ++n[t[corner % 3]];
+      if (is_in_complex(t) && sets_.parent(corner) == corner) ++n[t[corner % 3]];
     }
     return n;
   }
 
  private:
-  [[nodiscard]] std::size_t corner_at(const Side& side, Index vertex) const {
+  [[nodiscard]] Index corner_at(const Side& side, Index vertex) const {
     const Triangle& t = soup_.triangles[side.face];
-    return std::size_t{3} * side.face +
-           static_cast<std::size_t>(std::find(t.begin(), t.end(), vertex) - t.begin());
+    return 3 * side.face + static_cast<Index>(std::find(t.begin(), t.end(), vertex) - t.begin());
   }
-  [[nodiscard]] std::size_t root(std::size_t corner) {
-    while (parent_[corner] != corner) corner = parent_[corner] = parent_[parent_[corner]];
-    return corner;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
 
   const Soup& soup_;
-  std::vector<std::size_t> parent_;
+  DisjointSets sets_;
 };
 
 std::vector<Index> expected_non_manifold_vertices(const Soup& soup, const Edges& edges) {

@@ -6,7 +6,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The faces of a group, by index in a soup.
+/// Returns the faces of a group, by index in a soup.
 std::pair<Index, Index> range_of(const Soup& soup, std::size_t group) {
   const std::vector<Group>& groups = soup.groups;
   const auto end =
@@ -21,25 +21,26 @@ std::vector<Index> faces_of(const Soup& soup, std::size_t group) {
   return faces;
 }
 
-/// Whether a face of the result is what it was, at the places where it was.
-bool is_same_face(const Soup& input, const Draft& draft, Index before, Index after) {
-  if (draft.face_keys[after] != before) return false;
+/// Tells whether a face of the result is what it was, at the places where it was.
+bool is_same_face(const Soup& input, const TrackedMesh& tracked, Index before, Index after) {
+  if (tracked.face_keys[after] != before) return false;
   for (std::size_t k = 0; k < 3; ++k) {
     const Index was = input.triangles[before][k];
-    const Index is = draft.soup.triangles[after][k];
+    const Index is = tracked.soup.triangles[after][k];
     if (was == kNoIndex || is == kNoIndex) {
       if (was != is) return false;
-    } else if (draft.vertex_keys[is] != was || input.positions[was] != draft.soup.positions[is]) {
+    } else if (tracked.vertex_keys[is] != was ||
+               input.positions[was] != tracked.soup.positions[is]) {
       return false;
     }
   }
   return true;
 }
 
-bool is_edited(const Soup& input, const Draft& draft, const FaceTracking& face) {
+bool is_edited(const Soup& input, const TrackedMesh& tracked, const FaceTracking& face) {
   return !std::equal(
       face.before.begin(), face.before.end(), face.after.begin(), face.after.end(),
-      [&](Index before, Index after) { return is_same_face(input, draft, before, after); });
+      [&](Index before, Index after) { return is_same_face(input, tracked, before, after); });
 }
 
 }  // namespace
@@ -50,10 +51,10 @@ FaceRepairResult fix_face_defects(Soup soup, RepairOptions options) {
   const Soup input = soup;
   FaceRepairResult result;
   result.repair = fix_defects(std::move(soup), options);
-  const Draft& draft = result.repair.meshes.front().draft;
+  const TrackedMesh& tracked = result.repair.meshes.front().tracked;
   for (std::size_t g = 0; g < input.groups.size(); ++g) {
-    FaceTracking face{input.groups[g].name, faces_of(input, g), faces_of(draft.soup, g)};
-    if (is_edited(input, draft, face)) result.edited.push_back(std::move(face));
+    FaceTracking face{input.groups[g].name, faces_of(input, g), faces_of(tracked.soup, g)};
+    if (is_edited(input, tracked, face)) result.edited.push_back(std::move(face));
   }
   return result;
 }

@@ -19,12 +19,11 @@ struct FaceTracking {
 
 struct FaceRepairResult {
   RepairResult repair;
-  /// Of the faces of the body whose meshes were edited, in the order of their groups.
+  /// The faces of the body whose meshes were edited, in the order of their groups.
   std::vector<FaceTracking> edited;
 };
 
-/// Repairs the meshes that are attached to the faces of a body: those of the groups of a soup (P
-/// 86.3).
+/// Repairs the meshes that are attached to the faces of a body: those of the groups of a soup.
 ///
 /// The common borders of groups keep every vertex and edge, so that the body stays as watertight as
 /// it was. RepairOptions::groups counts as Groups::Faces, and disjoint is not fixed.

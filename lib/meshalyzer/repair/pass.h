@@ -3,8 +3,8 @@
 #include "meshalyzer/defects/defect.h"
 #include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
-#include "meshalyzer/repair/edits/draft.h"
 #include "meshalyzer/repair/edits/edits.h"
+#include "meshalyzer/repair/edits/tracked_mesh.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -22,34 +22,40 @@ enum class Groups : std::uint8_t {
   Faces,
 };
 
-/// How far and where a repair may go.
+/// Limits that a repair must keep.
 struct RepairLimits {
   /// No point may move farther than this. A length.
   double max_deviation = 0.0;
-  /// By vertex key, which may be beyond the end: non-zero for vertices that stay where they are and
-  /// are not taken away or merged into others (others may be merged into them).
+  /// Indexed by vertex key, which may be beyond the end: non-zero for vertices that stay where they
+  /// are and are neither removed nor merged into others (others may be merged into them).
   std::vector<std::uint8_t> fixed_vertices;
   Groups groups = Groups::Names;
-  /// A pass that deals with defects one after the other puts so many steps into one operation at
-  /// most: fewer where a large one had to be undone.
-  std::size_t most_steps = 512;
 
-  [[nodiscard]] bool is_fixed(const Draft& draft, Index vertex) const {
-    const Index key = draft.vertex_keys[vertex];
+  [[nodiscard]] bool is_fixed(const TrackedMesh& tracked, Index vertex) const {
+    const Index key = tracked.vertex_keys[vertex];
     return key < fixed_vertices.size() && fixed_vertices[key] != 0;
   }
 };
 
-/// What a pass sees. Only refers.
+/// How much a pass puts into one operation.
+enum class OperationSize : std::uint8_t {
+  /// As much as belongs together.
+  Normal,
+  /// As little as possible, because larger operations were rejected.
+  Smallest,
+};
+
+/// What a pass sees. This holds references only.
 struct PassInput {
-  const Draft& draft;
-  /// Of draft.soup.
+  const TrackedMesh& tracked;
+  /// Prepared from tracked.soup.
   const PreparedMesh& mesh;
   const Tolerances& tolerances;
   const RepairLimits& limits;
+  OperationSize operation_size = OperationSize::Normal;
 };
 
-/// A defect that a pass looked at and left.
+/// A defect that a pass could not repair, and the reason.
 struct Refusal {
   DefectCode code;
   /// Elements of the soup by index: the lowest vertex or face that names it, as far as it has one.

@@ -59,11 +59,11 @@ namespace meshalyzer {
 /// cavities stay cavities; open or self-intersecting ones by votes of winding numbers.
 [[nodiscard]] PassResult orient_outward(const PassInput& input);
 
-/// Takes foldovers away (see find_foldovers()).
+/// Removes foldovers (see find_foldovers()).
 [[nodiscard]] PassResult remove_foldovers(const PassInput& input);
 
-/// Gives vertices with an opposed normal (see find_opposed_normals()) that of their faces, weighted
-/// by angle.
+/// Replaces opposed vertex normals (see find_opposed_normals()) by the mean normal of the faces,
+/// weighted by angle.
 [[nodiscard]] PassResult renew_normals(const PassInput& input);
 
 /// How a hole is filled.
@@ -77,15 +77,15 @@ enum class FillShape : std::uint8_t {
 
 /// Which open parts get their holes filled.
 enum class FillSheets : std::uint8_t {
-  /// Only those that mean a solid: at least half of the surface separates inside from outside.
+  /// Only parts that bound a solid: at least half of their surface separates inside from outside.
   No,
   Yes,
 };
 
 struct FillOptions {
-  /// Only loops of so many edges at most.
+  /// Loops with more edges are left open.
   std::size_t max_edges = std::numeric_limits<std::size_t>::max();
-  /// Only the loop that is nearest to this.
+  /// Where a point is given, only the loop nearest to it is filled.
   std::optional<Vec3> at = {};
   FillShape shape = FillShape::Linear;
   FillSheets sheets = FillSheets::No;
@@ -101,7 +101,7 @@ struct FillOptions {
 [[nodiscard]] PassResult renumber(const PassInput& input);
 
 /// Turns every face over, and the normals of vertices that have one; faces with a corner that no
-/// record defines are left. To be asked once: asked again, it turns them back.
+/// record defines are left. It must run once only: a second run turns the faces back.
 [[nodiscard]] PassResult flip_all(const PassInput& input);
 
 }  // namespace meshalyzer

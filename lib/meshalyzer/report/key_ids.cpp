@@ -10,18 +10,20 @@ void note(Index key, const KeyIds::Final& final, FinalIds& ids) {
   ids[key] = final;
 }
 
-void note_vertices(const Draft& draft, const FinalMesh& mesh, std::size_t number, FinalIds& ids) {
-  for (std::size_t v = 0; v < draft.vertex_keys.size(); ++v) {
+void note_vertices(const TrackedMesh& tracked, const FinalMesh& mesh, std::size_t number,
+                   FinalIds& ids) {
+  for (std::size_t v = 0; v < tracked.vertex_keys.size(); ++v) {
     const Index record =
         mesh.vertex_records.empty() ? static_cast<Index>(v) : mesh.vertex_records[v];
     if (record == kNoIndex) continue;
-    note(draft.vertex_keys[v], {number, mesh.name.vertex_ids.of(record)}, ids);
+    note(tracked.vertex_keys[v], {number, mesh.name.vertex_ids.of(record)}, ids);
   }
 }
 
-void note_faces(const Draft& draft, const FinalMesh& mesh, std::size_t number, FinalIds& ids) {
-  for (std::size_t f = 0; f < draft.face_keys.size(); ++f) {
-    note(draft.face_keys[f], {number, mesh.name.face_ids.of(static_cast<Index>(f))}, ids);
+void note_faces(const TrackedMesh& tracked, const FinalMesh& mesh, std::size_t number,
+                FinalIds& ids) {
+  for (std::size_t f = 0; f < tracked.face_keys.size(); ++f) {
+    note(tracked.face_keys[f], {number, mesh.name.face_ids.of(static_cast<Index>(f))}, ids);
   }
 }
 
@@ -45,11 +47,11 @@ std::vector<std::int64_t> ids_of(const std::vector<Index>& keys, const Ids& inpu
 
 }  // namespace
 
-KeyIds::KeyIds(const RepairStory& story) : input_(story.input) {
-  for (std::size_t i = 0; i < story.meshes.size(); ++i) {
-    const Draft& draft = story.result.meshes[i].draft;
-    note_vertices(draft, story.meshes[i], i, vertices_);
-    note_faces(draft, story.meshes[i], i, faces_);
+KeyIds::KeyIds(const RepairReport& report) : input_(report.input) {
+  for (std::size_t i = 0; i < report.meshes.size(); ++i) {
+    const TrackedMesh& tracked = report.result.meshes[i].tracked;
+    note_vertices(tracked, report.meshes[i], i, vertices_);
+    note_faces(tracked, report.meshes[i], i, faces_);
   }
 }
 

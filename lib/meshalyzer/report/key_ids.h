@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/report/repair_story.h"
+#include "meshalyzer/report/repair_report.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,11 +11,11 @@ namespace meshalyzer {
 
 /// The file ids that the keys of a repair mean to a person. What was done is told by the ids of the
 /// input for what was there, of the output for what was added; what remains by those of the output
-/// alone, which are others where a format numbers its records silently. Only refers to the story.
+/// alone, which are others where a format numbers its records silently. Only refers to the report.
 class KeyIds {
  public:
-  explicit KeyIds(const RepairStory& story);
-  explicit KeyIds(RepairStory&&) = delete;
+  explicit KeyIds(const RepairReport& report);
+  explicit KeyIds(RepairReport&&) = delete;
 
   /// The ids of a list of keys, without those that were added and are gone again.
   [[nodiscard]] std::vector<std::int64_t> vertices(const std::vector<Index>& keys) const;
@@ -23,7 +23,7 @@ class KeyIds {
 
   /// What an element is called in the end.
   struct Final {
-    /// Index into RepairStory::meshes.
+    /// Index into RepairReport::meshes.
     std::size_t mesh = 0;
     std::int64_t id = 0;
   };

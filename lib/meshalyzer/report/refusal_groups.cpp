@@ -1,5 +1,7 @@
 #include "meshalyzer/report/refusal_groups.h"
 
+#include "meshalyzer/base/sort_unique.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -32,8 +34,8 @@ class RefusalCollector {
 
   [[nodiscard]] std::vector<RefusalGroup> take() {
     for (RefusalGroup& group : groups_) {
-      sort_once(group.vertices);
-      sort_once(group.faces);
+      sort_unique(group.vertices);
+      sort_unique(group.faces);
     }
     return std::move(groups_);
   }
@@ -49,11 +51,6 @@ class RefusalCollector {
     return found->second;
   }
 
-  static void sort_once(std::vector<std::int64_t>& ids) {
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  }
-
   std::vector<RefusalGroup> groups_;
   std::map<Key, std::size_t> numbers_;
   /// Group, vertex and face of all that were added.
@@ -62,9 +59,9 @@ class RefusalCollector {
 
 }  // namespace
 
-std::vector<RefusalGroup> group_refusals(const RepairStory& story, const KeyIds& ids) {
+std::vector<RefusalGroup> group_refusals(const RepairReport& report, const KeyIds& ids) {
   RefusalCollector groups;
-  for (const LoggedRefusal& refusal : story.result.log.refusals) {
+  for (const LoggedRefusal& refusal : report.result.log.refusals) {
     groups.add(refusal, ids.final_vertex(refusal.vertex), ids.final_face(refusal.face));
   }
   return groups.take();

@@ -13,7 +13,7 @@ namespace meshalyzer {
 struct RefusalGroup {
   /// Pass, code and reason of all of them.
   const LoggedRefusal* like = nullptr;
-  /// Index into RepairStory::meshes; absent where the elements are gone.
+  /// Index into RepairReport::meshes; absent where the elements are gone.
   std::optional<std::size_t> mesh = std::nullopt;
   /// Each place once, however often it was looked at.
   std::size_t places = 0;
@@ -24,6 +24,7 @@ struct RefusalGroup {
 };
 
 /// The refusals of a repair by mesh, pass, code and reason, in the order of the log.
-[[nodiscard]] std::vector<RefusalGroup> group_refusals(const RepairStory& story, const KeyIds& ids);
+[[nodiscard]] std::vector<RefusalGroup> group_refusals(const RepairReport& report,
+                                                       const KeyIds& ids);
 
 }  // namespace meshalyzer

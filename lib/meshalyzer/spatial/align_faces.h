@@ -2,22 +2,27 @@
 
 #include "meshalyzer/base/types.h"
 
+#include <array>
 #include <cstddef>
 #include <utility>
 
 namespace meshalyzer {
 
-/// Two faces with what they have in common moved to the front, in the same order, as
-/// find_contact() wants them.
+/// Two faces whose common corners have been moved to the front, in the same order, as
+/// find_contact() wants them. A corner is whatever names one: a vertex, a position, a number.
+template <typename Corner>
 struct AlignedFaces {
-  Triangle p;
-  Triangle q;
+  std::array<Corner, 3> p;
+  std::array<Corner, 3> q;
   std::size_t n_common = 0;
 };
 
-/// @param same  Whether two vertices count as one.
-template <typename Same>
-[[nodiscard]] AlignedFaces align_faces(Triangle p, Triangle q, Same&& same) {
+/// Aligns two faces.
+///
+/// @param same  Whether a corner of the first and one of the second count as one.
+template <typename Corner, typename Same>
+[[nodiscard]] AlignedFaces<Corner> align_faces(std::array<Corner, 3> p, std::array<Corner, 3> q,
+                                               Same&& same) {
   std::size_t n = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = n; j < 3; ++j) {

@@ -1,5 +1,6 @@
 #include "meshalyzer/spatial/mutual_intersection.h"
 
+#include "meshalyzer/spatial/align_faces.h"
 #include "meshalyzer/spatial/box_meetings.h"
 #include "meshalyzer/spatial/join_pairs.h"
 #include "meshalyzer/spatial/triangle_contact.h"
@@ -20,32 +21,12 @@ Corners corners_of(const FaceTree& tree, std::size_t slot) {
   return {tree.point(t[0]), tree.point(t[1]), tree.point(t[2])};
 }
 
-/// Two faces with the corners that are at common places moved to the front, in the same order.
-struct Aligned {
-  Corners p;
-  Corners q;
-  std::size_t n_common = 0;
-};
-
-Aligned align(const Corners& p, const Corners& q) {
-  Aligned pair{p, q};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto first = pair.q.begin() + static_cast<std::ptrdiff_t>(pair.n_common);
-    const auto same = std::find(first, pair.q.end(), pair.p[i]);
-    if (same != pair.q.end()) {
-      std::swap(pair.p[pair.n_common], pair.p[i]);
-      std::iter_swap(first, same);
-      ++pair.n_common;
-    }
-  }
-  return pair;
-}
-
 /// Faces with corners at common places touch at least there. What they share beyond is found sooner
 /// when those are left out: for strangers the signs at common corners, all zero, would need exact
 /// arithmetic.
 std::optional<ContactKind> find_kind(const Corners& p, const Corners& q) {
-  const Aligned pair = align(p, q);
+  const AlignedFaces<Vec3> pair =
+      align_faces(p, q, [](const Vec3& a, const Vec3& b) { return a == b; });
   switch (static_cast<Common>(pair.n_common)) {
     case Common::Nothing:
       return find_contact(p, q, Common::Nothing);

@@ -1,6 +1,7 @@
 #include "meshalyzer/spatial/nesting.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/spatial/box_tree.h"
 #include "meshalyzer/spatial/ray_parity.h"
 
@@ -145,8 +146,7 @@ class Nester {
       const Triangle& t = tree_.triangle(slots_.slots[i]);
       vertices.insert(vertices.end(), t.begin(), t.end());
     }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    sort_unique(vertices);
     return vertices;
   }
 

@@ -1,5 +1,6 @@
 #include "meshalyzer/spatial/ray_parity.h"
 
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/spatial/triangle_contact.h"
 
@@ -77,8 +78,7 @@ class Ray {
   }
 
   static std::vector<Index> distinct(std::vector<Index> parts) {
-    std::sort(parts.begin(), parts.end());
-    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    sort_unique(parts);
     return parts;
   }
 

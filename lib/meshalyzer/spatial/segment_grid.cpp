@@ -1,5 +1,6 @@
 #include "meshalyzer/spatial/segment_grid.h"
 
+#include "meshalyzer/base/hash.h"
 #include "meshalyzer/base/parallel.h"
 
 #include <algorithm>
@@ -24,8 +25,7 @@ double largest_coordinate(std::span<const Segment> segments) {
 }
 
 std::uint64_t mixed_in(std::uint64_t hash, std::int64_t number) {
-  hash = (hash ^ static_cast<std::uint64_t>(number)) * 0x9E3779B97F4A7C15U;
-  return hash ^ (hash >> 32U);
+  return mix_hash(hash, static_cast<std::uint64_t>(number));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/hash.h"
 #include "meshalyzer/base/types.h"
 
 #include <array>
@@ -69,8 +70,7 @@ class SegmentGrid {
   [[nodiscard]] NearCells cells_near(const Vec3& point) const;
   /// Returns the key of a pair of cells, which is the same for both directions of a segment.
   [[nodiscard]] static std::uint64_t key_of(std::uint64_t a, std::uint64_t b) {
-    const std::uint64_t mixed = (a + b) * 0x9E3779B97F4A7C15U;
-    return mixed ^ (mixed >> 32U);
+    return mix_hash(a + b, 0);
   }
   [[nodiscard]] std::span<const Entry> bucket(std::uint64_t key) const {
     const std::size_t i = key & (begin_.size() - 2);

@@ -20,20 +20,20 @@ Corners corners_of(const FaceTree& tree, const Triangle& t) {
   return {tree.point(t[0]), tree.point(t[1]), tree.point(t[2])};
 }
 
-std::optional<ContactKind> contact_of(const FaceTree& tree, const AlignedFaces& pair) {
+std::optional<ContactKind> contact_of(const FaceTree& tree, const AlignedFaces<Index>& pair) {
   return find_contact(corners_of(tree, pair.p), corners_of(tree, pair.q),
                       static_cast<Common>(pair.n_common));
 }
 
 /// Whether the contact is gone when vertices at identical places count as one.
-bool is_unwelded(const FaceTree& tree, const AlignedFaces& by_id) {
+bool is_unwelded(const FaceTree& tree, const AlignedFaces<Index>& by_id) {
   const auto same_place = [&](Index a, Index b) { return tree.point(a) == tree.point(b); };
-  const AlignedFaces by_place = align_faces(by_id.p, by_id.q, same_place);
+  const AlignedFaces<Index> by_place = align_faces(by_id.p, by_id.q, same_place);
   return by_place.n_common > by_id.n_common && !contact_of(tree, by_place);
 }
 
 std::optional<ContactKind> find_kind(const FaceTree& tree, const Triangle& p, const Triangle& q) {
-  const AlignedFaces by_id = align_faces(p, q, [](Index a, Index b) { return a == b; });
+  const AlignedFaces<Index> by_id = align_faces(p, q, [](Index a, Index b) { return a == b; });
   const std::optional<ContactKind> kind = contact_of(tree, by_id);
   return kind && is_unwelded(tree, by_id) ? ContactKind::Unwelded : kind;
 }

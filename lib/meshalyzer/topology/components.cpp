@@ -1,6 +1,6 @@
 #include "meshalyzer/topology/components.h"
 
-#include "meshalyzer/topology/disjoint_sets.h"
+#include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/topology/edges.h"
 
 namespace meshalyzer {
@@ -70,7 +70,7 @@ Components find_edge_components(const CutMesh& cut) {
   return number_sets(faces, cut.mesh.n_faces());
 }
 
-Components find_oriented_patches(const CutMesh& cut) {
+Components find_oriented_regions(const CutMesh& cut) {
   return number_sets(join_through_inner_edges(cut.mesh), cut.mesh.n_faces());
 }
 

@@ -30,6 +30,6 @@ struct Components {
 /// in opposite directions. Each is consistently oriented.
 ///
 /// @complexity As find_edge_components().
-[[nodiscard]] Components find_oriented_patches(const CutMesh& cut);
+[[nodiscard]] Components find_oriented_regions(const CutMesh& cut);
 
 }  // namespace meshalyzer

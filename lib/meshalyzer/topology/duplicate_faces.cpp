@@ -1,5 +1,7 @@
 #include "meshalyzer/topology/duplicate_faces.h"
 
+#include "meshalyzer/base/sort_unique.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <span>
@@ -35,8 +37,7 @@ class DuplicateCollector {
   }
 
   [[nodiscard]] std::vector<FaceHandle> take() {
-    std::sort(duplicates_.begin(), duplicates_.end());
-    duplicates_.erase(std::unique(duplicates_.begin(), duplicates_.end()), duplicates_.end());
+    sort_unique(duplicates_);
     return std::move(duplicates_);
   }
 

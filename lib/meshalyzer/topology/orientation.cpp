@@ -1,6 +1,6 @@
 #include "meshalyzer/topology/orientation.h"
 
-#include "meshalyzer/topology/disjoint_sets.h"
+#include "meshalyzer/base/disjoint_sets.h"
 
 namespace meshalyzer {
 
@@ -10,23 +10,24 @@ Orientability find_orientability(const CutMesh& cut, const Components& edge_comp
   const CutEdges& flipped = cut.side.flipped_edges;
   if (flipped.size() == 0) return result;
 
-  // Each patch stands twice, as it is (2 p) and turned over (2 p + 1). A flipped edge asks that one
-  // of its two patches be turned. Where that makes both sides of a patch the same, it is one-sided.
-  const Components patches = find_oriented_patches(cut);
+  // Each region stands twice, as it is (2 p) and turned over (2 p + 1). A flipped edge asks that
+  // one of its two regions be turned. Where that makes both sides of a region the same, it is
+  // one-sided.
+  const Components regions = find_oriented_regions(cut);
   const auto face_of = [&](HalfedgeHandle h) {
     return static_cast<std::size_t>(cut.mesh.face_handle(h).idx());
   };
-  DisjointSets sides(2 * patches.count);
+  DisjointSets sides(2 * regions.count);
   for (std::size_t i = 0; i < flipped.size(); ++i) {
     const auto pair = flipped[i].halfedges;
-    const Index p = patches.of_face[face_of(pair[0])];
-    const Index q = patches.of_face[face_of(pair[1])];
+    const Index p = regions.of_face[face_of(pair[0])];
+    const Index q = regions.of_face[face_of(pair[1])];
     sides.unite(2 * p, 2 * q + 1);
     sides.unite(2 * p + 1, 2 * q);
   }
   for (std::size_t i = 0; i < flipped.size(); ++i) {
     const std::size_t face = face_of(flipped[i].halfedges[0]);
-    const Index p = patches.of_face[face];
+    const Index p = regions.of_face[face];
     if (sides.find(2 * p) != sides.find(2 * p + 1)) continue;
     result.of_component[edge_components.of_face[face]] = 0;
     result.orientable = false;

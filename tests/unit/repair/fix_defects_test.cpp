@@ -1,11 +1,11 @@
 #include "meshalyzer/repair/fix_defects.h"
 
 #include "meshalyzer/base/error.h"
-#include "repaired_meshes.h"
 #include "support/foldovers.h"
 #include "support/same_soup.h"
 #include "support/shapes.h"
-#include "weld_cases.h"
+#include "unit/repair/repaired_meshes.h"
+#include "unit/repair/weld/weld_cases.h"
 
 #include <gtest/gtest.h>
 
@@ -138,8 +138,8 @@ TEST(FixDefects, SolidsThatShareAVertexOrAnEdgeComeApart) {
     ASSERT_EQ(result.meshes.size(), 2U);
     for (const RepairedMesh& mesh : result.meshes) {
       EXPECT_EQ(mesh.remaining.total(), mesh.remaining.count(Numbering));
-      EXPECT_EQ(mesh.draft.soup.n_faces(), 4U);
-      EXPECT_NEAR(volume_of(mesh.draft.soup), 1.0 / 6, 1e-9);
+      EXPECT_EQ(mesh.tracked.soup.n_faces(), 4U);
+      EXPECT_NEAR(volume_of(mesh.tracked.soup), 1.0 / 6, 1e-9);
     }
   }
 }

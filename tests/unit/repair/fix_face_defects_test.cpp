@@ -19,7 +19,7 @@ using enum DefectCode;
 
 const Soup& mesh_of(const FaceRepairResult& result) {
   EXPECT_EQ(result.repair.meshes.size(), 1U);
-  return result.repair.meshes.front().draft.soup;
+  return result.repair.meshes.front().tracked.soup;
 }
 
 std::vector<Index> indices(Index begin, Index end) {
@@ -69,7 +69,7 @@ Soup with_split_edge(Soup soup, Index a, Index b, double distance) {
 
 RepairOptions with_open_border() {
   RepairOptions options;
-  options.borders = Borders::Meant;
+  options.borders = Borders::Intended;
   return options;
 }
 
@@ -142,7 +142,7 @@ TEST(FixFaceDefects, ShortEdgeOfACommonBorderStays) {
   EXPECT_FALSE(result.repair.log.refusals.front().reason.empty());
   // Where groups are but names it goes.
   EXPECT_TRUE(
-      same_soup(fix_defects(soup, with_open_border()).meshes.front().draft.soup, three_rows()));
+      same_soup(fix_defects(soup, with_open_border()).meshes.front().tracked.soup, three_rows()));
 }
 
 TEST(FixFaceDefects, ComponentsStayInOneMesh) {

@@ -16,7 +16,7 @@ namespace meshalyzer {
 
 inline const Soup& only_mesh(const RepairResult& result) {
   EXPECT_EQ(result.meshes.size(), 1U);
-  return result.meshes.front().draft.soup;
+  return result.meshes.front().tracked.soup;
 }
 
 [[nodiscard]] inline std::size_t count_after(const RepairResult& result, DefectCode code) {

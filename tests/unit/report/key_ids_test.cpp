@@ -24,32 +24,32 @@ List finals(const std::vector<Index>& keys, Find find) {
 
 TEST(KeyIds, WhatWasThereHasTheIdsOfTheInput) {
   const RepairResult result = sample_result();
-  const RepairStory story = sample_story(result);
-  const KeyIds ids(story);
+  const RepairReport report = sample_report(result);
+  const KeyIds ids(report);
   EXPECT_EQ(ids.vertices({0, 1, 2, 3}), (List{10, 20, 30, 40}));
   EXPECT_EQ(ids.faces({2, 1, 0}), (List{7, 6, 5}));
 }
 
 TEST(KeyIds, WhatWasAddedHasTheIdsOfTheOutput) {
   const RepairResult result = sample_result();
-  const RepairStory story = sample_story(result);
-  const KeyIds ids(story);
+  const RepairReport report = sample_report(result);
+  const KeyIds ids(report);
   EXPECT_EQ(ids.vertices({4}), List{4});
   EXPECT_EQ(ids.faces({3}), List{3});
 }
 
 TEST(KeyIds, WhatWasAddedAndIsGoneIsLeftOut) {
   const RepairResult result = sample_result();
-  const RepairStory story = sample_story(result);
-  const KeyIds ids(story);
+  const RepairReport report = sample_report(result);
+  const KeyIds ids(report);
   EXPECT_EQ(ids.vertices({9, 0}), List{10});
   EXPECT_EQ(ids.faces({9}), List{});
 }
 
 TEST(KeyIds, InTheEndAllHaveTheIdsOfTheOutput) {
   const RepairResult result = sample_result();
-  const RepairStory story = sample_story(result);
-  const KeyIds ids(story);
+  const RepairReport report = sample_report(result);
+  const KeyIds ids(report);
   const auto vertex = [&](Index key) { return ids.final_vertex(key); };
   const auto face = [&](Index key) { return ids.final_face(key); };
   EXPECT_EQ(finals({0, 1, 2, 3, 4, 5, kNoIndex}, vertex), (List{1, 2, -1, 3, 4, -1, -1}));
@@ -58,10 +58,10 @@ TEST(KeyIds, InTheEndAllHaveTheIdsOfTheOutput) {
 
 TEST(KeyIds, FormatThatNumbersVerticesAnewIsFollowed) {
   const RepairResult result = sample_result();
-  RepairStory story = sample_story(result);
-  // On disk the last vertex of the draft comes first, and the second was dropped.
-  story.meshes[0].vertex_records = {1, kNoIndex, 2, 0};
-  const KeyIds ids(story);
+  RepairReport report = sample_report(result);
+  // On disk the last vertex of the tracked mesh comes first, and the second was dropped.
+  report.meshes[0].vertex_records = {1, kNoIndex, 2, 0};
+  const KeyIds ids(report);
   const auto vertex = [&](Index key) { return ids.final_vertex(key); };
   EXPECT_EQ(finals({0, 1, 3, 4}, vertex), (List{2, -1, 3, 1}));
   EXPECT_EQ(ids.vertices({4}), List{1});
@@ -69,16 +69,16 @@ TEST(KeyIds, FormatThatNumbersVerticesAnewIsFollowed) {
 
 TEST(KeyIds, OfSeveralMeshesTheRightOneIsNamed) {
   RepairResult result = sample_result();
-  Draft& first = result.meshes[0].draft;
-  Draft second = first;
+  TrackedMesh& first = result.meshes[0].tracked;
+  TrackedMesh second = first;
   first.vertex_keys = {0, 1};
   first.face_keys = {0};
   second.vertex_keys = {3, 4};
   second.face_keys = {2, 3};
   result.meshes.push_back({second, {}});
-  RepairStory story = sample_story(result);
-  story.meshes.push_back(story.meshes[0]);
-  const KeyIds ids(story);
+  RepairReport report = sample_report(result);
+  report.meshes.push_back(report.meshes[0]);
+  const KeyIds ids(report);
   ASSERT_TRUE(ids.final_face(0) && ids.final_face(3) && ids.final_vertex(3));
   EXPECT_EQ(ids.final_face(0)->mesh, 0U);
   EXPECT_EQ(ids.final_face(3)->mesh, 1U);

@@ -21,8 +21,8 @@ LoggedRefusal refusal(Index vertex, Index face, std::string reason = "too far") 
 
 /// The log must outlive the groups.
 std::vector<RefusalGroup> groups_of(const RepairResult& result) {
-  const RepairStory story = sample_story(result);
-  return group_refusals(story, KeyIds(story));
+  const RepairReport report = sample_report(result);
+  return group_refusals(report, KeyIds(report));
 }
 
 TEST(GroupRefusals, NothingRefusedMakesNoGroup) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/report/repair_story.h"
+#include "meshalyzer/report/repair_report.h"
 
 namespace meshalyzer {
 
@@ -11,38 +11,38 @@ inline RepairResult sample_result() {
   result.max_deviation = 0.5;
   result.deviation = 0.25;
   result.meshes.resize(1);
-  Draft& draft = result.meshes[0].draft;
-  draft.n_input_vertices = 4;
-  draft.n_input_faces = 3;
-  draft.vertex_keys = {0, 1, 3, 4};
-  draft.face_keys = {0, 2, 3};
-  draft.vertex_origins = {kNoIndex};
-  draft.face_origins = {kNoIndex};
+  TrackedMesh& tracked = result.meshes[0].tracked;
+  tracked.n_input_vertices = 4;
+  tracked.n_input_faces = 3;
+  tracked.vertex_keys = {0, 1, 3, 4};
+  tracked.face_keys = {0, 2, 3};
+  tracked.vertex_origins = {kNoIndex};
+  tracked.face_origins = {kNoIndex};
   return result;
 }
 
 /// It was read from a file that names its ids, and written to one that counts from 1.
 ///
-/// @param result  As sample_result(); the story refers to it.
-inline RepairStory sample_story(const RepairResult& result) {
-  RepairStory story{.input = {.path = "in.mesh",
-                              .format = Format::Mesh,
-                              .vertex_ids = {.first = 1, .named = {10, 20, 30, 40}},
-                              .face_ids = {.first = 1, .named = {5, 6, 7}},
-                              .n_vertices = 4,
-                              .n_faces = 3},
-                    .result = result,
-                    .fixes = default_fixes(),
-                    .meshes = {},
-                    .notes = {}};
-  FinalMesh& mesh = story.meshes.emplace_back();
+/// @param result  As sample_result(); the report refers to it.
+inline RepairReport sample_report(const RepairResult& result) {
+  RepairReport report{.input = {.path = "in.mesh",
+                                .format = Format::Mesh,
+                                .vertex_ids = {.first = 1, .named = {10, 20, 30, 40}},
+                                .face_ids = {.first = 1, .named = {5, 6, 7}},
+                                .n_vertices = 4,
+                                .n_faces = 3},
+                      .result = result,
+                      .fixes = default_fixes(),
+                      .meshes = {},
+                      .notes = {}};
+  FinalMesh& mesh = report.meshes.emplace_back();
   mesh.name = {.path = "out.obj",
                .format = Format::Obj,
                .vertex_ids = {},
                .face_ids = {},
                .n_vertices = 4,
                .n_faces = 3};
-  return story;
+  return report;
 }
 
 /// Adds a defect to a report, which counts it too.

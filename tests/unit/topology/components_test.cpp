@@ -51,7 +51,7 @@ TEST(FindEdgeComponents, CutsDoNotPartThem) {
 
 TEST(FindOrientedPatches, FlippedFaceIsOneByItself) {
   const std::array<Index, 1> face{3};
-  const Components patches = find_oriented_patches(build(shapes::flipped(shapes::cube(), face)));
+  const Components patches = find_oriented_regions(build(shapes::flipped(shapes::cube(), face)));
   std::vector<Index> expected(12, 0);
   expected[3] = 1;
   EXPECT_EQ(patches.of_face, expected);

@@ -1,5 +1,6 @@
 #include "meshalyzer/analysis/internal/integrity.h"
 
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/mesh/repeated_ids.h"
 
 #include <algorithm>
@@ -66,8 +67,7 @@ std::vector<std::int64_t> distinct_missing_ids(const Soup& soup) {
   for (const MissingReference& reference : soup.missing) {
     ids.push_back(reference.id);
   }
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  sort_unique(ids);
   return ids;
 }
 

@@ -11,19 +11,19 @@
 namespace meshalyzer {
 namespace {
 
-/// What is edited, and the faces that come of it.
+/// The mesh that is edited, and the faces after the edits.
 struct Work {
-  const Draft& draft;
+  const TrackedMesh& tracked;
   const Edits& edits;
   const SkippedOperations& skipped;
   EditedFaces faces;
 };
 
-/// Where the vertices of a soup, and those added to it, go.
+/// The numbers that the vertices of a soup, and those added to it, get.
 struct VertexMoves {
   /// #old + #added vertices: the new index of each; kNoIndex for those that go.
   std::vector<Index> new_index;
-  /// By new vertex: the old one it is, or #old + the number of the added one. Ascending.
+  /// Indexed by new vertex: the old one it is, or #old + the number of the added one. Ascending.
   std::vector<Index> sources;
 };
 
@@ -40,9 +40,9 @@ std::vector<std::uint8_t> used_vertices(std::span<const Triangle> triangles, std
 
 /// Drops vertices that are asked to go, and those that have lost their last face.
 VertexMoves move_vertices(const Work& work) {
-  const std::size_t n_old = work.draft.soup.n_vertices();
+  const std::size_t n_old = work.tracked.soup.n_vertices();
   const std::size_t n = n_old + work.edits.added_vertices.size();
-  const auto used_before = used_vertices(work.draft.soup.triangles, n_old);
+  const auto used_before = used_vertices(work.tracked.soup.triangles, n_old);
   const auto used_now = used_vertices(work.faces.triangles, n);
   std::vector<std::uint8_t> goes(n, 0);
   for (std::size_t v = 0; v < n; ++v) {
@@ -62,7 +62,7 @@ VertexMoves move_vertices(const Work& work) {
 }
 
 std::vector<Vec3> edited_positions(const Work& work, const VertexMoves& moves) {
-  const std::vector<Vec3>& old = work.draft.soup.positions;
+  const std::vector<Vec3>& old = work.tracked.soup.positions;
   std::vector<Vec3> positions;
   positions.reserve(moves.sources.size());
   for (const Index v : moves.sources) {
@@ -76,48 +76,50 @@ std::vector<Vec3> edited_positions(const Work& work, const VertexMoves& moves) {
   return positions;
 }
 
-/// The key of the input's vertex that a vertex of the draft is, or is a copy of.
-Index vertex_origin(const Draft& draft, Index vertex) {
+/// Returns the key of the input's vertex that a vertex of the tracked mesh is, or is a copy of.
+Index vertex_origin(const TrackedMesh& tracked, Index vertex) {
   if (vertex == kNoIndex) return kNoIndex;
-  const Index key = draft.vertex_keys[vertex];
-  return key < draft.n_input_vertices ? key : draft.vertex_origins[key - draft.n_input_vertices];
+  const Index key = tracked.vertex_keys[vertex];
+  return key < tracked.n_input_vertices ? key
+                                        : tracked.vertex_origins[key - tracked.n_input_vertices];
 }
 
-void set_vertex_keys(const Work& work, const VertexMoves& moves, Draft& result) {
-  const std::size_t n_old = work.draft.soup.n_vertices();
-  result.vertex_origins = work.draft.vertex_origins;
+void set_vertex_keys(const Work& work, const VertexMoves& moves, TrackedMesh& result) {
+  const std::size_t n_old = work.tracked.soup.n_vertices();
+  result.vertex_origins = work.tracked.vertex_origins;
   result.vertex_keys.reserve(moves.sources.size());
   for (const Index v : moves.sources) {
     if (v < n_old) {
-      result.vertex_keys.push_back(work.draft.vertex_keys[v]);
+      result.vertex_keys.push_back(work.tracked.vertex_keys[v]);
       continue;
     }
     result.vertex_keys.push_back(
         static_cast<Index>(result.n_input_vertices + result.vertex_origins.size()));
     result.vertex_origins.push_back(
-        vertex_origin(work.draft, work.edits.added_vertices[v - n_old].copy_of));
+        vertex_origin(work.tracked, work.edits.added_vertices[v - n_old].copy_of));
   }
 }
 
-void set_face_keys(const Work& work, Draft& result) {
-  const std::size_t n_old = work.draft.soup.n_faces();
+void set_face_keys(const Work& work, TrackedMesh& result) {
+  const std::size_t n_old = work.tracked.soup.n_faces();
   // Keys in order of the edits, whatever group a face has joined.
-  result.face_origins = work.draft.face_origins;
+  result.face_origins = work.tracked.face_origins;
   std::vector<Index> added_keys(work.edits.added_faces.size(), kNoIndex);
   for (std::size_t i = 0; i < work.edits.added_faces.size(); ++i) {
     const Edits::AddedFace& face = work.edits.added_faces[i];
     if (work.skipped(face.op)) continue;
     added_keys[i] = static_cast<Index>(result.n_input_faces + result.face_origins.size());
-    result.face_origins.push_back(face.is_patch ? kNoIndex : work.draft.origin_of_face(face.like));
+    result.face_origins.push_back(face.fills_hole ? kNoIndex
+                                                  : work.tracked.origin_of_face(face.like));
   }
   result.face_keys.reserve(work.faces.sources.size());
   for (const Index f : work.faces.sources) {
-    result.face_keys.push_back(f < n_old ? work.draft.face_keys[f] : added_keys[f - n_old]);
+    result.face_keys.push_back(f < n_old ? work.tracked.face_keys[f] : added_keys[f - n_old]);
   }
 }
 
 void set_ids(const Work& work, const VertexMoves& moves, Soup& soup) {
-  const Soup& old = work.draft.soup;
+  const Soup& old = work.tracked.soup;
   soup.vertex_ids = old.vertex_ids;
   soup.face_ids = old.face_ids;
   if (old.format != Format::Mesh) return;
@@ -129,7 +131,7 @@ void set_ids(const Work& work, const VertexMoves& moves, Soup& soup) {
 
 std::vector<MissingReference> remaining_missing(const Work& work) {
   std::vector<MissingReference> missing;
-  for (MissingReference reference : work.draft.soup.missing) {
+  for (MissingReference reference : work.tracked.soup.missing) {
     reference.face = work.faces.new_index[reference.face];
     if (reference.face != kNoIndex) missing.push_back(reference);
   }
@@ -138,18 +140,19 @@ std::vector<MissingReference> remaining_missing(const Work& work) {
 
 }  // namespace
 
-Draft apply_edits(const Draft& draft, const Edits& edits, std::span<const std::uint8_t> skipped) {
+TrackedMesh apply_edits(const TrackedMesh& tracked, const Edits& edits,
+                        std::span<const std::uint8_t> skipped) {
   const SkippedOperations is_skipped(skipped);
-  Work work{draft, edits, is_skipped, edit_faces(draft.soup, edits, is_skipped)};
+  Work work{tracked, edits, is_skipped, edit_faces(tracked.soup, edits, is_skipped)};
   const VertexMoves moves = move_vertices(work);
 
-  Draft result;
-  result.n_input_vertices = draft.n_input_vertices;
-  result.n_input_faces = draft.n_input_faces;
+  TrackedMesh result;
+  result.n_input_vertices = tracked.n_input_vertices;
+  result.n_input_faces = tracked.n_input_faces;
   set_vertex_keys(work, moves, result);
   set_face_keys(work, result);
   Soup& soup = result.soup;
-  soup.format = draft.soup.format;
+  soup.format = tracked.soup.format;
   soup.positions = edited_positions(work, moves);
   set_ids(work, moves, soup);
   soup.missing = remaining_missing(work);
@@ -158,7 +161,7 @@ Draft apply_edits(const Draft& draft, const Edits& edits, std::span<const std::u
     for (Index& v : triangle) v = v == kNoIndex ? kNoIndex : moves.new_index[v];
   }
   soup.groups = std::move(work.faces.groups);
-  set_edited_normals(draft.soup, edits, is_skipped, work.faces, moves.sources, soup);
+  set_edited_normals(tracked.soup, edits, is_skipped, work.faces, moves.sources, soup);
   return result;
 }
 

@@ -26,7 +26,7 @@ std::vector<Run> runs_of(const Soup& soup) {
   return runs;
 }
 
-/// The added faces that are made, by run, in their order within each.
+/// Returns the added faces that are made, by run, in their order within each.
 std::vector<std::pair<Index, Index>> added_by_run(const Soup& soup, const Edits& edits,
                                                   const SkippedOperations& skipped) {
   std::vector<std::pair<Index, Index>> added;

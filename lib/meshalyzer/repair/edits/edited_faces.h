@@ -10,7 +10,7 @@ namespace meshalyzer {
 
 /// The faces of a soup after edits, in their new order, their corners still numbered as in Edits.
 struct EditedFaces {
-  /// Of each: the old face it is, or #old faces + the number of the added one.
+  /// For each face: the old face it is, or #old faces + the number of the added one.
   std::vector<Index> sources;
   std::vector<Triangle> triangles;
   std::vector<Group> groups;

@@ -11,8 +11,8 @@ namespace {
 
 constexpr Triangle kNoNormals = {kNoIndex, kNoIndex, kNoIndex};
 
-/// The mean of the normals of the old vertices that share a face with each new one; zero where
-/// there is none.
+/// Returns the mean of the normals of the old vertices that share a face with each new one; zero
+/// where there is none.
 std::vector<Vec3> neighbour_means(const Soup& before, const EditedFaces& faces,
                                   std::size_t n_added) {
   const std::size_t n_old = before.n_vertices();
@@ -32,7 +32,7 @@ std::vector<Vec3> neighbour_means(const Soup& before, const EditedFaces& faces,
   return means;
 }
 
-/// One normal a vertex.
+/// Sets the normals of a format with one normal for each vertex.
 void set_vertex_normals(const Soup& before, const Edits& edits, const EditedFaces& faces,
                         std::span<const Index> vertices, Soup& result) {
   const std::size_t n_old = before.n_vertices();
@@ -48,8 +48,8 @@ void set_vertex_normals(const Soup& before, const Edits& edits, const EditedFace
   result.corner_normals = result.triangles;
 }
 
-/// The normals of an old face for new corners: those of vertices that stay go where these do,
-/// others stay at their corner.
+/// Returns the normals of an old face for new corners: those of vertices that stay go where these
+/// do, others stay at their corner.
 Triangle carried_over(const Triangle& corners, const Triangle& normals, const Triangle& now) {
   Triangle result = normals;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -60,7 +60,7 @@ Triangle carried_over(const Triangle& corners, const Triangle& normals, const Tr
   return result;
 }
 
-/// By old vertex: the normal of the first corner there that has one.
+/// Returns, by old vertex, the normal of the first corner there that has one.
 std::vector<Index> first_normals(const Soup& soup) {
   std::vector<Index> first(soup.n_vertices(), kNoIndex);
   for (std::size_t f = 0; f < soup.n_faces(); ++f) {
@@ -72,8 +72,8 @@ std::vector<Index> first_normals(const Soup& soup) {
   return first;
 }
 
-/// The normals of an added face: those of its model where they share a corner, else any of that
-/// vertex; none where a corner has none, since a face has all or none.
+/// Returns the normals of an added face: those of its model where they share a corner, else any of
+/// that vertex; none where a corner has none, since a face has all or none.
 Triangle normals_of_added(const Soup& before, const Edits& edits, const Edits::AddedFace& face,
                           std::span<const Index> first) {
   Triangle normals = kNoNormals;

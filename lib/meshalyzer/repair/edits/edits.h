@@ -11,7 +11,7 @@ namespace meshalyzer {
 /// Changes of a mesh, as a pass proposes them: a list of operations, each a local change that is
 /// made as a whole or not at all.
 ///
-/// Operations of one list must be independent: no two touch the same face, or move or replace the
+/// Operations of one list must be independent: no two change the same face, or move or replace the
 /// same vertex, and what is left when any of them are taken out is still what the pass wants. All
 /// refers to the soup as it is before; `op` is the number of the operation, from 0.
 struct Edits {
@@ -47,11 +47,11 @@ struct Edits {
   struct AddedFace {
     Index op;
     Triangle corners;
-    /// A face of the soup: the new one joins its group, and was made of it, unless is_patch. The
-    /// corners that both have get its normals.
+    /// A face of the soup that the new face is modelled on: the new face joins its group, takes its
+    /// normals at common corners, and counts as made of it unless fills_hole is set.
     Index like;
-    /// Whether it fills a hole: nothing of the old surface was there.
-    bool is_patch = false;
+    /// Tells whether it fills a hole: nothing of the old surface was there.
+    bool fills_hole = false;
   };
   /// A normal for all corners of faces at a vertex that have one.
   struct ChangedNormal {

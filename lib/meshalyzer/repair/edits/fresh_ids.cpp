@@ -11,7 +11,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The ids from 1 on that are not taken.
+/// Returns the ids from 1 on that are not taken.
 std::vector<std::int32_t> smallest_free(std::vector<std::int32_t> taken, std::size_t n) {
   std::sort(taken.begin(), taken.end());
   std::vector<std::int32_t> free;

@@ -25,8 +25,8 @@ struct EditedRecords {
 [[nodiscard]] std::vector<std::int32_t> fresh_ids(const std::vector<std::int32_t>& taken,
                                                   std::size_t n);
 
-/// The ids of records that a file numbers by itself: those that stay keep theirs, new ones get
-/// fresh_ids().
+/// Returns the ids of records that a file numbers by itself: those that stay keep theirs, new ones
+/// get fresh_ids().
 [[nodiscard]] Ids edit_ids(const Ids& old, const EditedRecords& records,
                            std::span<const Edits::ChangedId> changed,
                            const SkippedOperations& skipped);

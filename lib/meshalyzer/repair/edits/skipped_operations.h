@@ -7,7 +7,8 @@
 
 namespace meshalyzer {
 
-/// Which operations of a list of edits are not to be made. Only refers.
+/// Tells which operations of a list of edits are not to be applied. This refers to a list and does
+/// not own it.
 class SkippedOperations {
  public:
   /// @param skipped  #operations, non-zero for those; empty: none.

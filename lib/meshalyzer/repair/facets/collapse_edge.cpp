@@ -17,11 +17,11 @@ namespace {
 /// Surfaces of more faces than this are compared by how far the vertex moves alone.
 constexpr std::size_t kMostFacesCompared = 64;
 
-/// Where the ends of an edge go.
+/// A merge of the ends of an edge.
 struct Merge {
   Index gone;
   Index kept;
-  /// For `kept`; nothing: it stays.
+  /// The new position of `kept`, if it moves.
   std::optional<Vec3> middle = std::nullopt;
 };
 
@@ -35,20 +35,20 @@ Triangle renamed(Triangle t, Index from, Index to) {
 }
 
 /// A merge, and the faces round the edge before and after it.
-class MergeTrial {
+class MergeCandidate {
  public:
-  MergeTrial(const WorkingMesh& mesh, const Merge& merge) : mesh_(mesh), merge_(merge) {
-    for (const Index f : mesh.star(merge.gone)) {
+  MergeCandidate(const WorkingMesh& mesh, const Merge& merge) : mesh_(mesh), merge_(merge) {
+    for (const Index f : mesh.faces_at(merge.gone)) {
       add(f, renamed(mesh.triangle(f), merge.gone, merge.kept));
     }
     if (!merge.middle) return;
-    for (const Index f : mesh.star(merge.kept)) {
+    for (const Index f : mesh.faces_at(merge.kept)) {
       if (!is_at(mesh.triangle(f), merge.gone)) add(f, mesh.triangle(f));
     }
   }
 
-  /// Whether the faces round the edge stay sound.
-  [[nodiscard]] MendOutcome judge(double tolerance) const {
+  /// Tells whether the faces round the edge stay sound.
+  [[nodiscard]] MendOutcome check(double tolerance) const {
     const Vec3 mean = mean_normal();
     std::size_t n_thin_made = 0;
     std::size_t n_thin_gone = 0;
@@ -71,8 +71,8 @@ class MergeTrial {
                                                          : MendOutcome::Possible;
   }
 
-  /// About how far the surface is from what it was; never less than 0 or more than the vertices
-  /// move.
+  /// Returns about how far the surface is from what it was; never less than 0 or more than the
+  /// vertices move.
   [[nodiscard]] double deviation() const {
     const double moved = largest_move();
     if (faces_.size() > kMostFacesCompared) return moved;
@@ -129,7 +129,7 @@ class MergeTrial {
     faces_.push_back(face);
   }
 
-  /// Of the faces that have one; zero where none has.
+  /// Returns the sum of the normals of the faces that have one; zero where none has.
   [[nodiscard]] Vec3 mean_normal() const {
     Vec3 sum = Vec3::Zero();
     for (const Face& face : faces_) {
@@ -173,7 +173,7 @@ class EdgeCollapse {
   EdgeCollapse(const WorkingMesh& mesh, const MendRules& rules, const std::array<Index, 2>& ends)
       : mesh_(mesh), rules_(rules), ends_{std::min(ends[0], ends[1]), std::max(ends[0], ends[1])} {
     for (std::size_t k = 0; k < 2; ++k) {
-      is_crowded_[k] = mesh.star(ends_[k]).size() > kMostFacesRoundVertex;
+      is_crowded_[k] = mesh.faces_at(ends_[k]).size() > kMostFacesRoundVertex;
       is_fixed_[k] = rules.is_fixed(mesh, ends_[k]);
     }
   }
@@ -210,25 +210,25 @@ class EdgeCollapse {
   [[nodiscard]] MendAttempt attempt(std::size_t gone, std::size_t kept) const {
     if (is_fixed_[gone]) return {.outcome = MendOutcome::Fixed};
     if (is_crowded_[gone]) return {};
-    return judged({.gone = ends_[gone], .kept = ends_[kept]});
+    return checked({.gone = ends_[gone], .kept = ends_[kept]});
   }
 
-  /// The lower vertex stays, in the middle.
+  /// Returns the lower vertex stays, in the middle.
   [[nodiscard]] MendAttempt attempt_middle() const {
     const Vec3& a = mesh_.position(ends_[0]);
     const Vec3& b = mesh_.position(ends_[1]);
     const double length = (b - a).stableNorm();
     if (!(length < rules_.tolerance()) || is_crowded_[0] || is_crowded_[1]) return {};
-    return judged({.gone = ends_[1], .kept = ends_[0], .middle = a / 2 + b / 2});
+    return checked({.gone = ends_[1], .kept = ends_[0], .middle = a / 2 + b / 2});
   }
 
-  [[nodiscard]] MendAttempt judged(const Merge& merge) const {
-    const MergeTrial trial(mesh_, merge);
-    const MendOutcome outcome = trial.judge(rules_.tolerance());
+  [[nodiscard]] MendAttempt checked(const Merge& merge) const {
+    const MergeCandidate candidate(mesh_, merge);
+    const MendOutcome outcome = candidate.check(rules_.tolerance());
     if (outcome != MendOutcome::Possible) return {.outcome = outcome};
-    const double deviation = trial.deviation();
+    const double deviation = candidate.deviation();
     if (!(deviation <= rules_.max_deviation())) return {.outcome = MendOutcome::TooFar};
-    return {outcome, trial.step(begun_), deviation};
+    return {outcome, candidate.step(begun_), deviation};
   }
 
   const WorkingMesh& mesh_;

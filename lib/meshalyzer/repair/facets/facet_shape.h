@@ -7,20 +7,20 @@
 
 namespace meshalyzer {
 
-/// What decides whether a face is worth having. Lengths in the mesh's unit.
+/// The figures that decide whether a face is thin. Lengths are in the mesh's unit.
 struct FacetShape {
-  /// Of the edges from corner k to corner k + 1.
+  /// The lengths of the edges from corner k to corner k + 1.
   std::array<double, 3> lengths{};
   /// The shortest one, that on the longest edge; 0 where the corners are collinear.
   double altitude = 0.0;
-  /// Of length 1; zero where the corners are collinear.
+  /// The unit normal; zero where the corners are collinear.
   Vec3 normal = Vec3::Zero();
 
-  /// The edge, by its first corner; of equal ones the first.
+  /// Returns the edge, by its first corner; of equal ones the first.
   [[nodiscard]] std::size_t longest_edge() const;
   [[nodiscard]] std::size_t shortest_edge() const;
-  /// Whether no edge and no altitude is below a tolerance, or 0. Not by a hair, so that whoever
-  /// measures again finds the same.
+  /// Tells whether no edge and no altitude is below a tolerance, or 0. Not by a hair, so that
+  /// whoever measures again finds the same.
   [[nodiscard]] bool is_sound(double tolerance) const {
     return altitude > 0.0 && altitude >= tolerance * (1.0 + 1e-6);
   }

@@ -11,7 +11,7 @@
 namespace meshalyzer {
 namespace {
 
-/// By component: how many of its faces are not thin.
+/// Returns, by component, how many of its faces are not thin.
 std::vector<Index> count_others(const Components& components, const SideTable& side,
                                 std::span<const Index> thin_faces) {
   std::vector<Index> n_others(components.count, 0);
@@ -20,7 +20,7 @@ std::vector<Index> count_others(const Components& components, const SideTable& s
   return n_others;
 }
 
-/// The places of the vertices of some faces.
+/// Returns the places of the vertices of some faces.
 std::vector<Vec3> places_of(const Soup& soup, const std::vector<Index>& faces) {
   std::vector<Vec3> places;
   for (const Index f : faces) {
@@ -68,7 +68,7 @@ FlatComponents find_flat_components(const PassInput& input, std::span<const Inde
   if (faces_of.empty()) return flat;
   const RestOfMesh rest(input, flat.faces);
   for (const auto& [component, faces] : faces_of) {
-    if (rest.are_near(places_of(input.draft.soup, faces))) flat.needless.push_back(faces);
+    if (rest.are_near(places_of(input.tracked.soup, faces))) flat.needless.push_back(faces);
   }
   return flat;
 }

@@ -11,8 +11,8 @@ namespace meshalyzer {
 struct FlatComponents {
   /// Their faces, ascending.
   std::vector<Index> faces;
-  /// Those of them whose corners are all within the maximum deviation of the rest of the mesh: the
-  /// surface loses nothing without them. Their faces, ascending.
+  /// The faces of those components whose corners are all within the maximum deviation of the rest
+  /// of the mesh, so that the surface loses nothing without them. Each list is ascending.
   std::vector<std::vector<Index>> needless;
 };
 

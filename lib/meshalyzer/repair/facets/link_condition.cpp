@@ -1,6 +1,6 @@
 #include "meshalyzer/repair/facets/link_condition.h"
 
-#include "meshalyzer/topology/disjoint_sets.h"
+#include "meshalyzer/base/disjoint_sets.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -11,15 +11,15 @@
 namespace meshalyzer {
 namespace {
 
-/// A side of a face at a vertex: the neighbour at its other end, and which face of the star it is.
-using StarSide = std::pair<Index, Index>;
+/// A side of a face at a vertex: the neighbour at its other end, and which face of the faces it is.
+using SideAtVertex = std::pair<Index, Index>;
 
-/// All sides, those to the same neighbour side by side.
-std::vector<StarSide> find_sides(const WorkingMesh& mesh, Index vertex) {
-  std::vector<StarSide> sides;
-  const auto star = mesh.star(vertex);
-  for (std::size_t i = 0; i < star.size(); ++i) {
-    for (const Index v : mesh.triangle(star[i])) {
+/// Returns all sides, those to the same neighbour side by side.
+std::vector<SideAtVertex> find_sides(const WorkingMesh& mesh, Index vertex) {
+  std::vector<SideAtVertex> sides;
+  const auto faces = mesh.faces_at(vertex);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    for (const Index v : mesh.triangle(faces[i])) {
       if (v != vertex) sides.emplace_back(v, static_cast<Index>(i));
     }
   }
@@ -30,10 +30,10 @@ std::vector<StarSide> find_sides(const WorkingMesh& mesh, Index vertex) {
 /// The fans of a vertex, and the runs of sides that are edges without exactly two faces.
 struct FanCount {
   DisjointSets fan_of;
-  std::vector<std::span<const StarSide>> odd_edges;
+  std::vector<std::span<const SideAtVertex>> odd_edges;
 };
 
-FanCount join_fans(std::span<const StarSide> sides, std::size_t n_faces) {
+FanCount join_fans(std::span<const SideAtVertex> sides, std::size_t n_faces) {
   FanCount result{DisjointSets(n_faces), {}};
   for (std::size_t begin = 0; begin < sides.size();) {
     std::size_t end = begin;
@@ -48,9 +48,9 @@ FanCount join_fans(std::span<const StarSide> sides, std::size_t n_faces) {
   return result;
 }
 
-std::vector<Index> fans_at(FanCount& fans, std::span<const StarSide> edge) {
+std::vector<Index> fans_at(FanCount& fans, std::span<const SideAtVertex> edge) {
   std::vector<Index> result;
-  for (const StarSide& side : edge) result.push_back(fans.fan_of.find(side.second));
+  for (const SideAtVertex& side : edge) result.push_back(fans.fan_of.find(side.second));
   std::sort(result.begin(), result.end());
   return result;
 }
@@ -59,7 +59,7 @@ bool has_twice(const std::vector<Index>& ascending) {
   return std::adjacent_find(ascending.begin(), ascending.end()) != ascending.end();
 }
 
-/// The vertices opposite to an edge, ascending.
+/// Returns the vertices opposite to an edge, ascending.
 std::vector<Index> apexes(const WorkingMesh& mesh, Index a, Index b) {
   std::vector<Index> result;
   for (const Index f : mesh.faces_at(a, b)) {
@@ -70,7 +70,7 @@ std::vector<Index> apexes(const WorkingMesh& mesh, Index a, Index b) {
   return result;
 }
 
-/// Whether two vertices have nothing in common but what their edge has.
+/// Tells whether two vertices have nothing in common but what their edge has.
 bool is_link_shared_by_edge_alone(const WorkingMesh& mesh, Index gone, Index kept, MendStep& step) {
   const std::vector<Index> common = apexes(mesh, gone, kept);
   if (has_twice(common)) return false;
@@ -82,7 +82,7 @@ bool is_link_shared_by_edge_alone(const WorkingMesh& mesh, Index gone, Index kep
     step.read_edges.push_back({kept, v});
     if (!is_common(v) && mesh.are_joined(kept, v)) return false;
   }
-  for (const Index f : mesh.star(gone)) {
+  for (const Index f : mesh.faces_at(gone)) {
     Triangle t = mesh.triangle(f);
     std::swap(t[0], *std::find(t.begin(), t.end(), gone));
     if (!is_common(t[1]) || !is_common(t[2])) continue;
@@ -95,8 +95,8 @@ bool is_link_shared_by_edge_alone(const WorkingMesh& mesh, Index gone, Index kep
 }  // namespace
 
 VertexSurroundings look_round(const WorkingMesh& mesh, Index vertex) {
-  const std::size_t n_faces = mesh.star(vertex).size();
-  const std::vector<StarSide> sides = find_sides(mesh, vertex);
+  const std::size_t n_faces = mesh.faces_at(vertex).size();
+  const std::vector<SideAtVertex> sides = find_sides(mesh, vertex);
   FanCount fans = join_fans(sides, n_faces);
   std::size_t n_fans = 0;
   for (Index i = 0; i < n_faces; ++i) n_fans += fans.fan_of.find(i) == i ? 1U : 0U;

@@ -10,12 +10,13 @@ namespace meshalyzer {
 
 /// What the complex looks like round a vertex.
 enum class VertexKind : std::uint8_t {
-  /// One closed fan of faces.
+  /// The vertex has one closed fan of faces.
   Plain,
-  /// On a curve of edges that do not have two faces, all the same number: each fan runs from one
+  /// The vertex is on a curve of edges that do not have two faces, but all the same number: each
+  /// fan runs from one
   /// of the vertex's two such edges to the other. On a border the number is 1.
   Ridge,
-  /// Anything else.
+  /// The vertex is of no other kind.
   Corner,
 };
 
@@ -28,8 +29,8 @@ struct VertexSurroundings {
 /// @complexity  O(n log n) for n faces at the vertex.
 [[nodiscard]] VertexSurroundings look_round(const WorkingMesh& mesh, Index vertex);
 
-/// Whether merging `gone` into its neighbour `kept` leaves the topology of the complex as it is:
-/// the link condition for complexes that need not be manifold (Dey, Edelsbrunner, Guha and
+/// Tells whether merging `gone` into its neighbour `kept` leaves the topology of the complex as it
+/// is: the link condition for complexes that need not be manifold (Dey, Edelsbrunner, Guha and
 /// Nekhayev 1999, "Topology preserving edge contraction"), on the safe side where `gone` is a
 /// Corner.
 ///

@@ -1,3 +1,4 @@
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/repair/facets/collapse_edge.h"
 #include "meshalyzer/repair/facets/facet_shape.h"
@@ -24,9 +25,12 @@
 namespace meshalyzer {
 namespace {
 
+/// Steps that depend on each other are put into one operation up to this number.
+constexpr std::size_t kMaxStepsTogether = 512;
+
 /// What a repair may cost.
 enum class Effort : std::uint8_t {
-  /// Nothing that the thin faces do not own: short edges are collapsed, caps retracted.
+  /// Only the thin faces themselves change: short edges are collapsed, caps retracted.
   Least,
   /// Also edges of any length are collapsed, and flipped between thin faces.
   Any,
@@ -40,10 +44,10 @@ enum class Effort : std::uint8_t {
 class Mender {
  public:
   Mender(const PassInput& input, std::span<const Index> thin_faces)
-      : soup_(input.draft.soup),
+      : soup_(input.tracked.soup),
         rules_(input),
-        mesh_(input.draft.soup, thin_faces, input.tolerances.degeneracy),
-        journal_(input.limits.most_steps) {}
+        mesh_(input.tracked.soup, thin_faces, input.tolerances.degeneracy),
+        journal_(input.operation_size == OperationSize::Smallest ? 1 : kMaxStepsTogether) {}
 
   void mend(std::span<const Index> faces) {
     for (const Index f : faces) push(f);
@@ -122,7 +126,7 @@ class Mender {
     return best;
   }
 
-  /// The shortest that can be collapsed.
+  /// Returns the shortest that can be collapsed.
   [[nodiscard]] MendAttempt collapse_short_edge(const Triangle& t, const FacetShape& shape) const {
     std::array<std::size_t, 3> order{0, 1, 2};
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -141,7 +145,7 @@ class Mender {
     return length < rules_.tolerance() || length == 0.0;
   }
 
-  /// Of the faces of a step, before and after it.
+  /// Lists the vertices of the faces of a step, before and after it.
   [[nodiscard]] std::vector<Index> vertices_of(const MendStep& step) const {
     std::vector<Index> vertices;
     for (const MendStep::NewCorners& change : step.changed) {
@@ -150,15 +154,15 @@ class Mender {
       if (change.corners == kNoTriangle) continue;
       vertices.insert(vertices.end(), change.corners.begin(), change.corners.end());
     }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    sort_unique(vertices);
     return vertices;
   }
 
-  /// Not at crowded vertices, which would take too long.
+  /// Queues the faces at a vertex that could not be mended before, unless the vertex has so many
+  /// that it would take too long.
   void try_again_at(Index vertex) {
-    if (failed_.empty() || mesh_.star(vertex).size() > kMostFacesRoundVertex) return;
-    for (const Index f : mesh_.star(vertex)) {
+    if (failed_.empty() || mesh_.faces_at(vertex).size() > kMostFacesRoundVertex) return;
+    for (const Index f : mesh_.faces_at(vertex)) {
       if (failed_.contains(f)) push(f);
     }
   }
@@ -169,7 +173,7 @@ class Mender {
   StepJournal journal_;
   std::deque<Index> queue_;
   std::unordered_set<Index> is_queued_;
-  /// By face: why it was left, when it was last looked at.
+  /// Indexed by face: why it was left, when it was last looked at.
   std::unordered_map<Index, MendOutcome> failed_;
   bool has_deferred_ = false;
 };
@@ -215,7 +219,7 @@ PassResult mend_facets(const PassInput& input) {
   std::vector<Index> rejected;
   for (Defect& defect : find_thin_facets(input.mesh, input.tolerances)) {
     const Index f = defect.faces.front();
-    if (is_in_complex(input.draft.soup.triangles[f])) {
+    if (is_in_complex(input.tracked.soup.triangles[f])) {
       in_complex.push_back(std::move(defect));
     } else {
       rejected.push_back(f);

@@ -14,7 +14,7 @@ namespace meshalyzer {
 /// No corners: those of a face that is gone.
 inline constexpr Triangle kNoTriangle = {kNoIndex, kNoIndex, kNoIndex};
 
-/// One small change of a WorkingMesh, and what it relies on.
+/// A small change of a WorkingMesh, and what it relies on.
 struct MendStep {
   struct NewCorners {
     Index face;
@@ -65,8 +65,8 @@ struct MendAttempt {
   [[nodiscard]] bool is_possible() const { return outcome == MendOutcome::Possible; }
 };
 
-/// The better of two attempts: one that is possible, and of two the one that deviates less, else
-/// the first.
+/// Returns the better of two attempts: one that is possible, and of two the one that deviates less,
+/// else the first.
 [[nodiscard]] const MendAttempt& better(const MendAttempt& a, const MendAttempt& b);
 
 }  // namespace meshalyzer

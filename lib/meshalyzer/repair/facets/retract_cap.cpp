@@ -40,7 +40,7 @@ class Retraction {
     if (!(altitude_ <= rules_.max_deviation())) return {.outcome = MendOutcome::TooFar};
     if (!keeps_topology()) return {.outcome = MendOutcome::Topology};
     if (!keeps_group_borders()) return {.outcome = MendOutcome::GroupBorder};
-    const MendOutcome outcome = judge();
+    const MendOutcome outcome = check();
     if (outcome != MendOutcome::Possible) return {.outcome = outcome};
     write_step();
     return {outcome, std::move(step_), altitude_};
@@ -56,7 +56,7 @@ class Retraction {
     return result;
   }
 
-  /// The same as splitting the edge in a new vertex and merging that into the apex.
+  /// Does the same as splitting the edge in a new vertex and merging that into the apex.
   [[nodiscard]] bool keeps_topology() {
     for (const SplitFace& split : splits_) {
       if (split.tip == apex_ || mesh_.are_joined(split.tip, apex_)) return false;
@@ -65,11 +65,11 @@ class Retraction {
     step_.read_edges.push_back({a_, b_});
     if (splits_.size() == 1) return true;
     step_.read_vertices.push_back(apex_);
-    return mesh_.star(apex_).size() <= kMostFacesRoundVertex &&
+    return mesh_.faces_at(apex_).size() <= kMostFacesRoundVertex &&
            look_round(mesh_, apex_).kind == VertexKind::Plain;
   }
 
-  /// Where groups are faces of a body, their common borders must not be bent.
+  /// Returns where groups are faces of a body, their common borders must not be bent.
   [[nodiscard]] bool keeps_group_borders() const {
     const Index group = rules_.group(mesh_, cap_);
     return rules_.groups() == Groups::Names ||
@@ -78,7 +78,7 @@ class Retraction {
            });
   }
 
-  [[nodiscard]] MendOutcome judge() const {
+  [[nodiscard]] MendOutcome check() const {
     std::size_t n_thin_before = 1;
     std::size_t n_thin_after = 0;
     for (const SplitFace& split : splits_) {
@@ -124,8 +124,9 @@ class Retraction {
   [[nodiscard]] Triangle aligned(Triangle t) const {
     const Triangle& old = mesh_.triangle(cap_);
     const auto place = std::find(old.begin(), old.end(), apex_) - old.begin();
-    while (t[static_cast<std::size_t>(place)] != apex_)
+    while (t[static_cast<std::size_t>(place)] != apex_) {
       std::rotate(t.begin(), t.begin() + 1, t.end());
+    }
     return t;
   }
 

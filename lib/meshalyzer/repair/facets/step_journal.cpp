@@ -1,5 +1,7 @@
 #include "meshalyzer/repair/facets/step_journal.h"
 
+#include "meshalyzer/base/sort_unique.h"
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -19,7 +21,7 @@ void append_edges(const Triangle& t, std::vector<std::uint64_t>& keys) {
   for (std::size_t k = 0; k < 3; ++k) keys.push_back(edge_key(t[k], t[(k + 1) % 3]));
 }
 
-/// The edges that have more or fewer faces after a step than before, ascending.
+/// Returns the edges that have more or fewer faces after a step than before, ascending.
 std::vector<std::uint64_t> changed_edges(const WorkingMesh& mesh, const MendStep& step) {
   std::vector<std::uint64_t> before;
   std::vector<std::uint64_t> after;
@@ -55,7 +57,7 @@ class EditsWriter {
   }
 
   void write_vertex(Index vertex, Index group) {
-    if (after_.star(vertex).empty()) return;
+    if (after_.faces_at(vertex).empty()) return;
     edits_.moved_vertices.push_back({operation(group), vertex, after_.position(vertex)});
   }
 
@@ -89,7 +91,7 @@ Index StepJournal::root(Index group) const {
   return group;
 }
 
-/// One group of several, with room for one more step; a new one where there are none.
+/// Joins several groups to one that gets one more step; starts a new group where there are none.
 std::optional<Index> StepJournal::join(const std::vector<Index>& groups) {
   std::size_t n_steps = 1;
   for (const Index group : groups) {
@@ -108,8 +110,8 @@ std::vector<Index> StepJournal::written_faces(const WorkingMesh& mesh, const Men
   std::vector<Index> faces;
   for (const MendStep::NewCorners& change : step.changed) faces.push_back(change.face);
   if (step.moved) {
-    const auto star = mesh.star(step.moved->vertex);
-    faces.insert(faces.end(), star.begin(), star.end());
+    const auto moved_faces = mesh.faces_at(step.moved->vertex);
+    faces.insert(faces.end(), moved_faces.begin(), moved_faces.end());
   }
   for (std::size_t i = 0; i < step.added.size(); ++i) {
     faces.push_back(static_cast<Index>(mesh.n_faces() + i));
@@ -130,8 +132,7 @@ std::vector<Index> StepJournal::groups_relied_on(const std::vector<Index>& faces
   for (const EdgeKey edge : edges) look_up(edge_writer_, edge);
   for (const auto& [a, b] : step.read_edges) look_up(edge_writer_, edge_key(a, b));
   for (const Index v : step.read_vertices) look_up(vertex_writer_, v);
-  std::sort(groups.begin(), groups.end());
-  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+  sort_unique(groups);
   return groups;
 }
 

@@ -20,12 +20,12 @@ class StepJournal {
   /// @param most_steps  Of one operation.
   explicit StepJournal(std::size_t most_steps) : most_steps_(most_steps) {}
 
-  /// Records a step that is about to be made.
+  /// Returns records a step that is about to be made.
   ///
   /// @return  False where it would make an operation too large; then it must not be made now.
   [[nodiscard]] bool record(const WorkingMesh& mesh, const MendStep& step);
 
-  /// All that the steps have made of a soup.
+  /// Returns all that the steps have made of a soup.
   [[nodiscard]] Edits edits(const Soup& before, const WorkingMesh& after) const;
 
  private:
@@ -44,8 +44,8 @@ class StepJournal {
 
   std::size_t most_steps_;
   std::vector<Group> groups_;
-  /// By face, edge, vertex: the group that has changed it, or the edges at it; of a vertex kMany
-  /// where there are several.
+  /// The group that has changed each face or edge, or the edges at each vertex; kMany for a vertex
+  /// with several groups.
   std::unordered_map<Index, Index> face_writer_;
   std::unordered_map<EdgeKey, Index> edge_writer_;
   std::unordered_map<Index, Index> vertex_writer_;

@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/facets/working_mesh.h"
 
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/repair/facets/facet_shape.h"
 
 #include <algorithm>
@@ -36,39 +37,38 @@ WorkingMesh::WorkingMesh(const Soup& soup, std::span<const Index> thin_faces, do
   }
 }
 
-std::span<const Index> WorkingMesh::star(Index vertex) const {
+std::span<const Index> WorkingMesh::faces_at(Index vertex) const {
   const auto changed = changed_.find(vertex);
   if (changed != changed_.end()) return changed->second;
   return std::span(faces_).subspan(begin_[vertex], begin_[vertex + 1] - begin_[vertex]);
 }
 
 std::vector<Index> WorkingMesh::faces_at(Index a, Index b) const {
-  const bool a_has_fewer = star(a).size() <= star(b).size();
+  const bool a_has_fewer = faces_at(a).size() <= faces_at(b).size();
   const Index other = a_has_fewer ? b : a;
   std::vector<Index> faces;
-  for (const Index f : star(a_has_fewer ? a : b)) {
+  for (const Index f : faces_at(a_has_fewer ? a : b)) {
     if (names(triangles_[f], other)) faces.push_back(f);
   }
   return faces;
 }
 
 bool WorkingMesh::are_joined(Index a, Index b) const {
-  const bool a_has_fewer = star(a).size() <= star(b).size();
+  const bool a_has_fewer = faces_at(a).size() <= faces_at(b).size();
   const Index other = a_has_fewer ? b : a;
-  const auto faces = star(a_has_fewer ? a : b);
+  const auto faces = faces_at(a_has_fewer ? a : b);
   return std::any_of(faces.begin(), faces.end(),
                      [&](Index f) { return names(triangles_[f], other); });
 }
 
 std::vector<Index> WorkingMesh::neighbours(Index vertex) const {
   std::vector<Index> result;
-  for (const Index f : star(vertex)) {
+  for (const Index f : faces_at(vertex)) {
     for (const Index v : triangles_[f]) {
       if (v != vertex) result.push_back(v);
     }
   }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
+  sort_unique(result);
   return result;
 }
 
@@ -85,19 +85,19 @@ void WorkingMesh::make(const MendStep& step) {
     attach(static_cast<Index>(triangles_.size() - 1), face.corners);
   }
   if (!step.moved) return;
-  for (const Index f : star(step.moved->vertex)) judge(f);
+  for (const Index f : faces_at(step.moved->vertex)) check(f);
 }
 
-std::vector<Index>& WorkingMesh::own_star(Index vertex) {
+std::vector<Index>& WorkingMesh::own_faces(Index vertex) {
   const auto found = changed_.find(vertex);
   if (found != changed_.end()) return found->second;
-  const auto faces = star(vertex);
+  const auto faces = faces_at(vertex);
   return changed_.emplace(vertex, std::vector<Index>(faces.begin(), faces.end())).first->second;
 }
 
 void WorkingMesh::detach(Index face) {
   for (const Index v : triangles_[face]) {
-    std::vector<Index>& faces = own_star(v);
+    std::vector<Index>& faces = own_faces(v);
     faces.erase(std::find(faces.begin(), faces.end(), face));
   }
   triangles_[face] = kNoTriangle;
@@ -105,12 +105,12 @@ void WorkingMesh::detach(Index face) {
 }
 
 void WorkingMesh::attach(Index face, const Triangle& corners) {
-  for (const Index v : corners) own_star(v).push_back(face);
+  for (const Index v : corners) own_faces(v).push_back(face);
   triangles_[face] = corners;
-  judge(face);
+  check(face);
 }
 
-void WorkingMesh::judge(Index face) {
+void WorkingMesh::check(Index face) {
   is_thin_[face] = measure_facet(corners(triangles_[face])).is_sound(tolerance_) ? 0 : 1;
 }
 

@@ -21,7 +21,7 @@ class WorkingMesh {
   /// @complexity        O(#V + #F).
   WorkingMesh(const Soup& soup, std::span<const Index> thin_faces, double tolerance);
 
-  /// All kNoIndex for a face that is gone, or was never in the complex.
+  /// Returns all kNoIndex for a face that is gone, or was never in the complex.
   [[nodiscard]] const Triangle& triangle(Index face) const { return triangles_[face]; }
   [[nodiscard]] bool has(Index face) const { return triangles_[face][0] != kNoIndex; }
   [[nodiscard]] std::size_t n_faces() const { return triangles_.size(); }
@@ -30,27 +30,28 @@ class WorkingMesh {
     return {positions_[t[0]], positions_[t[1]], positions_[t[2]]};
   }
   [[nodiscard]] bool is_thin(Index face) const { return is_thin_[face] != 0; }
-  /// The face of the soup that a face is, or was added like.
+  /// Returns the face of the soup that a face is, or was added like.
   [[nodiscard]] Index original(Index face) const {
     return face < n_original_faces_ ? face : likes_[face - n_original_faces_];
   }
 
-  /// The faces at a vertex, in no particular order but always the same. Holds until the next step.
-  [[nodiscard]] std::span<const Index> star(Index vertex) const;
-  /// The faces at an edge, in the same sense.
+  /// Returns the faces at a vertex, in no particular order but always the same. Holds until the
+  /// next step.
+  [[nodiscard]] std::span<const Index> faces_at(Index vertex) const;
+  /// Returns the faces at an edge, in the same sense.
   [[nodiscard]] std::vector<Index> faces_at(Index a, Index b) const;
   [[nodiscard]] bool are_joined(Index a, Index b) const;
-  /// The vertices that share a face with a vertex, ascending.
+  /// Returns the vertices that share a face with a vertex, ascending.
   [[nodiscard]] std::vector<Index> neighbours(Index vertex) const;
 
   /// Makes a step.
   void make(const MendStep& step);
 
  private:
-  std::vector<Index>& own_star(Index vertex);
+  std::vector<Index>& own_faces(Index vertex);
   void detach(Index face);
   void attach(Index face, const Triangle& corners);
-  void judge(Index face);
+  void check(Index face);
 
   std::vector<Triangle> triangles_;
   std::vector<Vec3> positions_;

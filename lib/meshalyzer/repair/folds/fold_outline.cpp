@@ -11,7 +11,7 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-/// The unit vector along the area that an outline encloses; zero where it encloses none.
+/// Returns the unit vector along the area that an outline encloses; zero where it encloses none.
 Vec3 normal_of(std::span<const Vec3> outline) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 2; i < outline.size(); ++i) {
@@ -32,7 +32,7 @@ double area(const std::vector<Vec2>& polygon) {
   return sum;
 }
 
-/// The part of a convex polygon that is on the left of the line from a to b.
+/// Returns the part of a convex polygon that is on the left of the line from a to b.
 std::vector<Vec2> left_part(const std::vector<Vec2>& polygon, const Vec2& a, const Vec2& b) {
   std::vector<Vec2> part;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -106,7 +106,7 @@ class OutlineCutter {
     const std::size_t n = left_.size();
     return {left_[(i + n - 1) % n], left_[i], left_[(i + 1) % n]};
   }
-  /// Whether a, b, c turn left.
+  /// Tells whether a, b, c turn left.
   [[nodiscard]] Sign turn(Index a, Index b, Index c) const {
     return turn_ * orient2d(axis_, points_[a], points_[b], points_[c]);
   }

@@ -12,7 +12,7 @@ namespace meshalyzer {
 // Private to the repair module: what fits into a closed outline of a few vertices in space that is
 // nearly flat. All is seen along the normal of the outline, the vector area that it encloses.
 
-/// The middle of the places from which all of an outline is seen, at the mean height of its
+/// Returns the middle of the places from which all of an outline is seen, at the mean height of its
 /// vertices: with a vertex there no face of the fan to the outline is turned over.
 ///
 /// @param outline  Counter-clockwise.
@@ -33,7 +33,7 @@ using MayJoin = std::function<bool(Index, Index)>;
 [[nodiscard]] std::vector<Triangle> cut_ears(std::span<const Vec3> outline,
                                              const MayJoin& may_join);
 
-/// Of a triangle: its shortest altitude over its longest edge, 0 ... sqrt(3) / 2.
+/// Returns the shortest altitude of a triangle over its longest edge, 0 ... sqrt(3) / 2.
 [[nodiscard]] double shape_quality(const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace meshalyzer

@@ -1,10 +1,9 @@
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/exact/normal.h"
+#include "meshalyzer/repair/folds/candidate_faces.h"
+#include "meshalyzer/repair/folds/face_disc.h"
 #include "meshalyzer/repair/folds/fold_outline.h"
-#include "meshalyzer/repair/folds/fold_star.h"
-#include "meshalyzer/repair/folds/fold_trial.h"
 #include "meshalyzer/repair/passes.h"
-#include "meshalyzer/repair/sort_unique.h"
 #include "meshalyzer/spatial/closest_point.h"
 
 #include <algorithm>
@@ -28,10 +27,6 @@ constexpr std::string_view kNoWay =
 
 bool contains(const std::vector<Index>& sorted, Index item) {
   return std::binary_search(sorted.begin(), sorted.end(), item);
-}
-
-Vec3 normal_of(const PlacedFace& face) {
-  return accurate_normal(face.corners[0], face.corners[1], face.corners[2]).stableNormalized();
 }
 
 /// A foldover by its elements in the mesh.
@@ -70,8 +65,8 @@ class FoldoverRemover {
   void treat(const Defect& foldover) {
     const Region region = region_of(foldover);
     reason_ = kNoWay;
-    if (move(region) || (reaches_border(region) && drop(region)) || replace_one(region) ||
-        replace_all(region)) {
+    if (move(region) || (reaches_border(cut_, region.faces) && drop(region)) ||
+        replace_one(region) || replace_all(region)) {
       return;
     }
     result_.refused.push_back(
@@ -82,38 +77,35 @@ class FoldoverRemover {
 
  private:
   [[nodiscard]] Region region_of(const Defect& foldover) const;
-  [[nodiscard]] bool reaches_border(const Region& region) const;
   [[nodiscard]] bool may_change(Index vertex) const;
   [[nodiscard]] PlacedFace placed(Index mesh_face) const;
-  [[nodiscard]] std::vector<Index> faces_around(const FoldStar& star) const;
   [[nodiscard]] bool claim(const std::vector<Index>& faces);
 
   bool drop(const Region& region);
-  [[nodiscard]] bool has_one_crease(const std::vector<HalfedgeHandle>& outline) const;
   [[nodiscard]] bool overlaps_itself_below(const Region& region) const;
 
   bool move(const Region& region);
   [[nodiscard]] VertexMove best_move(Index vertex) const;
-  [[nodiscard]] std::optional<double> try_move(const FoldStar& star, const VertexMove& move) const;
+  [[nodiscard]] std::optional<double> try_move(const FaceDisc& disc, const VertexMove& move) const;
 
   bool replace_one(const Region& region);
   bool replace_all(const Region& region);
   bool replace(const Region& region, const std::vector<Index>& vertices);
-  [[nodiscard]] std::vector<PlacedFace> patch_for(const FoldStar& star) const;
-  [[nodiscard]] bool is_near(const FoldStar& star, const std::vector<PlacedFace>& patch,
+  [[nodiscard]] std::vector<PlacedFace> replacement_for(const FaceDisc& disc) const;
+  [[nodiscard]] bool is_near(const FaceDisc& disc, const std::vector<PlacedFace>& replacement,
                              Index vertex);
-  void put_patch(const FoldStar& star, const std::vector<PlacedFace>& patch);
+  void put_replacement(const FaceDisc& disc, const std::vector<PlacedFace>& replacement);
 
   const PassInput& input_;
   const Soup& soup_;
   const CutMesh& cut_;
-  /// #mesh faces: those of any foldover.
+  /// Non-zero for each mesh face that is part of a foldover.
   std::vector<std::uint8_t> is_turned_over_;
-  /// #mesh faces: those that an operation has changed, or goes by.
+  /// Non-zero for each mesh face that an operation has changed, or relies on.
   std::vector<std::uint8_t> is_used_;
-  /// Made when first needed.
+  /// Built when first needed.
   std::optional<ClosestPoints> closest_;
-  /// #mesh faces: those that closest_ is not to find.
+  /// Non-zero for each mesh face that closest_ is not to find.
   std::vector<std::uint8_t> is_left_out_;
   /// Why the region at hand is left.
   std::string_view reason_;
@@ -132,18 +124,9 @@ Region FoldoverRemover::region_of(const Defect& foldover) const {
   return region;
 }
 
-bool FoldoverRemover::reaches_border(const Region& region) const {
-  return std::any_of(region.faces.begin(), region.faces.end(), [&](Index f) {
-    for (const HalfedgeHandle h : cut_.mesh.fh_range(FaceHandle(static_cast<int>(f)))) {
-      if (cut_.mesh.is_boundary(cut_.mesh.opposite_halfedge_handle(h))) return true;
-    }
-    return false;
-  });
-}
-
-/// Whether a vertex may be moved or taken away.
+/// Tells whether a vertex may be moved or taken away.
 bool FoldoverRemover::may_change(Index vertex) const {
-  if (input_.limits.is_fixed(input_.draft, vertex) || !is_inner(cut_, vertex)) return false;
+  if (input_.limits.is_fixed(input_.tracked, vertex) || !is_inner(cut_, vertex)) return false;
   if (input_.limits.groups == Groups::Names || soup_.groups.empty()) return true;
   Index group = kNoIndex;
   bool is_first = true;
@@ -161,45 +144,17 @@ PlacedFace FoldoverRemover::placed(Index mesh_face) const {
   return {soup_.triangles[face], corners_of(soup_, face)};
 }
 
-/// Mesh faces that have a vertex of the outline, and are not of the star; ascending.
-std::vector<Index> FoldoverRemover::faces_around(const FoldStar& star) const {
-  std::vector<Index> around;
-  for (const HalfedgeHandle h : star.outline) {
-    for (const FaceHandle f : cut_.mesh.vf_range(cut_.mesh.from_vertex_handle(h))) {
-      const auto face = static_cast<Index>(f.idx());
-      if (!contains(star.faces, face)) around.push_back(face);
-    }
-  }
-  sort_unique(around);
-  return around;
-}
-
 /// Takes faces for an operation; not where another one has one of them.
 bool FoldoverRemover::claim(const std::vector<Index>& faces) {
-  const bool is_free =
-      std::all_of(faces.begin(), faces.end(), [&](Index f) { return is_used_[f] == 0; });
-  if (is_free) {
-    for (const Index f : faces) is_used_[f] = 1;
-  }
-  return is_free;
+  const auto is_taken = [&](Index f) { return is_used_[f] != 0; };
+  if (std::any_of(faces.begin(), faces.end(), is_taken)) return false;
+  for (const Index f : faces) is_used_[f] = 1;
+  return true;
 }
 
 // Ears: regions that are folded along one line, from border to border, onto a single sheet.
 
-/// Whether folds and border edges each are one run of the outline.
-bool FoldoverRemover::has_one_crease(const std::vector<HalfedgeHandle>& outline) const {
-  std::size_t changes = 0;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const HalfedgeHandle next = outline[(i + 1) % outline.size()];
-    const auto is_border = [&](HalfedgeHandle h) {
-      return cut_.mesh.is_boundary(cut_.mesh.opposite_halfedge_handle(h));
-    };
-    if (is_border(outline[i]) != is_border(next)) ++changes;
-  }
-  return changes == 2;
-}
-
-/// Whether faces that touch the region would still meet each other without it: then it is the
+/// Tells whether faces that touch the region would still meet each other without it: then it is the
 /// middle of three sheets.
 bool FoldoverRemover::overlaps_itself_below(const Region& region) const {
   std::vector<Index> around;
@@ -215,7 +170,7 @@ bool FoldoverRemover::overlaps_itself_below(const Region& region) const {
   for (const Index f : around) faces.push_back(placed(f));
   for (std::size_t i = 0; i < faces.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (is_contact(faces[i], faces[j])) return true;
+      if (are_in_contact(faces[i], faces[j])) return true;
     }
   }
   return false;
@@ -223,7 +178,7 @@ bool FoldoverRemover::overlaps_itself_below(const Region& region) const {
 
 bool FoldoverRemover::drop(const Region& region) {
   const std::vector<HalfedgeHandle> outline = outline_of(cut_.mesh, region.faces);
-  const bool is_ear = !outline.empty() && has_one_crease(outline) &&
+  const bool is_ear = !outline.empty() && has_one_crease(cut_, outline) &&
                       region.vertices.size() * 2 == region.faces.size() + outline.size() + 2;
   if (!is_ear || overlaps_itself_below(region)) {
     reason_ = "without it the sheet would fall apart, or still lie on itself";
@@ -237,7 +192,7 @@ bool FoldoverRemover::drop(const Region& region) {
       faces.push_back(static_cast<Index>(f.idx()));
       stays = stays || !contains(region.faces, static_cast<Index>(f.idx()));
     }
-    if (!stays && input_.limits.is_fixed(input_.draft, v)) {
+    if (!stays && input_.limits.is_fixed(input_.tracked, v)) {
       reason_ = "a vertex of it must stay";
       return false;
     }
@@ -267,14 +222,14 @@ bool FoldoverRemover::move(const Region& region) {
   return true;
 }
 
-/// The best place for a vertex on the way to the middle of where it sees all its faces.
+/// Returns the best place for a vertex on the way to the middle of where it sees all its faces.
 VertexMove FoldoverRemover::best_move(Index vertex) const {
   VertexMove best;
   const std::array<Index, 1> vertices{vertex};
-  const std::optional<FoldStar> star = star_of(cut_, vertices);
-  if (!star || star->faces.size() > kMaxFaces) return best;
+  const std::optional<FaceDisc> disc = find_disc(cut_, vertices);
+  if (!disc || disc->faces.size() > kMaxFaces) return best;
   std::vector<Vec3> outline;
-  for (const HalfedgeHandle h : star->outline) {
+  for (const HalfedgeHandle h : disc->outline) {
     outline.push_back(cut_.mesh.point(cut_.mesh.from_vertex_handle(h)));
   }
   const std::optional<Vec3> middle = middle_of_kernel(outline);
@@ -286,34 +241,34 @@ VertexMove FoldoverRemover::best_move(Index vertex) const {
   if (!(farthest > 0.0)) return best;
   for (const double part : {1.0, 0.75, 0.5, 0.25, 0.125}) {
     VertexMove move{vertex, from + part * farthest * (*middle - from), -1.0, {}};
-    const std::optional<double> quality = try_move(*star, move);
+    const std::optional<double> quality = try_move(*disc, move);
     if (!quality || *quality <= best.quality) continue;
     move.quality = *quality;
     best = std::move(move);
   }
   if (best.vertex == kNoIndex) return best;
-  best.faces = faces_around(*star);
-  best.faces.insert(best.faces.end(), star->faces.begin(), star->faces.end());
+  best.faces = faces_around(cut_, *disc);
+  best.faces.insert(best.faces.end(), disc->faces.begin(), disc->faces.end());
   return best;
 }
 
-/// How well the faces are shaped if all that were turned over turn back, no other turns over, and
-/// none touches any but what still is turned over; else nothing.
-std::optional<double> FoldoverRemover::try_move(const FoldStar& star,
+/// Returns how well the faces are shaped if all that were turned over turn back, no other turns
+/// over, and none touches any but what still is turned over; else nothing.
+std::optional<double> FoldoverRemover::try_move(const FaceDisc& disc,
                                                 const VertexMove& move) const {
   std::vector<PlacedFace> faces;
-  for (const Index f : star.faces) {
+  for (const Index f : disc.faces) {
     const PlacedFace before = placed(f);
     PlacedFace after = before;
     for (std::size_t i = 0; i < 3; ++i) {
       if (after.vertices[i] == move.vertex) after.corners[i] = move.to;
     }
-    const double turn = normal_of(before).dot(normal_of(after));
+    const double turn = unit_normal(before).dot(unit_normal(after));
     if (!(is_turned_over_[f] != 0 ? turn < 0.0 : turn > 0.0)) return std::nullopt;
     faces.push_back(after);
   }
   std::vector<PlacedFace> around;
-  for (const Index f : faces_around(star)) {
+  for (const Index f : faces_around(cut_, disc)) {
     if (is_turned_over_[f] == 0) around.push_back(placed(f));
   }
   if (around.size() > kMaxAround) return std::nullopt;
@@ -342,81 +297,84 @@ bool FoldoverRemover::replace(const Region& region, const std::vector<Index>& ve
   if (!std::all_of(vertices.begin(), vertices.end(), [&](Index v) { return may_change(v); })) {
     return false;
   }
-  const std::optional<FoldStar> star = star_of(cut_, vertices);
-  if (!star || star->faces.size() > kMaxFaces) return false;
-  const std::vector<PlacedFace> patch = patch_for(*star);
-  if (patch.empty() || !std::all_of(vertices.begin(), vertices.end(),
-                                    [&](Index v) { return is_near(*star, patch, v); })) {
+  const std::optional<FaceDisc> disc = find_disc(cut_, vertices);
+  if (!disc || disc->faces.size() > kMaxFaces) return false;
+  const std::vector<PlacedFace> replacement = replacement_for(*disc);
+  if (replacement.empty() || !std::all_of(vertices.begin(), vertices.end(), [&](Index v) {
+        return is_near(*disc, replacement, v);
+      })) {
     return false;
   }
-  std::vector<Index> faces = faces_around(*star);
+  std::vector<Index> faces = faces_around(cut_, *disc);
   if (faces.size() > kMaxAround) return false;
   std::vector<PlacedFace> around;
   for (const Index f : faces) around.push_back(placed(f));
-  if (!quality_of(
-          {patch, around, input_.tolerances.max_foldover_angle, input_.tolerances.degeneracy})) {
+  if (!quality_of({replacement, around, input_.tolerances.max_foldover_angle,
+                   input_.tolerances.degeneracy})) {
     return false;
   }
-  faces.insert(faces.end(), star->faces.begin(), star->faces.end());
+  faces.insert(faces.end(), disc->faces.begin(), disc->faces.end());
   faces.insert(faces.end(), region.faces.begin(), region.faces.end());
-  if (claim(faces)) put_patch(*star, patch);
+  if (claim(faces)) put_replacement(*disc, replacement);
   return true;
 }
 
-/// A triangulation of the outline of a star; empty where there is none.
-std::vector<PlacedFace> FoldoverRemover::patch_for(const FoldStar& star) const {
+/// Returns a triangulation of the outline of a disc; empty where there is none.
+std::vector<PlacedFace> FoldoverRemover::replacement_for(const FaceDisc& disc) const {
   const TriMesh& mesh = cut_.mesh;
   std::vector<VertexHandle> vertices;
   std::vector<Vec3> outline;
-  for (const HalfedgeHandle h : star.outline) {
+  for (const HalfedgeHandle h : disc.outline) {
     vertices.push_back(mesh.from_vertex_handle(h));
     outline.push_back(mesh.point(vertices.back()));
   }
   const auto is_taken_out = [&](FaceHandle f) {
-    return f.is_valid() && contains(star.faces, static_cast<Index>(f.idx()));
+    return f.is_valid() && contains(disc.faces, static_cast<Index>(f.idx()));
   };
   const auto triangles = cut_ears(outline, [&](Index a, Index b) {
     const HalfedgeHandle h = mesh.find_halfedge(vertices[a], vertices[b]);
     return !h.is_valid() ||
            (is_taken_out(mesh.face_handle(h)) && is_taken_out(mesh.opposite_face_handle(h)));
   });
-  std::vector<PlacedFace> patch;
+  std::vector<PlacedFace> replacement;
   for (const Triangle& t : triangles) {
-    patch.push_back({{cut_.side.vertex(vertices[t[0]]), cut_.side.vertex(vertices[t[1]]),
-                      cut_.side.vertex(vertices[t[2]])},
-                     {outline[t[0]], outline[t[1]], outline[t[2]]}});
+    replacement.push_back({{cut_.side.vertex(vertices[t[0]]), cut_.side.vertex(vertices[t[1]]),
+                            cut_.side.vertex(vertices[t[2]])},
+                           {outline[t[0]], outline[t[1]], outline[t[2]]}});
   }
-  return patch;
+  return replacement;
 }
 
-/// Whether a vertex that is taken away is within the deviation of the patch, or of a face that
-/// stays: it was dragged over those.
-bool FoldoverRemover::is_near(const FoldStar& star, const std::vector<PlacedFace>& patch,
+/// Tells whether a vertex that is taken away is within the deviation of the replacement, or of a
+/// face that stays: it was dragged over those.
+bool FoldoverRemover::is_near(const FaceDisc& disc, const std::vector<PlacedFace>& replacement,
                               Index vertex) {
   const Vec3& point = soup_.positions[vertex];
   const double bound = input_.limits.max_deviation;
-  const bool is_on_patch = std::any_of(patch.begin(), patch.end(), [&](const PlacedFace& face) {
-    return closest_on_triangle(face.corners, point).distance <= bound;
-  });
-  if (is_on_patch) return true;
+  const bool is_on_replacement =
+      std::any_of(replacement.begin(), replacement.end(), [&](const PlacedFace& face) {
+        return closest_on_triangle(face.corners, point).distance <= bound;
+      });
+  if (is_on_replacement) return true;
   if (!closest_) {
     closest_.emplace(input_.mesh.tree());
     is_left_out_.assign(cut_.mesh.n_faces(), 0);
   }
-  for (const Index f : star.faces) is_left_out_[f] = 1;
+  for (const Index f : disc.faces) is_left_out_[f] = 1;
   const auto found = closest_->find({.point = point, .within = bound, .excluded = is_left_out_});
-  for (const Index f : star.faces) is_left_out_[f] = 0;
+  for (const Index f : disc.faces) is_left_out_[f] = 0;
   return found.has_value();
 }
 
-void FoldoverRemover::put_patch(const FoldStar& star, const std::vector<PlacedFace>& patch) {
+void FoldoverRemover::put_replacement(const FaceDisc& disc,
+                                      const std::vector<PlacedFace>& replacement) {
   Edits& edits = result_.edits;
   const Index op = edits.begin_operation();
-  for (const Index f : star.faces) edits.removed_faces.push_back({op, cut_.side.faces[f]});
-  for (const PlacedFace& face : patch) {
-    // Of the old face at the same edge of the outline, if it has one.
-    Index like = cut_.side.faces[star.faces.front()];
-    for (const HalfedgeHandle h : star.outline) {
+  for (const Index f : disc.faces) edits.removed_faces.push_back({op, cut_.side.faces[f]});
+  for (const PlacedFace& face : replacement) {
+    // The model is the old face at the same edge of the outline, if the face has one.
+    Index like = cut_.side.faces[disc.faces.front()];
+    for (const HalfedgeHandle h : disc.outline) {
       const auto& t = face.vertices;
       const Index from = cut_.side.vertex(cut_.mesh.from_vertex_handle(h));
       const Index to = cut_.side.vertex(cut_.mesh.to_vertex_handle(h));

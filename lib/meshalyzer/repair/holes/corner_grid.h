@@ -41,9 +41,9 @@ class CornerGrid {
  private:
   /// Column and row; a point outside counts to the nearest cell.
   [[nodiscard]] std::array<std::size_t, 2> cell_of(const Point& p) const;
-  /// The first and the last row that a triangle reaches.
+  /// Returns the first and the last row that a triangle reaches.
   [[nodiscard]] std::array<std::size_t, 2> rows_of(const std::array<Point, 3>& triangle) const;
-  /// The first and the last column that it reaches in a row, and one more on each side.
+  /// Returns the first and the last column that it reaches in a row, and one more on each side.
   [[nodiscard]] std::array<std::size_t, 2> columns_of(const std::array<Point, 3>& triangle,
                                                       std::size_t row) const;
 

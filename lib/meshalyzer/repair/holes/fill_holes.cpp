@@ -1,7 +1,7 @@
 #include "meshalyzer/repair/holes/fill_loop.h"
 #include "meshalyzer/repair/holes/islands.h"
 #include "meshalyzer/repair/holes/patch_edits.h"
-#include "meshalyzer/repair/orient/means_solid.h"
+#include "meshalyzer/repair/orient/bounds_solid.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/spatial/triangle_distance.h"
 #include "meshalyzer/topology/components.h"
@@ -25,17 +25,19 @@ struct Choice {
   std::vector<Refusal> refused;
 };
 
-/// How far a point is from the nearest edge between a face that filled a hole and one that did not.
+/// Returns how far a point is from the nearest edge between a face that filled a hole and one that
+/// did not.
 double distance_from_patches(const PassInput& input, const Vec3& point) {
   const CutMesh& cut = input.mesh.cut();
-  const auto is_patch = [&](HalfedgeHandle h) {
+  const auto fills_hole = [&](HalfedgeHandle h) {
     const FaceHandle f = cut.mesh.face_handle(h);
-    return input.draft.origin_of_face(cut.side.face(f)) == kNoIndex;
+    return input.tracked.origin_of_face(cut.side.face(f)) == kNoIndex;
   };
   double nearest = std::numeric_limits<double>::infinity();
   for (const EdgeHandle e : cut.mesh.edges()) {
     const HalfedgeHandle h = cut.mesh.halfedge_handle(e, 0);
-    if (cut.mesh.is_boundary(e) || is_patch(h) == is_patch(cut.mesh.opposite_halfedge_handle(h))) {
+    if (cut.mesh.is_boundary(e) ||
+        fills_hole(h) == fills_hole(cut.mesh.opposite_halfedge_handle(h))) {
       continue;
     }
     const Vec3& a = cut.mesh.point(cut.mesh.from_vertex_handle(h));
@@ -72,7 +74,7 @@ void choose_nearest(const PassInput& input, std::span<const HoleLoop> loops, con
 /// Leaves out the loops of sheets.
 void refuse_sheets(const PreparedMesh& mesh, std::span<const HoleLoop> loops, Choice& choice) {
   const Components components = find_edge_components(mesh.cut());
-  const std::vector<std::uint8_t> is_solid = means_solid(mesh, components);
+  const std::vector<std::uint8_t> is_solid = bounds_solid(mesh, components);
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const FaceHandle beyond = mesh.cut().mesh.face_handle(loops[i].halfedges.front());
     const Index component = components.of_face[static_cast<std::size_t>(beyond.idx())];
@@ -102,21 +104,19 @@ Choice choose_loops(const PassInput& input, std::span<const HoleLoop> loops,
   }
   const bool is_any_left =
       std::find(choice.is_chosen.begin(), choice.is_chosen.end(), 1) != choice.is_chosen.end();
-  if (options.sheets == FillSheets::No && is_any_left) {
-    refuse_sheets(input.mesh, loops, choice);
-  }
+  if (options.sheets == FillSheets::No && is_any_left) refuse_sheets(input.mesh, loops, choice);
   return choice;
 }
 
 /// A patch, and the loop that it fills.
 struct FilledLoop {
   JoinedLoop loop;
-  /// By number, ascending.
+  /// The numbers of the loops that it joins, ascending.
   std::vector<std::size_t> members;
   Patch patch;
 };
 
-/// Fills the loops of a mesh that no other one filled in this round touches.
+/// Fills the loops of a mesh, except those that share a vertex with a loop filled in this round.
 class HoleFiller {
  public:
   HoleFiller(const FillTask& task, std::span<const HoleLoop> loops, Choice choice)
@@ -125,7 +125,7 @@ class HoleFiller {
         loops_(loops),
         choice_(std::move(choice)),
         islands_(task.mesh, loops),
-        is_touched_(soup_.n_vertices(), 0) {}
+        is_used_(soup_.n_vertices(), 0) {}
 
   [[nodiscard]] PassResult run() {
     for (const std::size_t i : by_length()) {
@@ -135,7 +135,7 @@ class HoleFiller {
   }
 
  private:
-  /// The longest first: an outer loop finds the islands in it before these are looked at.
+  /// Returns the longest first: an outer loop finds the islands in it before these are looked at.
   [[nodiscard]] std::vector<std::size_t> by_length() const {
     std::vector<double> lengths;
     for (const HoleLoop& loop : loops_) lengths.push_back(length_of(soup_, loop));
@@ -146,10 +146,10 @@ class HoleFiller {
     return order;
   }
 
-  /// Whether no loop that is filled in this round has a vertex of this one.
+  /// Tells whether no loop that is filled in this round has a vertex of this one.
   [[nodiscard]] bool is_free(std::size_t i) const {
     return std::none_of(loops_[i].vertices.begin(), loops_[i].vertices.end(),
-                        [&](Index v) { return is_touched_[v] != 0; });
+                        [&](Index v) { return is_used_[v] != 0; });
   }
 
   void fill(std::size_t i) {
@@ -174,7 +174,7 @@ class HoleFiller {
     if (others.empty() || others.size() > kMaxIslands) return false;
     std::vector<const HoleLoop*> together{&loops_[i]};
     for (const std::size_t k : others) together.push_back(&loops_[k]);
-    std::optional<JoinedLoop> joined = join_loops(soup_, task_.taken, together);
+    std::optional<JoinedLoop> joined = join_loops(soup_, task_.existing, together);
     if (!joined) return false;
     Filling filling = fill_loop(task_, *joined);
     if (!filling.patch) return false;
@@ -185,7 +185,7 @@ class HoleFiller {
   }
 
   void accept(FilledLoop filled) {
-    for (const Index v : filled.loop.loop.vertices) is_touched_[v] = 1;
+    for (const Index v : filled.loop.loop.vertices) is_used_[v] = 1;
     filled_.push_back(std::move(filled));
   }
 
@@ -215,7 +215,7 @@ class HoleFiller {
   Choice choice_;
   Islands islands_;
   /// #V, non-zero for those of loops that are filled.
-  std::vector<std::uint8_t> is_touched_;
+  std::vector<std::uint8_t> is_used_;
   std::vector<FilledLoop> filled_;
   std::vector<std::pair<std::size_t, std::string>> failures_;
 };
@@ -226,9 +226,9 @@ PassResult fill_holes(const PassInput& input, const FillOptions& options) {
   HoleLoops found = find_hole_loops(input.mesh);
   PassResult result;
   if (!found.loops.empty()) {
-    const TakenEdges taken(input.mesh, found.loops);
+    const ExistingEdges existing(input.mesh, found.loops);
     const FillTask task{.mesh = input.mesh,
-                        .taken = taken,
+                        .existing = existing,
                         .degeneracy = input.tolerances.degeneracy,
                         .shape = options.shape};
     result = HoleFiller(task, found.loops, choose_loops(input, found.loops, options)).run();

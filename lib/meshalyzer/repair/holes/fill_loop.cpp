@@ -22,7 +22,7 @@ class LoopFiller {
       : task_(task),
         loop_(loop.loop),
         polygon_(make_polygon(task.mesh, loop.loop, task.degeneracy)),
-        rules_{.taken = &task.taken, .bridges = loop.bridges} {}
+        rules_{.existing = &task.existing, .bridges = loop.bridges} {}
 
   [[nodiscard]] std::optional<Patch> triangulated() const {
     auto triangles = triangulate_large_loop(polygon_, rules_);
@@ -33,7 +33,7 @@ class LoopFiller {
   [[nodiscard]] Filling run() {
     std::optional<Patch> patch = try_triangulations();
     if (patch && task_.shape == FillShape::Smooth) {
-      std::optional<Patch> smooth = smooth_patch(task_.mesh, loop_, task_.taken, *patch);
+      std::optional<Patch> smooth = smooth_patch(task_.mesh, loop_, task_.existing, *patch);
       if (smooth && is_good(*smooth)) patch = std::move(smooth);
     }
     if (!patch) patch = try_fan();
@@ -73,7 +73,7 @@ class LoopFiller {
     return std::nullopt;
   }
 
-  /// A new vertex in the middle of the loop, and a triangle to each edge.
+  /// Returns a new vertex in the middle of the loop, and a triangle to each edge.
   [[nodiscard]] std::optional<Patch> try_fan() {
     if (polygon_.size() > kMaxFan || !rules_.bridges.empty()) return std::nullopt;
     const Soup& soup = task_.mesh.soup();
@@ -90,7 +90,7 @@ class LoopFiller {
   }
 
   [[nodiscard]] std::optional<Patch> try_smooth(const Patch& patch) {
-    std::optional<Patch> smooth = smooth_patch(task_.mesh, loop_, task_.taken, patch);
+    std::optional<Patch> smooth = smooth_patch(task_.mesh, loop_, task_.existing, patch);
     if (smooth && !is_good(*smooth)) smooth.reset();
     return smooth;
   }

@@ -14,7 +14,7 @@ namespace meshalyzer {
 /// What filling a loop takes.
 struct FillTask {
   const PreparedMesh& mesh;
-  const TakenEdges& taken;
+  const ExistingEdges& existing;
   /// Triangles with an altitude below this are avoided. In the mesh's unit.
   double degeneracy = 0.0;
   FillShape shape = FillShape::Linear;
@@ -30,7 +30,7 @@ struct Filling {
   std::vector<Index> met_faces;
 };
 
-/// The patch that is tried first; nothing where no triangulation is possible.
+/// Returns the patch that is tried first; nothing where no triangulation is possible.
 [[nodiscard]] std::optional<Patch> first_patch(const FillTask& task, const JoinedLoop& loop);
 
 /// Looks for a patch: the best triangulation; others that avoid those of its triangles that meet

@@ -25,7 +25,7 @@ class BorderEdges {
  public:
   explicit BorderEdges(const CutMesh& cut) : cut_(cut), edges_(find_border_edges(cut)) {}
 
-  /// The inner half-edge of the border edge between two vertices.
+  /// Returns the inner half-edge of the border edge between two vertices.
   [[nodiscard]] HalfedgeHandle find(const Ends& ends) const {
     const Ends wanted = sorted(ends);
     const auto is_before = [&](HalfedgeHandle h, const Ends& e) {
@@ -39,7 +39,7 @@ class BorderEdges {
   std::vector<HalfedgeHandle> edges_;
 };
 
-/// The chain walked backwards, with the half-edges of its edges.
+/// Returns the chain walked backwards, with the half-edges of its edges.
 HoleLoop make_loop(const BoundaryChain& chain, const BorderEdges& border) {
   HoleLoop loop;
   loop.vertices.assign(chain.vertices.rbegin(), chain.vertices.rend());
@@ -51,7 +51,8 @@ HoleLoop make_loop(const BoundaryChain& chain, const BorderEdges& border) {
   return loop;
 }
 
-/// Whether all faces beyond run along their edge the same way as seen on a walk round the loop.
+/// Tells whether all faces beyond run along their edge the same way as seen on a walk round the
+/// loop.
 bool runs_one_way(const CutMesh& cut, const HoleLoop& loop) {
   for (std::size_t i = 0; i < loop.halfedges.size(); ++i) {
     if (file_ends(cut, loop.halfedges[i])[1] != loop.vertices[i]) return false;
@@ -59,7 +60,7 @@ bool runs_one_way(const CutMesh& cut, const HoleLoop& loop) {
   return true;
 }
 
-/// Why a chain cannot be filled; empty where nothing speaks against it.
+/// Returns why a chain cannot be filled; empty where nothing speaks against it.
 std::string objection(const CutMesh& cut, const BoundaryChain& chain, const HoleLoop& loop) {
   if (!chain.is_closed) return "it ends at an edge with more than two faces";
   if (loop.size() < 3) return "it is a slit of two edges";

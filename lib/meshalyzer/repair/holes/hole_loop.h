@@ -13,7 +13,8 @@ struct HoleLoop {
   /// File vertices; edge i runs from vertex i to the next, the last one back to the first. A loop
   /// of several joined by bridges names the ends of bridges more than once.
   std::vector<Index> vertices;
-  /// By edge: the half-edge of the face beyond, which runs against it; not valid for a bridge.
+  /// Indexed by edge: the half-edge of the face beyond, which runs against it; not valid for a
+  /// bridge.
   std::vector<HalfedgeHandle> halfedges;
 
   [[nodiscard]] std::size_t size() const { return vertices.size(); }
@@ -34,14 +35,14 @@ struct HoleLoops {
 /// @return  In the order of find_boundary_chains().
 [[nodiscard]] HoleLoops find_hole_loops(const PreparedMesh& mesh);
 
-/// A refusal that names a loop by its lowest vertex and lowest face.
+/// Returns a refusal that names a loop by its lowest vertex and lowest face.
 [[nodiscard]] Refusal refuse_hole(const PreparedMesh& mesh, const HoleLoop& loop,
                                   std::string reason);
 
-/// The length of a loop.
+/// Returns the length of a loop.
 [[nodiscard]] double length_of(const Soup& soup, const HoleLoop& loop);
 
-/// The distance of a point from the edges of a loop.
+/// Returns the distance of a point from the edges of a loop.
 [[nodiscard]] double distance_from(const Soup& soup, const HoleLoop& loop, const Vec3& point);
 
 }  // namespace meshalyzer

@@ -17,28 +17,29 @@ class Islands {
   /// @param loops  Must outlive this.
   Islands(const PreparedMesh& mesh, std::span<const HoleLoop> loops);
 
-  /// Whether there is any loop that could lie on a patch of this one.
+  /// Tells whether there is any loop that could lie on a patch of this one.
   [[nodiscard]] bool may_hold_any(std::size_t loop) const { return !candidates(loop).empty(); }
 
-  /// The loops that lie on a patch of another one, as near as a thousandth of that one's size.
-  /// Ascending.
+  /// Returns the loops that lie on a patch of another one, as near as a thousandth of that one's
+  /// size. Ascending.
   [[nodiscard]] std::vector<std::size_t> lying_on(const Patch& patch, std::size_t of_loop) const;
 
-  /// The loops in the box of another one that have one of these faces beyond an edge. Ascending.
+  /// Returns the loops in the box of another one that have one of these faces beyond an edge.
+  /// Ascending.
   ///
   /// @param faces  File faces, ascending.
   [[nodiscard]] std::vector<std::size_t> along(std::span<const Index> faces,
                                                std::size_t of_loop) const;
 
  private:
-  /// How far from its patch a loop may lie.
+  /// Returns how far from its patch a loop may lie.
   [[nodiscard]] double reach_of(std::size_t loop) const;
-  /// The loops in the box of another one, as far as it reaches.
+  /// Returns the loops in the box of another one, as far as it reaches.
   [[nodiscard]] std::vector<Index> candidates(std::size_t loop) const;
 
   const PreparedMesh& mesh_;
   std::span<const HoleLoop> loops_;
-  /// By loop.
+  /// The box of each loop.
   std::vector<Box3> boxes_;
   BoxTree tree_;
 };

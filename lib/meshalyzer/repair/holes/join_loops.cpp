@@ -19,15 +19,15 @@ struct Bridge {
   [[nodiscard]] bool is_found() const { return length < std::numeric_limits<double>::infinity(); }
 };
 
-/// The shortest bridge that is no edge of the mesh.
-Bridge find_bridge(const Soup& soup, const TakenEdges& taken, const HoleLoop& a,
+/// Returns the shortest bridge that is no edge of the mesh.
+Bridge find_bridge(const Soup& soup, const ExistingEdges& existing, const HoleLoop& a,
                    const HoleLoop& b) {
   Bridge best;
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
       const double length =
           (soup.positions[a.vertices[i]] - soup.positions[b.vertices[j]]).stableNorm();
-      if (length < best.length && !taken.contains(a.vertices[i], b.vertices[j])) {
+      if (length < best.length && !existing.contains(a.vertices[i], b.vertices[j])) {
         best = {i, j, length};
       }
     }
@@ -62,7 +62,7 @@ bool share_vertex(std::span<const HoleLoop* const> loops) {
   return std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
 }
 
-/// Whether the search for bridges stays within its bound.
+/// Tells whether the search for bridges stays within its bound.
 bool is_affordable(std::span<const HoleLoop* const> loops) {
   std::size_t n_vertices = 0;
   for (const HoleLoop* loop : loops) n_vertices += loop->size();
@@ -71,7 +71,7 @@ bool is_affordable(std::span<const HoleLoop* const> loops) {
 
 }  // namespace
 
-std::optional<JoinedLoop> join_loops(const Soup& soup, const TakenEdges& taken,
+std::optional<JoinedLoop> join_loops(const Soup& soup, const ExistingEdges& existing,
                                      std::span<const HoleLoop* const> loops) {
   if (!is_affordable(loops) || share_vertex(loops)) return std::nullopt;
   JoinedLoop result{.loop = *loops.front(), .bridges = {}};
@@ -80,7 +80,7 @@ std::optional<JoinedLoop> join_loops(const Soup& soup, const TakenEdges& taken,
     Bridge best;
     std::size_t nearest = 0;
     for (std::size_t i = 0; i < left.size(); ++i) {
-      const Bridge bridge = find_bridge(soup, taken, result.loop, *left[i]);
+      const Bridge bridge = find_bridge(soup, existing, result.loop, *left[i]);
       if (bridge.length < best.length) {
         best = bridge;
         nearest = i;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/repair/holes/taken_edges.h"
+#include "meshalyzer/repair/holes/existing_edges.h"
 
 #include <array>
 #include <optional>
@@ -22,7 +22,7 @@ struct JoinedLoop {
 /// @return      Nothing where two of them share a vertex, no bridge is possible, or the loops are
 /// so long that looking for it would take too long.
 /// @complexity  O(k n^2) for k loops of n vertices together.
-[[nodiscard]] std::optional<JoinedLoop> join_loops(const Soup& soup, const TakenEdges& taken,
+[[nodiscard]] std::optional<JoinedLoop> join_loops(const Soup& soup, const ExistingEdges& existing,
                                                    std::span<const HoleLoop* const> loops);
 
 }  // namespace meshalyzer

@@ -27,7 +27,7 @@ struct Ear {
   Index before = 0;
   Index after = 0;
 
-  /// Whether it is to be cut later than another.
+  /// Tells whether it is to be cut later than another.
   friend bool operator<(const Ear& a, const Ear& b) {
     return std::tie(a.cost, a.tip) > std::tie(b.cost, b.tip);
   }
@@ -36,7 +36,7 @@ struct Ear {
 /// The side from which a loop is seen best.
 struct View {
   Axis dropped = Axis::Z;
-  /// Of the loop in that projection: 1 counter-clockwise, -1 clockwise.
+  /// The orientation of the loop in that projection: 1 counter-clockwise, -1 clockwise.
   Sign sense = 1;
 };
 
@@ -84,10 +84,10 @@ class EarCutter {
     }
   }
 
-  /// The triangles cut so far.
+  /// Returns the triangles cut so far.
   [[nodiscard]] std::vector<Triangle> take_triangles() { return std::move(triangles_); }
 
-  /// The loop that is left.
+  /// Returns the loop that is left.
   [[nodiscard]] LoopPolygon rest() const {
     LoopPolygon rest{.vertices = {}, .points = {}, .normals = {}, .thin = polygon_.thin};
     for (const Index i : corners_left()) {
@@ -154,7 +154,7 @@ class EarCutter {
     return rules_.allows_chord(t[0], t[2]) && rules_.allows_triangle(t);
   }
 
-  /// The turn from a to b to c, seen so that the loop runs counter-clockwise.
+  /// Returns the turn from a to b to c, seen so that the loop runs counter-clockwise.
   [[nodiscard]] Sign turn(Index a, Index b, Index c) const {
     return view_.sense *
            orient2d(view_.dropped, polygon_.points[a], polygon_.points[b], polygon_.points[c]);
@@ -166,7 +166,7 @@ class EarCutter {
     return demand == Demand::Convex || is_empty(ear, grid);
   }
 
-  /// Whether no other corner of what is left lies in the ear.
+  /// Tells whether no other corner of what is left lies in the ear.
   [[nodiscard]] bool is_empty(const Ear& ear, const CornerGrid& grid) const {
     Eigen::AlignedBox2d box(flat_[ear.tip]);
     box.extend(flat_[ear.before]).extend(flat_[ear.after]);
@@ -196,7 +196,7 @@ class EarCutter {
   const LoopPolygon& polygon_;
   const LoopRules& rules_;
   View view_;
-  /// By corner: of the face beyond the edge to the next corner left.
+  /// Indexed by corner: of the face beyond the edge to the next corner left.
   std::vector<Vec3> normals_;
   std::size_t n_left_;
   std::vector<Index> before_;

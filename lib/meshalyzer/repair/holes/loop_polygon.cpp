@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/holes/loop_polygon.h"
 
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/topology/edges.h"
@@ -24,7 +25,7 @@ Vec3 scaled(const Vec3& p, int exponent) {
   return {std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent)};
 }
 
-/// The exponent of the power of two that brings the largest coordinate to about 1.
+/// Returns the exponent of the power of two that brings the largest coordinate to about 1.
 int scale_of(const Soup& soup, const HoleLoop& loop) {
   double largest = 0.0;
   for (const Index v : loop.vertices) {
@@ -33,7 +34,7 @@ int scale_of(const Soup& soup, const HoleLoop& loop) {
   return largest > 0.0 ? -std::ilogb(largest) : 0;
 }
 
-/// The unit normal, zero where there is none.
+/// Returns the unit normal, zero where there is none.
 Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 normal = accurate_normal(a, b, c);
   const double length = normal.stableNorm();
@@ -52,9 +53,7 @@ LoopPolygon make_polygon(const PreparedMesh& mesh, const HoleLoop& loop, double 
                       .normals = std::vector<Vec3>(loop.size(), Vec3::Zero()),
                       .thin = std::ldexp(degeneracy, exponent)};
   polygon.points.reserve(loop.size());
-  for (const Index v : loop.vertices) {
-    polygon.points.push_back(scaled(soup.positions[v], exponent));
-  }
+  for (const Index v : loop.vertices) polygon.points.push_back(scaled(soup.positions[v], exponent));
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const HalfedgeHandle h = loop.halfedges[i];
     if (!h.is_valid()) continue;
@@ -67,7 +66,7 @@ LoopPolygon make_polygon(const PreparedMesh& mesh, const HoleLoop& loop, double 
 }
 
 bool LoopRules::allows_chord(Index a, Index b) const {
-  if (a == b || taken->contains(a, b)) return false;
+  if (a == b || existing->contains(a, b)) return false;
   return std::none_of(bridges.begin(), bridges.end(), [&](const std::array<Index, 2>& e) {
     return (e[0] == a && e[1] == b) || (e[0] == b && e[1] == a);
   });
@@ -84,8 +83,7 @@ bool LoopRules::allows_triangle(const Triangle& corners) const {
 void LoopRules::forbid(std::vector<Triangle> triangles) {
   for (Triangle& t : triangles) std::sort(t.begin(), t.end());
   forbidden.insert(forbidden.end(), triangles.begin(), triangles.end());
-  std::sort(forbidden.begin(), forbidden.end());
-  forbidden.erase(std::unique(forbidden.begin(), forbidden.end()), forbidden.end());
+  sort_unique(forbidden);
 }
 
 CandidateTriangle measure_candidate(const Vec3& a, const Vec3& b, const Vec3& c, double thin) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/repair/holes/taken_edges.h"
+#include "meshalyzer/repair/holes/existing_edges.h"
 
 #include <array>
 #include <vector>
@@ -31,23 +31,24 @@ enum class LoopWeight : std::uint8_t {
   /// The sharpest bend between neighbouring faces, then the area.
   BendThenArea,
   Area,
-  /// Whether triangles overlap as seen along the axis that shows the loop best, then short edges;
+  /// Tells whether triangles overlap as seen along the axis that shows the loop best, then short
+  /// edges;
   /// not weighed over all triangulations, but corner by corner (see triangulate_large_loop()).
   Flat,
 };
 
 /// What a triangulation may and may not use.
 struct LoopRules {
-  const TakenEdges* taken = nullptr;
+  const ExistingEdges* existing = nullptr;
   /// Edges that joining loops has added: they are in the patch already.
   std::vector<std::array<Index, 2>> bridges = {};
   /// Triangles that were tried and met something: their vertices ascending, and the list too.
   std::vector<Triangle> forbidden = {};
   LoopWeight weight = LoopWeight::BendThenArea;
 
-  /// Whether the patch may have an inner edge between two vertices.
+  /// Tells whether the patch may have an inner edge between two vertices.
   [[nodiscard]] bool allows_chord(Index a, Index b) const;
-  /// Whether it may have a triangle, as far as its corners and the forbidden ones tell.
+  /// Tells whether it may have a triangle, as far as its corners and the forbidden ones tell.
   [[nodiscard]] bool allows_triangle(const Triangle& corners) const;
   void forbid(std::vector<Triangle> triangles);
 };

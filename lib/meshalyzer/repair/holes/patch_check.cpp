@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/holes/patch_check.h"
 
-#include "meshalyzer/repair/sort_unique.h"
+#include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/repair/driver/contact_rule.h"
 #include "meshalyzer/spatial/box_meetings.h"
 #include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/spatial/triangle_contact.h"
@@ -12,57 +13,21 @@
 namespace meshalyzer {
 namespace {
 
-/// A triangle with its vertices' names and places.
-struct Placed {
-  Triangle names;
-  Corners corners;
-};
-
-/// Moves what two triangles have in common to the front of both, in the same order.
-///
-/// @param same  Whether corner i of the first and j of the second count as one.
-/// @return      How many those are.
-template <typename Same>
-Common align(Placed& p, Placed& q, Same&& same) {
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = n; j < 3; ++j) {
-      if (!same(i, j)) continue;
-      std::swap(p.names[n], p.names[i]);
-      std::swap(p.corners[n], p.corners[i]);
-      std::swap(q.names[n], q.names[j]);
-      std::swap(q.corners[n], q.corners[j]);
-      ++n;
-      break;
-    }
-  }
-  return static_cast<Common>(n);
-}
-
-/// Whether two triangles intersect otherwise than at copies of one vertex.
-bool do_meet(Placed p, Placed q) {
-  const Common by_name =
-      align(p, q, [&](std::size_t i, std::size_t j) { return p.names[i] == q.names[j]; });
-  if (!find_contact(p.corners, q.corners, by_name)) return false;
-  if (by_name != Common::Nothing) return true;
-  const Common by_place =
-      align(p, q, [&](std::size_t i, std::size_t j) { return p.corners[i] == q.corners[j]; });
-  return by_place != Common::Vertex || find_contact(p.corners, q.corners, by_place).has_value();
-}
-
-Placed placed(const FaceTree& tree, std::size_t slot) {
+PlacedFace placed(const FaceTree& tree, std::size_t slot) {
   const Triangle& t = tree.triangle(slot);
   return {t, {tree.point(t[0]), tree.point(t[1]), tree.point(t[2])}};
 }
 
-/// The intersections of patches with themselves and each other that count.
+/// Returns the intersections of patches with themselves and each other that count.
 std::vector<IntersectingPair> own_intersections(const Soup& soup, const CutMesh& cut,
                                                 const FaceTree& tree) {
-  const auto placed_face = [&](Index f) { return Placed{soup.triangles[f], corners_of(soup, f)}; };
+  const auto placed_face = [&](Index f) {
+    return PlacedFace{soup.triangles[f], corners_of(soup, f)};
+  };
   std::vector<IntersectingPair> pairs = find_self_intersections(cut, tree);
   std::erase_if(pairs, [&](const IntersectingPair& p) {
     return p.kind == ContactKind::Unwelded &&
-           !do_meet(placed_face(p.face_a), placed_face(p.face_b));
+           !are_in_contact_beyond_copies(placed_face(p.face_a), placed_face(p.face_b));
   });
   return pairs;
 }
@@ -78,9 +43,9 @@ void find_meetings_with_mesh(const PreparedMesh& mesh, const PatchSoup& patch, c
   const BoxMeetings meetings(tree, mesh.tree());
   std::vector<std::vector<std::array<Index, 2>>> parts(meetings.n_chunks());
   meetings.run([&](std::size_t chunk, std::size_t slot, std::size_t mesh_slot) {
-    Placed p = placed(tree, slot);
-    for (Index& v : p.names) v = patch.vertices[v];
-    if (do_meet(p, placed(mesh.tree(), mesh_slot))) {
+    PlacedFace p = placed(tree, slot);
+    for (Index& v : p.vertices) v = patch.vertices[v];
+    if (are_in_contact_beyond_copies(p, placed(mesh.tree(), mesh_slot))) {
       parts[chunk].push_back({tree.mesh_face(slot), mesh.tree().mesh_face(mesh_slot)});
     }
     return BoxMeetings::Next::GoOn;

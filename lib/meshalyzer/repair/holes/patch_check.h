@@ -9,26 +9,27 @@ namespace meshalyzer {
 
 /// Faces that fill a hole.
 struct Patch {
-  /// Of file vertices; n_vertices + i is added vertex i.
+  /// The corners of the faces by file vertex; n_vertices + i is added vertex i.
   std::vector<Triangle> triangles;
   std::vector<Vec3> added;
 };
 
 /// What is wrong with a patch.
 struct PatchFaults {
-  /// Whether it alone is not a consistently oriented manifold.
+  /// Tells whether it alone is not a consistently oriented manifold.
   bool is_torn = false;
-  /// Of the patch, by index: those that meet the mesh or another one. Ascending.
+  /// The faces of the patch, by index, that are in contact with the mesh or with each other.
+  /// Ascending.
   std::vector<Index> meeting;
-  /// File faces that the patch meets. Ascending.
+  /// The file faces that the patch is in contact with. Ascending.
   std::vector<Index> met_faces;
 
   [[nodiscard]] bool empty() const { return !is_torn && meeting.empty(); }
 };
 
-/// Checks, exactly, that a patch intersects neither the mesh nor itself (contract 2). A contact at
-/// nothing but two copies of one vertex does not count: the faces beyond the border have it
-/// already, and to part the copies is another pass's matter.
+/// Checks, exactly, that a patch intersects neither the mesh nor itself (doc/definitions.md). A
+/// contact at nothing but two copies of one vertex does not count: the faces beyond the border have
+/// it already, and to part the copies is another pass's matter.
 ///
 /// @complexity  O(n log #F + candidates).
 [[nodiscard]] PatchFaults check_patch(const PreparedMesh& mesh, const Patch& patch);
@@ -41,7 +42,7 @@ struct PatchFaults {
 /// A patch as a mesh of its own.
 struct PatchSoup {
   Soup soup;
-  /// By vertex of the soup: what the patch names it; ascending.
+  /// Indexed by vertex of the soup: what the patch names it; ascending.
   std::vector<Index> vertices;
 };
 

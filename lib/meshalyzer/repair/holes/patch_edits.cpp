@@ -31,13 +31,13 @@ std::vector<DirectedEdge> directed_edges_of(const Patch& patch) {
   return edges;
 }
 
-/// The face of the patch that runs along an edge in this direction, or kNoIndex.
+/// Returns the face of the patch that runs along an edge in this direction, or kNoIndex.
 Index face_at(const std::vector<DirectedEdge>& edges, const std::array<Index, 2>& ends) {
   const auto at = std::lower_bound(edges.begin(), edges.end(), DirectedEdge{ends});
   return at != edges.end() && at->ends == ends ? at->face : kNoIndex;
 }
 
-/// By face of the patch: the file face that it is like.
+/// Returns, by face of the patch, the file face that it is like.
 std::vector<Index> likes_of(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patch) {
   const CutMesh& cut = mesh.cut();
   const std::vector<DirectedEdge> edges = directed_edges_of(patch);
@@ -75,7 +75,8 @@ void add_patch(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patc
   for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
     Triangle corners = patch.triangles[i];
     for (Index& v : corners) v += v >= n_vertices ? shift : 0;
-    edits.added_faces.push_back({.op = op, .corners = corners, .like = likes[i], .is_patch = true});
+    edits.added_faces.push_back(
+        {.op = op, .corners = corners, .like = likes[i], .fills_hole = true});
   }
 }
 

@@ -17,7 +17,7 @@ constexpr std::size_t kMaxNewVertices = 50'000;
 constexpr std::size_t kMaxSplitRounds = 40;
 constexpr std::size_t kMaxSweeps = 20;
 
-/// Mean length of the mesh's edges at a vertex.
+/// Returns mean length of the mesh's edges at a vertex.
 double mean_edge_length(const TriMesh& mesh, VertexHandle v) {
   double sum = 0.0;
   std::size_t n = 0;
@@ -54,8 +54,8 @@ Diamond diamond_of(const TriMesh& mesh, EdgeHandle e) {
 
 class Refiner {
  public:
-  Refiner(const TakenEdges& taken, WorkingPatch& patch)
-      : taken_(taken), patch_(patch), mesh_(patch.mesh) {}
+  Refiner(const ExistingEdges& existing, WorkingPatch& patch)
+      : existing_(existing), patch_(patch), mesh_(patch.mesh) {}
 
   void run(const PreparedMesh& mesh, const HoleLoop& loop) {
     read_spacing(mesh, loop);
@@ -138,7 +138,7 @@ class Refiner {
   [[nodiscard]] bool should_flip(EdgeHandle e) const {
     if (mesh_.is_boundary(e)) return false;
     const Diamond d = diamond_of(mesh_, e);
-    return opposite_angles_exceed_half_turn(d) && stays_upright(d) && !is_taken(d) &&
+    return opposite_angles_exceed_half_turn(d) && stays_upright(d) && !exists(d) &&
            mesh_.is_flip_ok(e);
   }
 
@@ -153,7 +153,7 @@ class Refiner {
     return cot(d.left) + cot(d.right) < -1e-9;
   }
 
-  /// Whether both triangles after a flip look to the same side as those before.
+  /// Tells whether both triangles after a flip look to the same side as those before.
   [[nodiscard]] bool stays_upright(const Diamond& d) const {
     const Vec3& a = mesh_.point(d.a);
     const Vec3& b = mesh_.point(d.b);
@@ -164,25 +164,25 @@ class Refiner {
            area_vector(left, right, b).dot(before) > 0.0;
   }
 
-  /// Whether the mesh has the edge that a flip would make.
-  [[nodiscard]] bool is_taken(const Diamond& d) const {
+  /// Tells whether the mesh has the edge that a flip would make.
+  [[nodiscard]] bool exists(const Diamond& d) const {
     if (patch_.is_new(d.left) || patch_.is_new(d.right)) return false;
-    return taken_.contains(patch_.names[static_cast<std::size_t>(d.left.idx())],
-                           patch_.names[static_cast<std::size_t>(d.right.idx())]);
+    return existing_.contains(patch_.names[static_cast<std::size_t>(d.left.idx())],
+                              patch_.names[static_cast<std::size_t>(d.right.idx())]);
   }
 
-  const TakenEdges& taken_;
+  const ExistingEdges& existing_;
   WorkingPatch& patch_;
   TriMesh& mesh_;
-  /// By vertex: how long edges should be.
+  /// Indexed by vertex: how long edges should be.
   std::vector<double> spacing_;
 };
 
 }  // namespace
 
-void refine_patch(const PreparedMesh& mesh, const HoleLoop& loop, const TakenEdges& taken,
+void refine_patch(const PreparedMesh& mesh, const HoleLoop& loop, const ExistingEdges& existing,
                   WorkingPatch& patch) {
-  Refiner(taken, patch).run(mesh, loop);
+  Refiner(existing, patch).run(mesh, loop);
 }
 
 }  // namespace meshalyzer

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/repair/holes/taken_edges.h"
+#include "meshalyzer/repair/holes/existing_edges.h"
 
 #include <vector>
 
@@ -9,7 +9,7 @@ namespace meshalyzer {
 /// A patch as a half-edge mesh, in which it can be refined.
 struct WorkingPatch {
   TriMesh mesh;
-  /// By vertex: its file vertex; vertices beyond the end are new.
+  /// Indexed by vertex: its file vertex; vertices beyond the end are new.
   std::vector<Index> names;
 
   [[nodiscard]] bool is_new(VertexHandle v) const {
@@ -26,7 +26,7 @@ struct WorkingPatch {
 /// coarser than what is round them.
 ///
 /// @complexity  O(n log n) for n triangles.
-void refine_patch(const PreparedMesh& mesh, const HoleLoop& loop, const TakenEdges& taken,
+void refine_patch(const PreparedMesh& mesh, const HoleLoop& loop, const ExistingEdges& existing,
                   WorkingPatch& patch);
 
 }  // namespace meshalyzer

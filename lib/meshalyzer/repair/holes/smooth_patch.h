@@ -1,7 +1,7 @@
 #pragma once
 
+#include "meshalyzer/repair/holes/existing_edges.h"
 #include "meshalyzer/repair/holes/patch_check.h"
-#include "meshalyzer/repair/holes/taken_edges.h"
 
 #include <optional>
 
@@ -14,6 +14,6 @@ namespace meshalyzer {
 /// @return       Nothing where the patch needs no new vertex, or the fair surface is out of reach
 /// of numbers.
 [[nodiscard]] std::optional<Patch> smooth_patch(const PreparedMesh& mesh, const HoleLoop& loop,
-                                                const TakenEdges& taken, const Patch& patch);
+                                                const ExistingEdges& existing, const Patch& patch);
 
 }  // namespace meshalyzer

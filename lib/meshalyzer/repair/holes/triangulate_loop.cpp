@@ -35,7 +35,7 @@ struct Part {
   Weight weight;
   /// Corner of the triangle on the chord that cuts the part off.
   std::uint32_t tip = 0;
-  /// Of that triangle; of a single edge: of the face beyond.
+  /// The normal of that triangle; for a single edge, of the face beyond.
   Vec3 normal = Vec3::Zero();
 
   [[nodiscard]] bool is_possible() const { return weight.n_collinear != kImpossible.n_collinear; }
@@ -123,7 +123,7 @@ class Triangulator {
   const LoopPolygon& polygon_;
   const LoopRules& rules_;
   std::size_t n_;
-  /// For corners i < j, at j (j - 1) / 2 + i.
+  /// The part between corners i < j is at j (j - 1) / 2 + i.
   std::vector<Part> parts_;
 };
 

@@ -6,20 +6,20 @@ namespace meshalyzer {
 
 PassResult orient_consistently(const PassInput& input) {
   PassResult result;
-  // Of two patches on a flipped edge only one is to be turned: each patch may be, or not, on its
+  // Of two regions on a flipped edge only one is to be turned: each region may be, or not, on its
   // own.
-  for (const Defect& patch : find_flipped(input.mesh)) {
-    if (!patch.fixable) {
-      result.refused.push_back({.code = patch.code,
-                                .vertex = patch.edges.front()[0],
-                                .face = patch.faces.front(),
+  for (const Defect& region : find_flipped(input.mesh)) {
+    if (!region.fixable) {
+      result.refused.push_back({.code = region.code,
+                                .vertex = region.edges.front()[0],
+                                .face = region.faces.front(),
                                 .reason = "it has only one side: no turning makes it consistent"});
       continue;
     }
     const Index op = result.edits.begin_operation();
-    for (const Index face : patch.faces) {
+    for (const Index face : region.faces) {
       result.edits.changed_faces.push_back(
-          {op, face, turned_over(input.draft.soup.triangles[face])});
+          {op, face, turned_over(input.tracked.soup.triangles[face])});
     }
   }
   return result;

@@ -9,34 +9,34 @@
 
 namespace meshalyzer {
 
-/// What becomes of a patch when which way it points is voted.
-enum class PatchRole : std::uint8_t {
+/// The part that a region takes in a vote on which way regions point.
+enum class RegionRole : std::uint8_t {
   /// It is closed, and which way it points is known otherwise.
   Shell,
-  /// It is asked.
+  /// Its faces vote.
   Voter,
-  /// Neither.
+  /// The region takes no part.
   None,
 };
 
-/// What vote_outward() needs to be found before; only refers to it.
-struct OutwardBallot {
+/// The input of vote_outward(). This holds references only.
+struct OutwardQuery {
   const PreparedMesh& mesh;
-  /// As find_oriented_patches() returns them.
-  const Components& patches;
-  /// #patches.
-  std::span<const PatchRole> roles;
+  /// The regions as find_oriented_regions() returns them.
+  const Components& regions;
+  /// #regions.
+  std::span<const RegionRole> roles;
 };
 
-/// Tells which patches point the wrong way, as winding numbers have it: those that mean a solid,
-/// and clearly have it on the wrong side of them.
+/// Finds the regions that point the wrong way by winding numbers: those that bound a solid, and
+/// clearly have it on the wrong side.
 ///
-/// Each patch is asked by its own winding number alone, and how many others are round it does not
+/// Each region is judged by its own winding number alone, and how many others are round it does not
 /// depend on how they are oriented: so all may be turned at once, or some, and asked again nothing
-/// is turned. Inside an odd number of others, none of which it crosses, a patch is the wall of a
+/// is turned. Inside an odd number of others, none of which it crosses, a region is the wall of a
 /// cavity.
 ///
-/// @return #patches: 1 for those to be turned.
-[[nodiscard]] std::vector<std::uint8_t> vote_outward(const OutwardBallot& ballot);
+/// @return #regions: 1 for those to be turned.
+[[nodiscard]] std::vector<std::uint8_t> vote_outward(const OutwardQuery& query);
 
 }  // namespace meshalyzer

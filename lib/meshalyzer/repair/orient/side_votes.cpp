@@ -48,9 +48,7 @@ std::vector<SurfaceSample> sample_some(std::span<const Corners> triangles,
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     reached += areas[i];
     double area = 0.0;
-    for (; next < reached; next += step) {
-      area += step;
-    }
+    for (; next < reached; next += step) area += step;
     if (area > 0.0) {
       samples.push_back({middle_of(triangles[i]), area});
     }
@@ -62,9 +60,7 @@ std::vector<SurfaceSample> sample_some(std::span<const Corners> triangles,
 
 FacesByPart::FacesByPart(std::span<const Index> of_face, std::size_t n_parts)
     : begin_(n_parts + 1, 0), faces_(of_face.size()) {
-  for (const Index part : of_face) {
-    ++begin_[part + 1];
-  }
+  for (const Index part : of_face) ++begin_[part + 1];
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
   std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
   for (std::size_t f = 0; f < of_face.size(); ++f) {

@@ -9,7 +9,7 @@
 
 namespace meshalyzer {
 
-// Private to the repair module: which side of a surface is inside, asked of some of its faces.
+// Private to the repair module: which side of a surface is inside, estimated from samples.
 
 /// The mesh faces of each part, ascending.
 class FacesByPart {
@@ -26,7 +26,7 @@ class FacesByPart {
   std::vector<Index> faces_;
 };
 
-/// The corners of a face when it is turned over.
+/// Returns the corners of a face when it is turned over.
 [[nodiscard]] constexpr Triangle turned_over(const Triangle& t) {
   return {t[0], t[2], t[1]};
 }
@@ -54,10 +54,10 @@ struct SideVotes {
   /// The same, the inside being in front of them.
   double inward = 0.0;
 
-  /// Whether at least half of the surface separates.
-  [[nodiscard]] bool means_solid() const { return area > 0.0 && outward + inward >= area / 2; }
+  /// Tells whether at least half of the surface separates.
+  [[nodiscard]] bool bounds_solid() const { return area > 0.0 && outward + inward >= area / 2; }
   [[nodiscard]] bool is_outward() const { return outward > inward; }
-  /// Whether half of it says one thing, and not half as much the other.
+  /// Tells whether half of it says one thing, and not half as much the other.
   [[nodiscard]] bool is_clear() const {
     const double more = is_outward() ? outward : inward;
     const double less = is_outward() ? inward : outward;

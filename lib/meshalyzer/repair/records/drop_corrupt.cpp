@@ -46,7 +46,7 @@ void rename_repeated_faces(const Soup& soup, Edits& edits) {
 }  // namespace
 
 PassResult drop_corrupt(const PassInput& input) {
-  const Soup& soup = input.draft.soup;
+  const Soup& soup = input.tracked.soup;
   PassResult result;
   drop_incomplete_faces(soup, result.edits);
   drop_repeated_vertices(soup, result.edits);

@@ -1,18 +1,119 @@
+#include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/repair/facets/facet_shape.h"
 #include "meshalyzer/repair/facets/working_mesh.h"
 #include "meshalyzer/repair/passes.h"
-#include "meshalyzer/repair/records/inner_walls.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <span>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace meshalyzer {
 namespace {
+
+/// Faces on the same three vertices.
+struct EqualFaces {
+  /// Ascending.
+  std::vector<Index> faces;
+  /// Indexed like faces: non-zero for those that face the same way as the first.
+  std::vector<std::uint8_t> is_like_first;
+
+  /// Tells whether as many face one way as the other.
+  [[nodiscard]] bool cancel_out() const;
+};
+
+bool EqualFaces::cancel_out() const {
+  const auto n_like_first = std::count(is_like_first.begin(), is_like_first.end(), 1);
+  return 2 * static_cast<std::size_t>(n_like_first) == faces.size();
+}
+
+/// Tells whether a face crosses the edge from a to b in this direction.
+bool crosses(const Triangle& t, Index a, Index b) {
+  return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
+}
+
+/// What the faces beside the candidates do at an edge.
+enum class Rest : std::uint8_t { None, Closed, Otherwise };
+
+class WallFinder {
+ public:
+  WallFinder(const WorkingMesh& mesh, std::span<const EqualFaces> sets)
+      : mesh_(mesh),
+        sets_(sets),
+        walls_(sets.size()),
+        is_closed_(sets.size(), 0),
+        is_spoilt_(sets.size(), 0) {
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+      if (!sets[s].cancel_out()) continue;
+      for (const Index f : sets[s].faces) candidate_of_[f] = static_cast<Index>(s);
+    }
+  }
+
+  [[nodiscard]] std::vector<Index> find() {
+    for (Index s = 0; s < sets_.size(); ++s) {
+      if (sets_[s].cancel_out()) look_at(s);
+    }
+    std::vector<std::uint8_t> is_wall(sets_.size(), 0);
+    for (Index s = 0; s < sets_.size(); ++s) is_wall[walls_.find(s)] |= is_closed_[s];
+    for (Index s = 0; s < sets_.size(); ++s) {
+      if (is_spoilt_[s] != 0) is_wall[walls_.find(s)] = 0;
+    }
+    std::vector<Index> walls(sets_.size(), kNoIndex);
+    for (Index s = 0; s < sets_.size(); ++s) {
+      if (is_wall[walls_.find(s)] != 0) walls[s] = walls_.find(s);
+    }
+    return walls;
+  }
+
+ private:
+  void look_at(Index set) {
+    const Triangle& t = mesh_.triangle(sets_[set].faces.front());
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Rest rest = look_at_edge(set, t[k], t[(k + 1) % 3]);
+      if (rest == Rest::Closed) is_closed_[set] = 1;
+      if (rest == Rest::Otherwise) is_spoilt_[set] = 1;
+    }
+  }
+
+  [[nodiscard]] Rest look_at_edge(Index set, Index a, Index b) {
+    std::vector<Index> others;
+    for (const Index f : mesh_.faces_at(a, b)) {
+      const auto candidate = candidate_of_.find(f);
+      if (candidate == candidate_of_.end()) {
+        others.push_back(f);
+      } else {
+        walls_.unite(set, candidate->second);
+      }
+    }
+    if (others.empty()) return Rest::None;
+    const bool is_closed = others.size() == 2 && crosses(mesh_.triangle(others[0]), a, b) !=
+                                                     crosses(mesh_.triangle(others[1]), a, b);
+    return is_closed ? Rest::Closed : Rest::Otherwise;
+  }
+
+  const WorkingMesh& mesh_;
+  std::span<const EqualFaces> sets_;
+  DisjointSets walls_;
+  /// Indexed by set: whether it has an edge like this.
+  std::vector<std::uint8_t> is_closed_;
+  std::vector<std::uint8_t> is_spoilt_;
+  std::unordered_map<Index, Index> candidate_of_;
+};
+
+/// Tells of each set whether it is part of a wall between touching solids: sets that cancel out,
+/// joined through edges, round which the rest of the mesh is closed without them. At each edge of
+/// the wall there are two other faces, which cross it in opposite directions, or none, and not none
+/// everywhere.
+///
+/// @return #sets, the wall each is part of, from 0; kNoIndex for those that are of none.
+std::vector<Index> find_inner_walls(const WorkingMesh& mesh, std::span<const EqualFaces> sets) {
+  return WallFinder(mesh, sets).find();
+}
 
 EqualFaces look_at(const Soup& soup, const Defect& defect) {
   EqualFaces set{defect.faces, {}};
@@ -27,10 +128,10 @@ EqualFaces look_at(const Soup& soup, const Defect& defect) {
 class DuplicateDropper {
  public:
   DuplicateDropper(const PassInput& input, const std::vector<Defect>& defects)
-      : max_deviation_(input.limits.max_deviation), mesh_(input.draft.soup, {}, 0.0) {
-    is_in_set_.resize(input.draft.soup.n_faces(), 0);
+      : max_deviation_(input.limits.max_deviation), mesh_(input.tracked.soup, {}, 0.0) {
+    is_in_set_.resize(input.tracked.soup.n_faces(), 0);
     for (const Defect& defect : defects) {
-      sets_.push_back(look_at(input.draft.soup, defect));
+      sets_.push_back(look_at(input.tracked.soup, defect));
       for (const Index f : defect.faces) is_in_set_[f] = 1;
     }
   }
@@ -50,8 +151,8 @@ class DuplicateDropper {
   }
 
  private:
-  /// The first of those that fit best to their neighbours: that cross most edges against the one
-  /// other face there.
+  /// Returns the first of those that fit best to their neighbours: that cross most edges against
+  /// the one other face there.
   [[nodiscard]] Index best_of(const EqualFaces& set) const {
     return *std::max_element(set.faces.begin(), set.faces.end(), [&](Index f, Index g) {
       return agreement(set, f) < agreement(set, g);
@@ -105,9 +206,9 @@ class DuplicateDropper {
     }
   }
 
-  /// Whether all of a face of a wall is surely within the deviation of other faces: all corners are
-  /// theirs, and no point of a face is farther from its nearest corner than its longest edge is
-  /// long.
+  /// Tells whether all of a face of a wall is surely within the deviation of other faces: all
+  /// corners are theirs, and no point of a face is farther from its nearest corner than its longest
+  /// edge is long.
   [[nodiscard]] bool is_near_to_rim(const EqualFaces& set) const {
     const Triangle& t = mesh_.triangle(set.faces.front());
     const FacetShape shape = measure_facet(mesh_.corners(t));
@@ -116,8 +217,8 @@ class DuplicateDropper {
   }
 
   [[nodiscard]] bool is_used_elsewhere(Index vertex) const {
-    const auto star = mesh_.star(vertex);
-    return std::any_of(star.begin(), star.end(), [&](Index f) { return is_in_set_[f] == 0; });
+    const auto faces = mesh_.faces_at(vertex);
+    return std::any_of(faces.begin(), faces.end(), [&](Index f) { return is_in_set_[f] == 0; });
   }
 
   double max_deviation_;

@@ -44,7 +44,7 @@ void turn_normals(const Soup& soup, Index op, PassResult& result) {
 }  // namespace
 
 PassResult flip_all(const PassInput& input) {
-  const Soup& soup = input.draft.soup;
+  const Soup& soup = input.tracked.soup;
   PassResult result;
   if (soup.triangles.empty()) return result;
   const Index op = result.edits.begin_operation();

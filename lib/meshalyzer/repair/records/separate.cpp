@@ -1,7 +1,8 @@
 #include "meshalyzer/repair/records/separate.h"
 
+#include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/io/references.h"
-#include "meshalyzer/topology/disjoint_sets.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -20,7 +21,7 @@ struct Parts {
   std::vector<Index> of_face;
 };
 
-/// By vertex: the lowest vertex of its component, itself where it is in none.
+/// Returns, by vertex, the lowest vertex of its component, itself where it is in none.
 DisjointSets join_vertices(const Soup& soup) {
   DisjointSets vertices(soup.n_vertices());
   for (const Triangle& t : soup.triangles) {
@@ -69,7 +70,7 @@ void sort_by_size(const Soup& soup, Parts& parts) {
   for (Index& part : parts.of_face) part = part == kNoIndex ? 0 : rank[part];
 }
 
-/// The faces of each part, ascending.
+/// Returns the faces of each part, ascending.
 std::vector<std::vector<Index>> faces_by_part(const Parts& parts) {
   std::vector<std::vector<Index>> faces(parts.count);
   for (std::size_t f = 0; f < parts.of_face.size(); ++f) {
@@ -78,7 +79,7 @@ std::vector<std::vector<Index>> faces_by_part(const Parts& parts) {
   return faces;
 }
 
-/// The records that these lists name, ascending, each once.
+/// Returns the records that these lists name, ascending, each once.
 std::vector<Index> used_by(std::span<const Triangle> lists, std::span<const Index> faces) {
   std::vector<Index> used;
   for (const Index f : faces) {
@@ -86,12 +87,11 @@ std::vector<Index> used_by(std::span<const Triangle> lists, std::span<const Inde
       if (i != kNoIndex) used.push_back(i);
     }
   }
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  sort_unique(used);
   return used;
 }
 
-/// The records that no list names, ascending.
+/// Returns the records that no list names, ascending.
 std::vector<Index> unused_by(std::span<const Triangle> lists, std::size_t n_records) {
   std::vector<std::uint8_t> is_used(n_records);
   for (const Triangle& list : lists) {
@@ -106,7 +106,7 @@ std::vector<Index> unused_by(std::span<const Triangle> lists, std::size_t n_reco
   return unused;
 }
 
-/// Some of a list's elements.
+/// Returns some of a list's elements.
 template <typename T>
 std::vector<T> picked(const std::vector<T>& all, std::span<const Index> wanted) {
   std::vector<T> some;
@@ -115,7 +115,7 @@ std::vector<T> picked(const std::vector<T>& all, std::span<const Index> wanted) 
   return some;
 }
 
-/// The origins up to that of the last element that was added, if any was.
+/// Returns the origins up to that of the last element that was added, if any was.
 std::vector<Index> origins_for(const std::vector<Index>& keys, std::size_t n_input,
                                const std::vector<Index>& origins) {
   const Index last = keys.empty() ? 0 : *std::max_element(keys.begin(), keys.end());
@@ -123,29 +123,29 @@ std::vector<Index> origins_for(const std::vector<Index>& keys, std::size_t n_inp
   return {origins.begin(), origins.begin() + static_cast<std::ptrdiff_t>(n)};
 }
 
-/// Takes parts out of a draft.
+/// Extracts parts of a tracked mesh.
 class Extractor {
  public:
-  explicit Extractor(const Draft& draft)
-      : draft_(draft),
-        soup_(draft.soup),
+  explicit Extractor(const TrackedMesh& tracked)
+      : tracked_(tracked),
+        soup_(tracked.soup),
         new_vertex_(soup_.n_vertices()),
         new_normal_(soup_.normals.size()),
         has_vertex_normals_(has_vertex_normals(soup_)) {}
 
   /// What becomes of the records that nothing uses.
   enum class Rest { Takes, Leaves };
-  Draft extract(std::span<const Index> faces, Rest rest) {
+  TrackedMesh extract(std::span<const Index> faces, Rest rest) {
     const std::vector<Index> vertices = records(soup_.triangles, faces, rest, soup_.n_vertices());
     number(vertices, new_vertex_);
-    Draft part;
-    part.n_input_vertices = draft_.n_input_vertices;
-    part.n_input_faces = draft_.n_input_faces;
-    part.vertex_keys = picked(draft_.vertex_keys, vertices);
-    part.face_keys = picked(draft_.face_keys, faces);
+    TrackedMesh part;
+    part.n_input_vertices = tracked_.n_input_vertices;
+    part.n_input_faces = tracked_.n_input_faces;
+    part.vertex_keys = picked(tracked_.vertex_keys, vertices);
+    part.face_keys = picked(tracked_.face_keys, faces);
     part.vertex_origins =
-        origins_for(part.vertex_keys, draft_.n_input_vertices, draft_.vertex_origins);
-    part.face_origins = origins_for(part.face_keys, draft_.n_input_faces, draft_.face_origins);
+        origins_for(part.vertex_keys, tracked_.n_input_vertices, tracked_.vertex_origins);
+    part.face_origins = origins_for(part.face_keys, tracked_.n_input_faces, tracked_.face_origins);
     part.soup.format = soup_.format;
     part.soup.positions = picked(soup_.positions, vertices);
     part.soup.triangles = renumbered(picked(soup_.triangles, faces), new_vertex_);
@@ -233,7 +233,7 @@ class Extractor {
     part.corner_normals = renumbered(picked(soup_.corner_normals, named), new_normal_);
   }
 
-  const Draft& draft_;
+  const TrackedMesh& tracked_;
   const Soup& soup_;
   /// Number of each record in the part at hand, where it is in it.
   std::vector<Index> new_vertex_;
@@ -243,15 +243,15 @@ class Extractor {
 
 }  // namespace
 
-std::vector<Draft> separate(const Draft& draft) {
-  Parts parts = number_components(draft.soup);
+std::vector<TrackedMesh> separate(const TrackedMesh& tracked) {
+  Parts parts = number_components(tracked.soup);
   if (parts.count <= 1) {
-    return {draft};
+    return {tracked};
   }
-  sort_by_size(draft.soup, parts);
+  sort_by_size(tracked.soup, parts);
   const std::vector<std::vector<Index>> faces = faces_by_part(parts);
-  Extractor extractor(draft);
-  std::vector<Draft> separated;
+  Extractor extractor(tracked);
+  std::vector<TrackedMesh> separated;
   separated.reserve(parts.count);
   for (std::size_t i = 0; i < parts.count; ++i) {
     separated.push_back(

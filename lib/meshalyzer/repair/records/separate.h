@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/repair/edits/draft.h"
+#include "meshalyzer/repair/edits/tracked_mesh.h"
 
 #include <vector>
 
@@ -19,6 +19,6 @@ namespace meshalyzer {
 /// @return           At least one.
 /// @complexity       O(#V + #F log #F), and O(elements added by repairs) for each part that has
 /// any.
-[[nodiscard]] std::vector<Draft> separate(const Draft& draft);
+[[nodiscard]] std::vector<TrackedMesh> separate(const TrackedMesh& tracked);
 
 }  // namespace meshalyzer

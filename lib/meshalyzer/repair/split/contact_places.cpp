@@ -1,7 +1,7 @@
 #include "meshalyzer/repair/split/contact_places.h"
 
-#include "meshalyzer/repair/sort_unique.h"
-#include "meshalyzer/topology/disjoint_sets.h"
+#include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/sort_unique.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -36,7 +36,7 @@ SharedPlaces shared_places(const Soup& soup, const IntersectingPair& pair) {
   return shared;
 }
 
-/// Pairs of vertices at one place whose faces touch; ascending, each once.
+/// Returns pairs of vertices at one place whose faces touch; ascending, each once.
 std::vector<Link> find_links(const PreparedMesh& mesh) {
   std::vector<Link> links;
   for (const IntersectingPair& pair : mesh.intersecting_pairs()) {
@@ -45,29 +45,28 @@ std::vector<Link> find_links(const PreparedMesh& mesh) {
     if (pair.kind == ContactKind::CoplanarOverlap && shared.count < 3) continue;
     links.insert(links.end(), shared.links.begin(), shared.links.end());
   }
-  std::sort(links.begin(), links.end());
-  links.erase(std::unique(links.begin(), links.end()), links.end());
+  sort_unique(links);
   return links;
 }
 
-VertexStars stars_of(const PreparedMesh& mesh, const std::vector<Link>& links) {
+IncidentFaces incident_faces_of(const PreparedMesh& mesh, const std::vector<Link>& links) {
   std::vector<Index> vertices;
   for (const Link& link : links) vertices.insert(vertices.end(), link.begin(), link.end());
   sort_unique(vertices);
   return {mesh.cut(), std::move(vertices)};
 }
 
-/// Where the border edges of each star end, in order of space.
-std::vector<std::vector<Vec3>> border_ends(const Soup& soup, const VertexStars& stars) {
-  std::vector<std::vector<Vec3>> ends(stars.size());
-  for (std::size_t star = 0; star < stars.size(); ++star) {
-    const std::vector<Spoke> spokes = find_spokes(soup, stars, star);
+/// Lists where the border edges at each vertex end, sorted by position.
+std::vector<std::vector<Vec3>> border_ends(const Soup& soup, const IncidentFaces& incident) {
+  std::vector<std::vector<Vec3>> ends(incident.size());
+  for (std::size_t entry = 0; entry < incident.size(); ++entry) {
+    const std::vector<Spoke> spokes = find_spokes(soup, incident, entry);
     for (std::size_t i = 0; i < spokes.size(); ++i) {
       const bool is_alone = (i == 0 || spokes[i - 1].other != spokes[i].other) &&
                             (i + 1 == spokes.size() || spokes[i + 1].other != spokes[i].other);
-      if (is_alone) ends[star].push_back(soup.positions[spokes[i].other]);
+      if (is_alone) ends[entry].push_back(soup.positions[spokes[i].other]);
     }
-    std::sort(ends[star].begin(), ends[star].end(), precedes);
+    std::sort(ends[entry].begin(), ends[entry].end(), precedes);
   }
   return ends;
 }
@@ -85,14 +84,14 @@ bool have_common(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return false;
 }
 
-/// Sets of stars at one place that border edges join.
-DisjointSets join_weldable(const Soup& soup, const VertexStars& stars,
+/// Joins the vertices at one place that border edges at equal positions connect.
+DisjointSets join_weldable(const Soup& soup, const IncidentFaces& incident,
                            const std::vector<Link>& links) {
-  const auto ends = border_ends(soup, stars);
-  DisjointSets sets(stars.size());
+  const auto ends = border_ends(soup, incident);
+  DisjointSets sets(incident.size());
   for (const auto& [a, b] : links) {
-    const std::size_t i = stars.star_of(a);
-    const std::size_t j = stars.star_of(b);
+    const std::size_t i = incident.entry_of(a);
+    const std::size_t j = incident.entry_of(b);
     if (have_common(ends[i], ends[j])) sets.unite(static_cast<Index>(i), static_cast<Index>(j));
   }
   return sets;
@@ -101,37 +100,35 @@ DisjointSets join_weldable(const Soup& soup, const VertexStars& stars,
 /// Sorts links and their vertices by place.
 class PlaceMaker {
  public:
-  PlaceMaker(const Soup& soup, const VertexStars& stars, const std::vector<Link>& links)
-      : stars_(stars), units_(join_weldable(soup, stars, links)), places_(stars.size()) {
-    for (const auto& [a, b] : links) places_.unite(star(a), star(b));
+  PlaceMaker(const Soup& soup, const IncidentFaces& incident, const std::vector<Link>& links)
+      : incident_(incident),
+        units_(join_weldable(soup, incident, links)),
+        places_(incident.size()) {
+    for (const auto& [a, b] : links) places_.unite(entry(a), entry(b));
   }
 
   [[nodiscard]] std::vector<ContactPlace> make(const std::vector<Link>& links) {
     number_units();
     for (const auto& [a, b] : links) {
-      if (unit_[star(a)] == unit_[star(b)]) continue;
-      const auto contact = std::minmax(unit_[star(a)], unit_[star(b)]);
-      result_[place_[star(a)]].contacts.push_back({contact.first, contact.second});
+      if (unit_[entry(a)] == unit_[entry(b)]) continue;
+      const auto contact = std::minmax(unit_[entry(a)], unit_[entry(b)]);
+      result_[place_[entry(a)]].contacts.push_back({contact.first, contact.second});
     }
-    for (ContactPlace& place : result_) {
-      std::sort(place.contacts.begin(), place.contacts.end());
-      place.contacts.erase(std::unique(place.contacts.begin(), place.contacts.end()),
-                           place.contacts.end());
-    }
+    for (ContactPlace& place : result_) sort_unique(place.contacts);
     std::erase_if(result_, [](const ContactPlace& place) { return place.contacts.empty(); });
     return std::move(result_);
   }
 
  private:
-  [[nodiscard]] Index star(Index vertex) const {
-    return static_cast<Index>(stars_.star_of(vertex));
+  [[nodiscard]] Index entry(Index vertex) const {
+    return static_cast<Index>(incident_.entry_of(vertex));
   }
 
   /// Sets are named by their lowest elements, so that all are numbered as they are met.
   void number_units() {
-    place_.resize(stars_.size());
-    unit_.resize(stars_.size());
-    for (Index i = 0; i < stars_.size(); ++i) {
+    place_.resize(incident_.size());
+    unit_.resize(incident_.size());
+    for (Index i = 0; i < incident_.size(); ++i) {
       const Index first = places_.find(i);
       if (first == i) {
         place_[i] = static_cast<Index>(result_.size());
@@ -145,14 +142,14 @@ class PlaceMaker {
         units.emplace_back();
       }
       unit_[i] = unit_[root];
-      units[unit_[i]].push_back(stars_.vertex(i));
+      units[unit_[i]].push_back(incident_.vertex(i));
     }
   }
 
-  const VertexStars& stars_;
+  const IncidentFaces& incident_;
   DisjointSets units_;
   DisjointSets places_;
-  /// By star: its place, and its unit there.
+  /// The place of each entry, and its unit there.
   std::vector<Index> place_;
   std::vector<Index> unit_;
   std::vector<ContactPlace> result_;
@@ -162,9 +159,9 @@ class PlaceMaker {
 
 ContactPlaces find_contact_places(const PreparedMesh& mesh) {
   const std::vector<Link> links = find_links(mesh);
-  VertexStars stars = stars_of(mesh, links);
-  std::vector<ContactPlace> places = PlaceMaker(mesh.soup(), stars, links).make(links);
-  return {.stars = std::move(stars), .places = std::move(places)};
+  IncidentFaces incident = incident_faces_of(mesh, links);
+  std::vector<ContactPlace> places = PlaceMaker(mesh.soup(), incident, links).make(links);
+  return {.incident = std::move(incident), .places = std::move(places)};
 }
 
 }  // namespace meshalyzer

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "meshalyzer/prepared/prepared_mesh.h"
-#include "meshalyzer/repair/split/vertex_stars.h"
+#include "meshalyzer/repair/split/incident_faces.h"
 
 #include <array>
 #include <vector>
@@ -21,7 +21,7 @@ struct ContactPlace {
 
 struct ContactPlaces {
   /// The vertices of all units.
-  VertexStars stars;
+  IncidentFaces incident;
   /// In order of their lowest vertices.
   std::vector<ContactPlace> places;
 };

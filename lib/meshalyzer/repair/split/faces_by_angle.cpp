@@ -27,7 +27,7 @@ class HalfPlanes {
     return orient2d(axis_, a_, b_, first_) == orient2d(axis_, a_, b_, apex) ? Half::First
                                                                             : Half::Opposite;
   }
-  /// Of two in the same half.
+  /// Tells which of two half-planes in the same half comes first.
   [[nodiscard]] bool comes_before(const Vec3& p, const Vec3& q, Half half) const {
     return (half == Half::Left || half == Half::Right) && orient3d(a_, b_, p, q) > 0;
   }
@@ -61,7 +61,8 @@ class Protractor {
   }
 
  private:
-  /// As seen from a; halved, and divided by the size of the coordinates, so that nothing overflows.
+  /// Returns a point relative to a, halved and divided by the size of the coordinates, so that
+  /// nothing overflows.
   [[nodiscard]] Vec3 scaled(const Vec3& p) const {
     const double size = std::max(scale_, p.cwiseAbs().maxCoeff());
     return size > 0.0 ? Vec3((p / 2 - a_ / 2) / size) : Vec3(Vec3::Zero());

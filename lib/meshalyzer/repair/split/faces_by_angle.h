@@ -22,7 +22,7 @@ struct FaceByAngle {
 struct FacesByAngle {
   /// Counter-clockwise as seen from b.
   std::vector<FaceByAngle> order;
-  /// Those whose apex is in line with the edge, in the order given.
+  /// Faces whose apex is collinear with the edge, in the order given.
   std::vector<Index> without_angle;
 };
 

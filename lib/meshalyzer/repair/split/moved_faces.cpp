@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/split/moved_faces.h"
 
-#include "meshalyzer/exact/predicates.h"
+#include "meshalyzer/repair/driver/contact_rule.h"
+#include "meshalyzer/repair/driver/orientation_rule.h"
 #include "meshalyzer/spatial/align_faces.h"
 
 #include <algorithm>
@@ -11,16 +12,15 @@
 namespace meshalyzer {
 namespace {
 
-/// So many pairs of faces are never too many to look at, beside those of the moving faces among
-/// themselves.
+/// The number of pairs of faces that is always checked, in addition to pairs of moving faces.
 constexpr std::size_t kFreePairs = 4096;
 
 Box3 grown(const Box3& box, double by) {
   return {box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by)};
 }
 
-/// A point in the coordinates of the tree's boxes, which are within -1 ... 1 but for rounding; what
-/// is far outside is brought nearer, for infinity is where empty boxes are.
+/// Returns a point in the coordinates of the tree's boxes, which are within -1 ... 1 but for
+/// rounding; what is far outside is brought nearer, for infinity is where empty boxes are.
 std::array<float, 3> mapped(const FaceTree& tree, const Vec3& point) {
   std::array<float, 3> result = tree.map(point);
   for (float& x : result) x = std::clamp(x, -4.0F, 4.0F);
@@ -100,7 +100,7 @@ bool Move::is_moving(Index vertex) const {
   return std::binary_search(vertices_.begin(), vertices_.end(), vertex);
 }
 
-/// Whether a face has a corner at the place of the vertices, but none of them.
+/// Tells whether a face has a corner at the place of the vertices, but none of them.
 bool Move::is_at_place(Index face) const {
   const Triangle& t = mesh_.triangle(face);
   return std::any_of(t.begin(), t.end(), [&](Index v) {
@@ -117,21 +117,16 @@ Corners Move::moved_corners(const Triangle& t, const Vec3& to) const {
 }
 
 bool Move::keeps_its_side(const Triangle& t, const Vec3& to) const {
-  const auto [a, b, c] = mesh_.corners(t);
-  const auto axis = projection_axis(a, b, c);
-  if (!axis) return true;
-  const auto [p, q, r] = moved_corners(t, to);
-  return orient2d(*axis, a, b, c) == orient2d(*axis, p, q, r);
+  return keeps_orientation(mesh_.corners(t), moved_corners(t, to));
 }
 
 bool Move::would_touch(const Pair& pair, const Vec3& to) const {
   const auto is_one = [&](Index a, Index b) {
     return a == b || (!is_moving(a) && !is_moving(b) && mesh_.position(a) == mesh_.position(b));
   };
-  const auto [p, q, n_common] =
-      align_faces(mesh_.triangle(pair[0]), mesh_.triangle(pair[1]), is_one);
-  return find_contact(moved_corners(p, to), moved_corners(q, to), static_cast<Common>(n_common))
-      .has_value();
+  const Triangle& p = mesh_.triangle(pair[0]);
+  const Triangle& q = mesh_.triangle(pair[1]);
+  return are_in_contact({p, moved_corners(p, to)}, {q, moved_corners(q, to)}, is_one);
 }
 
 bool Move::touched_before(const Pair& pair) const {

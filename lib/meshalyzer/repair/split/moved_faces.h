@@ -24,7 +24,7 @@ class MovedMesh {
 
   void move(std::span<const Index> vertices, const Vec3& to);
 
-  /// Faces of the complex that may share a point with a box, whatever has moved; ascending.
+  /// Returns faces of the complex that may share a point with a box, whatever has moved; ascending.
   [[nodiscard]] std::vector<Index> faces_near(const Box3& box) const;
 
  private:
@@ -46,15 +46,16 @@ class Move {
 
   [[nodiscard]] double reach() const { return reach_; }
 
-  /// Whether so many faces are near that looking at all of them, for every place of a mesh, would
-  /// never end: a heap of faces across each other. Then nothing is accepted.
+  /// Tells whether so many faces are near that looking at all of them, for every place of a mesh,
+  /// would never end: a heap of faces across each other. Then nothing is accepted.
   [[nodiscard]] bool is_crowded() const { return is_crowded_; }
 
-  /// Whether the vertices can go there: no face is turned over or loses its area, and none shares a
-  /// point with another, but for what they have in common by id, or elsewhere by place, and for
-  /// those that do so already, vertices at one place counting as one.
+  /// Tells whether the vertices can go there: no face is turned over or loses its area, and none
+  /// shares a point with another, but for what they have in common by id, or elsewhere by place,
+  /// and for those that do so already, vertices at one place counting as one.
   ///
-  /// Not const, for it remembers what was in the way, to look there first the next time.
+  /// This is not const, because it remembers what was in the way in order to check that first the
+  /// next time.
   ///
   /// @param to  Within reach.
   [[nodiscard]] bool is_accepted(const Vec3& to);
@@ -75,7 +76,7 @@ class Move {
   std::span<const Index> faces_;
   double reach_;
   bool is_crowded_ = false;
-  /// Those that may come to touch, the likeliest first.
+  /// The pairs that may come into contact, the likeliest first.
   std::vector<Pair> pairs_;
 };
 

@@ -21,14 +21,14 @@ constexpr double kOpenPenalty = 2.0;
 
 /// Two faces that might be joined, by their places in the order, and what speaks against it.
 struct Candidate {
-  bool is_other_patch = false;
+  bool is_other_component = false;
   double cost = 0.0;
   /// Places from one to the other: of faces at the same angles the inner ones go first.
   std::size_t span = 0;
   std::size_t first = 0;
   std::size_t second = 0;
 
-  [[nodiscard]] auto key() const { return std::tie(is_other_patch, cost, span, first, second); }
+  [[nodiscard]] auto key() const { return std::tie(is_other_component, cost, span, first, second); }
 };
 
 /// The pairing of one edge, as it grows.
@@ -85,8 +85,8 @@ class EdgeMatcher {
     }
   }
 
-  /// The places of faces that are not joined, by runs of equal crossing; the last run and the first
-  /// are one where they can be.
+  /// Returns the places of faces that are not joined, by runs of equal crossing; the last run and
+  /// the first are one where they can be.
   [[nodiscard]] std::vector<std::vector<std::size_t>> runs() const {
     std::vector<std::vector<std::size_t>> runs;
     for (std::size_t i = 0; i < n_places(); ++i) {
@@ -130,7 +130,7 @@ class EdgeMatcher {
         const double inside = angle_between(i, j);
         candidates.push_back(
             candidate(i, j, one_is_odd ? std::abs(inside - std::numbers::pi) : inside));
-        if (!one_is_odd) candidates.back().is_other_patch = false;
+        if (!one_is_odd) candidates.back().is_other_component = false;
       }
     }
     return join_cheapest(candidates);
@@ -151,14 +151,14 @@ class EdgeMatcher {
     }
   }
 
-  /// Joins faces of zero area to each other or to what is left: of the same patch first, then those
-  /// that are oriented against each other.
+  /// Joins faces of zero area to each other or to what is left: of the same component first, then
+  /// those that are oriented against each other.
   void match_without_angle() {
     for (const Index i : by_angle_.without_angle) {
       if (partner_[i] != kNoIndex) continue;
       Index best = kNoIndex;
       const auto key = [&](Index j) {
-        return std::tuple(!same_patch(i, j), faces_[i].crossing == faces_[j].crossing, j);
+        return std::tuple(!same_component(i, j), faces_[i].crossing == faces_[j].crossing, j);
       };
       for (Index j = 0; j < faces_.size(); ++j) {
         if (j == i || partner_[j] != kNoIndex) continue;
@@ -168,11 +168,11 @@ class EdgeMatcher {
     }
   }
 
-  [[nodiscard]] bool same_patch(Index i, Index j) const {
-    return faces_[i].patch != kNoIndex && faces_[i].patch == faces_[j].patch;
+  [[nodiscard]] bool same_component(Index i, Index j) const {
+    return faces_[i].component != kNoIndex && faces_[i].component == faces_[j].component;
   }
 
-  /// From one place round to another, counter-clockwise: 0 to 2 pi.
+  /// Returns the counter-clockwise angle from one place to another, 0 to 2 pi.
   [[nodiscard]] double angle_between(std::size_t from, std::size_t to) const {
     const double turn = by_angle_.order[to].angle - by_angle_.order[from].angle;
     return from < to ? turn : turn + 2 * std::numbers::pi;
@@ -180,7 +180,7 @@ class EdgeMatcher {
 
   [[nodiscard]] Candidate candidate(std::size_t i, std::size_t j, double turn) const {
     const double openness = faces_[face_at(i)].openness + faces_[face_at(j)].openness;
-    return {.is_other_patch = !same_patch(face_at(i), face_at(j)),
+    return {.is_other_component = !same_component(face_at(i), face_at(j)),
             .cost = turn / std::numbers::pi + kOpenPenalty * openness,
             .span = (j + n_places() - i) % n_places(),
             .first = i,

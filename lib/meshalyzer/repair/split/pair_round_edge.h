@@ -21,8 +21,8 @@ struct FaceAtEdge {
   Vec3 apex = Vec3::Zero();
   Crossing crossing = Crossing::Along;
   /// The same number for faces that hang together elsewhere; kNoIndex: nothing is known.
-  Index patch = kNoIndex;
-  /// 0: the patch has no border; 1: it has nothing else. A fin is open, a wall is not.
+  Index component = kNoIndex;
+  /// 0: the component has no border; 1: it has nothing else. A fin is open, a wall is not.
   double openness = 0.0;
 };
 
@@ -30,12 +30,12 @@ struct FaceAtEdge {
 struct EdgePairing {
   /// #faces: the one that each is joined to; kNoIndex: none, it ends there.
   std::vector<Index> partner;
-  /// Whether faces that begin a solid alternate with those that end one all the way round: then
-  /// each is joined to the other side of the material between them, and nobody had to choose.
+  /// Tells whether faces that begin a solid alternate with those that end one all the way round:
+  /// then each is joined to the other side of the material between them, and nobody had to choose.
   bool alternates = false;
 };
 
-/// Pairs the faces at an edge from a to b, so that each solid stays closed.
+/// Returns pairs the faces at an edge from a to b, so that each solid stays closed.
 ///
 /// Faces are sorted by their angle round the edge, exactly; those at one angle so that they
 /// alternate as far as they can, then in the order given. Two that face away from what is between
@@ -43,9 +43,9 @@ struct EdgePairing {
 ///
 /// Where orientations do not alternate, one of each run of faces that are oriented alike is joined:
 /// those that are least open and have the least material between them; or, where the number is odd
-/// and one must be a fin or an inner wall, those of one patch first, then those that are least open
-/// and go on most evenly. What is left is paired in the same way, then faces oriented alike. No
-/// pair passes through another. Faces of zero area have no angle and come last.
+/// and one must be a fin or an inner wall, those of one component first, then those that are least
+/// open and go on most evenly. What is left is paired in the same way, then faces oriented alike.
+/// No pair passes through another. Faces of zero area have no angle and come last.
 ///
 /// @complexity O(n log n) for n that alternate; above 32 faces none are joined that are oriented
 /// alike.

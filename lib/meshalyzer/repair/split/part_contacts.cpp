@@ -1,8 +1,9 @@
+#include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/split/contact_places.h"
 #include "meshalyzer/repair/split/moved_faces.h"
 #include "meshalyzer/repair/split/parting_directions.h"
-#include "meshalyzer/topology/disjoint_sets.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,12 +17,14 @@
 namespace meshalyzer {
 namespace {
 
-/// From one step to the next: fine where a direction was chosen well, coarse where it was not.
+/// The factors by which steps grow: a small one for directions that were chosen well, a large one
+/// for others.
 constexpr double kFineGrowth = 2.0;
 constexpr double kCoarseGrowth = 16.0;
-/// For so many times the step neighbours are looked up at once.
+/// Neighbours are looked up within so many times the step.
 constexpr double kLookupReach = 256.0;
-/// Of so many units that touch at a place, the one that gets by with the smallest step is moved.
+/// So many units that touch at a place are compared, and the one that needs the smallest step is
+/// moved.
 constexpr std::size_t kUnitsAtOnce = 4;
 
 /// Sets of places that have a face in common: an edge touches until both its ends have moved.
@@ -30,7 +33,7 @@ DisjointSets connect_places(const ContactPlaces& contacts) {
   for (Index i = 0; i < contacts.places.size(); ++i) {
     for (const auto& unit : contacts.places[i].units) {
       for (const Index v : unit) {
-        for (const Index face : contacts.stars.faces(contacts.stars.star_of(v))) {
+        for (const Index face : contacts.incident.faces(contacts.incident.entry_of(v))) {
           place_of_face.emplace_back(face, i);
         }
       }
@@ -109,10 +112,10 @@ class Parting {
 
   [[nodiscard]] bool may_move(const std::vector<Index>& unit) const {
     return std::none_of(unit.begin(), unit.end(),
-                        [&](Index v) { return input_.limits.is_fixed(input_.draft, v); });
+                        [&](Index v) { return input_.limits.is_fixed(input_.tracked, v); });
   }
 
-  /// The last first: those are the copies.
+  /// Returns the last first: those are the copies.
   [[nodiscard]] std::vector<Index> units_that_may_move(const ContactPlace& place) const {
     std::vector<Index> units;
     for (auto unit = static_cast<Index>(place.units.size()); unit-- > 0;) {
@@ -121,7 +124,7 @@ class Parting {
     return units;
   }
 
-  /// The first few of the candidates that touch others.
+  /// Returns the first few of the candidates that touch others.
   [[nodiscard]] static std::vector<Index> next_to_move(
       const std::vector<Index>& candidates, const std::vector<std::array<Index, 2>>& contacts) {
     std::vector<Index> units;
@@ -149,19 +152,18 @@ class Parting {
     return search(trial, directions, kCoarseGrowth);
   }
 
-  /// The faces round a unit, ascending.
+  /// Returns the faces round a unit, ascending.
   [[nodiscard]] std::vector<Index> faces_of(const std::vector<Index>& unit) const {
     std::vector<Index> faces;
     for (const Index v : unit) {
-      const auto of_vertex = contacts_.stars.faces(contacts_.stars.star_of(v));
+      const auto of_vertex = contacts_.incident.faces(contacts_.incident.entry_of(v));
       faces.insert(faces.end(), of_vertex.begin(), of_vertex.end());
     }
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    sort_unique(faces);
     return faces;
   }
 
-  /// Those of the faces round a unit, the vertex of the unit first.
+  /// Returns those of the faces round a unit, the vertex of the unit first.
   [[nodiscard]] std::vector<Corners> corners_of(const std::vector<Index>& unit,
                                                 const std::vector<Index>& faces) const {
     std::vector<Corners> corners;
@@ -189,7 +191,7 @@ class Parting {
     return moves;
   }
 
-  /// The smallest step that does it, whichever unit makes it and in whatever direction.
+  /// Returns the smallest step that does it, whichever unit makes it and in whatever direction.
   [[nodiscard]] std::optional<Found> search(const Trial& trial,
                                             const std::vector<std::vector<Vec3>>& directions,
                                             double growth) const {

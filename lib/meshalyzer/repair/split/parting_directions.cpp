@@ -12,14 +12,15 @@ constexpr std::size_t kSearchSteps = 64;
 /// Below this, no direction is behind all faces.
 constexpr double kMinDepth = 1e-6;
 
-/// From p to q, with longest coordinate 1; zero where there is none, or it is beyond all numbers.
+/// Returns the direction from p to q, its longest coordinate 1; zero where p and q coincide or the
+/// difference overflows.
 Vec3 direction(const Vec3& p, const Vec3& q) {
   const Vec3 d = q - p;
   const double size = d.cwiseAbs().maxCoeff();
   return std::isfinite(size) && size > 0.0 ? Vec3(d / size) : Vec3(Vec3::Zero());
 }
 
-/// Unit vectors against the normals of the faces; those of zero area have none.
+/// Returns unit vectors against the normals of the faces; those of zero area have none.
 std::vector<Vec3> inward_normals(std::span<const Corners> faces) {
   std::vector<Vec3> result;
   for (const Corners& face : faces) {
@@ -29,9 +30,9 @@ std::vector<Vec3> inward_normals(std::span<const Corners> faces) {
   return result;
 }
 
-/// The direction whose smallest product with unit vectors is largest: that of the point nearest to
-/// the origin in their convex hull (Gilbert 1966, "An iterative procedure for computing the minimum
-/// of a quadratic form on a convex set"). Zero where no product is positive for all.
+/// Returns the direction whose smallest product with unit vectors is largest: that of the point
+/// nearest to the origin in their convex hull (Gilbert 1966, "An iterative procedure for computing
+/// the minimum of a quadratic form on a convex set"). Zero where no product is positive for all.
 Vec3 deepest_direction(std::span<const Vec3> vectors) {
   Vec3 nearest = Vec3::Zero();
   for (const Vec3& v : vectors) nearest += v / static_cast<double>(vectors.size());

@@ -1,8 +1,9 @@
+#include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/repair/driver/fixed_vertices.h"
 #include "meshalyzer/repair/passes.h"
-#include "meshalyzer/repair/split/cut_stars.h"
-#include "meshalyzer/repair/split/edge_strands.h"
-#include "meshalyzer/repair/split/vertex_stars.h"
-#include "meshalyzer/topology/disjoint_sets.h"
+#include "meshalyzer/repair/split/copy_vertices.h"
+#include "meshalyzer/repair/split/edge_incidences.h"
+#include "meshalyzer/repair/split/incident_faces.h"
 
 #include <algorithm>
 #include <array>
@@ -13,52 +14,50 @@
 namespace meshalyzer {
 namespace {
 
-/// Finds out which fans the pairs of strands leave at each vertex (Guéziec et al. 2001, "Cutting
+/// Finds out which fans the pairs of incidences leave at each vertex (Guéziec et al. 2001, "Cutting
 /// and stitching: converting sets of polygons to manifold surfaces").
 class EdgeCutter {
  public:
   explicit EdgeCutter(const PassInput& input)
       : input_(input),
         soup_(input.mesh.soup()),
-        strands_(list_strands(input.mesh.cut())),
-        stars_(input.mesh.cut(), ends_of_strands(strands_)),
-        partner_(pair_strands(input.mesh, strands_, stars_)),
-        fans_(stars_.n_places(), 0) {}
+        incidences_(list_incidences(input.mesh.cut())),
+        incident_(input.mesh.cut(), ends_of_edges(incidences_)),
+        partner_(pair_incidences(input.mesh, incidences_, incident_)),
+        fans_(incident_.n_places(), 0) {}
 
   [[nodiscard]] PassResult cut() {
     PassResult result;
-    for (std::size_t star = 0; star < stars_.size(); ++star) find_fans(star);
-    for (std::size_t edge = 0; edge < strands_.size(); ++edge) {
+    for (std::size_t entry = 0; entry < incident_.size(); ++entry) find_fans(entry);
+    for (std::size_t edge = 0; edge < incidences_.size(); ++edge) {
       if (is_held(edge)) {
         result.refused.push_back(
             {.code = DefectCode::NonManifold,
-             .vertex = strands_.ends[edge][0],
-             .face = strands_.faces[strands_.begin[edge]],
+             .vertex = incidences_.ends[edge][0],
+             .face = incidences_.faces[incidences_.begin[edge]],
              .reason = "the border of a face of the body would get more edges"});
       } else {
         take_apart(edge);
       }
     }
-    result.edits = cut_stars(soup_, stars_, fans_, connected_stars());
+    result.edits = copy_vertices(soup_, incident_, fans_, connected_entries());
     return result;
   }
 
  private:
-  /// Whether a vertex must not get copies.
-  [[nodiscard]] bool is_fixed(Index vertex) const {
-    return input_.limits.groups == Groups::Faces && input_.limits.is_fixed(input_.draft, vertex);
-  }
-  /// Whether an edge cannot be split, for neither of its ends can.
+  /// Tells whether a vertex must not get copies.
+  [[nodiscard]] bool is_fixed(Index vertex) const { return !may_be_copied(input_, vertex); }
+  /// Tells whether an edge cannot be split, for neither of its ends can.
   [[nodiscard]] bool is_held(std::size_t edge) const {
-    return is_fixed(strands_.ends[edge][0]) && is_fixed(strands_.ends[edge][1]);
+    return is_fixed(incidences_.ends[edge][0]) && is_fixed(incidences_.ends[edge][1]);
   }
 
-  /// Numbers the fans of a star, as strands are paired now.
-  void find_fans(std::size_t star) {
-    const Index v = stars_.vertex(star);
+  /// Numbers the fans at a vertex, as incidences are paired now.
+  void find_fans(std::size_t entry) {
+    const Index v = incident_.vertex(entry);
     if (is_fixed(v)) return;
     const auto join = [&](std::span<const Spoke> spokes) {
-      const Index begin = strands_.begin[strands_.edge_between(v, spokes.front().other)];
+      const Index begin = incidences_.begin[incidences_.edge_between(v, spokes.front().other)];
       std::vector<Index> partner;
       for (Index i = 0; i < spokes.size(); ++i) {
         const Index other = partner_[begin + i];
@@ -66,17 +65,20 @@ class EdgeCutter {
       }
       return partner;
     };
-    const std::vector<Index> fans = find_fans_of_star(soup_, stars_, star, join);
+    const std::vector<Index> fans = find_fans_at(soup_, incident_, entry, join);
     std::copy(fans.begin(), fans.end(),
-              fans_.begin() + static_cast<std::ptrdiff_t>(stars_.begin(star)));
+              fans_.begin() + static_cast<std::ptrdiff_t>(incident_.begin(entry)));
   }
 
-  /// The fans that a strand is in at the two ends of its edge: the vertices that it will have.
-  [[nodiscard]] std::array<Index, 2> new_ends(Index strand) const {
+  /// Returns the fans that an incidence is in at the two ends of its edge, which become the
+  /// vertices that it will have.
+  [[nodiscard]] std::array<Index, 2> new_ends(Index incidence) const {
     std::array<Index, 2> fans{};
     for (std::size_t i = 0; i < 2; ++i) {
-      const std::size_t star = stars_.star_of(strands_.ends[strands_.edge_of[strand]][i]);
-      fans[i] = fans_[stars_.begin(star) + stars_.place(star, strands_.faces[strand])];
+      const std::size_t entry =
+          incident_.entry_of(incidences_.ends[incidences_.edge_of[incidence]][i]);
+      fans[i] =
+          fans_[incident_.begin(entry) + incident_.place(entry, incidences_.faces[incidence])];
     }
     return fans;
   }
@@ -86,8 +88,9 @@ class EdgeCutter {
   /// the ends: fans have two rims, so no three faces stay together, and fans only get smaller.
   void take_apart(std::size_t edge) {
     std::vector<std::pair<std::array<Index, 2>, Index>> by_ends;
-    for (Index strand = strands_.begin[edge]; strand < strands_.begin[edge + 1]; ++strand) {
-      by_ends.emplace_back(new_ends(strand), strand);
+    for (Index incidence = incidences_.begin[edge]; incidence < incidences_.begin[edge + 1];
+         ++incidence) {
+      by_ends.emplace_back(new_ends(incidence), incidence);
     }
     std::sort(by_ends.begin(), by_ends.end());
     bool has_changed = false;
@@ -101,30 +104,31 @@ class EdgeCutter {
       first = last;
     }
     if (!has_changed) return;
-    for (const Index v : strands_.ends[edge]) find_fans(stars_.star_of(v));
+    for (const Index v : incidences_.ends[edge]) find_fans(incident_.entry_of(v));
   }
 
-  void let_go(Index strand) {
-    if (partner_[strand] != kNoIndex) partner_[partner_[strand]] = kNoIndex;
-    partner_[strand] = kNoIndex;
+  void let_go(Index incidence) {
+    if (partner_[incidence] != kNoIndex) partner_[partner_[incidence]] = kNoIndex;
+    partner_[incidence] = kNoIndex;
   }
 
   /// Stars at the two ends of an edge belong together.
-  [[nodiscard]] DisjointSets connected_stars() const {
-    DisjointSets connected(stars_.size());
-    for (const auto& [a, b] : strands_.ends) {
-      connected.unite(static_cast<Index>(stars_.star_of(a)), static_cast<Index>(stars_.star_of(b)));
+  [[nodiscard]] DisjointSets connected_entries() const {
+    DisjointSets connected(incident_.size());
+    for (const auto& [a, b] : incidences_.ends) {
+      connected.unite(static_cast<Index>(incident_.entry_of(a)),
+                      static_cast<Index>(incident_.entry_of(b)));
     }
     return connected;
   }
 
   const PassInput& input_;
   const Soup& soup_;
-  EdgeStrands strands_;
-  VertexStars stars_;
-  /// #strands: see pair_strands().
+  EdgeIncidences incidences_;
+  IncidentFaces incident_;
+  /// #incidences: see pair_incidences().
   std::vector<Index> partner_;
-  /// By place in all stars.
+  /// The fan of each incident face, entry after entry.
   std::vector<Index> fans_;
 };
 

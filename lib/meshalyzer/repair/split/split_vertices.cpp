@@ -1,7 +1,8 @@
+#include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/repair/driver/fixed_vertices.h"
 #include "meshalyzer/repair/passes.h"
-#include "meshalyzer/repair/split/cut_stars.h"
-#include "meshalyzer/repair/split/vertex_stars.h"
-#include "meshalyzer/topology/disjoint_sets.h"
+#include "meshalyzer/repair/split/copy_vertices.h"
+#include "meshalyzer/repair/split/incident_faces.h"
 #include "meshalyzer/topology/manifold.h"
 
 #include <utility>
@@ -20,7 +21,7 @@ PassResult split_vertices(const PassInput& input) {
   PassResult result;
   std::vector<Index> pinched;
   for (const Index v : find_pinched_vertices(input.mesh.cut())) {
-    if (input.limits.groups == Groups::Faces && input.limits.is_fixed(input.draft, v)) {
+    if (!may_be_copied(input, v)) {
       result.refused.push_back(
           {.code = DefectCode::NonManifold,
            .vertex = v,
@@ -32,13 +33,13 @@ PassResult split_vertices(const PassInput& input) {
   if (pinched.empty()) return result;
 
   const Soup& soup = input.mesh.soup();
-  const VertexStars stars(input.mesh.cut(), std::move(pinched));
+  const IncidentFaces incident(input.mesh.cut(), std::move(pinched));
   std::vector<Index> fans;
-  for (std::size_t star = 0; star < stars.size(); ++star) {
-    const std::vector<Index> of_star = find_fans_of_star(soup, stars, star, join_none);
-    fans.insert(fans.end(), of_star.begin(), of_star.end());
+  for (std::size_t entry = 0; entry < incident.size(); ++entry) {
+    const std::vector<Index> at_vertex = find_fans_at(soup, incident, entry, join_none);
+    fans.insert(fans.end(), at_vertex.begin(), at_vertex.end());
   }
-  result.edits = cut_stars(soup, stars, fans, DisjointSets(stars.size()));
+  result.edits = copy_vertices(soup, incident, fans, DisjointSets(incident.size()));
   return result;
 }
 

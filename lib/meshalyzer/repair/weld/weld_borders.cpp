@@ -66,39 +66,40 @@ class EdgesByPlace {
 /// Joins edges at exactly the same place.
 ///
 /// @return #edges: whether each is done with, being joined or refused.
-std::vector<std::uint8_t> zip_coincident(WeldStage& stage, std::span<const Index> places) {
-  std::vector<std::uint8_t> is_done(stage.edges.size(), 0);
+std::vector<std::uint8_t> zip_coincident(WeldState& state, std::span<const Index> places) {
+  std::vector<std::uint8_t> is_done(state.edges.size(), 0);
   std::vector<WeldJoin> joins;
   std::vector<EdgeAtPlace> at_place;
-  EdgesByPlace(stage.edges, places).for_each_group([&](std::span<const Index> group) {
+  EdgesByPlace(state.edges, places).for_each_group([&](std::span<const Index> group) {
     at_place.clear();
     for (const Index e : group) {
       is_done[e] = 1;
-      const bool is_along = places[stage.edges[e].from] == places[stage.edges[group[0]].from];
+      const bool is_along = places[state.edges[e].from] == places[state.edges[group[0]].from];
       at_place.push_back({e, is_along ? EdgeRun::Same : EdgeRun::Opposite});
     }
     const Pairing pairing =
-        pair_edges_at_place(stage.rules.input.draft.soup, stage.edges, at_place, 0.0);
-    if (!pairing.refusal.empty())
-      refuse(stage, {.first = group[0], .second = group[1]}, pairing.refusal);
+        pair_edges_at_place(state.rules.input.tracked.soup, state.edges, at_place, 0.0);
+    if (!pairing.refusal.empty()) {
+      refuse(state, {.first = group[0], .second = group[1]}, pairing.refusal);
+    }
     joins.insert(joins.end(), pairing.joins.begin(), pairing.joins.end());
   });
-  add_weld_operations(stage, std::move(joins));
+  add_weld_operations(state, std::move(joins));
   return is_done;
 }
 
-/// The edges, by number, that are not done with and may be touched.
-std::vector<Index> free_edges(const WeldStage& stage, std::span<const std::uint8_t> is_done) {
+/// Returns the numbers of the edges that are neither done with nor next to another operation.
+std::vector<Index> free_edges(const WeldState& state, std::span<const std::uint8_t> is_done) {
   std::vector<Index> wanted;
-  for (std::size_t e = 0; e < stage.edges.size(); ++e) {
-    const WeldEdge& edge = stage.edges[e];
-    if (is_done[e] != 0 || stage.is_busy[edge.from] != 0 || stage.is_busy[edge.to] != 0) continue;
+  for (std::size_t e = 0; e < state.edges.size(); ++e) {
+    const WeldEdge& edge = state.edges[e];
+    if (is_done[e] != 0 || state.is_busy[edge.from] != 0 || state.is_busy[edge.to] != 0) continue;
     wanted.push_back(static_cast<Index>(e));
   }
   return wanted;
 }
 
-/// The ends of some edges, by place, each once, ascending.
+/// Returns the ends of some edges, by place, each once, ascending.
 std::vector<Index> used_places(const EdgesAtPlaces& at_places) {
   std::vector<Index> used;
   for (std::size_t v = 0; v + 1 < at_places.begin.size(); ++v) {
@@ -108,28 +109,28 @@ std::vector<Index> used_places(const EdgesAtPlaces& at_places) {
 }
 
 /// Joins edges that are near each other.
-void zip_near(WeldStage& stage, std::span<const Index> wanted) {
-  const WeldCandidates candidates = find_weld_candidates(stage.rules.input.draft.soup.positions,
-                                                         stage.edges, wanted, stage.rules.reach);
-  add_weld_operations(stage, match_candidates(stage, candidates));
+void zip_near(WeldState& state, std::span<const Index> wanted) {
+  const WeldCandidates candidates = find_weld_candidates(state.rules.input.tracked.soup.positions,
+                                                         state.edges, wanted, state.rules.reach);
+  add_weld_operations(state, match_candidates(state, candidates));
 }
 
 /// Closes cracks with T-junctions.
 ///
 /// @param present  Edges that were there to be joined.
 /// @param wanted   Those that still are.
-void close_junctions(WeldStage& stage, std::span<const Index> places,
+void close_junctions(WeldState& state, std::span<const Index> places,
                      std::span<const Index> present, std::span<const Index> wanted) {
   if (wanted.empty()) return;
-  const std::vector<Vec3>& positions = stage.rules.input.draft.soup.positions;
-  const EdgesAtPlaces at_places = list_edges_at_places(stage.edges, present, places);
-  const NearPoints near(positions, used_places(at_places), stage.rules.reach);
+  const std::vector<Vec3>& positions = state.rules.input.tracked.soup.positions;
+  const EdgesAtPlaces at_places = list_edges_at_places(state.edges, present, places);
+  const NearPoints near(positions, used_places(at_places), state.rules.reach);
   const NearEdges edges{.positions = positions,
-                        .edges = stage.edges,
+                        .edges = state.edges,
                         .places = places,
                         .at_places = at_places,
                         .near = near};
-  add_split_operations(stage, find_weld_chains(edges, wanted));
+  add_split_operations(state, find_weld_chains(edges, wanted));
 }
 
 }  // namespace
@@ -137,23 +138,23 @@ void close_junctions(WeldStage& stage, std::span<const Index> places,
 PassResult weld_borders(const PassInput& input, double within) {
   const std::vector<WeldEdge> edges = find_weld_edges(input.mesh);
   if (edges.empty()) return {};
-  const Soup& soup = input.draft.soup;
+  const Soup& soup = input.tracked.soup;
   const std::vector<Index> places = find_weld_places(soup.positions, edges);
   const std::vector<Index> faces_at_vertices = count_faces_at_vertices(soup);
   const WeldRules rules{.input = input,
                         .faces_at_vertices = faces_at_vertices,
                         .reach = std::min(within, input.limits.max_deviation)};
-  WeldStage stage{.rules = rules,
+  WeldState state{.rules = rules,
                   .edges = edges,
                   .is_busy = std::vector<std::uint8_t>(soup.n_vertices(), 0),
                   .result = {}};
-  const std::vector<std::uint8_t> is_done = zip_coincident(stage, places);
+  const std::vector<std::uint8_t> is_done = zip_coincident(state, places);
   if (rules.reach > 0.0) {
-    const std::vector<Index> present = free_edges(stage, is_done);
-    zip_near(stage, present);
-    close_junctions(stage, places, present, free_edges(stage, is_done));
+    const std::vector<Index> present = free_edges(state, is_done);
+    zip_near(state, present);
+    close_junctions(state, places, present, free_edges(state, is_done));
   }
-  return std::move(stage.result);
+  return std::move(state.result);
 }
 
 }  // namespace meshalyzer

@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/weld/weld_candidates.h"
 
+#include "meshalyzer/base/hash.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/spatial/segment_grid.h"
 
@@ -14,7 +15,8 @@ namespace {
 
 /// Coordinates are told apart to so many times the largest; finer cells would tell nothing.
 constexpr double kFinestCell = 1e-15;
-/// So many pairs of points in one cell are always looked at, and so many more for each point.
+/// The number of pairs of points in common cells that is always accepted, and the number that is
+/// added for each point.
 constexpr std::size_t kFewPairs = 1'000'000;
 constexpr std::size_t kFewPairsPerPoint = 16;
 
@@ -51,10 +53,7 @@ NearPoints::Cell NearPoints::cell_of(const Vec3& p) const {
 
 std::size_t NearPoints::first_slot(const Cell& cell) const {
   std::uint64_t hash = 0;
-  for (const std::int64_t i : cell) {
-    hash = (hash ^ static_cast<std::uint64_t>(i)) * 0x9E3779B97F4A7C15ULL;
-    hash ^= hash >> 32U;
-  }
+  for (const std::int64_t i : cell) hash = mix_hash(hash, static_cast<std::uint64_t>(i));
   return hash & (slots_.size() - 1);
 }
 

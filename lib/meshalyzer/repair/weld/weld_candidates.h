@@ -22,7 +22,7 @@ class NearPoints {
   /// @complexity    O(n log n).
   NearPoints(std::span<const Vec3> positions, std::span<const Index> points, double reach);
 
-  /// The length that counts.
+  /// Returns the length that counts.
   [[nodiscard]] double reach() const { return reach_; }
 
   /// Calls `visit` for all points within reach of one of `positions`, itself included if it is
@@ -79,21 +79,21 @@ class NearPoints {
   std::vector<Index> slots_;
 };
 
-/// What find_weld_chains() looks at. Only refers.
+/// The input of find_weld_chains(). This holds references only.
 struct NearEdges {
   std::span<const Vec3> positions;
   std::span<const WeldEdge> edges;
   /// #V, see find_weld_places().
   std::span<const Index> places;
-  /// By place.
+  /// The edges at each place.
   const EdgesAtPlaces& at_places;
-  /// Over the places.
+  /// The places, to find those near a point.
   const NearPoints& near;
 };
 
 /// Pairs of edges that are near each other.
 struct WeldCandidates {
-  /// By pair, the lower edge first, each once.
+  /// The pairs in ascending order, the lower edge first, each once.
   std::vector<WeldJoin> joins;
   /// How far apart ends may be.
   double reach = 0.0;

@@ -28,7 +28,7 @@ class ChainWalk {
         end_(mesh.positions[to(edge)]),
         backwards_((start_ - end_).stableNormalized()) {}
 
-  /// The chain of the shortest reach; nothing where there are several.
+  /// Returns the chain of the shortest reach; nothing where there are several.
   [[nodiscard]] std::optional<WeldChain> chain() {
     if (!has_company()) return std::nullopt;
     const double longest = reach_;
@@ -45,8 +45,8 @@ class ChainWalk {
   /// Whether all is looked at as it is, or as if all edges ran the other way.
   enum class Way : std::uint8_t { AsIs, Reversed };
 
-  /// A chain is followed from the end of the edge, unless many more edges are there than at its
-  /// start: a fan of a million faces has as many edges at its tip.
+  /// Returns a chain is followed from the end of the edge, unless many more edges are there than at
+  /// its start: a fan of a million faces has as many edges at its tip.
   [[nodiscard]] static Way way_along(const NearEdges& mesh, const WeldEdge& edge) {
     constexpr std::size_t kManyMore = 8;
     const std::size_t n_at_start = mesh.at_places[mesh.places[edge.from]].size();
@@ -69,14 +69,14 @@ class ChainWalk {
     });
   }
 
-  /// Whether a chain may begin near the end of the edge at all.
+  /// Tells whether a chain may begin near the end of the edge at all.
   [[nodiscard]] bool has_company() const {
     bool has = false;
     for_each_first_edge([&](Index f) { has = has || lies_along(f); });
     return has;
   }
 
-  /// All chains that begin near the end of the edge.
+  /// Returns all chains that begin near the end of the edge.
   [[nodiscard]] std::vector<WeldChain> chains() const {
     std::vector<WeldChain> found;
     for_each_first_edge([&](Index f) {
@@ -102,7 +102,7 @@ class ChainWalk {
     return std::nullopt;
   }
 
-  /// Whether an edge leads on, away from the end, within reach of the long one.
+  /// Tells whether an edge leads on, away from the end, within reach of the long one.
   [[nodiscard]] bool runs_along(Index f) const { return !is_near(to(f), end_) && lies_along(f); }
 
   [[nodiscard]] bool lies_along(Index f) const {
@@ -112,7 +112,7 @@ class ChainWalk {
            (p - mesh_.positions[from(f)]).dot(backwards_) > 0.0;
   }
 
-  /// The edge that goes on where this one ends; nothing where there are several.
+  /// Returns the edge that goes on where this one ends; nothing where there are several.
   [[nodiscard]] std::optional<Index> next_edge(Index f) const {
     std::optional<Index> next;
     const Index end = to(f);

@@ -1,6 +1,6 @@
 #include "meshalyzer/repair/weld/weld_classes.h"
 
-#include "meshalyzer/repair/weld/weld_check.h"
+#include "meshalyzer/repair/driver/merge_rule.h"
 
 #include <array>
 #include <numeric>
@@ -17,10 +17,10 @@ std::vector<Index> count_faces_at_vertices(const Soup& soup) {
   return counts;
 }
 
-bool stays_before(const WeldRules& rules, Index a, Index b) {
+bool is_preferred(const WeldRules& rules, Index a, Index b) {
   const PassInput& input = rules.input;
-  const bool a_is_fixed = input.limits.is_fixed(input.draft, a);
-  const bool b_is_fixed = input.limits.is_fixed(input.draft, b);
+  const bool a_is_fixed = input.limits.is_fixed(input.tracked, a);
+  const bool b_is_fixed = input.limits.is_fixed(input.tracked, b);
   if (a_is_fixed != b_is_fixed) return a_is_fixed;
   const Index a_faces = rules.faces_at_vertices[a];
   const Index b_faces = rules.faces_at_vertices[b];
@@ -29,10 +29,10 @@ bool stays_before(const WeldRules& rules, Index a, Index b) {
 
 WeldClasses::WeldClasses(const WeldRules& rules)
     : rules_(rules),
-      sets_(rules.input.draft.soup.n_vertices()),
-      next_(rules.input.draft.soup.n_vertices()) {
+      sets_(rules.input.tracked.soup.n_vertices()),
+      next_(rules.input.tracked.soup.n_vertices()) {
   std::iota(next_.begin(), next_.end(), Index{0});
-  staying_ = next_;
+  representative_ = next_;
 }
 
 std::string_view WeldClasses::join(const WeldEdge& a, const WeldEdge& b, EdgeRun run) {
@@ -41,12 +41,12 @@ std::string_view WeldClasses::join(const WeldEdge& a, const WeldEdge& b, EdgeRun
   const std::array<Index, 2> of_b{sets_.find(partner_of_from(b, run)),
                                   sets_.find(partner_of_to(b, run))};
   if (of_a[0] == of_a[1] || of_b[0] == of_b[1] || of_a[0] == of_b[1] || of_b[0] == of_a[1]) {
-    return reason_of(WeldHarm::Collapse);
+    return reason_of(MergeRejection::Collapse);
   }
   for (const WeldEdge* edge : {&a, &b}) {
     const Index third = sets_.find(edge->third);
     for (const auto& ends : {of_a, of_b}) {
-      if (third == ends[0] || third == ends[1]) return reason_of(WeldHarm::Collapse);
+      if (third == ends[0] || third == ends[1]) return reason_of(MergeRejection::Collapse);
     }
   }
   if (!may_join(of_a[0], of_b[0]) || !may_join(of_a[1], of_b[1])) return kTooFar;
@@ -55,26 +55,28 @@ std::string_view WeldClasses::join(const WeldEdge& a, const WeldEdge& b, EdgeRun
   return {};
 }
 
-std::vector<Index> WeldClasses::staying_vertices() {
-  std::vector<Index> staying(next_.size());
-  for (Index v = 0; v < staying.size(); ++v) staying[v] = staying_[sets_.find(v)];
-  return staying;
+std::vector<Index> WeldClasses::representatives() {
+  std::vector<Index> representative(next_.size());
+  for (Index v = 0; v < representative.size(); ++v) {
+    representative[v] = representative_[sets_.find(v)];
+  }
+  return representative;
 }
 
-/// By roots.
+/// Tells whether two sets, given by their roots, may be joined.
 bool WeldClasses::may_join(Index a, Index b) {
   if (a == b) return true;
-  const bool a_stays = stays_before(rules_, staying_[a], staying_[b]);
-  return a_stays ? can_go(b, staying_[a]) : can_go(a, staying_[b]);
+  const bool a_stays = is_preferred(rules_, representative_[a], representative_[b]);
+  return a_stays ? can_go(b, representative_[a]) : can_go(a, representative_[b]);
 }
 
-/// Whether all of a set can go to the place of a vertex.
+/// Tells whether all of a set can go to the place of a vertex.
 bool WeldClasses::can_go(Index root, Index to) const {
   const PassInput& input = rules_.input;
-  const std::vector<Vec3>& positions = input.draft.soup.positions;
+  const std::vector<Vec3>& positions = input.tracked.soup.positions;
   // All members can go to the place of the one that stays so far.
-  if (at_one_place(positions[staying_[root]], positions[to])) return true;
-  if (input.limits.is_fixed(input.draft, staying_[root])) return false;
+  if (positions[representative_[root]] == positions[to]) return true;
+  if (input.limits.is_fixed(input.tracked, representative_[root])) return false;
   Index v = root;
   do {
     if (!((positions[v] - positions[to]).stableNorm() <= rules_.reach)) return false;
@@ -85,11 +87,11 @@ bool WeldClasses::can_go(Index root, Index to) const {
 
 void WeldClasses::unite(Index a, Index b) {
   if (a == b) return;
-  const bool a_stays = stays_before(rules_, staying_[a], staying_[b]);
-  const Index staying = a_stays ? staying_[a] : staying_[b];
+  const bool a_stays = is_preferred(rules_, representative_[a], representative_[b]);
+  const Index representative = a_stays ? representative_[a] : representative_[b];
   std::swap(next_[a], next_[b]);
   sets_.unite(a, b);
-  staying_[sets_.find(a)] = staying;
+  representative_[sets_.find(a)] = representative;
 }
 
 }  // namespace meshalyzer

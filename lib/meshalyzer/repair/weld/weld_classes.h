@@ -1,8 +1,8 @@
 #pragma once
 
+#include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/repair/pass.h"
 #include "meshalyzer/repair/weld/weld_edges.h"
-#include "meshalyzer/topology/disjoint_sets.h"
 
 #include <span>
 #include <string_view>
@@ -10,12 +10,13 @@
 
 namespace meshalyzer {
 
-// Private to weld_borders(): which vertices become one.
+// Private to weld_borders(): which vertices are merged.
 
-/// How many faces of the complex use each vertex.
+/// Returns how many faces of the complex use each vertex.
 [[nodiscard]] std::vector<Index> count_faces_at_vertices(const Soup& soup);
 
-/// What decides which of some vertices stays, and how far the others may go. Only refers.
+/// The rules for which of several vertices stays, and how far the others may move. This holds
+/// references only.
 struct WeldRules {
   const PassInput& input;
   std::span<const Index> faces_at_vertices;
@@ -23,10 +24,10 @@ struct WeldRules {
   double reach = 0.0;
 };
 
-/// Whether it is `a` that stays of two: that which is fixed, or of more faces, or the lower.
-[[nodiscard]] bool stays_before(const WeldRules& rules, Index a, Index b);
+/// Tells whether it is `a` that stays of two: that which is fixed, or of more faces, or the lower.
+[[nodiscard]] bool is_preferred(const WeldRules& rules, Index a, Index b);
 
-/// Sets of vertices that become one. All come to the place of the one that stays before all others.
+/// Sets of vertices that are merged, each at the position of its representative.
 class WeldClasses {
  public:
   explicit WeldClasses(const WeldRules& rules);
@@ -38,9 +39,9 @@ class WeldClasses {
   [[nodiscard]] std::string_view join(const WeldEdge& a, const WeldEdge& b, EdgeRun run);
 
   /// #V: the vertex that stays of those that each becomes one with.
-  [[nodiscard]] std::vector<Index> staying_vertices();
+  [[nodiscard]] std::vector<Index> representatives();
   [[nodiscard]] bool are_joined(Index a, Index b) { return sets_.find(a) == sets_.find(b); }
-  /// Whether it is joined with no other.
+  /// Tells whether it is joined with no other.
   [[nodiscard]] bool is_alone(Index v) const { return next_[v] == v; }
 
  private:
@@ -52,8 +53,8 @@ class WeldClasses {
   DisjointSets sets_;
   /// The members of each set as a ring.
   std::vector<Index> next_;
-  /// By root.
-  std::vector<Index> staying_;
+  /// The representative of each set, indexed by root.
+  std::vector<Index> representative_;
 };
 
 }  // namespace meshalyzer

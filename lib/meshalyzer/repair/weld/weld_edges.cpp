@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/weld/weld_edges.h"
 
+#include "meshalyzer/base/hash.h"
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>
@@ -9,11 +10,11 @@
 namespace meshalyzer {
 namespace {
 
-bool has_two_corners_at_one_place(const Soup& soup, const WeldEdge& edge) {
+bool has_two_equal_corners(const Soup& soup, const WeldEdge& edge) {
   const Vec3& a = soup.positions[edge.from];
   const Vec3& b = soup.positions[edge.to];
   const Vec3& c = soup.positions[edge.third];
-  return at_one_place(a, b) || at_one_place(b, c) || at_one_place(c, a);
+  return a == b || b == c || c == a;
 }
 
 WeldEdge edge_of(const CutMesh& cut, HalfedgeHandle inner) {
@@ -25,27 +26,17 @@ WeldEdge edge_of(const CutMesh& cut, HalfedgeHandle inner) {
           .face = cut.side.face(cut.mesh.face_handle(inner))};
 }
 
-std::uint64_t hash_of(const Vec3& p) {
-  std::uint64_t hash = 0;
-  for (const double x : {p.x(), p.y(), p.z()}) {
-    // Adding 0.0 makes -0.0 the same as 0.0.
-    hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15ULL;
-    hash ^= hash >> 32U;
-  }
-  return hash;
-}
-
 /// The lowest vertex at each place, in a table with open addressing.
 class PlaceTable {
  public:
   PlaceTable(std::span<const Vec3> positions, std::size_t n_places)
       : positions_(positions), slots_(std::bit_ceil(2 * n_places + 1), kNoIndex) {}
 
-  /// The vertex that was the first to be asked for at this place.
+  /// Returns the vertex that was the first to be asked for at this place.
   [[nodiscard]] Index first_at_place_of(Index vertex) {
     const Vec3& p = positions_[vertex];
-    std::size_t slot = hash_of(p) & (slots_.size() - 1);
-    while (slots_[slot] != kNoIndex && !at_one_place(positions_[slots_[slot]], p)) {
+    std::size_t slot = hash_position(p) & (slots_.size() - 1);
+    while (slots_[slot] != kNoIndex && positions_[slots_[slot]] != p) {
       slot = (slot + 1) & (slots_.size() - 1);
     }
     if (slots_[slot] == kNoIndex) slots_[slot] = vertex;
@@ -69,7 +60,7 @@ std::vector<WeldEdge> find_weld_edges(const PreparedMesh& mesh) {
     const HalfedgeHandle h = cut.mesh.halfedge_handle(e, 0);
     const WeldEdge edge =
         edge_of(cut, cut.mesh.is_boundary(h) ? cut.mesh.opposite_halfedge_handle(h) : h);
-    if (!has_two_corners_at_one_place(mesh.soup(), edge)) edges.push_back(edge);
+    if (!has_two_equal_corners(mesh.soup(), edge)) edges.push_back(edge);
   }
   return edges;
 }
@@ -102,9 +93,7 @@ EdgesAtPlaces list_edges_at_places(std::span<const WeldEdge> edges, std::span<co
   lists.edges.resize(sum);
   // Filled from their ends, in descending order, each list ends up ascending and begin right.
   for (auto e = wanted.rbegin(); e != wanted.rend(); ++e) {
-    for (const Index v : {edges[*e].from, edges[*e].to}) {
-      lists.edges[--lists.begin[places[v]]] = *e;
-    }
+    for (const Index v : {edges[*e].from, edges[*e].to}) lists.edges[--lists.begin[places[v]]] = *e;
   }
   return lists;
 }

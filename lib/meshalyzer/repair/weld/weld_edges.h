@@ -35,12 +35,7 @@ struct WeldJoin {
   double distance = 0.0;
 };
 
-/// Whether two points are one, 0.0 and -0.0 being equal.
-[[nodiscard]] inline bool at_one_place(const Vec3& a, const Vec3& b) {
-  return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
-}
-
-/// The vertex of `second` that `first.from` (`first.to`) becomes one with.
+/// Returns the vertex of `second` that `first.from` (`first.to`) becomes one with.
 [[nodiscard]] inline Index partner_of_from(const WeldEdge& second, EdgeRun run) {
   return run == EdgeRun::Opposite ? second.to : second.from;
 }
@@ -48,13 +43,13 @@ struct WeldJoin {
   return run == EdgeRun::Opposite ? second.from : second.to;
 }
 
-/// The border edges of a mesh, but for those of faces with two corners at one place: welding would
-/// take such faces away, and that is for others to do.
+/// Returns the border edges of a mesh, but for those of faces with two corners at one place:
+/// welding would take such faces away, and that is for others to do.
 ///
 /// @return In order of the mesh's edges.
 [[nodiscard]] std::vector<WeldEdge> find_weld_edges(const PreparedMesh& mesh);
 
-/// The lowest end of one of these edges at the place of each end.
+/// Returns the lowest end of one of these edges at the place of each end.
 ///
 /// @return     #V; kNoIndex for vertices that are no ends.
 /// @complexity O(#V + #edges).

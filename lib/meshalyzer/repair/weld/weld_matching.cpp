@@ -1,7 +1,7 @@
 #include "meshalyzer/repair/weld/weld_matching.h"
 
+#include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/repair/weld/weld_pairing.h"
-#include "meshalyzer/topology/disjoint_sets.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -52,12 +52,12 @@ class CandidateGroups {
 
 class Matching {
  public:
-  Matching(WeldStage& stage, const WeldCandidates& candidates)
-      : stage_(stage),
+  Matching(WeldState& state, const WeldCandidates& candidates)
+      : state_(state),
         candidates_(candidates.joins),
         reach_(candidates.reach),
-        classes_(stage.rules),
-        is_taken_(stage.edges.size(), 0) {}
+        classes_(state.rules),
+        is_taken_(state.edges.size(), 0) {}
 
   [[nodiscard]] std::vector<WeldJoin> run() {
     std::vector<Index> all(candidates_.size());
@@ -72,7 +72,7 @@ class Matching {
  private:
   /// Pairs the groups whose edges are all near each other; the others are crowded.
   void pair_up_clear(std::vector<Index> candidates) {
-    const CandidateGroups groups(candidates_, std::move(candidates), stage_.edges.size());
+    const CandidateGroups groups(candidates_, std::move(candidates), state_.edges.size());
     for (std::size_t i = 0; i < groups.size(); ++i) {
       const std::span<const Index> group = groups[i];
       if (!are_all_near(group)) {
@@ -81,12 +81,12 @@ class Matching {
       }
       const Pairing pairing = pairing_of(group, reach_);
       for (const WeldJoin& join : pairing.joins) {
-        if (const auto reason = try_join(join); !reason.empty()) refuse(stage_, join, reason);
+        if (const auto reason = try_join(join); !reason.empty()) refuse(state_, join, reason);
       }
       if (pairing.joins.empty()) {
         unclear_.push_back({{group.begin(), group.end()}, pairing.refusal});
       } else if (!pairing.refusal.empty()) {
-        refuse(stage_, candidates_[group[0]], pairing.refusal);
+        refuse(state_, candidates_[group[0]], pairing.refusal);
       }
     }
   }
@@ -105,7 +105,7 @@ class Matching {
       rest = still_free(rest);
       std::erase_if(rest, [&](Index c) { return candidates_[c].distance > longest; });
       if (rest.empty()) return;
-      const CandidateGroups groups(candidates_, rest, stage_.edges.size());
+      const CandidateGroups groups(candidates_, rest, state_.edges.size());
       for (std::size_t i = 0; i < groups.size(); ++i) pair_up_if_isolated(groups[i], longest);
       // Down to the farthest pair the groups stay the same.
       longest = std::min(longest, farthest_of(rest)) / kIsolation;
@@ -124,7 +124,7 @@ class Matching {
   void refuse_unclear() {
     for (const Unclear& group : unclear_) {
       const std::vector<Index> left = still_free(group.candidates);
-      if (!left.empty()) refuse(stage_, candidates_[left[0]], group.refusal);
+      if (!left.empty()) refuse(state_, candidates_[left[0]], group.refusal);
     }
   }
 
@@ -134,7 +134,7 @@ class Matching {
     return farthest;
   }
 
-  /// Those that may be joined still, in the same order.
+  /// Returns those that may be joined still, in the same order.
   [[nodiscard]] std::vector<Index> still_free(std::span<const Index> candidates) const {
     std::vector<Index> found;
     for (const Index c : candidates) {
@@ -144,7 +144,7 @@ class Matching {
     return found;
   }
 
-  /// How many candidates of a group are those of its lowest edge: the first ones.
+  /// Returns how many candidates of a group are those of its lowest edge: the first ones.
   [[nodiscard]] std::size_t n_of_lowest(std::span<const Index> group) const {
     const Index lowest = candidates_[group[0]].first;
     std::size_t n = 0;
@@ -152,20 +152,20 @@ class Matching {
     return n;
   }
 
-  /// Whether each edge of a group is near each other one of it.
+  /// Tells whether each edge of a group is near each other one of it.
   [[nodiscard]] bool are_all_near(std::span<const Index> group) const {
     const std::size_t n = n_of_lowest(group);
     return group.size() == (n + 1) * n / 2;
   }
 
-  /// Of a group whose edges are all near each other.
+  /// Pairs the edges of a group whose edges are all near each other.
   [[nodiscard]] Pairing pairing_of(std::span<const Index> group, double reach) const {
     std::vector<EdgeAtPlace> at_place{{candidates_[group[0]].first, EdgeRun::Same}};
     for (const Index c : group.first(n_of_lowest(group))) {
       at_place.push_back({candidates_[c].second, candidates_[c].run});
     }
     Pairing pairing =
-        pair_edges_at_place(stage_.rules.input.draft.soup, stage_.edges, at_place, reach);
+        pair_edges_at_place(state_.rules.input.tracked.soup, state_.edges, at_place, reach);
     for (WeldJoin& join : pairing.joins) join.distance = farthest_of(group);
     return pairing;
   }
@@ -173,7 +173,7 @@ class Matching {
   /// @return As WeldClasses::join().
   std::string_view try_join(const WeldJoin& join) {
     const std::string_view reason =
-        classes_.join(stage_.edges[join.first], stage_.edges[join.second], join.run);
+        classes_.join(state_.edges[join.first], state_.edges[join.second], join.run);
     if (!reason.empty()) return reason;
     is_taken_[join.first] = is_taken_[join.second] = 1;
     joins_.push_back(join);
@@ -202,7 +202,7 @@ class Matching {
       offers.pop();
       const WeldJoin& join = candidates_[best];
       if (is_taken_[join.first] != 0 || is_taken_[join.second] != 0) continue;
-      if (classes_.are_joined(stage_.edges[join.first].third, stage_.edges[join.second].third)) {
+      if (classes_.are_joined(state_.edges[join.first].third, state_.edges[join.second].third)) {
         continue;
       }
       const std::vector<Index> ends = separate_ends(join);
@@ -213,10 +213,10 @@ class Matching {
     }
   }
 
-  /// The ends of two edges that are not joined yet, by twos.
+  /// Returns the ends of two edges that are not joined yet, by twos.
   [[nodiscard]] std::vector<Index> separate_ends(const WeldJoin& join) {
-    const WeldEdge& a = stage_.edges[join.first];
-    const WeldEdge& b = stage_.edges[join.second];
+    const WeldEdge& a = state_.edges[join.first];
+    const WeldEdge& b = state_.edges[join.second];
     std::vector<Index> ends;
     for (const auto& [v, w] : {std::pair(a.from, partner_of_from(b, join.run)),
                                std::pair(a.to, partner_of_to(b, join.run))}) {
@@ -228,13 +228,13 @@ class Matching {
   /// Lists candidates by the ends of their first edges.
   void list_by_ends(std::span<const Index> rest) {
     for (const Index c : rest) {
-      const WeldEdge& edge = stage_.edges[candidates_[c].first];
+      const WeldEdge& edge = state_.edges[candidates_[c].first];
       for (const Index v : {edge.from, edge.to}) by_ends_.push_back({v, c});
     }
     std::sort(by_ends_.begin(), by_ends_.end());
   }
 
-  /// Those of an end that may be joined still.
+  /// Returns those of an end that may be joined still.
   [[nodiscard]] std::vector<Index> at_end(Index vertex) const {
     std::vector<Index> found;
     auto entry = std::lower_bound(by_ends_.begin(), by_ends_.end(), std::pair(vertex, Index{0}));
@@ -259,7 +259,7 @@ class Matching {
     std::string_view refusal;
   };
 
-  WeldStage& stage_;
+  WeldState& state_;
   std::span<const WeldJoin> candidates_;
   double reach_;
   WeldClasses classes_;
@@ -274,9 +274,9 @@ class Matching {
 
 }  // namespace
 
-std::vector<WeldJoin> match_candidates(WeldStage& stage, const WeldCandidates& candidates) {
+std::vector<WeldJoin> match_candidates(WeldState& state, const WeldCandidates& candidates) {
   if (candidates.joins.empty()) return {};
-  return Matching(stage, candidates).run();
+  return Matching(state, candidates).run();
 }
 
 }  // namespace meshalyzer

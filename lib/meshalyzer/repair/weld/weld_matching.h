@@ -17,7 +17,7 @@ namespace meshalyzer {
 /// others. The rest is zipped: pairs that run against each other before the others, of those the
 /// ones with most ends joined already, as at the tips of a slit, of those always the pair whose
 /// ends are nearest.
-[[nodiscard]] std::vector<WeldJoin> match_candidates(WeldStage& stage,
+[[nodiscard]] std::vector<WeldJoin> match_candidates(WeldState& state,
                                                      const WeldCandidates& candidates);
 
 }  // namespace meshalyzer

@@ -1,7 +1,7 @@
 #include "meshalyzer/repair/weld/weld_operations.h"
 
-#include "meshalyzer/repair/weld/weld_check.h"
-#include "meshalyzer/topology/disjoint_sets.h"
+#include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/repair/driver/merge_rule.h"
 
 #include <algorithm>
 #include <array>
@@ -12,100 +12,100 @@
 namespace meshalyzer {
 namespace {
 
-/// Of joins that do harm the farthest are dropped. After so many trials whatever hangs together
-/// with what does harm goes with it: then nothing is left of it that could do harm in another way.
+/// Rejected joins over the largest distances are dropped first. After so many
+/// trials the whole cluster of a rejected join is dropped, so that the search ends.
 constexpr std::size_t kMaxJoinTrials = 8;
-/// Joins are added in steps where they do harm together: in each those of edges that are up to so
-/// many times as far apart as the nearest, in the last one all that are left.
+/// Where joins are rejected together, they are added in steps: each step adds joins over up to so
+/// many times the smallest distance, and the last one adds all that are left.
 constexpr double kJoinStep = 8.0;
 constexpr std::size_t kMaxJoinSteps = 6;
 
 /// Joins as they would be made.
 struct JoinedMesh {
-  /// #V, the vertex that stays of those that each becomes one with.
-  std::vector<Index> staying;
+  /// For each vertex, the one that represents all those that it is joined with.
+  std::vector<Index> representative;
   /// Faces of the complex with a joined vertex, ascending.
-  std::vector<Index> touched;
+  std::vector<Index> affected;
 };
 
-std::vector<Index> find_touched(const Soup& soup, const WeldClasses& classes) {
-  std::vector<Index> touched;
+std::vector<Index> find_affected_faces(const Soup& soup, const WeldClasses& classes) {
+  std::vector<Index> affected;
   for (Index f = 0; f < soup.n_faces(); ++f) {
     const Triangle& t = soup.triangles[f];
     if (!is_in_complex(t)) continue;
     const auto is_joined = [&](Index v) { return !classes.is_alone(v); };
-    if (std::any_of(t.begin(), t.end(), is_joined)) touched.push_back(f);
+    if (std::any_of(t.begin(), t.end(), is_joined)) affected.push_back(f);
   }
-  return touched;
+  return affected;
 }
 
 /// Makes the joins that the rules allow, and forgets the others.
-JoinedMesh make_joins(WeldStage& stage, std::vector<WeldJoin>& joins) {
-  WeldClasses classes(stage.rules);
+JoinedMesh make_joins(WeldState& state, std::vector<WeldJoin>& joins) {
+  WeldClasses classes(state.rules);
   const auto is_impossible = [&](const WeldJoin& join) {
     const std::string_view reason =
-        classes.join(stage.edges[join.first], stage.edges[join.second], join.run);
+        classes.join(state.edges[join.first], state.edges[join.second], join.run);
     if (reason.empty()) return false;
-    refuse(stage, join, reason);
+    refuse(state, join, reason);
     return true;
   };
   joins.erase(std::remove_if(joins.begin(), joins.end(), is_impossible), joins.end());
-  return {.staying = classes.staying_vertices(),
-          .touched = find_touched(stage.rules.input.draft.soup, classes)};
+  return {.representative = classes.representatives(),
+          .affected = find_affected_faces(state.rules.input.tracked.soup, classes)};
 }
 
-/// The vertices, by those that stay, that must be joined together or not at all.
-DisjointSets find_clusters(const WeldStage& stage, const JoinedMesh& joined,
+/// Returns the vertices, by those that stay, that must be joined together or not at all.
+DisjointSets find_clusters(const WeldState& state, const JoinedMesh& joined,
                            std::span<const WeldJoin> joins) {
-  const std::vector<Index>& staying = joined.staying;
-  DisjointSets clusters(staying.size());
+  const std::vector<Index>& representative = joined.representative;
+  DisjointSets clusters(representative.size());
   for (const WeldJoin& join : joins) {
-    const WeldEdge& edge = stage.edges[join.first];
-    const WeldEdge& other = stage.edges[join.second];
+    const WeldEdge& edge = state.edges[join.first];
+    const WeldEdge& other = state.edges[join.second];
     // The tip of a slit, which is one vertex already, does not tie it to others.
     if (edge.from == partner_of_from(other, join.run)) continue;
     if (edge.to == partner_of_to(other, join.run)) continue;
-    clusters.unite(staying[edge.from], staying[edge.to]);
+    clusters.unite(representative[edge.from], representative[edge.to]);
   }
-  for (const Triangle& t : stage.rules.input.draft.soup.triangles) {
+  for (const Triangle& t : state.rules.input.tracked.soup.triangles) {
     Index first = kNoIndex;
     for (const Index v : t) {
-      if (v == kNoIndex || staying[v] == v) continue;
-      if (first != kNoIndex) clusters.unite(first, staying[v]);
-      first = staying[v];
+      if (v == kNoIndex || representative[v] == v) continue;
+      if (first != kNoIndex) clusters.unite(first, representative[v]);
+      first = representative[v];
     }
   }
   return clusters;
 }
 
-/// Spreads harm to all that hangs together with what does it.
-void spread(std::vector<WeldHarm>& harms, DisjointSets clusters) {
-  for (Index v = 0; v < harms.size(); ++v) {
-    if (harms[v] != WeldHarm::None) harms[clusters.find(v)] = harms[v];
+/// Spreads each rejection to its whole cluster.
+void spread(std::vector<MergeRejection>& rejections, DisjointSets clusters) {
+  for (Index v = 0; v < rejections.size(); ++v) {
+    if (rejections[v] != MergeRejection::None) rejections[clusters.find(v)] = rejections[v];
   }
-  for (Index v = 0; v < harms.size(); ++v) harms[v] = harms[clusters.find(v)];
+  for (Index v = 0; v < rejections.size(); ++v) rejections[v] = rejections[clusters.find(v)];
 }
 
-/// Chooses joins that do no harm together.
-class Settlement {
+/// Selects joins that are accepted together.
+class JoinSelection {
  public:
-  explicit Settlement(WeldStage& stage) : stage_(stage) {}
+  explicit JoinSelection(WeldState& state) : state_(state) {}
 
-  /// Of joins that do harm together those of edges that are nearest each other stay.
+  /// Keeps those over the smallest distances where joins are rejected together.
   ///
-  /// @param joins  Those that stay are left.
-  [[nodiscard]] JoinedMesh settle(std::vector<WeldJoin>& joins) {
-    JoinedMesh joined = make_joins(stage_, joins);
-    if (harms_of(joined).empty()) return joined;
+  /// @param joins  Receives the joins that are kept.
+  [[nodiscard]] JoinedMesh select(std::vector<WeldJoin>& joins) {
+    JoinedMesh joined = make_joins(state_, joins);
+    if (rejections_of(joined).empty()) return joined;
     std::stable_sort(joins.begin(), joins.end(),
                      [](const WeldJoin& a, const WeldJoin& b) { return a.distance < b.distance; });
     std::vector<WeldJoin> waiting = std::exchange(joins, {});
     for (std::size_t step = 1; !waiting.empty(); ++step) {
       const auto end = step < kMaxJoinSteps ? end_of_step(waiting) : waiting.end();
-      const std::size_t n_settled = joins.size();
+      const std::size_t n_selected = joins.size();
       joins.insert(joins.end(), waiting.begin(), end);
       waiting.erase(waiting.begin(), end);
-      joined = settle_behind(n_settled, joins);
+      joined = select_behind(n_selected, joins);
     }
     return joined;
   }
@@ -113,36 +113,38 @@ class Settlement {
  private:
   using Joins = std::vector<WeldJoin>;
 
-  /// The first that is much farther than the first of all.
+  /// Returns the first join over a much larger distance than the first of all.
   [[nodiscard]] static Joins::iterator end_of_step(Joins& joins) {
     const double farthest = kJoinStep * joins.front().distance;
     return std::find_if(joins.begin(), joins.end(),
                         [&](const WeldJoin& join) { return join.distance > farthest; });
   }
 
-  [[nodiscard]] std::vector<WeldHarm> harms_of(const JoinedMesh& joined) const {
-    return find_weld_harms(stage_.rules.input.draft.soup, joined.staying, joined.touched);
+  [[nodiscard]] std::vector<MergeRejection> rejections_of(const JoinedMesh& joined) const {
+    return check_merges(state_.rules.input.tracked.soup, joined.representative, joined.affected);
   }
 
-  /// Drops joins behind the first ones, which do no harm by themselves, until none is done.
+  /// Drops joins after the first n_selected, which are accepted by themselves, until nothing is
+  /// rejected.
   ///
-  /// Whatever does harm has a vertex of those behind; should none be found they all go.
-  [[nodiscard]] JoinedMesh settle_behind(std::size_t n_settled, Joins& joins) {
+  /// Each rejected vertex belongs to one of the later joins; if none of them is found, all of them
+  /// are dropped.
+  [[nodiscard]] JoinedMesh select_behind(std::size_t n_selected, Joins& joins) {
     for (std::size_t trial = 1;; ++trial) {
-      JoinedMesh joined = make_joins(stage_, joins);
-      std::vector<WeldHarm> harms = harms_of(joined);
-      if (harms.empty() || joins.size() <= n_settled) return joined;
-      std::vector<double> farthest(joined.staying.size(), 0.0);
+      JoinedMesh joined = make_joins(state_, joins);
+      std::vector<MergeRejection> rejections = rejections_of(joined);
+      if (rejections.empty() || joins.size() <= n_selected) return joined;
+      std::vector<double> farthest(joined.representative.size(), 0.0);
       if (trial < kMaxJoinTrials) {
-        farthest = farthest_joins(joined, std::span(joins).subspan(n_settled));
+        farthest = farthest_joins(joined, std::span(joins).subspan(n_selected));
       } else {
-        spread(harms, find_clusters(stage_, joined, joins));
+        spread(rejections, find_clusters(state_, joined, joins));
       }
-      const auto does_harm = [&](const WeldJoin& join) {
-        return drop(join, joined, harms, farthest);
+      const auto is_rejected = [&](const WeldJoin& join) {
+        return drop(join, joined, rejections, farthest);
       };
-      const auto first = joins.begin() + static_cast<std::ptrdiff_t>(n_settled);
-      const auto kept = std::remove_if(first, joins.end(), does_harm);
+      const auto first = joins.begin() + static_cast<std::ptrdiff_t>(n_selected);
+      const auto kept = std::remove_if(first, joins.end(), is_rejected);
       joins.erase(kept == joins.end() ? first : kept, joins.end());
     }
   }
@@ -150,7 +152,7 @@ class Settlement {
   /// #V: by the vertex that stays, the largest distance of the joins of those it stays for.
   [[nodiscard]] std::vector<double> farthest_joins(const JoinedMesh& joined,
                                                    std::span<const WeldJoin> joins) const {
-    std::vector<double> farthest(joined.staying.size(), 0.0);
+    std::vector<double> farthest(joined.representative.size(), 0.0);
     for (const WeldJoin& join : joins) {
       for (const Index v : ends_of(join, joined)) {
         farthest[v] = std::max(farthest[v], join.distance);
@@ -159,43 +161,44 @@ class Settlement {
     return farthest;
   }
 
-  /// The vertices that stay of the ends of a join.
+  /// Returns the representatives of the ends of a join.
   [[nodiscard]] std::array<Index, 2> ends_of(const WeldJoin& join, const JoinedMesh& joined) const {
-    const WeldEdge& edge = stage_.edges[join.first];
-    return {joined.staying[edge.from], joined.staying[edge.to]};
+    const WeldEdge& edge = state_.edges[join.first];
+    return {joined.representative[edge.from], joined.representative[edge.to]};
   }
 
-  /// Refuses a join of vertices that do harm, where it is the farthest of one of them. Two faces
-  /// that become one have no sides that should be joined.
+  /// Refuses a join with a rejected vertex, where it is the one over the largest distance there.
+  /// Two faces that become one have no sides that should be joined.
   [[nodiscard]] bool drop(const WeldJoin& join, const JoinedMesh& joined,
-                          std::span<const WeldHarm> harms, std::span<const double> farthest) {
+                          std::span<const MergeRejection> rejections,
+                          std::span<const double> farthest) {
     for (const Index v : ends_of(join, joined)) {
-      if (harms[v] == WeldHarm::None) continue;
-      if (harms[v] != WeldHarm::Duplicate && join.distance < farthest[v]) continue;
-      refuse(stage_, join, reason_of(harms[v]));
+      if (rejections[v] == MergeRejection::None) continue;
+      if (rejections[v] != MergeRejection::Duplicate && join.distance < farthest[v]) continue;
+      refuse(state_, join, reason_of(rejections[v]));
       return true;
     }
     return false;
   }
 
-  WeldStage& stage_;
+  WeldState& state_;
 };
 
 /// Numbers the operations in order of the lowest vertex of each, and writes them down.
-void write_edits(const Soup& soup, std::span<const Index> staying, DisjointSets& clusters,
+void write_edits(const Soup& soup, std::span<const Index> representative, DisjointSets& clusters,
                  Edits& edits) {
-  std::vector<Index> op_of_cluster(staying.size(), kNoIndex);
-  for (Index v = 0; v < staying.size(); ++v) {
-    if (staying[v] == v) continue;
-    Index& op = op_of_cluster[clusters.find(staying[v])];
+  std::vector<Index> op_of_cluster(representative.size(), kNoIndex);
+  for (Index v = 0; v < representative.size(); ++v) {
+    if (representative[v] == v) continue;
+    Index& op = op_of_cluster[clusters.find(representative[v])];
     if (op == kNoIndex) op = edits.begin_operation();
   }
   for (Index f = 0; f < soup.n_faces(); ++f) {
     Triangle t = soup.triangles[f];
     Index op = kNoIndex;
     for (Index& v : t) {
-      if (v == kNoIndex || staying[v] == v) continue;
-      v = staying[v];
+      if (v == kNoIndex || representative[v] == v) continue;
+      v = representative[v];
       op = op_of_cluster[clusters.find(v)];
     }
     if (op != kNoIndex) edits.changed_faces.push_back({op, f, t});
@@ -203,34 +206,34 @@ void write_edits(const Soup& soup, std::span<const Index> staying, DisjointSets&
 }
 
 /// Keeps other operations off a face.
-void occupy(WeldStage& stage, Index face) {
-  for (const Index v : stage.rules.input.draft.soup.triangles[face]) {
-    if (v != kNoIndex) stage.is_busy[v] = 1;
+void occupy(WeldState& state, Index face) {
+  for (const Index v : state.rules.input.tracked.soup.triangles[face]) {
+    if (v != kNoIndex) state.is_busy[v] = 1;
   }
 }
 
 }  // namespace
 
-void refuse(WeldStage& stage, const WeldJoin& join, std::string_view reason) {
-  const WeldEdge& a = stage.edges[join.first];
-  const WeldEdge& b = stage.edges[join.second];
-  stage.result.refused.push_back({.code = DefectCode::Slit,
+void refuse(WeldState& state, const WeldJoin& join, std::string_view reason) {
+  const WeldEdge& a = state.edges[join.first];
+  const WeldEdge& b = state.edges[join.second];
+  state.result.refused.push_back({.code = DefectCode::Slit,
                                   .vertex = std::min({a.from, a.to, b.from, b.to}),
                                   .face = std::min(a.face, b.face),
                                   .reason = std::string(reason)});
 }
 
-void add_weld_operations(WeldStage& stage, std::vector<WeldJoin> joins) {
+void add_weld_operations(WeldState& state, std::vector<WeldJoin> joins) {
   if (joins.empty()) return;
-  const Soup& soup = stage.rules.input.draft.soup;
-  const JoinedMesh joined = Settlement(stage).settle(joins);
-  DisjointSets clusters = find_clusters(stage, joined, joins);
-  const std::size_t n_changed_before = stage.result.edits.changed_faces.size();
-  write_edits(soup, joined.staying, clusters, stage.result.edits);
-  for (const Index f : joined.touched) occupy(stage, f);
+  const Soup& soup = state.rules.input.tracked.soup;
+  const JoinedMesh joined = JoinSelection(state).select(joins);
+  DisjointSets clusters = find_clusters(state, joined, joins);
+  const std::size_t n_changed_before = state.result.edits.changed_faces.size();
+  write_edits(soup, joined.representative, clusters, state.result.edits);
+  for (const Index f : joined.affected) occupy(state, f);
   // Faces that are not in the complex may change too.
-  const auto changed = std::span(stage.result.edits.changed_faces).subspan(n_changed_before);
-  for (const Edits::ChangedFace& face : changed) occupy(stage, face.face);
+  const auto changed = std::span(state.result.edits.changed_faces).subspan(n_changed_before);
+  for (const Edits::ChangedFace& face : changed) occupy(state, face.face);
 }
 
 }  // namespace meshalyzer

@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view kSameVertices =
     "joining them would make two faces with the same vertices";
 
-/// Whether two faces at an edge lie on the same side of it in one plane.
+/// Tells whether two faces at an edge lie on the same side of it in one plane.
 bool lie_on_each_other(const Soup& soup, const WeldEdge& a, const WeldEdge& b) {
   const Vec3& p = soup.positions[a.from];
   const Vec3& q = soup.positions[a.to];
@@ -33,7 +33,7 @@ Pairing pair_two(const Soup& soup, std::span<const WeldEdge> edges,
   const WeldEdge& a = edges[at_place[0].edge];
   const WeldEdge& b = edges[at_place[1].edge];
   const EdgeRun run = at_place[1].run;
-  if (at_one_place(soup.positions[a.third], soup.positions[b.third])) {
+  if (soup.positions[a.third] == soup.positions[b.third]) {
     return {.joins = {}, .refusal = kSameVertices};
   }
   if (run == EdgeRun::Same && lie_on_each_other(soup, a, b)) {
@@ -63,7 +63,7 @@ class AnglePairing {
     for (Index i = 0; i < round.partner.size(); ++i) {
       const Index j = round.partner[i];
       if (j < i) continue;
-      if (at_one_place(apex(i), apex(j))) {
+      if (apex(i) == apex(j)) {
         pairing.refusal = kSameVertices;
         continue;
       }
@@ -83,7 +83,7 @@ class AnglePairing {
   [[nodiscard]] const Vec3& start() const { return positions_[edge(0).from]; }
   [[nodiscard]] const Vec3& end() const { return positions_[edge(0).to]; }
 
-  /// Of faces with the same corners and direction only the lowest stays.
+  /// Keeps only the lowest of faces with the same corners and direction.
   [[nodiscard]] std::vector<EdgeAtPlace> without_repeated(
       std::span<const EdgeAtPlace> at_place) const {
     const auto key = [&](const EdgeAtPlace& e) {
@@ -132,7 +132,7 @@ class AnglePairing {
 
   std::span<const WeldEdge> edges_;
   std::span<const Vec3> positions_;
-  /// Ascending by edge; the first is the lowest, which is never a repeated one.
+  /// The edges in ascending order; the first is the lowest, which is never a repeated one.
   std::vector<EdgeAtPlace> at_place_;
 };
 

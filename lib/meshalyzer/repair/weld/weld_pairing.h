@@ -25,7 +25,7 @@ struct Pairing {
   std::string_view refusal;
 };
 
-/// Pairs the border edges at one place.
+/// Returns pairs the border edges at one place.
 ///
 /// Two are joined, but for those of one direction whose faces lie on each other. More are joined as
 /// pair_round_edge() pairs their faces, where those that begin a solid alternate with those that

@@ -16,6 +16,6 @@ namespace meshalyzer {
 /// them gets no vertex.
 ///
 /// Chains with a busy vertex wait for the next time.
-void add_split_operations(WeldStage& stage, std::span<const WeldChain> chains);
+void add_split_operations(WeldState& state, std::span<const WeldChain> chains);
 
 }  // namespace meshalyzer

@@ -3,7 +3,7 @@
 #include "meshalyzer/analysis/analysis.h"
 #include "meshalyzer/defects/find_defects.h"
 #include "meshalyzer/picture/scene.h"
-#include "meshalyzer/report/repair_story.h"
+#include "meshalyzer/report/repair_report.h"
 #include "meshalyzer/set/set_analysis.h"
 
 #include <array>
@@ -64,7 +64,7 @@ struct IndexRow {
 
 /// The page of a repair. Only referred to.
 struct RepairPage {
-  const RepairStory& story;
+  const RepairReport& report;
   PageMesh before;
   /// All meshes of the result as one; its defects are those that remain.
   PageMesh after;

@@ -13,21 +13,21 @@
 namespace meshalyzer {
 namespace {
 
-std::size_t n_left(const RepairStory& story, DefectCode code) {
+std::size_t n_left(const RepairReport& report, DefectCode code) {
   std::size_t n = 0;
-  for (const FinalMesh& mesh : story.meshes) n += mesh.remaining.count(code);
+  for (const FinalMesh& mesh : report.meshes) n += mesh.remaining.count(code);
   return n;
 }
 
-Verdict verdict_of(const RepairStory& story) {
-  const std::size_t n = n_remaining(story);
+Verdict verdict_of(const RepairReport& report) {
+  const std::size_t n = n_remaining(report);
   if (n != 0) {
     std::string text = counted(n, "defect remains", "defects remain");
     return {Verdict::Kind::Bad, text,
-            counts_of_codes([&](DefectCode code) { return n_left(story, code); }, story.fixes)};
+            counts_of_codes([&](DefectCode code) { return n_left(report, code); }, report.fixes)};
   }
   return {Verdict::Kind::Good,
-          story.result.log.steps.empty() ? "Nothing was to be done" : "Repaired"};
+          report.result.log.steps.empty() ? "Nothing was to be done" : "Repaired"};
 }
 
 /// Of a text with an arrow for terminals.
@@ -38,37 +38,38 @@ std::string with_drawn_arrow(std::string text) {
   return text;
 }
 
-std::string facts_of(const RepairStory& story) {
+std::string facts_of(const RepairReport& report) {
   std::size_t vertices = 0;
   std::size_t faces = 0;
-  for (const FinalMesh& mesh : story.meshes) {
+  for (const FinalMesh& mesh : report.meshes) {
     vertices += mesh.name.n_vertices;
     faces += mesh.name.n_faces;
   }
   std::string facts = "faces ";
-  facts += with_drawn_arrow(arrow(story.input.n_faces, faces));
+  facts += with_drawn_arrow(arrow(report.input.n_faces, faces));
   facts += ", vertices ";
-  facts += with_drawn_arrow(arrow(story.input.n_vertices, vertices));
+  facts += with_drawn_arrow(arrow(report.input.n_vertices, vertices));
   facts += ", ";
-  facts += format_name(story.input.format);
+  facts += format_name(report.input.format);
   facts += " file";
   return facts;
 }
 
 /// What was wrong, and what is.
-void append_counts_section(HtmlWriter& html, const RepairStory& story) {
+void append_counts_section(HtmlWriter& html, const RepairReport& report) {
   const HtmlSection section(html, "counts", "Defects before and after");
   TextTable table{2, {{"defect", "asked for", "before", "after"}}};
   std::size_t before = 0;
   std::size_t after = 0;
   for (const DefectCode code : all_defect_codes()) {
-    const std::size_t was = story.result.before.count(code);
-    const std::size_t is = n_left(story, code);
+    const std::size_t was = report.result.before.count(code);
+    const std::size_t is = n_left(report, code);
     before += was;
     after += is;
     if (was == 0 && is == 0) continue;
-    table.rows.push_back({std::string(defect_name(code)), story.fixes.contains(code) ? "yes" : "no",
-                          std::to_string(was), std::to_string(is)});
+    table.rows.push_back({std::string(defect_name(code)),
+                          report.fixes.contains(code) ? "yes" : "no", std::to_string(was),
+                          std::to_string(is)});
   }
   table.rows.push_back({"all", "", std::to_string(before), std::to_string(after)});
   append_text_table(html, table);
@@ -87,12 +88,12 @@ void append_steps(HtmlWriter& html, const std::vector<LogStep>& steps) {
   append_text_table(html, table);
 }
 
-void append_repair_section(HtmlWriter& html, const RepairStory& story) {
+void append_repair_section(HtmlWriter& html, const RepairReport& report) {
   const HtmlSection section(html, "repair", "What was done");
-  append_steps(html, story.result.log.steps);
+  append_steps(html, report.result.log.steps);
   html.element("h3", "What came out");
   ReportRows outcome;
-  append_outcome(outcome, story);
+  append_outcome(outcome, report);
   ReportRows rows;
   for (const ReportRow& row : outcome.rows()) {
     const bool is_count = row.name == "vertices" || row.name == "faces";
@@ -102,14 +103,14 @@ void append_repair_section(HtmlWriter& html, const RepairStory& story) {
 }
 
 /// The places that were left, mesh by mesh, with the reason.
-void append_refusals_section(HtmlWriter& html, const RepairStory& story) {
-  const KeyIds ids(story);
-  const std::vector<RefusalGroup> groups = group_refusals(story, ids);
+void append_refusals_section(HtmlWriter& html, const RepairReport& report) {
+  const KeyIds ids(report);
+  const std::vector<RefusalGroup> groups = group_refusals(report, ids);
   if (groups.empty()) return;
   const HtmlSection section(html, "refusals", "What was left, and why");
   ReportRows rows;
   for (const RefusalGroup& group : groups) {
-    if (story.meshes.size() > 1 && group.mesh) rows.line("mesh", mesh_text(story, *group.mesh));
+    if (report.meshes.size() > 1 && group.mesh) rows.line("mesh", mesh_text(report, *group.mesh));
     append_refusal(rows, group, ListLength::Short);
   }
   append_rows(html, rows);
@@ -119,13 +120,13 @@ void append_refusals_section(HtmlWriter& html, const RepairStory& story) {
 
 std::string html_report(const RepairPage& page) {
   const std::array drawn{TitledMesh{"before", page.before}, TitledMesh{"after", page.after}};
-  const PageHeader header{.name = file_name(page.story.input.path),
-                          .verdict = verdict_of(page.story),
-                          .facts = facts_of(page.story)};
+  const PageHeader header{.name = file_name(page.report.input.path),
+                          .verdict = verdict_of(page.report),
+                          .facts = facts_of(page.report)};
   return html_page(header, drawn, [&](HtmlWriter& html) {
-    append_counts_section(html, page.story);
-    append_repair_section(html, page.story);
-    append_refusals_section(html, page.story);
+    append_counts_section(html, page.report);
+    append_repair_section(html, page.report);
+    append_refusals_section(html, page.report);
     append_defects_section(html, drawn);
   });
 }

@@ -1,5 +1,6 @@
 #include "meshalyzer/report/journal/line.h"
 
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/report/journal/line_kind.h"
 #include "meshalyzer/report/journal/request.h"
 #include "meshalyzer/report/json/bytes.h"
@@ -41,8 +42,7 @@ std::vector<Index> meshes_in(const ObjectFindings& findings) {
     std::copy_if(findings.separation->objects.begin(), findings.separation->objects.end(),
                  std::back_inserter(meshes), [](Index mesh) { return mesh != kNoIndex; });
   }
-  std::sort(meshes.begin(), meshes.end());
-  meshes.erase(std::unique(meshes.begin(), meshes.end()), meshes.end());
+  sort_unique(meshes);
   return meshes;
 }
 

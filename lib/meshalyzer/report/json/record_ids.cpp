@@ -1,5 +1,7 @@
 #include "meshalyzer/report/json/record_ids.h"
 
+#include "meshalyzer/base/sort_unique.h"
+
 #include <algorithm>
 
 namespace meshalyzer {
@@ -63,8 +65,7 @@ template <typename ForEach>
 std::vector<std::int32_t> replace_by_indices(const ForEach& for_each) {
   std::vector<std::int32_t> ids;
   for_each([&](const Index& place) { ids.push_back(static_cast<std::int32_t>(place)); });
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  sort_unique(ids);
   ids.shrink_to_fit();
   for_each([&](Index& place) {
     const auto id = static_cast<std::int32_t>(place);

@@ -135,23 +135,24 @@ void write_key_ids(JsonWriter& json, std::string_view key, const std::vector<std
 
 /// Rows [new id, old id] of the faces that are not the input's face of the same id, unchanged; old
 /// is null in a hole patch.
-void write_tracking(JsonWriter& json, const RepairStory& story, std::size_t mesh,
+void write_tracking(JsonWriter& json, const RepairReport& report, std::size_t mesh,
                     const std::vector<std::uint8_t>& is_changed) {
-  const Draft& draft = story.result.meshes[mesh].draft;
+  const TrackedMesh& tracked = report.result.meshes[mesh].tracked;
   json.key("tracking");
   json.begin_array();
-  for (std::size_t f = 0; f < draft.face_keys.size(); ++f) {
+  for (std::size_t f = 0; f < tracked.face_keys.size(); ++f) {
     const auto face = static_cast<Index>(f);
-    const Index origin = draft.origin_of_face(face);
-    const std::int64_t id = story.meshes[mesh].name.face_ids.of(face);
-    const bool is_old = draft.face_keys[f] < draft.n_input_faces && !is_changed[draft.face_keys[f]];
-    if (is_old && story.input.face_ids.of(origin) == id) continue;
+    const Index origin = tracked.origin_of_face(face);
+    const std::int64_t id = report.meshes[mesh].name.face_ids.of(face);
+    const bool is_old =
+        tracked.face_keys[f] < tracked.n_input_faces && !is_changed[tracked.face_keys[f]];
+    if (is_old && report.input.face_ids.of(origin) == id) continue;
     json.begin_array(JsonLayout::Row);
     json.value(id);
     if (origin == kNoIndex) {
       json.null();
     } else {
-      json.value(story.input.face_ids.of(origin));
+      json.value(report.input.face_ids.of(origin));
     }
     json.end_array();
   }
@@ -159,9 +160,9 @@ void write_tracking(JsonWriter& json, const RepairStory& story, std::size_t mesh
 }
 
 /// By face of the input: whether an operation has changed it.
-std::vector<std::uint8_t> changed_faces(const RepairStory& story) {
-  std::vector<std::uint8_t> changed(story.input.n_faces, 0);
-  for (const LoggedOperation& operation : story.result.log.operations) {
+std::vector<std::uint8_t> changed_faces(const RepairReport& report) {
+  std::vector<std::uint8_t> changed(report.input.n_faces, 0);
+  for (const LoggedOperation& operation : report.result.log.operations) {
     for (const Index key : operation.changed_faces) {
       if (key < changed.size()) changed[key] = 1;
     }
@@ -212,9 +213,9 @@ void write_refusal(JsonWriter& json, const LoggedRefusal& refusal, const KeyIds&
   json.end_object();
 }
 
-void write_log(JsonWriter& json, const RepairStory& story) {
-  const RepairLog& log = story.result.log;
-  const KeyIds ids(story);
+void write_log(JsonWriter& json, const RepairReport& report) {
+  const RepairLog& log = report.result.log;
+  const KeyIds ids(report);
   json.key("log");
   json.begin_object();
   json.key("steps");
@@ -232,17 +233,17 @@ void write_log(JsonWriter& json, const RepairStory& story) {
   json.end_object();
 }
 
-void write_meshes(JsonWriter& json, const RepairStory& story) {
-  const std::vector<std::uint8_t> is_changed = changed_faces(story);
+void write_meshes(JsonWriter& json, const RepairReport& report) {
+  const std::vector<std::uint8_t> is_changed = changed_faces(report);
   json.key("meshes");
   json.begin_array();
-  for (std::size_t i = 0; i < story.meshes.size(); ++i) {
-    const FinalMesh& mesh = story.meshes[i];
+  for (std::size_t i = 0; i < report.meshes.size(); ++i) {
+    const FinalMesh& mesh = report.meshes[i];
     json.begin_object();
     write_name(json, mesh.name);
     json.member("written", !mesh.name.path.empty());
     write_defects(json, mesh.name, mesh.remaining);
-    write_tracking(json, story, i, is_changed);
+    write_tracking(json, report, i, is_changed);
     json.end_object();
   }
   json.end_array();
@@ -267,26 +268,26 @@ std::string json_report(const MeshName& mesh, const DefectReport& report,
   return json.take();
 }
 
-std::string json_report(const RepairStory& story) {
+std::string json_report(const RepairReport& report) {
   JsonWriter json;
   begin_report(json);
   json.key("input");
   json.begin_object();
-  write_name(json, story.input);
-  write_tolerances(json, story.result.before.tolerances);
-  write_warnings(json, story.result.before.warnings);
-  write_defects(json, story.input, story.result.before);
+  write_name(json, report.input);
+  write_tolerances(json, report.result.before.tolerances);
+  write_warnings(json, report.result.before.warnings);
+  write_defects(json, report.input, report.result.before);
   json.end_object();
-  write_fixes(json, story.fixes);
-  json.member("max_deviation", story.result.max_deviation);
-  json.member("deviation", story.result.deviation);
-  json.member("remaining", n_remaining(story));
+  write_fixes(json, report.fixes);
+  json.member("max_deviation", report.result.max_deviation);
+  json.member("deviation", report.result.deviation);
+  json.member("remaining", n_remaining(report));
   json.key("notes");
   json.begin_array();
-  for (const std::string& note : story.notes) json.value(std::string_view(note));
+  for (const std::string& note : report.notes) json.value(std::string_view(note));
   json.end_array();
-  write_meshes(json, story);
-  write_log(json, story);
+  write_meshes(json, report);
+  write_log(json, report);
   json.end_object();
   return json.take();
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/report/repair_story.h"
+#include "meshalyzer/report/repair_report.h"
 
 #include <string>
 
@@ -15,6 +15,6 @@ namespace meshalyzer {
 /// The report of a repair as JSON: what was wrong, what was done, what remains; see
 /// doc/repair.schema.json. Faces that the tracking does not name are the input's face of the same
 /// id, unchanged.
-[[nodiscard]] std::string json_report(const RepairStory& story);
+[[nodiscard]] std::string json_report(const RepairReport& report);
 
 }  // namespace meshalyzer

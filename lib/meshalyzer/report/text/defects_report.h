@@ -1,7 +1,7 @@
 #pragma once
 
 #include "meshalyzer/defects/find_defects.h"
-#include "meshalyzer/report/repair_story.h"
+#include "meshalyzer/report/repair_report.h"
 
 #include <string>
 

@@ -33,9 +33,9 @@ void append_places(std::string& text, std::string_view word, const std::vector<s
   append_rest(text, ids.size(), lists);
 }
 
-void append_written(LineSink& lines, const RepairStory& story) {
+void append_written(LineSink& lines, const RepairReport& report) {
   bool is_written = false;
-  for (const FinalMesh& mesh : story.meshes) {
+  for (const FinalMesh& mesh : report.meshes) {
     if (mesh.name.path.empty()) continue;
     lines.line("written", mesh.name.path);
     is_written = true;
@@ -86,26 +86,26 @@ void append_refusal(LineSink& lines, const RefusalGroup& group, ListLength lists
   lines.line(name, text);
 }
 
-void append_outcome(LineSink& lines, const RepairStory& story) {
+void append_outcome(LineSink& lines, const RepairReport& report) {
   std::size_t vertices = 0;
   std::size_t faces = 0;
-  for (const FinalMesh& mesh : story.meshes) {
+  for (const FinalMesh& mesh : report.meshes) {
     vertices += mesh.name.n_vertices;
     faces += mesh.name.n_faces;
   }
-  lines.line("file", story.input.path);
-  lines.line("format", format_name(story.input.format));
-  append_written(lines, story);
-  for (const std::string& note : story.notes) lines.line("note", note);
-  for (const std::string& warning : story.result.before.warnings) lines.line("warning", warning);
-  lines.line("vertices", arrow(story.input.n_vertices, vertices));
-  lines.line("faces", arrow(story.input.n_faces, faces));
-  lines.line("maximum deviation", story.result.max_deviation);
-  lines.line("largest deviation", story.result.deviation);
+  lines.line("file", report.input.path);
+  lines.line("format", format_name(report.input.format));
+  append_written(lines, report);
+  for (const std::string& note : report.notes) lines.line("note", note);
+  for (const std::string& warning : report.result.before.warnings) lines.line("warning", warning);
+  lines.line("vertices", arrow(report.input.n_vertices, vertices));
+  lines.line("faces", arrow(report.input.n_faces, faces));
+  lines.line("maximum deviation", report.result.max_deviation);
+  lines.line("largest deviation", report.result.deviation);
 }
 
-std::string mesh_text(const RepairStory& story, std::size_t mesh) {
-  const std::string& path = story.meshes[mesh].name.path;
+std::string mesh_text(const RepairReport& report, std::size_t mesh) {
+  const std::string& path = report.meshes[mesh].name.path;
   return path.empty() ? std::to_string(mesh + 1) : path;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "meshalyzer/report/refusal_groups.h"
-#include "meshalyzer/report/repair_story.h"
+#include "meshalyzer/report/repair_report.h"
 #include "meshalyzer/report/text/defects_report.h"
 #include "meshalyzer/report/text/lines.h"
 
@@ -20,12 +20,12 @@ void append_distance(std::string& text, double distance);
 [[nodiscard]] std::string step_text(const LogStep& step);
 
 /// Appends what came out: files, notes, sizes, deviations.
-void append_outcome(LineSink& lines, const RepairStory& story);
+void append_outcome(LineSink& lines, const RepairReport& report);
 
 /// Appends the places that a pass left, with the reason.
 void append_refusal(LineSink& lines, const RefusalGroup& group, ListLength lists);
 
 /// The path of one of several meshes, or, where none was written, its number.
-[[nodiscard]] std::string mesh_text(const RepairStory& story, std::size_t mesh);
+[[nodiscard]] std::string mesh_text(const RepairReport& report, std::size_t mesh);
 
 }  // namespace meshalyzer

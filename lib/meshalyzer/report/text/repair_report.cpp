@@ -35,9 +35,10 @@ std::string operation_text(const LoggedOperation& operation, const KeyIds& ids) 
   return text.empty() ? ", ids or normals only" : text;
 }
 
-void append_steps(TextLines& lines, const RepairStory& story, const KeyIds& ids, ListLength lists) {
+void append_steps(TextLines& lines, const RepairReport& report, const KeyIds& ids,
+                  ListLength lists) {
   lines.heading("WHAT WAS DONE");
-  const RepairLog& log = story.result.log;
+  const RepairLog& log = report.result.log;
   if (log.steps.empty()) lines.line("changes", "none");
   auto next = log.operations.begin();
   for (std::size_t i = 0; i < log.steps.size(); ++i) {
@@ -59,39 +60,39 @@ void append_refusals(TextLines& lines, const std::vector<RefusalGroup>& groups,
   }
 }
 
-void append_counts(TextLines& lines, const RepairStory& story) {
+void append_counts(TextLines& lines, const RepairReport& report) {
   lines.heading("DEFECTS BEFORE AND AFTER");
   std::size_t before = 0;
   std::size_t after = 0;
   for (const DefectCode code : all_defect_codes()) {
     std::size_t left = 0;
-    for (const FinalMesh& mesh : story.meshes) left += mesh.remaining.count(code);
-    std::string text = arrow(story.result.before.count(code), left);
-    if (!story.fixes.contains(code) && left != 0) text += " (not asked for)";
+    for (const FinalMesh& mesh : report.meshes) left += mesh.remaining.count(code);
+    std::string text = arrow(report.result.before.count(code), left);
+    if (!report.fixes.contains(code) && left != 0) text += " (not asked for)";
     lines.line(defect_name(code), text);
-    before += story.result.before.count(code);
+    before += report.result.before.count(code);
     after += left;
   }
   lines.line("defects", arrow(before, after));
-  lines.line("asked for and left", n_remaining(story));
+  lines.line("asked for and left", n_remaining(report));
 }
 
 /// Short: only what was asked for; of the rest the counts have told.
-void append_what_remains(TextLines& lines, const RepairStory& story, const KeyIds& ids,
+void append_what_remains(TextLines& lines, const RepairReport& report, const KeyIds& ids,
                          ListLength lists) {
-  const std::vector<RefusalGroup> refusals = group_refusals(story, ids);
-  const DefectCodes codes = lists == ListLength::Full ? DefectCodes::all() : story.fixes;
+  const std::vector<RefusalGroup> refusals = group_refusals(report, ids);
+  const DefectCodes codes = lists == ListLength::Full ? DefectCodes::all() : report.fixes;
   std::size_t n = 0;
-  for (const FinalMesh& mesh : story.meshes) n += n_asked(mesh.remaining, codes);
+  for (const FinalMesh& mesh : report.meshes) n += n_asked(mesh.remaining, codes);
   if (n == 0 && refusals.empty()) return;
   lines.heading("WHAT REMAINS, AND WHY");
   append_refusals(lines, refusals, std::nullopt, lists);
-  for (std::size_t i = 0; i < story.meshes.size(); ++i) {
-    const FinalMesh& mesh = story.meshes[i];
+  for (std::size_t i = 0; i < report.meshes.size(); ++i) {
+    const FinalMesh& mesh = report.meshes[i];
     const bool is_refused = std::any_of(refusals.begin(), refusals.end(),
                                         [&](const RefusalGroup& group) { return group.mesh == i; });
     if (!is_refused && n_asked(mesh.remaining, codes) == 0) continue;
-    if (story.meshes.size() > 1) lines.line("mesh", mesh_text(story, i));
+    if (report.meshes.size() > 1) lines.line("mesh", mesh_text(report, i));
     append_refusals(lines, refusals, i, lists);
     append_defects(lines, {mesh.name, mesh.remaining, codes}, lists);
   }
@@ -99,14 +100,14 @@ void append_what_remains(TextLines& lines, const RepairStory& story, const KeyId
 
 }  // namespace
 
-std::string text_report(const RepairStory& story, ListLength lists) {
-  const KeyIds ids(story);
+std::string text_report(const RepairReport& report, ListLength lists) {
+  const KeyIds ids(report);
   TextLines lines;
   lines.heading("REPAIR");
-  append_outcome(lines, story);
-  append_counts(lines, story);
-  append_steps(lines, story, ids, lists);
-  append_what_remains(lines, story, ids, lists);
+  append_outcome(lines, report);
+  append_counts(lines, report);
+  append_steps(lines, report, ids, lists);
+  append_what_remains(lines, report, ids, lists);
   return std::move(lines.text());
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/report/repair_story.h"
+#include "meshalyzer/report/repair_report.h"
 #include "meshalyzer/report/text/defects_report.h"
 
 #include <string>
@@ -14,6 +14,6 @@ namespace meshalyzer {
 /// remains by those of the output.
 ///
 /// @param lists  Full: also each operation by itself, and what was not asked for.
-[[nodiscard]] std::string text_report(const RepairStory& story, ListLength lists);
+[[nodiscard]] std::string text_report(const RepairReport& report, ListLength lists);
 
 }  // namespace meshalyzer

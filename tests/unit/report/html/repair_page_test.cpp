@@ -14,12 +14,12 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-std::string page_of(const RepairStory& story) {
+std::string page_of(const RepairReport& report) {
   const Scene scene = sample_scene();
   const DefectReport defects = sample_defects();
-  const MeshName& after = story.meshes.front().name;
+  const MeshName& after = report.meshes.front().name;
   return html_report(RepairPage{
-      story, {story.input, defects, scene}, {after, story.meshes.front().remaining, Scene{}}});
+      report, {report.input, defects, scene}, {after, report.meshes.front().remaining, Scene{}}});
 }
 
 RepairResult result_with_a_step() {
@@ -36,12 +36,12 @@ RepairResult result_with_a_step() {
 
 TEST(HtmlReportOfRepair, PageIsWellFormed) {
   const RepairResult result = sample_result();
-  EXPECT_THAT(html_faults(page_of(sample_story(result))), IsEmpty());
+  EXPECT_THAT(html_faults(page_of(sample_report(result))), IsEmpty());
 }
 
 TEST(HtmlReportOfRepair, WhatWasDoneIsToldPassByPass) {
   const RepairResult result = result_with_a_step();
-  const std::string html = page_of(sample_story(result));
+  const std::string html = page_of(sample_report(result));
   EXPECT_THAT(html_faults(html), IsEmpty());
   EXPECT_THAT(html, HasSubstr("<title>in.mesh: repaired</title>"));
   EXPECT_THAT(html, HasSubstr("class=\"name\">weld borders</th>"
@@ -51,7 +51,7 @@ TEST(HtmlReportOfRepair, WhatWasDoneIsToldPassByPass) {
 
 TEST(HtmlReportOfRepair, NothingToDoIsSaid) {
   const RepairResult result = sample_result();
-  const std::string html = page_of(sample_story(result));
+  const std::string html = page_of(sample_report(result));
   EXPECT_THAT(html, HasSubstr("Nothing was changed."));
   EXPECT_THAT(html, HasSubstr("role=\"status\">Nothing was to be done</p>"));
   EXPECT_THAT(html, Not(HasSubstr("id=\"refusals\"")));
@@ -59,10 +59,10 @@ TEST(HtmlReportOfRepair, NothingToDoIsSaid) {
 
 TEST(HtmlReportOfRepair, CountsStandBeforeAndAfter) {
   const RepairResult result = result_with_a_step();
-  RepairStory story = sample_story(result);
-  add_defect(story.meshes[0].remaining, DefectCode::DuplicateFacet);
-  add_defect(story.meshes[0].remaining, DefectCode::Disjoint);
-  const std::string html = page_of(story);
+  RepairReport report = sample_report(result);
+  add_defect(report.meshes[0].remaining, DefectCode::DuplicateFacet);
+  add_defect(report.meshes[0].remaining, DefectCode::Disjoint);
+  const std::string html = page_of(report);
   EXPECT_THAT(html, HasSubstr("class=\"name\">duplicate-facet</th><td class=\"name\">yes</td>"
                               "<td class=\"number\">3</td><td class=\"number\">1</td>"));
   EXPECT_THAT(html, HasSubstr("class=\"name\">disjoint</th><td class=\"name\">no</td>"
@@ -79,7 +79,7 @@ TEST(HtmlReportOfRepair, WhatWasLeftHasItsReason) {
                           .vertex = 0,
                           .face = kNoIndex,
                           .reason = "no patch < fits"}};
-  const std::string html = page_of(sample_story(result));
+  const std::string html = page_of(sample_report(result));
   EXPECT_THAT(html, HasSubstr("id=\"refusals\""));
   EXPECT_THAT(html, HasSubstr("left by fill holes"));
   EXPECT_THAT(html, HasSubstr("no patch &lt; fits"));
@@ -87,9 +87,9 @@ TEST(HtmlReportOfRepair, WhatWasLeftHasItsReason) {
 
 TEST(HtmlReportOfRepair, NotesAndBothMeshesAreThere) {
   const RepairResult result = sample_result();
-  RepairStory story = sample_story(result);
-  story.notes = {"something <to> know"};
-  const std::string html = page_of(story);
+  RepairReport report = sample_report(result);
+  report.notes = {"something <to> know"};
+  const std::string html = page_of(report);
   EXPECT_THAT(html, HasSubstr("something &lt;to&gt; know"));
   EXPECT_THAT(html, HasSubstr("<h3>before</h3>"));
   EXPECT_THAT(html, HasSubstr("<h3>after</h3>"));

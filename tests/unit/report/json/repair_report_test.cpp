@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 
 json parsed(const RepairResult& result) {
-  return json::parse(json_report(sample_story(result)));
+  return json::parse(json_report(sample_report(result)));
 }
 
 TEST(RepairJson, HasAllKeysThatProgramsRelyOn) {
@@ -40,15 +40,15 @@ TEST(RepairJson, TrackingLeavesOutWhatKeptItsIdUnlessItWasChanged) {
   LoggedOperation operation;
   operation.changed_faces = {2};
   result.log.operations = {operation};
-  RepairStory story = sample_story(result);
-  story.meshes[0].name.face_ids.named = {5, 7, 8};
-  const json report = json::parse(json_report(story));
+  RepairReport repair = sample_report(result);
+  repair.meshes[0].name.face_ids.named = {5, 7, 8};
+  const json report = json::parse(json_report(repair));
   EXPECT_EQ(report["meshes"][0]["tracking"], json::parse("[[7,7],[8,null]]"));
 }
 
 TEST(RepairJson, TrackingOfACopyNamesTheFaceItWasMadeOf) {
   RepairResult result = sample_result();
-  result.meshes[0].draft.face_origins = {1};
+  result.meshes[0].tracked.face_origins = {1};
   EXPECT_EQ(parsed(result)["meshes"][0]["tracking"][2], json::parse("[3,6]"));
 }
 
@@ -80,15 +80,15 @@ TEST(RepairJson, RefusalNamesTheOutputAndItsMesh) {
 
 TEST(RepairJson, DefectHasElementsByIdAndNullForWhatIsNotMeasured) {
   const RepairResult result = sample_result();
-  RepairStory story = sample_story(result);
-  Defect& defect = add_defect(story.meshes[0].remaining, DefectCode::SelfIntersection);
+  RepairReport report = sample_report(result);
+  Defect& defect = add_defect(report.meshes[0].remaining, DefectCode::SelfIntersection);
   defect.faces = {0, 1};
   defect.edges = {{1, 2}};
   defect.pairs = {{0, 1, ContactKind::Touching}};
   defect.positions = {{0.1, 0, 0}};
   defect.limit = std::numeric_limits<double>::infinity();
   defect.fixable = false;
-  const json mesh = json::parse(json_report(story))["meshes"][0];
+  const json mesh = json::parse(json_report(report))["meshes"][0];
   EXPECT_EQ(mesh["total"], 1);
   EXPECT_EQ(mesh["defects"][0], json::parse(R"({"code": "self-intersection", "severity": "error",
       "vertices": [], "edges": [[2, 3]], "faces": [1, 2], "pairs": [[1, 2, "touching"]],
@@ -97,10 +97,10 @@ TEST(RepairJson, DefectHasElementsByIdAndNullForWhatIsNotMeasured) {
 
 TEST(RepairJson, RemainingCountsOnlyWhatWasAskedFor) {
   const RepairResult result = sample_result();
-  RepairStory story = sample_story(result);
-  add_defect(story.meshes[0].remaining, DefectCode::Disjoint);
-  add_defect(story.meshes[0].remaining, DefectCode::Hole);
-  EXPECT_EQ(json::parse(json_report(story))["remaining"], 1);
+  RepairReport report = sample_report(result);
+  add_defect(report.meshes[0].remaining, DefectCode::Disjoint);
+  add_defect(report.meshes[0].remaining, DefectCode::Hole);
+  EXPECT_EQ(json::parse(json_report(report))["remaining"], 1);
 }
 
 TEST(RepairJson, CutListIsSaidToBeCut) {
@@ -115,9 +115,9 @@ TEST(RepairJson, CutListIsSaidToBeCut) {
 
 TEST(RepairJson, PathOfAnyBytesCanBeRead) {
   const RepairResult result = sample_result();
-  RepairStory story = sample_story(result);
-  story.input.path = "\xFF.mesh";
-  const json input = json::parse(json_report(story))["input"];
+  RepairReport report = sample_report(result);
+  report.input.path = "\xFF.mesh";
+  const json input = json::parse(json_report(report))["input"];
   EXPECT_EQ(input["path"], "\xEF\xBF\xBD.mesh");
   EXPECT_EQ(input["path_bytes"], "\xC3\xBF.mesh");
 }

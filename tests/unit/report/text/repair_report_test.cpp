@@ -14,7 +14,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::string report_of(const RepairResult& result, ListLength lists = ListLength::Short) {
-  return text_report(sample_story(result), lists);
+  return text_report(sample_report(result), lists);
 }
 
 RepairResult result_with_a_step() {
@@ -56,10 +56,10 @@ TEST(RepairReport, NothingToDoIsSaid) {
 
 TEST(RepairReport, MeshThatWasNotWrittenIsSaidToBeNone) {
   const RepairResult result = sample_result();
-  RepairStory story = sample_story(result);
-  story.meshes[0].name.path.clear();
-  story.notes = {"something to know"};
-  const std::string text = text_report(story, ListLength::Short);
+  RepairReport report = sample_report(result);
+  report.meshes[0].name.path.clear();
+  report.notes = {"something to know"};
+  const std::string text = text_report(report, ListLength::Short);
   EXPECT_THAT(text, HasLine("written: nothing"));
   EXPECT_THAT(text, HasLine("note: something to know"));
 }
@@ -68,10 +68,10 @@ TEST(RepairReport, CountsOfEachCodeStandBeforeAndAfter) {
   RepairResult result = sample_result();
   add_defect(result.before, DefectCode::Hole);
   add_defect(result.before, DefectCode::Hole);
-  RepairStory story = sample_story(result);
-  add_defect(story.meshes[0].remaining, DefectCode::Disjoint);
-  add_defect(story.meshes[0].remaining, DefectCode::Hole);
-  const std::string text = text_report(story, ListLength::Short);
+  RepairReport report = sample_report(result);
+  add_defect(report.meshes[0].remaining, DefectCode::Disjoint);
+  add_defect(report.meshes[0].remaining, DefectCode::Hole);
+  const std::string text = text_report(report, ListLength::Short);
   EXPECT_THAT(text, HasLine("hole: 2 -> 1"));
   EXPECT_THAT(text, HasLine("disjoint: 0 -> 1 (not asked for)"));
   EXPECT_THAT(text, HasLine("defects: 2 -> 2"));
@@ -116,20 +116,20 @@ TEST(RepairReport, PlacesLeftForOneReasonAreOneLine) {
 
 TEST(RepairReport, WhatRemainsAndWasNotAskedForIsListedOnlyInFull) {
   const RepairResult result = sample_result();
-  RepairStory story = sample_story(result);
-  add_defect(story.meshes[0].remaining, DefectCode::Disjoint).faces = {2};
-  EXPECT_THAT(text_report(story, ListLength::Short), Not(HasSubstr("WHAT REMAINS")));
-  EXPECT_THAT(text_report(story, ListLength::Full), HasLine("disjoint: component of face 3"));
+  RepairReport report = sample_report(result);
+  add_defect(report.meshes[0].remaining, DefectCode::Disjoint).faces = {2};
+  EXPECT_THAT(text_report(report, ListLength::Short), Not(HasSubstr("WHAT REMAINS")));
+  EXPECT_THAT(text_report(report, ListLength::Full), HasLine("disjoint: component of face 3"));
 }
 
 TEST(RepairReport, OfSeveralMeshesOnlyThoseWithSomethingLeftAreNamed) {
   RepairResult result = sample_result();
   result.meshes.push_back(result.meshes[0]);
-  RepairStory story = sample_story(result);
-  story.meshes.push_back(story.meshes[0]);
-  story.meshes[1].name.path = "other.obj";
-  add_defect(story.meshes[1].remaining, DefectCode::Hole).vertices = {1};
-  const std::string text = text_report(story, ListLength::Short);
+  RepairReport report = sample_report(result);
+  report.meshes.push_back(report.meshes[0]);
+  report.meshes[1].name.path = "other.obj";
+  add_defect(report.meshes[1].remaining, DefectCode::Hole).vertices = {1};
+  const std::string text = text_report(report, ListLength::Short);
   EXPECT_THAT(text, HasLine("written: out.obj"));
   EXPECT_THAT(text, HasLine("written: other.obj"));
   EXPECT_THAT(text, HasLine("vertices: 4 -> 8"));

@@ -1,0 +1,209 @@
+#include "meshalyzer/repair/driver/deviation.h"
+
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/mesh/build.h"
+#include "meshalyzer/repair/driver/face_distance.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// Faces that one task measures.
+constexpr std::size_t kFacesPerChunk = 64;
+
+bool has_surface(const Soup& soup, Index face) {
+  return is_in_complex(soup.triangles[face]);
+}
+
+/// Tells whether two faces are the same points of space: corners at the same places, in any order.
+bool is_same_surface(const Corners& a, const Corners& b) {
+  return a == b || std::is_permutation(a.begin(), a.end(), b.begin(), b.end());
+}
+
+/// A face that is not the same in both meshes, and one of the other mesh that is likely to be near,
+/// since one was made of the other (kNoIndex: there is none).
+struct ChangedFace {
+  Index face = 0;
+  Index other = kNoIndex;
+};
+
+struct Changes {
+  std::vector<ChangedFace> of_input;
+  /// The faces of hole patches are left out.
+  std::vector<ChangedFace> of_repaired;
+};
+
+/// Tells for each face of the tracked mesh whether it is the same as the face of the input that it
+/// was made of (non-zero).
+std::vector<std::uint8_t> find_same(const Soup& input, const TrackedMesh& tracked) {
+  std::vector<std::uint8_t> same(tracked.soup.n_faces());
+  parallel_chunks(same.size(), [&](Chunk chunk) {
+    for (auto face = static_cast<Index>(chunk.begin); face < chunk.end; ++face) {
+      const Index origin = tracked.origin_of_face(face);
+      same[face] =
+          origin != kNoIndex && has_surface(tracked.soup, face) && has_surface(input, origin) &&
+                  is_same_surface(corners_of(tracked.soup, face), corners_of(input, origin))
+              ? 1
+              : 0;
+    }
+  });
+  return same;
+}
+
+Changes find_changes(const Soup& input, const TrackedMesh& tracked) {
+  const std::vector<std::uint8_t> same = find_same(input, tracked);
+  Changes changes;
+  /// Maps each face of the input to the tracked mesh's face that is the same, else to one that was
+  /// made of it.
+  std::vector<Index> made_of(input.n_faces(), kNoIndex);
+  std::vector<std::uint8_t> is_kept(input.n_faces());
+  for (Index face = 0; face < same.size(); ++face) {
+    const Index origin = tracked.origin_of_face(face);
+    if (origin == kNoIndex || !has_surface(tracked.soup, face)) continue;
+    made_of[origin] = face;
+    if (same[face] != 0) {
+      is_kept[origin] = 1;
+    } else {
+      changes.of_repaired.push_back({face, has_surface(input, origin) ? origin : kNoIndex});
+    }
+  }
+  for (Index face = 0; face < input.n_faces(); ++face) {
+    if (is_kept[face] == 0 && has_surface(input, face)) {
+      changes.of_input.push_back({face, made_of[face]});
+    }
+  }
+  return changes;
+}
+
+/// The faces of one mesh whose distance from another is asked for.
+struct Side {
+  const Soup& from;
+  const Soup& to;
+  std::vector<ChangedFace> faces;
+};
+
+struct SideResult {
+  double largest = 0.0;
+  std::vector<Index> far;
+};
+
+/// Removes the faces that are nearer than the resolution to a single face of the other mesh, and
+/// returns the largest of their distances.
+double settle_near_faces(Side& side, double bound) {
+  const double resolution = SurfaceDistance::kResolution * bound;
+  std::vector<double> distances(side.faces.size(), -1.0);
+  parallel_chunks(side.faces.size(), [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const ChangedFace& changed = side.faces[i];
+      if (changed.other == kNoIndex) continue;
+      const double distance =
+          largest_distance(corners_of(side.from, changed.face), corners_of(side.to, changed.other));
+      if (distance <= resolution) distances[i] = distance;
+    }
+  });
+  double largest = 0.0;
+  std::size_t n_left = 0;
+  for (std::size_t i = 0; i < side.faces.size(); ++i) {
+    largest = std::max(largest, distances[i]);
+    if (distances[i] < 0.0) side.faces[n_left++] = side.faces[i];
+  }
+  side.faces.resize(n_left);
+  return largest;
+}
+
+/// Measures all faces that are left of a side.
+SideResult measure_side(const Side& side, const std::function<SurfaceDistance()>& make_meter) {
+  std::vector<FaceDistance> distances(side.faces.size());
+  parallel_chunks(side.faces.size(), kFacesPerChunk, [&](Chunk chunk) {
+    SurfaceDistance meter = make_meter();
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      distances[i] = meter.measure(corners_of(side.from, side.faces[i].face));
+    }
+  });
+  SideResult result;
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    result.largest = std::max(result.largest, distances[i].largest);
+    if (distances[i].is_far) result.far.push_back(side.faces[i].face);
+  }
+  return result;
+}
+
+}  // namespace
+
+struct DeviationMeter::Surface {
+  struct Built {
+    explicit Built(const Soup& soup) : cut(build(soup)) {}
+    CutMesh cut;
+    FaceTree tree{cut};
+    ClosestPoints closest{tree};
+  };
+
+  /// Builds the surface at the first call.
+  const Built& of(const Soup& input) {
+    std::call_once(is_known, [&] { built.emplace(with_patches ? *with_patches : input); });
+    return *built;
+  }
+
+  /// The input's faces, and then the patches; nothing where there are none.
+  std::optional<Soup> with_patches;
+  std::once_flag is_known;
+  std::optional<Built> built;
+};
+
+DeviationMeter::DeviationMeter(const Soup& input)
+    : input_(input), surface_(std::make_unique<Surface>()) {}
+
+void DeviationMeter::include_patches(const TrackedMesh& tracked) {
+  auto surface = std::make_unique<Surface>();
+  surface->with_patches = std::move(surface_->with_patches);
+  if (!surface->with_patches) {
+    surface->with_patches.emplace();
+    surface->with_patches->positions = input_.positions;
+    surface->with_patches->triangles = input_.triangles;
+  }
+  Soup& soup = *surface->with_patches;
+  is_included_.resize(tracked.face_origins.size(), 0);
+  for (Index face = 0; face < tracked.soup.n_faces(); ++face) {
+    if (tracked.origin_of_face(face) != kNoIndex || !has_surface(tracked.soup, face)) continue;
+    std::uint8_t& is_included = is_included_[tracked.face_keys[face] - tracked.n_input_faces];
+    if (std::exchange(is_included, 1) != 0) continue;
+    const auto first = static_cast<Index>(soup.n_vertices());
+    for (const Vec3& corner : corners_of(tracked.soup, face)) soup.positions.push_back(corner);
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  surface_ = std::move(surface);
+}
+
+DeviationMeter::~DeviationMeter() = default;
+
+DeviationMeter::Result DeviationMeter::measure(const TrackedMesh& tracked, const FaceTree& tree,
+                                               double bound) const {
+  Changes changes = find_changes(input_, tracked);
+  Side old_side{input_, tracked.soup, std::move(changes.of_input)};
+  Side new_side{tracked.soup, input_, std::move(changes.of_repaired)};
+  Result result;
+  result.largest = std::max(settle_near_faces(old_side, bound), settle_near_faces(new_side, bound));
+  if (!old_side.faces.empty()) {
+    const ClosestPoints closest(tree);
+    SideResult old_result =
+        measure_side(old_side, [&] { return SurfaceDistance(tree, closest, bound); });
+    result.largest = std::max(result.largest, old_result.largest);
+    result.far_input_faces = std::move(old_result.far);
+  }
+  if (!new_side.faces.empty()) {
+    const Surface::Built& input = surface_->of(input_);
+    SideResult new_result =
+        measure_side(new_side, [&] { return SurfaceDistance(input.tree, input.closest, bound); });
+    result.largest = std::max(result.largest, new_result.largest);
+    result.far_repaired_faces = std::move(new_result.far);
+  }
+  return result;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "meshalyzer/repair/edits/tracked_mesh.h"
+#include "meshalyzer/spatial/face_tree.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Measures how far repaired surfaces are from the input that they were made of.
+///
+/// Construction is cheap, and the tree over the input is built by the first measurement that needs
+/// it. It is safe to ask from several threads.
+class DeviationMeter {
+ public:
+  /// @param input  Must outlive this, unchanged.
+  explicit DeviationMeter(const Soup& input);
+  ~DeviationMeter();
+  DeviationMeter(const DeviationMeter&) = delete;
+  DeviationMeter& operator=(const DeviationMeter&) = delete;
+
+  /// Adds the hole patches of a tracked mesh to the surface that new faces may not leave, because
+  /// what is made of a patch and of the old surface together lies on both. Patches that were added
+  /// before stay.
+  ///
+  /// @complexity O(#F); the next measure() looks at the input anew.
+  void include_patches(const TrackedMesh& tracked);
+
+  /// What lies farther than a bound from the other surface, and how far the rest is.
+  struct Result {
+    /// An upper bound, but for rounding, of the largest distance of a point of either surface from
+    /// the other, hole patches left out; infinite where there is no other surface. Where nothing is
+    /// far, it is off by at most a thousandth of the bound, but for faces that lie over hundreds of
+    /// others; it never exceeds the bound there.
+    double largest = 0.0;
+    /// Faces of the input, by index, of which a point is farther than the bound from the new
+    /// surface, or may be: where the farthest is within a thousandth of the bound, or the face lies
+    /// over thousands of others. Ascending.
+    std::vector<Index> far_input_faces;
+    /// Faces of the tracked mesh that are farther, or may be. Ascending.
+    std::vector<Index> far_repaired_faces;
+
+    [[nodiscard]] bool is_within() const {
+      return far_input_faces.empty() && far_repaired_faces.empty();
+    }
+  };
+
+  /// Only faces that are not the same in both are measured: a face that has its corners where the
+  /// face it was made of has them, in any order, is the same. Faces of zero area count as the
+  /// segment or point they are, those that are in no complex not at all.
+  ///
+  /// The same for any number of threads.
+  ///
+  /// @param tree   Over the tracked mesh's faces.
+  /// @param bound  Finite, at least 0.
+  /// @complexity   O(#F), and O(log #F) for each face that has changed. Where
+  /// faces only moved by less than a thousandth of the bound, nothing else is looked at.
+  [[nodiscard]] Result measure(const TrackedMesh& tracked, const FaceTree& tree,
+                               double bound) const;
+
+ private:
+  struct Surface;
+  const Soup& input_;
+  std::unique_ptr<Surface> surface_;
+  /// Indexed by face key - number of the input's faces: non-zero for patches that are included.
+  std::vector<std::uint8_t> is_included_;
+};
+
+}  // namespace meshalyzer

@@ -1,0 +1,29 @@
+#include "meshalyzer/repair/driver/options.h"
+
+#include "meshalyzer/base/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace meshalyzer {
+
+DefectCodes default_fixes() {
+  DefectCodes codes = DefectCodes::all();
+  codes.erase(DefectCode::Disjoint);
+  codes.erase(DefectCode::Numbering);
+  return codes;
+}
+
+double length_of(const Deviation& deviation, const Box3& box) {
+  if (!(deviation.value >= 0.0) || !std::isfinite(deviation.value)) {
+    throw InvalidArgument("the maximum deviation must be finite and not negative");
+  }
+  if (deviation.unit == Deviation::Unit::Length) return deviation.value;
+  if (box.isEmpty()) return 0.0;
+  // The diagonal itself may be too large for a double.
+  const Vec3 quarter = box.max() / 4 - box.min() / 4;
+  return std::min(quarter.stableNorm() * (4 * deviation.value), std::numeric_limits<double>::max());
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "meshalyzer/base/progress.h"
+#include "meshalyzer/defects/find_defects.h"
+#include "meshalyzer/repair/passes.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace meshalyzer {
+
+/// Returns all codes except disjoint and numbering.
+[[nodiscard]] DefectCodes default_fixes();
+
+/// A maximum deviation: a length, or a share of the diagonal of the mesh's bounding box.
+struct Deviation {
+  enum class Unit : std::uint8_t { Length, Diagonal };
+  double value = 0.001;
+  Unit unit = Unit::Diagonal;
+};
+
+/// What becomes of copies of a vertex that splitting has left in one place.
+enum class Contact : std::uint8_t { Part, Keep };
+
+/// What the borders of an open mesh are.
+enum class Borders : std::uint8_t {
+  /// Borders are holes, to be filled.
+  Holes,
+  /// Borders are intended: no hole is filled, and the vertices of borders stay where they are.
+  Intended,
+};
+
+/// Whether all faces are turned over before anything else.
+enum class Turn : std::uint8_t { Nothing, Everything };
+
+/// What to repair, and how.
+struct RepairOptions {
+  DefectCodes fixes = default_fixes();
+  ToleranceOptions tolerances;
+  Deviation max_deviation;
+  FillOptions fill;
+  /// Joins borders within this length, in addition to the slit tolerance.
+  std::optional<double> weld_within;
+  Turn turn = Turn::Nothing;
+  Contact contact = Contact::Part;
+  Borders borders = Borders::Holes;
+  Groups groups = Groups::Names;
+  /// How many of the largest components are kept, whatever is lost; 0 keeps all.
+  std::size_t keep_largest = 0;
+  /// How many remaining defects are listed at most; 0 lists all.
+  std::size_t max_defects = 0;
+  PhaseListener on_phase;
+};
+
+/// Converts a maximum deviation to a length, for a mesh with this box.
+///
+/// @throws InvalidArgument  where it is negative or not finite.
+[[nodiscard]] double length_of(const Deviation& deviation, const Box3& box);
+
+}  // namespace meshalyzer

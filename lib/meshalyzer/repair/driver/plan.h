@@ -1,0 +1,40 @@
+#pragma once
+
+#include "meshalyzer/repair/driver/options.h"
+#include "meshalyzer/repair/pass.h"
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace meshalyzer {
+
+/// How often a pass is run.
+enum class Repeat : std::uint8_t {
+  /// The pass runs until it proposes nothing more, and again when others have changed something.
+  UntilDone,
+  /// Once in all.
+  Once,
+};
+
+/// A pass of a plan.
+struct PlannedPass {
+  /// The name for logs: "mend facets", ...
+  std::string_view name;
+  /// What it treats.
+  DefectCode code = DefectCode::Corrupt;
+  PassFunction run;
+  /// See AcceptanceRules.
+  DefectCodes may_create = {};
+  Repeat repeat = Repeat::UntilDone;
+};
+
+/// Returns the passes that a repair needs, in the order in which they help each other: first those
+/// that make the complex complete, then those for facets, borders and topology, then orientation,
+/// which hole filling needs, and last those that depend on the result.
+///
+/// @param tolerances  Must outlive the plan.
+[[nodiscard]] std::vector<PlannedPass> plan_passes(const RepairOptions& options,
+                                                   const Tolerances& tolerances);
+
+}  // namespace meshalyzer

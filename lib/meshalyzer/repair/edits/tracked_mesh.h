@@ -1,0 +1,40 @@
+#pragma once
+
+#include "meshalyzer/mesh/soup.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace meshalyzer {
+
+/// A mesh under repair that records where each of its elements comes from.
+///
+/// Elements have keys that outlive all changes: vertex and face records of the input are 0, 1, ...
+/// in file order, what is added later goes on counting.
+struct TrackedMesh {
+  Soup soup;
+  /// The keys of vertices and faces, ascending among elements that were never reordered.
+  std::vector<Index> vertex_keys;
+  std::vector<Index> face_keys;
+  std::size_t n_input_vertices = 0;
+  std::size_t n_input_faces = 0;
+  /// The key of the input's face that each added face was made of, indexed by key - n_input_faces;
+  /// kNoIndex where it is part of a hole patch.
+  std::vector<Index> face_origins;
+  /// The key of the input's vertex that each added vertex is a copy of, indexed by key -
+  /// n_input_vertices; kNoIndex where it is new.
+  std::vector<Index> vertex_origins;
+
+  /// Returns the input's face that a face of the soup was made of; kNoIndex where it is part of a
+  /// hole patch.
+  [[nodiscard]] Index origin_of_face(Index face) const { return origin_of_key(face_keys[face]); }
+  /// Does the same for a face by its key.
+  [[nodiscard]] Index origin_of_key(Index key) const {
+    return key < n_input_faces ? key : face_origins[key - n_input_faces];
+  }
+};
+
+/// Starts to track a mesh: the result is the input, with keys.
+[[nodiscard]] TrackedMesh track_mesh(Soup soup);
+
+}  // namespace meshalyzer

@@ -1,0 +1,178 @@
+#include "meshalyzer/repair/edits/apply_edits.h"
+
+#include "support/same_soup.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+std::vector<std::int64_t> face_ids(const Soup& soup) {
+  std::vector<std::int64_t> ids;
+  for (Index f = 0; f < soup.n_faces(); ++f) ids.push_back(soup.face_ids.of(f));
+  return ids;
+}
+
+std::vector<std::int64_t> vertex_ids(const Soup& soup) {
+  std::vector<std::int64_t> ids;
+  for (Index v = 0; v < soup.n_vertices(); ++v) ids.push_back(soup.vertex_ids.of(v));
+  return ids;
+}
+
+Edits removal(std::vector<Index> faces) {
+  Edits edits;
+  const Index op = edits.begin_operation();
+  for (const Index face : faces) edits.removed_faces.push_back({op, face});
+  return edits;
+}
+
+TEST(ApplyEdits, NoEditsLeaveTheSoupAsItIs) {
+  const TrackedMesh tracked = track_mesh(shapes::icosphere(1));
+  EXPECT_TRUE(same_soup(apply_edits(tracked, {}).soup, tracked.soup));
+}
+
+TEST(ApplyEdits, RemovedFaceLeavesAGapInTheIdsOfTheNativeFormat) {
+  const TrackedMesh after = apply_edits(track_mesh(shapes::tetrahedron()), removal({1}));
+  EXPECT_EQ(face_ids(after.soup), (std::vector<std::int64_t>{1, 3, 4}));
+  EXPECT_EQ(after.face_keys, (std::vector<Index>{0, 2, 3}));
+}
+
+TEST(ApplyEdits, FormatsThatNumberSilentlyCloseTheGap) {
+  Soup soup = shapes::tetrahedron();
+  soup.format = Format::Off;
+  soup.face_ids.first = 0;
+  EXPECT_EQ(face_ids(apply_edits(track_mesh(soup), removal({1})).soup),
+            (std::vector<std::int64_t>{0, 1, 2}));
+}
+
+TEST(ApplyEdits, VertexThatLosesItsLastFaceGoesWithIt) {
+  // Two faces with nothing in common; vertex 6 is an orphan from the start.
+  Soup soup = shapes::grid(1, 1);
+  soup = shapes::merged(shapes::make({{0, 0, 5}, {1, 0, 5}, {0, 1, 5}}, {{0, 1, 2}}), soup);
+  soup.positions.emplace_back(9, 9, 9);
+  const TrackedMesh after = apply_edits(track_mesh(soup), removal({0}));
+  EXPECT_EQ(vertex_ids(after.soup), (std::vector<std::int64_t>{4, 5, 6, 7, 8}));
+  EXPECT_EQ(after.soup.triangles.size(), 2U);
+  EXPECT_EQ(after.soup.positions.back(), Vec3(9, 9, 9));
+}
+
+TEST(ApplyEdits, OrphanGoesOnlyWhereAsked) {
+  Soup soup = shapes::tetrahedron();
+  soup.positions.insert(soup.positions.begin(), Vec3(9, 9, 9));
+  for (Triangle& t : soup.triangles) t = {t[0] + 1, t[1] + 1, t[2] + 1};
+  Edits edits;
+  edits.removed_vertices.push_back({edits.begin_operation(), 0});
+  const TrackedMesh after = apply_edits(track_mesh(soup), edits);
+  EXPECT_TRUE(same_bits(after.soup.positions, shapes::tetrahedron().positions));
+  EXPECT_EQ(after.soup.triangles, shapes::tetrahedron().triangles);
+  EXPECT_EQ(vertex_ids(after.soup), (std::vector<std::int64_t>{2, 3, 4, 5}));
+}
+
+TEST(ApplyEdits, VertexInUseIsNotRemoved) {
+  Edits edits;
+  edits.removed_vertices.push_back({edits.begin_operation(), 0});
+  const TrackedMesh tracked = track_mesh(shapes::tetrahedron());
+  EXPECT_TRUE(same_soup(apply_edits(tracked, edits).soup, tracked.soup));
+}
+
+TEST(ApplyEdits, SkippedOperationsAreNotMade) {
+  Edits edits = removal({0});
+  edits.removed_faces.push_back({edits.begin_operation(), 1});
+  const std::array<std::uint8_t, 2> skipped{1, 0};
+  const TrackedMesh after = apply_edits(track_mesh(shapes::tetrahedron()), edits, skipped);
+  EXPECT_EQ(after.face_keys, (std::vector<Index>{0, 2, 3}));
+}
+
+TEST(ApplyEdits, AddedFaceComesLastOfItsGroup) {
+  Soup soup = shapes::grid(2, 1);  // Faces 0, 1 in a, 2, 3 in b.
+  soup.groups = {{"a", 0}, {"b", 2}};
+  Edits edits;
+  const Index op = edits.begin_operation();
+  edits.added_vertices.push_back({op, Vec3(0, 0, 1)});
+  edits.added_faces.push_back({op, {0, 1, 6}, 3, true});
+  edits.added_faces.push_back({op, {1, 0, 6}, 0});
+  const TrackedMesh after = apply_edits(track_mesh(soup), edits);
+  EXPECT_EQ(after.face_keys, (std::vector<Index>{0, 1, 5, 2, 3, 4}));
+  ASSERT_EQ(after.soup.groups.size(), 2U);
+  EXPECT_EQ(after.soup.groups[1].first_face, 3U);
+  EXPECT_EQ(face_ids(after.soup), (std::vector<std::int64_t>{1, 2, 5, 3, 4, 6}));
+  EXPECT_EQ(after.origin_of_face(2), 0U);
+  EXPECT_EQ(after.origin_of_face(5), kNoIndex);
+}
+
+TEST(ApplyEdits, CopyKnowsItsVertex) {
+  Edits edits;
+  const Index op = edits.begin_operation();
+  edits.added_vertices.push_back({op, Vec3(0, 0, 0), 0});
+  edits.changed_faces.push_back({op, 0, {4, 2, 1}});
+  const TrackedMesh after = apply_edits(track_mesh(shapes::tetrahedron()), edits);
+  ASSERT_EQ(after.vertex_keys.size(), 5U);
+  EXPECT_EQ(after.vertex_keys[4], 4U);
+  EXPECT_EQ(after.vertex_origins, (std::vector<Index>{0}));
+  EXPECT_EQ(after.soup.triangles[0], (Triangle{4, 2, 1}));
+  EXPECT_EQ(vertex_ids(after.soup).back(), 5);
+}
+
+TEST(ApplyEdits, IdsThatCannotGrowTakeTheSmallestThatAreFree) {
+  Soup soup = shapes::tetrahedron();
+  soup.face_ids.named = {1, 2, std::numeric_limits<std::int32_t>::max(), 4};
+  Edits edits;
+  edits.added_faces.push_back({edits.begin_operation(), {0, 1, 2}, 0});
+  EXPECT_EQ(face_ids(apply_edits(track_mesh(soup), edits).soup).back(), 3);
+}
+
+TEST(ApplyEdits, NormalsOfVerticesFollowTheirVertices) {
+  Soup soup = shapes::tetrahedron();
+  soup.normals = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}};
+  soup.corner_normals = soup.triangles;
+  Edits edits;
+  const Index op = edits.begin_operation();
+  edits.added_vertices.push_back({op, Vec3(0, 0, 0), 2});
+  edits.added_vertices.push_back({op, Vec3(5, 0, 0)});
+  edits.added_faces.push_back({op, {0, 4, 5}, 0});
+  const TrackedMesh after = apply_edits(track_mesh(soup), edits);
+  EXPECT_EQ(after.soup.corner_normals, after.soup.triangles);
+  ASSERT_EQ(after.soup.normals.size(), 6U);
+  EXPECT_EQ(after.soup.normals[4], Vec3(0, 0, 1));
+  // Of the other old vertices of its faces there is vertex 0 alone.
+  EXPECT_EQ(after.soup.normals[5], Vec3(1, 0, 0));
+}
+
+TEST(ApplyEdits, NormalsOfCornersStayWithTheirVertexWhenAFaceIsTurned) {
+  Soup soup = shapes::tetrahedron();
+  soup.normals = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  soup.corner_normals.assign(4, {kNoIndex, kNoIndex, kNoIndex});
+  soup.corner_normals[0] = {0, 1, 2};
+  const Triangle old = soup.triangles[0];
+  Edits edits;
+  edits.changed_faces.push_back({edits.begin_operation(), 0, {old[0], old[2], old[1]}});
+  const TrackedMesh after = apply_edits(track_mesh(soup), edits);
+  EXPECT_EQ(after.soup.corner_normals[0], (Triangle{0, 2, 1}));
+  EXPECT_EQ(after.soup.corner_normals[1], (Triangle{kNoIndex, kNoIndex, kNoIndex}));
+}
+
+TEST(ApplyEdits, ChangedNormalReplacesThoseOfAllCornersThatHaveOne) {
+  Soup soup = shapes::tetrahedron();
+  soup.normals = {{1, 0, 0}, {0, 1, 0}};
+  soup.corner_normals.assign(4, {0, 1, 0});
+  soup.corner_normals[3] = {kNoIndex, kNoIndex, kNoIndex};
+  Edits edits;
+  edits.changed_normals.push_back({edits.begin_operation(), 0, Vec3(0, 0, -1)});
+  const TrackedMesh after = apply_edits(track_mesh(soup), edits);
+  for (std::size_t f = 0; f < 4; ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index normal = after.soup.corner_normals[f][k];
+      const bool is_at_vertex = soup.triangles[f][k] == 0;
+      EXPECT_EQ(normal, f == 3 ? kNoIndex : is_at_vertex ? 2U : soup.corner_normals[f][k]);
+    }
+  }
+  EXPECT_EQ(after.soup.normals.back(), Vec3(0, 0, -1));
+}
+
+}  // namespace
+}  // namespace meshalyzer

@@ -1,0 +1,204 @@
+#include "meshalyzer/repair/facets/collapse_edge.h"
+#include "meshalyzer/repair/facets/link_condition.h"
+#include "meshalyzer/repair/facets/retract_cap.h"
+#include "meshalyzer/repair/facets/step_journal.h"
+#include "meshalyzer/repair/facets/working_mesh.h"
+#include "support/run_pass.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// A mesh to try single steps on; faces are thin where the test says so.
+struct MendFixture {
+  TrackedMesh tracked;
+  PreparedMesh built{tracked.soup};
+  Tolerances tolerances;
+  RepairLimits limits;
+  WorkingMesh mesh;
+  PassInput input{tracked, built, tolerances, limits};
+  MendRules rules{input};
+
+  explicit MendFixture(const Soup& soup, double tolerance = 1e-8, std::vector<Index> thin = {})
+      : tracked(track_mesh(soup)),
+        tolerances{.degeneracy = tolerance},
+        limits{.max_deviation = std::numeric_limits<double>::max(), .fixed_vertices = {}},
+        mesh(tracked.soup, thin, tolerance) {}
+
+  [[nodiscard]] bool may_merge_ends(Index gone, Index kept) const {
+    MendStep step;
+    return may_merge(mesh, gone, kept, step);
+  }
+};
+
+TEST(LookRound, VertexOfAClosedSurfaceIsPlain) {
+  EXPECT_EQ(look_round(MendFixture(shapes::cube()).mesh, 0).kind, VertexKind::Plain);
+}
+
+TEST(LookRound, VertexOfABorderIsOnARidgeBetweenItsNeighboursThere) {
+  const VertexSurroundings round = look_round(MendFixture(shapes::grid(2, 1)).mesh, 1);
+  EXPECT_EQ(round.kind, VertexKind::Ridge);
+  EXPECT_EQ(round.along, (std::array<Index, 2>{0, 2}));
+}
+
+TEST(LookRound, PinchedVertexAndEndOfANonManifoldEdgeAreCorners) {
+  // Vertex 0 is the one in common.
+  EXPECT_EQ(look_round(MendFixture(shapes::two_tetrahedra_sharing_vertex()).mesh, 0).kind,
+            VertexKind::Corner);
+  EXPECT_EQ(look_round(MendFixture(shapes::two_tetrahedra_sharing_edge()).mesh, 0).kind,
+            VertexKind::Corner);
+}
+
+TEST(LookRound, MiddleOfANonManifoldEdgeIsOnARidge) {
+  // Three half discs on the line 0 1 2.
+  Soup soup = shapes::make({{-1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}},
+                           {{0, 1, 3}, {1, 2, 3}, {0, 1, 4}, {1, 2, 4}, {0, 1, 5}, {1, 2, 5}});
+  EXPECT_EQ(look_round(MendFixture(soup).mesh, 1).kind, VertexKind::Ridge);
+  // With one more, closed fan it is none.
+  soup.positions.insert(soup.positions.end(), {{0, 0, 5}, {1, 0, 5}, {0, 1, 5}});
+  soup.triangles.insert(soup.triangles.end(), {{1, 6, 7}, {1, 7, 8}, {1, 8, 6}});
+  EXPECT_EQ(look_round(MendFixture(soup).mesh, 1).kind, VertexKind::Corner);
+}
+
+TEST(MayMerge, EdgeOfASphereMayGoButNoneOfATetrahedron) {
+  const MendFixture sphere(shapes::icosphere(1));
+  const Triangle& t = sphere.mesh.triangle(0);
+  EXPECT_TRUE(sphere.may_merge_ends(t[0], t[1]));
+  EXPECT_FALSE(MendFixture(shapes::tetrahedron()).may_merge_ends(0, 1));
+}
+
+TEST(MayMerge, NoEdgeOfALoneTriangleOrAPillowMayGo) {
+  EXPECT_FALSE(MendFixture(shapes::make({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}))
+                   .may_merge_ends(0, 1));
+  EXPECT_FALSE(MendFixture(shapes::pillow()).may_merge_ends(0, 1));
+}
+
+TEST(MayMerge, EdgeAcrossASheetBetweenTwoPlacesOfItsBorderMayNotGo) {
+  const Soup soup = shapes::grid(1, 1);
+  const MendFixture sheet(soup);
+  // One diagonal of the square is its inner edge.
+  const bool is_first = sheet.mesh.are_joined(0, 3);
+  EXPECT_FALSE(sheet.may_merge_ends(is_first ? 0 : 1, is_first ? 3 : 2));
+  EXPECT_TRUE(sheet.may_merge_ends(1, 0));
+}
+
+TEST(MayMerge, FinOfOneFaceOnASurfaceMayNotShrinkIntoIt) {
+  Soup soup = shapes::icosphere(1);
+  const Triangle t = soup.triangles[0];
+  const auto tip = static_cast<Index>(soup.n_vertices());
+  soup.positions.emplace_back(2, 2, 2);
+  soup.triangles.push_back({t[0], t[1], tip});
+  const MendFixture fin(soup);
+  EXPECT_FALSE(fin.may_merge_ends(tip, t[0]));
+  // Its ends on the surface are corners.
+  EXPECT_FALSE(fin.may_merge_ends(t[0], tip));
+}
+
+/// A flat fan of faces round vertex 0, over an arrow-shaped polygon: seen from vertex 1, not all of
+/// it can be seen.
+Soup arrow() {
+  return shapes::make({{0, 0, 0}, {3, 0, 0}, {-1, 2, 0}, {-0.5, 0, 0}, {-1, -2, 0}},
+                      {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}});
+}
+
+TEST(CollapseEdge, EndFromWhichANeighbourWouldBeTurnedOverIsNotTaken) {
+  // Of the border, so that only vertex 0 can go. Merged into 2, the face 0 3 4 would be turned.
+  MendFixture fixture(arrow());
+  fixture.limits.fixed_vertices = {0, 1, 1, 1, 1};
+  const MendAttempt attempt = collapse_edge(fixture.mesh, fixture.rules, {0, 2});
+  EXPECT_EQ(attempt.outcome, MendOutcome::TurnsOver);
+  EXPECT_TRUE(collapse_edge(fixture.mesh, fixture.rules, {0, 3}).is_possible());
+}
+
+TEST(CollapseEdge, VertexMovesInItsPlaneWithoutDeviation) {
+  MendFixture fixture(arrow());
+  fixture.limits.fixed_vertices = {0, 1, 1, 1, 1};
+  const MendAttempt attempt = collapse_edge(fixture.mesh, fixture.rules, {0, 3});
+  EXPECT_LE(attempt.deviation, 1e-15);
+}
+
+TEST(CollapseEdge, OfTwoEndsTheOneGoesWhoseFacesAreFlat) {
+  // Vertex 0 is in the middle of the top of a pyramid's side; vertex 1 is the pyramid's top.
+  const Soup soup = shapes::make({{0.5, 0, 0.5}, {0, 0, 1}, {1, 1, 0}, {1, -1, 0}, {-1, 0, 0}},
+                                 {{0, 1, 3}, {0, 3, 2}, {0, 2, 1}, {1, 2, 4}, {1, 4, 3}});
+  const MendFixture fixture(soup);
+  const MendAttempt attempt = collapse_edge(fixture.mesh, fixture.rules, {0, 1});
+  ASSERT_TRUE(attempt.is_possible());
+  for (const auto& change : attempt.step.changed) {
+    if (change.corners == kNoTriangle) continue;
+    EXPECT_EQ(std::count(change.corners.begin(), change.corners.end(), 0U), 0);
+  }
+}
+
+TEST(RetractCap, ApexThatIsJoinedToTheVertexBeyondAlreadyIsLeft) {
+  // Vertex 0 has three faces; the cap 0 1 2 has its apex 2 on the edge 0 1, and beyond that is 3,
+  // which 2 is joined to on the other side.
+  const Soup soup = shapes::make({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {1, 0, 3}},
+                                 {{0, 1, 2}, {1, 0, 3}, {0, 2, 3}, {1, 3, 4}, {3, 2, 4}});
+  const MendFixture fixture(soup, 1e-8, {0});
+  EXPECT_EQ(retract_cap(fixture.mesh, fixture.rules, 0, RetractGain::FewerThin).outcome,
+            MendOutcome::Topology);
+}
+
+TEST(RetractCap, CapWhoseApexIsOnTheBorderTooIsLeftAtTheBorder) {
+  // The edges 0 1 and 2 0 of the cap are both of the border.
+  const Soup soup =
+      shapes::make({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 2}, {2, 1, 3}});
+  const MendFixture fixture(soup, 1e-8, {0});
+  EXPECT_EQ(retract_cap(fixture.mesh, fixture.rules, 0, RetractGain::FewerThin).outcome,
+            MendOutcome::Topology);
+}
+
+TEST(RetractCap, ApexBeyondTheFaceThatWouldBeSplitIsLeft) {
+  // The cap is folded onto the face 1 0 3, and its apex sticks out of it: one half would be turned
+  // over. The face is 0.12 high, above the tolerance; the cap 0.09.
+  const Soup soup = shapes::make({{0, 0, 0}, {1, 0, 0}, {0.5, -0.09, 0}, {0.1, -0.12, 0}},
+                                 {{0, 1, 2}, {1, 0, 3}});
+  const MendFixture fixture(soup, 0.1, {0});
+  EXPECT_EQ(retract_cap(fixture.mesh, fixture.rules, 0, RetractGain::FewerThin).outcome,
+            MendOutcome::TurnsOver);
+}
+
+TEST(WorkingMesh, FacesAtAMovedVertexAreJudgedAnew) {
+  MendFixture fixture(shapes::grid(1, 1));
+  ASSERT_FALSE(fixture.mesh.is_thin(0));
+  MendStep step;
+  // All of the square's vertices are in line with the diagonal then, or on it.
+  step.moved = {1, fixture.mesh.position(0)};
+  fixture.mesh.make(step);
+  const Triangle& t = fixture.mesh.triangle(0);
+  const bool has_both =
+      std::count(t.begin(), t.end(), 0U) + std::count(t.begin(), t.end(), 1U) == 2;
+  EXPECT_EQ(fixture.mesh.is_thin(0), has_both);
+}
+
+TEST(StepJournal, StepThatReliesOnAnEdgeAnotherHasTakenIsOfTheSameOperation) {
+  const MendFixture fixture(shapes::icosphere(2));
+  const Triangle& t = fixture.mesh.triangle(0);
+  const std::vector<Index> both = fixture.mesh.faces_at(t[0], t[1]);
+  ASSERT_EQ(both.size(), 2U);
+  for (const bool are_apart : {false, true}) {
+    WorkingMesh mesh = fixture.mesh;
+    StepJournal journal(512);
+    std::vector<Index> gone{both[0], both[1]};
+    // On a sphere of 320 faces the last one has nothing to do with the first.
+    if (are_apart) gone[1] = 319;
+    for (const Index f : gone) {
+      MendStep step;
+      step.changed.push_back({f, kNoTriangle});
+      ASSERT_TRUE(journal.record(mesh, step));
+      mesh.make(step);
+    }
+    EXPECT_EQ(journal.edits(fixture.tracked.soup, mesh).n_operations, are_apart ? 2U : 1U);
+  }
+}
+
+}  // namespace
+}  // namespace meshalyzer

@@ -1,0 +1,192 @@
+#include "meshalyzer/repair/passes.h"
+#include "support/run_pass.h"
+#include "support/same_soup.h"
+#include "support/shapes.h"
+#include "unit/repair/split/split_passes.h"
+#include "unit/repair/voxel_solid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// The longest way that any vertex has gone.
+double largest_move(const Soup& before, const Soup& after) {
+  double largest = 0.0;
+  for (std::size_t v = 0; v < before.n_vertices(); ++v) {
+    largest = std::max(largest, (after.positions[v] - before.positions[v]).norm());
+  }
+  return largest;
+}
+
+std::vector<Index> moved_vertices(const Soup& before, const Soup& after) {
+  std::vector<Index> moved;
+  for (Index v = 0; v < before.n_vertices(); ++v) {
+    if (before.positions[v] != after.positions[v]) moved.push_back(v);
+  }
+  return moved;
+}
+
+/// Random cubes of a block, as many as a percentage.
+VoxelSolid random_solid(std::uint32_t seed, int size) {
+  std::mt19937 random(seed);
+  VoxelSolid solid({size, size, size});
+  const auto percentage = 15 + random() % 70;
+  solid.fill({0, 0, 0});
+  for (int x = 0; x < size; ++x) {
+    for (int y = 0; y < size; ++y) {
+      for (int z = 0; z < size; ++z) {
+        if (random() % 100 < percentage) solid.fill({x, y, z});
+      }
+    }
+  }
+  return solid;
+}
+
+TEST(PartContacts, MeshesWithoutContactAreLeft) {
+  // Crossing cubes intersect, but not because of copies in one place.
+  const Soup crossing =
+      shapes::merged(shapes::cube(), shapes::translated(shapes::cube(), {0.5, 0.25, 0.125}));
+  for (const Soup& soup : {shapes::cube(), Soup{}, crossing, shapes::pillow(),
+                           shapes::nested_cubes(shapes::InnerShell::Cavity)}) {
+    EXPECT_TRUE(same_soup(run_pass(soup, part_contacts).tracked.soup, soup));
+  }
+}
+
+TEST(PartContacts, CopyOfAPinchedVertexMovesByAFewRoundings) {
+  const Soup split_up = split(shapes::two_tetrahedra_sharing_vertex()).tracked.soup;
+  ASSERT_GT(n_intersecting_pairs(split_up), 0U);
+  const PassRun run = run_pass(split_up, part_contacts);
+  EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
+  EXPECT_EQ(run.operations, 1U);
+  EXPECT_EQ(run.rounds, 1U);
+  // The copy is the last vertex. A step of one epsilon along each axis is enough.
+  EXPECT_EQ(moved_vertices(split_up, run.tracked.soup), std::vector<Index>{7});
+  EXPECT_LE(largest_move(split_up, run.tracked.soup), 2 * std::numeric_limits<double>::epsilon());
+}
+
+TEST(PartContacts, BothEndsOfASplitEdgeMoveAsOne) {
+  const Soup split_up = split(shapes::two_tetrahedra_sharing_edge()).tracked.soup;
+  const PassRun run = run_pass(split_up, part_contacts);
+  EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
+  EXPECT_EQ(run.operations, 1U);
+  EXPECT_EQ(moved_vertices(split_up, run.tracked.soup), (std::vector<Index>{6, 7}));
+}
+
+TEST(PartContacts, FacesThatLieOnEachOtherAreParted) {
+  const PassRun run = split_and_part(shapes::two_tetrahedra_sharing_face());
+  EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
+}
+
+TEST(PartContacts, TipInAPitIsDrawnOut) {
+  // A pyramid stands on its tip in the bottom of a pit like itself but wider: the solid round the
+  // pit could give way too, downwards.
+  Soup soup = shapes::make({{0, 0, 0},
+                            {1, 0, 1},
+                            {-1, 1, 1},
+                            {-1, -1, 1},
+                            {0, 0, -3},
+                            {5, 0, 1},
+                            {-5, 5, 1},
+                            {-5, -5, 1}},
+                           {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}});
+  const std::vector<Triangle> pit{{0, 5, 6}, {0, 6, 7}, {0, 7, 5}, {4, 6, 5}, {4, 7, 6}, {4, 5, 7}};
+  soup.triangles.insert(soup.triangles.end(), pit.begin(), pit.end());
+  const PassRun run = split_and_part(soup);
+  EXPECT_TRUE(is_manifold(run.tracked.soup));
+  EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
+  EXPECT_TRUE(run.refused.empty());
+}
+
+TEST(PartContacts, FinIsMovedOffTheSurface) {
+  const PassRun run = split_and_part(shapes::fan_of_three());
+  EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
+}
+
+TEST(PartContacts, SeamsThatCanBeWeldedAreLeft) {
+  // Each face of the cube has vertices of its own.
+  Soup soup;
+  const Soup cube = shapes::cube();
+  for (const Triangle& t : cube.triangles) {
+    const auto first = static_cast<Index>(soup.positions.size());
+    for (const Index v : t) soup.positions.push_back(cube.positions[v]);
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  ASSERT_GT(n_intersecting_pairs(soup), 0U);
+  EXPECT_TRUE(same_soup(run_pass(soup, part_contacts).tracked.soup, soup));
+}
+
+TEST(PartContacts, WhereOneCopyIsFixedTheOtherMoves) {
+  const Soup split_up = split(shapes::two_tetrahedra_sharing_vertex()).tracked.soup;
+  const PassRun run = run_pass(split_up, part_contacts, body_limits(split_up, {7}));
+  EXPECT_EQ(moved_vertices(split_up, run.tracked.soup), std::vector<Index>{0});
+  EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
+}
+
+TEST(PartContacts, WhereAllAreFixedItIsRefused) {
+  const Soup split_up = split(shapes::two_tetrahedra_sharing_vertex()).tracked.soup;
+  const PassRun run = run_pass(split_up, part_contacts, body_limits(split_up, {0, 7}));
+  EXPECT_TRUE(same_soup(run.tracked.soup, split_up));
+  ASSERT_EQ(run.refused.size(), 1U);
+  EXPECT_EQ(run.refused[0].vertex, 0U);
+}
+
+TEST(PartContacts, NoStepWithinTheDeviationIsRefused) {
+  const Soup split_up = split(shapes::two_tetrahedra_sharing_vertex()).tracked.soup;
+  RepairLimits limits = wide_limits(split_up);
+  limits.max_deviation = 1e-17;
+  const PassRun run = run_pass(split_up, part_contacts, limits);
+  EXPECT_TRUE(same_soup(run.tracked.soup, split_up));
+  EXPECT_EQ(run.refused.size(), 1U);
+}
+
+TEST(PartContacts, LikewiseFarFromTheOriginAndForAnySize) {
+  const Soup two = shapes::two_tetrahedra_sharing_edge();
+  for (const Soup& soup : {shapes::translated(two, {1e6, -3e5, 7e5}), shapes::scaled(two, 1e150),
+                           shapes::scaled(two, 1e-150), shapes::scaled(two, 1e300)}) {
+    EXPECT_EQ(n_intersecting_pairs(split_and_part(soup).tracked.soup), 0U);
+  }
+}
+
+TEST(PartContacts, AnySolidOfCubesComesOutCleanWithItsPartsApart) {
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    const VoxelSolid solid = random_solid(seed, 1 + static_cast<int>(seed % 5));
+    const Soup soup =
+        shapes::shuffled_faces(shapes::renumbered_vertices(solid.surface(), seed), seed);
+    const PassRun run = split_and_part(soup);
+    const Soup& result = run.tracked.soup;
+    EXPECT_TRUE(is_manifold(result));
+    EXPECT_EQ(n_border_edges(result), 0U);
+    EXPECT_EQ(build(result).side.flipped_edges.size(), 0U);
+    EXPECT_EQ(n_intersecting_pairs(result), 0U);
+    EXPECT_TRUE(run.refused.empty());
+    EXPECT_LE(run.rounds, 1U);
+
+    // Outer shells have a positive volume, walls of cavities a negative one.
+    const std::vector<double> all = volumes(result);
+    const auto n_outer = std::count_if(all.begin(), all.end(), [](double v) { return v > 0; });
+    EXPECT_EQ(static_cast<std::size_t>(n_outer), solid.n_parts());
+    double volume = 0.0;
+    for (const double v : all) volume += v;
+    EXPECT_NEAR(volume, static_cast<double>(solid.full_cells().size()), 1e-9);
+
+    // Faces keep their order, and all vertices but those where parts touched their places.
+    const std::vector<Index>& broken = build(soup).side.non_manifold_vertices;
+    for (const Index v : moved_vertices(soup, result)) {
+      EXPECT_TRUE(std::binary_search(broken.begin(), broken.end(), v));
+    }
+    EXPECT_LT(largest_move(soup, result), 1e-12);
+    EXPECT_TRUE(same_soup(split_and_part(result).tracked.soup, result));
+  }
+}
+
+}  // namespace
+}  // namespace meshalyzer

@@ -1,0 +1,178 @@
+#include "meshalyzer/repair/passes.h"
+#include "support/random_soups.h"
+#include "support/run_pass.h"
+#include "support/same_soup.h"
+#include "support/shapes.h"
+#include "unit/repair/split/split_passes.h"
+#include "unit/repair/voxel_solid.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// The cube of side 2, with a vertex in the middle of the edge from (0,0,0) to (2,0,0) and of the
+/// one from (0,0,2) to (2,0,2), and a triangle of vertices 8, 9 and a new one.
+Soup cube_with_triangle(const Vec3& third) {
+  Soup soup = shapes::cube(2.0);
+  soup.positions.emplace_back(1, 0, 0);
+  soup.positions.emplace_back(1, 0, 2);
+  soup.positions.push_back(third);
+  std::vector<Triangle> triangles;
+  // The front, y = 0, of corners 0, 1, 5, 4; its neighbours below and above get the new vertices.
+  for (const Triangle& t : std::vector<Triangle>{{0, 8, 9}, {0, 9, 4}, {8, 1, 5}, {8, 5, 9}}) {
+    triangles.push_back(t);
+  }
+  for (const Triangle& t :
+       std::vector<Triangle>{{0, 2, 8}, {2, 3, 8}, {3, 1, 8}, {4, 9, 6}, {9, 7, 6}, {9, 5, 7}}) {
+    triangles.push_back(t);
+  }
+  for (const Triangle& t :
+       std::vector<Triangle>{{1, 3, 7}, {1, 7, 5}, {3, 2, 6}, {3, 6, 7}, {2, 0, 4}, {2, 4, 6}}) {
+    triangles.push_back(t);
+  }
+  triangles.push_back({8, 9, 10});
+  soup.triangles = std::move(triangles);
+  return soup;
+}
+
+TEST(SplitEdges, ManifoldMeshesAreLeft) {
+  for (const Soup& soup : {shapes::cube(), shapes::moebius_strip(5), shapes::pillow(), Soup{},
+                           shapes::two_tetrahedra_sharing_vertex(), shapes::open_cube()}) {
+    EXPECT_TRUE(same_soup(run_pass(soup, split_edges).tracked.soup, soup));
+  }
+}
+
+TEST(SplitEdges, TetrahedraWithACommonEdgeComeApart) {
+  const Soup soup = shapes::two_tetrahedra_sharing_edge();
+  const PassRun run = run_pass(soup, split_edges);
+  EXPECT_EQ(run.operations, 1U);
+  EXPECT_EQ(run.rounds, 1U);
+  EXPECT_TRUE(is_cut_version(run.tracked.soup, soup));
+  EXPECT_TRUE(is_manifold(run.tracked.soup));
+  EXPECT_EQ(n_border_edges(run.tracked.soup), 0U);
+  // Each is the corner of a cube: 1/6. The first keeps its vertices.
+  EXPECT_EQ(volumes(run.tracked.soup), (std::vector<double>{1.0 / 6, 1.0 / 6}));
+  for (std::size_t f = 0; f < 4; ++f) {
+    EXPECT_EQ(run.tracked.soup.triangles[f], soup.triangles[f]);
+  }
+}
+
+TEST(SplitEdges, TetrahedraBackToBackOnAFaceThatIsThereTwiceComeApart) {
+  const PassRun run = run_pass(shapes::two_tetrahedra_sharing_face(), split_edges);
+  EXPECT_EQ(run.operations, 1U);
+  EXPECT_TRUE(is_manifold(run.tracked.soup));
+  EXPECT_EQ(volumes(run.tracked.soup), (std::vector<double>{1.0 / 6, 1.0 / 6}));
+}
+
+TEST(SplitEdges, WallBetweenTwoTetrahedraIsCutOff) {
+  // The wall, face 4 now, is oriented like a side of either.
+  for (const Index dropped : {0U, 4U}) {
+    const std::array<Index, 1> faces{dropped};
+    const Soup soup = shapes::without_faces(shapes::two_tetrahedra_sharing_face(), faces);
+    const PassRun run = run_pass(soup, split_edges);
+    EXPECT_TRUE(is_manifold(run.tracked.soup));
+    EXPECT_EQ(volumes(run.tracked.soup), (std::vector<double>{0.0, 1.0 / 3}));
+    EXPECT_EQ(n_border_edges(run.tracked.soup), 3U);
+  }
+}
+
+TEST(SplitEdges, FinOutsideOrInsideACubeIsCutOff) {
+  for (const double y : {-1.0, 1.0}) {
+    const Soup soup = cube_with_triangle({1, y, 1});
+    const PassRun run = run_pass(soup, split_edges);
+    EXPECT_EQ(run.operations, 1U);
+    EXPECT_TRUE(is_manifold(run.tracked.soup));
+    EXPECT_EQ(n_border_edges(run.tracked.soup), 3U);
+    ASSERT_EQ(volumes(run.tracked.soup).size(), 2U);
+    EXPECT_EQ(volumes(run.tracked.soup)[1], 8.0);
+  }
+}
+
+TEST(SplitEdges, ThreeFacesOnAnEdgeBecomeTwoAndOne) {
+  const PassRun run = run_pass(shapes::fan_of_three(), split_edges);
+  EXPECT_TRUE(is_manifold(run.tracked.soup));
+  EXPECT_EQ(n_components(run.tracked.soup), 2U);
+  // The faces are at 0, 135 and 225 degrees: the second goes on from the first as evenly as the
+  // third does, and comes before it.
+  EXPECT_EQ(run.tracked.soup.triangles[1], (Triangle{0, 1, 3}));
+}
+
+TEST(SplitEdges, BoxesInAChainComeApartLinkByLink) {
+  VoxelSolid solid({4, 4, 1});
+  for (int i = 0; i < 4; ++i) solid.fill({i, i, 0});
+  const PassRun run = run_pass(solid.surface(), split_edges);
+  EXPECT_EQ(run.rounds, 1U);
+  EXPECT_EQ(volumes(run.tracked.soup), (std::vector<double>{1, 1, 1, 1}));
+}
+
+TEST(SplitEdges, FourBoxesRoundAnEdgeAreNone) {
+  VoxelSolid solid({2, 2, 1});
+  for (int x = 0; x < 2; ++x) {
+    for (int y = 0; y < 2; ++y) solid.fill({x, y, 0});
+  }
+  EXPECT_EQ(run_pass(solid.surface(), split_edges).operations, 0U);
+}
+
+TEST(SplitEdges, BoxesThatAreJoinedAtBothEndsOfASingleEdgeGetNoEdgeTwice) {
+  // Between two slabs stand two boxes that meet in an edge. Its ends lie inside the slabs, so that
+  // each has but one fan if the boxes come apart; so the two gaps beside them do.
+  VoxelSolid solid({2, 2, 3});
+  for (int x = 0; x < 2; ++x) {
+    for (int y = 0; y < 2; ++y) {
+      solid.fill({x, y, 0});
+      solid.fill({x, y, 2});
+    }
+    solid.fill({x, x, 1});
+  }
+  const Soup soup = solid.surface();
+  const PassRun run = run_pass(soup, split_edges);
+  EXPECT_TRUE(is_manifold(run.tracked.soup));
+  EXPECT_EQ(n_border_edges(run.tracked.soup), 0U);
+  EXPECT_EQ(run.tracked.soup.n_vertices(), soup.n_vertices() + 2);
+  EXPECT_EQ(volumes(run.tracked.soup), std::vector<double>{10});
+}
+
+TEST(SplitEdges, SeparatePlacesAreSeparateOperations) {
+  const Soup one = shapes::two_tetrahedra_sharing_edge();
+  const Soup two = shapes::merged(one, shapes::translated(one, {5, 0, 0}));
+  EXPECT_EQ(run_pass(two, split_edges).operations, 2U);
+}
+
+TEST(SplitEdges, EdgeWithBothEndsFixedIsRefusedWithOneItIsSplit) {
+  const Soup soup = shapes::two_tetrahedra_sharing_edge();
+  const PassRun kept = run_pass(soup, split_edges, body_limits(soup, {0, 3}));
+  EXPECT_TRUE(same_soup(kept.tracked.soup, soup));
+  ASSERT_EQ(kept.refused.size(), 1U);
+  EXPECT_EQ(kept.refused[0].code, DefectCode::NonManifold);
+  EXPECT_EQ(kept.refused[0].vertex, 0U);
+
+  const PassRun cut = run_pass(soup, split_edges, body_limits(soup, {0}));
+  EXPECT_EQ(cut.tracked.soup.n_vertices(), soup.n_vertices() + 1);
+  EXPECT_EQ(build(cut.tracked.soup).side.non_manifold_edges.size(), 0U);
+}
+
+TEST(SplitEdges, AnySoupIsManifoldAtItsEdgesAtOnce) {
+  for (std::uint32_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    Soup soup;
+    for (int i = 0; i < 12; ++i) {
+      soup.positions.emplace_back(below(random, 4), below(random, 4), below(random, 4));
+    }
+    for (std::uint32_t i = 0; i < 5 + seed % 60; ++i) {
+      soup.triangles.push_back({below(random, 12), below(random, 12), below(random, 12)});
+    }
+    const PassRun run = run_pass(soup, split_edges);
+    EXPECT_LE(run.rounds, 1U);
+    EXPECT_TRUE(is_cut_version(run.tracked.soup, soup));
+    EXPECT_EQ(build(run.tracked.soup).side.non_manifold_edges.size(), 0U);
+  }
+}
+
+}  // namespace
+}  // namespace meshalyzer
