@@ -67,6 +67,22 @@ class Assembly {
       if (vertex_of_node_[node] == kNoIndex) vertex_of_node_[node] = vertex;
       vertex_of_input_[vertex] = vertex_of_node_[node];
     });
+    for (const Index face : parts_.flat_faces) {
+      for (const Index v : soup_.triangles[face]) unite_with_node(v);
+    }
+  }
+
+  /// A corner of a face of no area that was not cut: no other face may have it, and what is at its
+  /// place become another vertex.
+  void unite_with_node(Index vertex) {
+    const ExactPoint point = exact_point(soup_.positions[vertex]);
+    const auto found = std::lower_bound(nodes_.points.begin(), nodes_.points.end(), point,
+                                        [](const ExactPoint& a, const ExactPoint& b) {
+                                          return compare_lexicographically(a, b) < 0;
+                                        });
+    if (found == nodes_.points.end() || compare_lexicographically(*found, point) != 0) return;
+    const Index united = vertex_of_node_[static_cast<std::size_t>(found - nodes_.points.begin())];
+    if (united != kNoIndex) vertex_of_input_[vertex] = united;
   }
 
   [[nodiscard]] std::vector<std::uint8_t> vertices_of_uncut_triangles() const {

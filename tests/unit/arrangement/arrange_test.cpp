@@ -184,6 +184,25 @@ TEST(Arrange, VertexOfATriangleThatIsNotCutIsTheOneThatStays) {
   EXPECT_EQ(arrangement.pieces[arrangement.pieces_of(5)[0]], (Triangle{0, 6, 3}));
 }
 
+TEST(Arrange, FacesOfNoAreaBetweenUnitedVerticesGo) {
+  // Vertices 2, 4 and 7 are at one place, and faces that meet there unite them: nothing is left of
+  // two faces of no area on the edge 9 2, nor of one at the place.
+  const Soup soup = shapes::make({{1, 0, 0},
+                                  {1, 0, 0},
+                                  {1, 0, 1},
+                                  {0, 1, 1},
+                                  {1, 0, 1},
+                                  {0, 1, 0},
+                                  {0, 1, 0},
+                                  {1, 0, 1},
+                                  {0, 1, 0},
+                                  {0, 1, 1}},
+                                 {{4, 9, 2}, {7, 9, 2}, {9, 0, 6}, {1, 4, 7}});
+  const Arrangement arrangement = arrange(soup);
+  EXPECT_EQ(test::arrangement_fault(soup, arrangement), "");
+  EXPECT_EQ(arrangement.pieces, (std::vector<Triangle>{{6, 9, 0}}));
+}
+
 TEST(Arrange, FaceOfNoAreaGoesWhereItsNeighboursComeToFit) {
   // Vertex 3 lies in the middle of the edge 0 1 of the first face. The face 0 3 1, of no area, led
   // from that edge to those of the two faces below, which touch it.
