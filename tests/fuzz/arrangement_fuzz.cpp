@@ -1,5 +1,6 @@
 #include "meshalyzer/arrangement/arrange.h"
 #include "meshalyzer/exact/exact_point.h"
+#include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/self_intersection.h"
 
@@ -26,6 +27,11 @@ Vec3 position(std::uint8_t code) {
 
 void require(bool holds) {
   if (!holds) __builtin_trap();
+}
+
+bool has_no_area(const Soup& soup, const Triangle& face) {
+  const auto& at = soup.positions;
+  return is_in_complex(face) && are_collinear(at[face[0]], at[face[1]], at[face[2]]);
 }
 
 /// Where all points made are doubles, the exact search must find nothing left to cut.
@@ -63,6 +69,9 @@ void check_areas(const Soup& soup, const Arrangement& a) {
 
 /// A byte a vertex, then three bytes a face. However the faces meet, each must be the sum of its
 /// pieces, and pieces must not meet but in what they have in common.
+///
+/// Faces of no area are left out: pieces beside one may touch the edges of others, a limitation
+/// that doc/architecture.md describes.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace meshalyzer;
   if (size < kVertices) return 0;
@@ -70,9 +79,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (std::size_t i = 0; i < kVertices; ++i) soup.positions.push_back(position(data[i]));
   const std::size_t end = std::min(size, kVertices + 3 * kMaxFaces);
   for (std::size_t i = kVertices; i + 3 <= end; i += 3) {
-    soup.triangles.push_back({static_cast<Index>(data[i] % kVertices),
-                              static_cast<Index>(data[i + 1] % kVertices),
-                              static_cast<Index>(data[i + 2] % kVertices)});
+    const Triangle face{static_cast<Index>(data[i] % kVertices),
+                        static_cast<Index>(data[i + 1] % kVertices),
+                        static_cast<Index>(data[i + 2] % kVertices)};
+    if (!has_no_area(soup, face)) soup.triangles.push_back(face);
   }
   const Arrangement arrangement = arrange(soup);
   check_areas(soup, arrangement);
