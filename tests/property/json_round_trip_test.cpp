@@ -2,6 +2,7 @@
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/report/json/mesh.h"
 #include "meshalyzer/report/json/report.h"
+#include "meshalyzer/report/json/writer.h"
 #include "meshalyzer/report/text/mesh_report.h"
 #include "soups_to_try.h"
 #include "support/effort.h"
