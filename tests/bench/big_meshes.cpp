@@ -9,6 +9,7 @@
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <unordered_map>
 #include <utility>
 
 namespace meshalyzer::bench {
@@ -109,6 +110,57 @@ void add_flat_cube(Soup& soup, std::size_t faces) {
   weld(soup);
 }
 
+/// Splits each face in four at the middles of its edges.
+Soup subdivided(const Soup& soup) {
+  Soup fine;
+  fine.positions = soup.positions;
+  std::unordered_map<std::uint64_t, Index> middles;
+  const auto middle = [&](Index a, Index b) {
+    const std::uint64_t key = (std::uint64_t{std::min(a, b)} << 32) | std::max(a, b);
+    const auto [entry, is_new] = middles.try_emplace(key, static_cast<Index>(fine.n_vertices()));
+    if (is_new) {
+      fine.positions.emplace_back((soup.positions[a] + soup.positions[b]) / 2);
+    }
+    return entry->second;
+  };
+  for (const Triangle& t : soup.triangles) {
+    const Triangle m{middle(t[0], t[1]), middle(t[1], t[2]), middle(t[2], t[0])};
+    fine.triangles.insert(fine.triangles.end(),
+                          {{t[0], m[0], m[2]}, {m[0], t[1], m[1]}, {m[2], m[1], t[2]}, m});
+  }
+  return fine;
+}
+
+/// A cylinder of height 1 and radius 1 whose caps are fans round one vertex of their rim.
+void add_bolt(Soup& soup, std::size_t spokes, const Vec3& centre) {
+  const auto first = static_cast<Index>(soup.n_vertices());
+  const auto n = static_cast<Index>(spokes);
+  const Eigen::AngleAxisd askew(0.7, Vec3(0.3, 0.8, 0.52).normalized());
+  for (std::size_t i = 0; i < 2 * spokes; ++i) {
+    const double angle = kTurn * static_cast<double>(i % spokes) / static_cast<double>(spokes);
+    const Vec3 p(std::cos(angle), std::sin(angle), i < spokes ? 0.0 : 1.0);
+    soup.positions.emplace_back(askew * (centre + p));
+  }
+  for (Index i = 0; i < n; ++i) {
+    const Index a = first + i;
+    const Index b = first + (i + 1) % n;
+    soup.triangles.push_back({a, b, b + n});
+    soup.triangles.push_back({a, b + n, a + n});
+    if (i > 0 && i + 1 < n) {
+      soup.triangles.push_back({first, b, a});
+      soup.triangles.push_back({first + n, a + n, b + n});
+    }
+  }
+}
+
+void add_bolts(Soup& soup, std::size_t faces) {
+  constexpr std::size_t kBolts = 24;
+  for (std::size_t i = 0; i < kBolts; ++i) {
+    add_bolt(soup, faces / (4 * kBolts) + 3,
+             3 * Vec3(static_cast<double>(i % 6), static_cast<double>(i / 6), 0.0));
+  }
+}
+
 void add_sliver_tube(Soup& soup, std::size_t faces) {
   const std::size_t spokes = faces / 2;
   const Vec3 along = Vec3(1, 1.1, 0.9) * 10;
@@ -204,6 +256,11 @@ Soup big_mesh(std::string_view kind, std::size_t faces) {
     soup = shuffled(soup);
   } else if (kind == "flat") {
     add_flat_cube(soup, faces);
+  } else if (kind == "subdivided") {
+    add_wavy_torus(soup, faces / 16, Vec3::Zero());
+    soup = subdivided(subdivided(soup));
+  } else if (kind == "cad") {
+    add_bolts(soup, faces);
   } else if (kind == "slivers") {
     add_sliver_tube(soup, faces);
   } else if (kind == "crossing") {

@@ -13,6 +13,10 @@ namespace meshalyzer::bench {
 /// reconstruction is like
 /// - `flat`: a cube whose sides are grids, so that nearly all neighbours are coplanar: subdivided
 /// or CAD meshes
+/// - `subdivided`: `wavy` with each face split in four twice, so that three in four neighbours are
+/// coplanar but for rounding
+/// - `cad`: 24 bolts askew to the axes, round as CAD programs write them: coplanar fans round one
+/// vertex of the rim, and walls of slivers
 /// - `slivers`: a closed tube along a diagonal of space of faces a thousand times longer than wide
 /// - `crossing`: two wavy tori through each other
 /// - `onion`: cubes in each other, a thousand deep, turned outward and inward in turn
