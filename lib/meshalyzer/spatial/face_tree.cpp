@@ -1,5 +1,6 @@
 #include "meshalyzer/spatial/face_tree.h"
 
+#include "meshalyzer/base/eight_lanes.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/unbuild.h"
 #include "meshalyzer/spatial/tree_width.h"
@@ -55,6 +56,11 @@ void split(std::span<Item> items) {
   }
 }
 
+/// A tree without faces has one leaf too.
+std::size_t n_leaves_of(std::size_t n_faces) {
+  return std::max<std::size_t>(1, (n_faces + kTreeWidth - 1) / kTreeWidth);
+}
+
 }  // namespace
 
 EightBoxes EightBoxes::empty() {
@@ -68,18 +74,12 @@ EightBoxes EightBoxes::empty() {
 }
 
 unsigned EightBoxes::meeting(const TreeBox& other) const {
-  std::array<float, kTreeWidth> gap;
-  gap.fill(0.0F);
+  EightFlags apart{};
   for (std::size_t k = 0; k < 3; ++k) {
-    for (std::size_t i = 0; i < kTreeWidth; ++i) {
-      gap[i] = std::max({gap[i], min[k][i] - other.high[k], other.low[k] - max[k][i]});
-    }
+    apart = apart | (EightFloats::all(other.high[k]) < EightFloats::load(min[k])) |
+            (EightFloats::load(max[k]) < EightFloats::all(other.low[k]));
   }
-  unsigned bits = 0;
-  for (std::size_t i = 0; i < kTreeWidth; ++i) {
-    bits |= static_cast<unsigned>(gap[i] <= 0.0F) << i;
-  }
-  return bits;
+  return ~apart.bits() & 0xFFU;
 }
 
 TreeBox TreeBox::around(const EightBoxes& boxes) {
@@ -136,23 +136,28 @@ void FaceTree::order_faces(std::span<const Triangle> triangles) {
     }
   });
   split(items);
-  triangles_.resize(items.size());
+  EightFaces none;
+  for (auto& corner : none.corners) {
+    corner.fill(kNoIndex);
+  }
+  faces_.assign(n_leaves_of(items.size()), none);
   mesh_faces_.resize(items.size());
   parallel_chunks(items.size(), [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       mesh_faces_[i] = items[i].face;
-      triangles_[i] = triangles[items[i].face];
+      for (std::size_t k = 0; k < 3; ++k) {
+        faces_[i / kTreeWidth].corners[k][i % kTreeWidth] = triangles[items[i].face][k];
+      }
     }
   });
 }
 
 void FaceTree::box_faces() {
-  levels_.emplace_back(std::max<std::size_t>(1, (triangles_.size() + kTreeWidth - 1) / kTreeWidth),
-                       EightBoxes::empty());
-  parallel_chunks(triangles_.size(), [&](Chunk chunk) {
+  levels_.emplace_back(n_leaves_of(n_faces()), EightBoxes::empty());
+  parallel_chunks(n_faces(), [&](Chunk chunk) {
     for (std::size_t slot = chunk.begin; slot < chunk.end; ++slot) {
       EightBoxes& leaf = levels_.front()[slot / kTreeWidth];
-      for (const Index v : triangles_[slot]) {
+      for (const Index v : triangle(slot)) {
         const auto p = map(points_[v]);
         for (std::size_t k = 0; k < 3; ++k) {
           leaf.min[k][slot % kTreeWidth] = std::min(leaf.min[k][slot % kTreeWidth], p[k]);

@@ -36,6 +36,11 @@ struct alignas(32) EightBoxes {
   [[nodiscard]] unsigned meeting(const TreeBox& other) const;
 };
 
+/// The file vertices of eight faces side by side, corner by corner; kNoIndex where there are fewer.
+struct alignas(32) EightFaces {
+  std::array<std::array<Index, 8>, 3> corners;
+};
+
 /// A bounding volume hierarchy over the faces of a mesh: an implicit, complete tree of eight
 /// children a node.
 ///
@@ -47,7 +52,7 @@ class FaceTree {
   /// @complexity O(#F log #F) time; 48 bytes a face.
   explicit FaceTree(const CutMesh& cut);
 
-  [[nodiscard]] std::size_t n_faces() const { return triangles_.size(); }
+  [[nodiscard]] std::size_t n_faces() const { return mesh_faces_.size(); }
   [[nodiscard]] std::size_t n_leaves() const { return levels_.front().size(); }
   /// Number of levels; level 0 boxes faces, eight a leaf; each level boxes the nodes of the one
   /// below.
@@ -56,9 +61,14 @@ class FaceTree {
     return levels_[level][i];
   }
 
+  [[nodiscard]] const EightFaces& leaf_faces(std::size_t i) const { return faces_[i]; }
+
   /// By slot, the face's place in the tree (leaf i holds slots 8 i ... 8 i + 7): its file vertices,
   /// and the mesh face.
-  [[nodiscard]] const Triangle& triangle(std::size_t slot) const { return triangles_[slot]; }
+  [[nodiscard]] Triangle triangle(std::size_t slot) const {
+    const auto& corners = faces_[slot / 8].corners;
+    return {corners[0][slot % 8], corners[1][slot % 8], corners[2][slot % 8]};
+  }
   [[nodiscard]] Index mesh_face(std::size_t slot) const { return mesh_faces_[slot]; }
   [[nodiscard]] const Vec3& point(Index file_vertex) const { return points_[file_vertex]; }
 
@@ -81,7 +91,7 @@ class FaceTree {
   Box3 bounds_;
   Vec3 centre_ = Vec3::Zero();
   double scale_ = 1.0;
-  std::vector<Triangle> triangles_;
+  std::vector<EightFaces> faces_;
   std::vector<Index> mesh_faces_;
   std::vector<std::vector<EightBoxes>> levels_;
 };

@@ -1,6 +1,9 @@
 #include "meshalyzer/spatial/self_intersection.h"
 
+#include "meshalyzer/spatial/proven_stars.h"
 #include "meshalyzer/spatial/self_intersection_search.h"
+
+#include <cstdint>
 
 namespace meshalyzer {
 
@@ -10,7 +13,9 @@ std::vector<IntersectingPair> find_self_intersections(const CutMesh& cut, const 
   }
   const SlabTree slabs(tree);
   const FanTree fans(tree);
-  return search_self_intersections({.cut = cut, .tree = tree, .slabs = slabs, .fans = fans});
+  const std::vector<std::uint8_t> proven = prove_stars(cut);
+  return search_self_intersections(
+      {.cut = cut, .tree = tree, .slabs = slabs, .fans = fans, .proven = proven});
 }
 
 }  // namespace meshalyzer

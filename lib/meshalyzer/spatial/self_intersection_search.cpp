@@ -1,5 +1,6 @@
 #include "meshalyzer/spatial/self_intersection_search.h"
 
+#include "meshalyzer/base/eight_lanes.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/spatial/align_faces.h"
 #include "meshalyzer/spatial/join_pairs.h"
@@ -60,6 +61,20 @@ TreeBox box_of_wanted(const Scene& scene, std::size_t leaf) {
   return TreeBox::around(boxes);
 }
 
+/// The vertices of a leaf's faces that are proven, kNoIndex for the others: whoever has one of them
+/// in common with the face needs no test.
+EightFaces proven_vertices(const Scene& scene, std::size_t leaf) {
+  EightFaces faces = scene.tree.leaf_faces(leaf);
+  for (auto& corner : faces.corners) {
+    for (Index& v : corner) {
+      if (v != kNoIndex && (scene.proven.empty() || scene.proven[v] == 0)) {
+        v = kNoIndex;
+      }
+    }
+  }
+  return faces;
+}
+
 /// Looks for the partners of the wanted faces of one leaf. Those that are wanted too and come
 /// before are left out: they have found the pair themselves.
 class PartnerSearch {
@@ -71,18 +86,23 @@ class PartnerSearch {
         leaf_(leaf),
         wanted_(wanted_lanes(scene, leaf)),
         first_leaf_(scene.wanted.empty() ? leaf : 0),
-        box_(box_of_wanted(scene, leaf)) {
+        box_(box_of_wanted(scene, leaf)),
+        proven_(proven_vertices(scene, leaf)) {
     if (scene.slabs.has_useful()) {
       corners_.emplace(tree_, leaf);
     }
   }
 
-  void run() { descend(tree_.n_levels() - 1, 0); }
+  void run() {
+    const std::size_t top = tree_.n_levels() - 1;
+    descend(top, 0, TreeBox::around(tree_.node(top, 0)));
+  }
 
  private:
-  void descend(std::size_t level, std::size_t i) {
+  /// @param box  Of all faces below the node.
+  void descend(std::size_t level, std::size_t i, const TreeBox& box) {
     if (level == 0) {
-      meet_leaf(i);
+      meet_leaf(i, box);
       return;
     }
     const std::size_t leaves_per_child = std::size_t{1} << (3 * (level - 1));
@@ -90,9 +110,11 @@ class PartnerSearch {
     for (unsigned bits = boxes.meeting(box_); bits != 0; bits &= bits - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
       const std::size_t child = 8 * i + lane;
-      if ((child + 1) * leaves_per_child > first_leaf_ &&
-          !is_excluded(level - 1, child, boxes.box(lane))) {
-        descend(level - 1, child);
+      if ((child + 1) * leaves_per_child > first_leaf_) {
+        const TreeBox child_box = boxes.box(lane);
+        if (!is_excluded(level - 1, child, child_box)) {
+          descend(level - 1, child, child_box);
+        }
       }
     }
   }
@@ -108,16 +130,32 @@ class PartnerSearch {
                                      box);
   }
 
-  void meet_leaf(std::size_t other) {
+  void meet_leaf(std::size_t other, const TreeBox& box) {
     const EightBoxes& mine = tree_.node(0, leaf_);
     const EightBoxes& theirs = tree_.node(0, other);
-    for (unsigned lanes = wanted_; lanes != 0; lanes &= lanes - 1) {
+    for (unsigned lanes = wanted_ & mine.meeting(box); lanes != 0; lanes &= lanes - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
       unsigned bits = theirs.meeting(mine.box(i)) & ~done_lanes(other, i);
+      if (bits != 0) {
+        bits &= ~settled_lanes(other, i);
+      }
       for (; bits != 0; bits &= bits - 1) {
         meet_face(8 * leaf_ + i, 8 * other + static_cast<std::size_t>(std::countr_zero(bits)));
       }
     }
+  }
+
+  /// Those lanes of a leaf whose faces have a proven vertex in common with the face in lane i.
+  unsigned settled_lanes(std::size_t other, std::size_t i) const {
+    const EightFaces& theirs = tree_.leaf_faces(other);
+    EightFlags common{};
+    for (const auto& corner : theirs.corners) {
+      const EightIds vertices = EightIds::load(corner);
+      for (const auto& mine : proven_.corners) {
+        common = common | (vertices == EightIds::all(mine[i]));
+      }
+    }
+    return common.bits();
   }
 
   /// Those lanes of another leaf, or this one, that the face in lane i need not look at.
@@ -146,6 +184,7 @@ class PartnerSearch {
   /// Leaves before it need no look.
   std::size_t first_leaf_;
   TreeBox box_;
+  EightFaces proven_;
   /// Only where some slabs are worth a question.
   std::optional<LeafCorners> corners_;
 };

@@ -22,6 +22,9 @@ struct SelfIntersectionScene {
   /// #leaves: bit i is set where the partners of the face at slot 8 leaf + i are wanted; empty:
   /// those of all faces are.
   std::span<const std::uint8_t> wanted = {};
+  /// By file vertex: non-zero where faces surely share no more than they must (see prove_stars());
+  /// empty: nothing is known.
+  std::span<const std::uint8_t> proven = {};
 };
 
 /// Finds the pairs with at least one wanted face, each once, with its kind.

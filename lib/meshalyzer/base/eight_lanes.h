@@ -1,0 +1,163 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+namespace meshalyzer {
+
+// Eight numbers side by side, as the leaves and nodes of trees hold them, and comparisons of all
+// eight at once. There are two sets of types with the same names and the same answers to the last
+// bit: `sse2` where the processor has such registers, and `portable` everywhere.
+
+namespace portable {
+
+/// Eight truth values.
+struct EightFlags {
+  unsigned flags = 0;
+
+  /// Bit i is set where flag i is.
+  [[nodiscard]] unsigned bits() const { return flags; }
+  friend EightFlags operator|(EightFlags a, EightFlags b) { return {a.flags | b.flags}; }
+};
+
+template <typename Number>
+struct EightNumbers {
+  std::array<Number, 8> lanes;
+
+  [[nodiscard]] static EightNumbers load(const std::array<Number, 8>& numbers) { return {numbers}; }
+  [[nodiscard]] static EightNumbers all(Number number) {
+    EightNumbers eight;
+    eight.lanes.fill(number);
+    return eight;
+  }
+
+  friend EightNumbers operator+(const EightNumbers& a, const EightNumbers& b) {
+    return combine(a, b, [](Number x, Number y) { return x + y; });
+  }
+  friend EightNumbers operator-(const EightNumbers& a, const EightNumbers& b) {
+    return combine(a, b, [](Number x, Number y) { return x - y; });
+  }
+  friend EightNumbers operator*(const EightNumbers& a, const EightNumbers& b) {
+    return combine(a, b, [](Number x, Number y) { return x * y; });
+  }
+  /// Of two that are equal, or cannot be compared, the second.
+  friend EightNumbers min(const EightNumbers& a, const EightNumbers& b) {
+    return combine(a, b, [](Number x, Number y) { return x < y ? x : y; });
+  }
+  friend EightNumbers max(const EightNumbers& a, const EightNumbers& b) {
+    return combine(a, b, [](Number x, Number y) { return y < x ? x : y; });
+  }
+  friend EightFlags operator<(const EightNumbers& a, const EightNumbers& b) {
+    return compare(a, b, [](Number x, Number y) { return x < y; });
+  }
+  friend EightFlags operator==(const EightNumbers& a, const EightNumbers& b) {
+    return compare(a, b, [](Number x, Number y) { return x == y; });
+  }
+
+ private:
+  template <typename Operation>
+  static EightNumbers combine(const EightNumbers& a, const EightNumbers& b, Operation of) {
+    EightNumbers result;
+    for (std::size_t i = 0; i < 8; ++i) {
+      result.lanes[i] = of(a.lanes[i], b.lanes[i]);
+    }
+    return result;
+  }
+  template <typename Relation>
+  static EightFlags compare(const EightNumbers& a, const EightNumbers& b, Relation holds) {
+    EightFlags result;
+    for (std::size_t i = 0; i < 8; ++i) {
+      result.flags |= static_cast<unsigned>(holds(a.lanes[i], b.lanes[i])) << i;
+    }
+    return result;
+  }
+};
+
+using EightFloats = EightNumbers<float>;
+using EightIds = EightNumbers<std::uint32_t>;
+
+}  // namespace portable
+
+#ifdef __SSE2__
+namespace sse2 {
+
+/// Eight truth values: all bits of a lane, or none.
+struct EightFlags {
+  __m128 low;
+  __m128 high;
+
+  [[nodiscard]] unsigned bits() const {
+    return static_cast<unsigned>(_mm_movemask_ps(low)) |
+           static_cast<unsigned>(_mm_movemask_ps(high)) << 4;
+  }
+  friend EightFlags operator|(const EightFlags& a, const EightFlags& b) {
+    return {_mm_or_ps(a.low, b.low), _mm_or_ps(a.high, b.high)};
+  }
+};
+
+struct EightFloats {
+  __m128 low;
+  __m128 high;
+
+  [[nodiscard]] static EightFloats load(const std::array<float, 8>& numbers) {
+    return {_mm_loadu_ps(numbers.data()), _mm_loadu_ps(numbers.data() + 4)};
+  }
+  [[nodiscard]] static EightFloats all(float number) {
+    return {_mm_set1_ps(number), _mm_set1_ps(number)};
+  }
+  friend EightFloats operator+(const EightFloats& a, const EightFloats& b) {
+    return {_mm_add_ps(a.low, b.low), _mm_add_ps(a.high, b.high)};
+  }
+  friend EightFloats operator-(const EightFloats& a, const EightFloats& b) {
+    return {_mm_sub_ps(a.low, b.low), _mm_sub_ps(a.high, b.high)};
+  }
+  friend EightFloats operator*(const EightFloats& a, const EightFloats& b) {
+    return {_mm_mul_ps(a.low, b.low), _mm_mul_ps(a.high, b.high)};
+  }
+  friend EightFloats min(const EightFloats& a, const EightFloats& b) {
+    return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)};
+  }
+  friend EightFloats max(const EightFloats& a, const EightFloats& b) {
+    return {_mm_max_ps(a.low, b.low), _mm_max_ps(a.high, b.high)};
+  }
+  friend EightFlags operator<(const EightFloats& a, const EightFloats& b) {
+    return {_mm_cmplt_ps(a.low, b.low), _mm_cmplt_ps(a.high, b.high)};
+  }
+};
+
+struct EightIds {
+  __m128i low;
+  __m128i high;
+
+  [[nodiscard]] static EightIds load(const std::array<std::uint32_t, 8>& numbers) {
+    const auto* halves = reinterpret_cast<const __m128i*>(numbers.data());
+    return {_mm_loadu_si128(halves), _mm_loadu_si128(halves + 1)};
+  }
+  [[nodiscard]] static EightIds all(std::uint32_t number) {
+    const __m128i four = _mm_set1_epi32(std::bit_cast<int>(number));
+    return {four, four};
+  }
+  friend EightFlags operator==(const EightIds& a, const EightIds& b) {
+    return {_mm_castsi128_ps(_mm_cmpeq_epi32(a.low, b.low)),
+            _mm_castsi128_ps(_mm_cmpeq_epi32(a.high, b.high))};
+  }
+};
+
+}  // namespace sse2
+
+using sse2::EightFlags;
+using sse2::EightFloats;
+using sse2::EightIds;
+#else
+using portable::EightFlags;
+using portable::EightFloats;
+using portable::EightIds;
+#endif
+
+}  // namespace meshalyzer

@@ -1,0 +1,135 @@
+#include "meshalyzer/spatial/embedded_star.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace meshalyzer {
+namespace {
+
+constexpr double kDoubleUnit = 0x1p-53;
+
+// How far the dot product of a direction without error and the cross product of two arms can be
+// off, as a share of the product of their largest coordinates: 6 products of three numbers, which
+// meet 7 roundings each: two in the arms, two products, a difference, two sums. The factor leaves
+// room for the roundings of the bound itself.
+constexpr double kFacingBound = 6 * 8 * kDoubleUnit * 1.01;
+
+// The same for the dot product of a vector without error and one arm: 3 products, 4 roundings each.
+constexpr double kSideBound = 3 * 4 * kDoubleUnit * 1.01;
+
+// Within these magnitudes nothing overflows, and what underflows is far below the bounds.
+constexpr double kSmall = 1e-270;
+constexpr double kLarge = 1e70;
+
+/// Directions have whole coordinates up to this, so that what is made of them below is exact.
+constexpr double kFinest = 0x1p20;
+
+/// Any direction that the edges of no mesh are likely to lie in: planes through it, here and there,
+/// tell what is above from what is below.
+const Vec3 kOddDirection(419.0, -281.0, 733.0);
+
+double largest(const Vec3& v) {
+  return std::max({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
+}
+
+/// The direction that the faces face on the whole, in whole numbers.
+std::optional<Vec3> facing_direction(const Star& star) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < star.n_faces(); ++i) {
+    const Vec3 normal = star.first_arm(i).cross(star.second_arm(i));
+    const double squared_length = normal.squaredNorm();
+    if (squared_length == 0.0) {
+      return std::nullopt;
+    }
+    sum += normal / std::sqrt(squared_length);
+  }
+  const double length = largest(sum);
+  if (length == 0.0) {
+    return std::nullopt;
+  }
+  const auto whole = [&](double x) {
+    return static_cast<double>(static_cast<int>(x * (kFinest / length)));
+  };
+  return Vec3(whole(sum.x()), whole(sum.y()), whole(sum.z()));
+}
+
+bool all_surely_face(const Star& star, const Vec3& direction) {
+  const double bound = kFacingBound * largest(direction);
+  for (std::size_t i = 0; i < star.n_faces(); ++i) {
+    const Vec3& u = star.first_arm(i);
+    const Vec3& v = star.second_arm(i);
+    const double area = largest(u) * largest(v);
+    const bool is_sure = direction.dot(u.cross(v)) > bound * area && area > kSmall;
+    if (!is_sure) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// How often the arms, in their order, change from one side of a plane through the hub to the
+/// other.
+struct Crossings {
+  int up = 0;
+  int down = 0;
+};
+
+/// @param normal  Of the plane, without error.
+/// @return nothing where an arm is not surely on one side.
+std::optional<Crossings> count_crossings(const Star& star, const Vec3& normal) {
+  const double bound = kSideBound * largest(normal);
+  const auto is_sure = [&](double height, const Vec3& arm) {
+    const double size = largest(arm);
+    return std::abs(height) > bound * size && size > kSmall;
+  };
+  const double first = normal.dot(star.arms.front());
+  if (!is_sure(first, star.arms.front())) {
+    return std::nullopt;
+  }
+  Crossings crossings;
+  bool is_above = first > 0.0;
+  const auto go_to = [&](bool above) {
+    crossings.up += static_cast<int>(above && !is_above);
+    crossings.down += static_cast<int>(!above && is_above);
+    is_above = above;
+  };
+  for (const Vec3& arm : star.arms.subspan(1)) {
+    const double height = normal.dot(arm);
+    if (!is_sure(height, arm)) {
+      return std::nullopt;
+    }
+    go_to(height > 0.0);
+  }
+  if (star.is_closed) {
+    go_to(first > 0.0);
+  }
+  return crossings;
+}
+
+bool has_small_arms(const Star& star) {
+  return std::all_of(star.arms.begin(), star.arms.end(),
+                     [](const Vec3& arm) { return largest(arm) < kLarge; });
+}
+
+}  // namespace
+
+bool is_surely_embedded(const Star& star) {
+  if (star.n_faces() == 0 || !has_small_arms(star)) {
+    return false;
+  }
+  const std::optional<Vec3> direction = facing_direction(star);
+  if (!direction || !all_surely_face(star, *direction)) {
+    return false;
+  }
+  // A plane that holds the direction: below it, a line through the hub. A sector is less than half
+  // a turn, so each turn crosses each half of that line once, one upwards and one downwards.
+  const Vec3 normal = direction->cross(kOddDirection);
+  const std::optional<Crossings> crossings = count_crossings(star, normal);
+  if (!crossings) {
+    return false;
+  }
+  return star.is_closed ? crossings->up == 1 : crossings->up == 0 || crossings->down == 0;
+}
+
+}  // namespace meshalyzer

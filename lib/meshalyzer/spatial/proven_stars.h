@@ -1,0 +1,20 @@
+#pragma once
+
+#include "meshalyzer/mesh/side_table.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Finds vertices whose faces surely share no more than they must, so that no pair of faces that
+/// has such a vertex in common needs a test.
+///
+/// Most vertices of most meshes are proven. Never proven are the vertices that cutting concerns:
+/// those with copies, and the ends of cut edges.
+///
+/// @return #file vertices: 1 where proven, else 0.
+/// @complexity O(#F).
+[[nodiscard]] std::vector<std::uint8_t> prove_stars(const CutMesh& cut);
+
+}  // namespace meshalyzer
