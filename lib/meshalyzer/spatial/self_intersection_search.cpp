@@ -4,9 +4,11 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/spatial/align_faces.h"
 #include "meshalyzer/spatial/join_pairs.h"
+#include "meshalyzer/spatial/separating_directions.h"
 #include "meshalyzer/spatial/triangle_contact.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <optional>
 #include <utility>
@@ -16,6 +18,10 @@ namespace {
 
 /// Leaves that one task looks at.
 constexpr std::size_t kLeavesPerChunk = 64;
+
+/// From so many faces of a leaf that have partners in another on it pays to look for directions
+/// that separate them.
+constexpr int kManyFaces = 2;
 
 Corners corners_of(const FaceTree& tree, const Triangle& t) {
   return {tree.point(t[0]), tree.point(t[1]), tree.point(t[2])};
@@ -130,17 +136,44 @@ class PartnerSearch {
                                      box);
   }
 
+  /// For each lane of this leaf those lanes of another one whose faces may meet it.
+  using Partners = std::array<unsigned, 8>;
+
   void meet_leaf(std::size_t other, const TreeBox& box) {
     const EightBoxes& mine = tree_.node(0, leaf_);
     const EightBoxes& theirs = tree_.node(0, other);
+    Partners partners{};
+    int n_meeting = 0;
     for (unsigned lanes = wanted_ & mine.meeting(box); lanes != 0; lanes &= lanes - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
       unsigned bits = theirs.meeting(mine.box(i)) & ~done_lanes(other, i);
       if (bits != 0) {
         bits &= ~settled_lanes(other, i);
       }
-      for (; bits != 0; bits &= bits - 1) {
+      partners[i] = bits;
+      n_meeting += static_cast<int>(bits != 0);
+    }
+    if (n_meeting >= kManyFaces) {
+      drop_separated(other, partners);
+    }
+    for (std::size_t i = 0; n_meeting != 0 && i < 8; ++i) {
+      for (unsigned bits = partners[i]; bits != 0; bits &= bits - 1) {
         meet_face(8 * leaf_ + i, 8 * other + static_cast<std::size_t>(std::countr_zero(bits)));
+      }
+    }
+  }
+
+  void drop_separated(std::size_t other, Partners& partners) {
+    if (!triangles_) {
+      triangles_.emplace(tree_, leaf_);
+    }
+    const LeafTriangles theirs(tree_, other);
+    for (std::size_t i = 0; i < 8; ++i) {
+      if (partners[i] != 0) {
+        if (!directions_[i]) {
+          directions_[i].emplace(*triangles_, i);
+        }
+        partners[i] = directions_[i]->perhaps_meeting(theirs, partners[i]);
       }
     }
   }
@@ -187,6 +220,9 @@ class PartnerSearch {
   EightFaces proven_;
   /// Only where some slabs are worth a question.
   std::optional<LeafCorners> corners_;
+  /// Only where pairs pile up.
+  std::optional<LeafTriangles> triangles_;
+  std::array<std::optional<SeparatingDirections>, 8> directions_;
 };
 
 }  // namespace
