@@ -2,6 +2,8 @@
 #include "check_parser.h"
 #include "meshalyzer/analysis/analyze.h"
 #include "meshalyzer/report/json/mesh.h"
+#include "meshalyzer/report/json/report.h"
+#include "meshalyzer/report/json/writer.h"
 #include "meshalyzer/report/text/mesh_report.h"
 
 namespace {
