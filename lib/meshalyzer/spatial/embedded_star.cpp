@@ -45,11 +45,12 @@ std::optional<Vec3> facing_direction(const Star& star) {
     sum += normal / std::sqrt(squared_length);
   }
   const double length = largest(sum);
-  if (length == 0.0) {
+  // Normals that overflow have no direction; the sum is then infinite or not a number.
+  if (!(length > 0.0) || !sum.allFinite()) {
     return std::nullopt;
   }
   const auto whole = [&](double x) {
-    return static_cast<double>(static_cast<int>(x * (kFinest / length)));
+    return static_cast<double>(static_cast<int>(x / length * kFinest));
   };
   return Vec3(whole(sum.x()), whole(sum.y()), whole(sum.z()));
 }
