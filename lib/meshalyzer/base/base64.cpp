@@ -12,7 +12,7 @@ constexpr std::string_view kDigits =
 constexpr std::size_t kBytesAGroup = 3;
 constexpr std::size_t kDigitsAGroup = 4;
 
-/// Up to three bytes as one number, the first in front; what lacks is 0.
+/// Reads up to three bytes as one big-endian number; missing bytes count as 0.
 std::uint32_t number_of(std::string_view group) {
   std::uint32_t number = 0;
   for (std::size_t i = 0; i < kBytesAGroup; ++i) {

@@ -19,7 +19,7 @@ constexpr Series kViridisGreen{0.51873, 0.45465,  -0.05736, -0.00486, -0.00848, 
 constexpr Series kViridisBlue{0.37589, -0.14674, -0.17065, 0.02113,  0.01486,  0.02881, 0.01471,
                               0.00489, 0.00420,  0.00124,  -0.00057, -0.00079, -0.00176};
 
-/// In the order of Palette.
+/// The names of the palettes, in the order of Palette.
 constexpr std::array<std::string_view, 4> kPaletteNames{"viridis", "diverging", "jet", "hot"};
 
 /// Found by us: any two of them, and each of them and white, black, or a grey of ours, are at least
@@ -82,13 +82,14 @@ Colour blue_white_red(double t) {
   return t < 0.5 ? mixed(kColdest, kWhite, 2.0 * t) : mixed(kWhite, kHottest, 2.0 * t - 1.0);
 }
 
-/// Each channel is a trapezium half a palette wide, red a quarter after green, blue one before it.
+/// Returns a colour of the "jet" palette. Each channel is a trapezium half a palette wide; the red
+/// one comes a quarter after the green one, the blue one a quarter before it.
 Colour jet(double t) {
   return {to_byte(1.5 - std::abs(4.0 * t - 3.0)), to_byte(1.5 - std::abs(4.0 * t - 2.0)),
           to_byte(1.5 - std::abs(4.0 * t - 1.0))};
 }
 
-/// Red, green and blue come up one after the other.
+/// Returns a colour of the "hot" palette, in which red, green and blue rise one after the other.
 Colour hot(double t) {
   return {to_byte(t / 0.375), to_byte((t - 0.375) / 0.375), to_byte((t - 0.75) / 0.25)};
 }

@@ -45,8 +45,8 @@ enum class Palette : std::uint8_t {
 ///           nearer, NaN kNoValueColour.
 [[nodiscard]] Colour colour_of(Palette palette, double t);
 
-/// As many colours are told apart easily: also by eyes that lack one kind of cones, and from white,
-/// black and the greys.
+/// The number of colours that are easily told apart from each other, from white, black and grey,
+/// also by colour-blind people.
 inline constexpr std::size_t kDistinctCategories = 15;
 /// The colours of categories repeat after so many; until then no two are the same.
 inline constexpr std::size_t kCategoryColours = 256;
@@ -61,7 +61,8 @@ struct ColourScale {
   double min = 0.0;
   double max = 0.0;
 
-  /// Where min and max are the same all values have one colour, that of the middle.
+  /// Returns the colour of a value. Where min and max are the same, all values have the middle
+  /// colour.
   [[nodiscard]] Colour colour_of(double value) const;
 };
 

@@ -6,7 +6,7 @@
 
 namespace meshalyzer {
 
-/// Where Linux shows the control groups of a process.
+/// Names the places where Linux describes the control groups of a process.
 struct ControlGroupPlaces {
   /// Lines `number:controllers:path`, as `man 7 cgroups` says.
   std::string own_groups = "/proc/self/cgroup";

@@ -46,7 +46,7 @@ struct EightNumbers {
   friend EightNumbers operator*(const EightNumbers& a, const EightNumbers& b) {
     return combine(a, b, [](Number x, Number y) { return x * y; });
   }
-  /// Of two that are equal, or cannot be compared, the second.
+  /// Returns the smaller numbers. Where two are equal or cannot be compared, it returns the second.
   friend EightNumbers min(const EightNumbers& a, const EightNumbers& b) {
     return combine(a, b, [](Number x, Number y) { return x < y ? x : y; });
   }

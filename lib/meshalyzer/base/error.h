@@ -18,7 +18,7 @@ class InvalidArgument : public Error {
   using Error::Error;
 };
 
-/// Where in a file a fault lies.
+/// The place of a fault in a file.
 struct FilePlace {
   /// 1-based line of the fault; 0 when it has none (binary content, file not opened).
   std::size_t line = 0;

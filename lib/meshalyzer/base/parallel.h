@@ -51,10 +51,11 @@ void parallel_invoke(const std::vector<std::function<void()>>& functions);
 /// fully.
 void parallel_sort(std::vector<std::uint64_t>& keys);
 
-/// So many threads work in parallel here, at most.
+/// Returns the largest number of threads that may work in parallel here.
 [[nodiscard]] std::size_t max_threads();
 
-/// While it lives, at most `n` threads work in parallel (0: as many as the machine has cores).
+/// Limits the number of threads that work in parallel to `n` while it lives (0: the number of
+/// cores).
 class ThreadLimit {
  public:
   explicit ThreadLimit(std::size_t n);

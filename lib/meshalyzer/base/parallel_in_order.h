@@ -10,7 +10,7 @@
 
 namespace meshalyzer {
 
-/// What is to happen after an item has been used.
+/// Tells what happens after an item has been used.
 enum class Next { GoOn, Stop };
 
 /// parallel_in_order() for a caller that keeps what is made itself: `make(i)` leaves item i where

@@ -15,13 +15,14 @@
 namespace meshalyzer {
 
 struct PooledValues::State {
-  /// In values; a multiple of kChunkLength, so that the passes need not know what was spilled.
+  /// The number of values that the buffer can hold. It is a multiple of kChunkLength, so that the
+  /// passes need not know what was spilled.
   std::size_t capacity = 0;
   std::size_t infinite = 0;
   std::optional<ScratchFile> file;
-  /// Of what is in the file.
+  /// The extent of the values in the file.
   ExtentPass spilled;
-  /// Finite values behind those of the file.
+  /// The finite values that come after those in the file.
   std::vector<double> buffer;
 
   void spill() {

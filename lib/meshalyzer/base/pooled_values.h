@@ -30,7 +30,8 @@ class PooledValues {
   /// @throws IoError if the temporary file cannot be written, with its folder as the file.
   void append(std::span<const double> values);
 
-  /// To the last bit what summarize() gives for all the values in the order they were added.
+  /// Returns the same bits that summarize() gives for all the values in the order in which they
+  /// were added.
   ///
   /// @throws IoError if the temporary file cannot be read.
   /// @complexity  O(n) time: at most six passes over the values. Memory: the buffer again, and 2

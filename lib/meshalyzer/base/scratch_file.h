@@ -12,7 +12,7 @@ namespace meshalyzer {
 /// Doubles in a file without a name, which is gone when it is closed, however the program ends.
 class ScratchFile {
  public:
-  /// In the folder that the environment variable TMPDIR names, else in /tmp.
+  /// Makes the file in the folder that the environment variable TMPDIR names, or else in /tmp.
   /// @throws IoError if no file can be made there.
   ScratchFile();
 

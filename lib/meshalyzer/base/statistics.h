@@ -9,12 +9,13 @@ namespace meshalyzer {
 /// Equal-width bins from the smallest to the largest value.
 struct Histogram {
   static constexpr std::size_t kBins = 16;
-  /// Ascending; bin i holds edges[i] <= value < edges[i + 1], the last bin its upper edge too.
+  /// The edges of the bins, ascending. Bin i holds edges[i] <= value < edges[i + 1]; the last bin
+  /// also holds its upper edge.
   std::array<double, kBins + 1> edges{};
   std::array<std::size_t, kBins> counts{};
 };
 
-/// What is said of a set of real values in a few figures.
+/// Summarises a set of real values in a few figures.
 struct Summary {
   /// Finite values: the only ones that the figures below are of.
   std::size_t count = 0;
@@ -25,7 +26,7 @@ struct Summary {
   double mean = 0.0;
   /// The middle value; the mean of the two middle ones where count is even.
   double median = 0.0;
-  /// With n - 1 in the denominator; 0 where count is 1.
+  /// The sample variance, with n - 1 in the denominator; 0 where count is 1.
   double variance = 0.0;
   double total = 0.0;
 };

@@ -18,7 +18,7 @@ class ExtentPass {
   void add(std::span<const double> values);
 
   [[nodiscard]] std::size_t count() const { return count_; }
-  /// Of no value: an infinity.
+  /// Returns the smallest value; infinity where there is none.
   [[nodiscard]] double min() const { return min_; }
   [[nodiscard]] double max() const { return max_; }
   [[nodiscard]] double total() const { return total_.value(); }
@@ -49,8 +49,8 @@ class SpreadPass {
   Histogram histogram_;
 };
 
-/// Which of `count` values in ascending order, from 0, is the lower of the two middle ones; the
-/// only one where count is odd.
+/// Returns the index of the lower of the two middle ones among `count` sorted values, or of the
+/// only middle one where count is odd.
 [[nodiscard]] constexpr std::size_t lower_middle(std::size_t count) {
   return (count - 1) / 2;
 }

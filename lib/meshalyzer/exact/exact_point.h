@@ -17,8 +17,8 @@ struct ExactPoint {
   /// The doubles nearest to the coordinates, to even where two are equally near: a function of the
   /// point alone, not of how it was found.
   Vec3 rounded = Vec3::Zero();
-  /// What rounding took away, with a relative error below 2^-50; zero exactly where it took
-  /// nothing.
+  /// The difference between the exact point and `rounded`, with a relative error below 2^-50; zero
+  /// exactly where rounding changed nothing.
   Vec3 rest = Vec3::Zero();
 
   /// Whether the coordinates are doubles.
@@ -33,7 +33,8 @@ struct ExactPoint {
 /// The coordinates must be within the range of doubles.
 [[nodiscard]] ExactPoint exact_point(std::array<CGAL::Mpzf, 3> numerator, CGAL::Mpzf denominator);
 
-/// Which of two points comes first by x, then y, then z: -1, 0 (the same point) or 1.
+/// Compares two points by x, then y, then z: returns -1 where the first one comes first, 0 where
+/// they are the same point, else 1.
 [[nodiscard]] Sign compare_lexicographically(const ExactPoint& a, const ExactPoint& b);
 
 /// orient2d() of exact points.

@@ -10,8 +10,8 @@ namespace meshalyzer {
 /// A sign: -1, 0 or 1. Signs multiply like the numbers they are of.
 using Sign = int;
 
-/// On which side of the plane through a, b, c the point d lies: 1 on the side that the normal (b-a)
-/// x (c-a) points to, -1 on the other, 0 in the plane (or when a, b, c are collinear).
+/// Tells on which side of the plane through a, b, c the point d lies: 1 on the side that the normal
+/// (b-a) x (c-a) points to, -1 on the other, 0 in the plane (or when a, b, c are collinear).
 ///
 /// Exact for all finite doubles: the sign of the determinant |b-a, c-a, d-a| over the reals. Laws:
 /// exchanging two arguments negates it; orient3d(a,b,c,d) == 0 exactly when the four points are
@@ -24,7 +24,7 @@ using Sign = int;
 [[nodiscard]] std::optional<Sign> orient3d_if_sure(const Vec3& a, const Vec3& b, const Vec3& c,
                                                    const Vec3& d);
 
-/// Which coordinate a projection drops.
+/// Names the coordinate that a projection drops.
 enum class Axis : std::uint8_t { X = 0, Y = 1, Z = 2 };
 
 /// Orientation of the triangle a, b, c projected along an axis: 1 counter-clockwise, -1 clockwise,

@@ -25,7 +25,7 @@ struct Complex {
   std::size_t n_vertices = 0;
   /// All triangles of the soup.
   std::span<const Triangle> triangles;
-  /// Those that count, ascending: face k of the complex is triangle faces[k].
+  /// The faces of the complex, ascending: face k of the complex is triangle faces[k].
   std::span<const Index> faces;
 
   [[nodiscard]] std::size_t n_corners() const { return 3 * faces.size(); }

@@ -85,7 +85,7 @@ void sort_bucket(std::span<SideKey> keys) {
   }
 }
 
-/// What one chunk of buckets tells beside the pairs themselves.
+/// What one chunk of buckets finds besides the pairs themselves.
 struct ChunkPairs {
   std::size_t n_pairs = 0;
   CornerLists non_manifold;

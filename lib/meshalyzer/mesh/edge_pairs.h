@@ -6,7 +6,7 @@
 
 namespace meshalyzer {
 
-/// Which sides of the faces of a complex are joined, and which edges are cut.
+/// Tells which sides of the faces of a complex are joined, and which edges are cut.
 struct EdgePairs {
   /// #corners: the side that crosses the same edge in the other direction, where the edge has
   /// exactly these two; kNoIndex where it is a border or cut.

@@ -37,7 +37,7 @@ class OneRingIterator {
 
   /// The end of every ring.
   OneRingIterator() = default;
-  /// At the first half-edge of a ring; the end where there is none.
+  /// Points at the first half-edge of a ring, or at the end where there is none.
   OneRingIterator(const TriMesh& mesh, HalfedgeHandle first)
       : mesh_(&mesh), first_(first), current_(first) {}
 
@@ -61,7 +61,7 @@ class OneRingIterator {
     return before;
   }
 
-  /// Of two iterators of one ring.
+  /// Compares two iterators of one ring.
   [[nodiscard]] friend bool operator==(const OneRingIterator& a, const OneRingIterator& b) {
     return a.current_ == b.current_;
   }
@@ -95,8 +95,8 @@ class OneRing {
   [[nodiscard]] bool empty() const { return begin() == end(); }
 
  private:
-  /// Where a vertex lies on a border its own half-edge runs along it and is the last of the fan:
-  /// stepping over the gap gives the first.
+  /// Returns the half-edge with which the ring begins. Where the vertex lies on a border, its own
+  /// half-edge runs along it and is the last of the fan: a step over the gap leads to the first.
   static HalfedgeHandle first(const TriMesh& mesh, VertexHandle v) {
     const HalfedgeHandle h = mesh.halfedge_handle(v);
     return h.is_valid() && mesh.is_boundary(h)

@@ -27,8 +27,8 @@ struct CutEdges {
   }
 };
 
-/// What a half-edge mesh cannot hold of a file's complex: how the pieces of the cut mesh belong
-/// together.
+/// Holds what a half-edge mesh cannot hold of a file's complex: how the pieces of the cut mesh
+/// belong together.
 ///
 /// Two mesh vertices are copies of one file vertex exactly when vertex() says so. Together with the
 /// mesh this is the file's complex, nothing more and nothing less: see unbuild() and validate().

@@ -10,7 +10,7 @@
 
 namespace meshalyzer {
 
-/// What a file was read as.
+/// The format that a file was read as.
 enum class Format { Mesh, Inria, Obj, Off, Stl, Ply };
 
 /// The lower-case name that reports use: "mesh", "inria", "obj", "off", "stl", "ply".
@@ -63,7 +63,7 @@ struct Soup {
   std::vector<Triangle> triangles;
   Ids vertex_ids;
   Ids face_ids;
-  /// In face order, then corner order.
+  /// The references in face order, then corner order.
   std::vector<MissingReference> missing;
   /// 1-based line of each record, where the file is text and read by lines; else empty.
   std::vector<std::uint32_t> vertex_lines;
@@ -71,7 +71,8 @@ struct Soup {
   /// `.mesh` only: 1-based lines that begin with a number instead of Vertex or Face, the remains of
   /// a torn record. They hold no record that could be read.
   std::vector<std::uint32_t> torn_lines;
-  /// In file order; empty where the file names none. Faces before the first group belong to none.
+  /// The groups in file order; empty where the file has none. Faces before the first group belong
+  /// to none.
   std::vector<Group> groups;
   /// Normals that the file gives, in file order; empty where none.
   std::vector<Vec3> normals;

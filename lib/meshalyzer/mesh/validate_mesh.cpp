@@ -79,7 +79,7 @@ void check_faces(const TriMesh& mesh, Complaints& complaints) {
   }
 }
 
-/// What the half-edges themselves say of each vertex.
+/// The outgoing half-edges of each vertex as the half-edges themselves tell them.
 struct Outgoing {
   std::vector<Index> n;
   std::vector<Index> n_border;

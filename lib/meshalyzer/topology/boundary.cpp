@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Which end of a half-edge.
+/// Names an end of a half-edge.
 enum class End : std::uint8_t { From, To };
 
 End other(End end) {

@@ -9,9 +9,9 @@ namespace meshalyzer {
 
 /// How a boundary ends.
 enum class BoundaryShape : std::uint8_t {
-  /// It comes back to its first edge.
+  /// The boundary comes back to its first edge.
   Loop,
-  /// Both its ends are at non-manifold edges.
+  /// The boundary begins and ends at non-manifold edges.
   Chain,
 };
 

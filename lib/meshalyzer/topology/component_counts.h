@@ -11,15 +11,15 @@
 
 namespace meshalyzer {
 
-/// What count_by_component() needs to be found before. All for the same mesh; only referred to.
+/// The results that count_by_component() needs, all for the same mesh. It only refers to them.
 struct ComponentCountsInput {
-  /// As find_components() returns them.
+  /// The result of find_components().
   const Components& components;
-  /// As find_edge_components() returns them.
+  /// The result of find_edge_components().
   const Components& edge_components;
-  /// As find_orientability() returns it.
+  /// The result of find_orientability().
   const Orientability& orientability;
-  /// As find_boundary_loops() returns them.
+  /// The result of find_boundary_loops().
   std::span<const BoundaryLoop> boundaries;
 };
 

@@ -9,7 +9,7 @@
 
 namespace meshalyzer {
 
-/// What an edge of the cut mesh is in the file's complex.
+/// Tells what an edge of the cut mesh is in the file's complex.
 enum class EdgeKind : std::uint8_t {
   /// Two faces that cross it in opposite directions: the only kind with two faces in the cut mesh.
   Inner,

@@ -6,7 +6,7 @@
 
 namespace meshalyzer {
 
-/// What the Euler-Poincaré formula is about.
+/// The counts in the Euler-Poincaré formula.
 struct EulerCounts {
   /// Vertices that faces use.
   std::size_t vertices = 0;
