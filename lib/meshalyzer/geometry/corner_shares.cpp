@@ -27,8 +27,8 @@ Sides sides_of(const std::array<Vec3, 3>& corner) {
   return sides;
 }
 
-/// Of the circumcentric cells: (cot b |ac|^2 + cot c |ab|^2) / 8 at corner a, where the cotangent
-/// is the scalar product over twice the area.
+/// Returns the areas of the circumcentric cells: (cot b |ac|^2 + cot c |ab|^2) / 8 at corner a,
+/// where the cotangent is the scalar product over twice the area.
 CornerShares voronoi(const Sides& sides, double area) {
   CornerShares shares;
   for (std::size_t i = 0; i < 3; ++i) {

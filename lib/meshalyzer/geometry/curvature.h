@@ -32,7 +32,7 @@ enum class VertexArea : std::uint8_t {
 
 /// Whether a surface has a curvature at a vertex.
 enum class CurvatureState : std::uint8_t {
-  /// It has.
+  /// The vertex has a curvature.
   Defined,
   /// No face uses the vertex.
   Unused,
@@ -60,8 +60,8 @@ struct Curvature {
   /// is 2 pi - sum inside a surface and pi - sum on its border. Summed over the vertices that faces
   /// use it is 2 pi (V - E + F) for any complex (Gauss-Bonnet).
   std::vector<double> angle_defect;
-  /// In the mesh's unit squared, where a face uses the vertex. Faces of zero area add nothing, here
-  /// and to what follows.
+  /// The area of each vertex in the mesh's unit squared, where a face uses the vertex. Faces of
+  /// zero area add nothing to it, nor to the columns below.
   std::vector<double> area;
   /// K = angle defect / area.
   std::vector<double> gaussian;

@@ -8,7 +8,7 @@ namespace {
 /// A face in its own plane: the corners at (0, 0), (1, 0) and (x, height) in units of its longest
 /// side.
 struct PlaneFace {
-  /// Which corner of the face is at (0, 0).
+  /// The corner of the face that is at (0, 0).
   std::size_t origin = 0;
   double length = 0.0;
   double x = 0.0;

@@ -18,7 +18,8 @@ double angle_between_degrees(const Vec3& a, const Vec3& b) {
   return std::atan2(u.cross(v).norm(), u.dot(v)) * (180.0 / std::numbers::pi);
 }
 
-/// For points in one plane: whether c and d are on different sides of the line a b.
+/// Tells whether c and d, which lie in the plane of a and b, are on different sides of the line a
+/// b.
 bool on_different_sides(const std::array<Vec3, 3>& abc, const Vec3& d) {
   const Axis axis = *projection_axis(abc[0], abc[1], abc[2]);
   return orient2d(axis, abc[0], abc[1], abc[2]) * orient2d(axis, abc[0], abc[1], d) < 0;

@@ -16,18 +16,18 @@ namespace meshalyzer {
 
 /// Angles at the edges that have two consistently oriented faces of non-zero area.
 struct EdgeAngles {
-  /// In order of the mesh's edges.
+  /// One half-edge of each edge that has an angle, in order of the mesh's edges.
   std::vector<HalfedgeHandle> edges;
-  /// One an edge, see edge_angle().
+  /// The angle at each of these edges, see edge_angle_degrees().
   std::vector<double> degrees;
 };
 
-/// The angle at the edge of a half-edge from its face round to the other one, on the side that
-/// their normals point to: 0 ... 360 degrees; 180 where they are flat, 270 at the edges of an
-/// outward cube, 90 where two walls meet (M 9).
+/// Returns the angle at the edge of a half-edge, from its face round to the other one, on the side
+/// that their normals point to. It is 0 ... 360 degrees: 180 where the faces are flat, 270 at the
+/// edges of an outward cube, 90 where two walls meet ("edge angle" in doc/definitions.md).
 ///
-/// On which side of 180 it lies is decided exactly; faces in one plane give exactly 180, or 0 where
-/// they are folded onto each other.
+/// The side of 180 degrees is decided exactly. Faces in one plane give exactly 180, or 0 where they
+/// are folded onto each other.
 ///
 /// @param halfedge  Both it and its opposite have a face of non-zero area.
 [[nodiscard]] double edge_angle_degrees(const TriMesh& mesh, HalfedgeHandle halfedge);

@@ -16,7 +16,7 @@ namespace meshalyzer {
 
 /// A volume by the divergence theorem.
 struct SignedVolume {
-  /// In the mesh's unit cubed; positive when the normals point outward.
+  /// The volume in the mesh's unit cubed; positive when the normals point outward.
   double value = 0.0;
   /// The sign of the true value: exact for any input, also where `value` is but rounding noise.
   Sign sign = 0;

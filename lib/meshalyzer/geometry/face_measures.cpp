@@ -15,7 +15,7 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-/// Of a face with an area.
+/// The figures of a face that has an area.
 struct Figures {
   double area;
   double aspect_ratio;

@@ -9,7 +9,7 @@ namespace meshalyzer {
 /// The corners of a mesh face, counter-clockwise seen from the side its normal points to.
 [[nodiscard]] std::array<Vec3, 3> face_corners(const TriMesh& mesh, FaceHandle face);
 
-/// What is measured of each face.
+/// The measures of each face.
 struct FaceMeasures {
   /// #mesh faces, in the mesh's unit squared.
   std::vector<double> area;

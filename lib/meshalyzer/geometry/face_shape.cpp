@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// From each corner to the next.
+/// Returns the vectors from each corner to the next.
 std::array<Vec3, 3> edges_of(const std::array<Vec3, 3>& corner) {
   return {corner[1] - corner[0], corner[2] - corner[1], corner[0] - corner[2]};
 }

@@ -23,16 +23,17 @@ struct ScaledFace {
 
 /// Directions, angles and size of a face.
 struct FaceShape {
-  /// Of length 1; zero where the face has no area.
+  /// The unit normal; zero where the face has no area.
   Vec3 normal = Vec3::Zero();
   /// Radians, at each corner; pi in all for any face, also where it is a line (0, 0, pi), two
   /// points (0 at one, pi / 2 at the two that coincide) or one (pi / 3).
   std::array<double, 3> angle{};
-  /// In units of 4^exponent.
+  /// The area in units of 4^exponent.
   double area = 0.0;
   int exponent = 0;
 
-  /// In the mesh's unit squared; infinite or zero where no double is so large or small.
+  /// Returns the area in the mesh's unit squared: infinite or zero where it is too large or too
+  /// small for a double.
   [[nodiscard]] double true_area() const {
     return exponent == 0 ? area : std::ldexp(area, 2 * exponent);
   }
@@ -48,7 +49,7 @@ inline constexpr double kNormalsCancel = 1e-12;
 /// @complexity O(#F).
 [[nodiscard]] std::vector<FaceShape> measure_face_shapes(const TriMesh& mesh);
 
-/// Which corner of its face an inner half-edge leaves.
+/// Returns the corner of its face from which an inner half-edge starts.
 [[nodiscard]] inline std::size_t corner_left_by(const TriMesh& mesh, HalfedgeHandle h) {
   // The face's own half-edge enters corner 0, so it leaves corner 2.
   const HalfedgeHandle last = mesh.halfedge_handle(mesh.face_handle(h));

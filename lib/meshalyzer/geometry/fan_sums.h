@@ -9,7 +9,7 @@ namespace meshalyzer {
 
 // Private to the geometry module.
 
-/// What the faces round a vertex of the mesh sum up to.
+/// Sums over the faces round a vertex of the mesh.
 struct FanSums {
   /// Radians.
   double angle = 0.0;
@@ -18,11 +18,12 @@ struct FanSums {
   /// The sum of (cot alpha + cot beta) (p - q) over the neighbours q of p: 4 A H n, twice the
   /// gradient of the area.
   Vec3 cotangent = Vec3::Zero();
-  /// Of the unit normals, weighted by angle; no unit vector.
+  /// The sum of the unit normals weighted by angle; not a unit vector.
   Vec3 normal = Vec3::Zero();
-  /// Of the normals by the weights of Max 1999, "Weights for computing vertex normals from facet
-  /// normals": area over the squared lengths of the two sides at the vertex. Exact where the
-  /// vertices lie on a sphere; zero or no number where the squares of sides are no doubles.
+  /// The sum of the normals with the weights of Max 1999, "Weights for computing vertex normals
+  /// from facet normals": area over the squared lengths of the two sides at the vertex. It is exact
+  /// where the vertices lie on a sphere; it is zero or NaN where the squares of sides overflow or
+  /// underflow.
   Vec3 sphere_normal = Vec3::Zero();
 
   /// Whether the faces have a side in common; not where they lie back to back.

@@ -11,7 +11,8 @@ namespace meshalyzer {
 namespace {
 
 constexpr std::size_t kMostNeighbours = 16;
-/// So little of a column of the fit that the columns before it do not explain is rounding.
+/// Where the columns before it leave less than this share of a column of the fit unexplained, the
+/// rest is rounding.
 constexpr double kWellPosed = 1e-9;
 /// A slope that the residuals leave so unsure, as a standard error, is no better than the normal
 /// that was given.
@@ -58,12 +59,13 @@ class TwoRing {
     }
   }
 
-  /// Without the centre.
+  /// Returns the first member after the centre.
   [[nodiscard]] const int* begin() const { return members_.data() + 1; }
   [[nodiscard]] const int* end() const { return members_.data() + n_; }
 
  private:
-  /// Without a branch on whether it is new, which half of them are.
+  /// Adds a vertex unless it is a member already. There is no branch on whether it is new, since
+  /// half of them are.
   void add(int v) {
     std::size_t slot = static_cast<std::size_t>(v) % kSlots;
     while (slots_[slot] != kNoVertex && slots_[slot] != v) slot = (slot + 1) % kSlots;
@@ -141,7 +143,7 @@ class Fit {
   std::size_t n_ = 0;
 };
 
-/// What the fits are made of.
+/// The vertices and what is known about them, to which surfaces are fitted.
 struct Vertices {
   const TriMesh& mesh;
   const std::vector<Vec3>& normals;

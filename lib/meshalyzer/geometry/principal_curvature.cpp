@@ -11,8 +11,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Where the two curvatures differ by less than this share of what a turn of the normal by one
-/// radian across the vertex would be, their directions have no digits left.
+/// Where the two curvatures differ by less than this share of the curvature that turns the normal
+/// by one radian across the vertex, rounding decides their directions.
 constexpr double kCancelled = 1e-12;
 
 std::size_t index(FaceHandle face) {
@@ -41,7 +41,7 @@ std::vector<Vec3> normals_of(const std::vector<FanSums>& sums) {
   return normals;
 }
 
-/// At the corners of a face; where a vertex has no normal, that of the face.
+/// Returns the normals at the corners of a face, with that of the face where a vertex has none.
 std::array<Vec3, 3> corner_normals(const TriMesh& mesh, FaceHandle face, const Vec3& face_normal,
                                    const std::vector<Vec3>& normals) {
   const HalfedgeHandle last = mesh.halfedge_handle(face);
@@ -108,7 +108,7 @@ PrincipalCurvature diagonalised(const std::array<double, 3>& efg, const std::arr
   return result;
 }
 
-/// What the faces of a mesh say of its vertices.
+/// The tensors of the faces, and what is needed to average them at the vertices.
 struct Fitted {
   const TriMesh& mesh;
   const std::vector<FaceShape>& shapes;

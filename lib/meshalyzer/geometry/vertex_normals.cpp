@@ -51,7 +51,7 @@ NormalSum weighted(const FaceShape& face, std::size_t corner, NormalWeight weigh
           .exponent = weight == NormalWeight::Area ? face.exponent : 0};
 }
 
-/// Over the one fan of a mesh vertex.
+/// Sums over the fan of a mesh vertex.
 NormalSum sum_round(const TriMesh& mesh, VertexHandle v, const std::vector<FaceShape>& shapes,
                     NormalWeight weight) {
   NormalSum sum;

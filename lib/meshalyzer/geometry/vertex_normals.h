@@ -7,7 +7,7 @@
 
 namespace meshalyzer {
 
-/// What each face counts for in the normal of a vertex.
+/// Tells how the normals of the faces are weighted in the normal of a vertex.
 enum class NormalWeight : std::uint8_t {
   /// The same for all: equation 1 of the laboratory report (Gouraud 1971).
   Uniform,

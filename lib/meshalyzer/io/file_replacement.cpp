@@ -76,8 +76,8 @@ class NewFile {
     throw_errno(target_, "cannot be written");
   }
 
-  /// So that the renaming outlives a power cut too. Some file systems cannot: the content is safe
-  /// without it.
+  /// Flushes the folder, so that the renaming outlives a power cut too. Some file systems cannot do
+  /// this; the content is safe without it.
   void flush_folder() const {
     const std::filesystem::path folder = std::filesystem::path(target_).parent_path();
     const Descriptor opened(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC));

@@ -37,7 +37,7 @@ class FileReplacement {
 
   std::unique_ptr<Output> take();
 
-  /// Nothing after commit() or an error.
+  /// The file being written; null after commit() or an error.
   std::unique_ptr<Output> output_;
 };
 

@@ -164,7 +164,8 @@ class InriaParser {
     skip_numbers(begin_records(section->numbers_a_record, keyword) * section->numbers_a_record);
   }
 
-  /// Each number takes a digit and a blank at least.
+  /// Reads the number of records. Each number of a record takes a digit and a blank at least, so
+  /// that a count beyond the length of the file is refused.
   std::size_t begin_records(std::size_t numbers_a_record, std::string_view what) {
     in_.require_record("the count of " + std::string(what));
     return in_.count(2 * numbers_a_record, what);
@@ -180,7 +181,7 @@ class InriaParser {
   TextScanner in_;
   Soup soup_;
   bool has_vertices_ = false;
-  /// Of the face being read.
+  /// The corners of the face being read.
   std::vector<Index> corners_;
 };
 

@@ -16,7 +16,7 @@ namespace meshalyzer {
 struct ColouredValues {
   /// NaN where there is none.
   std::span<const double> values;
-  /// As many.
+  /// One colour for each value.
   std::span<const Colour> colours;
 };
 
@@ -26,7 +26,7 @@ struct MeshField {
   std::span<const Vec3> positions;
   /// #F, indices into `positions`.
   std::span<const Triangle> triangles;
-  /// What the values are called; letters, digits and '-'.
+  /// The name of the values, of letters, digits and '-'.
   std::string_view name = "quality";
   /// #V.
   ColouredValues vertices;

@@ -14,7 +14,7 @@
 namespace meshalyzer {
 namespace {
 
-/// What one part of the text says. Lines count from 1 within the part; faces hold vertex ids.
+/// The records in one part of the text. Lines count from 1 within the part; faces hold vertex ids.
 struct Part {
   std::vector<Vec3> positions;
   std::vector<std::int32_t> vertex_ids;
@@ -24,7 +24,7 @@ struct Part {
   std::vector<std::uint32_t> face_lines;
   std::vector<std::uint32_t> torn_lines;
   std::size_t n_line_ends = 0;
-  /// Where the part could not be read to its end.
+  /// The fault that ended the reading of the part, if any.
   std::optional<TextFault> fault;
 };
 

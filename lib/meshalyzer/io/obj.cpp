@@ -161,7 +161,7 @@ class ObjParser {
 
   TextScanner in_;
   Soup soup_;
-  /// Of the face being read.
+  /// The corners of the face being read.
   std::vector<Index> corners_;
   std::vector<Index> corner_normals_;
   std::size_t line_ = 0;

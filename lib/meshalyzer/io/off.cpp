@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-/// What the keyword says that vertex lines hold beside the position, in this order.
+/// Tells what vertex lines hold besides the position, in this order, as the keyword says.
 struct VertexLayout {
   bool normal = false;
   bool colour = false;
@@ -131,7 +131,7 @@ class OffParser {
   VertexLayout layout_;
   std::size_t n_vertices_ = 0;
   std::size_t n_faces_ = 0;
-  /// Of the face being read.
+  /// The corners of the face being read.
   std::vector<Index> corners_;
 };
 

@@ -64,7 +64,7 @@ class PlyBody {
     }
   }
 
-  /// For each property which of kVertexNumbers it is, or kSkipped.
+  /// Returns for each property its index in kVertexNumbers, or kSkipped.
   static std::vector<std::size_t> places_of(const PlyElement& element) {
     std::vector<std::size_t> places;
     for (const PlyProperty& property : element.properties) {
@@ -145,7 +145,7 @@ class PlyBody {
   const PlyHeader& header_;
   Source source_;
   Soup soup_;
-  /// Of the face being read.
+  /// The corners of the face being read.
   std::vector<Index> corners_;
 };
 

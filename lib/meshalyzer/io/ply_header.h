@@ -21,22 +21,22 @@ enum class PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64
 
 struct PlyProperty {
   std::string name;
-  /// Of the number, or of each item of the list.
+  /// The type of the number, or of each item of the list.
   PlyType type = PlyType::Float32;
-  /// Of the number of items, where the property is a list.
+  /// The type of the number of items, where the property is a list.
   std::optional<PlyType> list_size_type;
 };
 
 struct PlyElement {
   std::string name;
   std::size_t count = 0;
-  /// Where the header counts it, from 1.
+  /// The line of the header, from 1, on which the element is declared.
   std::size_t line = 0;
   std::vector<PlyProperty> properties;
 };
 
-/// What the header of a PLY file says. Names are unique; `vertex` has x, y and z, `face` one list
-/// of vertex indices.
+/// The contents of the header of a PLY file. Names are unique; `vertex` has x, y and z, `face` one
+/// list of vertex indices.
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::Ascii;
   std::vector<PlyElement> elements;

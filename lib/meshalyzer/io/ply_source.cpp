@@ -19,7 +19,7 @@ bool is_plausible(const PlyElement& element, std::size_t bytes_each, std::size_t
          element.count <= std::min<std::size_t>(bytes / bytes_each, kNoIndex - 1);
 }
 
-/// What a record takes at least: its lists may be empty.
+/// Returns the smallest number of bytes that a record can take, since its lists may be empty.
 std::size_t least_bytes(const PlyElement& element) {
   std::size_t bytes = 0;
   for (const PlyProperty& property : element.properties) {

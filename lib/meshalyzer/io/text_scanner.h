@@ -15,8 +15,7 @@ namespace meshalyzer {
 /// The largest vertex or face index that any format may name.
 inline constexpr std::int64_t kLargestIndex = 0x7FFFFFFF;
 
-/// What is wrong on a line of a text, thrown where the name of the file is not known. See
-/// name_fault().
+/// A fault on a line of a text, thrown where the name of the file is not known. See name_fault().
 class TextFault : public std::runtime_error {
  public:
   TextFault(std::size_t line, const std::string& what) : std::runtime_error(what), line_(line) {}
@@ -114,8 +113,8 @@ class TextScanner {
     return token;
   }
 
-  /// What is left of the line, without blanks at its ends; here a `#` inside a word is part of the
-  /// word.
+  /// Returns the rest of the line without blanks at its ends; here a `#` inside a word is part of
+  /// the word.
   [[nodiscard]] std::string rest_of_record();
 
   /// Leaves the rest of the line unread.

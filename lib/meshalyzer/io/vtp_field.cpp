@@ -13,7 +13,7 @@ namespace {
 // VTK's XML format is that of "VTK XML Formats" in the VTK documentation: the content of an array
 // is, in base64, the number of its bytes, of the type that header_type names, then the bytes.
 
-/// What stands in the head of an array.
+/// The attributes in the head of an array.
 struct ArrayHead {
   std::string_view type;
   std::string_view name;
@@ -52,7 +52,7 @@ void print_colours(std::string& text, std::span<const Colour> colours) {
   print_array(text, {"UInt8", "RGB", 3}, bytes);
 }
 
-/// What stands in the element PointData or CellData.
+/// Prints the contents of the element PointData or CellData.
 void print_values(std::string& text, std::string_view name, const ColouredValues& column) {
   print_reals(text, name, column.values);
   print_colours(text, column.colours);

@@ -6,7 +6,7 @@
 
 namespace meshalyzer {
 
-/// Which flavour to write, where a format has several.
+/// Chooses the flavour to write where a format has several.
 enum class Encoding { Text, Binary };
 
 /// Writes a soup to a file; the format is that of the name's ending, `.mesh` the native one.
