@@ -4,7 +4,7 @@
 
 namespace meshalyzer {
 
-/// What an arrangement is put together from. Only refers.
+/// The parts that an arrangement is assembled from. It only refers to them.
 struct ArrangementParts {
   const Soup& soup;
   std::span<const FaceShape> shapes;

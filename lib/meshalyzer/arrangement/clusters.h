@@ -22,9 +22,9 @@ struct ClusterSegment {
 /// Triangles that are cut together: one that overlaps no other in its plane, or all that do,
 /// directly or through others.
 struct FaceCluster {
-  /// Along which the plane projects properly.
+  /// An axis along which the plane projects to an area.
   Axis axis = Axis::X;
-  /// Ascending, by number of their shapes.
+  /// The faces by the numbers of their shapes, ascending.
   std::vector<Index> faces;
   /// Numbers of the points that lie in the faces, their corners included. Ascending, each once.
   std::vector<Index> points;

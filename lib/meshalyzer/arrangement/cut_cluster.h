@@ -19,7 +19,7 @@ struct EdgeNode {
   friend auto operator<=>(const EdgeNode&, const EdgeNode&) = default;
 };
 
-/// What becomes of the faces of a cluster.
+/// The pieces that the faces of a cluster are cut into.
 struct ClusterPieces {
   /// Three nodes each.
   std::vector<std::array<Index, 3>> triangles;
@@ -32,7 +32,7 @@ struct ClusterPieces {
   std::vector<EdgeNode> edge_nodes;
 };
 
-/// What is known when a cluster is cut. Only refers.
+/// The input of the cutting of a cluster. It only refers to it.
 struct CuttingScene {
   std::span<const FaceShape> shapes;
   const NamedPoints& points;

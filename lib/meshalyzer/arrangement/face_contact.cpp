@@ -13,7 +13,7 @@ enum class Position : std::uint8_t {
   Askew,
   /// Two triangles in one plane.
   CoplanarTriangles,
-  /// Both in one plane, one of them a segment or a point.
+  /// Two faces in one plane, one of them a segment or a point.
   Flat,
 };
 
@@ -65,7 +65,8 @@ class Meeting {
     return askew ? Position::Askew : Position::Flat;
   }
 
-  /// Along which the plane of both can be seen; nothing where none of their edges can cross.
+  /// Returns an axis along which the plane of both projects to an area; nothing where none of their
+  /// edges can cross.
   [[nodiscard]] std::optional<Axis> common_axis() const {
     if (p_.is_triangle()) return p_.axis;
     if (q_.is_triangle()) return q_.axis;
@@ -88,7 +89,8 @@ class Meeting {
     }
   }
 
-  /// Where edges go through a triangle from one side of its plane to the other, its corners apart.
+  /// Adds the points where edges go through a triangle from one side of its plane to the other, but
+  /// for its corners.
   void add_piercings(const FaceShape& of, const FaceShape& triangle) {
     if (!triangle.is_triangle()) return;
     for (const VertexPair& edge : of.edges()) {
@@ -99,8 +101,8 @@ class Meeting {
     }
   }
 
-  /// For a line not in the plane of the triangle: whether it goes through its inside, or through
-  /// the inside of an edge.
+  /// Tells whether a line that is not in the plane of the triangle goes through its inside, or
+  /// through the inside of an edge.
   [[nodiscard]] bool pierces(const VertexPair& edge, const FaceShape& triangle) const {
     Sign side = 0;
     int n_zeros = 0;
@@ -147,7 +149,8 @@ class Meeting {
            key == VertexPair{point.of[2], point.of[3]};
   }
 
-  /// What of the edges of a triangle lies in the other, which is in the same plane.
+  /// Reports the parts of a triangle's edges that lie in the other triangle, which is in the same
+  /// plane.
   void report_edges(const FaceShape& of, FaceContacts& found) const {
     for (const VertexPair& edge : of.edges()) {
       std::vector<PointName> on;

@@ -6,9 +6,9 @@
 
 namespace meshalyzer {
 
-/// What the line is on which a contact segment lies.
+/// Names the kind of line on which a contact segment lies.
 enum class SegmentLine : std::uint8_t {
-  /// Where the plane of the face meets the plane of the other.
+  /// The line where the plane of the face meets the plane of the other.
   Plane,
   /// The other face itself, which is a segment in the plane of the face.
   Face,
@@ -32,7 +32,7 @@ struct ContactPoint {
   PointName point;
 };
 
-/// Where faces meet, as each of them sees it: segments for the triangles, points for all.
+/// The places where faces meet, as each face sees them: segments for the triangles, points for all.
 struct FaceContacts {
   std::vector<ContactPoint> points;
   std::vector<ContactSegment> segments;

@@ -13,7 +13,7 @@ bool has_corner(const FaceShape& shape, Index x) {
   return std::find(shape.vertices.begin(), shape.vertices.end(), x) != shape.vertices.end();
 }
 
-/// For a point in the plane of the triangle.
+/// Tells whether a point in the plane of the triangle lies in the triangle.
 bool is_in_triangle(const Soup& soup, const FaceShape& shape, Index x) {
   const auto at = [&](std::size_t i) -> const Vec3& {
     return soup.positions[shape.vertices[i % 3]];

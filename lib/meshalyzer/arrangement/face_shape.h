@@ -6,15 +6,15 @@
 
 namespace meshalyzer {
 
-/// What a face is as a set of points: a triangle, or where its area is zero a segment or a point.
+/// A face as a set of points: a triangle, or where its area is zero a segment or a point.
 struct FaceShape {
   Index face = kNoIndex;
   Triangle vertices{};
   /// 2, 1 or 0.
   int dimension = 2;
-  /// Of a triangle: along which it projects to non-zero area.
+  /// An axis along which a triangle projects to an area.
   Axis axis = Axis::X;
-  /// Of a segment: its ends, the lexicographically lower first.
+  /// The ends of a segment, the lexicographically lower one first.
   VertexPair ends{};
 
   [[nodiscard]] bool is_triangle() const { return dimension == 2; }
@@ -31,7 +31,7 @@ struct FaceShape {
 /// Whether a vertex lies in the closed shape.
 [[nodiscard]] bool contains(const Soup& soup, const FaceShape& shape, Index x);
 
-/// On which side of a triangle's plane a vertex lies, as orient3d() says.
+/// Tells on which side of a triangle's plane a vertex lies, as orient3d() does.
 [[nodiscard]] Sign side_of(const Soup& soup, const FaceShape& triangle, Index x);
 
 }  // namespace meshalyzer

@@ -110,7 +110,8 @@ class SegmentInsertion {
     return stays ? twin : kNoIndex;
   }
 
-  /// Each vertex of the chain sees the segment, so each corner that is convex is an ear.
+  /// Cuts the ears of the chain. Each of its vertices sees the segment, so that each convex corner
+  /// is an ear.
   /// @param side  On which side of the segment the chain lies.
   void cut_ears(std::span<const Index> chain, Sign side) {
     stack_.clear();

@@ -15,7 +15,7 @@ class NamedPoints {
   NamedPoints(const Soup& soup, std::vector<PointName> names);
 
   [[nodiscard]] std::size_t size() const { return names_.size(); }
-  /// Ascending.
+  /// Returns the names, ascending.
   [[nodiscard]] const std::vector<PointName>& names() const { return names_; }
   /// The number of a name, which must be one of those given.
   [[nodiscard]] Index find(const PointName& name) const;

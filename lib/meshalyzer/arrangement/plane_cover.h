@@ -18,11 +18,11 @@ struct BorderEdge {
   friend auto operator<=>(const BorderEdge&, const BorderEdge&) = default;
 };
 
-/// Which faces cover each triangle of a triangulation.
+/// The faces that cover each triangle of a triangulation.
 struct PlaneCover {
   /// #triangles: which of `sets` is of each.
   std::vector<Index> set_of;
-  /// Ascending each.
+  /// The different sets of faces, each ascending.
   std::vector<std::vector<Index>> sets;
 
   [[nodiscard]] std::span<const Index> of(std::size_t triangle) const {

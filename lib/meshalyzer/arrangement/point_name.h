@@ -12,7 +12,7 @@ namespace meshalyzer {
 /// Two vertices of a soup, by index: the ends of an edge, or what spans a line.
 using VertexPair = std::array<Index, 2>;
 
-/// Which lines and planes meet in a point.
+/// Tells which lines and planes meet in a point.
 enum class PointKind : std::uint8_t { Vertex, LineAndPlane, TwoLines, ThreePlanes };
 
 /// How a point of an arrangement is made of the input's vertices and faces, never of other such
@@ -29,11 +29,12 @@ struct PointName {
 };
 
 [[nodiscard]] PointName vertex_name(Index vertex);
-/// Where the line through two vertices meets the plane of a face. The same whichever comes first.
+/// Names the point where the line through two vertices meets the plane of a face; the order of the
+/// vertices does not matter.
 [[nodiscard]] PointName line_and_plane_name(VertexPair line, Index face);
-/// Where two lines in one plane meet.
+/// Names the point where two lines in one plane meet.
 [[nodiscard]] PointName two_lines_name(VertexPair p, VertexPair q, Axis axis);
-/// Where the planes of three faces meet.
+/// Names the point where the planes of three faces meet.
 [[nodiscard]] PointName three_planes_name(std::array<Index, 3> faces);
 
 [[nodiscard]] ExactPoint construct_point(const Soup& soup, const PointName& name);

@@ -7,7 +7,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Up to so many segments all pairs are looked at.
+/// Up to this number of segments all pairs are tested.
 constexpr std::size_t kFewSegments = 16;
 
 /// Looks for crossings among the segments of one cluster.

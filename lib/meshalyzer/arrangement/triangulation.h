@@ -13,7 +13,7 @@ namespace meshalyzer {
 struct Triangulation {
   /// An axis along which the plane projects properly.
   Axis dropped = Axis::Z;
-  /// In lexicographic order, all different. Only referred to.
+  /// The points in lexicographic order, all different. The triangulation only refers to them.
   std::vector<const ExactPoint*> points;
   /// #half-edges: the vertex that each leaves.
   std::vector<Index> origin;

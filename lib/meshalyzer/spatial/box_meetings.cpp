@@ -17,10 +17,10 @@ using Next = BoxMeetings::Next;
 
 /// Leaves that one task looks at.
 constexpr std::size_t kOuterLeavesPerChunk = 16;
-/// Of so many leaves one tells how laborious the search will be.
+/// One leaf of this many is sampled to estimate the cost of the search.
 constexpr std::size_t kSampled = 64;
-/// Of the inner tree: more boxes met for each of its faces are laborious. A mesh meets itself with
-/// about 15.
+/// A search is costly where it meets more boxes than this for each face of the inner tree. A mesh
+/// meets itself with about 15.
 constexpr std::size_t kMetPerFace = 64;
 /// Sums of three products of coordinates up to 1 are off by less than this.
 constexpr float kRelativeRounding = 0x1p-20F;
@@ -65,7 +65,7 @@ std::vector<Index> leaves_near(const FaceTree& tree, const FaceTree& other) {
 struct Visit {
   const FaceTree& outer;
   const FaceTree& inner;
-  /// Of the inner tree; null where there are none.
+  /// The slabs of the inner tree; null where there are none.
   const SlabTree* slabs;
   /// Takes a slot of the outer tree before one of the inner.
   const BoxMeetings::Meet& meet;
@@ -183,7 +183,7 @@ class LeafVisitor {
   EightBoxes mine_;
   TreeBox box_;
   float slack_;
-  /// Only where they are to be held against slabs.
+  /// The corners of the leaf, where they are to be compared with slabs.
   std::optional<LeafCorners> corners_;
 };
 

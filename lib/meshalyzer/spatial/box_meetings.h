@@ -23,7 +23,8 @@ class BoxMeetings {
 
   BoxMeetings(const FaceTree& a, const FaceTree& b);
 
-  /// What is kept per chunk and combined in chunk order is the same for any number of threads.
+  /// Returns the number of chunks. Results that are kept per chunk and combined in chunk order are
+  /// the same for any number of threads.
   [[nodiscard]] std::size_t n_chunks() const;
 
   /// Calls `meet` for all pairs, chunks in parallel; Next::Stop ends the whole search.
@@ -41,9 +42,9 @@ class BoxMeetings {
   const FaceTree* outer_;
   const FaceTree* inner_;
   bool is_swapped_ = false;
-  /// Of the outer tree: those whose boxes meet the box of all of the inner.
+  /// The leaves of the outer tree whose boxes meet the box of the whole inner tree.
   std::vector<Index> leaves_;
-  /// Of the inner tree; null where there is no need.
+  /// The slabs of the inner tree; null where they are not needed.
   std::unique_ptr<const SlabTree> slabs_;
 };
 

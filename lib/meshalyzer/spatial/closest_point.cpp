@@ -42,10 +42,10 @@ Eight squared_distances(const EightBoxes& boxes, const std::array<float, 3>& fro
   return squared;
 }
 
-/// At most the squared distances of eight triangles.
+/// Returns lower bounds of the squared distances of eight triangles.
 ///
-/// All of a triangle is at least as far as its nearest corner along any direction; the direction
-/// to its middle is a good one, which costs little.
+/// No point of a triangle is nearer than its nearest corner along any direction; the direction to
+/// its middle is a good one, which costs little.
 Eight squared_distances(const EightTriangles& triangles, const std::array<float, 3>& from) {
   std::array<std::array<Eight, 3>, 3> corner;
   std::array<Eight, 3> middle;
@@ -75,7 +75,7 @@ unsigned within(const Eight& numbers, float limit) {
 
 /// A face (level 0), or a node of the tree's level `level` - 1, to look into.
 struct Entry {
-  /// Of its distance, at most.
+  /// A lower bound of its squared distance.
   float squared;
   std::uint32_t level;
   Index index;
@@ -221,7 +221,7 @@ class Search {
   const FaceTree& tree_;
   std::span<const EightTriangles> triangles_;
   const ClosestQuery& query_;
-  /// Of the query in the tree's coordinates.
+  /// The point of the query in the tree's coordinates.
   Vec3 place_;
   std::array<float, 3> clamped_{};
   SurfacePoint best_;

@@ -12,12 +12,12 @@
 
 namespace meshalyzer {
 
-/// What find_closest() looks for.
+/// Says what find_closest() looks for.
 struct ClosestQuery {
   Vec3 point;
-  /// Only points at this distance or nearer.
+  /// Leaves out points that are farther away than this.
   double within = std::numeric_limits<double>::infinity();
-  /// Only points in this cone, whose apex is `point`.
+  /// Leaves out points outside this cone, whose apex is `point`.
   std::optional<Cone> cone = std::nullopt;
   /// #mesh faces, those with a non-zero entry are left out; empty: none are. Only referred to.
   std::span<const std::uint8_t> excluded = {};
@@ -29,7 +29,7 @@ struct ClosestQuery {
 /// A point of a mesh, and how far it is from the point asked for.
 struct SurfacePoint {
   Vec3 point;
-  /// In the mesh's unit, see closest_on_triangle().
+  /// The distance in the mesh's unit, see closest_on_triangle().
   double distance = 0.0;
   Index mesh_face = kNoIndex;
   /// The face's place in the tree.
@@ -39,7 +39,7 @@ struct SurfacePoint {
 /// The corners of eight faces side by side, in the coordinates of a FaceTree; NaN where there are
 /// fewer, which is never near anything.
 struct alignas(32) EightTriangles {
-  /// By corner, coordinate, and face.
+  /// The coordinates, by corner, coordinate, and face.
   std::array<std::array<std::array<float, 8>, 3>, 3> corners;
 
   [[nodiscard]] static EightTriangles none();

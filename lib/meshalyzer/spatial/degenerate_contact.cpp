@@ -8,7 +8,7 @@
 namespace meshalyzer {
 namespace {
 
-/// What collinear corners span; u == v for a point.
+/// The segment that collinear corners span; u == v for a point.
 struct CollinearHull {
   Vec3 u;
   Vec3 v;
@@ -18,7 +18,7 @@ bool lexicographically_less(const Vec3& a, const Vec3& b) {
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
-/// Along a line, lexicographic order is the order on the line.
+/// Returns the hull of collinear corners. Lexicographic order is the order along the line.
 CollinearHull hull(const Corners& t) {
   const auto [low, high] = std::minmax_element(t.begin(), t.end(), lexicographically_less);
   return {*low, *high};
@@ -28,7 +28,7 @@ bool is_point(const CollinearHull& s) {
   return s.u == s.v;
 }
 
-/// For x on the line of s.
+/// Tells whether x, which is on the line of s, lies in s.
 bool is_within(const CollinearHull& s, const Vec3& x) {
   return !lexicographically_less(x, s.u) && !lexicographically_less(s.v, x);
 }
@@ -45,7 +45,8 @@ bool same_direction(const Vec3& a, const Vec3& b, const Vec3& c) {
   return lexicographically_less(a, b) == lexicographically_less(a, c);
 }
 
-/// For segments in one plane that projects properly along `axis`, not all of it on one line.
+/// Tells whether two segments cross that lie in one plane, which projects to an area along `axis`,
+/// but not on one line.
 bool cross_in_plane(Axis axis, const CollinearHull& s, const CollinearHull& t) {
   return orient2d(axis, s.u, s.v, t.u) * orient2d(axis, s.u, s.v, t.v) <= 0 &&
          orient2d(axis, t.u, t.v, s.u) * orient2d(axis, t.u, t.v, s.v) <= 0;
@@ -106,7 +107,7 @@ bool meets_in_plane(const PlanarTriangle& t, const CollinearHull& s) {
   return low <= 0 && high >= 0;
 }
 
-/// Where the line of a segment that is not in the plane of t passes it.
+/// The place where the line of a segment that is not in the plane of t passes it.
 enum class Pass { Outside, Border, Inside };
 
 Pass pass_of_line(const Corners& t, const CollinearHull& s) {

@@ -8,8 +8,9 @@ namespace meshalyzer {
 
 /// The faces of one fan round a vertex, the hub, seen from there: face i has the arms i and i + 1.
 struct Star {
-  /// From the hub to the other vertices of the fan, counter-clockwise, each coordinate a difference
-  /// of the file's rounded once. Those of a closed fan that come first are not repeated at its end.
+  /// The vectors from the hub to the other vertices of the fan, counter-clockwise, each coordinate
+  /// a difference of the file's rounded once. A closed fan does not repeat its first ones at its
+  /// end.
   std::span<const Vec3> arms;
   bool is_closed = false;
 

@@ -63,8 +63,8 @@ class FaceTree {
 
   [[nodiscard]] const EightFaces& leaf_faces(std::size_t i) const { return faces_[i]; }
 
-  /// By slot, the face's place in the tree (leaf i holds slots 8 i ... 8 i + 7): its file vertices,
-  /// and the mesh face.
+  /// Returns the file vertices, or the mesh face, of a slot, the face's place in the tree (leaf i
+  /// holds slots 8 i ... 8 i + 7).
   [[nodiscard]] Triangle triangle(std::size_t slot) const {
     const auto& corners = faces_[slot / 8].corners;
     return {corners[0][slot % 8], corners[1][slot % 8], corners[2][slot % 8]};
@@ -72,7 +72,8 @@ class FaceTree {
   [[nodiscard]] Index mesh_face(std::size_t slot) const { return mesh_faces_[slot]; }
   [[nodiscard]] const Vec3& point(Index file_vertex) const { return points_[file_vertex]; }
 
-  /// Of the faces' corners, in the file's own coordinates; empty where there are no faces.
+  /// Returns the box of the faces' corners in the file's own coordinates; it is empty where there
+  /// are no faces.
   [[nodiscard]] const Box3& bounds() const { return bounds_; }
   /// The coordinates of the boxes are (point - centre) * scale, rounded; about -1 ... 1 for points
   /// of the mesh.

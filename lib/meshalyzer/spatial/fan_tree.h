@@ -10,7 +10,7 @@ namespace meshalyzer {
 struct Fan {
   /// File vertex; kNoIndex where the faces have none in common.
   Index hub = kNoIndex;
-  /// In the tree's coordinates.
+  /// The box of the rim, in the tree's coordinates.
   TreeBox rim{};
 };
 
@@ -24,7 +24,7 @@ class FanTree {
   /// @complexity O(#F).
   explicit FanTree(const FaceTree& tree);
 
-  /// Of all faces below FaceTree::node(level, i).
+  /// Returns the fan of all faces below FaceTree::node(level, i).
   [[nodiscard]] const Fan& fan(std::size_t level, std::size_t i) const { return levels_[level][i]; }
 
   /// Whether no face of one node meets a face of the other but at the hub that all of them share.

@@ -7,20 +7,22 @@
 
 namespace meshalyzer {
 
-/// How two faces share points (contract 2). The first that holds, in the order given here.
+/// Names how two faces share points ("Intersecting faces" in doc/definitions.md). Of several kinds
+/// that hold the first one counts, in the order given here.
 enum class ContactKind : std::uint8_t {
   /// The faces have the same three vertices: by id within one mesh, by place across two.
   Duplicate,
   /// The contact is gone when vertices at identical places count as one: a seam that was never
   /// welded.
   Unwelded,
-  /// They share an edge by id, lie in one plane, and overlap: folded back by 180 degrees.
+  /// The faces share an edge by id, lie in one plane, and overlap: they are folded back by 180
+  /// degrees.
   FoldOver,
-  /// They lie in one plane and share an area.
+  /// The faces lie in one plane and share an area.
   CoplanarOverlap,
   /// A point inside one face (not on its border) is inside the other, and the planes differ.
   Crossing,
-  /// They share points of the border of one or both only.
+  /// The faces share only points of the border of one or both.
   Touching,
 };
 

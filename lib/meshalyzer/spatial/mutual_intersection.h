@@ -7,8 +7,8 @@
 
 namespace meshalyzer {
 
-/// Finds all pairs of faces, one of each of two meshes, that intersect (contract 2), each with its
-/// kind.
+/// Finds all pairs of faces, one of each of two meshes, that intersect ("Intersecting faces" in
+/// doc/definitions.md), each with its kind.
 ///
 /// Faces of different meshes intersect when their closed triangles share any point. Exact for every
 /// pair; a face of zero area takes part as the segment or point it is. Ids mean nothing across

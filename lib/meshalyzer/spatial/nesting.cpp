@@ -45,7 +45,7 @@ std::vector<Box3> closed_boxes(const FaceTree& tree, const NestingInput& input) 
   return boxes;
 }
 
-/// What is seen of a part that touches another without crossing it.
+/// The relations of a part that touches another without crossing it.
 struct TouchingPart {
   Index part = 0;
   bool seen_inside = false;
@@ -155,7 +155,7 @@ class Nester {
   SlotsByPart slots_;
   std::vector<Box3> boxes_;
   BoxTree box_tree_;
-  /// Ascending for each part, since NestingInput::contacts is.
+  /// The contacts of each part, ascending since NestingInput::contacts is.
   std::vector<std::vector<Contact>> contacts_;
 };
 

@@ -18,7 +18,7 @@ struct PartContact {
   bool crosses = false;
 };
 
-/// What find_nesting() needs to know of the parts. Only referred to.
+/// The data that find_nesting() needs about the parts. It only refers to them.
 struct NestingInput {
   /// The part of each mesh face; every face is in one.
   FaceParts parts;

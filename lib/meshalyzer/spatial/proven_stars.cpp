@@ -14,8 +14,8 @@ void exclude_ends(const CutMesh& cut, const CutEdges& edges, std::vector<std::ui
   }
 }
 
-/// Those file vertices whose faces are one fan of the cut mesh, joined through the same edges as in
-/// the file.
+/// Marks the file vertices whose faces are one fan of the cut mesh, joined through the same edges
+/// as in the file.
 std::vector<std::uint8_t> uncut_vertices(const CutMesh& cut) {
   std::vector<std::uint8_t> uncut(cut.side.n_file_vertices, 1);
   for (const Index v : cut.side.copies) {

@@ -14,8 +14,8 @@ Sign sign_of_difference(double a, double b) {
   return static_cast<Sign>(a > b) - static_cast<Sign>(a < b);
 }
 
-/// On which side of the line u v the displaced point lies, in the projection along x; 0 only where
-/// u and v project to the same place.
+/// Tells on which side of the line u v the displaced point lies, in the projection along x; 0 only
+/// where u and v project to the same place.
 Sign displaced_side(const Vec3& u, const Vec3& v, const Vec3& point) {
   if (const Sign side = orient2d(Axis::X, u, v, point)) {
     return side;

@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// Where a point lies with regard to the parts of a mesh.
+/// The place of a point with regard to the parts of a mesh.
 struct PointLocation {
   /// The parts whose faces a ray from the point meets an odd number of times: where closed, the
   /// point is inside them. Ascending.

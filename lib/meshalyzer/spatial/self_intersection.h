@@ -7,7 +7,8 @@
 
 namespace meshalyzer {
 
-/// Finds all pairs of faces of one mesh that intersect (contract 2), each with its kind.
+/// Finds all pairs of faces of one mesh that intersect ("Intersecting faces" in
+/// doc/definitions.md), each with its kind.
 ///
 /// Two faces intersect when their closed triangles share a point that is not on a vertex or edge
 /// which both have by file id. Exact for every pair; a face of zero area takes part as the segment

@@ -19,8 +19,8 @@ namespace {
 /// Leaves that one task looks at.
 constexpr std::size_t kLeavesPerChunk = 64;
 
-/// From so many faces of a leaf that have partners in another on it pays to look for directions
-/// that separate them.
+/// From this number of faces of a leaf on that have partners in another leaf it pays to look for
+/// directions that separate them.
 constexpr int kManyFaces = 2;
 
 Corners corners_of(const FaceTree& tree, const Triangle& t) {
@@ -48,7 +48,7 @@ std::optional<ContactKind> find_kind(const FaceTree& tree, const Triangle& p, co
 using Pairs = std::vector<IntersectingPair>;
 using Scene = SelfIntersectionScene;
 
-/// Those lanes of a leaf whose faces are wanted.
+/// Returns the lanes of a leaf whose faces are wanted.
 unsigned wanted_lanes(const Scene& scene, std::size_t leaf) {
   return scene.wanted.empty() ? 0xFFU : scene.wanted[leaf];
 }
@@ -136,7 +136,7 @@ class PartnerSearch {
                                      box);
   }
 
-  /// For each lane of this leaf those lanes of another one whose faces may meet it.
+  /// The lanes of another leaf whose faces may meet the face in each lane of this one.
   using Partners = std::array<unsigned, 8>;
 
   void meet_leaf(std::size_t other, const TreeBox& box) {
@@ -178,7 +178,8 @@ class PartnerSearch {
     }
   }
 
-  /// Those lanes of a leaf whose faces have a proven vertex in common with the face in lane i.
+  /// Returns the lanes of a leaf whose faces have a proven vertex in common with the face in lane
+  /// i.
   unsigned settled_lanes(std::size_t other, std::size_t i) const {
     const EightFaces& theirs = tree_.leaf_faces(other);
     EightFlags common{};
@@ -191,7 +192,7 @@ class PartnerSearch {
     return common.bits();
   }
 
-  /// Those lanes of another leaf, or this one, that the face in lane i need not look at.
+  /// Returns the lanes of another leaf, or this one, that the face in lane i need not look at.
   unsigned done_lanes(std::size_t other, std::size_t i) const {
     if (other > leaf_) {
       return 0;
@@ -218,9 +219,9 @@ class PartnerSearch {
   std::size_t first_leaf_;
   TreeBox box_;
   EightFaces proven_;
-  /// Only where some slabs are worth a question.
+  /// The corners of the leaf, where slabs may tell faces apart.
   std::optional<LeafCorners> corners_;
-  /// Only where pairs pile up.
+  /// The triangles of the leaf, where many pairs are left.
   std::optional<LeafTriangles> triangles_;
   std::array<std::optional<SeparatingDirections>, 8> directions_;
 };

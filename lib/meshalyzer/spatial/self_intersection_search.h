@@ -12,18 +12,18 @@
 
 namespace meshalyzer {
 
-/// What a search for the intersecting pairs of one mesh looks at. Only refers.
+/// The data that a search for the intersecting pairs of one mesh looks at. It only refers to them.
 struct SelfIntersectionScene {
   const CutMesh& cut;
-  /// Over the faces of `cut`, at least one.
+  /// A tree over the faces of `cut`, at least one.
   const FaceTree& tree;
   const SlabTree& slabs;
   const FanTree& fans;
   /// #leaves: bit i is set where the partners of the face at slot 8 leaf + i are wanted; empty:
   /// those of all faces are.
   std::span<const std::uint8_t> wanted = {};
-  /// By file vertex: non-zero where faces surely share no more than they must (see prove_stars());
-  /// empty: nothing is known.
+  /// Non-zero for each file vertex whose faces surely share no more than they must (see
+  /// prove_stars()); empty where nothing is known.
   std::span<const std::uint8_t> proven = {};
 };
 

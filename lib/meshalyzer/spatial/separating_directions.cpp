@@ -36,7 +36,8 @@ Vector cross_product(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// About as long as 1, so that products of directions neither overflow nor vanish; zero stays.
+/// Scales a direction to a length of about 1, so that products of directions neither overflow nor
+/// vanish; zero stays zero.
 Float3 near_unit_length(const Float3& v) {
   const float length = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
   return length < kUnderflow ? Float3{} : Float3{v[0] / length, v[1] / length, v[2] / length};
@@ -64,7 +65,7 @@ EightFloats magnitude(const EightFloats& a) {
 
 using EightCorners = std::array<EightVectors, 3>;
 
-/// From where to where eight triangles reach along directions.
+/// The extents of eight triangles along directions.
 struct EightReaches {
   EightFloats low;
   EightFloats high;
@@ -82,7 +83,7 @@ EightVectors subtracted(const EightVectors& a, const EightVectors& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// Where the planes of eight faces surely have a triangle on one side.
+/// Tells which of eight faces have a plane with the triangle surely on one side.
 EightFlags are_apart_by_planes(const EightCorners& faces, const EightCorners& triangle) {
   const EightVectors normals =
       cross_product(subtracted(faces[1], faces[0]), subtracted(faces[2], faces[0]));

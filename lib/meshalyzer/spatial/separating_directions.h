@@ -10,7 +10,7 @@ namespace meshalyzer {
 /// The corners of the faces of one leaf of a FaceTree side by side, in the tree's coordinates.
 /// Leaves with fewer than eight faces repeat the last.
 struct LeafTriangles {
-  /// By corner, coordinate, and face.
+  /// The coordinates, by corner, coordinate, and face.
   alignas(16) std::array<std::array<std::array<float, 8>, 3>, 3> corners;
 
   LeafTriangles(const FaceTree& tree, std::size_t leaf);
@@ -25,7 +25,7 @@ class SeparatingDirections {
   /// @param lane  Which of the faces.
   SeparatingDirections(const LeafTriangles& faces, std::size_t lane);
 
-  /// Those of some other faces of the tree that are not surely apart from this one.
+  /// Returns those of some other faces of the tree that are not surely apart from this one.
   ///
   /// @param lanes  Which of the eight are asked for, as bits.
   [[nodiscard]] unsigned perhaps_meeting(const LeafTriangles& others, unsigned lanes) const;
@@ -44,7 +44,7 @@ class SeparatingDirections {
   [[nodiscard]] Stretch stretch_along(const Float3& direction) const;
 
   std::array<Float3, 3> corners_;
-  /// Along the normal, and across each edge in the plane.
+  /// The extents along the normal, and across each edge in the plane.
   std::array<Stretch, 4> stretches_;
 };
 

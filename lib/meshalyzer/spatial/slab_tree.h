@@ -43,7 +43,7 @@ class SlabTree {
   /// @complexity O(#F) where no node is such a bundle, else O(#F log #F).
   explicit SlabTree(const FaceTree& tree);
 
-  /// Of all faces below FaceTree::node(level, i).
+  /// Returns the slabs of all faces below FaceTree::node(level, i).
   [[nodiscard]] const Slabs& slabs(std::size_t level, std::size_t i) const {
     return levels_[level][i];
   }

@@ -24,7 +24,7 @@ Signs sides(const Corners& plane, const Corners& points) {
           orient3d(plane[0], plane[1], plane[2], points[2])};
 }
 
-/// What a separating line says of two convex figures in one plane.
+/// The relation of two convex figures in one plane.
 enum class Planar { Apart, Touching, Overlapping };
 
 /// Looks along the edges of `p` for a line that keeps `q` on its outer side.

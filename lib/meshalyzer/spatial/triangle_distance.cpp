@@ -56,7 +56,7 @@ Vec3 careful_normal(const Corners& t) {
 /// A point of the triangle on the way to being the closest.
 struct Candidate {
   Vec3 point = Vec3::Zero();
-  /// From the point asked for.
+  /// The vector from the query point.
   Vec3 offset = Vec3::Zero();
   double squared = std::numeric_limits<double>::infinity();
 };
@@ -65,7 +65,7 @@ struct Candidate {
 struct Edge {
   std::size_t from;
   Vec3 along;
-  /// Where the closest point of the edge's line is, in multiples of `along`.
+  /// The place of the closest point of the edge's line, in multiples of `along`.
   double foot;
   double squared_length;
 };
@@ -118,7 +118,7 @@ class View {
     return {t_[edge.from] + step, offset, offset.squaredNorm()};
   }
 
-  /// Where a point of the plane is, if it is in the triangle.
+  /// Returns the place of a point of the plane, if it is in the triangle.
   [[nodiscard]] std::optional<Vec3> place(const Vec3& offset) const {
     std::array<double, 3> inside;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -258,8 +258,8 @@ Candidate on_edge(const View& view, std::size_t i, const Cone& cone) {
   return best;
 }
 
-/// Where the closest point of the whole triangle is not in the cone, the one wanted is on the
-/// cone's side or on an edge, as triangle and cone are convex.
+/// Returns the closest point in the cone. Where that of the whole triangle is not in the cone, the
+/// closest one is on the cone's side or on an edge, as triangle and cone are convex.
 Candidate closest(const View& view, const Cone& cone) {
   Candidate best = closest(view);
   if (is_in(cone, best.offset)) {

@@ -9,14 +9,15 @@ namespace meshalyzer {
 /// A point of a triangle, and how far it is from the point asked for.
 struct TrianglePoint {
   Vec3 point;
-  /// In the mesh's unit; infinite only where the true distance exceeds the largest double.
+  /// The distance in the mesh's unit; infinite only where the true distance exceeds the largest
+  /// double.
   double distance = 0.0;
 };
 
 /// The directions that make an angle of at most a given size with an axis; with an apex, a solid
 /// cone without end. Convex, so a triangle has one closest point in it.
 struct Cone {
-  /// Of length 1.
+  /// The direction of the axis, of length 1.
   Vec3 axis;
   /// Cosine of the angle between the axis and the side: 0 (a half-space) ... 1, less than 1.
   double cos_half_angle = 0.0;

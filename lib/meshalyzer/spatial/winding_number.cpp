@@ -22,13 +22,13 @@ constexpr double kFar = 4.0;
 /// many times what coordinates are rounded by.
 constexpr double kOnTriangle = 0x1p-40;
 constexpr double kOnTriangleRoundings = 8.0;
-/// What rounding may make of a determinant, relative to the lengths of its rows.
+/// Bounds the rounding error of a determinant, relative to the lengths of its rows.
 constexpr double kRounding = 0x1p-48;
 /// Farther away than the square root of this, everything is a point.
 constexpr double kTooFar = 1e60;
 
-/// Which share of all directions from a point meets a triangle; positive where its normal points
-/// away (van Oosterom and Strackee 1983, "The solid angle of a plane triangle").
+/// Returns the share of all directions from a point that meet a triangle; it is positive where its
+/// normal points away (van Oosterom and Strackee 1983, "The solid angle of a plane triangle").
 ///
 /// @param near  A point at this distance is on the triangle.
 double share_of_directions(const Corners& t, const Vec3& point, double near) {
@@ -62,7 +62,7 @@ struct Dipole {
   Vec3 diagonal = Vec3::Zero();
   Vec3 mixed = Vec3::Zero();
 
-  /// As share_of_directions() of all the triangles.
+  /// Returns the sum of share_of_directions() over all the triangles.
   [[nodiscard]] double share_from(const Vec3& to_centre, double distance_squared) const {
     const Vec3& r = to_centre;
     const double inverse = 1.0 / distance_squared;
