@@ -29,23 +29,23 @@ struct Measure {
   std::string reason;
 };
 
-/// Does the file say what it means? (contract 1, Integrity)
+/// Tells how sound a file's records are ("Integrity" in doc/definitions.md).
 struct Integrity {
   std::size_t orphan_vertices = 0;
-  /// Distinct ids.
+  /// Counts each id once, however many faces use it.
   std::size_t missing_vertices = 0;
   std::size_t degenerate_faces = 0;
-  /// Records beyond the first of their id.
+  /// Counts the records beyond the first that has the same id.
   std::size_t duplicate_vertex_indices = 0;
   std::size_t duplicate_face_indices = 0;
-  /// `.mesh`: lines that begin with a number, the remains of a torn record; they are no records
-  /// (Soup::torn_lines).
+  /// Counts the lines of a `.mesh` file that begin with a number, as the remains of a torn record
+  /// do; they are no records (Soup::torn_lines).
   std::size_t torn_lines = 0;
   bool contiguous_vertices = true;
   bool contiguous_faces = true;
 };
 
-/// The five attributes (contract 1, Attributes).
+/// The five attributes of a mesh ("Attributes" in doc/definitions.md).
 struct Attributes {
   Answer closed;
   Answer manifold;
@@ -54,12 +54,13 @@ struct Attributes {
   Answer outward;
 };
 
-/// What is measured (contract 1, Characteristics). Counts are of the file's records where it says
-/// so, else of the complex.
+/// Counts and measures of a mesh ("Characteristics" in doc/definitions.md). A count is of the
+/// file's complex, except where it says that it counts the file's records.
 struct Characteristics : ElementMeasures<Statistics> {
-  /// Vertex records, orphans included.
+  /// The number of vertex records, orphans included.
   std::size_t vertices = 0;
-  /// Faces of the file (triangles, after fanning), those left out of the complex included.
+  /// The number of faces in the file (of triangles, where polygons are fanned), including those
+  /// that are left out of the complex.
   std::size_t faces = 0;
   std::size_t edges = 0;
   std::size_t components = 0;
@@ -88,8 +89,8 @@ struct Characteristics : ElementMeasures<Statistics> {
   std::optional<std::int64_t> genus_of_components;
 };
 
-/// What is known of one component: faces joined through shared vertices. No value: see the mesh's
-/// for the reason.
+/// Counts and measures of one component: of faces joined through shared vertices. Where a value is
+/// absent, the mesh's own value has the reason.
 struct ComponentAnalysis {
   /// The lowest face record in it: a name for the component that a person can look up.
   Index first_face = 0;
@@ -103,7 +104,7 @@ struct ComponentAnalysis {
   std::size_t non_manifold_vertices = 0;
   std::size_t flipped_edges = 0;
   std::size_t zero_area_faces = 0;
-  /// Pairs with at least one face in the component.
+  /// Counts the pairs that have at least one face in the component.
   std::size_t intersecting_pairs = 0;
   bool closed = false;
   bool manifold = false;
@@ -121,21 +122,22 @@ struct ComponentAnalysis {
 /// The measures of the faces, edges and vertices of one component.
 using ComponentStatistics = ElementMeasures<Summary>;
 
-/// A verdict.
+/// A verdict on a mesh, with the reasons.
 struct Goodness {
   bool good = false;
-  /// Every reason why it is not, in the order of contract 3; empty when good.
+  /// Lists every reason why the mesh is not good, in the order of "Good" in doc/definitions.md; it
+  /// is empty when the mesh is good.
   std::vector<std::string> reasons;
 };
 
-/// The values that the statistics of a mesh are of.
+/// The single values from which the statistics of a mesh are computed.
 using MeasuredValues = ElementMeasures<std::vector<double>>;
 
 class PreparedMesh;
 
-/// All that is known of one mesh. A plain value: reports render it, nothing measures after it.
+/// The result of analyze(): a plain value that reports render without measuring anything.
 struct Analysis {
-  /// As the user named it.
+  /// The path of the file as the user named it.
   std::string path;
   Format format = Format::Mesh;
   Ids vertex_ids;
@@ -144,29 +146,31 @@ struct Analysis {
   std::size_t n_polygons = 0;
   Integrity integrity;
   Attributes attributes;
-  /// False when only the attributes were asked for (-a): then all but the topological counts is
-  /// empty.
+  /// Tells whether characteristics is filled in. With Scope::AttributesOnly it holds nothing but
+  /// the topological counts.
   bool has_characteristics = true;
   Characteristics characteristics;
-  /// In order of their lowest face record; without measures when only the attributes were asked
-  /// for.
+  /// The components in order of their lowest face record; with Scope::AttributesOnly they have no
+  /// measures.
   std::vector<ComponentAnalysis> components;
-  /// One a component where the mesh has 2 ... kMaxComponentStatistics of them, else empty (with one
-  /// component they are those of the mesh).
+  /// Statistics of each component where the mesh has between 2 and kMaxComponentStatistics of them,
+  /// else empty. (A single component has the statistics of the mesh.)
   std::vector<ComponentStatistics> component_statistics;
   static constexpr std::size_t kMaxComponentStatistics = 1000;
-  /// Present with --curvature.
+  /// The statistics of the curvature; present where MeshRequest::curvature is.
   std::optional<CurvatureStatistics> curvature;
-  /// Present with -g.
+  /// The verdict by thresholds; present where MeshRequest::goodness is.
   std::optional<Goodness> goodness;
-  /// The parts of goodness that need no threshold; absent when only the attributes were asked for.
+  /// The verdict without thresholds; absent with Scope::AttributesOnly, unless
+  /// MeshRequest::judge_fitness is set.
   std::optional<Goodness> fitness;
   Offenders offenders;
-  /// The file itself; only kept where a report will show places (-q, --html, --export).
+  /// The file itself; kept only where AnalysisOptions::keep_soup is set.
   std::shared_ptr<const Soup> soup;
-  /// The file with what was built for it; only kept where a picture will be made of it.
+  /// The file with all that was built for it; kept only where AnalysisOptions::keep_mesh is set.
   std::shared_ptr<const PreparedMesh> mesh;
-  /// In no particular order; only kept for the statistics of a set.
+  /// The measured values in no particular order; kept only where AnalysisOptions::keep_values is
+  /// set.
   MeasuredValues values;
 };
 

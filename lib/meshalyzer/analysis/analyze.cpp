@@ -76,7 +76,8 @@ void describe_shells(const std::vector<Shell>& shells, std::vector<ComponentAnal
   }
 }
 
-/// What is left to say when all is counted and measured.
+/// Completes an analysis whose counts and measures are known: answers the attributes and judges the
+/// mesh.
 void conclude(const AnalysisOptions& options, bool is_orientable, Analysis& analysis) {
   analysis.attributes = answer_attributes(analysis, is_orientable);
   analysis.characteristics.volume = total_volume(analysis);

@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// The thresholds of goodness (contract 3).
+/// Thresholds of goodness ("Good" in doc/definitions.md).
 struct GoodnessThresholds {
   /// The largest aspect ratio must be below this.
   double aspect_ratio = 0.0;
@@ -20,15 +20,16 @@ struct GoodnessThresholds {
   friend bool operator==(const GoodnessThresholds&, const GoodnessThresholds&) = default;
 };
 
-/// How much of a mesh to look at.
+/// Tells how much of a mesh is looked at.
 enum class Scope {
-  /// Everything of contract 1 and 2.
+  /// All attributes, counts and measures of doc/definitions.md.
   Everything,
   /// The five attributes, the integrity of the file, and what follows from the topology alone.
   AttributesOnly,
 };
 
-/// What to find out of a mesh, and which elements to name: all that decides what is found.
+/// Says what to find out about a mesh and which elements to name. Nothing else decides what is
+/// found.
 struct MeshRequest {
   Scope scope = Scope::Everything;
   /// Judge goodness against these.
@@ -41,10 +42,10 @@ struct MeshRequest {
   std::optional<double> angle_above_degrees;
   /// Name faces with an aspect ratio larger than this.
   std::optional<double> aspect_above;
-  /// Indistinguishable vertices: only those at exactly the same place.
+  /// Counts only vertices at exactly the same place as indistinguishable.
   bool exact_coincidence = false;
-  /// Judge fitness also where only the attributes are asked for: what needs a good mesh asks for
-  /// it.
+  /// Judges Analysis::fitness with Scope::AttributesOnly too, for callers that work on good meshes
+  /// only.
   bool judge_fitness = false;
   /// Measure the curvature, spread over this area.
   std::optional<VertexArea> curvature;
@@ -52,7 +53,7 @@ struct MeshRequest {
   friend bool operator==(const MeshRequest&, const MeshRequest&) = default;
 };
 
-/// How to analyse a mesh: what to find out, and what else to keep of it.
+/// Says how to analyse a mesh: what to find out, and what else to keep.
 struct AnalysisOptions : MeshRequest {
   /// Keep the measured values in the result, for the statistics of a set.
   bool keep_values = false;

@@ -7,7 +7,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Of the values at the vertices that have a curvature.
+/// Summarises the values of the vertices that have a curvature.
 Statistics summarize_defined(const Curvature& curvature, const std::vector<double>& column) {
   std::vector<double> values;
   values.reserve(column.size());

@@ -16,20 +16,20 @@ inline constexpr std::string_view kWhyNoCurvature = "no vertex inside a surface 
 
 /// How a surface bends, over the vertices where it has a curvature (CurvatureState::Defined).
 struct CurvatureStatistics {
-  /// What the curvatures are spread over.
+  /// The area round a vertex that the curvature is spread over.
   VertexArea area = VertexArea::Mixed;
   Statistics gaussian;
   /// Signed: positive where the surface bends away from the side its normals point to.
   Statistics mean;
   Statistics k1;
   Statistics k2;
-  /// By CurvatureState: how many vertices.
+  /// Counts the vertices in each CurvatureState.
   std::array<std::size_t, kCurvatureStates> vertices{};
   /// Radians, over all vertices that faces use: 2 pi (V - E + F), to rounding (Gauss-Bonnet).
   double total_angle_defect = 0.0;
 };
 
-/// What is said of each curvature, in the order of reports.
+/// One row for each curvature, in the order of reports.
 inline constexpr std::array kCurvatures{
     QuantityRow<CurvatureStatistics, Statistics>{
         {.info = {.key = "gaussian_curvature",

@@ -14,7 +14,7 @@ namespace meshalyzer {
 /// reads or explains such quantities loops over the rows.
 template <typename T>
 struct ElementMeasures {
-  /// Over the vertices that faces use.
+  /// The number of edges at each vertex that a face uses.
   T vertex_valence;
   T face_area;
   T aspect_ratio;
@@ -24,12 +24,12 @@ struct ElementMeasures {
   /// Degrees; over the edges with two consistently oriented faces of non-zero area.
   T edge_angle;
 
-  /// That of row i of kElementMeasures.
+  /// Returns the member that row i of kElementMeasures describes.
   [[nodiscard]] T& operator[](std::size_t i);
   [[nodiscard]] const T& operator[](std::size_t i) const;
 };
 
-/// What is said of each quantity, in the order of reports.
+/// One row for each member of ElementMeasures, in the order of reports.
 template <typename T>
 inline constexpr std::array kElementMeasures{
     QuantityRow<ElementMeasures<T>, T>{{.info = {.key = "vertex_valence",

@@ -5,22 +5,21 @@
 
 namespace meshalyzer {
 
-/// What is said of a reported quantity, wherever it is said: in texts, in JSON and its schema, on
-/// pages.
+/// Describes a reported quantity for all outputs: texts, JSON and its schema, pages.
 struct FieldInfo {
-  /// In JSON; a program may rely on it.
+  /// The key in JSON. Programs rely on it, so that it never changes.
   std::string_view key;
-  /// For people; empty where no line of its own tells the quantity.
+  /// The label for people; empty where the quantity has no line of its own.
   std::string_view label = {};
-  /// What the label means, unit included: a page shows it where it is pointed at, the schema as
+  /// Explains the label and names the unit: pages show it as a tooltip, the schema as the
   /// description.
   std::string_view definition = {};
 };
 
-/// Which analyses know a field.
+/// Tells which analyses fill in a field.
 enum class Known {
   Always,
-  /// Not those that were asked for the attributes alone (-a).
+  /// All analyses but those with Scope::AttributesOnly.
   Measured,
 };
 
@@ -42,10 +41,12 @@ constexpr void for_each_row(const Rows& rows, const Visit& visit) {
   std::apply([&](const auto&... row) { (visit(row), ...); }, rows);
 }
 
-/// What is said of a quantity that has a value for each vertex, edge or face: its statistics.
+/// Describes a quantity that has a value for each vertex, edge or face, and the statistics of these
+/// values.
 struct Quantity {
   FieldInfo info;
-  /// Why there may be no value of it, in words that follow "undefined: ".
+  /// Says why there may be no value, in words that follow "undefined: "; empty where there always
+  /// is one.
   std::string_view if_none;
   enum class Total { Omit, Show };
   /// Whether the sum of all values means something to people.

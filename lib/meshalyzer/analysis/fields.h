@@ -10,7 +10,7 @@ namespace meshalyzer {
 // What is said of the fields of an analysis, in the order of JSON; that of texts is the same, but
 // that what a file takes up in space comes after all counts.
 
-/// What an analysis knows.
+/// Returns which fields an analysis fills in.
 [[nodiscard]] inline Known known_of(const Analysis& analysis) {
   return analysis.has_characteristics ? Known::Measured : Known::Always;
 }

@@ -9,7 +9,7 @@ class Reasons {
  public:
   void add(std::string reason) { reasons_.push_back(std::move(reason)); }
 
-  /// For an attribute that must be yes.
+  /// Adds a reason unless the attribute is yes.
   void require(const Answer& answer, const std::string& name) {
     if (!answer.value) {
       add(name + " is undefined: " + answer.reason);
@@ -18,7 +18,7 @@ class Reasons {
     }
   }
 
-  /// For a count that must be zero.
+  /// Adds a reason unless the count is zero.
   void forbid(std::size_t count, const std::string& what) {
     if (count != 0) {
       add(what + ": " + std::to_string(count));

@@ -10,11 +10,12 @@
 
 namespace meshalyzer {
 
-/// Where numbering stops being 1, 2, ..., n: the ids of the records round the first offender.
+/// The place where the numbering of records stops being 1, 2, ..., n.
 struct NumberingBreak {
-  /// Up to five ids in file order: the first offender and its two neighbours on each side.
+  /// Up to five ids in file order: that of the offending record and those of its two neighbours on
+  /// each side.
   std::vector<std::int64_t> ids;
-  /// Which of `ids` is the offender.
+  /// The index of the offending record's id in `ids`.
   std::size_t offender = 0;
 };
 
@@ -24,7 +25,7 @@ struct EdgeList {
   std::vector<std::array<Index, 2>> ends;
   /// #edges + 1: where each edge's faces begin in `faces`.
   std::vector<Index> begin{0};
-  /// Ascending for each edge.
+  /// The faces at each edge, ascending.
   std::vector<Index> faces;
   /// #edges: the measured value where the list is of one (a length, an angle in degrees); else
   /// empty.
@@ -45,7 +46,7 @@ struct Offenders {
   EdgeList non_manifold_edges;
   EdgeList flipped_edges;
   std::vector<Index> non_manifold_vertices;
-  /// Those of non_manifold_vertices that are on no non-manifold edge.
+  /// The members of non_manifold_vertices that are on no non-manifold edge.
   std::vector<Index> pinched_vertices;
   std::vector<IntersectingPair> intersecting_pairs;
   std::vector<Index> orphan_vertices;
@@ -65,7 +66,7 @@ struct Offenders {
   std::vector<Index> duplicate_faces;
   std::optional<NumberingBreak> vertex_numbering;
   std::optional<NumberingBreak> face_numbering;
-  /// The elements beyond the thresholds of AnalysisOptions, present where one was given.
+  /// Elements beyond the thresholds of MeshRequest. A list is present where its threshold is.
   std::optional<EdgeList> short_edges;
   std::optional<EdgeList> long_edges;
   std::optional<EdgeList> small_angles;

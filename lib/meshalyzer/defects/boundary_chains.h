@@ -9,12 +9,12 @@
 
 namespace meshalyzer {
 
-/// Which chains find_boundary_chains() returns.
+/// Selects the chains that find_boundary_chains() returns.
 struct ChainOptions {
   /// Chains of more edges than this are left out; 0 leaves out none.
   std::size_t max_edges = 0;
-  /// Where this is not empty, only the chain whose edges are nearest to each of these positions is
-  /// returned.
+  /// Positions that select chains: where there are any, only the chain whose edges are nearest to
+  /// each of them is returned.
   std::vector<Vec3> near_positions = {};
 };
 

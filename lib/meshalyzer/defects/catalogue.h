@@ -17,7 +17,7 @@ struct MeasuredWords {
 /// Describes a defect code for users; doc/defects.md is made of these descriptions.
 struct CatalogueEntry {
   DefectCode code;
-  /// What programs call it: "flat-facet". Never changed.
+  /// The name for programs, such as "flat-facet". It never changes.
   std::string_view name;
   /// A few words, for pages.
   std::string_view summary;

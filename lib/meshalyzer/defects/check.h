@@ -23,7 +23,7 @@ enum class CheckLevel : std::uint8_t {
 /// Points along an edge of a body, in order, that the border of a face's mesh must run through.
 using Polyline = std::vector<Vec3>;
 
-/// What check() checks.
+/// Says what check() checks.
 struct CheckOptions {
   CheckLevel level = CheckLevel::Full;
   ToleranceOptions tolerances = {};

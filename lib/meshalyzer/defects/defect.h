@@ -85,13 +85,13 @@ struct Defect {
   DefectCode code = DefectCode::Corrupt;
   Severity severity = Severity::Error;
   std::vector<Index> vertices;
-  /// Each edge is given by its two vertices, the smaller first, but those of a border loop in
-  /// walking order.
+  /// The edges, each by its two vertices: the smaller first, but those of a border loop in walking
+  /// order.
   std::vector<std::array<Index, 2>> edges;
   std::vector<Index> faces;
   /// Points where the defect can be seen: at least one, unless it is nowhere in space.
   std::vector<Vec3> positions;
-  /// Only self-intersections have pairs.
+  /// The intersecting pairs of a self-intersection; empty for other defects.
   std::vector<IntersectingPair> pairs;
   /// The measured value, and the limit that it passes; CatalogueEntry::value says what they are.
   std::optional<double> value;

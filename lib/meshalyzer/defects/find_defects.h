@@ -11,12 +11,12 @@
 
 namespace meshalyzer {
 
-/// What find_defects() looks for, and how much it lists.
+/// Says what find_defects() looks for, and how much it lists.
 struct DefectOptions {
   /// The finders look for these.
   DefectCodes codes = DefectCodes::all();
   ToleranceOptions tolerances = {};
-  /// At most so many defects are listed; 0 lists all. Counts are complete all the same.
+  /// The largest number of defects that are listed; 0 lists all. Counts are complete all the same.
   std::size_t max_defects = 0;
 };
 

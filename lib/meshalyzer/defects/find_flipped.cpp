@@ -55,7 +55,8 @@ class Regions {
   }
 
  private:
-  /// Each patch stands twice, as it is (2 p) and turned over (2 p + 1), as in find_orientability().
+  /// Joins patches that have to be turned together. Each patch has two elements, one for leaving it
+  /// as it is (2 p) and one for turning it over (2 p + 1), as in find_orientability().
   void join_patches() {
     const CutEdges& flipped = cut_.side.flipped_edges;
     for (std::size_t i = 0; i < flipped.size(); ++i) {

@@ -62,7 +62,7 @@ struct Field {
   std::vector<double> values;
 };
 
-/// What fields are computed from. The caller keeps the data.
+/// The data that fields are computed from. The caller keeps them.
 struct FieldSource {
   const PreparedMesh& mesh;
   /// The field `defect` needs these; may be null.

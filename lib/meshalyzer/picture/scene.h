@@ -43,7 +43,7 @@ struct DrawnField {
   double max = 0.0;
 };
 
-/// What is lit up when a defect is chosen. Coordinates are relative to Scene::centre.
+/// The elements that light up when a defect is chosen. Coordinates are relative to Scene::centre.
 struct Highlight {
   /// The place of the defect in DefectReport::defects.
   std::size_t defect = 0;
@@ -65,11 +65,12 @@ struct SceneLines {
   std::vector<float> borders;
   std::vector<float> non_manifold_edges;
   std::vector<float> flipped_edges;
-  /// Where the faces of each intersecting pair meet: segments, or a point as a segment of length 0.
+  /// The segments along which the faces of each intersecting pair meet; a point is a segment of
+  /// length 0.
   std::vector<float> intersections;
 };
 
-/// Everything that is drawn of a mesh.
+/// All that is drawn of a mesh.
 struct Scene {
   /// The centre of the bounding box of all faces that can be drawn or, where there are none, of all
   /// vertices. Drawn coordinates are relative to it.
@@ -98,18 +99,18 @@ struct Scene {
 struct SceneLimits {
   /// A mesh of more faces than this is not drawn as it is.
   std::size_t max_whole_faces = 250'000;
-  /// At most so many faces of such a mesh are drawn as they are, round the defects.
+  /// The largest number of faces round the defects of such a mesh that are drawn as they are.
   std::size_t max_detail_faces = 100'000;
   /// The rest of such a mesh is decimated to about so many faces.
   std::size_t max_context_faces = 100'000;
-  /// At most so many defects of each code are listed and lit up.
+  /// The largest number of defects of each code that are listed and lit up.
   std::size_t max_defects_of_a_code = 500;
-  /// At most so many faces, segments and points each are lit up of one defect.
+  /// The largest number of faces, of segments and of points that are lit up for one defect.
   std::size_t max_elements_of_a_defect = 2'000;
-  /// At most so many elements of all defects together are lit up. Defects that have more than their
-  /// share are cut, all to the same size.
+  /// The largest number of elements of all defects together that are lit up. Defects that have more
+  /// than their share are cut, all to the same size.
   std::size_t max_elements_of_all = 100'000;
-  /// At most so many segments of each of SceneLines are drawn.
+  /// The largest number of segments that are drawn of each of SceneLines.
   std::size_t max_segments = 200'000;
 };
 

@@ -70,8 +70,9 @@ class PreparedMesh {
   /// @param pairs  What find_self_intersections() would return.
   void set_intersecting_pairs(std::vector<IntersectingPair> pairs);
 
-  /// What each component is as the wall of a solid: see find_shells(). Asks for the tree and the
-  /// intersecting pairs only where there are several components and some component is a shell.
+  /// Returns what each component is as the wall of a solid: see find_shells(). Builds the tree and
+  /// finds the intersecting pairs only where there are several components and one of them is a
+  /// shell.
   [[nodiscard]] const std::vector<Shell>& shells() const;
 
  private:

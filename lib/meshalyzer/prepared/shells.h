@@ -11,10 +11,11 @@ namespace meshalyzer {
 
 class PreparedMesh;
 
-/// What a component is as the wall of a solid. Only a shell is such a wall: a component that is
+/// Describes a component as the wall of a solid. Only a shell is such a wall: a component that is
 /// closed, manifold and consistently oriented.
 struct Shell {
-  /// Nothing where the component is no shell, or the volume is too large for a double.
+  /// The signed volume; absent where the component is no shell, or the volume is too large for a
+  /// double.
   std::optional<double> volume;
   /// Whether it points away from the solid: its volume is positive and an even number of shells
   /// enclose it, or negative and an odd number do. Nothing where it is no shell or encloses no

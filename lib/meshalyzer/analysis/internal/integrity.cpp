@@ -71,7 +71,8 @@ std::vector<std::int64_t> distinct_missing_ids(const Soup& soup) {
   return ids;
 }
 
-/// Where the ids of `n` records cease to be 1, 2, ..., n. Only files that name their ids can break.
+/// Finds where the ids of `n` records cease to be 1, 2, ..., n. Only files that name their ids can
+/// have such a break.
 std::optional<NumberingBreak> find_break(const Ids& ids, Format format, std::size_t n) {
   if (format != Format::Mesh) {
     return std::nullopt;

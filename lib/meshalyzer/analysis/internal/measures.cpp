@@ -15,7 +15,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Where measures of a mesh go: its own statistics, and those of its components where these are
+/// Records measures in the statistics of the mesh, and in those of its components where these are
 /// wanted.
 class Measurer {
  public:

@@ -46,7 +46,8 @@ class PairScale {
 
 /// The corners of a convex polygon in a plane, or what clipping in rounded arithmetic makes of it.
 struct Polygon {
-  /// Each clipping turns n corners into at most n - 1 and one for each change of sign.
+  /// The corners that are left. Each clipping turns n corners into at most n - 1 and one for each
+  /// change of sign.
   std::array<Vec3, ContactSegments::kMax> corners;
   std::size_t count = 0;
 

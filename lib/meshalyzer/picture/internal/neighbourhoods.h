@@ -11,7 +11,7 @@ namespace meshalyzer {
 /// The elements where a walk over faces begins, the most important first. An element may come more
 /// than once.
 struct Seeds {
-  /// All of them can be drawn.
+  /// The faces, all of which can be drawn.
   std::vector<Index> faces;
   std::vector<Index> vertices;
 };

@@ -20,8 +20,8 @@ constexpr int kAxisBits = 21;
 constexpr CellKey kPinned = CellKey{1} << (3 * kAxisBits);
 constexpr double kMaxCells = static_cast<double>((CellKey{1} << kAxisBits) - 1);
 
-/// At most so many sizes of cells are tried; the search ends where this share of the allowed faces
-/// is left.
+/// The largest number of cell sizes that are tried. The search ends earlier where at least this
+/// share of the allowed faces is left.
 constexpr int kMaxTries = 12;
 constexpr double kEnough = 0.8;
 

@@ -12,7 +12,8 @@ namespace meshalyzer {
 
 /// How far faces are decimated. The caller keeps the data.
 struct ClusterLimits {
-  /// At most so many faces are left, and not many fewer where the mesh allows.
+  /// The largest number of faces that may be left; the result has not many fewer where the mesh
+  /// allows.
   std::size_t max_faces = 0;
   /// #V: not 0 for vertices that stay as they are, so that no gap opens beside faces that are drawn
   /// in full. They are ignored where the faces at them are too many.

@@ -54,7 +54,7 @@ class ListedElements {
 
  private:
   struct Edge {
-    /// Both ends, the lower in front.
+    /// Both ends of the edge in one number, the lower in front.
     std::uint64_t ends;
     Rank rank;
 
