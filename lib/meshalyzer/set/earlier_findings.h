@@ -8,8 +8,8 @@
 
 namespace meshalyzer {
 
-/// What earlier runs have found of the same files, asked the same: it is not looked for again. Any
-/// number of threads may ask.
+/// The findings of earlier runs about the same files with an equal request: they are not looked for
+/// again. Any number of threads may ask.
 class EarlierFindings {
  public:
   virtual ~EarlierFindings() = default;

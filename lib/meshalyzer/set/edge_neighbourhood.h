@@ -11,7 +11,7 @@
 
 namespace meshalyzer {
 
-/// Which faces lie at each file vertex; flat.
+/// The faces at each file vertex, in one flat list.
 class FacesAtVertices {
  public:
   /// @complexity O(#V + #F).

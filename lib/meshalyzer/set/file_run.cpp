@@ -16,7 +16,7 @@
 namespace meshalyzer {
 namespace {
 
-/// About the bytes of memory that the analysis of a file takes for each byte of it.
+/// Estimates the bytes of memory that the analysis of a file takes for each byte of the file.
 constexpr std::uint64_t kMemoryPerFileByte = 12;
 
 Box3 box_of(const Soup& soup) {
@@ -64,7 +64,8 @@ bool FileRun::run(const std::function<void(Index, const FileResult&)>& take) {
   return !is_stopped;
 }
 
-/// As many files as the largest of them leave memory for.
+/// Returns how many files are analysed at once: so many that the largest of them fit in the memory
+/// limit together.
 std::size_t FileRun::n_files_at_once() const {
   std::vector<std::uint64_t> bytes;
   std::transform(paths_.begin(), paths_.end(), std::back_inserter(bytes),
@@ -130,7 +131,7 @@ bool FileRun::looks_between() const {
   return options_.request.is_set && options_.request.between.is_between();
 }
 
-/// Of a file that another shard analyses only its place is needed.
+/// Finds the box of a file that another shard analyses; nothing else of it is needed.
 FileResult FileRun::glance_at(Index number) const {
   FileResult result;
   if (looks_between()) {

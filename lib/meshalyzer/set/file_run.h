@@ -13,14 +13,14 @@
 
 namespace meshalyzer {
 
-/// What came of one file.
+/// The result of one file.
 struct FileResult {
   enum class Kind : std::uint8_t { Mesh, Unreadable, OfAnotherShard };
   Kind kind = Kind::OfAnotherShard;
   Analysis mesh;
   std::string trouble;
-  /// What the work between objects needs to know of it, whichever shard analyses it; empty for what
-  /// cannot be read or has no face.
+  /// The box of the vertices that faces use, for the work between objects, whichever shard analyses
+  /// the file; empty for a file that cannot be read or has no face.
   Box3 box;
   std::size_t n_faces = 0;
 };

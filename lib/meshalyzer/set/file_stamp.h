@@ -5,8 +5,7 @@
 
 namespace meshalyzer {
 
-/// By what is told whether a file is still the one it was: its size and the time of its last
-/// change.
+/// Tells whether a file is still the one that it was: its size and the time of its last change.
 struct FileStamp {
   std::uint64_t bytes = 0;
   /// Nanoseconds since 1970; 0 where the file cannot be looked at.

@@ -22,10 +22,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Vertices that one task looks at: they follow each other on the surface, so that the answer of
 /// one is a good first guess for the next.
 constexpr std::size_t kVerticesPerChunk = 256;
-/// As many tasks, at most, look at an object's own surface.
+/// The largest number of tasks that look at an object's own surface.
 constexpr std::size_t kSelfChunks = 64;
 
-/// What is known of one vertex so far.
+/// The best answer for one vertex so far.
 struct Best {
   double distance = kInfinity;
   Vec3 point = Vec3::Zero();
@@ -116,7 +116,7 @@ class Separator {
     return object_->tree().point(vertices_[i]);
   }
 
-  /// Nothing is in a cone about no direction.
+  /// Leaves out the vertices without a normal, since there is no cone about no direction.
   void leave_out_vertices_without_normal() {
     for (std::size_t i = 0; i < best_.size(); ++i) {
       if (normals_[vertices_[i]].isZero(0.0)) {
@@ -140,7 +140,8 @@ class Separator {
     std::erase_if(open_, [&](std::size_t i) { return !may_undercut(distance, best_[i].distance); });
   }
 
-  /// As far as the closest points found allow; as long as some are not, farther and farther.
+  /// Returns how far to look next: as far as the closest points found allow, or farther and farther
+  /// where some vertex has none yet.
   [[nodiscard]] double next_reach(double reach) const {
     constexpr double kGrant = 1.0 + 1e-8;
     double farthest = 0.0;
@@ -242,7 +243,8 @@ class Separator {
     });
   }
 
-  /// Where the surfaces do not meet one vertex speaks for all of its component.
+  /// Marks the components that are inside the other object. Where the surfaces do not meet, one
+  /// vertex speaks for all of its component.
   void mark_components_inside(const SetObject& other) {
     const Components& components = object_->components();
     std::vector<std::uint8_t> is_inside(components.count, 0);
@@ -297,13 +299,13 @@ class Separator {
   const SetScene& scene_;
   const SeparationOptions& options_;
   std::shared_ptr<const SetObject> object_;
-  /// In the order of the tree; the next three by place in it.
+  /// The vertices in the order of the tree; the next three columns are in this order too.
   std::vector<Index> vertices_;
   std::vector<Best> best_;
   std::vector<std::uint8_t> is_inside_;
   /// Places of the vertices that a farther object may yet be closest to, ascending.
   std::vector<std::size_t> open_;
-  /// By file vertex; empty without a cone.
+  /// The normal of each file vertex; empty without a cone.
   std::vector<Vec3> normals_;
 };
 

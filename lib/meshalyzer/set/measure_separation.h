@@ -10,11 +10,11 @@ namespace meshalyzer {
 
 /// The objects of a set, by number. Only refers to its data.
 struct SetScene {
-  /// Of the vertices that faces use; empty for objects to be left out.
+  /// The box of the vertices that faces use, for each object; empty for objects that are left out.
   std::span<const Box3> boxes;
-  /// Over these boxes.
+  /// A tree over these boxes.
   const BoxTree& tree;
-  /// Of objects with ClosestUse::Prepared.
+  /// A cache of objects that are prepared for ClosestUse::Prepared.
   ObjectCache& objects;
 };
 

@@ -13,9 +13,10 @@ namespace meshalyzer {
 class NearbyObjects {
  public:
   struct Candidate {
-    /// From box to box.
+    /// The distance from box to box.
     double distance;
-    /// Of many boxes that meet the object's own those about the same middle are likely to be near.
+    /// The distance between the middles of the boxes. Among boxes that meet the object's own, those
+    /// with a close middle are likely to be near.
     double distance_of_middles;
     Index object;
     auto operator<=>(const Candidate&) const = default;
@@ -24,8 +25,8 @@ class NearbyObjects {
   /// @param boxes  Of all objects, `tree` is of; that of the object itself is not empty.
   NearbyObjects(Index object, std::span<const Box3> boxes, const BoxTree& tree);
 
-  /// Those whose boxes are within `reach` of the object's own, but for those given before; the
-  /// nearest first.
+  /// Returns the objects whose boxes are within `reach` of the object's own and that were not
+  /// returned before, the nearest first.
   [[nodiscard]] std::vector<Candidate> within(double reach);
 
   /// All objects not given yet are at this distance or farther.
@@ -36,7 +37,7 @@ class NearbyObjects {
   Index object_;
   std::span<const Box3> boxes_;
   const BoxTree& tree_;
-  /// Ascending; the object itself is among them.
+  /// The objects that were returned, ascending; the object itself is among them.
   std::vector<Index> given_;
   double given_up_to_ = 0.0;
 };

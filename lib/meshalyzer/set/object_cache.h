@@ -38,7 +38,7 @@ class ObjectCache {
     std::shared_ptr<const SetObject> object;
     std::uint64_t bytes = 0;
     bool is_loading = false;
-    /// Where `object` is there: its place in used_.
+    /// The place of `object` in used_, where it is loaded.
     std::list<std::size_t>::iterator use;
   };
 

@@ -8,14 +8,15 @@
 
 namespace meshalyzer {
 
-/// What was found between one mesh of a set, the owner, and the others. Each pair of meshes has one
+/// The findings between one mesh of a set, the owner, and the others. Each pair of meshes has one
 /// owner: the one that comes first in the order in space.
 struct ObjectFindings {
   /// Its number in the set.
   Index owner = 0;
-  /// Where asked for: with all meshes that come later in the order in space.
+  /// The intersections with all meshes that come later in the order in space; present where asked
+  /// for.
   std::optional<SetIntersections> intersections;
-  /// Where asked for: from the owner's vertices to all others.
+  /// The separation of the owner's vertices from all others; present where asked for.
   std::optional<ObjectSeparation> separation;
 };
 

@@ -7,9 +7,9 @@
 
 namespace meshalyzer {
 
-/// What to find out between the meshes of a set.
+/// Says what to find out between the meshes of a set.
 struct SetQuestions {
-  /// Which faces of different meshes share a point, and which meshes are inside others.
+  /// Asks which faces of different meshes share a point, and which meshes are inside others.
   bool intersections = false;
   /// How far each vertex is from the closest other mesh.
   std::optional<SeparationOptions> separation = std::nullopt;
@@ -24,10 +24,10 @@ struct SetQuestions {
   friend bool operator==(const SetQuestions&, const SetQuestions&) = default;
 };
 
-/// What a run finds out of meshes and between them: everything that decides what is found, nothing
-/// of how it is told. Runs with equal requests find the same in the same files.
+/// Says what a run finds out about meshes and between them: everything that decides what is found,
+/// nothing about how it is told. Runs with equal requests find the same in the same files.
 struct Request {
-  /// Of each mesh.
+  /// What to find out about each mesh.
   MeshRequest mesh;
   /// Keep the offending elements by their ids, not only their numbers.
   bool list_offenders = false;

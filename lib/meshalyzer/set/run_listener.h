@@ -16,7 +16,7 @@ struct RunProgress {
   /// Files read, or objects looked at from.
   std::size_t done = 0;
   std::size_t total = 0;
-  /// Of those that are done.
+  /// The number of faces in the items that are done.
   std::size_t faces = 0;
 };
 

@@ -8,20 +8,21 @@
 
 namespace meshalyzer {
 
-/// What to look at when the separation of objects is measured.
+/// Selects the points that count when the separation of objects is measured.
 struct SeparationOptions {
   /// Vertices with nothing closer than this are counted, not measured.
   std::optional<double> search_radius = std::nullopt;
-  /// Only points whose direction lies within so many degrees of the vertex normal, 0 ... 90.
+  /// Leaves out points whose direction is more than this number of degrees from the vertex normal,
+  /// 0 ... 90.
   std::optional<double> search_cone_degrees = std::nullopt;
-  /// Also the object's own surface, but for faces with a vertex that is reached along edges within
-  /// this length.
+  /// Includes the object's own surface, but for faces with a vertex that is reached along edges
+  /// within this length.
   std::optional<double> include_self = std::nullopt;
 
   friend bool operator==(const SeparationOptions&, const SeparationOptions&) = default;
 };
 
-/// For each vertex of one object the closest point of any other one; columns of equal length.
+/// The closest point of any other object for each vertex of one object, in columns of equal length.
 struct ObjectSeparation {
   /// Ids of the vertices that faces use, in file order.
   std::vector<std::int64_t> vertices;

@@ -34,17 +34,17 @@ struct ContainedMesh {
   friend auto operator<=>(const ContainedMesh&, const ContainedMesh&) = default;
 };
 
-/// How the meshes of a set intersect (M 13).
+/// The intersections between the meshes of a set ("Sets" in doc/definitions.md).
 struct SetIntersections {
-  /// Ascending by meshes, then faces.
+  /// The pairs of faces, ascending by meshes, then faces.
   std::vector<SetPair> pairs;
-  /// Ascending.
+  /// The meshes that are inside others, ascending.
   std::vector<ContainedMesh> contained;
-  /// Where only some components of the inner mesh are inside.
+  /// The meshes of which only some components are inside others, ascending.
   std::vector<ContainedMesh> partly_contained;
 };
 
-/// What is said of the separation distances of vertices.
+/// Describes the separation distances of vertices.
 inline constexpr Quantity kSeparationDistance{
     .info = {.key = "separation_all",
              .label = "separation distance",
@@ -63,15 +63,15 @@ struct MeshSeparation {
   std::size_t inside = 0;
 };
 
-/// The separation distances of a set (M 14).
+/// The separation distances of a set ("Sets" in doc/definitions.md).
 struct SetSeparation {
   SeparationOptions options;
-  /// Ascending by mesh; meshes without a face are left out.
+  /// The separation of each mesh, ascending by mesh; meshes without a face are left out.
   std::vector<MeshSeparation> meshes;
   Statistics all;
   std::size_t without_closest = 0;
   std::size_t inside = 0;
-  /// Measured although a mesh is not good (--force).
+  /// Tells that distances were measured although a mesh is not good.
   bool is_forced = false;
 };
 
@@ -86,33 +86,34 @@ struct UnfitMesh {
 
 /// All that is known of a set of meshes. A plain value: reports render it.
 struct SetAnalysis {
-  /// What the meshes are called: the names of their files where these differ, else their paths. By
-  /// number, unreadable ones included.
+  /// The names of the meshes by number, unreadable ones included: those of their files where these
+  /// differ, else their paths.
   std::vector<std::string> names;
-  /// Those that were read.
+  /// The number of meshes that were read.
   std::size_t meshes = 0;
   std::size_t unreadable = 0;
-  /// Meshes that are good: with -g by its thresholds, else by the parts of goodness that need none.
-  /// Nothing where goodness was not judged (-a).
+  /// The number of meshes that are good: by the thresholds where a request has them, else by the
+  /// parts of goodness that need none. It is absent where goodness was not judged.
   std::optional<std::size_t> good;
-  /// Those that are not, unreadable files included; ascending.
+  /// The meshes that are not good, unreadable files included; ascending.
   std::vector<UnfitMesh> not_good;
   std::size_t vertices = 0;
   std::size_t faces = 0;
   std::size_t edges = 0;
   std::size_t components = 0;
   std::size_t boundaries = 0;
-  /// False where only the attributes were asked for (-a): then the next two, the volume and the
-  /// statistics are nothing.
+  /// Tells whether the meshes were measured. With Scope::AttributesOnly they were not, and the next
+  /// two members, the volume and the statistics are empty.
   bool is_measured = true;
   std::size_t intersecting_pairs_within = 0;
   double area = 0.0;
-  /// Of all meshes that have one; the reason tells which have none.
+  /// The total volume of all meshes that have one; the reason tells which have none.
   Measure<double> volume;
   std::optional<SetStatistics> statistics;
-  /// Where asked for (-i).
+  /// The intersections between meshes; present where they were asked for.
   std::optional<SetIntersections> intersections;
-  /// Where asked for (-s) and possible; else `separation_reason` tells why not.
+  /// The separation distances; present where they were asked for and could be measured, else
+  /// `separation_reason` tells why not.
   std::optional<SetSeparation> separation;
   std::string separation_reason;
 };

@@ -16,7 +16,7 @@ struct SetCount {
   Known known = Known::Always;
 };
 
-/// All of them, in the order of reports.
+/// One row for each count, in the order of reports.
 inline constexpr std::array kSetCounts{
     SetCount{{.key = "vertices", .label = "vertices"},
              &SetAnalysis::vertices,

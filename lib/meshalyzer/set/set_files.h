@@ -7,14 +7,14 @@
 
 namespace meshalyzer {
 
-/// What the meshes of a set are called in its report: the last part of their paths where these
+/// Returns the names of the meshes of a set in its report: the last part of their paths where these
 /// differ, else the paths.
 [[nodiscard]] std::vector<std::string> set_names(const std::vector<std::string>& paths);
 
 /// The files of a set in the state that a run finds them in.
 struct SetFiles {
   std::vector<std::string> paths;
-  /// What the meshes are called in the report: set_names().
+  /// The names of the meshes in the report, see set_names().
   std::vector<std::string> names;
   std::vector<FileStamp> stamps;
   /// A digest of all paths and stamps: where one differs, so does this.

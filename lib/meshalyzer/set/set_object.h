@@ -10,8 +10,8 @@
 
 namespace meshalyzer {
 
-/// Which faces of a mesh enclose something: those of components of which every edge has exactly two
-/// faces.
+/// The faces of a mesh that enclose something: those of components in which every edge has exactly
+/// two faces.
 struct SolidParts {
   /// #components: 1 for those that enclose.
   std::vector<std::uint8_t> is_solid;
@@ -20,7 +20,7 @@ struct SolidParts {
   std::size_t count = 0;
 };
 
-/// Where a point lies with regard to a solid.
+/// The place of a point with regard to a solid.
 enum class Side : std::uint8_t { Outside, Inside, OnSurface };
 
 /// Whether an object is to be asked for closest points, which takes memory of its own.
@@ -34,24 +34,26 @@ class SetObject : public PreparedMesh {
   /// @complexity  O(#F log #F) time.
   explicit SetObject(const Soup& soup, ClosestUse use = ClosestUse::Never);
 
-  /// Only where ClosestUse::Prepared was asked for.
+  /// Returns the search structure for closest points, which is there only with
+  /// ClosestUse::Prepared.
   [[nodiscard]] const ClosestPoints& closest() const { return *closest_; }
   /// #components: a vertex of each (file vertex).
   [[nodiscard]] const std::vector<Index>& component_vertices() const { return component_vertices_; }
   [[nodiscard]] const Ids& vertex_ids() const { return vertex_ids_; }
   [[nodiscard]] const Ids& face_ids() const { return face_ids_; }
-  /// Of the vertices that faces use; empty where there is no face.
+  /// Returns the box of the vertices that faces use; it is empty where there is no face.
   [[nodiscard]] const Box3& box() const { return box_; }
 
   /// Whether any of its components encloses anything.
   [[nodiscard]] bool is_solid() const { return solids_.count != 0; }
-  /// Where a point lies with regard to the components that enclose. Exact: inside, a ray from it
-  /// meets their faces an odd number of times, so that a cavity is outside.
+  /// Tells where a point lies with regard to the components that enclose something. The answer is
+  /// exact: a ray from a point inside meets their faces an odd number of times, so that a cavity is
+  /// outside.
   ///
   /// @complexity O(log #F + faces whose boxes the ray meets).
   [[nodiscard]] Side side_of(const Vec3& point) const;
 
-  /// About the memory that it takes.
+  /// Estimates the bytes of memory that it takes.
   [[nodiscard]] std::uint64_t bytes() const;
 
  private:

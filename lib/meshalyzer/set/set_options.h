@@ -20,7 +20,7 @@ struct SetOptions {
   /// had to be forgotten.
   std::uint64_t memory_limit = 0;
   Shard shard;
-  /// What need not be looked for again, if there is any; must outlive the run.
+  /// Findings that need not be looked for again, if there are any; they must outlive the run.
   const EarlierFindings* earlier = nullptr;
 };
 

@@ -176,16 +176,16 @@ class SetRun {
   RunListener& listener_;
   SetTotals totals_;
   std::vector<FileStamp> stamps_;
-  /// By number; boxes are empty for what cannot be read or has no face.
+  /// The boxes by number; empty for files that cannot be read or have no face.
   std::vector<Box3> boxes_;
   std::vector<std::size_t> n_faces_;
-  /// Of the work between objects.
+  /// The progress of the work between objects.
   RunProgress progress_;
   bool is_stopped_ = false;
-  /// What is left to be found out when the files are known.
+  /// The questions that are still open when the files are known.
   SetQuestions wanted_;
   std::vector<Index> order_;
-  /// By number: the place in order_.
+  /// The place in order_ of each object, by number.
   std::vector<Index> rank_;
   std::optional<BoxTree> box_tree_;
 };

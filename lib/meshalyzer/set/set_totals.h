@@ -11,7 +11,7 @@
 
 namespace meshalyzer {
 
-/// What was found, sorted as SetIntersections promises.
+/// Returns the intersections sorted as SetIntersections promises.
 [[nodiscard]] SetIntersections in_order(SetIntersections found);
 
 /// Adds up what is found of the meshes of a set, one after the other, in memory that does not grow

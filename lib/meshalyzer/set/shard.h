@@ -17,8 +17,8 @@ struct Shard {
   [[nodiscard]] bool owns_file(std::size_t file) const { return file % count == number; }
 };
 
-/// Which of the objects, in their order in space, are a shard's for the work between objects: runs
-/// of neighbours, with about the same number of faces in each.
+/// The objects that belong to a shard in the work between objects: a run of neighbours in their
+/// order in space. All shards have about the same number of faces.
 struct ShardRange {
   std::size_t begin = 0;
   std::size_t end = 0;
