@@ -4,7 +4,8 @@
 
 namespace meshalyzer {
 
-/// Whether a list of -b ... -f was asked for: such a list is told without -p too.
+/// Tells whether a list of the edges or faces beyond a threshold was asked for: such a list is
+/// reported even where no other offenders are.
 [[nodiscard]] inline bool has_asked_lists(const Offenders& all) {
   return all.short_edges || all.long_edges || all.small_angles || all.large_angles ||
          all.large_aspect_ratios;

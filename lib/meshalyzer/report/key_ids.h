@@ -21,19 +21,19 @@ class KeyIds {
   [[nodiscard]] std::vector<std::int64_t> vertices(const std::vector<Index>& keys) const;
   [[nodiscard]] std::vector<std::int64_t> faces(const std::vector<Index>& keys) const;
 
-  /// What an element is called in the end.
+  /// The name of an element in the end.
   struct Final {
     /// Index into RepairReport::meshes.
     std::size_t mesh = 0;
     std::int64_t id = 0;
   };
-  /// Nothing for what is gone, and for kNoIndex.
+  /// Returns the name of a vertex in the end; nothing where it is gone, and for kNoIndex.
   [[nodiscard]] std::optional<Final> final_vertex(Index key) const;
   [[nodiscard]] std::optional<Final> final_face(Index key) const;
 
  private:
   const MeshName& input_;
-  /// By key.
+  /// The names by key.
   std::vector<std::optional<Final>> vertices_;
   std::vector<std::optional<Final>> faces_;
 };

@@ -15,10 +15,10 @@ struct RefusalGroup {
   const LoggedRefusal* like = nullptr;
   /// Index into RepairReport::meshes; absent where the elements are gone.
   std::optional<std::size_t> mesh = std::nullopt;
-  /// Each place once, however often it was looked at.
+  /// The number of different places, however often each was looked at.
   std::size_t places = 0;
-  /// What names the places, ascending: their vertices by the ids of the output; of those without
-  /// one the faces.
+  /// The ids that name the places, ascending: those of their vertices in the output, or of the
+  /// faces where a place has no such vertex.
   std::vector<std::int64_t> vertices = {};
   std::vector<std::int64_t> faces = {};
 };

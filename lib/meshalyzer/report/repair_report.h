@@ -9,9 +9,9 @@
 
 namespace meshalyzer {
 
-/// What a report calls a mesh and its elements.
+/// The names of a mesh and of its elements in reports.
 struct MeshName {
-  /// As the user named it.
+  /// The path of the file as the user named it.
   std::string path;
   Format format = Format::Mesh;
   Ids vertex_ids;
@@ -26,19 +26,19 @@ struct MeshName {
 struct FinalMesh {
   /// The path is empty where it was not written.
   MeshName name;
-  /// By the records of the file.
+  /// The defects that remain, by the records of the file.
   DefectReport remaining;
-  /// By vertex of the result's tracked mesh: its record in the file, kNoIndex where it has none.
-  /// Empty where they are the same.
+  /// The record in the file of each vertex of the result's tracked mesh, kNoIndex where it has
+  /// none; empty where they are the same.
   std::vector<Index> vertex_records = {};
 };
 
 /// A repair from beginning to end, for reports. Only refers to the result.
 struct RepairReport {
-  /// What was repaired.
+  /// The mesh that was repaired.
   MeshName input;
   const RepairResult& result;
-  /// What was asked for.
+  /// The defects that were to be fixed.
   DefectCodes fixes;
   /// One for each mesh of the result; their faces are in the same order.
   std::vector<FinalMesh> meshes;

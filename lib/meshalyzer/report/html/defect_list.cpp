@@ -110,7 +110,7 @@ class DefectList {
 
   const PageMesh& mesh_;
   std::string scene_;
-  /// By defect: its place among the highlights of the scene.
+  /// The place of each defect among the highlights of the scene.
   std::vector<std::optional<std::size_t>> highlights_;
 };
 

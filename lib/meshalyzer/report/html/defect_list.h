@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// So many defects of each code are listed; the rest is counted.
+/// The number of defects of each code that are listed; the others are only counted.
 inline constexpr std::size_t kListedOfACode = 500;
 
 /// Appends the section of the defects of all meshes of the page, by code. One that the scene lights

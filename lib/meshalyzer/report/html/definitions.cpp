@@ -76,7 +76,7 @@ class Lookup {
   std::string_view definition_;
 };
 
-/// What stands in no table of fields.
+/// Returns the definition of a term that is in no table of fields.
 std::string_view other_definition(std::string_view term) {
   const auto* const found =
       std::find_if(kDefinitions.begin(), kDefinitions.end(),

@@ -4,8 +4,8 @@
 
 namespace meshalyzer {
 
-/// What a word of a report means, in a sentence; empty for a word that needs none. In full it
-/// stands in doc/definitions.md.
+/// Returns the meaning of a word of a report in a sentence; it is empty for a word that needs none.
+/// doc/definitions.md defines each word in full.
 /// @param term  As the text report names it: "border edges".
 [[nodiscard]] std::string_view definition_of(std::string_view term);
 

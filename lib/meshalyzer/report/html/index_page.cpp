@@ -17,7 +17,7 @@ std::size_t count_if_row(const std::vector<IndexRow>& rows, RowState state) {
       rows.begin(), rows.end(), [&](const IndexRow& row) { return state_of(row) == state; }));
 }
 
-/// What is wrong between the meshes.
+/// Appends what is wrong between the meshes.
 void append_reasons(std::vector<std::string>& reasons, const SetIntersections& found) {
   const auto append = [&](std::size_t n, std::string_view one, std::string_view many) {
     if (n != 0) reasons.push_back(counted(n, one, many));

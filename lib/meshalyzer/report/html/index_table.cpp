@@ -47,7 +47,7 @@ struct NotedRow {
   std::span<const std::string> notes;
 };
 
-/// In words, what is behind the verdict, and what there is to know besides.
+/// Returns the reasons for the verdict in words, and what else there is to know.
 std::string why(const NotedRow& noted) {
   if (!noted.row.trouble.empty()) return noted.row.trouble;
   std::string text;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kShownComponents = 100;
 
-/// Where goodness was not judged the attributes are all there is to say: "Closed, not manifold".
+/// Returns the attributes as a verdict, "Closed, not manifold", where goodness was not judged.
 Verdict attributes_as_verdict(const Attributes& attributes) {
   ReportRows rows;
   append_attributes(rows, attributes);

@@ -43,7 +43,7 @@ struct IndexRow {
   /// Why the file could not be read; then there is no page, and nothing below.
   std::string trouble = {};
   bool good = false;
-  /// Why it is not good; empty too where it was not judged (-a).
+  /// The reasons why the mesh is not good; also empty where goodness was not judged.
   std::vector<std::string> reasons = {};
   std::size_t vertices = 0;
   std::size_t faces = 0;
@@ -54,7 +54,7 @@ struct IndexRow {
   std::optional<double> separation = {};
 };
 
-/// What the index row says of a mesh.
+/// Returns the row of a mesh in the index.
 [[nodiscard]] IndexRow index_row(const Analysis& analysis, const DefectReport& defects,
                                  std::string name, std::string page);
 
@@ -74,7 +74,7 @@ struct RepairPage {
 /// before and after.
 [[nodiscard]] std::string html_report(const RepairPage& page);
 
-/// The page of `meshfixer --find`: what is wrong with a mesh.
+/// Returns the page that shows the defects of a mesh.
 /// @param asked  The codes that count in the verdict.
 [[nodiscard]] std::string html_report(const PageMesh& mesh, const DefectCodes& asked);
 

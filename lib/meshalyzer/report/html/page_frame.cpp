@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Nothing from anywhere: what is not in the page is not loaded.
+/// The content security policy: nothing that is not in the page is loaded.
 constexpr std::string_view kPolicy =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data: "
     "blob:";

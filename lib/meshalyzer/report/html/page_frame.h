@@ -10,7 +10,7 @@
 
 namespace meshalyzer {
 
-/// What stands first and large on a page.
+/// The verdict, which stands first and large on a page.
 struct Verdict {
   enum class Kind { Good, Bad, None };
   Kind kind = Kind::None;
@@ -19,7 +19,7 @@ struct Verdict {
   std::vector<std::string> reasons = {};
 };
 
-/// What a page is of.
+/// The subject of a page.
 struct PageHeader {
   /// The path of the page of all meshes; empty where there is none.
   std::string index = {};

@@ -30,7 +30,7 @@ Verdict verdict_of(const RepairReport& report) {
           report.result.log.steps.empty() ? "Nothing was to be done" : "Repaired"};
 }
 
-/// Of a text with an arrow for terminals.
+/// Replaces the arrow for terminals in a text by a drawn one.
 std::string with_drawn_arrow(std::string text) {
   constexpr std::string_view kArrow = " -> ";
   const std::size_t place = text.find(kArrow);
@@ -55,7 +55,7 @@ std::string facts_of(const RepairReport& report) {
   return facts;
 }
 
-/// What was wrong, and what is.
+/// Appends the section that counts what was wrong before and what is wrong now.
 void append_counts_section(HtmlWriter& html, const RepairReport& report) {
   const HtmlSection section(html, "counts", "Defects before and after");
   TextTable table{2, {{"defect", "asked for", "before", "after"}}};

@@ -15,7 +15,7 @@ struct TitledMesh {
   const PageMesh& mesh;
 };
 
-/// What there is to say of a listed defect, on one line; never empty.
+/// Returns the description of a listed defect on one line; it is never empty.
 [[nodiscard]] std::string listed_defect_text(const Defect& defect, const MeshName& mesh);
 
 /// Appends what the view draws, as JSON: palettes, the colours of defects, a scene for each mesh.

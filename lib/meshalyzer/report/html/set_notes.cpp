@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-/// By mesh: others.
+/// The other meshes that a mesh has to do with, by mesh.
 using Others = std::vector<std::vector<Index>>;
 
 Others meeting(const SetAnalysis& set) {

@@ -7,8 +7,9 @@
 
 namespace meshalyzer {
 
-/// By mesh: what it has to do with the others of its set, in words: "intersects b.mesh, c.mesh",
-/// "inside b.mesh", "partly inside b.mesh". Of long lists the first few.
+/// Returns for each mesh what it has to do with the others of its set, in words: "intersects
+/// b.mesh, c.mesh", "inside b.mesh", "partly inside b.mesh". Of long lists only the first few are
+/// named.
 [[nodiscard]] std::vector<std::vector<std::string>> set_notes(const SetAnalysis& set);
 
 }  // namespace meshalyzer

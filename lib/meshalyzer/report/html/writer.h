@@ -45,7 +45,7 @@ class HtmlWriter {
   /// An element that never has an end tag, such as `meta`.
   void void_element(std::string_view tag, HtmlAttributes attributes) { start(tag, attributes); }
 
-  /// What is written so far; to be appended to.
+  /// Returns what is written so far, so that the caller can append to it.
   [[nodiscard]] std::string& html() { return html_; }
 
  private:

@@ -61,9 +61,9 @@ class HeadParser {
   bool add(HeadMembers::Value value) { return members_.emplace(key_, std::move(value)).second; }
 
   Members members_;
-  /// What the keys in the objects that are open begin with.
+  /// The common beginning of the keys in the objects that are open.
   std::vector<std::string> objects_;
-  /// Of the member whose value comes next.
+  /// The key of the member whose value comes next.
   std::string key_;
   bool has_begun_ = false;
   bool is_whole_ = false;

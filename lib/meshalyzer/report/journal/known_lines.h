@@ -25,7 +25,7 @@ class FileContent;
 class KnownLines : public EarlierFindings {
  public:
   enum class Missing : std::uint8_t {
-    /// What no line tells about meshes is to be found out.
+    /// What no line tells about meshes is found out.
     Find,
     /// All there is between meshes must stand in a line: else asking throws IoError.
     Refuse,
@@ -62,7 +62,7 @@ class KnownLines : public EarlierFindings {
     LineHead::Kind kind;
     Index number;
     std::string_view text;
-    /// Which of files_ it is in.
+    /// The index in files_ of the journal that it is in.
     std::size_t file;
   };
 
@@ -73,7 +73,7 @@ class KnownLines : public EarlierFindings {
 
   void add_line(std::string_view text);
   [[nodiscard]] const Line* find(LineHead::Kind kind, Index number) const;
-  /// What `read` makes of a line.
+  /// Returns what `read` makes of a line.
   template <typename Read>
   [[nodiscard]] auto understood(const Line& line, const Read& read) const;
   /// A line with the head that it has now.
@@ -84,7 +84,7 @@ class KnownLines : public EarlierFindings {
   const JournalSubject& subject_;
   Missing missing_;
   std::vector<File> files_;
-  /// In order of the journals.
+  /// The lines in order of the journals.
   std::vector<Line> lines_;
   /// The place in lines_ of the last one of its sort.
   std::map<std::pair<LineHead::Kind, Index>, std::size_t> places_;

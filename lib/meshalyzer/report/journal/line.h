@@ -14,19 +14,19 @@
 
 namespace meshalyzer {
 
-/// What each line of a journal begins with: what the line is of, and of what state of the file it
-/// is true.
+/// The beginning of each line of a journal: the subject of the line, and the state of the file of
+/// which it is true.
 struct LineHead {
   enum class Kind : std::uint8_t {
-    /// What is known of a mesh.
+    /// The line tells what is known about a mesh.
     Mesh,
     /// Why a file could not be read.
     Unreadable,
-    /// What was found between a mesh and the others of its set.
+    /// The line tells what was found between a mesh and the others of its set.
     Between,
   };
   Kind kind = Kind::Mesh;
-  /// Of the mesh in the set, from 0.
+  /// The number of the mesh in the set, from 0.
   std::size_t number = 0;
   /// Files in the set.
   std::size_t of = 0;
@@ -63,12 +63,12 @@ struct LineHead {
 /// @complexity  O(length of the head).
 [[nodiscard]] LineHead read_head(std::string_view line);
 
-/// What unreadable_line() was told.
+/// Returns the trouble that unreadable_line() was told.
 /// @throws InvalidArgument  Not such a line.
 [[nodiscard]] std::string read_trouble(std::string_view line);
 
-/// What between_line() wrote, all numbers to the last bit. Points where nothing was found are not
-/// written: these are 0, as are their faces.
+/// Reads what between_line() wrote, all numbers to the last bit. Points where nothing was found are
+/// not written: they are read as 0, as are their faces.
 /// @param names  As they were when the line was written.
 /// @throws InvalidArgument  Not such a line, or one of meshes with other names.
 [[nodiscard]] ObjectFindings read_between(std::string_view line,

@@ -12,7 +12,7 @@
 namespace meshalyzer {
 namespace {
 
-/// What all lines of all parts agree on, and the files that they name.
+/// Collects what all lines of all parts agree on, and the files that they name.
 class PartHeads {
  public:
   void add(const LineHead& head);

@@ -7,8 +7,8 @@
 
 namespace meshalyzer {
 
-/// What the journals of all parts of a run are of: the files as they were when the lines were
-/// written, and what was asked of them.
+/// Returns the subject of the journals of all parts of a run: the files as they were when the lines
+/// were written, and what was asked about them.
 ///
 /// @throws IoError  A journal cannot be read, is none or of another version of meshalyzer, is of
 /// another run than the first, or there are files of which no journal has a line.

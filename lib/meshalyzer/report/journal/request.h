@@ -13,7 +13,7 @@ namespace meshalyzer {
 /// the keys of kRequestFields.
 void write_request(JsonWriter& json, const Request& request);
 
-/// What write_request() wrote, as a text.
+/// Returns what write_request() writes, as a text.
 [[nodiscard]] std::string request_text(const Request& request);
 
 /// Reads what write_request() wrote.

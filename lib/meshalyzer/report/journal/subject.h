@@ -7,7 +7,7 @@
 
 namespace meshalyzer {
 
-/// What a journal is of: the files of a run, and what is asked of them.
+/// The subject of a journal: the files of a run, and what is asked about them.
 struct JournalSubject {
   SetFiles files;
   Request request;

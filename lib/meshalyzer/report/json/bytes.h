@@ -14,7 +14,7 @@ namespace meshalyzer {
 /// number: `name` alone would not tell one such path from another.
 void write_bytes(JsonWriter& json, std::string_view name, std::string_view bytes);
 
-/// What write_bytes() wrote.
+/// Reads what write_bytes() wrote.
 [[nodiscard]] std::string read_bytes(const JsonNode& object, std::string_view name);
 
 }  // namespace meshalyzer

@@ -9,12 +9,12 @@
 
 namespace meshalyzer {
 
-/// Writes what --curvature adds to the characteristics: "gaussian_curvature", "mean_curvature",
-/// "k1", "k2" and "curvature": over what area, the total angle defect, and how many vertices have a
-/// curvature, or none and why.
+/// Writes the curvatures of an analysis as members of the characteristics: "gaussian_curvature",
+/// "mean_curvature", "k1", "k2" and "curvature", which tells over what area they are, the total
+/// angle defect, and how many vertices have a curvature, or none and why.
 void write_curvature(JsonWriter& json, const CurvatureStatistics& curvature);
 
-/// What write_curvature() wrote into an object; nothing where it did not.
+/// Reads what write_curvature() wrote into an object; nothing where it did not.
 [[nodiscard]] std::optional<CurvatureStatistics> read_curvature(const JsonNode& object);
 
 /// Defines "curvature", which tells what the statistics are of.

@@ -13,13 +13,13 @@ namespace meshalyzer {
 /// @throws InvalidArgument where it is none that a file can have.
 [[nodiscard]] Index read_id(const JsonNode& node);
 
-/// What contact_name() called it.
+/// Reads the kind that contact_name() names.
 [[nodiscard]] ContactKind read_contact(const JsonNode& node);
 
 /// Writes a break of the numbering as a value.
 void write_numbering(JsonWriter& json, const NumberingBreak& place);
 
-/// What write_numbering() wrote.
+/// Reads what write_numbering() wrote.
 [[nodiscard]] NumberingBreak read_numbering(const JsonNode& object);
 
 /// Defines "ids", "contact" and "numbering".

@@ -10,17 +10,18 @@ class JsonWriter;
 class SchemaDefinitions;
 enum class JsonOffenders;
 
-/// Writes the members of one element of "meshes" (contract 4); the caller has begun the object.
+/// Writes the members of one element of "meshes" (doc/report.schema.json); the caller has begun the
+/// object.
 ///
-/// They hold all that the reports of the mesh say, but for the positions that -q prints:
-/// read_mesh_json() makes the same reports of them.
+/// The members hold all that the reports of the mesh say, but for the positions that
+/// OffenderStyle::CustomPoints needs: read_mesh_json() makes the same reports of them.
 void write_mesh_members(JsonWriter& json, const Analysis& analysis, JsonOffenders offenders);
 
-/// Reads back what is known of a mesh from its JSON: an element of "meshes" in a report, or a line
+/// Reads back an analysis from the JSON of a mesh: an element of "meshes" in a report, or a line
 /// that holds the same members.
 ///
 /// The reports of the result are those of the analysis that was written, byte for byte: text and
-/// JSON, but for the positions of -q; with the offending elements where the JSON lists them. Only
+/// JSON, but for custom points; with the offending elements where the JSON lists them. Only
 /// what no report says is lost. Records that nothing names have no index: `vertex_ids` and
 /// `face_ids` hold the ids that occur, ascending.
 ///

@@ -17,8 +17,8 @@ struct NamedReal {
   double value = 0.0;
 };
 
-/// Where any of the reals is infinite or NaN, writes a further member "non_finite" that tells which
-/// of these the null of each stands for: "inf", "-inf", "nan" or "-nan".
+/// Writes a further member "non_finite" where any of the reals is infinite or NaN: it tells which
+/// of "inf", "-inf", "nan" or "-nan" the null of each stands for.
 void write_non_finite(JsonWriter& json, std::span<const NamedReal> reals);
 inline void write_non_finite(JsonWriter& json, std::initializer_list<NamedReal> reals) {
   write_non_finite(json, std::span(reals.begin(), reals.end()));
@@ -34,7 +34,7 @@ inline void write_non_finite(JsonWriter& json, std::initializer_list<NamedReal> 
 /// Defines "non_finite", which write_non_finite() writes.
 void define_non_finite(SchemaDefinitions& schema);
 
-/// That member of an object.
+/// Returns the schema of this member.
 [[nodiscard]] SchemaMember non_finite_member();
 
 }  // namespace meshalyzer

@@ -15,7 +15,7 @@ template <typename List>
 struct ListRow {
   std::string_view key;
   List Offenders::*member;
-  /// Of the records in a list of indices.
+  /// The ids of the records in a list of indices.
   Ids Analysis::*ids = nullptr;
 };
 template <typename List>
@@ -23,7 +23,7 @@ ListRow(std::string_view, List Offenders::*) -> ListRow<List>;
 template <typename List>
 ListRow(std::string_view, List Offenders::*, Ids Analysis::*) -> ListRow<List>;
 
-/// What is known however little was asked for.
+/// The lists that every analysis has.
 constexpr std::tuple kLists{
     ListRow{"torn_lines", &Offenders::torn_lines},
     ListRow{"orphan_vertices", &Offenders::orphan_vertices, &Analysis::vertex_ids},
@@ -43,7 +43,7 @@ constexpr std::tuple kLists{
     ListRow{"flipped_edges", &Offenders::flipped_edges},
 };
 
-/// What -a leaves out.
+/// The lists that an analysis with Scope::AttributesOnly has not.
 constexpr std::tuple kMeasuredLists{
     ListRow{"indistinguishable_vertices", &Offenders::indistinguishable_vertices,
             &Analysis::vertex_ids},
@@ -53,7 +53,7 @@ constexpr std::tuple kMeasuredLists{
     ListRow{"intersecting_pairs", &Offenders::intersecting_pairs},
 };
 
-/// What was asked for by a threshold; no key where it was not.
+/// The lists that were asked for by a threshold; a list has no key where it was not.
 constexpr std::tuple kAskedLists{
     ListRow{"short_edges", &Offenders::short_edges},
     ListRow{"long_edges", &Offenders::long_edges},

@@ -10,7 +10,7 @@ namespace meshalyzer {
 /// Writes a point as a row of its three coordinates.
 void write_point(JsonWriter& json, const Vec3& point);
 
-/// What write_point() wrote.
+/// Reads what write_point() wrote.
 /// @throws InvalidArgument  Not three reals.
 [[nodiscard]] Vec3 read_point(const JsonNode& node);
 

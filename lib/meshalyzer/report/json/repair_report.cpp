@@ -159,7 +159,7 @@ void write_tracking(JsonWriter& json, const RepairReport& report, std::size_t me
   json.end_array();
 }
 
-/// By face of the input: whether an operation has changed it.
+/// Tells for each face of the input whether an operation has changed it.
 std::vector<std::uint8_t> changed_faces(const RepairReport& report) {
   std::vector<std::uint8_t> changed(report.input.n_faces, 0);
   for (const LoggedOperation& operation : report.result.log.operations) {

@@ -13,14 +13,14 @@
 
 namespace meshalyzer {
 
-/// Whether the JSON report lists the offending elements (-p).
+/// Tells whether the JSON report lists the offending elements.
 enum class JsonOffenders { Omit, List };
 
 /// Takes the pieces of a text, one after the other.
 using TextSink = std::function<void(std::string_view)>;
 
-/// Writes the JSON report (contract 4, doc/report.schema.json) piece by piece, so that a set of any
-/// size needs no more memory than one mesh.
+/// Writes the JSON report (doc/report.schema.json) piece by piece, so that a set of any size needs
+/// no more memory than one mesh.
 ///
 /// First all meshes are added, then all findings between them, then the report is finished: any
 /// other order throws InvalidArgument. What the sink throws comes through; then the report is lost.
@@ -47,7 +47,7 @@ class JsonReport {
   std::unique_ptr<Pieces> pieces_;
 };
 
-/// The report as JSON (contract 4, doc/report.schema.json), all at once; see JsonReport.
+/// Returns the report as JSON (doc/report.schema.json), all at once; see JsonReport.
 ///
 /// @param set  Null where there is none: then the report has no "set". Its "closest" is null.
 [[nodiscard]] std::string json_report(std::span<const Analysis> meshes, const SetAnalysis* set,

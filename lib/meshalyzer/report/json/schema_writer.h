@@ -24,10 +24,10 @@ inline constexpr std::string_view kCountOrNull = R"("type": ["integer", "null"],
 inline constexpr std::string_view kReal = R"("type": ["number", "null"])";
 }  // namespace schema_type
 
-/// That of what is defined by a name: `"$ref": "#/$defs/box"`.
+/// Returns the schema that refers to a definition by its name: `"$ref": "#/$defs/box"`.
 [[nodiscard]] std::string schema_reference(std::string_view name);
 
-/// That of a text that is one of a few: `"enum": ["yes", "no"]`.
+/// Returns the schema of a text that is one of a few: `"enum": ["yes", "no"]`.
 [[nodiscard]] std::string schema_enum(const std::vector<std::string_view>& names);
 
 /// A member of an object.

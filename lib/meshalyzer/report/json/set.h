@@ -8,7 +8,8 @@
 
 namespace meshalyzer {
 
-/// Writes the members of "set" (contract 4) but for "closest"; the caller has begun the object.
+/// Writes the members of "set" (doc/report.schema.json) but for "closest"; the caller has begun the
+/// object.
 /// @param on_row  Called after each row of a list: the text so far may be drained.
 void write_set_members(JsonWriter& json, const SetAnalysis& set,
                        const std::function<void()>& on_row);

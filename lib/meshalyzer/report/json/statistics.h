@@ -8,10 +8,10 @@
 
 namespace meshalyzer {
 
-/// Writes statistics as a value (contract 4, STAT).
+/// Writes statistics as a value ("statistics" in doc/report.schema.json).
 void write_statistics(JsonWriter& json, const Statistics& statistics);
 
-/// What write_statistics() wrote.
+/// Reads what write_statistics() wrote.
 [[nodiscard]] Statistics read_statistics(const JsonNode& object);
 
 /// The same without a histogram, in one line.

@@ -31,7 +31,8 @@ class JsonTree {
 
   struct Value {
     Kind kind = Kind::Null;
-    /// Of an array or object: its own place and those of all that is in it. Of a text: its bytes.
+    /// The number of places that an array or object takes, its own and those of all that is in it;
+    /// of a text the number of its bytes.
     std::uint32_t size = 1;
     /// The integer, the bits of the real, the truth, or where the text begins in `texts_`.
     std::uint64_t content = 0;
@@ -42,7 +43,7 @@ class JsonTree {
   /// How a person finds a value: `integrity.vertex_numbering.ids[2]`.
   [[nodiscard]] std::string path_of(std::size_t at) const;
 
-  /// In the order of the text; in an object each value follows its key.
+  /// The values in the order of the text; in an object each value follows its key.
   std::vector<Value> values_;
   /// All texts and keys, one after the other.
   std::string texts_;

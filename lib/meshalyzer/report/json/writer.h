@@ -55,7 +55,7 @@ class JsonWriter {
     maybe ? value(*maybe) : null();
   }
 
-  /// What is JSON already: a value, or members of an object.
+  /// Writes what is JSON already: a value, or members of an object.
   void verbatim(std::string_view json) { literal(json); }
 
   /// key() and value() in one.

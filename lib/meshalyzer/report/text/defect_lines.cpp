@@ -28,7 +28,8 @@ void append_list(std::string& text, std::string_view words, std::size_t n, ListL
   append_rest(text, n, lists);
 }
 
-/// Of a defect of a whole component, its first face stands for all of them.
+/// Returns the word for the faces of a defect. Where it is of a whole component, its first face
+/// stands for all of them.
 std::string_view word_for_faces(const Defect& defect) {
   const bool is_component =
       defect.code == DefectCode::Disjoint || defect.code == DefectCode::Inward;
@@ -73,7 +74,8 @@ std::string place_text(const Defect& defect) {
   return text;
 }
 
-/// Of a non-manifold vertex the fans of faces are counted, not the faces at the edge.
+/// Returns the words behind the measured value. At a non-manifold vertex the fans of faces are
+/// counted, not the faces at the edge.
 std::string_view words_behind(const Defect& defect, const MeasuredWords& words) {
   if (defect.code == DefectCode::NonManifold && defect.edges.empty()) return "fans of faces";
   return defect.value == 1.0 ? words.one : words.many;

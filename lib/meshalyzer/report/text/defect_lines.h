@@ -7,15 +7,16 @@
 
 namespace meshalyzer {
 
-/// Which defects of a mesh are listed.
+/// Selects the defects of a mesh that are listed.
 struct ListedDefects {
   const MeshName& mesh;
   const DefectReport& report;
-  /// Only those of these codes.
+  /// The codes of the defects that are listed.
   DefectCodes codes = DefectCodes::all();
 };
 
-/// What there is to say of a defect but its code: elements by file id, place, what was measured.
+/// Returns the description of a defect without its code: its elements by file id, its place, and
+/// what was measured.
 /// @param mesh  What its elements are called.
 [[nodiscard]] std::string defect_text(const Defect& defect, const MeshName& mesh, ListLength lists);
 

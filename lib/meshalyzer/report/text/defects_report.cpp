@@ -19,7 +19,7 @@ void append_counts(TextLines& lines, const DefectReport& report, const DefectCod
   lines.line("asked for", n_asked(report, asked));
 }
 
-/// Which passes treat what was found, as far as any does.
+/// Appends the passes that treat the defects that were found, as far as any does.
 void append_fixes(TextLines& lines, const DefectReport& report) {
   DefectCodes fixable;
   for (const Defect& defect : report.defects) {

@@ -11,7 +11,7 @@ namespace meshalyzer {
 /// A real for people: ten significant digits at most, no locale, no "-0".
 [[nodiscard]] std::string readable(double value);
 
-/// What stands in the place of a value that there is none of, with the reason where there is one.
+/// Returns the text in place of a value that is not defined, with the reason where there is one.
 [[nodiscard]] std::string undefined(const std::string& reason);
 
 /// Takes the lines of a report, each a name and a value, whatever becomes of them.

@@ -8,11 +8,11 @@ namespace meshalyzer {
 
 /// How offending elements are named in the text report.
 enum class OffenderStyle {
-  /// Not at all: counts only.
+  /// Offenders are counted, not named.
   None,
-  /// By their file ids (-p).
+  /// Offenders are named by their file ids.
   Ids,
-  /// As -p, but vertices as DReAMM custom points, `x y z 1 0 0 1` a line (-q).
+  /// As Ids, but vertices are written as DReAMM custom points, `x y z 1 0 0 1` a line.
   CustomPoints,
 };
 

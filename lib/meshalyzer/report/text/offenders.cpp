@@ -8,7 +8,7 @@
 namespace meshalyzer {
 namespace {
 
-/// What a list is called, and each element in it.
+/// The names of a list and of each element in it.
 struct ListName {
   std::string_view list;
   std::string_view element;
@@ -29,10 +29,10 @@ class OffenderLines {
   void faces(const ListName& name, std::span<const Index> list);
   void edges(const ListName& name, const EdgeList& list);
   void pairs(const ListName& name, std::span<const IntersectingPair> list);
-  /// What is a number already, and has no record: ids that are missing, lines.
+  /// Adds a list of numbers that are no records: of ids that are missing, or of lines.
   void numbers(const ListName& name, std::span<const std::int64_t> numbers);
   void numbering(std::string_view name, const std::optional<NumberingBreak>& place);
-  /// Those that were asked for by a threshold: also told when there are none.
+  /// Adds a list that was asked for by a threshold: it is told even where it is empty.
   void asked(const ListName& name, const std::optional<EdgeList>& list);
   void asked(const ListName& name, const std::optional<FaceList>& list);
 

@@ -16,7 +16,7 @@ namespace meshalyzer {
 /// Appends ", largest move 0.5", where anything was moved.
 void append_distance(std::string& text, double distance);
 
-/// What a run of a pass did: "2 changes, 1 face removed, ...".
+/// Describes what a run of a pass did: "2 changes, 1 face removed, ...".
 [[nodiscard]] std::string step_text(const LogStep& step);
 
 /// Appends what came out: files, notes, sizes, deviations.

@@ -52,7 +52,7 @@ void append_steps(TextLines& lines, const RepairReport& report, const KeyIds& id
   }
 }
 
-/// What was left in one of the meshes, or, where none is named, in parts that are gone.
+/// Appends what was left in one of the meshes, or, where none is named, in parts that are gone.
 void append_refusals(TextLines& lines, const std::vector<RefusalGroup>& groups,
                      std::optional<std::size_t> mesh, ListLength lists) {
   for (const RefusalGroup& group : groups) {

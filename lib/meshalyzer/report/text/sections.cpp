@@ -56,7 +56,7 @@ void append_count(LineSink& lines, const FieldRow<Characteristics, std::size_t>&
   }
 }
 
-/// What is no count stands in append_extent().
+/// Appends nothing for a field that is no count: append_extent() has those.
 template <typename T>
 void append_count(LineSink& /*lines*/, const FieldRow<Characteristics, T>& /*row*/,
                   const Characteristics& /*c*/) {}

@@ -27,7 +27,7 @@ std::vector<std::string> row_of(const std::string& name, const MeshSeparation& m
           std::to_string(mesh.without_closest)};
 }
 
-/// With their histograms.
+/// Appends the separation of each mesh with its histogram.
 void append_meshes_in_full(TextLines& lines, const SetAnalysis& set) {
   for (const MeshSeparation& mesh : set.separation->meshes) {
     const std::string name = set.names[mesh.mesh] + " separation distance";

@@ -14,7 +14,8 @@ namespace meshalyzer {
 ///                   CustomPoints is the same as Ids.
 [[nodiscard]] std::string text_report(const SetAnalysis& set, OffenderStyle offenders);
 
-/// Of that report only what lies between the meshes; empty where nothing of it was asked for.
+/// Returns only that part of the report which tells what lies between the meshes; it is empty where
+/// nothing of it was asked for.
 [[nodiscard]] std::string text_report_between(const SetAnalysis& set, OffenderStyle offenders);
 
 }  // namespace meshalyzer

@@ -44,7 +44,8 @@ std::vector<std::string> characters_of(std::string_view name) {
   return characters;
 }
 
-/// Of two names in one folder more often the end differs: the end keeps more.
+/// Shortens a name to a width. It keeps more of the end, since that is where names in one folder
+/// mostly differ.
 std::string fitted_name(std::string_view name, std::size_t width) {
   std::vector<std::string> characters = characters_of(name);
   if (characters.size() > width) {

@@ -11,13 +11,13 @@ namespace meshalyzer {
 /// Characters of a UTF-8 text; a byte that belongs to none counts as one.
 [[nodiscard]] std::size_t n_characters(std::string_view text);
 
-/// What stands in a table for a truth: yes, no, or a dash where it is not known.
+/// Returns the cell for a truth: yes, no, or a dash where it is not known.
 [[nodiscard]] std::string truth_cell(std::optional<bool> truth);
 
 /// A table for people.
 struct TextTable {
-  /// Of the columns, from the left, that are aligned to the left, as names are; numbers in the
-  /// others are aligned to the right.
+  /// The number of columns, from the left, that are aligned to the left, as names are; numbers in
+  /// the others are aligned to the right.
   std::size_t n_name_columns = 0;
   /// The first holds the titles; all are of equal length.
   std::vector<std::vector<std::string>> rows;
