@@ -2,7 +2,7 @@
 
 namespace meshalyzer {
 
-/// What the shell sees of either program.
+/// The exit status of either program.
 enum class ExitCode {
   /// All done; meshalyzer -g: every mesh is good; meshfixer: nothing asked for remains.
   Done = 0,

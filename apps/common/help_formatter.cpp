@@ -7,7 +7,7 @@ namespace meshalyzer {
 namespace {
 
 constexpr std::size_t kColumns = 79;
-/// Where what is said of an option begins.
+/// The column where the description of an option begins.
 constexpr std::size_t kIndent = 21;
 
 /// Breaks a text into lines between its words; line feeds in it stay.

@@ -14,14 +14,14 @@ class Option;
 
 namespace meshalyzer {
 
-/// What a program says of itself.
+/// The texts that describe a program.
 struct ProgramTexts {
   /// The calls of it, a line each, without the word "Usage".
   std::vector<std::string> calls;
   std::string purpose;
-  /// What --help ends with.
+  /// The text at the end of --help.
   std::string footer;
-  /// What --version prints; there is no such option where it is empty.
+  /// The text that --version prints; there is no such option where it is empty.
   std::string version;
 };
 

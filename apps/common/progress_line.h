@@ -24,7 +24,7 @@ class ProgressLine {
   bool shown_ = false;
 };
 
-/// On where `stream` is the process's standard error and that is a terminal.
+/// Returns On where `stream` is the process's standard error and that is a terminal, else Off.
 [[nodiscard]] ProgressLine::State terminal_state(const std::ostream& stream);
 
 }  // namespace meshalyzer

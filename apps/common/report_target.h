@@ -5,7 +5,8 @@
 
 namespace meshalyzer {
 
-/// Where a report for programs goes: "-" is standard output, in place of the text.
+/// The place that a report for programs is written to: "-" is standard output, in place of the
+/// text.
 struct ReportTarget {
   std::string file = "-";
 

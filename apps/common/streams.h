@@ -4,11 +4,11 @@
 
 namespace meshalyzer {
 
-/// Where a program writes.
+/// The streams that a program writes to.
 struct Streams {
   /// The report.
   std::ostream& out;
-  /// Everything else.
+  /// The stream for everything else.
   std::ostream& err;
 };
 

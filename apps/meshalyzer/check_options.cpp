@@ -86,7 +86,7 @@ void check_journal(const Options& options) {
   }
 }
 
-/// What curvatures and pictures need, and do not go with.
+/// Checks what options of curvatures and pictures need, and what they exclude.
 void check_pictures(const Options& options) {
   const FieldExport& wanted = options.field_export;
   if (wanted.file.has_value() != wanted.field.has_value()) {

@@ -71,7 +71,7 @@ std::vector<std::string> comments_on(const ColouredField& field) {
   return comments;
 }
 
-/// What Gaussian and mean curvature are spread over.
+/// Returns what Gaussian and mean curvature are spread over, in words.
 std::string remark_on(const FieldSource& source, FieldName name) {
   std::string remark;
   if (name == FieldName::Gaussian || name == FieldName::Mean) {

@@ -10,10 +10,10 @@ namespace meshalyzer {
 /// A field of a mesh in its colours. Only referred to.
 struct ColouredField {
   const Soup& soup;
-  /// Of this soup.
+  /// The field, which belongs to this soup.
   const Field& field;
   const FieldColours& colours;
-  /// What else there is to say of the values, in ASCII.
+  /// A remark on the values, in ASCII.
   std::string remark = {};
 };
 

@@ -60,7 +60,7 @@ Inputs find_inputs(const std::vector<std::string>& paths) {
   return inputs;
 }
 
-/// What speaks against this use of folders, which only looking at the paths can tell.
+/// Throws where folders are used in a way that only the paths themselves can tell to be wrong.
 void check_folders(const Options& options) {
   if (!options.total_volume) {
     return;

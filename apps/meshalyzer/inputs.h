@@ -9,14 +9,15 @@ namespace meshalyzer {
 
 /// The mesh files that the paths of a command line mean.
 struct Inputs {
-  /// In order of the paths; for a folder the files in it with the ending of a known format,
-  /// whatever its case, in order of the bytes of their names, not those in folders within it.
+  /// The mesh files in order of the paths. A folder stands for the files in it with the ending of a
+  /// known format, whatever its case, in order of the bytes of their names; folders within it do
+  /// not count.
   std::vector<std::string> files;
-  /// What the meshes are called where a report tells of several: set_names().
+  /// The names of the meshes where a report tells of several, see set_names().
   std::vector<std::string> names;
   /// Whether all files together are a set.
   bool is_set = false;
-  /// What could not be listed, or held no mesh, a line each.
+  /// The paths that could not be listed or held no mesh, with the reason, a line each.
   std::vector<std::string> troubles;
 };
 

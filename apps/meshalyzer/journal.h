@@ -27,7 +27,7 @@ class Journal {
   void open(const ReportTarget& target, std::ostream& out);
 
   [[nodiscard]] const KnownLines& known() const { return known_; }
-  /// Only after open().
+  /// Returns the listener that writes the journal; only after open().
   [[nodiscard]] RunListener& recorder() { return *recorder_; }
 
  private:

@@ -15,7 +15,7 @@
 
 namespace meshalyzer {
 
-/// What is asked about a set: where neither is named, a folder is asked for both, but for nothing
+/// The questions about a set: where neither is named, a folder is asked for both, but for nothing
 /// with -a or -g.
 struct AskedOfSet {
   bool intersections = false;
@@ -26,11 +26,12 @@ struct AskedOfSet {
 
 /// A field of each mesh, written to a file.
 struct FieldExport {
-  /// Of one mesh; of several FILE without its ending is a folder, with a file a mesh.
+  /// The file to write the picture of one mesh to. Where there are several meshes, its name without
+  /// the ending is a folder, with a file a mesh.
   std::optional<std::string> file;
   /// There where a file is.
   std::optional<FieldName> field;
-  /// Where absent: the one that suits the field.
+  /// The palette; where it is absent, the one that suits the field.
   std::optional<Palette> palette;
 };
 
@@ -44,7 +45,7 @@ struct Options : ReportOptions {
   /// --force
   bool force = false;
   OffenderStyle offenders = OffenderStyle::None;
-  /// Only the total volume of a folder goes to standard output (-v).
+  /// Prints nothing but the total volume of a folder to standard output (-v).
   bool total_volume = false;
   /// A line a mesh in place of its report.
   bool summary = false;
@@ -69,11 +70,12 @@ struct Options : ReportOptions {
 /// An Options, or the text that --help or --version asks for.
 struct CommandLine {
   Options options;
-  /// Where present: print this and do nothing else.
+  /// The answer to --help or --version; where it is present, it is printed and nothing else is
+  /// done.
   std::optional<std::string> answer;
 };
 
-/// Understands a command line (contract 3). Touches no file.
+/// Understands a command line. Touches no file.
 ///
 /// @throws UsageError if it is wrong: an unknown option, a bad number, no path, or options that
 /// exclude each other.

@@ -9,7 +9,7 @@
 
 namespace meshalyzer {
 
-/// What came of a run, for the shell: tells what went wrong as it happens.
+/// Listens to a run to find its exit status, and tells what went wrong as it happens.
 class Outcome : public RunListener {
  public:
   explicit Outcome(std::ostream& err) : err_(err) {}

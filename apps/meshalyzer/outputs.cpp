@@ -9,7 +9,7 @@
 namespace meshalyzer {
 namespace {
 
-/// What goes to standard output for a person; null where something else does.
+/// Returns the output for a person on standard output; null where something else goes there.
 std::unique_ptr<Output> output_for_person(const Run& run, Streams streams) {
   if (is_stdout(run.options.json) || is_stdout(run.options.ndjson)) {
     return nullptr;

@@ -10,17 +10,18 @@
 
 namespace meshalyzer {
 
-/// Where the pictures of a run go.
+/// The paths of the pictures of a run.
 struct PicturePaths {
   /// A file a mesh, or empty where none was asked for.
   std::vector<std::string> pages;
   std::vector<std::string> fields;
   std::vector<std::string> separations;
-  /// Of several pages, fields or separations: made when the first file in them is written.
+  /// The folders for several pages, fields or separations, which are made when the first file in
+  /// them is written.
   std::vector<std::string> folders;
   /// The index of the pages; absent where there is one mesh, or no page.
   std::optional<std::string> index;
-  /// Each page's address as the index has it.
+  /// The address of each page in the index.
   std::vector<std::string> links;
 };
 

@@ -36,7 +36,7 @@ void prepare(const std::string& file, const PicturePaths& paths) {
   }
 }
 
-/// What a page tells of offenders: the first ones. Whole lists of many meshes that wait would fill
+/// Returns the first offenders, which a page shows. Whole lists of many meshes that wait would fill
 /// the memory.
 Offenders first_offenders(const Offenders& all) {
   Offenders first;

@@ -36,7 +36,7 @@ class Pictures : public Output {
  private:
   /// A mesh whose distances to others are not known yet.
   struct Waiting {
-    /// Without the file and the offenders.
+    /// The analysis without the file and the offenders.
     Analysis analysis;
     std::optional<std::vector<IntersectingPair>> pairs;
   };
@@ -50,7 +50,7 @@ class Pictures : public Output {
 
   const Run& run_;
   const PicturePaths& paths_;
-  /// By number, in order: what waits is drawn in the same order whatever came first.
+  /// The meshes that wait, by number: they are drawn in this order, whatever came first.
   std::map<Index, Waiting> waiting_;
   std::vector<IndexRow> rows_;
 };

@@ -5,7 +5,7 @@
 
 namespace meshalyzer {
 
-/// What a command line asks to be found out.
+/// Returns what a command line asks to be found out.
 ///
 /// @param is_set  Whether the meshes are a set: then all there is between them is asked for where
 /// nothing is named, but nothing with -a or -g.

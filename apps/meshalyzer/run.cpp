@@ -43,7 +43,7 @@ class Audience : public RunListener {
   std::vector<RunListener*> listeners_;
 };
 
-/// What came of the files.
+/// The results of the files.
 struct Findings {
   /// False where the run was stopped, or is but a part.
   bool is_whole = false;

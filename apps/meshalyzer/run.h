@@ -11,13 +11,13 @@
 
 namespace meshalyzer {
 
-/// What is analysed and told in one call of the program. Only referred to.
+/// The input of one call of the program. It only refers to it.
 struct Run {
   const Options& options;
   const Inputs& inputs;
   const Request& request;
   const PicturePaths& pictures;
-  /// What is known already; may be null.
+  /// The findings that are known already; may be null.
   const EarlierFindings* earlier = nullptr;
   /// Keeps what is found; may be null.
   RunListener* journal = nullptr;

@@ -7,7 +7,7 @@
 
 namespace meshalyzer {
 
-/// What is drawn of an object.
+/// The picture of an object.
 struct SeparationPicture {
   /// The mesh file.
   const std::string& path;

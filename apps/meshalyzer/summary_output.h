@@ -20,7 +20,7 @@ class SummaryOutput : public Output {
  private:
   const Run& run_;
   std::ostream& out_;
-  /// Of the first column.
+  /// The width of the first column.
   std::size_t name_width_;
 };
 

@@ -22,8 +22,8 @@ class TextOutput : public Output {
   std::size_t n_told_ = 0;
 };
 
-/// What a report says of a set as a whole, after what it says of its meshes; nothing of one without
-/// meshes.
+/// Writes what a report says about a set as a whole, which comes after what it says about its
+/// meshes. A set without meshes has no such part.
 void tell_set(const SetAnalysis* set, const Run& run, std::ostream& out);
 
 }  // namespace meshalyzer

@@ -11,7 +11,7 @@
 namespace meshalyzer::fixer {
 namespace {
 
-/// What only together with the rest of a command line says what is to be done.
+/// The options that only together with the rest of the command line say what is to be done.
 struct Said {
   std::vector<std::string> paths;
   bool find = false, dry_run = false;
@@ -153,8 +153,8 @@ void check_consistent(const Said& said, const Options& options) {
   }
 }
 
-/// What is to be fixed: what --fix says, else nothing where only single operations are named, else
-/// the default; and what options ask for that go by the name of a defect.
+/// Returns the defects to be fixed: what --fix names, else nothing where only single operations are
+/// named, else the default; and what options ask for that go by the name of a defect.
 DefectCodes fixes_of(const Said& said, const RepairOptions& repair) {
   DefectCodes fixes = default_fixes();
   if (said.fix) {

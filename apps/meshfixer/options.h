@@ -27,11 +27,12 @@ struct Options : ReportOptions {
 /// An Options, or the text that --help or --version asks for.
 struct CommandLine {
   Options options;
-  /// Where present: print this and do nothing else.
+  /// The answer to --help or --version; where it is present, it is printed and nothing else is
+  /// done.
   std::optional<std::string> answer;
 };
 
-/// Understands a command line (contract 6). Touches no file.
+/// Understands a command line. Touches no file.
 ///
 /// @throws UsageError if it is wrong.
 [[nodiscard]] CommandLine parse_command_line(int argc, const char* const* argv);

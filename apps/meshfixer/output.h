@@ -16,11 +16,11 @@ struct Source {
   Format format = Format::Mesh;
 };
 
-/// What was written.
+/// The file that was written.
 struct Written {
-  /// As it is on disk, read back.
+  /// The mesh on disk, read back.
   Soup soup;
-  /// What a person should know; mostly empty.
+  /// A note for the user; mostly empty.
   std::string note;
 };
 
@@ -41,8 +41,8 @@ struct Written {
 /// faces only (STL).
 [[nodiscard]] bool has_content(const Soup& soup, const std::string& path);
 
-/// By vertex of what was written: its record on disk, kNoIndex where it has none; empty where they
-/// are the same. Only STL, which names no vertices, numbers them anew.
+/// Returns the record on disk of each vertex that was written, kNoIndex where it has none; empty
+/// where they are the same. Only STL, which names no vertices, numbers them anew.
 [[nodiscard]] std::vector<Index> vertex_records(const Soup& soup, const Soup& disk);
 
 /// Whether the ending of a path asks for the format that the source has.

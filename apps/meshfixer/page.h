@@ -9,7 +9,7 @@
 
 namespace meshalyzer::fixer {
 
-/// What --find found.
+/// The page of --find.
 struct FoundPage {
   const PreparedMesh& mesh;
   const MeshName& name;

@@ -57,15 +57,15 @@ bool is_same_mesh(const Soup& a, const Soup& b) {
          a.corner_normals == b.corner_normals && a.torn_lines.size() == b.torn_lines.size();
 }
 
-/// What is looked for in the end: all, by the tolerances of the input.
+/// Returns what is looked for in the end: all defects, by the tolerances of the input.
 DefectOptions final_search(const Options& options, const Tolerances& used) {
   return {.codes = DefectCodes::all(),
           .tolerances = as_options(used),
           .max_defects = options.repair.max_defects};
 }
 
-/// What remains wrong with the mesh on disk: what the repair found, unless the file is not, bit for
-/// bit, what it had in hand.
+/// Returns the defects that remain in the mesh on disk: those that the repair found, unless the
+/// file differs by a bit from the mesh in memory.
 DefectReport remaining_on_disk(const RepairedMesh& mesh, const Soup& disk,
                                const DefectOptions& search) {
   const bool has_numbers = disk.format == Format::Mesh;

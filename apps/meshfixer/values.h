@@ -12,7 +12,7 @@ namespace meshalyzer::fixer {
 /// Codes in a list with commas.
 struct CodeList {
   DefectCodes codes;
-  /// Not only among all, or those by default.
+  /// Tells whether holes are named themselves, not only among all or the default.
   bool names_holes = false;
 };
 
