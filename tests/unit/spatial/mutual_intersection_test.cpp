@@ -43,8 +43,8 @@ bool intersect(const Soup& a, const Soup& b) {
   return do_intersect(Mesh(a).tree, Mesh(b).tree);
 }
 
-/// All pairs, straight from the definition in contract 2, evaluated over the rationals or by
-/// another judge.
+/// All pairs, straight from "Intersecting faces" in doc/definitions.md, evaluated over the
+/// rationals or by another judge.
 Pairs brute_force(const Soup& a, const Soup& b,
                   decltype(find_contact)& judge = test::oracle_contact) {
   Pairs pairs;

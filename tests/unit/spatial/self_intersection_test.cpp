@@ -69,7 +69,8 @@ std::optional<ContactKind> oracle(const Soup& soup, const Aligned& pair) {
   return test::oracle_contact(corners(pair.p), corners(pair.q), static_cast<Common>(pair.n_common));
 }
 
-/// All pairs, straight from the definition in contract 2, evaluated over the rationals.
+/// All pairs, straight from "Intersecting faces" in doc/definitions.md, evaluated over the
+/// rationals.
 Pairs brute_force(const Soup& soup) {
   Pairs pairs;
   for (Index f = 0; f < soup.n_faces(); ++f) {
