@@ -5,16 +5,16 @@
 #include "meshalyzer/arrangement/segment_crossings.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/self_intersection.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace meshalyzer {
 namespace {
 
-/// Clusters and pairs take some ten microseconds each.
+/// The time that clusters and pairs take: some ten microseconds each.
 constexpr std::size_t kItemsAtOnce = 64;
 
 void require_faces(const Soup& soup, std::span<const IntersectingPair> pairs) {
@@ -87,14 +87,14 @@ std::vector<ClusterPieces> cut_clusters(const CuttingScene& scene,
   return pieces;
 }
 
-/// Of the edges of faces of no area, as their neighbours and they themselves know them.
+/// Collects the nodes on the edges of faces of no area, as their neighbours and they themselves
+/// know them.
 std::vector<EdgeNode> collect_edge_nodes(std::vector<EdgeNode> own,
                                          std::span<const ClusterPieces> clusters) {
   for (const ClusterPieces& cluster : clusters) {
     own.insert(own.end(), cluster.edge_nodes.begin(), cluster.edge_nodes.end());
   }
-  std::sort(own.begin(), own.end());
-  own.erase(std::unique(own.begin(), own.end()), own.end());
+  sort_unique(own);
   return own;
 }
 

@@ -1,6 +1,7 @@
 #include "meshalyzer/arrangement/assemble.h"
 
 #include "meshalyzer/arrangement/flat_faces.h"
+#include "meshalyzer/base/sort_unique.h"
 
 #include <algorithm>
 #include <numeric>
@@ -201,9 +202,7 @@ class Assembly {
         result_.curves.push_back({low, high});
       }
     }
-    std::sort(result_.curves.begin(), result_.curves.end());
-    result_.curves.erase(std::unique(result_.curves.begin(), result_.curves.end()),
-                         result_.curves.end());
+    sort_unique(result_.curves);
   }
 
   const ArrangementParts& parts_;

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/sort_unique.h"
 
 #include <algorithm>
 
@@ -34,8 +35,7 @@ std::vector<FaceShape> shapes_of(const Soup& soup, std::span<const IntersectingP
   for (const IntersectingPair& pair : pairs) {
     faces.insert(faces.end(), {pair.face_a, pair.face_b});
   }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  sort_unique(faces);
   std::vector<FaceShape> shapes(faces.size());
   parallel_chunks(faces.size(), [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) shapes[i] = face_shape(soup, faces[i]);
@@ -79,9 +79,7 @@ std::vector<FaceCluster> make_clusters(std::span<const FaceShape> shapes,
         {points.find(s.from), points.find(s.to), s.line, s.face, s.other});
   }
   for (FaceCluster& cluster : clusters) {
-    std::sort(cluster.points.begin(), cluster.points.end());
-    cluster.points.erase(std::unique(cluster.points.begin(), cluster.points.end()),
-                         cluster.points.end());
+    sort_unique(cluster.points);
   }
   return clusters;
 }

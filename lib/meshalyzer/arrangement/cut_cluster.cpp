@@ -4,6 +4,7 @@
 #include "meshalyzer/arrangement/insert_segment.h"
 #include "meshalyzer/arrangement/plane_cover.h"
 #include "meshalyzer/arrangement/triangulate_hull.h"
+#include "meshalyzer/base/sort_unique.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,7 +12,8 @@
 namespace meshalyzer {
 namespace {
 
-/// With fewer points, segments cross few triangles, however these look.
+/// Where there are fewer points than this, segments cross few triangles, whatever the shapes of
+/// these.
 constexpr std::size_t kManyPoints = 16;
 
 /// Cuts the faces of one cluster.
@@ -24,8 +26,7 @@ class ClusterCut {
     for (const PointName& name : crossings) {
       local_.push_back(scene.nodes.of_second[scene.crossings.find(name)]);
     }
-    std::sort(local_.begin(), local_.end());
-    local_.erase(std::unique(local_.begin(), local_.end()), local_.end());
+    sort_unique(local_);
   }
 
   ClusterPieces run() {
@@ -98,12 +99,10 @@ class ClusterCut {
         pieces_.curves.push_back({low, high});
       }
     }
-    std::sort(pieces_.curves.begin(), pieces_.curves.end());
-    pieces_.curves.erase(std::unique(pieces_.curves.begin(), pieces_.curves.end()),
-                         pieces_.curves.end());
+    sort_unique(pieces_.curves);
   }
 
-  /// Which way a face is turned in the projection.
+  /// Returns the turn of a face in the projection.
   [[nodiscard]] Sign turn_of(Index number) const {
     const Triangle& v = scene_.shapes[number].vertices;
     return t_.turn(local_corner(v[0]), local_corner(v[1]), local_corner(v[2]));

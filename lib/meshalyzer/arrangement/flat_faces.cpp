@@ -1,6 +1,7 @@
 #include "meshalyzer/arrangement/flat_faces.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/sort_unique.h"
 
 #include <algorithm>
 
@@ -49,8 +50,7 @@ std::vector<VertexPair> edges_of_faces(const Soup& soup, std::span<const Index> 
       edges.push_back({low, high});
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
   return edges;
 }
 

@@ -1,6 +1,7 @@
 #include "meshalyzer/arrangement/named_points.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/sort_unique.h"
 
 #include <algorithm>
 #include <utility>
@@ -15,8 +16,7 @@ constexpr std::size_t kPointsAtOnce = 256;
 
 NamedPoints::NamedPoints(const Soup& soup, std::vector<PointName> names)
     : names_(std::move(names)) {
-  std::sort(names_.begin(), names_.end());
-  names_.erase(std::unique(names_.begin(), names_.end()), names_.end());
+  sort_unique(names_);
   points_.resize(names_.size());
   parallel_chunks(names_.size(), kPointsAtOnce, [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {

@@ -1,4 +1,5 @@
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/internal/places.h"
@@ -43,8 +44,7 @@ std::vector<std::vector<Index>> find_namesakes(const Ids& ids) {
   if (repeated.empty()) return {};
   std::vector<std::int32_t> names;
   for (const Index record : repeated) names.push_back(ids.named[record]);
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
+  sort_unique(names);
   std::vector<std::vector<Index>> sets;
   std::vector<Index> set_of(names.size(), kNoIndex);
   for (Index record = 0; record < ids.named.size(); ++record) {
@@ -81,8 +81,7 @@ void add_repeated_ids(const Soup& soup, std::vector<Defect>& defects) {
 void add_missing_vertices(const Soup& soup, std::vector<Defect>& defects) {
   std::vector<std::pair<std::int64_t, Index>> references;
   for (const MissingReference& r : soup.missing) references.emplace_back(r.id, r.face);
-  std::sort(references.begin(), references.end());
-  references.erase(std::unique(references.begin(), references.end()), references.end());
+  sort_unique(references);
   std::vector<Defect> found;
   for (std::size_t i = 0; i < references.size(); ++i) {
     const auto [id, face] = references[i];

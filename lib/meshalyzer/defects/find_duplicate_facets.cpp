@@ -1,4 +1,5 @@
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/internal/places.h"
@@ -22,8 +23,7 @@ std::vector<Triangle> find_repeated_triangles(const PreparedMesh& mesh) {
   for (const FaceHandle f : find_duplicate_faces(mesh.cut())) {
     repeated.push_back(sorted(mesh.soup().triangles[mesh.cut().side.face(f)]));
   }
-  std::sort(repeated.begin(), repeated.end());
-  repeated.erase(std::unique(repeated.begin(), repeated.end()), repeated.end());
+  sort_unique(repeated);
   return repeated;
 }
 

@@ -1,5 +1,6 @@
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/internal/places.h"
@@ -136,8 +137,7 @@ class FoldedPatches {
       roots.insert(roots.end(), crease.patches.begin(), crease.patches.end());
     }
     if (roots.empty()) return;
-    std::sort(roots.begin(), roots.end());
-    roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+    sort_unique(roots);
     patches_.resize(roots.size());
     number_faces(cut.mesh, roots, sets);
     join_patches(creases);
@@ -185,8 +185,7 @@ class FoldedPatches {
     }
     for (Patch& patch : patches_) {
       auto& list = patch.neighbours;
-      std::sort(list.begin(), list.end());
-      list.erase(std::unique(list.begin(), list.end()), list.end());
+      sort_unique(list);
     }
   }
 

@@ -1,4 +1,5 @@
 #include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/internal/faces_at.h"
@@ -53,8 +54,8 @@ DisjointSets join_through_flipped_edges(const CutMesh& cut) {
 std::size_t count_sets(DisjointSets& sets, const std::vector<VertexHandle>& vertices) {
   std::vector<Index> names;
   for (const VertexHandle v : vertices) names.push_back(sets.find(static_cast<Index>(v.idx())));
-  std::sort(names.begin(), names.end());
-  return static_cast<std::size_t>(std::unique(names.begin(), names.end()) - names.begin());
+  sort_unique(names);
+  return names.size();
 }
 
 std::vector<Defect> find_pinches(const PreparedMesh& mesh) {

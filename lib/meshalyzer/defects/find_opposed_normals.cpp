@@ -1,4 +1,5 @@
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/internal/faces_at.h"
@@ -63,8 +64,7 @@ std::vector<GivenNormal> find_suspects(const Soup& soup) {
   });
   std::vector<GivenNormal> suspects;
   for (const auto& part : parts) suspects.insert(suspects.end(), part.begin(), part.end());
-  std::sort(suspects.begin(), suspects.end());
-  suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
+  sort_unique(suspects);
   return suspects;
 }
 

@@ -1,4 +1,5 @@
 #include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/internal/places.h"
@@ -19,8 +20,7 @@ std::vector<Index> faces_of(std::span<const IntersectingPair> pairs) {
     faces.push_back(pair.face_a);
     faces.push_back(pair.face_b);
   }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  sort_unique(faces);
   return faces;
 }
 

@@ -1,4 +1,5 @@
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/internal/places.h"
@@ -129,15 +130,9 @@ class ThinFacetFinder {
         defect.edges.push_back({low, high});
       }
     }
-    sort_once(defect.edges);
+    // Two sides of a face that names a vertex twice are one edge.
+    sort_unique(defect.edges);
     return defect;
-  }
-
-  /// Sorts edges and drops repeated ones: two sides of a face that names a vertex twice are one
-  /// edge.
-  static void sort_once(std::vector<std::array<Index, 2>>& edges) {
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   }
 
   const Soup& soup_;
