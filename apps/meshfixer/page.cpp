@@ -35,8 +35,9 @@ class Shift {
   }
   [[nodiscard]] Defect operator()(Defect defect) const {
     for (Index& vertex : defect.vertices) vertex += vertices_;
-    for (std::array<Index, 2>& edge : defect.edges)
+    for (std::array<Index, 2>& edge : defect.edges) {
       edge = {edge[0] + vertices_, edge[1] + vertices_};
+    }
     for (Index& face : defect.faces) face += faces_;
     for (IntersectingPair& pair : defect.pairs) {
       pair.face_a += faces_;

@@ -49,8 +49,9 @@ CutEdges cut_edges(CornerLists sides, const EdgeNumbers& edges) {
   CutEdges cut;
   cut.begin = std::move(sides.begin);
   cut.halfedges.reserve(sides.corners.size());
-  for (const Index side : sides.corners)
+  for (const Index side : sides.corners) {
     cut.halfedges.emplace_back(static_cast<int>(edges.halfedge[side]));
+  }
   return cut;
 }
 

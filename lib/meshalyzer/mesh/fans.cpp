@@ -47,8 +47,9 @@ std::vector<Index> find_split_vertices(const Complex& complex, const EdgePairs& 
     std::size_t sum = 0;
     for (std::size_t v = chunk.begin; v < chunk.end; ++v) {
       Index n = 0;
-      if (first_corner[v] != kNoIndex)
+      if (first_corner[v] != kNoIndex) {
         walk_fan(pairs.opposite, first_corner[v], [&](Index) { ++n; });
+      }
       n_unseen[v] = n;
       sum += n;
     }
@@ -144,7 +145,7 @@ class SplitVertices {
     return n_fans_ - n_before;
   }
 
-  /// Where a corner at vertex i of the list stands in `corners_`.
+  /// Returns the index in `corners_` of a corner at vertex i of the list.
   [[nodiscard]] std::size_t place_of(std::size_t i, Index corner) const {
     const auto list = corners_[i];
     const auto found = std::lower_bound(list.begin(), list.end(), corner);

@@ -124,7 +124,7 @@ class Comparison {
   Comparison(const CutMesh& cut, const Soup& soup, Complaints& complaints)
       : mesh_(cut.mesh), side_(cut.side), cut_(cut), soup_(soup), complaints_(complaints) {}
 
-  /// Nothing else may be asked where this finds fault.
+  /// Checks the sizes of all arrays. Where it finds a fault nothing else can be checked.
   void check_sizes() {
     if (side_.n_file_vertices != soup_.n_vertices() ||
         mesh_.n_vertices() != soup_.n_vertices() + side_.copies.size()) {
@@ -157,16 +157,18 @@ class Comparison {
     for (std::size_t f = 0; f < triangles.size(); ++f) {
       Triangle t = triangles[f];
       const Triangle& expected = soup_.triangles[side_.faces[f]];
-      for (int turn = 0; turn < 3 && t != expected; ++turn)
+      for (int turn = 0; turn < 3 && t != expected; ++turn) {
         std::rotate(t.begin(), t.begin() + 1, t.end());
-      if (t != expected)
+      }
+      if (t != expected) {
         complaints_.add(
             fmt::format("face {}: glued, it is not face {} of the file", f, side_.faces[f]));
+      }
     }
   }
 
-  /// Each mesh vertex lies where its file vertex does; the fan with the lowest face stays at the
-  /// file's own vertex, and the copies follow in order.
+  /// Checks that each mesh vertex lies where its file vertex does, that the fan with the lowest
+  /// face stays at the file's own vertex, and that the copies follow in order.
   void check_vertices() {
     for (const VertexHandle v : mesh_.all_vertices()) {
       if (mesh_.point(v) != soup_.positions[side_.vertex(v)]) {
@@ -200,8 +202,9 @@ class Comparison {
     for (const auto* cuts : {&edges.borders, &edges.flipped, &edges.non_manifold}) {
       for (const Edge edge : *cuts) {
         for (const Side& side : edge) {
-          if (!mesh_.is_boundary(mesh_.opposite_halfedge_handle(halfedge_of(side))))
+          if (!mesh_.is_boundary(mesh_.opposite_halfedge_handle(halfedge_of(side)))) {
             say(edge, "is not a border");
+          }
         }
       }
     }
