@@ -16,8 +16,8 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .value = "The component's number of faces.",
      .measured = {.before = "", .one = "face", .many = "faces"},
      .elements = "The component's first face, and the middle of it.",
-     .fix = "Only where asked for: `--separate` writes each component to a file of its own, "
-            "`--keep-largest` drops the small ones.",
+     .fix = "Only where asked for: each component is written to a file of its own (the option "
+            "`separate`), or the small ones are dropped (`keep-largest`).",
      .passes = "separate or keep largest",
      .fixed_by_default = false},
     {.code = DefectCode::Foldover,
@@ -104,7 +104,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .elements = "The edge or the vertex, the faces there, and its place.",
      .fix = "The mesh is cut at the edge, its faces paired by angle so that each solid stays "
             "closed; each fan gets a vertex of its own. The copies are moved apart by the smallest "
-            "step after which nothing touches, unless `--keep-contact` is given.",
+            "step after which nothing touches, unless the option `keep-contact` is given.",
      .passes = "split edges, split vertices and part contacts",
      .fixed_by_default = true},
     {.code = DefectCode::VertexNormal,
@@ -208,7 +208,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .value = "The first id that is not as it should be; limit: what it should be.",
      .measured = {.before = "id"},
      .elements = "The vertex or face that has this id, and its place.",
-     .fix = "Only where asked for: `--renumber` counts anew.",
+     .fix = "Only where asked for: the option `renumber` counts anew.",
      .passes = "renumber",
      .fixed_by_default = false},
 }};

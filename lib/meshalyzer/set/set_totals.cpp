@@ -84,7 +84,7 @@ std::string SetTotals::why_no_separation() const {
   const UnfitMesh& first = set_.not_good.front();
   return "every mesh must be good, and " + set_.names[first.mesh] + " is not (" +
          first.reasons.front() + ")" + and_more(set_.not_good.size() - 1) +
-         "; --force measures all the same";
+         "; the measurement can be forced";
 }
 
 void SetTotals::add_findings(const ObjectFindings& findings) {

@@ -222,7 +222,7 @@ TEST(SetTotals, SeparationIsSummedUpByMeshAndForAll) {
 TEST(SetTotals, SeparationNeedsEveryMeshToBeGood) {
   SetTotals totals = totals_of({shapes::cube(), shapes::open_cube()}, separating());
   const std::string reason =
-      "every mesh must be good, and b is not (not closed); --force measures all the same";
+      "every mesh must be good, and b is not (not closed); the measurement can be forced";
   EXPECT_EQ(totals.why_no_separation(), reason);
   const SetAnalysis set = totals.finish();
   EXPECT_FALSE(set.separation.has_value());
@@ -232,12 +232,12 @@ TEST(SetTotals, SeparationNeedsEveryMeshToBeGood) {
 TEST(SetTotals, FurtherMeshesThatForbidSeparationAreCounted) {
   SetTotals totals = totals_of({shapes::grid(1, 1), shapes::open_cube()}, separating());
   EXPECT_EQ(totals.why_no_separation(),
-            "every mesh must be good, and a is not (not closed) and 1 more mesh is not; --force "
-            "measures all the same");
+            "every mesh must be good, and a is not (not closed) and 1 more mesh is not; the "
+            "measurement can be forced");
   totals.add_unreadable(2, "away");
   EXPECT_EQ(totals.why_no_separation(),
-            "every mesh must be good, and a is not (not closed) and 2 more meshes are not; --force "
-            "measures all the same");
+            "every mesh must be good, and a is not (not closed) and 2 more meshes are not; the "
+            "measurement can be forced");
 }
 
 TEST(SetTotals, ForceMeasuresWhatIsNotGoodAndSaysSo) {

@@ -11,7 +11,7 @@
 namespace meshalyzer {
 namespace {
 
-/// By CurvatureState.
+/// The keys of the counts of vertices, by CurvatureState.
 constexpr std::array<FieldInfo, kCurvatureStates> kStates{
     {{.key = "defined"},
      {.key = "unused", .definition = "no face uses the vertex"},
@@ -93,11 +93,11 @@ void define_curvature(SchemaDefinitions& schema) {
 void append_curvature_members(std::vector<SchemaMember>& members) {
   for (const auto& [quantity, member] : kCurvatures) {
     SchemaMember& row = members.emplace_back(statistics_member(quantity));
-    row.description += "; with --curvature";
+    row.description += "; where curvature was asked for";
     row.presence = SchemaMember::Presence::Sometimes;
   }
   members.push_back({.key = "curvature",
-                     .description = "with --curvature",
+                     .description = "where curvature was asked for",
                      .type = schema_reference("curvature"),
                      .presence = SchemaMember::Presence::Sometimes});
 }

@@ -96,7 +96,8 @@ std::string type_of(const std::optional<double>& /*value*/, Known /*known*/) {
 std::string description_of(const FieldInfo& info, Known known) {
   std::string description(info.definition);
   if (known == Known::Measured) {
-    description += description.empty() ? "null with -a" : "; null with -a";
+    description += description.empty() ? "" : "; ";
+    description += "null where only the attributes were asked for";
   }
   return description;
 }

@@ -90,11 +90,12 @@ void define_findings(SchemaDefinitions& schema) {
                 "of a mesh in its set: that of its file where these differ, else its path; bytes "
                 "that are not UTF-8 are U+FFFD and two hexadecimal digits",
                 schema_type::kText);
-  schema.define("set_pairs", "between meshes: name, face id, name, face id, kind; null without -i",
+  schema.define("set_pairs",
+                "between meshes: name, face id, name, face id, kind; null where not asked for",
                 R"("type": ["array", "null"], "items": {"type": "array", "minItems": 5, )"
                 R"("maxItems": 5, "prefixItems": [{"$ref": "#/$defs/name"}, {"type": "integer"}, )"
                 R"({"$ref": "#/$defs/name"}, {"type": "integer"}, {"$ref": "#/$defs/contact"}]})");
-  schema.define("contained", "inner mesh, outer mesh; null without -i",
+  schema.define("contained", "inner mesh, outer mesh; null where not asked for",
                 R"("type": ["array", "null"], "items": {"type": "array", "minItems": 2, )"
                 R"("maxItems": 2, "items": {"$ref": "#/$defs/name"}})");
   schema.define("closest",

@@ -32,7 +32,8 @@ Format read_format(const JsonNode& node) {
   return *found;
 }
 
-/// What a report says of broken numbering and torn lines without -p too.
+/// Writes the first break in the numbering and the torn lines, which a report has even without the
+/// other offenders.
 void write_first_breaks(JsonWriter& json, const Offenders& offenders) {
   if (!offenders.torn_lines.empty()) {
     json.member("first_torn_line", offenders.torn_lines.front());
@@ -101,7 +102,7 @@ void for_each_reason(Struct& of, const Rows& rows, const Visit& visit) {
   });
 }
 
-/// Of each attribute and characteristic that is null: why.
+/// Writes the reason for each attribute and characteristic that is null.
 void write_undefined(JsonWriter& json, const Analysis& analysis) {
   const auto write_reason = [&](std::string_view key, const auto& measure) {
     if (!measure.value && !measure.reason.empty()) {
@@ -180,7 +181,7 @@ std::optional<Goodness> read_verdict(const JsonNode& object) {
   return verdict;
 }
 
-/// Only where it does not follow from what else is written.
+/// Writes the verdict without thresholds, only where it does not follow from what else is written.
 void write_fitness(JsonWriter& json, const Analysis& analysis) {
   if (analysis.fitness && !analysis.has_characteristics) {
     json.key("fitness");
@@ -190,8 +191,8 @@ void write_fitness(JsonWriter& json, const Analysis& analysis) {
   }
 }
 
-/// It follows from the characteristics where these are known; else it is written where it was asked
-/// for.
+/// Reads the verdict without thresholds. It follows from the characteristics where these are known;
+/// else it is written where it was asked for.
 std::optional<Goodness> read_fitness(const JsonNode& mesh, const Analysis& analysis) {
   if (analysis.has_characteristics) {
     return judge_fitness(analysis);
@@ -200,7 +201,7 @@ std::optional<Goodness> read_fitness(const JsonNode& mesh, const Analysis& analy
   return fitness ? read_verdict(*fitness) : std::nullopt;
 }
 
-/// What "path" to "polygons" are.
+/// The members from "path" to "polygons".
 std::vector<SchemaMember> file_members() {
   std::vector<std::string_view> formats;
   std::transform(kFormats.begin(), kFormats.end(), std::back_inserter(formats), format_name);
@@ -282,14 +283,14 @@ void define_mesh(SchemaDefinitions& schema) {
        std::string(schema_type::kTextByKey)},
       {"per_component", "by lowest face",
        R"("type": "array", "items": {"$ref": "#/$defs/component"})"},
-      {"good", "null without -g", std::string(schema_type::kTruthOrNull)},
+      {"good", "null where no thresholds were given", std::string(schema_type::kTruthOrNull)},
       {"reasons", "why it is not good", std::string(schema_type::kTexts)},
       {"fitness",
        "the parts of goodness that need no threshold; only where they were judged although the "
-       "rest was left out (-a -s)",
+       "rest was left out",
        schema_reference("fitness"), kSometimes},
-      {"offenders", "with -p; with -b ... -f alone only their lists", schema_reference("offenders"),
-       kSometimes}};
+      {"offenders", "where asked for; with thresholds alone only the lists of what is beyond them",
+       schema_reference("offenders"), kSometimes}};
   mesh.members.insert(mesh.members.end(), parts.begin(), parts.end());
   schema.define("mesh", mesh);
 }

@@ -13,7 +13,7 @@ namespace {
 
 SchemaObject report_object() {
   return {.description =
-              "What `meshalyzer --json` prints. Every real is the shortest decimal that "
+              "A report of meshalyzer. Every real is the shortest decimal that "
               "reads back the same; null is undefined or not computed. A program may "
               "rely on these keys; more may be added. Definitions: doc/definitions.md.",
           .members = {{"schema", "", R"("const": "meshalyzer-report/1")"},

@@ -134,23 +134,24 @@ void append(Members& to, const Members& from) {
 
 Members verdict_members() {
   const std::string count(schema_type::kCount);
-  return {{"closest", "with -s: of each mesh a row a vertex that a face uses",
-           R"("type": ["object", "null"], "additionalProperties": )"
-           R"({"type": "array", "items": {"$ref": "#/$defs/closest"}})"},
-          {"meshes", "those that could be read", count},
-          {"unreadable", "files that could not be read", count},
-          {"good",
-           "meshes that are good, without -g by the parts of goodness that need no threshold; "
-           "null with -a",
-           std::string(schema_type::kCountOrNull)},
-          {"not_good", "meshes that are not, and files that could not be read: name, reasons",
-           R"("type": "array", "items": {"type": "array", "minItems": 2, "maxItems": 2, )"
-           R"("prefixItems": [{"$ref": "#/$defs/name"}, )"
-           R"({"type": "array", "items": {"type": "string"}}]})"},
-          {"is_good",
-           "no mesh is not good and, where that was asked for, none intersects or is inside "
-           "another; null with -a",
-           std::string(schema_type::kTruthOrNull)}};
+  return {
+      {"closest", "where separation was asked for: of each mesh a row a vertex that a face uses",
+       R"("type": ["object", "null"], "additionalProperties": )"
+       R"({"type": "array", "items": {"$ref": "#/$defs/closest"}})"},
+      {"meshes", "those that could be read", count},
+      {"unreadable", "files that could not be read", count},
+      {"good",
+       "meshes that are good, without thresholds by the parts of goodness that need none; "
+       "null where only the attributes were asked for",
+       std::string(schema_type::kCountOrNull)},
+      {"not_good", "meshes that are not, and files that could not be read: name, reasons",
+       R"("type": "array", "items": {"type": "array", "minItems": 2, "maxItems": 2, )"
+       R"("prefixItems": [{"$ref": "#/$defs/name"}, )"
+       R"({"type": "array", "items": {"type": "string"}}]})"},
+      {"is_good",
+       "no mesh is not good and, where that was asked for, none intersects or is inside "
+       "another; null where only the attributes were asked for",
+       std::string(schema_type::kTruthOrNull)}};
 }
 
 Members total_members() {
@@ -160,9 +161,11 @@ Members total_members() {
                        .description = description_of(count.info, count.known),
                        .type = type_of(std::size_t{0}, count.known)});
   }
-  members.push_back({"area", "null with -a", std::string(schema_type::kReal)});
   members.push_back(
-      {"volume", "of the meshes that have one; null with -a", std::string(schema_type::kReal)});
+      {"area", "null where only the attributes were asked for", std::string(schema_type::kReal)});
+  members.push_back({"volume",
+                     "of the meshes that have one; null where only the attributes were asked for",
+                     std::string(schema_type::kReal)});
   members.push_back(non_finite_member());
   append_measures(members, "statistics", SchemaMember::Presence::Always);
   members.push_back({"undefined",
@@ -172,7 +175,8 @@ Members total_members() {
 }
 
 Members intersection_members() {
-  return {{"intersecting_pair_count", "null without -i", std::string(schema_type::kCountOrNull)},
+  return {{"intersecting_pair_count", "null where intersections were not asked for",
+           std::string(schema_type::kCountOrNull)},
           {"contained", "meshes inside another one", schema_reference("contained")},
           {"partly_contained", "meshes some components of which are inside another one",
            schema_reference("contained")},
@@ -182,8 +186,7 @@ Members intersection_members() {
 Members separation_members() {
   SchemaMember all = statistics_member(kSeparationDistance);
   all.description += "; null as separation";
-  return {{"separation_options",
-           "what --search-radius, --search-cone and --include-self were given; null as separation",
+  return {{"separation_options", "which points counted; null as separation",
            schema_reference("separation_options")},
           {"separation_forced", "measured although a mesh is not good; null as separation",
            std::string(schema_type::kTruthOrNull)},
@@ -198,8 +201,8 @@ Members separation_members() {
            "name -> vertices with nothing within the search radius and cone; null as separation",
            schema_reference("count_by_mesh")},
           {"separation",
-           "name -> statistics of the distances, of each mesh with a face; null without -s, or "
-           "where \"undefined\" tells why",
+           "name -> statistics of the distances, of each mesh with a face; null where it was not "
+           "asked for, or where \"undefined\" tells why",
            R"("type": ["object", "null"], "additionalProperties": )"
            R"({"$ref": "#/$defs/statistics"})"}};
 }

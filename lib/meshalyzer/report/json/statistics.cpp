@@ -154,9 +154,11 @@ void read_measures(const JsonNode& object, ElementMeasures<Summary>& measures) {
 void define_statistics(SchemaDefinitions& schema) {
   SchemaObject summary{.description = "statistics without histogram", .members = figure_members()};
   schema.define("summary", summary);
-  SchemaObject statistics{.description = "null with -a; every figure is null where count is 0",
-                          .members = std::move(summary.members),
-                          .null = SchemaObject::Null::Sometimes};
+  SchemaObject statistics{
+      .description =
+          "null where only the attributes were asked for; every figure is null where count is 0",
+      .members = std::move(summary.members),
+      .null = SchemaObject::Null::Sometimes};
   statistics.members.push_back(
       {"histogram", "null where count is 0", schema_reference("histogram")});
   schema.define("statistics", statistics);

@@ -59,7 +59,8 @@ void append_components(TextLines& lines, const Analysis& analysis) {
              n_shown == n ? "all" : fmt::format("the first {} of {}", n_shown, n));
   append_table(lines.text(), components_table(analysis, n_shown));
   if (n_shown < n) {
-    lines.line("components not shown", fmt::format("{} (--json has them all)", n - n_shown));
+    lines.line("components not shown",
+               fmt::format("{} (the JSON report has them all)", n - n_shown));
   }
 }
 

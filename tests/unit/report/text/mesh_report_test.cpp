@@ -143,7 +143,7 @@ TEST(TextReport, ComponentsBeyondTheFirstTwentyAreOnlyCounted) {
   analysis.components.resize(22);
   const std::string report = report_of(analysis);
   EXPECT_THAT(report, HasLine("components, one a row: the first 20 of 22"));
-  EXPECT_THAT(report, HasLine("components not shown: 2 (--json has them all)"));
+  EXPECT_THAT(report, HasLine("components not shown: 2 (the JSON report has them all)"));
   analysis.components.resize(20);
   EXPECT_THAT(report_of(analysis), HasLine("components, one a row: all"));
   EXPECT_THAT(report_of(analysis), Not(HasSubstr("not shown")));
