@@ -29,19 +29,36 @@ class Planner {
   std::vector<PlannedPass> passes_;
 };
 
+/// Returns passes that join borders within a length: first what is nearer, over growing lengths, so
+/// that a larger one never closes less than a smaller one.
+std::vector<PlannedPass> weld_passes(double within, const Tolerances& tolerances) {
+  constexpr double kSmallestShare = 1e-8;
+  constexpr double kGrowth = 10.0;
+  std::vector<double> lengths;
+  double length = tolerances.degeneracy;
+  if (length < kSmallestShare * within) length = kSmallestShare * within;
+  for (; length > 0.0 && length < within; length *= kGrowth) lengths.push_back(length);
+  lengths.push_back(within);
+  std::vector<PlannedPass> passes;
+  for (const double reach : lengths) {
+    passes.push_back({"weld borders",
+                      DefectCode::Slit,
+                      [reach](const PassInput& input) { return weld_borders(input, reach); },
+                      {DefectCode::Flipped}});
+  }
+  return passes;
+}
+
 /// Plans the operations that the user asks for by name, whatever is to be fixed.
-void plan_operations(const RepairOptions& options, Planner& plan) {
+void plan_operations(const RepairOptions& options, const Tolerances& tolerances, Planner& plan) {
   using enum DefectCode;
   if (options.turn == Turn::Everything) {
     plan.add_always({"flip", Inward, flip_all, {}, Repeat::Once});
   }
   if (options.weld_within) {
-    plan.add_always({"weld borders",
-                     Slit,
-                     [within = *options.weld_within](const PassInput& input) {
-                       return weld_borders(input, within);
-                     },
-                     {Flipped}});
+    for (PlannedPass& pass : weld_passes(*options.weld_within, tolerances)) {
+      plan.add_always(std::move(pass));
+    }
   }
 }
 
@@ -53,11 +70,7 @@ void plan_fixes(const RepairOptions& options, const Tolerances& tolerances, Plan
   const DefectCodes bends{Hole, NonManifold, Flipped};
   plan.add({"drop corrupt records", Corrupt, drop_corrupt, {Hole}});
   plan.add({"drop duplicates", DuplicateFacet, drop_duplicates, {Hole}});
-  plan.add(
-      {"weld borders",
-       Slit,
-       [within = tolerances.slit](const PassInput& input) { return weld_borders(input, within); },
-       {Flipped}});
+  for (PlannedPass& pass : weld_passes(tolerances.slit, tolerances)) plan.add(std::move(pass));
   plan.add_for({DegenerateFacet, FlatFacet}, {"mend facets", DegenerateFacet, mend_facets, bends});
   plan.add({"split edges", NonManifold, split_edges, cuts});
   plan.add({"split vertices", NonManifold, split_vertices, cuts});
@@ -82,7 +95,7 @@ void plan_fixes(const RepairOptions& options, const Tolerances& tolerances, Plan
 
 std::vector<PlannedPass> plan_passes(const RepairOptions& options, const Tolerances& tolerances) {
   Planner plan(options.fixes);
-  plan_operations(options, plan);
+  plan_operations(options, tolerances, plan);
   plan_fixes(options, tolerances, plan);
   return plan.take();
 }

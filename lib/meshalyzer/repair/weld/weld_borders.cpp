@@ -130,7 +130,12 @@ void close_junctions(WeldState& state, std::span<const Index> places,
                         .places = places,
                         .at_places = at_places,
                         .near = near};
-  add_split_operations(state, find_weld_chains(edges, wanted));
+  std::vector<WeldCrack> cracks;
+  for (const WeldChain& chain : find_weld_chains(edges, wanted)) {
+    cracks.push_back(crack_along(state.edges, chain));
+  }
+  add_split_operations(state, cracks);
+  add_split_operations(state, find_interleaved_cracks(edges, wanted));
 }
 
 }  // namespace

@@ -139,6 +139,14 @@ class ChainWalk {
 
 }  // namespace
 
+WeldCrack crack_along(std::span<const WeldEdge> edges, const WeldChain& chain) {
+  const WeldEdge& edge = edges[chain.edge];
+  return {.ends = {{{edge.from, chain.vertices.back()}, {edge.to, chain.vertices.front()}}},
+          .splits = {{chain.edge, {chain.vertices.rbegin() + 1, chain.vertices.rend() - 1}}},
+          .vertices = chain.vertices,
+          .faces = {edge.face, chain.face}};
+}
+
 std::vector<WeldChain> find_weld_chains(const NearEdges& mesh, std::span<const Index> wanted) {
   std::vector<WeldChain> chains;
   for (const Index e : wanted) {

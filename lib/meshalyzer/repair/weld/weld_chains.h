@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/repair/weld/weld_candidates.h"
+#include "meshalyzer/repair/weld/weld_cracks.h"
 
 #include <span>
 #include <vector>
@@ -21,6 +21,9 @@ struct WeldChain {
   /// How far from the edge they may be.
   double reach = 0.0;
 };
+
+/// Returns the crack between an edge and the chain along it.
+[[nodiscard]] WeldCrack crack_along(std::span<const WeldEdge> edges, const WeldChain& chain);
 
 /// Finds the edges along which a chain runs, all of its vertices within reach of the edge and only
 /// the first and last within that of its ends. An edge with several chains has none.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/repair/weld/weld_chains.h"
+#include "meshalyzer/repair/weld/weld_cracks.h"
 #include "meshalyzer/repair/weld/weld_operations.h"
 
 #include <span>
@@ -10,12 +10,11 @@ namespace meshalyzer {
 
 // Private to weld_borders(): closing cracks with T-junctions.
 
-/// Makes operations that split the face of a long edge at the vertices of the chain along it, and
-/// so close the crack: the ends of the edge are joined with those of the chain, and the corners
-/// that the face gets are the chain's own. Where groups are faces of a body, an edge between two of
-/// them gets no vertex.
+/// Makes operations that split faces at a crack at the vertices of the other side, and so close it:
+/// the ends of both sides are joined, and the corners that a face gets are the other side's own.
+/// Where groups are faces of a body, an edge between two of them gets no vertex.
 ///
-/// Chains with a busy vertex wait for the next time.
-void add_split_operations(WeldState& state, std::span<const WeldChain> chains);
+/// Cracks with a busy vertex wait for the next time.
+void add_split_operations(WeldState& state, std::span<const WeldCrack> cracks);
 
 }  // namespace meshalyzer

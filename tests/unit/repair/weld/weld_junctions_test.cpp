@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <random>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -120,6 +122,62 @@ TEST(WeldBorders, SplitThatWouldTurnAFaceOverIsNotMade) {
   EXPECT_EQ(run.operations, 0U);
   ASSERT_EQ(run.refused.size(), 1U);
   EXPECT_EQ(run.refused[0].reason, "joining them would turn a face over");
+}
+
+/// Two fans that meet along the x axis from 0 to 1: the upper one has border vertices at `above`
+/// besides the ends, the lower one, which is lower by `gap`, at `below`.
+Soup interleaved_crack(double gap, const std::vector<double>& above,
+                       const std::vector<double>& below) {
+  Soup soup = shapes::make({{0.5, 1, 0}, {0.5, -1, 0}}, {});
+  const auto add_side = [&](std::vector<double> places, double y, Index hub) {
+    places.insert(places.begin(), 0.0);
+    places.push_back(1.0);
+    const auto first = static_cast<Index>(soup.n_vertices());
+    for (const double x : places) soup.positions.emplace_back(x, y, 0.0);
+    for (Index v = first; v + 1 < soup.n_vertices(); ++v) {
+      soup.triangles.push_back(hub == 0 ? Triangle{v, v + 1, hub} : Triangle{v + 1, v, hub});
+    }
+  };
+  add_side(above, 0.0, 0);
+  add_side(below, -gap, 1);
+  return shapes::make(std::move(soup.positions), std::move(soup.triangles));
+}
+
+TEST(WeldBorders, CrackWithVerticesThatDoNotFaceEachOtherIsClosed) {
+  for (const double gap : {0.0, 0.001}) {
+    const Soup torn = interleaved_crack(gap, {0.3, 0.7}, {0.5});
+    const PassRun run = run_pass(torn, weld(0.002));
+    EXPECT_EQ(run.operations, 1U);
+    // As CrackWithJunctionsIsClosed.
+    const SeamTopology expected{
+        .vertices = 7, .edges = 14, .faces = 8, .border_edges = 4, .components = 1};
+    EXPECT_EQ(seam_topology_of(run.tracked.soup), expected);
+  }
+}
+
+TEST(WeldBorders, InterleavedCracksOfAnySortAreClosed) {
+  std::mt19937 random(7);
+  const auto places = [&] {
+    // On a lattice, so that a vertex may face another, and none is too near the next.
+    std::vector<double> chosen;
+    for (int i = 1; i < 40; ++i) {
+      if (random() % 4 == 0) chosen.push_back(i / 40.0);
+    }
+    return chosen;
+  };
+  for (int trial = 0; trial < 50; ++trial) {
+    SCOPED_TRACE(trial);
+    const Soup torn = interleaved_crack(trial % 2 == 0 ? 0.0 : 1e-4, places(), places());
+    const SeamTopology found = seam_topology_of(welded(torn, 0.001));
+    EXPECT_EQ(found.border_edges, 4U);
+    EXPECT_EQ(found.non_manifold_vertices, 0U);
+    EXPECT_EQ(found.flipped_edges, 0U);
+  }
+}
+
+TEST(WeldBorders, InterleavedCrackThatIsTooWideIsLeft) {
+  const Soup torn = interleaved_crack(0.01, {0.3, 0.7}, {0.5});
+  EXPECT_TRUE(same_soup(welded(torn, 0.009), torn));
 }
 
 TEST(WeldBorders, SplitAlongAnEdgeThatIsThereIsNotMade) {
