@@ -78,10 +78,11 @@ void declare_holes(OptionTable& table, Options& options, Said& said) {
                "fill loops of at most N edges");
   table.option("--fill-at X,Y,Z", of_holes(said, into(fill.at, to_point)),
                "fill only the loop that is nearest to this point");
-  table.option("--fill-shape SHAPE", of_holes(said, into(fill.shape, to_fill_shape)),
-               "linear (no new vertices) or smooth (refined and faired); asked for by any of "
-               "these three or --fix, holes of sheets (surfaces that mean no solid) are filled "
-               "too");
+  table.option(
+      "--fill-shape SHAPE", of_holes(said, into(fill.shape, to_fill_shape)),
+      "linear (no new vertices), smooth (refined and faired), or auto (the default): smooth "
+      "where the surface bends towards the hole; asked for by any of these three or --fix, "
+      "holes of sheets (surfaces that mean no solid) are filled too");
   table.flag(
       "--keep-contact", [&repair] { repair.contact = Contact::Keep; },
       "copies of a vertex that was split stay in one place");

@@ -78,10 +78,10 @@ Vec3 to_point(const std::string& text, const std::string& option) {
 }
 
 FillShape to_fill_shape(const std::string& text, const std::string& option) {
-  if (text != "linear" && text != "smooth") {
-    throw UsageError(option + " needs linear or smooth, not '" + text + "'");
-  }
-  return text == "smooth" ? FillShape::Smooth : FillShape::Linear;
+  if (text == "auto") return FillShape::Auto;
+  if (text == "linear") return FillShape::Linear;
+  if (text == "smooth") return FillShape::Smooth;
+  throw UsageError(option + " needs auto, linear or smooth, not '" + text + "'");
 }
 
 Deviation to_deviation(const std::string& text, const std::string& option) {

@@ -38,7 +38,7 @@ RepairOptions read_options(Bytes& bytes) {
   options.borders = bytes.next_bit() ? Borders::Intended : Borders::Holes;
   options.contact = bytes.next_bit() ? Contact::Keep : Contact::Part;
   options.groups = bytes.next_bit() ? Groups::Faces : Groups::Names;
-  options.fill.shape = bytes.next_bit() ? FillShape::Smooth : FillShape::Linear;
+  options.fill.shape = bytes.next_bit() ? FillShape::Smooth : FillShape::Auto;
   options.fill.sheets = bytes.next_bit() ? FillSheets::Yes : FillSheets::No;
   constexpr std::array<double, 6> kDeviations{0.001, 0.0, 1e-12, 0.05, 0.5, 10.0};
   options.max_deviation.value = kDeviations[bytes.next() % kDeviations.size()];

@@ -68,6 +68,9 @@ namespace meshalyzer {
 
 /// How a hole is filled.
 enum class FillShape : std::uint8_t {
+  /// Smooth where the hole has more than a few edges and the surface round it bends towards it;
+  /// Linear where it is flat, or ends at a crease.
+  Auto,
   /// The triangulation of its border that bends least, and of those the one of least area; without
   /// new vertices, unless only they make a patch that meets nothing.
   Linear,
@@ -87,7 +90,7 @@ struct FillOptions {
   std::size_t max_edges = std::numeric_limits<std::size_t>::max();
   /// Where a point is given, only the loop nearest to it is filled.
   std::optional<Vec3> at = {};
-  FillShape shape = FillShape::Linear;
+  FillShape shape = FillShape::Auto;
   FillSheets sheets = FillSheets::No;
 };
 

@@ -1,9 +1,12 @@
 #include "meshalyzer/repair/holes/fill_loop.h"
 
 #include "meshalyzer/repair/holes/large_loop.h"
+#include "meshalyzer/repair/holes/rim_bend.h"
 #include "meshalyzer/repair/holes/smooth_patch.h"
 
+#include <algorithm>
 #include <array>
+#include <numbers>
 #include <utility>
 
 namespace meshalyzer {
@@ -13,6 +16,10 @@ namespace {
 constexpr std::size_t kCheapLoop = 64;
 constexpr std::size_t kRoundsWhereCheap = 4;
 constexpr std::size_t kRounds = 2;
+/// Loops of at most so many edges are filled without new vertices where the shape may be chosen.
+constexpr std::size_t kFewEdges = 5;
+/// A patch with a smaller mean angle between it and the surface round it, in radians, is smooth.
+constexpr double kSmoothBend = std::numbers::pi / 6.0;
 /// A fan round one new vertex is tried for loops of up to so many edges.
 constexpr std::size_t kMaxFan = 64;
 
@@ -32,9 +39,9 @@ class LoopFiller {
 
   [[nodiscard]] Filling run() {
     std::optional<Patch> patch = try_triangulations();
-    if (patch && task_.shape == FillShape::Smooth) {
-      std::optional<Patch> smooth = smooth_patch(task_.mesh, loop_, task_.existing, *patch);
-      if (smooth && is_good(*smooth)) patch = std::move(smooth);
+    if (patch && wants_smooth(*patch)) {
+      std::optional<Patch> smooth = try_smooth(*patch);
+      if (smooth && is_smooth_enough(*smooth, *patch)) patch = std::move(smooth);
     }
     if (!patch) patch = try_fan();
     if (!patch && first_ && rules_.bridges.empty()) patch = try_smooth(*first_);
@@ -87,6 +94,18 @@ class LoopFiller {
     }
     if (!is_good(fan)) return std::nullopt;
     return fan;
+  }
+
+  [[nodiscard]] bool wants_smooth(const Patch& patch) const {
+    if (task_.shape != FillShape::Auto) return task_.shape == FillShape::Smooth;
+    return loop_.size() > kFewEdges && bends_into_hole(task_.mesh, loop_, patch);
+  }
+
+  /// Tells whether a smooth patch may take the place of the one that it was made of.
+  [[nodiscard]] bool is_smooth_enough(const Patch& smooth, const Patch& patch) const {
+    return task_.shape == FillShape::Smooth ||
+           mean_rim_bend(task_.mesh, loop_, smooth) <=
+               std::max(kSmoothBend, mean_rim_bend(task_.mesh, loop_, patch));
   }
 
   [[nodiscard]] std::optional<Patch> try_smooth(const Patch& patch) {

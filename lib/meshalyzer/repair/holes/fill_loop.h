@@ -17,7 +17,7 @@ struct FillTask {
   const ExistingEdges& existing;
   /// Triangles with an altitude below this are avoided. In the mesh's unit.
   double degeneracy = 0.0;
-  FillShape shape = FillShape::Linear;
+  FillShape shape = FillShape::Auto;
 };
 
 /// What became of a loop.

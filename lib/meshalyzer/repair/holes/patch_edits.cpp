@@ -1,46 +1,17 @@
 #include "meshalyzer/repair/holes/patch_edits.h"
 
-#include <algorithm>
-#include <array>
+#include "meshalyzer/repair/holes/patch_edges.h"
+
 #include <cstddef>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 namespace meshalyzer {
 namespace {
 
-/// A directed edge and the face that it is of.
-struct DirectedEdge {
-  std::array<Index, 2> ends;
-  Index face = 0;
-
-  friend bool operator<(const DirectedEdge& a, const DirectedEdge& b) { return a.ends < b.ends; }
-};
-
-std::vector<DirectedEdge> directed_edges_of(const Patch& patch) {
-  std::vector<DirectedEdge> edges;
-  edges.reserve(3 * patch.triangles.size());
-  for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
-    const Triangle& t = patch.triangles[i];
-    for (std::size_t k = 0; k < 3; ++k) {
-      edges.push_back({{t[k], t[(k + 1) % 3]}, static_cast<Index>(i)});
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  return edges;
-}
-
-/// Returns the face of the patch that runs along an edge in this direction, or kNoIndex.
-Index face_at(const std::vector<DirectedEdge>& edges, const std::array<Index, 2>& ends) {
-  const auto at = std::lower_bound(edges.begin(), edges.end(), DirectedEdge{ends});
-  return at != edges.end() && at->ends == ends ? at->face : kNoIndex;
-}
-
 /// Returns, by face of the patch, the file face that it is like.
 std::vector<Index> likes_of(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patch) {
   const CutMesh& cut = mesh.cut();
-  const std::vector<DirectedEdge> edges = directed_edges_of(patch);
+  const PatchEdges edges(patch);
   std::vector<Index> likes(patch.triangles.size(), kNoIndex);
   std::vector<Index> reached;
   const auto reach = [&](Index face, Index like) {
@@ -50,13 +21,13 @@ std::vector<Index> likes_of(const PreparedMesh& mesh, const HoleLoop& loop, cons
   };
   for (std::size_t i = 0; i < loop.size(); ++i) {
     if (!loop.halfedges[i].is_valid()) continue;
-    reach(face_at(edges, {loop.vertices[i], loop.next(i)}),
+    reach(edges.face_at({loop.vertices[i], loop.next(i)}),
           cut.side.face(cut.mesh.face_handle(loop.halfedges[i])));
   }
   for (std::size_t i = 0; i < reached.size(); ++i) {
     const Triangle& t = patch.triangles[reached[i]];
     for (std::size_t k = 0; k < 3; ++k) {
-      reach(face_at(edges, {t[(k + 1) % 3], t[k]}), likes[reached[i]]);
+      reach(edges.face_at({t[(k + 1) % 3], t[k]}), likes[reached[i]]);
     }
   }
   return likes;

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -47,11 +48,11 @@ class SurroundingsMaker {
 
   [[nodiscard]] Surroundings run(const HoleLoop& loop) {
     add_patch();
-    std::vector<std::uint8_t> has_face(cut_.mesh.n_faces(), 0);
+    std::unordered_set<int> has_face;
     for (const HalfedgeHandle h : loop.halfedges) {
       if (!h.is_valid()) continue;
       for (const FaceHandle f : cut_.mesh.vf_range(cut_.mesh.to_vertex_handle(h))) {
-        if (has_face[static_cast<std::size_t>(f.idx())]++ == 0) add_face(f);
+        if (has_face.insert(f.idx()).second) add_face(f);
       }
     }
     return std::move(result_);

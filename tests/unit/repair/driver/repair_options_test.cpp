@@ -169,16 +169,41 @@ TEST(RepairOptions, SmoothPatchHasVerticesOfItsOwnAndALinearOneHasNone) {
     }
   }
   soup = shapes::without_faces(std::move(soup), cap);
-  const RepairResult linear = fix_defects(soup);
+  RepairOptions options;
+  options.fill.shape = FillShape::Linear;
+  const RepairResult linear = fix_defects(soup, options);
   EXPECT_EQ(count_after(linear, Hole), 0U);
   EXPECT_LT(only_mesh(linear).n_vertices(), n_whole);
-  RepairOptions options;
   options.fill.shape = FillShape::Smooth;
   const RepairResult smooth = fix_defects(soup, options);
   EXPECT_EQ(count_after(smooth, Hole), 0U);
   EXPECT_GT(only_mesh(smooth).n_vertices(), only_mesh(linear).n_vertices());
   // It bulges, where a linear one is flat.
   EXPECT_GT(volume_of(only_mesh(smooth)), volume_of(only_mesh(linear)));
+  // The sphere bends towards the hole.
+  EXPECT_EQ(only_mesh(fix_defects(soup)).n_vertices(), only_mesh(smooth).n_vertices());
+}
+
+TEST(RepairOptions, EndsOfATubeGetFlatLids) {
+  // The wall goes on straight across its rims, which are creases.
+  const Soup wall = shapes::uv_sphere(40, 24);
+  Soup tube = wall;
+  for (Vec3& p : tube.positions) {
+    const double radius = p.head<2>().norm();
+    if (radius > 0.0) p.head<2>() /= radius;
+  }
+  std::vector<Index> ends;
+  for (Index f = 0; f < tube.n_faces(); ++f) {
+    const Triangle& t = tube.triangles[f];
+    if (std::any_of(t.begin(), t.end(),
+                    [&](Index v) { return std::abs(tube.positions[v].z()) > 0.9; })) {
+      ends.push_back(f);
+    }
+  }
+  tube = shapes::without_faces(std::move(tube), ends);
+  const RepairResult result = fix_defects(tube);
+  EXPECT_EQ(count_after(result, Hole), 0U);
+  for (const Vec3& p : only_mesh(result).positions) EXPECT_LE(std::abs(p.z()), 0.9);
 }
 
 TEST(RepairOptions, SheetStaysOpenUnlessItsHolesAreAskedForByName) {
