@@ -38,7 +38,7 @@ Vec3 unit_normal(const std::array<Vec3, 3>& t) {
   return (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized();
 }
 
-Vec3 centroid_of(const std::array<Vec3, 3>& t) {
+Vec3 barycentre_of(const std::array<Vec3, 3>& t) {
   return (t[0] + t[1] + t[2]) / 3.0;
 }
 
@@ -75,7 +75,7 @@ std::vector<RimEdge> rim_edges(const PreparedMesh& mesh, const HoleLoop& loop, c
 /// the turns of the normals of the faces round the one beyond fit best. Faces beyond a crease do
 /// not count.
 double curvature_across(const TriMesh& mesh, const RimEdge& edge) {
-  const Vec3 middle = centroid_of(face_corners(mesh, edge.beyond));
+  const Vec3 middle = barycentre_of(face_corners(mesh, edge.beyond));
   double products = 0.0;
   double squares = 0.0;
   for (const VertexHandle v : mesh.fv_range(edge.beyond)) {
@@ -83,7 +83,7 @@ double curvature_across(const TriMesh& mesh, const RimEdge& edge) {
       const std::array<Vec3, 3> corners = face_corners(mesh, f);
       const Vec3 normal = unit_normal(corners);
       if (normal.dot(edge.normal_beyond) < kCosineOfCrease) continue;
-      const double distance = (middle - centroid_of(corners)).dot(edge.inward);
+      const double distance = (middle - barycentre_of(corners)).dot(edge.inward);
       products += distance * (edge.normal_beyond - normal).dot(edge.inward);
       squares += distance * distance;
     }

@@ -53,7 +53,7 @@ struct JoinedPair {
 
 /// A face that is split, and its parts by the vertices that are there now. The first part stands in
 /// for the face.
-struct SplitFace {
+struct FaceSplit {
   Index face = 0;
   std::vector<Triangle> parts;
 };
@@ -62,11 +62,11 @@ struct SplitFace {
 struct Closing {
   /// The pairs at both ends of the crack.
   std::array<JoinedPair, 2> ends;
-  std::vector<SplitFace> faces;
+  std::vector<FaceSplit> faces;
 
   [[nodiscard]] bool splits(Index f) const {
     return std::any_of(faces.begin(), faces.end(),
-                       [&](const SplitFace& split) { return split.face == f; });
+                       [&](const FaceSplit& split) { return split.face == f; });
   }
 };
 
@@ -141,12 +141,12 @@ class Splitter {
     return first[0] == last[0] || first[0] == last[1] || first[1] == last[0] || first[1] == last[1];
   }
 
-  [[nodiscard]] SplitFace split_face(const EdgeSplit& split) const {
+  [[nodiscard]] FaceSplit split_face(const EdgeSplit& split) const {
     const WeldEdge& edge = state_.edges[split.edge];
     std::vector<Index> along{edge.from};
     along.insert(along.end(), split.inner.begin(), split.inner.end());
     along.push_back(edge.to);
-    SplitFace result{.face = edge.face, .parts = {}};
+    FaceSplit result{.face = edge.face, .parts = {}};
     for (std::size_t i = 1; i < along.size(); ++i) {
       Triangle part = soup_.triangles[edge.face];
       std::replace(part.begin(), part.end(), edge.to, along[i]);
@@ -177,7 +177,7 @@ class Splitter {
   }
   /// Tells whether all parts face to the side that the whole faces do, and have an area.
   [[nodiscard]] bool parts_face_one_way(const Closing& closing) const {
-    return std::all_of(closing.faces.begin(), closing.faces.end(), [&](const SplitFace& split) {
+    return std::all_of(closing.faces.begin(), closing.faces.end(), [&](const FaceSplit& split) {
       const Corners whole = corners(soup_.triangles[split.face]);
       return !are_collinear(whole[0], whole[1], whole[2]) &&
              std::all_of(split.parts.begin(), split.parts.end(), [&](const Triangle& part) {
@@ -221,7 +221,7 @@ class Splitter {
   /// whole.
   [[nodiscard]] MergeRejection rejection_of(const Closing& closing) const {
     std::vector<Triangle> triangles;
-    for (const SplitFace& split : closing.faces) {
+    for (const FaceSplit& split : closing.faces) {
       triangles.insert(triangles.end(), split.parts.begin(), split.parts.end());
     }
     for (const Index f : faces_at_ends(closing)) {
@@ -263,7 +263,7 @@ class Splitter {
   void write(const Closing& closing) {
     Edits& edits = state_.result.edits;
     const Index op = edits.begin_operation();
-    for (const SplitFace& split : closing.faces) {
+    for (const FaceSplit& split : closing.faces) {
       edits.changed_faces.push_back({op, split.face, joined(split.parts.front(), closing)});
       for (std::size_t i = 1; i < split.parts.size(); ++i) {
         edits.added_faces.push_back({.op = op,
