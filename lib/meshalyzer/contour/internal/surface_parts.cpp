@@ -1,0 +1,108 @@
+#include "meshalyzer/contour/internal/surface_parts.h"
+
+#include "meshalyzer/base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meshalyzer {
+namespace {
+
+using Corners3 = std::array<Vec3, 3>;
+
+/// Looks at one face.
+class FaceDivision {
+ public:
+  /// @param normal  Of unit length.
+  FaceDivision(const Region& region, const PartsResolution& resolution, const Vec3& normal)
+      : region_(region), resolution_(resolution), step_(normal * resolution.reach) {}
+
+  /// Halves a face along its longest edges until its pieces are small enough, and tells which
+  /// separate.
+  void divide(const Corners3& face, bool may_change_inside, SurfaceParts& parts) const {
+    std::vector<Corners3> open{face};
+    while (!open.empty()) {
+      const Corners3 t = open.back();
+      open.pop_back();
+      const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
+      const std::size_t longest = longest_edge(t);
+      const double length = (t[(longest + 1) % 3] - t[longest]).norm();
+      if (length > resolution_.spacing ||
+          (may_change_inside && length > resolution_.reach && changes_inside(t, middle))) {
+        const Vec3 half = (t[longest] + t[(longest + 1) % 3]) / 2.0;
+        open.push_back({half, t[(longest + 1) % 3], t[(longest + 2) % 3]});
+        open.push_back({t[longest], half, t[(longest + 2) % 3]});
+      } else if (separates(middle)) {
+        parts.separating.push_back(middle);
+      } else {
+        parts.walls.push_back(t);
+      }
+    }
+    add_edge_points(face, parts);
+  }
+
+ private:
+  static std::size_t longest_edge(const Corners3& t) {
+    const std::array<double, 3> squares{(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(),
+                                        (t[0] - t[2]).squaredNorm()};
+    return static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) -
+                                    squares.begin());
+  }
+
+  [[nodiscard]] bool separates(const Vec3& p) const {
+    return region_.contains(p + step_) != region_.contains(p - step_);
+  }
+
+  /// Whether one part of a piece separates and another does not, as far as four points tell.
+  [[nodiscard]] bool changes_inside(const Corners3& t, const Vec3& middle) const {
+    constexpr double kInwards = 1.0 / 64.0;
+    const bool at_middle = separates(middle);
+    return std::any_of(t.begin(), t.end(), [&](const Vec3& corner) {
+      return separates(corner + kInwards * (middle - corner)) != at_middle;
+    });
+  }
+
+  /// Adds points along long edges, where creases are, and which middles leave out.
+  void add_edge_points(const Corners3& t, SurfaceParts& parts) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 edge = t[(i + 1) % 3] - t[i];
+      const double n = std::floor(edge.norm() / resolution_.spacing);
+      for (double k = 0.0; k < n; ++k) {
+        const Vec3 p = t[i] + edge * (k / n);
+        if (separates(p)) parts.separating.push_back(p);
+      }
+    }
+  }
+
+  const Region& region_;
+  const PartsResolution& resolution_;
+  Vec3 step_;
+};
+
+}  // namespace
+
+SurfaceParts divide_surface(const Soup& soup, const Region& region,
+                            const std::vector<std::uint8_t>& changes_inside,
+                            const PartsResolution& resolution) {
+  constexpr std::size_t kFaces = 64;
+  std::vector<SurfaceParts> of_chunk(n_chunks(soup.n_faces(), kFaces));
+  parallel_chunks(soup.n_faces(), kFaces, [&](Chunk chunk) {
+    for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
+      if (!is_in_complex(soup.triangles[f])) continue;
+      const Corners3 face = corners_of(soup, static_cast<Index>(f));
+      const Vec3 normal = (face[1] - face[0]).cross(face[2] - face[0]);
+      const double length = normal.norm();
+      if (!(length > 0.0)) continue;
+      FaceDivision(region, resolution, normal / length)
+          .divide(face, changes_inside[f] != 0, of_chunk[chunk.number]);
+    }
+  });
+  SurfaceParts all;
+  for (const SurfaceParts& parts : of_chunk) {
+    all.separating.insert(all.separating.end(), parts.separating.begin(), parts.separating.end());
+    all.walls.insert(all.walls.end(), parts.walls.begin(), parts.walls.end());
+  }
+  return all;
+}
+
+}  // namespace meshalyzer

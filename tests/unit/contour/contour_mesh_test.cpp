@@ -1,0 +1,99 @@
+#include "meshalyzer/contour/contour_mesh.h"
+
+#include "meshalyzer/base/error.h"
+#include "meshalyzer/mesh/build.h"
+#include "meshalyzer/spatial/self_intersection.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace meshalyzer {
+namespace {
+
+double volume_of(const Soup& soup) {
+  double sum = 0;
+  for (Index f = 0; f < soup.n_faces(); ++f) {
+    const auto [a, b, c] = corners_of(soup, f);
+    sum += a.dot(b.cross(c));
+  }
+  return sum / 6;
+}
+
+void expect_embedded_solid(const Soup& soup) {
+  const CutMesh cut = build(soup);
+  EXPECT_EQ(cut.side.non_manifold_edges.size(), 0U);
+  EXPECT_EQ(cut.side.flipped_edges.size(), 0U);
+  EXPECT_TRUE(cut.side.non_manifold_vertices.empty());
+  for (const auto h : cut.mesh.halfedges()) ASSERT_FALSE(cut.mesh.is_boundary(h));
+  EXPECT_TRUE(find_self_intersections(cut, FaceTree(cut)).empty());
+}
+
+/// The contour of a mesh, which must be good and within the deviation.
+Soup contour_within(const Soup& soup, double max_deviation) {
+  const auto made = contour_mesh(soup, {.max_deviation = max_deviation});
+  if (!made) {
+    ADD_FAILURE() << "no contour";
+    return {};
+  }
+  EXPECT_TRUE(made->is_within) << made->deviation;
+  EXPECT_LE(made->deviation, max_deviation);
+  EXPECT_FALSE(made->soup.triangles.empty());
+  expect_embedded_solid(made->soup);
+  return made->soup;
+}
+
+TEST(ContourMesh, OfASphereHasItsVolume) {
+  const Soup sphere = shapes::icosphere(2);
+  EXPECT_NEAR(volume_of(contour_within(sphere, 0.03)), volume_of(sphere), 0.05);
+}
+
+TEST(ContourMesh, OfCubesThatCrossIsTheirUnion) {
+  // Volumes 8 + 8 - 1.
+  const Soup cubes = shapes::merged(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
+  EXPECT_NEAR(volume_of(contour_within(cubes, 0.02)), 15, 0.3);
+}
+
+TEST(ContourMesh, KeepsACavity) {
+  EXPECT_NEAR(volume_of(contour_within(shapes::nested_cubes(shapes::InnerShell::Cavity), 0.02)), 26,
+              0.5);
+}
+
+TEST(ContourMesh, DropsAWallInsideASolid) {
+  EXPECT_NEAR(volume_of(contour_within(shapes::nested_cubes(shapes::InnerShell::Outward), 0.02)),
+              27, 0.5);
+}
+
+TEST(ContourMesh, ClosesASolidWithALidMissing) {
+  EXPECT_GT(volume_of(contour_within(shapes::open_cube(), 0.02)), 0.7);
+}
+
+TEST(ContourMesh, TakesAMeshThatPointsInwards) {
+  Soup cube = shapes::cube();
+  for (Triangle& t : cube.triangles) std::swap(t[1], t[2]);
+  EXPECT_NEAR(volume_of(contour_within(cube, 0.01)), 1, 0.05);
+}
+
+TEST(ContourMesh, FindsAPlateThatIsThinnerThanTheFirstCells) {
+  Soup plate = shapes::cube(4);
+  for (Vec3& p : plate.positions) p.z() *= 0.01;
+  EXPECT_NEAR(volume_of(contour_within(plate, 0.01)), 4 * 4 * 0.04, 0.1);
+}
+
+TEST(ContourMesh, SaysWhereTheGridWouldBeTooLarge) {
+  const auto made =
+      contour_mesh(shapes::icosphere(1), {.max_deviation = 1e-9, .max_tetrahedra = 10'000});
+  ASSERT_TRUE(made);
+  EXPECT_FALSE(made->is_within);
+  EXPECT_GT(made->deviation, 1e-9);
+  expect_embedded_solid(made->soup);
+}
+
+TEST(ContourMesh, OfNothingIsNone) {
+  EXPECT_FALSE(contour_mesh(Soup(), {.max_deviation = 1}));
+  EXPECT_THROW((void)contour_mesh(shapes::cube(), {.max_deviation = 0}), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace meshalyzer
