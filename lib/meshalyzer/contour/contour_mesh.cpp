@@ -152,8 +152,9 @@ class ContourSearch {
     const std::vector<Vec3> points = points_of(contour_);
     const std::vector<double> of_contour = distances(points, target_.closest);
     for (std::size_t i = 0; i < of_contour.size(); ++i) {
-      if (of_contour[i] > limits_.max_deviation && target_.region.spans_hole_at(points[i]))
+      if (of_contour[i] > limits_.max_deviation && target_.region.spans_hole_at(points[i])) {
         continue;
+      }
       note(of_contour[i], [&] { return contour_.leaves[i / kPointsATriangle]; });
     }
   }
@@ -186,8 +187,9 @@ std::optional<BisectionGrid> grid_round(const Box3& box) {
 }  // namespace
 
 std::optional<ContouredMesh> contour_mesh(const Soup& soup, const ContourLimits& limits) {
-  if (!(limits.max_deviation > 0.0))
+  if (!(limits.max_deviation > 0.0)) {
     throw InvalidArgument("the deviation of a contour is not positive");
+  }
   Target target(soup);
   const auto grid = grid_round(target.tree.bounds());
   if (!grid) return std::nullopt;
