@@ -97,7 +97,8 @@ std::string default_text(double value) {
   return text;
 }
 
-void declare_limits(OptionTable& table, RepairOptions& repair) {
+void declare_limits(OptionTable& table, Options& options) {
+  RepairOptions& repair = options.repair;
   ToleranceOptions& tolerances = repair.tolerances;
   table.group("How far it may go");
   table.option("--max-deviation D", into(repair.max_deviation, to_deviation),
@@ -116,6 +117,9 @@ void declare_limits(OptionTable& table, RepairOptions& repair) {
                "a foldover is within it of what it lies on");
   table.option("--max-foldover-angle DEG", into(tolerances.max_foldover_angle, to_foldover_angle),
                "of a fold; default " + default_text(tolerances.max_foldover_angle));
+  table.option("--time-limit S", into(options.time_limit, to_seconds),
+               "after S seconds write what has been reached, checked, and say what remains; Ctrl-C "
+               "does the same, and a second one aborts");
 }
 
 void declare_reports(OptionTable& table, Options& options) {
@@ -207,7 +211,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   declare_actions(table, options, said);
   declare_operations(table, options, said);
   declare_holes(table, options, said);
-  declare_limits(table, options.repair);
+  declare_limits(table, options);
   declare_reports(table, options);
   command.answer = table.parse(argc, argv);
   if (!command.answer) {

@@ -19,6 +19,8 @@ struct Options : ReportOptions {
   /// Absent with --find and --dry-run.
   std::optional<std::string> output;
   RepairOptions repair;
+  /// After so many seconds the repair ends with what it has.
+  std::optional<double> time_limit;
   ListLength lists = ListLength::Short;
   /// The file of the page.
   std::optional<std::string> html;

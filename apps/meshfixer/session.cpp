@@ -10,6 +10,7 @@
 #include "page.h"
 #include "progress_line.h"
 #include "same_file.h"
+#include "stop_request.h"
 #include "usage_error.h"
 
 #include <algorithm>
@@ -145,17 +146,25 @@ ExitCode verdict(const Options& options, const RepairReport& report, Streams str
   return n_remaining(report) == 0 ? ExitCode::Done : ExitCode::NotGood;
 }
 
+std::string progress_text(const RepairProgress& now) {
+  return std::string(now.pass) + ", round " + std::to_string(now.round) + ", " +
+         std::to_string(static_cast<int>(100.0 * now.done)) + " %";
+}
+
 ExitCode fix(const Options& options, Soup soup, const Source& source, Streams streams) {
   const MeshName input = name_of(soup, options.input);
   ProgressLine progress(streams.err, options.progress == ReportOptions::Progress::Never
                                          ? ProgressLine::State::Off
                                          : terminal_state(streams.err));
   RepairOptions repair = options.repair;
-  repair.on_phase = [&](std::string_view phase) { progress.show(phase); };
+  repair.on_progress = [&](const RepairProgress& now) { progress.show(progress_text(now)); };
+  const StopRequest stop(options.time_limit);
+  repair.wants_to_stop = [&] { return stop.is_made(); };
   const Soup before = options.html ? soup : Soup();
   const RepairResult result = fix_defects(std::move(soup), repair);
   progress.clear();
   RepairReport report{input, result, repair.fixes, {}, {}};
+  if (result.is_stopped) report.notes.push_back(StopRequest::note());
   const std::vector<Soup> finals =
       options.output ? write_all(options, source, report) : take_unwritten(options, report);
   if (options.html) write_page(*options.html, report, before, finals);

@@ -61,7 +61,8 @@ void name_what_has_no_reason(const RepairOptions& options, RepairResult& result)
         refusal.vertex = mesh.tracked.vertex_keys[defect.vertices.front()];
       }
       if (!defect.faces.empty()) refusal.face = mesh.tracked.face_keys[defect.faces.front()];
-      refusal.reason = "no pass found a way within the maximum deviation";
+      refusal.reason = result.is_stopped ? "the repair was stopped before"
+                                         : "no pass found a way within the maximum deviation";
     }
   }
 }
@@ -87,7 +88,7 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   result.before = find_defects(driver.mesh(), {.codes = DefectCodes::all(),
                                                .tolerances = options.tolerances,
                                                .max_defects = options.max_defects});
-  driver.run_plan(plan_passes(options, tolerances), options.on_phase);
+  driver.run_plan(plan_passes(options, tolerances), options);
   if (options.keep_largest != 0) {
     driver.apply_unchecked({"keep largest", DefectCode::Disjoint, [&](const PassInput& input) {
                               return keep_largest(input, options.keep_largest);
@@ -95,6 +96,7 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   }
   result.meshes = finished_meshes(driver, options, tolerances);
   result.deviation = driver.deviation();
+  result.is_stopped = driver.is_stopped();
   result.log = driver.take_log();
   name_what_has_no_reason(options, result);
   return result;

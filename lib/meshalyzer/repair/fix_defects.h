@@ -26,6 +26,8 @@ struct RepairResult {
   /// patches, and what later passes make of them together with what is round them, are left out.
   double max_deviation = 0.0;
   double deviation = 0.0;
+  /// Tells whether the repair ended because it was asked to, so that more might be repaired.
+  bool is_stopped = false;
 };
 
 /// Repairs a mesh as far as possible within a maximum deviation, and reports the remaining defects

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "meshalyzer/base/progress.h"
 #include "meshalyzer/defects/find_defects.h"
 #include "meshalyzer/repair/passes.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <string_view>
 
 namespace meshalyzer {
 
@@ -34,6 +35,19 @@ enum class Borders : std::uint8_t {
 /// Whether all faces are turned over before anything else.
 enum class Turn : std::uint8_t { Nothing, Everything };
 
+/// How far a repair is.
+struct RepairProgress {
+  /// The pass that begins.
+  std::string_view pass;
+  /// The passes run in rounds until none changes anything; the first round is 1.
+  std::size_t round = 1;
+  /// The share of the passes of this round that are done.
+  double done = 0.0;
+};
+
+/// Hears of each pass as it begins. May be empty. Called from the thread that called the library.
+using RepairListener = std::function<void(const RepairProgress&)>;
+
 /// What to repair, and how.
 struct RepairOptions {
   DefectCodes fixes = default_fixes();
@@ -50,7 +64,10 @@ struct RepairOptions {
   std::size_t keep_largest = 0;
   /// How many remaining defects are listed at most; 0 lists all.
   std::size_t max_defects = 0;
-  PhaseListener on_phase;
+  RepairListener on_progress;
+  /// Asked before each attempt of a pass; once it says yes the repair ends with what it has by
+  /// then. May be empty. Called from the thread that called the library.
+  std::function<bool()> wants_to_stop;
 };
 
 /// Converts a maximum deviation to a length, for a mesh with this box.

@@ -29,18 +29,29 @@ RepairDriver::RepairDriver(Soup input, const Tolerances& tolerances, RepairLimit
       meter_(input_),
       state_(std::make_unique<RepairState>(track_mesh(input_), tolerances_)) {}
 
-void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const PhaseListener& on_phase) {
+void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOptions& options) {
+  wants_to_stop_ = options.wants_to_stop;
   for (std::size_t round = 0; round < kMaxRounds; ++round) {
     bool has_changed = false;
     log_.refusals.clear();
     limits_.fixed_vertices = fixed_(state_->tracked(), state_->mesh().cut());
-    for (const PlannedPass& pass : plan) {
-      if (round > 0 && pass.repeat == Repeat::Once) continue;
-      if (on_phase) on_phase(pass.name);
-      has_changed = run(pass) || has_changed;
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+      if (round > 0 && plan[i].repeat == Repeat::Once) continue;
+      if (is_to_stop()) return;
+      if (options.on_progress) {
+        options.on_progress({.pass = plan[i].name,
+                             .round = round + 1,
+                             .done = static_cast<double>(i) / static_cast<double>(plan.size())});
+      }
+      has_changed = run(plan[i]) || has_changed;
     }
     if (!has_changed) return;
   }
+}
+
+bool RepairDriver::is_to_stop() {
+  is_stopped_ = is_stopped_ || (wants_to_stop_ && wants_to_stop_());
+  return is_stopped_;
 }
 
 void RepairDriver::apply_unchecked(const PlannedPass& pass) {
@@ -63,7 +74,7 @@ bool RepairDriver::run(const PlannedPass& pass) {
   std::set<Signature> rejected;
   const std::size_t max_runs = pass.repeat == Repeat::Once ? 1 : kMaxRuns;
   OperationSize size = OperationSize::Normal;
-  for (std::size_t i = 0; i < max_runs; ++i) {
+  for (std::size_t i = 0; i < max_runs && !is_to_stop(); ++i) {
     const PassResult result = propose(pass, size);
     if (!result.edits.empty() && apply_accepted(pass, result.edits, rejected)) {
       has_changed = true;
@@ -86,7 +97,7 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
     skipped[op] = rejected.contains(signature[op]);
   }
   const AcceptanceRules rules{input_, meter_, limits_.max_deviation, pass.may_create};
-  for (std::size_t trial = 0; trial < kMaxTrials; ++trial) {
+  for (std::size_t trial = 0; trial < kMaxTrials && !is_to_stop(); ++trial) {
     if (std::all_of(skipped.begin(), skipped.end(), [](auto s) { return s != 0; })) return false;
     TrackedMesh tracked = apply_edits(state_->tracked(), edits, skipped);
     const AffectedElements affected =

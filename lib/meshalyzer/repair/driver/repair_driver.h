@@ -37,11 +37,16 @@ class RepairDriver {
 
   /// Runs the passes in order, each until it proposes nothing more that is accepted, and starts
   /// over until no pass changes anything.
-  void run_plan(const std::vector<PlannedPass>& plan, const PhaseListener& on_phase);
+  ///
+  /// @param options  Who hears of the progress, and who may stop it.
+  void run_plan(const std::vector<PlannedPass>& plan, const RepairOptions& options);
 
   /// Runs a pass once and applies all that it proposes without checking it, because the user asks
   /// for it by name.
   void apply_unchecked(const PlannedPass& pass);
+
+  /// Tells whether run_plan() was stopped.
+  [[nodiscard]] bool is_stopped() const { return is_stopped_; }
 
   [[nodiscard]] RepairLog take_log() { return std::move(log_); }
 
@@ -50,6 +55,8 @@ class RepairDriver {
   /// again.
   using Signature = std::vector<Index>;
 
+  /// Asks whether to stop; once it is so it stays so.
+  bool is_to_stop();
   bool run(const PlannedPass& pass);
   [[nodiscard]] PassResult propose(const PlannedPass& pass, OperationSize size) const;
   /// Applies the operations that are accepted, and tells whether there were any.
@@ -67,6 +74,8 @@ class RepairDriver {
   DeviationMeter meter_;
   std::unique_ptr<const RepairState> state_;
   double deviation_ = 0.0;
+  std::function<bool()> wants_to_stop_;
+  bool is_stopped_ = false;
   RepairLog log_;
 };
 

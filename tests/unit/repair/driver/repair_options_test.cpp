@@ -330,9 +330,32 @@ TEST(RepairOptions, ListenerIsToldEveryPass) {
   std::vector<std::string> phases;
   RepairOptions options;
   options.fixes = {Flipped, OrphanVertex};
-  options.on_phase = [&](std::string_view phase) { phases.emplace_back(phase); };
+  options.on_progress = [&](const RepairProgress& progress) { phases.emplace_back(progress.pass); };
   static_cast<void>(fix_defects(shapes::cube(), options));
   EXPECT_EQ(phases, (std::vector<std::string>{"orient consistently", "drop orphans"}));
+}
+
+TEST(RepairOptions, RepairThatIsStoppedKeepsWhatItHasAndSaysSo) {
+  Soup soup = shapes::open_cube();
+  soup.positions.emplace_back(5, 5, 5);
+  RepairOptions options;
+  std::size_t n_asked = 0;
+  options.wants_to_stop = [&] { return ++n_asked > 1000; };
+  const RepairResult whole = fix_defects(soup, options);
+  EXPECT_FALSE(whole.is_stopped);
+  EXPECT_EQ(count_after(whole, Hole), 0U);
+  const std::size_t n_in_all = n_asked;
+  for (std::size_t n_allowed = 0; n_allowed < n_in_all; ++n_allowed) {
+    n_asked = 0;
+    options.wants_to_stop = [&] { return ++n_asked > n_allowed; };
+    const RepairResult stopped = fix_defects(soup, options);
+    EXPECT_TRUE(stopped.is_stopped);
+    EXPECT_LE(count_after(stopped, Hole), 1U);
+    EXPECT_LE(count_after(stopped, OrphanVertex), 1U);
+  }
+  // Before anything was tried nothing is changed.
+  options.wants_to_stop = [] { return true; };
+  EXPECT_EQ(only_mesh(fix_defects(soup, options)).triangles, soup.triangles);
 }
 
 TEST(RepairOptions, StepsOfTheLogAddUpTheirOperations) {

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "interrupt.h"
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+namespace meshalyzer::fixer {
+
+/// Tells when a repair is to end before it is done: at its time limit, or at the first interrupt of
+/// the user; a second one ends the program at once.
+class StopRequest {
+ public:
+  /// @param time_limit  In seconds from now.
+  explicit StopRequest(std::optional<double> time_limit);
+
+  [[nodiscard]] bool is_made() const;
+
+  /// Returns what a report says of a repair that was stopped.
+  [[nodiscard]] static std::string note();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  InterruptGuard guard_;
+  std::optional<Clock::time_point> deadline_;
+};
+
+}  // namespace meshalyzer::fixer
