@@ -58,13 +58,17 @@ class Refiner {
       : existing_(existing), patch_(patch), mesh_(patch.mesh) {}
 
   void run(const PreparedMesh& mesh, const HoleLoop& loop) {
-    read_spacing(mesh, loop);
+    if (patch_.spacing.empty()) {
+      read_spacing(mesh, loop);
+    } else {
+      flip_edges();
+    }
     for (std::size_t round = 0; round < kMaxSplitRounds && split_faces(); ++round) flip_edges();
   }
 
  private:
   [[nodiscard]] double& spacing(VertexHandle v) {
-    return spacing_[static_cast<std::size_t>(v.idx())];
+    return patch_.spacing[static_cast<std::size_t>(v.idx())];
   }
 
   /// Learns the lengths of edges round the loop, and makes them greater where they would make too
@@ -79,14 +83,15 @@ class Refiner {
     }
     double mean_square = 0.0;
     for (const Index v : patch_.names) {
-      spacing_.push_back(length_at[v]);
-      mean_square += spacing_.back() * spacing_.back() / static_cast<double>(patch_.names.size());
+      const double length = length_at[v];
+      patch_.spacing.push_back(length);
+      mean_square += length * length / static_cast<double>(patch_.names.size());
     }
     // A vertex has two equilateral triangles with an area of sqrt(3) / 4 of the square each.
     const double n_expected = area_of(mesh_) / (0.5 * std::sqrt(3.0) * mean_square);
     const double excess = n_expected / static_cast<double>(kMaxNewVertices);
     if (!(excess > 1.0)) return;
-    for (double& s : spacing_) s *= std::sqrt(excess);
+    for (double& s : patch_.spacing) s *= std::sqrt(excess);
   }
 
   /// Puts a vertex into each triangle that is too large.
@@ -118,7 +123,7 @@ class Refiner {
     if (!is_large) return false;
     const VertexHandle added = mesh_.add_vertex(middle);
     mesh_.split(face, added);
-    spacing_.push_back(wanted);
+    patch_.spacing.push_back(wanted);
     return true;
   }
 
@@ -174,8 +179,6 @@ class Refiner {
   const ExistingEdges& existing_;
   WorkingPatch& patch_;
   TriMesh& mesh_;
-  /// Indexed by vertex: how long edges should be.
-  std::vector<double> spacing_;
 };
 
 }  // namespace

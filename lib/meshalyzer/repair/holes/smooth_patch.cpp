@@ -207,6 +207,9 @@ std::optional<Patch> smooth_patch(const PreparedMesh& mesh, const HoleLoop& loop
   if (working.mesh.n_vertices() != working.names.size()) return std::nullopt;
   refine_patch(mesh, loop, existing, working);
   if (!fair_patch(mesh, loop, working)) return std::nullopt;
+  // A patch that bulges now is coarser than what is round it.
+  refine_patch(mesh, loop, existing, working);
+  if (!fair_patch(mesh, loop, working)) return std::nullopt;
 
   Patch result;
   const std::size_t n_loop = working.names.size();
