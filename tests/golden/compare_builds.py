@@ -125,7 +125,7 @@ def damage(text, generator):
 
 def damaged_meshes(n, files, folder):
     texts = [(path, path.read_text()) for path in files
-             if path.suffix in ('.mesh', '.obj', '.off') and path.stat().st_size < 60_000]
+             if path.suffix in ('.mesh', '.obj', '.off') and 0 < path.stat().st_size < 60_000]
     generator = random.Random(1)
     made = []
     for i in range(n):
@@ -160,7 +160,7 @@ def main():
     parser.add_argument('folders', nargs='*', metavar='FOLDER')
     parser.add_argument('--without', action='append', default=[], metavar='NAME')
     parser.add_argument('--damaged', type=int, default=0, metavar='N')
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
     stripper = Stripper(arguments.without)
     scratch = pathlib.Path(tempfile.mkdtemp())
     n_runs = n_differing = 0
