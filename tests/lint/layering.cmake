@@ -67,10 +67,10 @@ foreach(header IN LISTS headers)
   endif()
 endforeach()
 # Modules of which all headers outside internal/ are installed.
-file(GLOB sources RELATIVE ${ROOT} ${ROOT}/lib/meshalyzer/defects/*.h ${ROOT}/lib/meshalyzer/picture/*.h
-  ${ROOT}/lib/meshalyzer/prepared/*.h)
+file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/lib/meshalyzer/defects/*.h ${ROOT}/lib/meshalyzer/picture/*.h
+  ${ROOT}/lib/meshalyzer/prepared/*.h ${ROOT}/lib/meshalyzer/repair/*.h)
 foreach(source IN LISTS sources)
-  if(NOT source IN_LIST headers)
+  if(NOT source MATCHES "/internal/" AND NOT source IN_LIST headers)
     message(SEND_ERROR "${source}: is neither installed nor internal")
   endif()
 endforeach()

@@ -1,8 +1,8 @@
 #include "support/punched_holes.h"
 
 #include "meshalyzer/repair/edits/apply_edits.h"
-#include "meshalyzer/repair/holes/fill_loop.h"
-#include "meshalyzer/repair/holes/large_loop.h"
+#include "meshalyzer/repair/holes/internal/fill_loop.h"
+#include "meshalyzer/repair/holes/internal/large_loop.h"
 #include "meshalyzer/spatial/triangle_distance.h"
 
 #include <algorithm>

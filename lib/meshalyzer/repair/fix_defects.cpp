@@ -2,11 +2,11 @@
 
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/repair/driver/fixed_vertices.h"
-#include "meshalyzer/repair/driver/plan.h"
-#include "meshalyzer/repair/driver/repair_driver.h"
+#include "meshalyzer/repair/driver/internal/fixed_vertices.h"
+#include "meshalyzer/repair/driver/internal/plan.h"
+#include "meshalyzer/repair/driver/internal/repair_driver.h"
 #include "meshalyzer/repair/edits/apply_edits.h"
-#include "meshalyzer/repair/records/keep_largest.h"
+#include "meshalyzer/repair/records/internal/keep_largest.h"
 #include "meshalyzer/repair/records/separate.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/build.h"
-#include "meshalyzer/repair/driver/face_distance.h"
+#include "meshalyzer/repair/driver/internal/face_distance.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,9 +1,9 @@
 #include "meshalyzer/repair/edits/apply_edits.h"
 
-#include "meshalyzer/repair/edits/edited_faces.h"
-#include "meshalyzer/repair/edits/edited_normals.h"
-#include "meshalyzer/repair/edits/fresh_ids.h"
-#include "meshalyzer/repair/edits/skipped_operations.h"
+#include "meshalyzer/repair/edits/internal/edited_faces.h"
+#include "meshalyzer/repair/edits/internal/edited_normals.h"
+#include "meshalyzer/repair/edits/internal/fresh_ids.h"
+#include "meshalyzer/repair/edits/internal/skipped_operations.h"
 
 #include <utility>
 #include <vector>

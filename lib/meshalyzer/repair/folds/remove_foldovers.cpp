@@ -1,8 +1,8 @@
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/repair/folds/candidate_faces.h"
-#include "meshalyzer/repair/folds/face_disc.h"
-#include "meshalyzer/repair/folds/fold_outline.h"
+#include "meshalyzer/repair/folds/internal/candidate_faces.h"
+#include "meshalyzer/repair/folds/internal/face_disc.h"
+#include "meshalyzer/repair/folds/internal/fold_outline.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/spatial/closest_point.h"
 

@@ -2,7 +2,7 @@
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/repair/orient/side_votes.h"
+#include "meshalyzer/repair/orient/internal/side_votes.h"
 #include "meshalyzer/topology/border.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/repair/orient/side_votes.h"
+#include "meshalyzer/repair/orient/internal/side_votes.h"
 #include "meshalyzer/repair/passes.h"
 
 namespace meshalyzer {

@@ -1,6 +1,6 @@
 #include "meshalyzer/prepared/shells.h"
-#include "meshalyzer/repair/orient/outward_votes.h"
-#include "meshalyzer/repair/orient/side_votes.h"
+#include "meshalyzer/repair/orient/internal/outward_votes.h"
+#include "meshalyzer/repair/orient/internal/side_votes.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/topology/components.h"
 

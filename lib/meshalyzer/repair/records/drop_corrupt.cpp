@@ -1,5 +1,5 @@
 #include "meshalyzer/mesh/repeated_ids.h"
-#include "meshalyzer/repair/edits/fresh_ids.h"
+#include "meshalyzer/repair/edits/internal/fresh_ids.h"
 #include "meshalyzer/repair/passes.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/repair/facets/facet_shape.h"
-#include "meshalyzer/repair/facets/working_mesh.h"
+#include "meshalyzer/repair/facets/internal/facet_shape.h"
+#include "meshalyzer/repair/facets/internal/working_mesh.h"
 #include "meshalyzer/repair/passes.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/repair/passes.h"
-#include "meshalyzer/repair/split/contact_places.h"
-#include "meshalyzer/repair/split/moved_faces.h"
-#include "meshalyzer/repair/split/parting_directions.h"
+#include "meshalyzer/repair/split/internal/contact_places.h"
+#include "meshalyzer/repair/split/internal/moved_faces.h"
+#include "meshalyzer/repair/split/internal/parting_directions.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,8 +1,8 @@
 #include "meshalyzer/base/disjoint_sets.h"
-#include "meshalyzer/repair/driver/fixed_vertices.h"
+#include "meshalyzer/repair/driver/internal/fixed_vertices.h"
 #include "meshalyzer/repair/passes.h"
-#include "meshalyzer/repair/split/copy_vertices.h"
-#include "meshalyzer/repair/split/incident_faces.h"
+#include "meshalyzer/repair/split/internal/copy_vertices.h"
+#include "meshalyzer/repair/split/internal/incident_faces.h"
 #include "meshalyzer/topology/manifold.h"
 
 #include <utility>

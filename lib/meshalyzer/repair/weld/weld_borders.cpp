@@ -1,11 +1,11 @@
 #include "meshalyzer/repair/passes.h"
-#include "meshalyzer/repair/weld/weld_candidates.h"
-#include "meshalyzer/repair/weld/weld_chains.h"
-#include "meshalyzer/repair/weld/weld_edges.h"
-#include "meshalyzer/repair/weld/weld_matching.h"
-#include "meshalyzer/repair/weld/weld_operations.h"
-#include "meshalyzer/repair/weld/weld_pairing.h"
-#include "meshalyzer/repair/weld/weld_splits.h"
+#include "meshalyzer/repair/weld/internal/weld_candidates.h"
+#include "meshalyzer/repair/weld/internal/weld_chains.h"
+#include "meshalyzer/repair/weld/internal/weld_edges.h"
+#include "meshalyzer/repair/weld/internal/weld_matching.h"
+#include "meshalyzer/repair/weld/internal/weld_operations.h"
+#include "meshalyzer/repair/weld/internal/weld_pairing.h"
+#include "meshalyzer/repair/weld/internal/weld_splits.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "meshalyzer/repair/driver/acceptance.h"
+#include "meshalyzer/repair/driver/internal/acceptance.h"
 
 #include "meshalyzer/repair/edits/apply_edits.h"
 #include "support/run_pass.h"

@@ -1,6 +1,6 @@
-#include "meshalyzer/repair/driver/contact_rule.h"
-#include "meshalyzer/repair/driver/merge_rule.h"
-#include "meshalyzer/repair/driver/orientation_rule.h"
+#include "meshalyzer/repair/driver/internal/contact_rule.h"
+#include "meshalyzer/repair/driver/internal/merge_rule.h"
+#include "meshalyzer/repair/driver/internal/orientation_rule.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>

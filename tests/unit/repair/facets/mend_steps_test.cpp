@@ -1,8 +1,8 @@
-#include "meshalyzer/repair/facets/collapse_edge.h"
-#include "meshalyzer/repair/facets/link_condition.h"
-#include "meshalyzer/repair/facets/retract_cap.h"
-#include "meshalyzer/repair/facets/step_journal.h"
-#include "meshalyzer/repair/facets/working_mesh.h"
+#include "meshalyzer/repair/facets/internal/collapse_edge.h"
+#include "meshalyzer/repair/facets/internal/link_condition.h"
+#include "meshalyzer/repair/facets/internal/retract_cap.h"
+#include "meshalyzer/repair/facets/internal/step_journal.h"
+#include "meshalyzer/repair/facets/internal/working_mesh.h"
 #include "support/run_pass.h"
 #include "support/shapes.h"
 

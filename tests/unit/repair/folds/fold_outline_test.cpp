@@ -1,4 +1,4 @@
-#include "meshalyzer/repair/folds/fold_outline.h"
+#include "meshalyzer/repair/folds/internal/fold_outline.h"
 
 #include <gtest/gtest.h>
 

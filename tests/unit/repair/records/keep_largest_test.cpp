@@ -1,4 +1,4 @@
-#include "meshalyzer/repair/records/keep_largest.h"
+#include "meshalyzer/repair/records/internal/keep_largest.h"
 
 #include "support/run_pass.h"
 #include "support/same_soup.h"

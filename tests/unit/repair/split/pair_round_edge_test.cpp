@@ -1,4 +1,4 @@
-#include "meshalyzer/repair/split/pair_round_edge.h"
+#include "meshalyzer/repair/split/internal/pair_round_edge.h"
 
 #include "meshalyzer/base/types.h"
 

@@ -1,0 +1,189 @@
+#include "meshalyzer/repair/driver/internal/acceptance.h"
+
+#include "meshalyzer/repair/driver/internal/prior_contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <span>
+
+namespace meshalyzer {
+namespace {
+
+Box3 box_of(const Soup& soup, Index face) {
+  Box3 box;
+  for (const Index v : soup.triangles[face]) {
+    if (v != kNoIndex) box.extend(soup.positions[v]);
+  }
+  return box;
+}
+
+std::vector<DefectiveElement> difference(const std::vector<DefectiveElement>& a,
+                                         const std::vector<DefectiveElement>& b) {
+  std::vector<DefectiveElement> result;
+  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
+  return result;
+}
+
+class AcceptanceCheck {
+ public:
+  AcceptanceCheck(const RepairState& before, const RepairState& after,
+                  const AffectedElements& affected, const AcceptanceRules& rules,
+                  std::vector<Rejection>& rejections)
+      : before_(before),
+        after_(after),
+        affected_(affected),
+        rules_(rules),
+        rejections_(rejections) {}
+
+  void check_deviation(const DeviationMeter::Result& deviation) {
+    for (const Index face : deviation.far_repaired_faces) {
+      reject(operations_on(affected_.faces_after, after_.tracked().face_keys[face]),
+             Rejection::TooFar);
+    }
+    for (const Index face : deviation.far_input_faces) {
+      if (reject_operations_on(face) || reject_operations_near(face)) continue;
+      std::fill(rejections_.begin(), rejections_.end(), Rejection::TooFar);
+    }
+  }
+
+  /// Rejects operations that bring their faces into contact with faces that they were not in
+  /// contact with before. Contact may pass from one face of an operation to another.
+  void check_contacts() {
+    if (after_.affected_pairs().empty()) return;
+    const PriorContacts known(before_, affected_);
+    const bool may_touch = rules_.may_create.contains(DefectCode::SelfIntersection);
+    for (const ContactByKey& pair : contacts_by_key(after_, after_.affected_pairs())) {
+      if ((may_touch && pair.kind == ContactKind::Unwelded) || known.were_in_contact(pair)) {
+        continue;
+      }
+      reject_for_contact(pair.face_a, pair.face_b, pair.kind, known);
+      reject_for_contact(pair.face_b, pair.face_a, pair.kind, known);
+    }
+  }
+
+  void check_defects() {
+    balance_.assign(rejections_.size(), {});
+    count(difference(after_.defective_elements(), before_.defective_elements()), 1);
+    count(difference(before_.defective_elements(), after_.defective_elements()), -1);
+    for (std::size_t op = 0; op < rejections_.size(); ++op) {
+      for (const DefectCode code : all_defect_codes()) {
+        if (balance_[op][static_cast<std::size_t>(code)] > 0 && !rules_.may_create.contains(code)) {
+          rejections_[op] = Rejection::MoreDefects;
+        }
+      }
+    }
+  }
+
+ private:
+  void reject(std::span<const AffectedElement> entries, Rejection rejection) {
+    for (const AffectedElement& entry : entries) rejections_[entry.operation] = rejection;
+  }
+
+  /// Rejects the operations that affect a face for its contact with another.
+  void reject_for_contact(Index face, Index other, ContactKind kind, const PriorContacts& known) {
+    for (const AffectedElement& entry : operations_on(affected_.faces_after, face)) {
+      if (!known.was_in_contact(entry.operation, other, kind)) {
+        rejections_[entry.operation] = Rejection::Intersects;
+      }
+    }
+  }
+
+  /// Rejects the operations that affect what was made of a face of the input.
+  bool reject_operations_on(Index input_face) {
+    bool is_rejected = false;
+    for (const AffectedElement& entry : affected_.faces_before) {
+      if (before_.tracked().origin_of_key(entry.key) != input_face) continue;
+      rejections_[entry.operation] = Rejection::TooFar;
+      is_rejected = true;
+    }
+    return is_rejected;
+  }
+
+  /// Handles a face of the input that an earlier pass has removed: rejects the operations near the
+  /// place where it was.
+  bool reject_operations_near(Index input_face) {
+    Box3 near = box_of(rules_.input, input_face);
+    near.min().array() -= rules_.max_deviation;
+    near.max().array() += rules_.max_deviation;
+    bool is_rejected = false;
+    const TrackedMesh& tracked = before_.tracked();
+    for (std::size_t f = 0; f < tracked.face_keys.size(); ++f) {
+      const auto entries = operations_on(affected_.faces_before, tracked.face_keys[f]);
+      if (entries.empty() || !near.intersects(box_of(tracked.soup, static_cast<Index>(f)))) {
+        continue;
+      }
+      reject(entries, Rejection::TooFar);
+      is_rejected = true;
+    }
+    return is_rejected;
+  }
+
+  /// Adds `by` for each element to the balance of the operations that affect all of its keys.
+  void count(const std::vector<DefectiveElement>& defective_elements, int by) {
+    for (const DefectiveElement& element : defective_elements) {
+      const auto code = static_cast<std::size_t>(element.code);
+      if (element.element == DefectiveElement::Element::Face) {
+        const auto& faces = by > 0 ? affected_.faces_after : affected_.faces_before;
+        for (const AffectedElement& entry : operations_on(faces, element.keys[0])) {
+          balance_[entry.operation][code] += by;
+        }
+        continue;
+      }
+      for (const AffectedElement& entry : operations_on(affected_.vertices, element.keys[0])) {
+        const AffectedElement other{element.keys[1], entry.operation};
+        if (element.element == DefectiveElement::Element::Vertex ||
+            std::binary_search(affected_.vertices.begin(), affected_.vertices.end(), other)) {
+          balance_[entry.operation][code] += by;
+        }
+      }
+    }
+  }
+
+  const RepairState& before_;
+  const RepairState& after_;
+  const AffectedElements& affected_;
+  const AcceptanceRules& rules_;
+  std::vector<Rejection>& rejections_;
+  /// Indexed by operation and code: the number of defective elements created less the number
+  /// removed.
+  std::vector<std::array<int, kDefectCodes>> balance_;
+};
+
+}  // namespace
+
+std::string_view rejection_reason(Rejection rejection) {
+  switch (rejection) {
+    case Rejection::None:
+      return "";
+    case Rejection::TooFar:
+      return "undone: it would move the surface farther than the maximum deviation";
+    case Rejection::Intersects:
+      return "undone: it would make faces intersect";
+    case Rejection::MoreDefects:
+      return "undone: it would make more defects than it mends";
+  }
+  return "";
+}
+
+bool Acceptance::all_accepted() const {
+  return std::all_of(rejections.begin(), rejections.end(),
+                     [](Rejection rejection) { return rejection == Rejection::None; });
+}
+
+Acceptance check_acceptance(const RepairState& before, const RepairState& after,
+                            const AffectedElements& affected, std::size_t n_operations,
+                            const AcceptanceRules& rules) {
+  Acceptance acceptance;
+  acceptance.rejections.assign(n_operations, Rejection::None);
+  AcceptanceCheck check(before, after, affected, rules, acceptance.rejections);
+  check.check_defects();
+  check.check_contacts();
+  const DeviationMeter::Result deviation =
+      rules.meter.measure(after.tracked(), after.mesh().tree(), rules.max_deviation);
+  acceptance.deviation = deviation.largest;
+  check.check_deviation(deviation);
+  return acceptance;
+}
+
+}  // namespace meshalyzer

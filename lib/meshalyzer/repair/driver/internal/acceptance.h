@@ -1,0 +1,58 @@
+#pragma once
+
+#include "meshalyzer/defects/defect.h"
+#include "meshalyzer/repair/driver/deviation.h"
+#include "meshalyzer/repair/driver/internal/repair_state.h"
+#include "meshalyzer/repair/edits/edits.h"
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Why an operation is rejected.
+enum class Rejection : std::uint8_t {
+  None,
+  /// The surface would deviate from the input by more than the maximum.
+  TooFar,
+  /// Faces would intersect that did not intersect before, and no other faces of the operation did
+  /// instead of them.
+  Intersects,
+  /// It would create more defective elements of a kind than it removes.
+  MoreDefects,
+};
+
+/// Returns the sentence for logs: "undone: it would ...".
+[[nodiscard]] std::string_view rejection_reason(Rejection rejection);
+
+/// What the changes of one pass are checked against. This holds references only.
+struct AcceptanceRules {
+  const Soup& input;
+  /// Measures the distance from the input.
+  const DeviationMeter& meter;
+  double max_deviation = 0.0;
+  /// Defects that the pass may create, for later passes to repair. Self-intersection stands for
+  /// contact of faces that were cut apart and still coincide.
+  DefectCodes may_create;
+};
+
+struct Acceptance {
+  /// #operations.
+  std::vector<Rejection> rejections;
+  /// See DeviationMeter::Result::largest.
+  double deviation = 0.0;
+
+  [[nodiscard]] bool all_accepted() const;
+};
+
+/// Checks what each operation of a list of edits has done to a mesh. This is the one place that
+/// decides what an operation may not do.
+///
+/// Where a violation cannot be attributed to any operation, all are rejected. Faces that no
+/// operation affects are not checked: they were accepted before.
+[[nodiscard]] Acceptance check_acceptance(const RepairState& before, const RepairState& after,
+                                          const AffectedElements& affected,
+                                          std::size_t n_operations, const AcceptanceRules& rules);
+
+}  // namespace meshalyzer

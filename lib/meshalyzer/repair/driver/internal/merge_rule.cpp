@@ -1,0 +1,170 @@
+#include "meshalyzer/repair/driver/internal/merge_rule.h"
+
+#include "meshalyzer/repair/driver/internal/orientation_rule.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <tuple>
+
+namespace meshalyzer {
+namespace {
+
+/// A side of an affected face, named by the representatives of its vertices.
+struct JoinedSide {
+  /// The higher end; the lower one names the bucket.
+  Index end = 0;
+  Index third = 0;
+  /// 3 k + i: side i of affected face k.
+  Index side = 0;
+
+  friend bool operator<(const JoinedSide& a, const JoinedSide& b) {
+    return std::tie(a.end, a.third, a.side) < std::tie(b.end, b.third, b.side);
+  }
+};
+
+class MergeCheck {
+ public:
+  MergeCheck(const Soup& soup, std::span<const Index> representative,
+             std::span<const Index> affected)
+      : soup_(soup),
+        representative_(representative),
+        affected_(affected),
+        rejections_(representative.size()) {}
+
+  [[nodiscard]] std::vector<MergeRejection> run() {
+    for (const Index f : affected_) look_at_face(soup_.triangles[f]);
+    look_at_edges();
+    return any_ ? std::move(rejections_) : std::vector<MergeRejection>();
+  }
+
+ private:
+  [[nodiscard]] Triangle joined(const Triangle& t) const {
+    return {representative_[t[0]], representative_[t[1]], representative_[t[2]]};
+  }
+
+  void reject(Index representative, MergeRejection rejection) {
+    rejections_[representative] = rejection;
+    any_ = true;
+  }
+
+  void look_at_face(const Triangle& before) {
+    const Triangle after = joined(before);
+    if (!is_in_complex(after)) {
+      for (const Index v : after) reject(v, MergeRejection::Collapse);
+      return;
+    }
+    std::array<bool, 3> moves{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      moves[i] = soup_.positions[before[i]] != soup_.positions[after[i]];
+    }
+    if (!(moves[0] || moves[1] || moves[2]) || keeps_orientation(corners(before), corners(after))) {
+      return;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (moves[i]) reject(after[i], MergeRejection::TurnOver);
+    }
+  }
+
+  [[nodiscard]] Corners corners(const Triangle& t) const {
+    return {soup_.positions[t[0]], soup_.positions[t[1]], soup_.positions[t[2]]};
+  }
+
+  /// Sorts the sides into buckets by their lower end, and looks at those of each edge together.
+  void look_at_edges() {
+    std::vector<Index> begin(representative_.size() + 1, 0);
+    for_each_side([&](Index lower, const JoinedSide&) { ++begin[lower]; });
+    Index sum = 0;
+    for (Index& b : begin) b = sum += b;
+    std::vector<JoinedSide> sides(sum);
+    for_each_side([&](Index lower, const JoinedSide& side) { sides[--begin[lower]] = side; });
+    for (std::size_t lower = 0; lower + 1 < begin.size(); ++lower) {
+      const auto bucket = std::span(sides).subspan(begin[lower], begin[lower + 1] - begin[lower]);
+      std::sort(bucket.begin(), bucket.end());
+      look_at_bucket(static_cast<Index>(lower), bucket);
+    }
+  }
+
+  template <typename Visit>
+  void for_each_side(Visit&& visit) const {
+    for (std::size_t k = 0; k < affected_.size(); ++k) {
+      const Triangle t = joined(soup_.triangles[affected_[k]]);
+      if (!is_in_complex(t)) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Index a = t[i];
+        const Index b = t[(i + 1) % 3];
+        visit(std::min(a, b), JoinedSide{.end = std::max(a, b),
+                                         .third = t[(i + 2) % 3],
+                                         .side = static_cast<Index>(3 * k + i)});
+      }
+    }
+  }
+
+  void look_at_bucket(Index lower, std::span<const JoinedSide> bucket) {
+    for (std::size_t begin = 0; begin < bucket.size();) {
+      std::size_t end = begin + 1;
+      while (end < bucket.size() && bucket[end].end == bucket[begin].end) ++end;
+      look_at_edge(lower, bucket.subspan(begin, end - begin));
+      begin = end;
+    }
+  }
+
+  void look_at_edge(Index lower, std::span<const JoinedSide> sides) {
+    bool was_one_edge = true;
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+      was_one_edge = was_one_edge && old_edge(sides[i].side) == old_edge(sides[0].side);
+      if (sides[i].third == sides[i - 1].third &&
+          old_corners(sides[i].side) != old_corners(sides[i - 1].side)) {
+        for (const Index v : {lower, sides[i].end, sides[i].third}) {
+          reject(v, MergeRejection::Duplicate);
+        }
+      }
+    }
+    if (was_one_edge || sides.size() <= 2) return;
+    for (const Index v : {lower, sides[0].end}) reject(v, MergeRejection::NonManifold);
+  }
+
+  [[nodiscard]] std::array<Index, 2> old_edge(Index side) const {
+    const Triangle& t = soup_.triangles[affected_[side / 3]];
+    const auto [a, b] = std::minmax(t[side % 3], t[(side + 1) % 3]);
+    return {a, b};
+  }
+
+  [[nodiscard]] Triangle old_corners(Index side) const {
+    Triangle t = soup_.triangles[affected_[side / 3]];
+    std::sort(t.begin(), t.end());
+    return t;
+  }
+
+  const Soup& soup_;
+  std::span<const Index> representative_;
+  std::span<const Index> affected_;
+  std::vector<MergeRejection> rejections_;
+  bool any_ = false;
+};
+
+}  // namespace
+
+std::string_view reason_of(MergeRejection rejection) {
+  switch (rejection) {
+    case MergeRejection::None:
+      return "";
+    case MergeRejection::Collapse:
+      return "joining them would collapse a face";
+    case MergeRejection::TurnOver:
+      return "joining them would turn a face over";
+    case MergeRejection::NonManifold:
+      return "joining them would make an edge with more than two faces";
+    case MergeRejection::Duplicate:
+      return "joining them would make two faces with the same vertices";
+  }
+  return "";
+}
+
+std::vector<MergeRejection> check_merges(const Soup& soup, std::span<const Index> representative,
+                                         std::span<const Index> affected) {
+  return MergeCheck(soup, representative, affected).run();
+}
+
+}  // namespace meshalyzer

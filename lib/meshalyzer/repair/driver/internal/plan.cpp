@@ -1,0 +1,103 @@
+#include "meshalyzer/repair/driver/internal/plan.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// Appends passes whose code is to be fixed.
+class Planner {
+ public:
+  explicit Planner(const DefectCodes& fixes) : fixes_(fixes) {}
+
+  void add(PlannedPass pass) {
+    if (fixes_.contains(pass.code)) add_always(std::move(pass));
+  }
+  /// A pass that treats several codes.
+  void add_for(std::initializer_list<DefectCode> codes, PlannedPass pass) {
+    const bool is_wanted = std::any_of(codes.begin(), codes.end(),
+                                       [this](DefectCode code) { return fixes_.contains(code); });
+    if (is_wanted) add_always(std::move(pass));
+  }
+  void add_always(PlannedPass pass) { passes_.push_back(std::move(pass)); }
+  [[nodiscard]] std::vector<PlannedPass> take() { return std::move(passes_); }
+
+ private:
+  DefectCodes fixes_;
+  std::vector<PlannedPass> passes_;
+};
+
+/// Returns passes that join borders within a length: first what is nearer, over growing lengths, so
+/// that a larger one never closes less than a smaller one.
+std::vector<PlannedPass> weld_passes(double within, const Tolerances& tolerances) {
+  constexpr double kSmallestShare = 1e-8;
+  constexpr double kGrowth = 10.0;
+  std::vector<double> lengths;
+  double length = tolerances.degeneracy;
+  if (length < kSmallestShare * within) length = kSmallestShare * within;
+  for (; length > 0.0 && length < within; length *= kGrowth) lengths.push_back(length);
+  lengths.push_back(within);
+  std::vector<PlannedPass> passes;
+  for (const double reach : lengths) {
+    passes.push_back({"weld borders",
+                      DefectCode::Slit,
+                      [reach](const PassInput& input) { return weld_borders(input, reach); },
+                      {DefectCode::Flipped}});
+  }
+  return passes;
+}
+
+/// Plans the operations that the user asks for by name, whatever is to be fixed.
+void plan_operations(const RepairOptions& options, const Tolerances& tolerances, Planner& plan) {
+  using enum DefectCode;
+  if (options.turn == Turn::Everything) {
+    plan.add_always({"flip", Inward, flip_all, {}, Repeat::Once});
+  }
+  if (options.weld_within) {
+    for (PlannedPass& pass : weld_passes(*options.weld_within, tolerances)) {
+      plan.add_always(std::move(pass));
+    }
+  }
+}
+
+void plan_fixes(const RepairOptions& options, const Tolerances& tolerances, Planner& plan) {
+  using enum DefectCode;
+  // Cutting a mesh apart leaves contacts, and a fin cut off leaves a border.
+  const DefectCodes cuts{Hole, SelfIntersection, Flipped};
+  // A cap bent at a border, or at an edge that is otherwise not as it should be, makes two of one.
+  const DefectCodes bends{Hole, NonManifold, Flipped};
+  plan.add({"drop corrupt records", Corrupt, drop_corrupt, {Hole}});
+  plan.add({"drop duplicates", DuplicateFacet, drop_duplicates, {Hole}});
+  for (PlannedPass& pass : weld_passes(tolerances.slit, tolerances)) plan.add(std::move(pass));
+  plan.add_for({DegenerateFacet, FlatFacet}, {"mend facets", DegenerateFacet, mend_facets, bends});
+  plan.add({"split edges", NonManifold, split_edges, cuts});
+  plan.add({"split vertices", NonManifold, split_vertices, cuts});
+  plan.add({"orient consistently", Flipped, orient_consistently});
+  plan.add({"remove foldovers", Foldover, remove_foldovers, {Hole}});
+  if (options.borders == Borders::Holes) {
+    plan.add({"fill holes",
+              Hole,
+              [fill = options.fill](const PassInput& input) { return fill_holes(input, fill); },
+              {FlatFacet}});
+  }
+  plan.add({"orient outward", Inward, orient_outward});
+  if (options.contact == Contact::Part) {
+    plan.add({"part contacts", NonManifold, part_contacts});
+  }
+  plan.add({"renew normals", VertexNormal, renew_normals});
+  plan.add({"drop orphans", OrphanVertex, drop_orphans});
+  plan.add({"renumber", Numbering, renumber});
+}
+
+}  // namespace
+
+std::vector<PlannedPass> plan_passes(const RepairOptions& options, const Tolerances& tolerances) {
+  Planner plan(options.fixes);
+  plan_operations(options, tolerances, plan);
+  plan_fixes(options, tolerances, plan);
+  return plan.take();
+}
+
+}  // namespace meshalyzer

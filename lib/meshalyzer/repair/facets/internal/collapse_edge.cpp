@@ -1,0 +1,250 @@
+#include "meshalyzer/repair/facets/internal/collapse_edge.h"
+
+#include "meshalyzer/repair/facets/internal/facet_shape.h"
+#include "meshalyzer/repair/facets/internal/link_condition.h"
+#include "meshalyzer/spatial/triangle_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// Surfaces of more faces than this are compared by how far the vertex moves alone.
+constexpr std::size_t kMostFacesCompared = 64;
+
+/// A merge of the ends of an edge.
+struct Merge {
+  Index gone;
+  Index kept;
+  /// The new position of `kept`, if it moves.
+  std::optional<Vec3> middle = std::nullopt;
+};
+
+bool is_at(const Triangle& t, Index vertex) {
+  return std::find(t.begin(), t.end(), vertex) != t.end();
+}
+
+Triangle renamed(Triangle t, Index from, Index to) {
+  std::replace(t.begin(), t.end(), from, to);
+  return t;
+}
+
+/// A merge, and the faces round the edge before and after it.
+class MergeCandidate {
+ public:
+  MergeCandidate(const WorkingMesh& mesh, const Merge& merge) : mesh_(mesh), merge_(merge) {
+    for (const Index f : mesh.faces_at(merge.gone)) {
+      add(f, renamed(mesh.triangle(f), merge.gone, merge.kept));
+    }
+    if (!merge.middle) return;
+    for (const Index f : mesh.faces_at(merge.kept)) {
+      if (!is_at(mesh.triangle(f), merge.gone)) add(f, mesh.triangle(f));
+    }
+  }
+
+  /// Tells whether the faces round the edge stay sound.
+  [[nodiscard]] MendOutcome check(double tolerance) const {
+    const Vec3 mean = mean_normal();
+    std::size_t n_thin_made = 0;
+    std::size_t n_thin_gone = 0;
+    for (const Face& face : faces_) {
+      if (face.goes) {
+        n_thin_gone += mesh_.is_thin(face.number) ? 1U : 0U;
+        continue;
+      }
+      const FacetShape now = measure_facet(face.after);
+      if (!now.is_sound(tolerance)) {
+        n_thin_made += mesh_.is_thin(face.number) ? 0U : 1U;
+        if (face.is_turned_over(now)) return MendOutcome::TurnsOver;
+        continue;
+      }
+      // The normal of a thin face is noise: one that gets wider has to look where the others look.
+      const Vec3& wanted = mesh_.is_thin(face.number) && !mean.isZero(0) ? mean : face.shape.normal;
+      if (!(now.normal.dot(wanted) > 0.0)) return MendOutcome::TurnsOver;
+    }
+    return n_thin_made > 0 && n_thin_made >= n_thin_gone ? MendOutcome::MakesThin
+                                                         : MendOutcome::Possible;
+  }
+
+  /// Returns about how far the surface is from what it was; never less than 0 or more than the
+  /// vertices move.
+  [[nodiscard]] double deviation() const {
+    const double moved = largest_move();
+    if (faces_.size() > kMostFacesCompared) return moved;
+    double largest = to_new_faces(mesh_.position(merge_.gone));
+    if (merge_.middle) largest = std::max(largest, to_new_faces(mesh_.position(merge_.kept)));
+    for (const Face& face : faces_) {
+      if (face.goes) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3& from = face.after[k];
+        const Vec3& to = face.after[(k + 1) % 3];
+        for (const double share : {0.25, 0.5, 0.75}) {
+          largest = std::max(largest, to_old_faces(from * (1.0 - share) + to * share));
+        }
+      }
+    }
+    return std::min(largest, moved);
+  }
+
+  [[nodiscard]] MendStep step(MendStep begun) const {
+    for (const Face& face : faces_) {
+      if (face.goes) {
+        begun.changed.push_back({face.number, kNoTriangle});
+      } else if (face.corners != mesh_.triangle(face.number)) {
+        begun.changed.push_back({face.number, face.corners});
+      }
+    }
+    if (merge_.middle) begun.moved = {merge_.kept, *merge_.middle};
+    return begun;
+  }
+
+ private:
+  struct Face {
+    Index number;
+    /// After the merge.
+    Triangle corners;
+    bool goes;
+    Corners before;
+    Corners after;
+    FacetShape shape;
+
+    [[nodiscard]] bool is_turned_over(const FacetShape& now) const {
+      return now.normal.dot(shape.normal) < 0.0;
+    }
+  };
+
+  void add(Index number, const Triangle& corners) {
+    const Triangle& old = mesh_.triangle(number);
+    Face face{number, corners, !is_in_complex(corners), mesh_.corners(old), mesh_.corners(corners),
+              {}};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (merge_.middle && corners[k] == merge_.kept) face.after[k] = *merge_.middle;
+    }
+    face.shape = measure_facet(face.before);
+    faces_.push_back(face);
+  }
+
+  /// Returns the sum of the normals of the faces that have one; zero where none has.
+  [[nodiscard]] Vec3 mean_normal() const {
+    Vec3 sum = Vec3::Zero();
+    for (const Face& face : faces_) {
+      if (!mesh_.is_thin(face.number)) sum += face.shape.normal;
+    }
+    return sum;
+  }
+
+  [[nodiscard]] double largest_move() const {
+    const Vec3& gone = mesh_.position(merge_.gone);
+    const Vec3& kept = mesh_.position(merge_.kept);
+    if (!merge_.middle) return (kept - gone).stableNorm();
+    return std::max((*merge_.middle - gone).stableNorm(), (*merge_.middle - kept).stableNorm());
+  }
+
+  [[nodiscard]] double to_new_faces(const Vec3& point) const {
+    double nearest = largest_move();
+    for (const Face& face : faces_) {
+      if (face.goes) continue;
+      nearest = std::min(nearest, closest_on_triangle(face.after, point).distance);
+    }
+    return nearest;
+  }
+
+  [[nodiscard]] double to_old_faces(const Vec3& point) const {
+    double nearest = largest_move();
+    for (const Face& face : faces_) {
+      nearest = std::min(nearest, closest_on_triangle(face.before, point).distance);
+    }
+    return nearest;
+  }
+
+  const WorkingMesh& mesh_;
+  Merge merge_;
+  std::vector<Face> faces_;
+};
+
+/// Tries the ways to merge the ends of one edge.
+class EdgeCollapse {
+ public:
+  EdgeCollapse(const WorkingMesh& mesh, const MendRules& rules, const std::array<Index, 2>& ends)
+      : mesh_(mesh), rules_(rules), ends_{std::min(ends[0], ends[1]), std::max(ends[0], ends[1])} {
+    for (std::size_t k = 0; k < 2; ++k) {
+      is_crowded_[k] = mesh.faces_at(ends_[k]).size() > kMostFacesRoundVertex;
+      is_fixed_[k] = rules.is_fixed(mesh, ends_[k]);
+    }
+  }
+
+  [[nodiscard]] MendAttempt run() {
+    if (is_fixed_[0] && is_fixed_[1]) return {.outcome = MendOutcome::Fixed};
+    if (!is_permitted()) return {.outcome = MendOutcome::Topology};
+    const MendAttempt keep_first = attempt(1, 0);
+    const MendAttempt keep_second = attempt(0, 1);
+    if (keep_first.is_possible() && keep_second.is_possible()) {
+      if (is_between(1) != is_between(0)) return is_between(0) ? keep_first : keep_second;
+    }
+    const MendAttempt& at_end = better(keep_first, keep_second);
+    if (at_end.is_possible() || is_fixed_[0] || is_fixed_[1]) return at_end;
+    return better(at_end, attempt_middle());
+  }
+
+ private:
+  [[nodiscard]] bool is_between(std::size_t end) const {
+    return rules_.is_between_groups(mesh_, ends_[end]);
+  }
+
+  /// Merging the one is the same to the topology as merging the other.
+  [[nodiscard]] bool is_permitted() {
+    for (const std::size_t gone : {std::size_t{1}, std::size_t{0}}) {
+      MendStep step;
+      if (is_crowded_[gone] || !may_merge(mesh_, ends_[gone], ends_[1 - gone], step)) continue;
+      begun_ = std::move(step);
+      return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] MendAttempt attempt(std::size_t gone, std::size_t kept) const {
+    if (is_fixed_[gone]) return {.outcome = MendOutcome::Fixed};
+    if (is_crowded_[gone]) return {};
+    return checked({.gone = ends_[gone], .kept = ends_[kept]});
+  }
+
+  /// Returns the lower vertex stays, in the middle.
+  [[nodiscard]] MendAttempt attempt_middle() const {
+    const Vec3& a = mesh_.position(ends_[0]);
+    const Vec3& b = mesh_.position(ends_[1]);
+    const double length = (b - a).stableNorm();
+    if (!(length < rules_.tolerance()) || is_crowded_[0] || is_crowded_[1]) return {};
+    return checked({.gone = ends_[1], .kept = ends_[0], .middle = a / 2 + b / 2});
+  }
+
+  [[nodiscard]] MendAttempt checked(const Merge& merge) const {
+    const MergeCandidate candidate(mesh_, merge);
+    const MendOutcome outcome = candidate.check(rules_.tolerance());
+    if (outcome != MendOutcome::Possible) return {.outcome = outcome};
+    const double deviation = candidate.deviation();
+    if (!(deviation <= rules_.max_deviation())) return {.outcome = MendOutcome::TooFar};
+    return {outcome, candidate.step(begun_), deviation};
+  }
+
+  const WorkingMesh& mesh_;
+  const MendRules& rules_;
+  std::array<Index, 2> ends_;
+  std::array<bool, 2> is_crowded_{};
+  std::array<bool, 2> is_fixed_{};
+  /// What the permission relies on.
+  MendStep begun_;
+};
+
+}  // namespace
+
+MendAttempt collapse_edge(const WorkingMesh& mesh, const MendRules& rules,
+                          const std::array<Index, 2>& ends) {
+  return EdgeCollapse(mesh, rules, ends).run();
+}
+
+}  // namespace meshalyzer

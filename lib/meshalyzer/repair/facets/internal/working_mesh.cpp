@@ -1,0 +1,117 @@
+#include "meshalyzer/repair/facets/internal/working_mesh.h"
+
+#include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/repair/facets/internal/facet_shape.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+bool names(const Triangle& t, Index vertex) {
+  return std::find(t.begin(), t.end(), vertex) != t.end();
+}
+
+}  // namespace
+
+WorkingMesh::WorkingMesh(const Soup& soup, std::span<const Index> thin_faces, double tolerance)
+    : triangles_(soup.triangles),
+      positions_(soup.positions),
+      is_thin_(soup.n_faces(), 0),
+      n_original_faces_(soup.n_faces()),
+      tolerance_(tolerance),
+      begin_(soup.n_vertices() + 1, 0) {
+  for (const Index f : thin_faces) is_thin_[f] = 1;
+  for (Triangle& t : triangles_) {
+    if (!is_in_complex(t)) t = kNoTriangle;
+    if (t[0] == kNoIndex) continue;
+    for (const Index v : t) ++begin_[v + 1];
+  }
+  for (std::size_t v = 0; v < positions_.size(); ++v) begin_[v + 1] += begin_[v];
+  faces_.resize(begin_.back());
+  std::vector<Index> next(begin_.begin(), begin_.end() - 1);
+  for (std::size_t f = 0; f < triangles_.size(); ++f) {
+    if (triangles_[f][0] == kNoIndex) continue;
+    for (const Index v : triangles_[f]) faces_[next[v]++] = static_cast<Index>(f);
+  }
+}
+
+std::span<const Index> WorkingMesh::faces_at(Index vertex) const {
+  const auto changed = changed_.find(vertex);
+  if (changed != changed_.end()) return changed->second;
+  return std::span(faces_).subspan(begin_[vertex], begin_[vertex + 1] - begin_[vertex]);
+}
+
+std::vector<Index> WorkingMesh::faces_at(Index a, Index b) const {
+  const bool a_has_fewer = faces_at(a).size() <= faces_at(b).size();
+  const Index other = a_has_fewer ? b : a;
+  std::vector<Index> faces;
+  for (const Index f : faces_at(a_has_fewer ? a : b)) {
+    if (names(triangles_[f], other)) faces.push_back(f);
+  }
+  return faces;
+}
+
+bool WorkingMesh::are_joined(Index a, Index b) const {
+  const bool a_has_fewer = faces_at(a).size() <= faces_at(b).size();
+  const Index other = a_has_fewer ? b : a;
+  const auto faces = faces_at(a_has_fewer ? a : b);
+  return std::any_of(faces.begin(), faces.end(),
+                     [&](Index f) { return names(triangles_[f], other); });
+}
+
+std::vector<Index> WorkingMesh::neighbours(Index vertex) const {
+  std::vector<Index> result;
+  for (const Index f : faces_at(vertex)) {
+    for (const Index v : triangles_[f]) {
+      if (v != vertex) result.push_back(v);
+    }
+  }
+  sort_unique(result);
+  return result;
+}
+
+void WorkingMesh::make(const MendStep& step) {
+  if (step.moved) positions_[step.moved->vertex] = step.moved->to;
+  for (const MendStep::NewCorners& change : step.changed) {
+    detach(change.face);
+    if (change.corners != kNoTriangle) attach(change.face, change.corners);
+  }
+  for (const MendStep::NewFace& face : step.added) {
+    likes_.push_back(original(face.like));
+    triangles_.push_back(kNoTriangle);
+    is_thin_.push_back(0);
+    attach(static_cast<Index>(triangles_.size() - 1), face.corners);
+  }
+  if (!step.moved) return;
+  for (const Index f : faces_at(step.moved->vertex)) check(f);
+}
+
+std::vector<Index>& WorkingMesh::own_faces(Index vertex) {
+  const auto found = changed_.find(vertex);
+  if (found != changed_.end()) return found->second;
+  const auto faces = faces_at(vertex);
+  return changed_.emplace(vertex, std::vector<Index>(faces.begin(), faces.end())).first->second;
+}
+
+void WorkingMesh::detach(Index face) {
+  for (const Index v : triangles_[face]) {
+    std::vector<Index>& faces = own_faces(v);
+    faces.erase(std::find(faces.begin(), faces.end(), face));
+  }
+  triangles_[face] = kNoTriangle;
+  is_thin_[face] = 0;
+}
+
+void WorkingMesh::attach(Index face, const Triangle& corners) {
+  for (const Index v : corners) own_faces(v).push_back(face);
+  triangles_[face] = corners;
+  check(face);
+}
+
+void WorkingMesh::check(Index face) {
+  is_thin_[face] = measure_facet(corners(triangles_[face])).is_sound(tolerance_) ? 0 : 1;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "meshalyzer/mesh/soup.h"
+#include "meshalyzer/repair/facets/internal/mend_step.h"
+#include "meshalyzer/spatial/triangle_contact.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace meshalyzer {
+
+/// The complex of a soup, to try repairs on: connectivity as each vertex's list of faces, whatever
+/// the topology, and which faces are thin. Faces keep their numbers; added ones come after those
+/// of the soup.
+class WorkingMesh {
+ public:
+  /// @param thin_faces  Of the complex.
+  /// @complexity        O(#V + #F).
+  WorkingMesh(const Soup& soup, std::span<const Index> thin_faces, double tolerance);
+
+  /// Returns all kNoIndex for a face that is gone, or was never in the complex.
+  [[nodiscard]] const Triangle& triangle(Index face) const { return triangles_[face]; }
+  [[nodiscard]] bool has(Index face) const { return triangles_[face][0] != kNoIndex; }
+  [[nodiscard]] std::size_t n_faces() const { return triangles_.size(); }
+  [[nodiscard]] const Vec3& position(Index vertex) const { return positions_[vertex]; }
+  [[nodiscard]] Corners corners(const Triangle& t) const {
+    return {positions_[t[0]], positions_[t[1]], positions_[t[2]]};
+  }
+  [[nodiscard]] bool is_thin(Index face) const { return is_thin_[face] != 0; }
+  /// Returns the face of the soup that a face is, or was added like.
+  [[nodiscard]] Index original(Index face) const {
+    return face < n_original_faces_ ? face : likes_[face - n_original_faces_];
+  }
+
+  /// Returns the faces at a vertex, in no particular order but always the same. Holds until the
+  /// next step.
+  [[nodiscard]] std::span<const Index> faces_at(Index vertex) const;
+  /// Returns the faces at an edge, in the same sense.
+  [[nodiscard]] std::vector<Index> faces_at(Index a, Index b) const;
+  [[nodiscard]] bool are_joined(Index a, Index b) const;
+  /// Returns the vertices that share a face with a vertex, ascending.
+  [[nodiscard]] std::vector<Index> neighbours(Index vertex) const;
+
+  /// Makes a step.
+  void make(const MendStep& step);
+
+ private:
+  std::vector<Index>& own_faces(Index vertex);
+  void detach(Index face);
+  void attach(Index face, const Triangle& corners);
+  void check(Index face);
+
+  std::vector<Triangle> triangles_;
+  std::vector<Vec3> positions_;
+  std::vector<std::uint8_t> is_thin_;
+  std::size_t n_original_faces_;
+  std::vector<Index> likes_;
+  double tolerance_;
+  /// #V + 1: where the faces of each vertex begin, as they were in the beginning.
+  std::vector<Index> begin_;
+  std::vector<Index> faces_;
+  /// The faces of vertices where they have changed.
+  std::unordered_map<Index, std::vector<Index>> changed_;
+};
+
+}  // namespace meshalyzer

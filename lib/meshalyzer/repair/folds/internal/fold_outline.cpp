@@ -1,0 +1,174 @@
+#include "meshalyzer/repair/folds/internal/fold_outline.h"
+
+#include "meshalyzer/exact/normal.h"
+#include "meshalyzer/exact/predicates.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace meshalyzer {
+namespace {
+
+using Vec2 = Eigen::Vector2d;
+
+/// Returns the unit vector along the area that an outline encloses; zero where it encloses none.
+Vec3 normal_of(std::span<const Vec3> outline) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 2; i < outline.size(); ++i) {
+    sum += accurate_normal(outline[0], outline[i - 1], outline[i]);
+  }
+  return sum.allFinite() ? sum.stableNormalized() : Vec3::Zero();
+}
+
+double cross_2d(const Vec2& a, const Vec2& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+double area(const std::vector<Vec2>& polygon) {
+  double sum = 0.0;
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    sum += cross_2d(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]) / 2;
+  }
+  return sum;
+}
+
+/// Returns the part of a convex polygon that is on the left of the line from a to b.
+std::vector<Vec2> left_part(const std::vector<Vec2>& polygon, const Vec2& a, const Vec2& b) {
+  std::vector<Vec2> part;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2& p = polygon[i];
+    const Vec2& q = polygon[(i + 1) % polygon.size()];
+    const double here = cross_2d(b - a, p - a);
+    const double there = cross_2d(b - a, q - a);
+    if (here >= 0.0) part.push_back(p);
+    if ((here < 0.0 && there > 0.0) || (here > 0.0 && there < 0.0)) {
+      part.push_back(p + (q - p) * (here / (here - there)));
+    }
+  }
+  return part;
+}
+
+/// A plane in which an outline is measured: its middle at the origin, its reach about 1.
+struct Plane {
+  Vec3 origin;
+  double scale;
+  Vec3 u;
+  Vec3 v;
+
+  [[nodiscard]] Vec2 place(const Vec3& point) const {
+    const Vec3 from = (point - origin) / scale;
+    return {u.dot(from), v.dot(from)};
+  }
+  [[nodiscard]] Vec3 point(const Vec2& place) const {
+    return origin + scale * (place[0] * u + place[1] * v);
+  }
+};
+
+std::optional<Plane> plane_of(std::span<const Vec3> outline) {
+  const Vec3 normal = normal_of(outline);
+  Plane plane{Vec3::Zero(), 0.0, normal.unitOrthogonal(), Vec3::Zero()};
+  plane.v = normal.cross(plane.u);
+  for (const Vec3& p : outline) plane.origin += p / static_cast<double>(outline.size());
+  for (const Vec3& p : outline) {
+    plane.scale = std::max(plane.scale, (p - plane.origin).cwiseAbs().maxCoeff());
+  }
+  if (normal.isZero(0.0) || !(plane.scale > 0.0)) return std::nullopt;
+  return plane;
+}
+
+/// Cuts ears off an outline.
+class OutlineCutter {
+ public:
+  OutlineCutter(std::span<const Vec3> outline, const MayJoin& may_join)
+      : points_(outline), may_join_(may_join), left_(outline.size()) {
+    for (std::size_t i = 0; i < left_.size(); ++i) left_[i] = static_cast<Index>(i);
+    const Vec3 normal = normal_of(outline);
+    Eigen::Index longest = 0;
+    normal.cwiseAbs().maxCoeff(&longest);
+    axis_ = static_cast<Axis>(longest);
+    turn_ = normal[longest] > 0.0 ? 1 : -1;
+  }
+
+  std::vector<Triangle> run() {
+    std::vector<Triangle> triangles;
+    while (left_.size() >= 3) {
+      const std::optional<std::size_t> ear = best_ear();
+      if (!ear) return {};
+      triangles.push_back(triangle_at(*ear));
+      if (left_.size() == 3) break;
+      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(*ear));
+    }
+    return triangles;
+  }
+
+ private:
+  [[nodiscard]] Triangle triangle_at(std::size_t i) const {
+    const std::size_t n = left_.size();
+    return {left_[(i + n - 1) % n], left_[i], left_[(i + 1) % n]};
+  }
+  /// Tells whether a, b, c turn left.
+  [[nodiscard]] Sign turn(Index a, Index b, Index c) const {
+    return turn_ * orient2d(axis_, points_[a], points_[b], points_[c]);
+  }
+
+  [[nodiscard]] bool is_ear(const Triangle& t) const {
+    if (turn(t[0], t[1], t[2]) <= 0) return false;
+    if (left_.size() > 3 && !may_join_(t[0], t[2])) return false;
+    return std::none_of(left_.begin(), left_.end(), [&](Index p) {
+      return p != t[0] && p != t[1] && p != t[2] && turn(t[0], t[1], p) >= 0 &&
+             turn(t[1], t[2], p) >= 0 && turn(t[2], t[0], p) >= 0;
+    });
+  }
+
+  [[nodiscard]] std::optional<std::size_t> best_ear() const {
+    std::optional<std::size_t> best;
+    double best_quality = -1.0;
+    for (std::size_t i = 0; i < left_.size(); ++i) {
+      const Triangle t = triangle_at(i);
+      if (!is_ear(t)) continue;
+      const double quality = shape_quality(points_[t[0]], points_[t[1]], points_[t[2]]);
+      if (quality <= best_quality) continue;
+      best = i;
+      best_quality = quality;
+    }
+    return best;
+  }
+
+  std::span<const Vec3> points_;
+  const MayJoin& may_join_;
+  /// What is left of the outline.
+  std::vector<Index> left_;
+  Axis axis_ = Axis::Z;
+  Sign turn_ = 1;
+};
+
+}  // namespace
+
+std::optional<Vec3> middle_of_kernel(std::span<const Vec3> outline) {
+  const std::optional<Plane> plane = plane_of(outline);
+  if (!plane) return std::nullopt;
+  std::vector<Vec2> kernel{{-4, -4}, {4, -4}, {4, 4}, {-4, 4}};
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    kernel = left_part(kernel, plane->place(outline[i]),
+                       plane->place(outline[(i + 1) % outline.size()]));
+  }
+  // Less room than this is lost in rounding.
+  constexpr double kLeastArea = 1e-12;
+  if (!(area(kernel) > kLeastArea)) return std::nullopt;
+  Vec2 middle = Vec2::Zero();
+  for (const Vec2& p : kernel) middle += p / static_cast<double>(kernel.size());
+  return plane->point(middle);
+}
+
+std::vector<Triangle> cut_ears(std::span<const Vec3> outline, const MayJoin& may_join) {
+  return OutlineCutter(outline, may_join).run();
+}
+
+double shape_quality(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double longest =
+      std::max({(b - a).stableNorm(), (c - b).stableNorm(), (a - c).stableNorm()});
+  if (!(longest > 0.0)) return 0.0;
+  return accurate_normal(a, b, c).stableNorm() / longest / longest;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,144 @@
+#include "meshalyzer/repair/holes/internal/fill_loop.h"
+
+#include "meshalyzer/repair/holes/internal/large_loop.h"
+#include "meshalyzer/repair/holes/internal/rim_bend.h"
+#include "meshalyzer/repair/holes/internal/smooth_patch.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// Loops of up to so many edges get more rounds of tries, since each takes next to no time.
+constexpr std::size_t kCheapLoop = 64;
+constexpr std::size_t kRoundsWhereCheap = 4;
+constexpr std::size_t kRounds = 2;
+/// Loops of at most so many edges are filled without new vertices where the shape may be chosen.
+constexpr std::size_t kFewEdges = 5;
+/// A patch with a smaller mean angle between it and the surface round it, in radians, is smooth.
+constexpr double kSmoothBend = std::numbers::pi / 6.0;
+/// A fan round one new vertex is tried for loops of up to so many edges.
+constexpr std::size_t kMaxFan = 64;
+
+class LoopFiller {
+ public:
+  LoopFiller(const FillTask& task, const JoinedLoop& loop)
+      : task_(task),
+        loop_(loop.loop),
+        polygon_(make_polygon(task.mesh, loop.loop, task.degeneracy)),
+        rules_{.existing = &task.existing, .bridges = loop.bridges} {}
+
+  [[nodiscard]] std::optional<Patch> triangulated() const {
+    auto triangles = triangulate_large_loop(polygon_, rules_);
+    if (!triangles) return std::nullopt;
+    return Patch{.triangles = std::move(*triangles), .added = {}};
+  }
+
+  [[nodiscard]] Filling run() {
+    std::optional<Patch> patch = try_triangulations();
+    if (patch && wants_smooth(*patch)) {
+      std::optional<Patch> smooth = try_smooth(*patch);
+      if (smooth && is_smooth_enough(*smooth, *patch)) patch = std::move(smooth);
+    }
+    if (!patch) patch = try_fan();
+    if (!patch && first_ && rules_.bridges.empty()) patch = try_smooth(*first_);
+    filling_.patch = std::move(patch);
+    if (!filling_.patch) {
+      filling_.reason = has_tried_ ? "every patch tried intersects the mesh"
+                                   : "every patch would give an edge a third face";
+    }
+    return std::move(filling_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t n_rounds() const {
+    // That loops belong together is a guess, of which there may be many.
+    if (!rules_.bridges.empty()) return 1;
+    return polygon_.size() <= kCheapLoop ? kRoundsWhereCheap : kRounds;
+  }
+
+  /// Tries triangulations by all weights, again and again without those triangles that met
+  /// something.
+  [[nodiscard]] std::optional<Patch> try_triangulations() {
+    constexpr std::array kWeights{LoopWeight::BendThenArea, LoopWeight::Area, LoopWeight::Flat};
+    std::vector<Triangle> met;
+    for (std::size_t i = 0; i < n_rounds() * kWeights.size(); ++i) {
+      rules_.weight = kWeights[i % kWeights.size()];
+      if (i % kWeights.size() == 0) rules_.forbid(std::exchange(met, {}));
+      std::optional<Patch> patch = triangulated();
+      if (!patch) continue;
+      if (is_good(*patch)) return patch;
+      if (!first_) {
+        first_ = *patch;
+        filling_.met_faces = faults_.met_faces;
+      }
+      for (const Index t : faults_.meeting) met.push_back(patch->triangles[t]);
+    }
+    return std::nullopt;
+  }
+
+  /// Returns a new vertex in the middle of the loop, and a triangle to each edge.
+  [[nodiscard]] std::optional<Patch> try_fan() {
+    if (polygon_.size() > kMaxFan || !rules_.bridges.empty()) return std::nullopt;
+    const Soup& soup = task_.mesh.soup();
+    const double share = 1.0 / static_cast<double>(loop_.size());
+    Vec3 middle = Vec3::Zero();
+    for (const Index v : loop_.vertices) middle += share * soup.positions[v];
+    Patch fan{.triangles = {}, .added = {middle}};
+    const auto centre = static_cast<Index>(soup.n_vertices());
+    for (std::size_t i = 0; i < loop_.size(); ++i) {
+      fan.triangles.push_back({loop_.vertices[i], loop_.next(i), centre});
+    }
+    if (!is_good(fan)) return std::nullopt;
+    return fan;
+  }
+
+  [[nodiscard]] bool wants_smooth(const Patch& patch) const {
+    if (task_.shape != FillShape::Auto) return task_.shape == FillShape::Smooth;
+    return loop_.size() > kFewEdges && bends_into_hole(task_.mesh, loop_, patch);
+  }
+
+  /// Tells whether a smooth patch may take the place of the one that it was made of.
+  [[nodiscard]] bool is_smooth_enough(const Patch& smooth, const Patch& patch) const {
+    return task_.shape == FillShape::Smooth ||
+           mean_rim_bend(task_.mesh, loop_, smooth) <=
+               std::max(kSmoothBend, mean_rim_bend(task_.mesh, loop_, patch));
+  }
+
+  [[nodiscard]] std::optional<Patch> try_smooth(const Patch& patch) {
+    std::optional<Patch> smooth = smooth_patch(task_.mesh, loop_, task_.existing, patch);
+    if (smooth && !is_good(*smooth)) smooth.reset();
+    return smooth;
+  }
+
+  [[nodiscard]] bool is_good(const Patch& patch) {
+    has_tried_ = true;
+    faults_ = check_patch(task_.mesh, patch);
+    return faults_.empty();
+  }
+
+  const FillTask& task_;
+  const HoleLoop& loop_;
+  LoopPolygon polygon_;
+  LoopRules rules_;
+  Filling filling_;
+  bool has_tried_ = false;
+  /// The first triangulation, and what is wrong with the last patch.
+  std::optional<Patch> first_;
+  PatchFaults faults_;
+};
+
+}  // namespace
+
+std::optional<Patch> first_patch(const FillTask& task, const JoinedLoop& loop) {
+  return LoopFiller(task, loop).triangulated();
+}
+
+Filling fill_loop(const FillTask& task, const JoinedLoop& loop) {
+  return LoopFiller(task, loop).run();
+}
+
+}  // namespace meshalyzer

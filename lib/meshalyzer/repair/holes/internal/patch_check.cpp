@@ -1,0 +1,131 @@
+#include "meshalyzer/repair/holes/internal/patch_check.h"
+
+#include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/repair/driver/internal/contact_rule.h"
+#include "meshalyzer/spatial/box_meetings.h"
+#include "meshalyzer/spatial/self_intersection.h"
+#include "meshalyzer/spatial/triangle_contact.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+PlacedFace placed(const FaceTree& tree, std::size_t slot) {
+  const Triangle& t = tree.triangle(slot);
+  return {t, {tree.point(t[0]), tree.point(t[1]), tree.point(t[2])}};
+}
+
+/// Returns the intersections of patches with themselves and each other that count.
+std::vector<IntersectingPair> own_intersections(const Soup& soup, const CutMesh& cut,
+                                                const FaceTree& tree) {
+  const auto placed_face = [&](Index f) {
+    return PlacedFace{soup.triangles[f], corners_of(soup, f)};
+  };
+  std::vector<IntersectingPair> pairs = find_self_intersections(cut, tree);
+  std::erase_if(pairs, [&](const IntersectingPair& p) {
+    return p.kind == ContactKind::Unwelded &&
+           !are_in_contact_beyond_copies(placed_face(p.face_a), placed_face(p.face_b));
+  });
+  return pairs;
+}
+
+bool is_torn(const Soup& soup, const CutMesh& cut) {
+  return cut.side.faces.size() != soup.n_faces() || !cut.side.copies.empty() ||
+         cut.side.non_manifold_edges.size() != 0 || cut.side.flipped_edges.size() != 0;
+}
+
+/// Adds what a patch and the mesh have of each other.
+void find_meetings_with_mesh(const PreparedMesh& mesh, const PatchSoup& patch, const FaceTree& tree,
+                             PatchFaults& faults) {
+  const BoxMeetings meetings(tree, mesh.tree());
+  std::vector<std::vector<std::array<Index, 2>>> parts(meetings.n_chunks());
+  meetings.run([&](std::size_t chunk, std::size_t slot, std::size_t mesh_slot) {
+    PlacedFace p = placed(tree, slot);
+    for (Index& v : p.vertices) v = patch.vertices[v];
+    if (are_in_contact_beyond_copies(p, placed(mesh.tree(), mesh_slot))) {
+      parts[chunk].push_back({tree.mesh_face(slot), mesh.tree().mesh_face(mesh_slot)});
+    }
+    return BoxMeetings::Next::GoOn;
+  });
+  for (const auto& part : parts) {
+    for (const auto& [triangle, mesh_face] : part) {
+      faults.meeting.push_back(triangle);
+      faults.met_faces.push_back(mesh.cut().side.faces[mesh_face]);
+    }
+  }
+}
+
+}  // namespace
+
+PatchSoup make_soup(const Soup& mesh, const Patch& patch) {
+  PatchSoup result;
+  for (const Triangle& t : patch.triangles) {
+    result.vertices.insert(result.vertices.end(), t.begin(), t.end());
+  }
+  sort_unique(result.vertices);
+  for (const Index v : result.vertices) {
+    result.soup.positions.push_back(v < mesh.n_vertices() ? mesh.positions[v]
+                                                          : patch.added[v - mesh.n_vertices()]);
+  }
+  result.soup.triangles = patch.triangles;
+  for (Triangle& t : result.soup.triangles) {
+    for (Index& v : t) {
+      v = static_cast<Index>(std::lower_bound(result.vertices.begin(), result.vertices.end(), v) -
+                             result.vertices.begin());
+    }
+  }
+  return result;
+}
+
+PatchFaults check_patch(const PreparedMesh& mesh, const Patch& patch) {
+  PatchFaults faults;
+  const PatchSoup own = make_soup(mesh.soup(), patch);
+  const CutMesh cut = build(own.soup);
+  faults.is_torn = is_torn(own.soup, cut);
+  if (faults.is_torn) return faults;
+  const FaceTree tree(cut);
+  for (const IntersectingPair& pair : own_intersections(own.soup, cut, tree)) {
+    faults.meeting.push_back(pair.face_a);
+    faults.meeting.push_back(pair.face_b);
+  }
+  find_meetings_with_mesh(mesh, own, tree, faults);
+  sort_unique(faults.meeting);
+  sort_unique(faults.met_faces);
+  return faults;
+}
+
+std::vector<std::uint8_t> keep_apart(const PreparedMesh& mesh, std::span<const Patch> patches) {
+  // One mesh of all patches: they have no vertex in common, but for the names of added ones.
+  Patch all;
+  std::vector<Index> patch_of;
+  const auto n_vertices = static_cast<Index>(mesh.soup().n_vertices());
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const auto shift = static_cast<Index>(all.added.size());
+    for (Triangle t : patches[i].triangles) {
+      for (Index& v : t) v += v >= n_vertices ? shift : 0;
+      all.triangles.push_back(t);
+      patch_of.push_back(static_cast<Index>(i));
+    }
+    all.added.insert(all.added.end(), patches[i].added.begin(), patches[i].added.end());
+  }
+  std::vector<std::uint8_t> is_kept(patches.size(), 1);
+  if (patches.size() < 2) return is_kept;
+  const PatchSoup together = make_soup(mesh.soup(), all);
+  const CutMesh cut = build(together.soup);
+  std::vector<std::array<Index, 2>> clashes;
+  for (const IntersectingPair& pair : own_intersections(together.soup, cut, FaceTree(cut))) {
+    const auto [first, second] = std::minmax(patch_of[pair.face_a], patch_of[pair.face_b]);
+    if (first != second) clashes.push_back({second, first});
+  }
+  // By the later patch: whether the earlier one is kept is known by then.
+  std::sort(clashes.begin(), clashes.end());
+  for (const auto& [later, earlier] : clashes) {
+    if (is_kept[earlier] != 0) is_kept[later] = 0;
+  }
+  return is_kept;
+}
+
+}  // namespace meshalyzer

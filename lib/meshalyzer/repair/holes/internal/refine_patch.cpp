@@ -1,0 +1,191 @@
+#include "meshalyzer/repair/holes/internal/refine_patch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <unordered_map>
+
+namespace meshalyzer {
+namespace {
+
+/// Liepa's alpha: how much denser than the surroundings a patch may become.
+const double kDensity = std::sqrt(2.0);
+constexpr std::size_t kMaxNewVertices = 50'000;
+/// Each round splits a triangle once at most, which about halves the edges' lengths in two.
+constexpr std::size_t kMaxSplitRounds = 40;
+constexpr std::size_t kMaxSweeps = 20;
+
+/// Returns mean length of the mesh's edges at a vertex.
+double mean_edge_length(const TriMesh& mesh, VertexHandle v) {
+  double sum = 0.0;
+  std::size_t n = 0;
+  for (const VertexHandle w : mesh.vv_range(v)) {
+    sum += (mesh.point(w) - mesh.point(v)).norm();
+    ++n;
+  }
+  return sum / static_cast<double>(n);
+}
+
+double area_of(const TriMesh& mesh) {
+  double area = 0.0;
+  for (const FaceHandle f : mesh.faces()) area += mesh.calc_face_area(f);
+  return area;
+}
+
+Vec3 area_vector(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return (b - a).cross(c - a);
+}
+
+/// The four corners of the two triangles at an edge: its ends, then those opposite, the first on
+/// the side of half-edge 0.
+struct Diamond {
+  VertexHandle a, b, left, right;
+};
+
+Diamond diamond_of(const TriMesh& mesh, EdgeHandle e) {
+  const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
+  const HalfedgeHandle o = mesh.opposite_halfedge_handle(h);
+  return {mesh.from_vertex_handle(h), mesh.to_vertex_handle(h),
+          mesh.to_vertex_handle(mesh.next_halfedge_handle(h)),
+          mesh.to_vertex_handle(mesh.next_halfedge_handle(o))};
+}
+
+class Refiner {
+ public:
+  Refiner(const ExistingEdges& existing, WorkingPatch& patch)
+      : existing_(existing), patch_(patch), mesh_(patch.mesh) {}
+
+  void run(const PreparedMesh& mesh, const HoleLoop& loop) {
+    if (patch_.spacing.empty()) {
+      read_spacing(mesh, loop);
+    } else {
+      flip_edges();
+    }
+    for (std::size_t round = 0; round < kMaxSplitRounds && split_faces(); ++round) flip_edges();
+  }
+
+ private:
+  [[nodiscard]] double& spacing(VertexHandle v) {
+    return patch_.spacing[static_cast<std::size_t>(v.idx())];
+  }
+
+  /// Learns the lengths of edges round the loop, and makes them greater where they would make too
+  /// many vertices.
+  void read_spacing(const PreparedMesh& mesh, const HoleLoop& loop) {
+    std::unordered_map<Index, double> length_at;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      if (!loop.halfedges[i].is_valid()) continue;
+      const TriMesh& beyond = mesh.cut().mesh;
+      length_at[loop.vertices[i]] =
+          mean_edge_length(beyond, beyond.to_vertex_handle(loop.halfedges[i]));
+    }
+    double mean_square = 0.0;
+    for (const Index v : patch_.names) {
+      const double length = length_at[v];
+      patch_.spacing.push_back(length);
+      mean_square += length * length / static_cast<double>(patch_.names.size());
+    }
+    // A vertex has two equilateral triangles with an area of sqrt(3) / 4 of the square each.
+    const double n_expected = area_of(mesh_) / (0.5 * std::sqrt(3.0) * mean_square);
+    const double excess = n_expected / static_cast<double>(kMaxNewVertices);
+    if (!(excess > 1.0)) return;
+    for (double& s : patch_.spacing) s *= std::sqrt(excess);
+  }
+
+  /// Puts a vertex into each triangle that is too large.
+  ///
+  /// @return Whether there was any.
+  bool split_faces() {
+    const std::size_t n_faces = mesh_.n_faces();
+    const std::size_t n_most = patch_.names.size() + 2 * kMaxNewVertices;
+    bool has_split = false;
+    for (std::size_t i = 0; i < n_faces && mesh_.n_vertices() < n_most; ++i) {
+      has_split |= split_if_large(FaceHandle(static_cast<int>(i)));
+    }
+    return has_split;
+  }
+
+  bool split_if_large(FaceHandle face) {
+    std::array<VertexHandle, 3> corners;
+    std::copy_n(mesh_.cfv_iter(face), 3, corners.begin());
+    Vec3 middle = Vec3::Zero();
+    double wanted = 0.0;
+    for (const VertexHandle v : corners) {
+      middle += mesh_.point(v) / 3.0;
+      wanted += spacing(v) / 3.0;
+    }
+    const bool is_large = std::all_of(corners.begin(), corners.end(), [&](VertexHandle v) {
+      const double distance = kDensity * (mesh_.point(v) - middle).norm();
+      return distance > wanted && distance > spacing(v);
+    });
+    if (!is_large) return false;
+    const VertexHandle added = mesh_.add_vertex(middle);
+    mesh_.split(face, added);
+    patch_.spacing.push_back(wanted);
+    return true;
+  }
+
+  void flip_edges() {
+    for (std::size_t sweep = 0; sweep < kMaxSweeps; ++sweep) {
+      bool has_flipped = false;
+      for (std::size_t i = 0; i < mesh_.n_edges(); ++i) {
+        const EdgeHandle e(static_cast<int>(i));
+        if (!should_flip(e)) continue;
+        mesh_.flip(e);
+        has_flipped = true;
+      }
+      if (!has_flipped) return;
+    }
+  }
+
+  [[nodiscard]] bool should_flip(EdgeHandle e) const {
+    if (mesh_.is_boundary(e)) return false;
+    const Diamond d = diamond_of(mesh_, e);
+    return opposite_angles_exceed_half_turn(d) && stays_upright(d) && !exists(d) &&
+           mesh_.is_flip_ok(e);
+  }
+
+  [[nodiscard]] bool opposite_angles_exceed_half_turn(const Diamond& d) const {
+    const auto cot = [&](VertexHandle v) {
+      const Vec3 to_a = mesh_.point(d.a) - mesh_.point(v);
+      const Vec3 to_b = mesh_.point(d.b) - mesh_.point(v);
+      return to_a.dot(to_b) / std::max(to_a.cross(to_b).norm(), std::numeric_limits<double>::min());
+    };
+    // The sine of the sum has the sign of the sum of cotangents. A little more than zero, so that
+    // rounding never flips an edge to and fro.
+    return cot(d.left) + cot(d.right) < -1e-9;
+  }
+
+  /// Tells whether both triangles after a flip look to the same side as those before.
+  [[nodiscard]] bool stays_upright(const Diamond& d) const {
+    const Vec3& a = mesh_.point(d.a);
+    const Vec3& b = mesh_.point(d.b);
+    const Vec3& left = mesh_.point(d.left);
+    const Vec3& right = mesh_.point(d.right);
+    const Vec3 before = area_vector(a, b, left) + area_vector(b, a, right);
+    return area_vector(right, left, a).dot(before) > 0.0 &&
+           area_vector(left, right, b).dot(before) > 0.0;
+  }
+
+  /// Tells whether the mesh has the edge that a flip would make.
+  [[nodiscard]] bool exists(const Diamond& d) const {
+    if (patch_.is_new(d.left) || patch_.is_new(d.right)) return false;
+    return existing_.contains(patch_.names[static_cast<std::size_t>(d.left.idx())],
+                              patch_.names[static_cast<std::size_t>(d.right.idx())]);
+  }
+
+  const ExistingEdges& existing_;
+  WorkingPatch& patch_;
+  TriMesh& mesh_;
+};
+
+}  // namespace
+
+void refine_patch(const PreparedMesh& mesh, const HoleLoop& loop, const ExistingEdges& existing,
+                  WorkingPatch& patch) {
+  Refiner(existing, patch).run(mesh, loop);
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "meshalyzer/repair/holes/internal/existing_edges.h"
+#include "meshalyzer/repair/holes/internal/patch_check.h"
+
+#include <optional>
+
+namespace meshalyzer {
+
+/// Refines a patch to the density of the mesh round it, and fairs it: its new vertices go on as the
+/// mesh round it is bent (Liepa 2003, "Filling holes in meshes").
+///
+/// @param patch  A triangulation of the loop, and a manifold.
+/// @return       Nothing where the patch needs no new vertex, or the fair surface is out of reach
+/// of numbers.
+[[nodiscard]] std::optional<Patch> smooth_patch(const PreparedMesh& mesh, const HoleLoop& loop,
+                                                const ExistingEdges& existing, const Patch& patch);
+
+}  // namespace meshalyzer

@@ -1,0 +1,89 @@
+#include "meshalyzer/repair/orient/internal/side_votes.h"
+
+#include "meshalyzer/spatial/unit_scale.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace meshalyzer {
+namespace {
+
+constexpr std::size_t kMaxSamples = 192;
+/// Half-way between a flat sheet (0) and a closed surface (1/2): the winding number on a face,
+/// which is half-way between those on its two sides.
+constexpr double kSeparates = 0.25;
+
+Vec3 middle_of(const Corners& t) {
+  // Summed so that exchanging the last two changes no bit.
+  return t[0] / 3 + (t[1] / 3 + t[2] / 3);
+}
+
+std::vector<double> areas_of(std::span<const Corners> triangles) {
+  const UnitScale scale(triangles);
+  std::vector<double> areas(triangles.size());
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    const Vec3 a = scale(triangles[i][0]);
+    areas[i] = (scale(triangles[i][1]) - a).cross(scale(triangles[i][2]) - a).norm();
+  }
+  return areas;
+}
+
+std::vector<SurfaceSample> sample_all(std::span<const Corners> triangles,
+                                      std::span<const double> areas) {
+  std::vector<SurfaceSample> samples;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (areas[i] > 0.0) {
+      samples.push_back({middle_of(triangles[i]), areas[i]});
+    }
+  }
+  return samples;
+}
+
+std::vector<SurfaceSample> sample_some(std::span<const Corners> triangles,
+                                       std::span<const double> areas) {
+  const double step = std::accumulate(areas.begin(), areas.end(), 0.0) / kMaxSamples;
+  std::vector<SurfaceSample> samples;
+  double reached = 0.0;
+  double next = step / 2;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    reached += areas[i];
+    double area = 0.0;
+    for (; next < reached; next += step) area += step;
+    if (area > 0.0) {
+      samples.push_back({middle_of(triangles[i]), area});
+    }
+  }
+  return samples;
+}
+
+}  // namespace
+
+FacesByPart::FacesByPart(std::span<const Index> of_face, std::size_t n_parts)
+    : begin_(n_parts + 1, 0), faces_(of_face.size()) {
+  for (const Index part : of_face) ++begin_[part + 1];
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+  for (std::size_t f = 0; f < of_face.size(); ++f) {
+    faces_[next[of_face[f]]++] = static_cast<Index>(f);
+  }
+}
+
+std::vector<SurfaceSample> sample_surface(std::span<const Corners> triangles) {
+  const std::vector<double> areas = areas_of(triangles);
+  return triangles.size() <= kMaxSamples ? sample_all(triangles, areas)
+                                         : sample_some(triangles, areas);
+}
+
+SideVotes count_votes(const WindingNumbers& surface, std::span<const SurfaceSample> samples) {
+  SideVotes votes;
+  for (const SurfaceSample& sample : samples) {
+    votes.area += sample.area;
+    const double winding = surface.at(sample.point);
+    if (std::abs(winding) > kSeparates && std::abs(winding) < 1.0 - kSeparates) {
+      (winding > 0.0 ? votes.outward : votes.inward) += sample.area;
+    }
+  }
+  return votes;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,167 @@
+#include "meshalyzer/repair/split/internal/contact_places.h"
+
+#include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/sort_unique.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+using Link = std::array<Index, 2>;
+
+bool precedes(const Vec3& a, const Vec3& b) {
+  return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
+}
+
+/// The corners of two faces that are at one place but not one vertex, and how many are at one
+/// place.
+struct SharedPlaces {
+  std::vector<Link> links;
+  std::size_t count = 0;
+};
+
+SharedPlaces shared_places(const Soup& soup, const IntersectingPair& pair) {
+  SharedPlaces shared;
+  for (const Index a : soup.triangles[pair.face_a]) {
+    for (const Index b : soup.triangles[pair.face_b]) {
+      if (soup.positions[a] != soup.positions[b]) continue;
+      ++shared.count;
+      if (a != b) shared.links.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  return shared;
+}
+
+/// Returns pairs of vertices at one place whose faces touch; ascending, each once.
+std::vector<Link> find_links(const PreparedMesh& mesh) {
+  std::vector<Link> links;
+  for (const IntersectingPair& pair : mesh.intersecting_pairs()) {
+    if (pair.kind != ContactKind::Unwelded && pair.kind != ContactKind::CoplanarOverlap) continue;
+    const SharedPlaces shared = shared_places(mesh.soup(), pair);
+    if (pair.kind == ContactKind::CoplanarOverlap && shared.count < 3) continue;
+    links.insert(links.end(), shared.links.begin(), shared.links.end());
+  }
+  sort_unique(links);
+  return links;
+}
+
+IncidentFaces incident_faces_of(const PreparedMesh& mesh, const std::vector<Link>& links) {
+  std::vector<Index> vertices;
+  for (const Link& link : links) vertices.insert(vertices.end(), link.begin(), link.end());
+  sort_unique(vertices);
+  return {mesh.cut(), std::move(vertices)};
+}
+
+/// Lists where the border edges at each vertex end, sorted by position.
+std::vector<std::vector<Vec3>> border_ends(const Soup& soup, const IncidentFaces& incident) {
+  std::vector<std::vector<Vec3>> ends(incident.size());
+  for (std::size_t entry = 0; entry < incident.size(); ++entry) {
+    const std::vector<Spoke> spokes = find_spokes(soup, incident, entry);
+    for (std::size_t i = 0; i < spokes.size(); ++i) {
+      const bool is_alone = (i == 0 || spokes[i - 1].other != spokes[i].other) &&
+                            (i + 1 == spokes.size() || spokes[i + 1].other != spokes[i].other);
+      if (is_alone) ends[entry].push_back(soup.positions[spokes[i].other]);
+    }
+    std::sort(ends[entry].begin(), ends[entry].end(), precedes);
+  }
+  return ends;
+}
+
+bool have_common(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  for (auto p = a.begin(), q = b.begin(); p != a.end() && q != b.end();) {
+    if (precedes(*p, *q)) {
+      ++p;
+    } else if (precedes(*q, *p)) {
+      ++q;
+    } else {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Joins the vertices at one place that border edges at equal positions connect.
+DisjointSets join_weldable(const Soup& soup, const IncidentFaces& incident,
+                           const std::vector<Link>& links) {
+  const auto ends = border_ends(soup, incident);
+  DisjointSets sets(incident.size());
+  for (const auto& [a, b] : links) {
+    const std::size_t i = incident.entry_of(a);
+    const std::size_t j = incident.entry_of(b);
+    if (have_common(ends[i], ends[j])) sets.unite(static_cast<Index>(i), static_cast<Index>(j));
+  }
+  return sets;
+}
+
+/// Sorts links and their vertices by place.
+class PlaceMaker {
+ public:
+  PlaceMaker(const Soup& soup, const IncidentFaces& incident, const std::vector<Link>& links)
+      : incident_(incident),
+        units_(join_weldable(soup, incident, links)),
+        places_(incident.size()) {
+    for (const auto& [a, b] : links) places_.unite(entry(a), entry(b));
+  }
+
+  [[nodiscard]] std::vector<ContactPlace> make(const std::vector<Link>& links) {
+    number_units();
+    for (const auto& [a, b] : links) {
+      if (unit_[entry(a)] == unit_[entry(b)]) continue;
+      const auto contact = std::minmax(unit_[entry(a)], unit_[entry(b)]);
+      result_[place_[entry(a)]].contacts.push_back({contact.first, contact.second});
+    }
+    for (ContactPlace& place : result_) sort_unique(place.contacts);
+    std::erase_if(result_, [](const ContactPlace& place) { return place.contacts.empty(); });
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] Index entry(Index vertex) const {
+    return static_cast<Index>(incident_.entry_of(vertex));
+  }
+
+  /// Sets are named by their lowest elements, so that all are numbered as they are met.
+  void number_units() {
+    place_.resize(incident_.size());
+    unit_.resize(incident_.size());
+    for (Index i = 0; i < incident_.size(); ++i) {
+      const Index first = places_.find(i);
+      if (first == i) {
+        place_[i] = static_cast<Index>(result_.size());
+        result_.emplace_back();
+      }
+      place_[i] = place_[first];
+      auto& units = result_[place_[i]].units;
+      const Index root = units_.find(i);
+      if (root == i) {
+        unit_[i] = static_cast<Index>(units.size());
+        units.emplace_back();
+      }
+      unit_[i] = unit_[root];
+      units[unit_[i]].push_back(incident_.vertex(i));
+    }
+  }
+
+  const IncidentFaces& incident_;
+  DisjointSets units_;
+  DisjointSets places_;
+  /// The place of each entry, and its unit there.
+  std::vector<Index> place_;
+  std::vector<Index> unit_;
+  std::vector<ContactPlace> result_;
+};
+
+}  // namespace
+
+ContactPlaces find_contact_places(const PreparedMesh& mesh) {
+  const std::vector<Link> links = find_links(mesh);
+  IncidentFaces incident = incident_faces_of(mesh, links);
+  std::vector<ContactPlace> places = PlaceMaker(mesh.soup(), incident, links).make(links);
+  return {.incident = std::move(incident), .places = std::move(places)};
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "meshalyzer/repair/split/internal/pair_round_edge.h"
+
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+// Private to pair_round_edge().
+
+/// A face in its order round an edge.
+struct FaceByAngle {
+  /// Its place in the list given.
+  Index face = 0;
+  /// Radians, 0 to 2 pi, never less than that of the one before: an estimate, for choices that are
+  /// a matter of taste. The order is exact.
+  double angle = 0.0;
+};
+
+/// The faces at an edge.
+struct FacesByAngle {
+  /// Counter-clockwise as seen from b.
+  std::vector<FaceByAngle> order;
+  /// Faces whose apex is collinear with the edge, in the order given.
+  std::vector<Index> without_angle;
+};
+
+/// Sorts the faces at an edge from a to b by their angle round it.
+[[nodiscard]] FacesByAngle sort_by_angle(const Vec3& a, const Vec3& b,
+                                         std::span<const FaceAtEdge> faces);
+
+}  // namespace meshalyzer

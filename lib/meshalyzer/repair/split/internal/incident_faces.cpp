@@ -1,0 +1,91 @@
+#include "meshalyzer/repair/split/internal/incident_faces.h"
+
+#include "meshalyzer/base/disjoint_sets.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// Appends the faces at a mesh vertex.
+void append_faces(const CutMesh& cut, VertexHandle v, std::vector<Index>& faces) {
+  if (cut.mesh.is_isolated(v)) return;
+  for (const FaceHandle f : cut.mesh.vf_range(v)) faces.push_back(cut.side.face(f));
+}
+
+/// Joins the faces at an edge that ends at the vertex.
+void join_edge(std::span<const Spoke> edge, const JoinWideEdge& join, DisjointSets& fans) {
+  if (edge.size() == 2) {
+    fans.unite(edge[0].place, edge[1].place);
+  } else if (edge.size() > 2) {
+    const std::vector<Index> partner = join(edge);
+    for (std::size_t i = 0; i < edge.size(); ++i) {
+      if (partner[i] != kNoIndex) fans.unite(edge[i].place, edge[partner[i]].place);
+    }
+  }
+}
+
+}  // namespace
+
+IncidentFaces::IncidentFaces(const CutMesh& cut, std::vector<Index> vertices)
+    : vertices_(std::move(vertices)) {
+  const SideTable& side = cut.side;
+  for (const Index v : vertices_) {
+    append_faces(cut, VertexHandle(static_cast<int>(v)), faces_);
+    const auto [first, last] = std::equal_range(side.copies.begin(), side.copies.end(), v);
+    for (auto copy = first; copy != last; ++copy) {
+      const auto number = static_cast<std::size_t>(copy - side.copies.begin());
+      append_faces(cut, VertexHandle(static_cast<int>(side.n_file_vertices + number)), faces_);
+    }
+    std::sort(faces_.begin() + static_cast<std::ptrdiff_t>(begin_.back()), faces_.end());
+    begin_.push_back(faces_.size());
+  }
+}
+
+std::size_t IncidentFaces::entry_of(Index vertex) const {
+  return static_cast<std::size_t>(std::lower_bound(vertices_.begin(), vertices_.end(), vertex) -
+                                  vertices_.begin());
+}
+
+std::size_t IncidentFaces::place(std::size_t entry, Index face) const {
+  const auto all = faces(entry);
+  return static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), face) - all.begin());
+}
+
+std::vector<Spoke> find_spokes(const Soup& soup, const IncidentFaces& incident, std::size_t entry) {
+  std::vector<Spoke> spokes;
+  const auto faces = incident.faces(entry);
+  for (Index place = 0; place < faces.size(); ++place) {
+    for (const Index v : soup.triangles[faces[place]]) {
+      if (v != incident.vertex(entry)) spokes.push_back({.other = v, .place = place});
+    }
+  }
+  std::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) {
+    return std::tie(a.other, a.place) < std::tie(b.other, b.place);
+  });
+  return spokes;
+}
+
+std::vector<Index> find_fans_at(const Soup& soup, const IncidentFaces& incident, std::size_t entry,
+                                const JoinWideEdge& join) {
+  const std::vector<Spoke> spokes = find_spokes(soup, incident, entry);
+  DisjointSets joined(incident.faces(entry).size());
+  for (auto first = spokes.begin(); first != spokes.end();) {
+    const auto last = std::find_if(first, spokes.end(),
+                                   [&](const Spoke& spoke) { return spoke.other != first->other; });
+    join_edge({first, last}, join, joined);
+    first = last;
+  }
+  // A set is named by its lowest element, so that fans are numbered as they are met.
+  std::vector<Index> fans(incident.faces(entry).size());
+  Index n_fans = 0;
+  for (Index place = 0; place < fans.size(); ++place) {
+    const Index root = joined.find(place);
+    fans[place] = root == place ? n_fans++ : fans[root];
+  }
+  return fans;
+}
+
+}  // namespace meshalyzer

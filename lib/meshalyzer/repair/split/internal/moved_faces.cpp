@@ -1,0 +1,144 @@
+#include "meshalyzer/repair/split/internal/moved_faces.h"
+
+#include "meshalyzer/repair/driver/internal/contact_rule.h"
+#include "meshalyzer/repair/driver/internal/orientation_rule.h"
+#include "meshalyzer/spatial/align_faces.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// The number of pairs of faces that is always checked, in addition to pairs of moving faces.
+constexpr std::size_t kFreePairs = 4096;
+
+Box3 grown(const Box3& box, double by) {
+  return {box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by)};
+}
+
+/// Returns a point in the coordinates of the tree's boxes, which are within -1 ... 1 but for
+/// rounding; what is far outside is brought nearer, for infinity is where empty boxes are.
+std::array<float, 3> mapped(const FaceTree& tree, const Vec3& point) {
+  std::array<float, 3> result = tree.map(point);
+  for (float& x : result) x = std::clamp(x, -4.0F, 4.0F);
+  return result;
+}
+
+}  // namespace
+
+void MovedMesh::move(std::span<const Index> vertices, const Vec3& to) {
+  for (const Index v : vertices) {
+    reach_ = std::max(reach_, (to - positions_[v]).cwiseAbs().maxCoeff());
+    positions_[v] = to;
+  }
+}
+
+std::vector<Index> MovedMesh::faces_near(const Box3& box) const {
+  const FaceTree& tree = mesh_.tree();
+  if (tree.n_faces() == 0) return {};
+  const Box3 wide = grown(box, 2 * reach_);
+  const TreeBox wanted{mapped(tree, wide.min()), mapped(tree, wide.max())};
+  std::vector<std::size_t> nodes{0};
+  for (std::size_t level = tree.n_levels(); level-- > 0;) {
+    std::vector<std::size_t> below;
+    for (const std::size_t i : nodes) {
+      for (unsigned bits = tree.node(level, i).meeting(wanted); bits != 0; bits &= bits - 1) {
+        below.push_back(8 * i + static_cast<std::size_t>(std::countr_zero(bits)));
+      }
+    }
+    nodes = std::move(below);
+  }
+  std::vector<Index> faces;
+  for (const std::size_t slot : nodes) {
+    faces.push_back(mesh_.cut().side.faces[tree.mesh_face(slot)]);
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+Move::Move(const MovedMesh& mesh, std::span<const Index> vertices, std::span<const Index> faces,
+           double reach)
+    : mesh_(mesh), vertices_(vertices), faces_(faces), reach_(reach) {
+  const std::size_t max_pairs = kFreePairs + faces.size() * faces.size();
+  for (const Index face : faces_) {
+    Box3 box;
+    for (const Vec3& corner : mesh_.corners(mesh_.triangle(face))) box.extend(corner);
+    for (const Index other : mesh_.faces_near(grown(box, reach))) {
+      const bool moves_too = std::binary_search(faces_.begin(), faces_.end(), other);
+      if (!moves_too || other > face) pairs_.push_back({face, other});
+    }
+    is_crowded_ = pairs_.size() > max_pairs;
+    if (is_crowded_) return;
+  }
+  std::stable_partition(pairs_.begin(), pairs_.end(),
+                        [&](const Pair& pair) { return is_at_place(pair[1]); });
+}
+
+bool Move::is_accepted(const Vec3& to) {
+  if (is_crowded_) return false;
+  for (const Index face : faces_) {
+    if (!keeps_its_side(mesh_.triangle(face), to)) return false;
+  }
+  for (std::size_t i = 0; i < pairs_.size();) {
+    if (!would_touch(pairs_[i], to)) {
+      ++i;
+    } else if (touched_before(pairs_[i])) {
+      pairs_[i] = pairs_.back();
+      pairs_.pop_back();
+    } else {
+      std::swap(pairs_[i], pairs_.front());
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Move::is_moving(Index vertex) const {
+  return std::binary_search(vertices_.begin(), vertices_.end(), vertex);
+}
+
+/// Tells whether a face has a corner at the place of the vertices, but none of them.
+bool Move::is_at_place(Index face) const {
+  const Triangle& t = mesh_.triangle(face);
+  return std::any_of(t.begin(), t.end(), [&](Index v) {
+    return !is_moving(v) && mesh_.position(v) == mesh_.position(vertices_.front());
+  });
+}
+
+Corners Move::moved_corners(const Triangle& t, const Vec3& to) const {
+  Corners corners = mesh_.corners(t);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (is_moving(t[i])) corners[i] = to;
+  }
+  return corners;
+}
+
+bool Move::keeps_its_side(const Triangle& t, const Vec3& to) const {
+  return keeps_orientation(mesh_.corners(t), moved_corners(t, to));
+}
+
+bool Move::would_touch(const Pair& pair, const Vec3& to) const {
+  const auto is_one = [&](Index a, Index b) {
+    return a == b || (!is_moving(a) && !is_moving(b) && mesh_.position(a) == mesh_.position(b));
+  };
+  const Triangle& p = mesh_.triangle(pair[0]);
+  const Triangle& q = mesh_.triangle(pair[1]);
+  return are_in_contact({p, moved_corners(p, to)}, {q, moved_corners(q, to)}, is_one);
+}
+
+bool Move::touched_before(const Pair& pair) const {
+  const auto is_one = [&](Index a, Index b) {
+    return a == b || mesh_.position(a) == mesh_.position(b);
+  };
+  const auto [p, q, n_common] =
+      align_faces(mesh_.triangle(pair[0]), mesh_.triangle(pair[1]), is_one);
+  // Faces that lie on each other, corner on corner, are to be parted too.
+  if (n_common == 3) return p == q;
+  return find_contact(mesh_.corners(p), mesh_.corners(q), static_cast<Common>(n_common))
+      .has_value();
+}
+
+}  // namespace meshalyzer

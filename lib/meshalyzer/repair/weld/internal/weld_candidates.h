@@ -1,0 +1,114 @@
+#pragma once
+
+#include "meshalyzer/repair/weld/internal/weld_edges.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+
+// Private to weld_borders(): which border edges are near each other.
+
+/// Finds the points that are near others.
+class NearPoints {
+ public:
+  /// @param points  By index into `positions`; each once.
+  /// @param reach   Above 0. Where points are so dense that too many would be within it of each
+  ///                other, it is halved until they are few.
+  /// @complexity    O(n log n).
+  NearPoints(std::span<const Vec3> positions, std::span<const Index> points, double reach);
+
+  /// Returns the length that counts.
+  [[nodiscard]] double reach() const { return reach_; }
+
+  /// Calls `visit` for all points within reach of one of `positions`, itself included if it is
+  /// among them, in no particular order.
+  template <typename Visit>
+  void for_each_near(Index vertex, Visit&& visit) const {
+    for_each_near(vertex, reach_, std::forward<Visit>(visit));
+  }
+  /// The same for a length of no more than reach().
+  template <typename Visit>
+  void for_each_near(Index vertex, double reach, Visit&& visit) const {
+    const Vec3& p = positions_[vertex];
+    for_each_near_cell(p, [&](std::span<const Index> members) {
+      for (const Index v : members) {
+        if ((positions_[v] - p).stableNorm() <= reach) visit(v);
+      }
+    });
+  }
+
+ private:
+  using Cell = std::array<std::int64_t, 3>;
+  [[nodiscard]] std::int64_t cell_of(double coordinate) const;
+  [[nodiscard]] Cell cell_of(const Vec3& p) const;
+  [[nodiscard]] std::size_t first_slot(const Cell& cell) const;
+  void sort_into_cells(std::span<const Index> points);
+  [[nodiscard]] bool is_crowded() const;
+  [[nodiscard]] std::span<const Index> members_of(const Cell& cell) const;
+
+  template <typename Visit>
+  void for_each_near_cell(const Vec3& p, Visit&& visit) const {
+    Cell low;
+    Cell high;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double x = p[static_cast<Eigen::Index>(i)];
+      // A little more, for rounding.
+      low[i] = cell_of(x - 1.001 * reach_);
+      high[i] = cell_of(x + 1.001 * reach_);
+    }
+    for (std::int64_t x = low[0]; x <= high[0]; ++x) {
+      for (std::int64_t y = low[1]; y <= high[1]; ++y) {
+        for (std::int64_t z = low[2]; z <= high[2]; ++z) visit(members_of({x, y, z}));
+      }
+    }
+  }
+
+  std::span<const Vec3> positions_;
+  double reach_;
+  double width_ = 0.0;
+  /// Points by cell, and where each cell that has any begins.
+  std::vector<Index> points_;
+  std::vector<Cell> cells_;
+  std::vector<Index> begin_;
+  /// Open addressing: indices into cells_.
+  std::vector<Index> slots_;
+};
+
+/// The input of find_weld_chains(). This holds references only.
+struct NearEdges {
+  std::span<const Vec3> positions;
+  std::span<const WeldEdge> edges;
+  /// #V, see find_weld_places().
+  std::span<const Index> places;
+  /// The edges at each place.
+  const EdgesAtPlaces& at_places;
+  /// The places, to find those near a point.
+  const NearPoints& near;
+};
+
+/// Pairs of edges that are near each other.
+struct WeldCandidates {
+  /// The pairs in ascending order, the lower edge first, each once.
+  std::vector<WeldJoin> joins;
+  /// How far apart ends may be.
+  double reach = 0.0;
+};
+
+/// Finds the pairs of edges of different faces, both ends of one within reach of the ends of the
+/// other. Where an edge could be joined with another in both directions only the better one is
+/// listed, in doubt the one where they run against each other.
+///
+/// @param wanted  Which edges to look at, ascending.
+/// @param reach   Above 0. Where edges are so short that too many would be within it of each other,
+///                it is halved until they are few.
+/// @complexity    O(#wanted + found).
+[[nodiscard]] WeldCandidates find_weld_candidates(std::span<const Vec3> positions,
+                                                  std::span<const WeldEdge> edges,
+                                                  std::span<const Index> wanted, double reach);
+
+}  // namespace meshalyzer

@@ -1,0 +1,101 @@
+#include "meshalyzer/repair/weld/internal/weld_edges.h"
+
+#include "meshalyzer/base/hash.h"
+#include "meshalyzer/topology/edges.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+
+namespace meshalyzer {
+namespace {
+
+bool has_two_equal_corners(const Soup& soup, const WeldEdge& edge) {
+  const Vec3& a = soup.positions[edge.from];
+  const Vec3& b = soup.positions[edge.to];
+  const Vec3& c = soup.positions[edge.third];
+  return a == b || b == c || c == a;
+}
+
+WeldEdge edge_of(const CutMesh& cut, HalfedgeHandle inner) {
+  const auto [from, to] = file_ends(cut, inner);
+  const HalfedgeHandle next = cut.mesh.next_halfedge_handle(inner);
+  return {.from = from,
+          .to = to,
+          .third = cut.side.vertex(cut.mesh.to_vertex_handle(next)),
+          .face = cut.side.face(cut.mesh.face_handle(inner))};
+}
+
+/// The lowest vertex at each place, in a table with open addressing.
+class PlaceTable {
+ public:
+  PlaceTable(std::span<const Vec3> positions, std::size_t n_places)
+      : positions_(positions), slots_(std::bit_ceil(2 * n_places + 1), kNoIndex) {}
+
+  /// Returns the vertex that was the first to be asked for at this place.
+  [[nodiscard]] Index first_at_place_of(Index vertex) {
+    const Vec3& p = positions_[vertex];
+    std::size_t slot = hash_position(p) & (slots_.size() - 1);
+    while (slots_[slot] != kNoIndex && positions_[slots_[slot]] != p) {
+      slot = (slot + 1) & (slots_.size() - 1);
+    }
+    if (slots_[slot] == kNoIndex) slots_[slot] = vertex;
+    return slots_[slot];
+  }
+
+ private:
+  std::span<const Vec3> positions_;
+  std::vector<Index> slots_;
+};
+
+}  // namespace
+
+std::vector<WeldEdge> find_weld_edges(const PreparedMesh& mesh) {
+  const CutMesh& cut = mesh.cut();
+  const std::vector<EdgeKind> kinds = classify_edges(cut);
+  std::vector<WeldEdge> edges;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    if (kinds[i] != EdgeKind::Border) continue;
+    const EdgeHandle e(static_cast<int>(i));
+    const HalfedgeHandle h = cut.mesh.halfedge_handle(e, 0);
+    const WeldEdge edge =
+        edge_of(cut, cut.mesh.is_boundary(h) ? cut.mesh.opposite_halfedge_handle(h) : h);
+    if (!has_two_equal_corners(mesh.soup(), edge)) edges.push_back(edge);
+  }
+  return edges;
+}
+
+std::vector<Index> find_weld_places(std::span<const Vec3> positions,
+                                    std::span<const WeldEdge> edges) {
+  std::vector<Index> places(positions.size(), kNoIndex);
+  std::size_t n_ends = 0;
+  for (const WeldEdge& edge : edges) {
+    for (const Index v : {edge.from, edge.to}) {
+      n_ends += places[v] == kNoIndex ? 1 : 0;
+      places[v] = v;
+    }
+  }
+  PlaceTable table(positions, n_ends);
+  for (Index& place : places) {
+    if (place != kNoIndex) place = table.first_at_place_of(place);
+  }
+  return places;
+}
+
+EdgesAtPlaces list_edges_at_places(std::span<const WeldEdge> edges, std::span<const Index> wanted,
+                                   std::span<const Index> places) {
+  EdgesAtPlaces lists{.begin = std::vector<Index>(places.size() + 1, 0), .edges = {}};
+  for (const Index e : wanted) {
+    for (const Index v : {edges[e].from, edges[e].to}) ++lists.begin[places[v]];
+  }
+  Index sum = 0;
+  for (Index& begin : lists.begin) begin = sum += begin;
+  lists.edges.resize(sum);
+  // Filled from their ends, in descending order, each list ends up ascending and begin right.
+  for (auto e = wanted.rbegin(); e != wanted.rend(); ++e) {
+    for (const Index v : {edges[*e].from, edges[*e].to}) lists.edges[--lists.begin[places[v]]] = *e;
+  }
+  return lists;
+}
+
+}  // namespace meshalyzer
