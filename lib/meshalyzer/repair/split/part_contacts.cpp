@@ -141,15 +141,14 @@ class Parting {
   [[nodiscard]] std::optional<Found> find_move(const ContactPlace& place,
                                                const std::vector<Index>& units) const {
     std::vector<std::vector<Index>> faces;
-    std::vector<std::vector<Vec3>> directions;
-    for (const Index unit : units) {
-      faces.push_back(faces_of(place.units[unit]));
-      directions.push_back(parting_directions(corners_of(place.units[unit], faces.back())));
-    }
+    for (const Index unit : units) faces.push_back(faces_of(place.units[unit]));
     const Trial trial{.place = place, .units = units, .faces = faces};
-    if (auto found = search(trial, directions, kFineGrowth)) return found;
-    directions.assign(units.size(), grid_directions());
-    return search(trial, directions, kCoarseGrowth);
+    const auto chosen_directions = [&](std::size_t i) {
+      return parting_directions(corners_of(place.units[units[i]], faces[i]));
+    };
+    if (auto found = search(trial, chosen_directions, kFineGrowth)) return found;
+    return search(
+        trial, [](std::size_t) { return grid_directions(); }, kCoarseGrowth);
   }
 
   /// Returns the faces round a unit, ascending.
@@ -183,35 +182,59 @@ class Parting {
     const std::vector<std::vector<Index>>& faces;
   };
 
-  [[nodiscard]] std::vector<Move> make_moves(const Trial& trial, double reach) const {
-    std::vector<Move> moves;
-    for (std::size_t i = 0; i < trial.units.size(); ++i) {
-      moves.emplace_back(mesh_, trial.place.units[trial.units[i]], trial.faces[i], reach);
-    }
-    return moves;
-  }
+  /// A unit that may move, in these directions. Most units need not be looked at, so each is made
+  /// when it is.
+  struct Candidate {
+    std::vector<Vec3> directions;
+    Move move;
+  };
+
+  using Directions = std::function<std::vector<Vec3>(std::size_t)>;
 
   /// Returns the smallest step that does it, whichever unit makes it and in whatever direction.
-  [[nodiscard]] std::optional<Found> search(const Trial& trial,
-                                            const std::vector<std::vector<Vec3>>& directions,
+  [[nodiscard]] std::optional<Found> search(const Trial& trial, const Directions& directions,
                                             double growth) const {
     // Finite, so that steps come to an end.
     const double max =
         std::min(input_.limits.max_deviation, std::numeric_limits<double>::max() / 2);
-    std::vector<Move> moves = make_moves(trial, kLookupReach * first_step_);
+    double reach = kLookupReach * first_step_;
+    std::vector<std::optional<Candidate>> candidates(trial.units.size());
     for (double step = first_step_; step <= max; step *= growth) {
-      if (step > moves.front().reach()) moves = make_moves(trial, kLookupReach * step);
-      if (std::all_of(moves.begin(), moves.end(), std::mem_fn(&Move::is_crowded))) break;
+      if (step > reach) {
+        reach = kLookupReach * step;
+        candidates = std::vector<std::optional<Candidate>>(trial.units.size());
+      }
+      bool is_hopeless = true;
       for (std::size_t i = 0; i < trial.units.size(); ++i) {
-        const Vec3& from = mesh_.position(trial.place.units[trial.units[i]].front());
-        for (const Vec3& direction : directions[i]) {
-          const Vec3 to = from + step * direction;
-          const double distance = (to - from).stableNorm();
-          if (distance > 0.0 && distance <= max && moves[i].is_accepted(to)) {
-            return Found{.unit = trial.units[i], .to = to};
-          }
+        const std::vector<Index>& unit = trial.place.units[trial.units[i]];
+        if (!candidates[i]) {
+          candidates[i].emplace(Candidate{directions(i), Move(mesh_, unit, trial.faces[i], reach)});
+        }
+        if (candidates[i]->move.is_crowded()) continue;
+        is_hopeless = false;
+        if (auto to = place_to_go(*candidates[i], unit, {step, max})) {
+          return Found{.unit = trial.units[i], .to = *to};
         }
       }
+      if (is_hopeless) break;
+    }
+    return std::nullopt;
+  }
+
+  /// The length of a step, and the most that it may be once it is rounded.
+  struct StepLength {
+    double step;
+    double max;
+  };
+
+  [[nodiscard]] std::optional<Vec3> place_to_go(Candidate& candidate,
+                                                const std::vector<Index>& unit,
+                                                const StepLength& length) const {
+    const Vec3& from = mesh_.position(unit.front());
+    for (const Vec3& direction : candidate.directions) {
+      const Vec3 to = from + length.step * direction;
+      const double distance = (to - from).stableNorm();
+      if (distance > 0.0 && distance <= length.max && candidate.move.is_accepted(to)) return to;
     }
     return std::nullopt;
   }
