@@ -32,17 +32,33 @@ std::optional<ContactKind> contact_of(const FaceTree& tree, const AlignedFaces<I
                       static_cast<Common>(pair.n_common));
 }
 
-/// Whether the contact is gone when vertices at identical places count as one.
-bool is_unwelded(const FaceTree& tree, const AlignedFaces<Index>& by_id) {
-  const auto same_place = [&](Index a, Index b) { return tree.point(a) == tree.point(b); };
-  const AlignedFaces<Index> by_place = align_faces(by_id.p, by_id.q, same_place);
-  return by_place.n_common > by_id.n_common && !contact_of(tree, by_place);
+/// Whether no two corners of a face are at one place.
+bool has_three_places(const FaceTree& tree, const Triangle& t) {
+  const Corners c = corners_of(tree, t);
+  return c[0] != c[1] && c[1] != c[2] && c[2] != c[0];
+}
+
+/// Whether two faces touch by being next to each other along a seam that was never welded, which
+/// is asked first because it is cheaper than the kind of contact: they have a corner in common by
+/// place that they have not by id, and share nothing else when vertices at identical places count
+/// as one.
+bool are_unwelded_neighbours(const FaceTree& tree, const AlignedFaces<Index>& by_id,
+                             const AlignedFaces<Index>& by_place) {
+  return by_place.n_common > by_id.n_common && by_id.n_common < 2 &&
+         has_three_places(tree, by_id.p) && has_three_places(tree, by_id.q) &&
+         !contact_of(tree, by_place);
 }
 
 std::optional<ContactKind> find_kind(const FaceTree& tree, const Triangle& p, const Triangle& q) {
   const AlignedFaces<Index> by_id = align_faces(p, q, [](Index a, Index b) { return a == b; });
+  const AlignedFaces<Index> by_place = align_faces(
+      by_id.p, by_id.q, [&](Index a, Index b) { return tree.point(a) == tree.point(b); });
+  if (are_unwelded_neighbours(tree, by_id, by_place)) return ContactKind::Unwelded;
   const std::optional<ContactKind> kind = contact_of(tree, by_id);
-  return kind && is_unwelded(tree, by_id) ? ContactKind::Unwelded : kind;
+  // The contact is gone when vertices at identical places count as one.
+  const bool is_unwelded =
+      kind && by_place.n_common > by_id.n_common && !contact_of(tree, by_place);
+  return is_unwelded ? ContactKind::Unwelded : kind;
 }
 
 using Pairs = std::vector<IntersectingPair>;
