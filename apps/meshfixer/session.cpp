@@ -1,6 +1,7 @@
 #include "session.h"
 
 #include "meshalyzer/io/file.h"
+#include "meshalyzer/io/format_of.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/report/json/repair_report.h"
@@ -160,6 +161,7 @@ ExitCode fix(const Options& options, Soup soup, const Source& source, Streams st
   repair.on_progress = [&](const RepairProgress& now) { progress.show(progress_text(now)); };
   const StopRequest stop(options.time_limit);
   repair.wants_to_stop = [&] { return stop.is_made(); };
+  if (options.output) repair.written_as = format_of_name(*options.output);
   const Soup before = options.html ? soup : Soup();
   const RepairResult result = fix_defects(std::move(soup), repair);
   progress.clear();

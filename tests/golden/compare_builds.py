@@ -123,10 +123,10 @@ def damage(text, generator):
     return ''.join(lines)
 
 
-def damaged_meshes(n, files, folder):
+def damaged_meshes(n, files, folder, seed=1):
     texts = [(path, path.read_text()) for path in files
              if path.suffix in ('.mesh', '.obj', '.off') and 0 < path.stat().st_size < 60_000]
-    generator = random.Random(1)
+    generator = random.Random(seed)
     made = []
     for i in range(n):
         path, text = generator.choice(texts)

@@ -2,6 +2,8 @@
 
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/mesh/validate.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
+#include "plain_counts.h"
 #include "support/same_soup.h"
 #include "support/surface_distance.h"
 
@@ -135,7 +137,50 @@ Soup without_patches(const RepairResult& result) {
   return soup;
 }
 
+/// Adds the intersecting pairs to the plain counts; touching copies are no pairs where they are to
+/// be kept.
+PlainCounts count_all(const Soup& soup, const RepairOptions& options) {
+  PlainCounts counts = count_plainly(soup);
+  const PreparedMesh mesh(soup);
+  for (const IntersectingPair& pair : mesh.intersecting_pairs()) {
+    const bool counts_here = options.contact != Contact::Keep || pair.kind != ContactKind::Unwelded;
+    counts["intersecting pairs"] += counts_here ? 1 : 0;
+  }
+  return counts;
+}
+
+bool is_outward(const Soup& soup) {
+  const PreparedMesh mesh(soup);
+  const std::vector<Shell>& shells = mesh.shells();
+  return !shells.empty() && std::all_of(shells.begin(), shells.end(), [](const Shell& shell) {
+    return shell.outward.value_or(false);
+  });
+}
+
 }  // namespace
+
+void expect_never_worse(const Soup& input, const RepairResult& result,
+                        const RepairOptions& options) {
+  ASSERT_EQ(result.meshes.size(), 1U);
+  const Soup& soup = result.meshes.front().tracked.soup;
+  PlainCounts before = count_all(input, options);
+  PlainCounts after = count_all(soup, options);
+  const std::size_t parted = before["non-manifold edges"] -
+                             std::min(before["non-manifold edges"], after["non-manifold edges"]);
+  for (const auto& [name, n] : after) {
+    const bool is_left_by_parting = name == "border edges" || name == "pinched vertices";
+    EXPECT_LE(n, before[name] + (is_left_by_parting ? parted : 0)) << name;
+  }
+  for (const char* name : {"border edges", "non-manifold vertices"}) {
+    if (before[name] == 0) {
+      EXPECT_EQ(after[name], 0U) << name;
+    }
+  }
+  const bool turns = options.turn == Turn::Everything;
+  if (!turns && before["border edges"] == 0 && is_outward(input)) {
+    EXPECT_TRUE(is_outward(soup));
+  }
+}
 
 void expect_done(const RepairResult& result, const RepairOptions& options) {
   RepairOptions again = options;

@@ -19,6 +19,12 @@ void expect_log_complete(const Soup& input, const RepairResult& result);
 /// What the log does not name is bit for bit what it was.
 void expect_rest_untouched(const Soup& input, const RepairResult& result);
 
+/// No count of defects is higher than before, and the mesh is still closed, manifold, consistent
+/// and outward where it was. A non-manifold edge less may leave one border edge and one pinched
+/// vertex. Counted in the plainest way.
+void expect_never_worse(const Soup& input, const RepairResult& result,
+                        const RepairOptions& options);
+
 /// Dense samples of either surface are within the bound, and within what was measured, of the
 /// other; hole patches are left out.
 void expect_within_deviation(const Soup& input, const RepairResult& result);

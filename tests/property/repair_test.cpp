@@ -67,6 +67,10 @@ TEST(RepairLaw, ResultHoldsTogether) {
       [](const Soup&, const RepairResult& result, const RepairOptions&) { expect_valid(result); });
 }
 
+TEST(RepairLaw, NothingIsWorseThanBefore) {
+  for_damaged_meshes(expect_never_worse);
+}
+
 TEST(RepairLaw, RepairingAgainChangesNothing) {
   for_damaged_meshes([](const Soup&, const RepairResult& result, const RepairOptions& options) {
     expect_done(result, options);

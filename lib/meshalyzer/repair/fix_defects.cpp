@@ -97,6 +97,7 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   result.meshes = finished_meshes(driver, options, tolerances);
   result.deviation = driver.deviation();
   result.is_stopped = driver.is_stopped();
+  result.rises = driver.rises();
   result.log = driver.take_log();
   name_what_has_no_reason(options, result);
   return result;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/defects/find_defects.h"
+#include "meshalyzer/repair/driver/defect_counts.h"
 #include "meshalyzer/repair/driver/options.h"
 #include "meshalyzer/repair/driver/repair_log.h"
 #include "meshalyzer/repair/edits/tracked_mesh.h"
@@ -28,12 +29,16 @@ struct RepairResult {
   double deviation = 0.0;
   /// Tells whether the repair ended because it was asked to, so that more might be repaired.
   bool is_stopped = false;
+  /// The counts that are higher than before: only where a graver one has fallen that could not fall
+  /// otherwise ("Never worse" in doc/repair.md).
+  std::vector<CountRise> rises;
 };
 
 /// Repairs a mesh as far as possible within a maximum deviation, and reports the remaining defects
 /// (doc/repair.md).
 ///
-/// What is not broken stays bit for bit. Repairing the result again changes nothing.
+/// What is not broken stays bit for bit. Repairing the result again changes nothing. The result is
+/// never worse than the input, see RepairResult::rises.
 ///
 /// @throws InvalidArgument  as resolve_tolerances(); for a deviation that is negative or not
 /// finite; and where a position is not finite.

@@ -17,7 +17,8 @@ namespace meshalyzer {
 [[nodiscard]] PassResult drop_corrupt(const PassInput& input);
 
 /// Drops all but one of faces with the same three vertices: the first of those that cross most of
-/// their edges against the one other face there (of a pillow, the first).
+/// their edges against the one other face there. Opposed faces that have no other face at their
+/// edges all go: one alone would be open.
 ///
 /// Where they are a wall between two solids, as many facing one way as the other, and the rest of
 /// the mesh is closed without it, all go if all of the wall is within the deviation of the rest: so

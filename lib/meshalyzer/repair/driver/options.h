@@ -64,6 +64,9 @@ struct RepairOptions {
   std::size_t keep_largest = 0;
   /// How many remaining defects are listed at most; 0 lists all.
   std::size_t max_defects = 0;
+  /// The format of the file that the result will be written to, by default that of the input: the
+  /// result is compared with the input as that file holds them.
+  std::optional<Format> written_as;
   RepairListener on_progress;
   /// Asked before each attempt of a pass; once it says yes the repair ends with what it has by
   /// then. May be empty. Called from the thread that called the library.

@@ -140,7 +140,9 @@ class DuplicateDropper {
     const std::vector<Index> wall_of = find_inner_walls(mesh_, sets_);
     std::map<Index, std::vector<Index>> walls;
     for (Index s = 0; s < sets_.size(); ++s) {
-      if (wall_of[s] == kNoIndex) {
+      if (is_pillow(sets_[s])) {
+        keep({}, sets_[s]);
+      } else if (wall_of[s] == kNoIndex) {
         keep({best_of(sets_[s])}, sets_[s]);
       } else {
         walls[wall_of[s]].push_back(s);
@@ -151,6 +153,15 @@ class DuplicateDropper {
   }
 
  private:
+  /// Tells whether faces are closed by themselves: one of them alone would be open.
+  [[nodiscard]] bool is_pillow(const EqualFaces& set) const {
+    const Triangle& t = mesh_.triangle(set.faces.front());
+    const auto has_no_other_face = [&](std::size_t k) {
+      return mesh_.faces_at(t[k], t[(k + 1) % 3]).size() == set.faces.size();
+    };
+    return set.cancel_out() && has_no_other_face(0) && has_no_other_face(1) && has_no_other_face(2);
+  }
+
   /// Returns the first of those that fit best to their neighbours: that cross most edges against
   /// the one other face there.
   [[nodiscard]] Index best_of(const EqualFaces& set) const {

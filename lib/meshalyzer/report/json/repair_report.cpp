@@ -233,6 +233,21 @@ void write_log(JsonWriter& json, const RepairReport& report) {
   json.end_object();
 }
 
+/// Writes the counts that are higher than before, where there are any.
+void write_rises(JsonWriter& json, const std::vector<CountRise>& rises) {
+  if (rises.empty()) return;
+  json.key("rises");
+  json.begin_array();
+  for (const CountRise& rise : rises) {
+    json.begin_object(JsonLayout::Row);
+    json.member("count", name_of(rise.kind));
+    json.member("before", rise.before);
+    json.member("after", rise.after);
+    json.end_object();
+  }
+  json.end_array();
+}
+
 void write_meshes(JsonWriter& json, const RepairReport& report) {
   const std::vector<std::uint8_t> is_changed = changed_faces(report);
   json.key("meshes");
@@ -282,6 +297,7 @@ std::string json_report(const RepairReport& report) {
   json.member("max_deviation", report.result.max_deviation);
   json.member("deviation", report.result.deviation);
   json.member("remaining", n_remaining(report));
+  write_rises(json, report.result.rises);
   json.key("notes");
   json.begin_array();
   for (const std::string& note : report.notes) json.value(std::string_view(note));

@@ -75,6 +75,12 @@ void append_counts(TextLines& lines, const RepairReport& report) {
   }
   lines.line("defects", arrow(before, after));
   lines.line("asked for and left", n_remaining(report));
+  for (const CountRise& rise : report.result.rises) {
+    std::string text(name_of(rise.kind));
+    text += ' ';
+    text += arrow(rise.before, rise.after);
+    lines.line("more than before", text);
+  }
 }
 
 /// Short: only what was asked for; of the rest the counts have told.

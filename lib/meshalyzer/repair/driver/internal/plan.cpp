@@ -53,7 +53,7 @@ std::vector<PlannedPass> weld_passes(double within, const Tolerances& tolerances
 void plan_operations(const RepairOptions& options, const Tolerances& tolerances, Planner& plan) {
   using enum DefectCode;
   if (options.turn == Turn::Everything) {
-    plan.add_always({"flip", Inward, flip_all, {}, Repeat::Once});
+    plan.add_always({"flip", Inward, flip_all, {Inward}, Repeat::Once});
   }
   if (options.weld_within) {
     for (PlannedPass& pass : weld_passes(*options.weld_within, tolerances)) {

@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/driver/internal/repair_driver.h"
 
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/repair/driver/internal/log_edits.h"
 #include "meshalyzer/repair/edits/apply_edits.h"
 
@@ -17,6 +18,17 @@ constexpr std::size_t kMaxRounds = 20;
 constexpr std::size_t kMaxRuns = 200;
 /// Rejected operations are removed from a list so many times before all of it is dropped.
 constexpr std::size_t kMaxTrials = 10;
+/// So often the operations that have most likely made a mesh worse are banned, then all that may
+/// have, and then pass after pass.
+constexpr std::size_t kAttemptsByLast = 6;
+constexpr std::size_t kAttemptsByAll = 10;
+/// Where more faces and intersecting pairs than this have been looked at in vain, nothing is tried
+/// any more: what a stage has begun with is kept.
+constexpr std::size_t kMaxWork = 20'000'000;
+/// After so many stages what was banned stays undone.
+constexpr std::size_t kMaxStages = 5;
+
+constexpr const char* kEndsWorse = "undone: in the end the mesh would be worse for it";
 
 }  // namespace
 
@@ -26,11 +38,84 @@ RepairDriver::RepairDriver(Soup input, const Tolerances& tolerances, RepairLimit
       tolerances_(tolerances),
       limits_(std::move(limits)),
       fixed_(std::move(fixed)),
-      meter_(input_),
+      meter_(std::in_place, input_),
       state_(std::make_unique<RepairState>(track_mesh(input_), tolerances_)) {}
 
 void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOptions& options) {
+  on_progress_ = options.on_progress;
   wants_to_stop_ = options.wants_to_stop;
+  const FinalCheck check = final_check_for(options, input_.format);
+  DefectInventory input = list_defective_in_file(*state_, tolerances_, check);
+  const bool turns_over = std::any_of(plan.begin(), plan.end(), [](const PlannedPass& pass) {
+    return pass.may_create.contains(DefectCode::Inward);
+  });
+  if (turns_over) input.is_yes[static_cast<std::size_t>(Attribute::Outward)] = false;
+  DefectInventory before = input;
+  for (std::size_t stage = 0; stage < kMaxStages; ++stage) {
+    std::optional<DefectInventory> after = run_stage(plan, {check, before});
+    if (!after) break;
+    before = std::move(*after);
+    // What was banned for the sake of others may be done now, so that nothing is left to do.
+    if (banned_.size() == 0) break;
+    banned_ = {};
+    checkpoint_ = {state_->tracked(), log_, deviation_};
+    applied_.clear();
+  }
+  rises_ = find_rises(input, before);
+}
+
+std::optional<DefectInventory> RepairDriver::run_stage(const std::vector<PlannedPass>& plan,
+                                                       const StageGate& gate) {
+  std::size_t work = 0;
+  for (std::size_t attempt = 0;; ++attempt) {
+    run_rounds(plan);
+    if (applied_.empty()) return std::nullopt;
+    DefectInventory after = list_defective_in_file(*state_, tolerances_, gate.check);
+    const Worsening worsening = find_worsening(gate.before, after);
+    if (worsening.empty()) return after;
+    if (is_stopped_) {
+      restart();
+      return std::nullopt;
+    }
+    work += state_->tracked().soup.n_faces() + state_->mesh().intersecting_pairs().size();
+    if (work > kMaxWork) {
+      for (const PlannedPass& pass : plan) banned_.add(pass.name);
+    } else {
+      ban(gate.before, after, worsening, attempt);
+    }
+    restart();
+  }
+}
+
+void RepairDriver::ban(const DefectInventory& before, const DefectInventory& after,
+                       const Worsening& worsening, std::size_t attempt) {
+  const std::size_t n_banned = banned_.size();
+  const std::vector<CountedElement> elements = find_new_elements(before, after, worsening);
+  if (attempt < kAttemptsByLast) {
+    ban_responsible(applied_, elements, Blame::Last, input_, banned_);
+  }
+  if (banned_.size() == n_banned && attempt < kAttemptsByAll) {
+    ban_responsible(applied_, elements, Blame::All, input_, banned_);
+  }
+  if (banned_.size() == n_banned) banned_.add(applied_.back().pass);
+}
+
+void RepairDriver::restart() {
+  meter_.emplace(input_);
+  if (checkpoint_) {
+    state_ = std::make_unique<RepairState>(checkpoint_->tracked, tolerances_);
+    meter_->include_patches(state_->tracked());
+    log_ = checkpoint_->log;
+    deviation_ = checkpoint_->deviation;
+  } else {
+    state_ = std::make_unique<RepairState>(track_mesh(input_), tolerances_);
+    log_ = {};
+    deviation_ = 0.0;
+  }
+  applied_.clear();
+}
+
+void RepairDriver::run_rounds(const std::vector<PlannedPass>& plan) {
   for (std::size_t round = 0; round < kMaxRounds; ++round) {
     bool has_changed = false;
     log_.refusals.clear();
@@ -38,10 +123,10 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
     for (std::size_t i = 0; i < plan.size(); ++i) {
       if (round > 0 && plan[i].repeat == Repeat::Once) continue;
       if (is_to_stop()) return;
-      if (options.on_progress) {
-        options.on_progress({.pass = plan[i].name,
-                             .round = round + 1,
-                             .done = static_cast<double>(i) / static_cast<double>(plan.size())});
+      if (on_progress_) {
+        on_progress_({.pass = plan[i].name,
+                      .round = round + 1,
+                      .done = static_cast<double>(i) / static_cast<double>(plan.size())});
       }
       has_changed = run(plan[i]) || has_changed;
     }
@@ -93,10 +178,15 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
                                   std::set<Signature>& rejected) {
   const std::vector<Signature> signature = signatures(edits);
   std::vector<std::uint8_t> skipped(edits.n_operations, 0);
+  const std::vector<OperationSite> site = sites(edits);
   for (std::size_t op = 0; op < skipped.size(); ++op) {
+    const bool is_banned = banned_.contains(pass.name, site[op]);
+    if (is_banned && rejected.insert(signature[op]).second) {
+      log_rejection(pass, signature[op], kEndsWorse);
+    }
     skipped[op] = rejected.contains(signature[op]);
   }
-  const AcceptanceRules rules{input_, meter_, limits_.max_deviation, pass.may_create};
+  const AcceptanceRules rules{input_, *meter_, limits_.max_deviation, pass.may_create};
   for (std::size_t trial = 0; trial < kMaxTrials && !is_to_stop(); ++trial) {
     if (std::all_of(skipped.begin(), skipped.end(), [](auto s) { return s != 0; })) return false;
     TrackedMesh tracked = apply_edits(state_->tracked(), edits, skipped);
@@ -108,6 +198,7 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
     if (acceptance.all_accepted()) {
       log_edits(std::string(pass.name), pass.code,
                 {state_->tracked(), edits, skipped, after->tracked(), affected}, log_);
+      record_applied({pass, site, skipped, affected, after->tracked()});
       state_ = std::move(after);
       deviation_ = acceptance.deviation;
       include_patches(edits);
@@ -117,16 +208,48 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
       if (skipped[op] != 0 || acceptance.rejections[op] == Rejection::None) continue;
       skipped[op] = 1;
       rejected.insert(signature[op]);
-      log_rejection(pass, signature[op], acceptance.rejections[op]);
+      log_rejection(pass, signature[op], rejection_reason(acceptance.rejections[op]));
     }
   }
   return false;
 }
 
+void RepairDriver::record_applied(const MadeOperations& made) {
+  std::vector<AppliedOperation> applied(made.sites.size());
+  for (std::size_t op = 0; op < applied.size(); ++op) {
+    applied[op] = {made.pass.name, made.pass.may_create, made.sites[op], {}};
+  }
+  for (const AffectedElement& entry : made.affected.vertices) {
+    applied[entry.operation].vertices.push_back(vertex_identity(made.after, entry.key));
+  }
+  for (std::size_t op = 0; op < applied.size(); ++op) {
+    if (made.skipped[op] != 0) continue;
+    sort_unique(applied[op].vertices);
+    applied_.push_back(std::move(applied[op]));
+  }
+}
+
+std::vector<OperationSite> RepairDriver::sites(const Edits& edits) const {
+  std::vector<OperationSite> sites(edits.n_operations);
+  const TrackedMesh& tracked = state_->tracked();
+  const auto add_face = [&](Index op, Index face) {
+    sites[op].push_back(2 * std::uint64_t{face_identity(tracked, tracked.face_keys[face])});
+  };
+  for (const auto& edit : edits.removed_faces) add_face(edit.op, edit.face);
+  for (const auto& edit : edits.changed_faces) add_face(edit.op, edit.face);
+  for (const auto& edit : edits.added_faces) add_face(edit.op, edit.like);
+  for (const auto& edit : edits.moved_vertices) {
+    const Index key = tracked.vertex_keys[edit.vertex];
+    sites[edit.op].push_back(2 * std::uint64_t{vertex_identity(tracked, key)} + 1);
+  }
+  for (OperationSite& site : sites) sort_unique(site);
+  return sites;
+}
+
 void RepairDriver::include_patches(const Edits& edits) {
   const bool has_patches = std::any_of(edits.added_faces.begin(), edits.added_faces.end(),
                                        [](const auto& face) { return face.fills_hole; });
-  if (has_patches) meter_.include_patches(state_->tracked());
+  if (has_patches) meter_->include_patches(state_->tracked());
 }
 
 std::vector<RepairDriver::Signature> RepairDriver::signatures(const Edits& edits) const {
@@ -159,7 +282,7 @@ void RepairDriver::log_refusals(const PlannedPass& pass, const std::vector<Refus
 }
 
 void RepairDriver::log_rejection(const PlannedPass& pass, const Signature& signature,
-                                 Rejection rejection) {
+                                 std::string_view reason) {
   LoggedRefusal& logged = log_.refusals.emplace_back();
   logged.pass = pass.name;
   logged.code = pass.code;
@@ -168,7 +291,7 @@ void RepairDriver::log_rejection(const PlannedPass& pass, const Signature& signa
   } else if (!signature.empty()) {
     logged.face = signature.front();
   }
-  logged.reason = rejection_reason(rejection);
+  logged.reason = reason;
 }
 
 }  // namespace meshalyzer

@@ -3,15 +3,20 @@
 #include "meshalyzer/base/progress.h"
 #include "meshalyzer/repair/driver/deviation.h"
 #include "meshalyzer/repair/driver/internal/acceptance.h"
+#include "meshalyzer/repair/driver/internal/applied_operations.h"
+#include "meshalyzer/repair/driver/internal/final_check.h"
 #include "meshalyzer/repair/driver/internal/plan.h"
 #include "meshalyzer/repair/driver/internal/repair_state.h"
+#include "meshalyzer/repair/driver/internal/worsening.h"
 #include "meshalyzer/repair/driver/repair_log.h"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace meshalyzer {
@@ -38,8 +43,16 @@ class RepairDriver {
   /// Runs the passes in order, each until it proposes nothing more that is accepted, and starts
   /// over until no pass changes anything.
   ///
+  /// Where the mesh that comes out is worse than the input, the operations that are responsible are
+  /// banned, and all is done again without them; and once more from there, with nothing banned,
+  /// until nothing is left to do.
+  /// Where it is stopped while the mesh is worse, it goes back to what it had before.
+  ///
   /// @param options  Who hears of the progress, and who may stop it.
   void run_plan(const std::vector<PlannedPass>& plan, const RepairOptions& options);
+
+  /// Returns the counts that run_plan() has made higher, all of which find_worsening() excepts.
+  [[nodiscard]] const std::vector<CountRise>& rises() const { return rises_; }
 
   /// Runs a pass once and applies all that it proposes without checking it, because the user asks
   /// for it by name.
@@ -55,28 +68,70 @@ class RepairDriver {
   /// again.
   using Signature = std::vector<Index>;
 
+  /// The operations of a pass that were applied. This holds references only.
+  struct MadeOperations {
+    const PlannedPass& pass;
+    const std::vector<OperationSite>& sites;
+    std::span<const std::uint8_t> skipped;
+    const AffectedElements& affected;
+    const TrackedMesh& after;
+  };
+
+  /// What the result of a stage must not be worse than. This holds references only.
+  struct StageGate {
+    const FinalCheck& check;
+    const DefectInventory& before;
+  };
+
+  /// Where a stage starts again.
+  struct Checkpoint {
+    TrackedMesh tracked;
+    RepairLog log;
+    double deviation = 0.0;
+  };
+
+  /// Runs the plan from the checkpoint, with more and more operations banned, until the mesh is not
+  /// worse than it was there.
+  ///
+  /// @return  What is defective in the end; nothing where nothing was changed.
+  std::optional<DefectInventory> run_stage(const std::vector<PlannedPass>& plan,
+                                           const StageGate& gate);
+  void run_rounds(const std::vector<PlannedPass>& plan);
   /// Asks whether to stop; once it is so it stays so.
   bool is_to_stop();
   bool run(const PlannedPass& pass);
   [[nodiscard]] PassResult propose(const PlannedPass& pass, OperationSize size) const;
   /// Applies the operations that are accepted, and tells whether there were any.
   bool apply_accepted(const PlannedPass& pass, const Edits& edits, std::set<Signature>& rejected);
+  /// Bans operations that are responsible for a worse mesh; more of them with each attempt.
+  void ban(const DefectInventory& before, const DefectInventory& after, const Worsening& worsening,
+           std::size_t attempt);
+  /// Goes back to the checkpoint; what is banned stays banned.
+  void restart();
+  void record_applied(const MadeOperations& made);
+  [[nodiscard]] std::vector<OperationSite> sites(const Edits& edits) const;
   /// Lets later edits lie on the hole patches that these edits have added.
   void include_patches(const Edits& edits);
   [[nodiscard]] std::vector<Signature> signatures(const Edits& edits) const;
   void log_refusals(const PlannedPass& pass, const std::vector<Refusal>& refused);
-  void log_rejection(const PlannedPass& pass, const Signature& signature, Rejection rejection);
+  void log_rejection(const PlannedPass& pass, const Signature& signature, std::string_view reason);
 
   Soup input_;
   Tolerances tolerances_;
   RepairLimits limits_;
   FixedVertices fixed_;
-  DeviationMeter meter_;
+  std::optional<DeviationMeter> meter_;
   std::unique_ptr<const RepairState> state_;
   double deviation_ = 0.0;
+  RepairListener on_progress_;
   std::function<bool()> wants_to_stop_;
   bool is_stopped_ = false;
   RepairLog log_;
+  std::vector<AppliedOperation> applied_;
+  BannedOperations banned_;
+  /// Nothing where it is the input.
+  std::optional<Checkpoint> checkpoint_;
+  std::vector<CountRise> rises_;
 };
 
 }  // namespace meshalyzer

@@ -1,0 +1,166 @@
+#include "meshalyzer/repair/driver/internal/defect_inventory.h"
+
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/defects/finders.h"
+#include "meshalyzer/exact/predicates.h"
+#include "meshalyzer/topology/border.h"
+#include "meshalyzer/topology/components.h"
+#include "meshalyzer/topology/duplicate_faces.h"
+#include "meshalyzer/topology/edges.h"
+#include "meshalyzer/topology/manifold.h"
+#include "meshalyzer/topology/orientation.h"
+
+#include <algorithm>
+
+namespace meshalyzer {
+namespace {
+
+class Inventory {
+ public:
+  Inventory(const TrackedMesh& tracked, const PreparedMesh& mesh)
+      : tracked_(tracked), cut_(mesh.cut()), mesh_(mesh) {}
+
+  void add_topology() {
+    using enum CountedDefect;
+    for (const HalfedgeHandle h : find_border_edges(cut_)) add_edge(BorderEdges, ends_of(h));
+    add_cut_edges(NonManifoldEdges, cut_.side.non_manifold_edges);
+    add_cut_edges(FlippedEdges, cut_.side.flipped_edges);
+    for (const Index v : cut_.side.non_manifold_vertices) add_vertex(NonManifoldVertices, v);
+    for (const Index v : find_pinched_vertices(cut_)) add_vertex(PinchedVertices, v);
+    for (const FaceHandle f : find_duplicate_faces(cut_)) {
+      add_face(DuplicateFaces, cut_.side.face(f));
+    }
+  }
+
+  void add_slits(const Tolerances& tolerances) {
+    for (const Defect& slit : find_slits(mesh_, tolerances)) {
+      for (const auto& ends : slit.edges) add_edge(CountedDefect::SlitEdges, ends);
+    }
+  }
+
+  void add_zero_areas() {
+    const Soup& soup = tracked_.soup;
+    std::vector<std::uint8_t> is_flat(cut_.side.faces.size());
+    parallel_chunks(is_flat.size(), [&](Chunk chunk) {
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+        const Triangle& t = soup.triangles[cut_.side.faces[i]];
+        is_flat[i] =
+            are_collinear(soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]) ? 1 : 0;
+      }
+    });
+    for (std::size_t i = 0; i < is_flat.size(); ++i) {
+      if (is_flat[i] != 0) add_face(CountedDefect::ZeroAreaFaces, cut_.side.faces[i]);
+    }
+  }
+
+  void add_pairs(UnweldedPairs unwelded) {
+    for (const IntersectingPair& pair : mesh_.intersecting_pairs()) {
+      if (unwelded == UnweldedPairs::Ignore && pair.kind == ContactKind::Unwelded) continue;
+      CountedElement& element = add(CountedDefect::IntersectingPairs);
+      const auto [a, b] = std::minmax({face(pair.face_a), face(pair.face_b)});
+      element.origins = {a, b};
+      element.corners = {corners(pair.face_a), corners(pair.face_b)};
+    }
+  }
+
+  [[nodiscard]] DefectInventory take() {
+    for (const CountedElement& element : inventory_.elements) {
+      ++inventory_.counts[static_cast<std::size_t>(element.kind)];
+    }
+    answer_attributes();
+    std::stable_sort(inventory_.elements.begin(), inventory_.elements.end());
+    return std::move(inventory_);
+  }
+
+ private:
+  [[nodiscard]] Index vertex(Index v) const {
+    return vertex_identity(tracked_, tracked_.vertex_keys[v]);
+  }
+  [[nodiscard]] Index face(Index f) const { return face_identity(tracked_, tracked_.face_keys[f]); }
+  [[nodiscard]] Triangle corners(Index f) const {
+    const Triangle& t = tracked_.soup.triangles[f];
+    return {vertex(t[0]), vertex(t[1]), vertex(t[2])};
+  }
+  [[nodiscard]] std::array<Index, 2> ends_of(HalfedgeHandle h) const { return file_ends(cut_, h); }
+
+  CountedElement& add(CountedDefect kind) {
+    CountedElement& element = inventory_.elements.emplace_back();
+    element.kind = kind;
+    return element;
+  }
+  void add_vertex(CountedDefect kind, Index v) {
+    CountedElement& element = add(kind);
+    element.origins[0] = element.corners[0][0] = vertex(v);
+  }
+  void add_edge(CountedDefect kind, const std::array<Index, 2>& ends) {
+    CountedElement& element = add(kind);
+    const auto [a, b] = std::minmax({vertex(ends[0]), vertex(ends[1])});
+    element.origins = {a, b};
+    element.corners[0] = {a, b, kNoIndex};
+  }
+  void add_face(CountedDefect kind, Index f) {
+    CountedElement& element = add(kind);
+    element.origins[0] = face(f);
+    element.corners[0] = corners(f);
+  }
+  void add_cut_edges(CountedDefect kind, const CutEdges& edges) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      add_edge(kind, ends_of(edges[i].halfedges.front()));
+    }
+  }
+
+  /// Answers as the report does: attributes that need another one are yes only where that is.
+  void answer_attributes() {
+    const auto says_yes = [&](Attribute attribute, bool answer) {
+      inventory_.is_yes[static_cast<std::size_t>(attribute)] = answer;
+    };
+    const bool has_faces = !cut_.side.faces.empty();
+    const bool is_closed = has_faces && inventory_.count(CountedDefect::BorderEdges) == 0;
+    const bool is_manifold = has_faces && cut_.side.non_manifold_edges.size() == 0 &&
+                             cut_.side.non_manifold_vertices.empty();
+    const bool is_consistent = is_manifold && cut_.side.flipped_edges.size() == 0;
+    says_yes(Attribute::Closed, is_closed);
+    says_yes(Attribute::Manifold, is_manifold);
+    says_yes(Attribute::Consistent, is_consistent);
+    says_yes(Attribute::Orientable,
+             is_manifold && (is_consistent ||
+                             find_orientability(cut_, find_edge_components(cut_)).orientable));
+    says_yes(Attribute::Outward, is_closed && is_consistent && points_outward());
+  }
+
+  [[nodiscard]] bool points_outward() const {
+    const std::vector<Shell>& shells = mesh_.shells();
+    return std::all_of(shells.begin(), shells.end(),
+                       [](const Shell& shell) { return shell.outward.value_or(false); });
+  }
+
+  const TrackedMesh& tracked_;
+  const CutMesh& cut_;
+  const PreparedMesh& mesh_;
+  DefectInventory inventory_;
+};
+
+}  // namespace
+
+Index vertex_identity(const TrackedMesh& tracked, Index key) {
+  if (key < tracked.n_input_vertices) return key;
+  const Index origin = tracked.vertex_origins[key - tracked.n_input_vertices];
+  return origin == kNoIndex ? key : origin;
+}
+
+Index face_identity(const TrackedMesh& tracked, Index key) {
+  const Index origin = tracked.origin_of_key(key);
+  return origin == kNoIndex ? key : origin;
+}
+
+DefectInventory list_defective(const TrackedMesh& tracked, const PreparedMesh& mesh,
+                               const Tolerances& tolerances, UnweldedPairs unwelded) {
+  Inventory inventory(tracked, mesh);
+  inventory.add_topology();
+  inventory.add_slits(tolerances);
+  inventory.add_zero_areas();
+  inventory.add_pairs(unwelded);
+  return inventory.take();
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "meshalyzer/defects/tolerances.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
+#include "meshalyzer/repair/driver/defect_counts.h"
+#include "meshalyzer/repair/edits/tracked_mesh.h"
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace meshalyzer {
+
+/// A defective element, named by what it was made of, so that those of the input and of a repaired
+/// mesh can be compared.
+struct CountedElement {
+  CountedDefect kind = CountedDefect::BorderEdges;
+  /// The origins of the vertex or of the ends of the edge (vertex_identity()), or of the face or
+  /// both faces of a pair (face_identity()), in ascending order. The second is kNoIndex where there
+  /// is one only.
+  std::array<Index, 2> origins{kNoIndex, kNoIndex};
+  /// The corners of the face, or of each face of the pair, by origin; else the vertices of
+  /// `origins`. The rest is kNoIndex.
+  std::array<Triangle, 2> corners{Triangle{kNoIndex, kNoIndex, kNoIndex},
+                                  Triangle{kNoIndex, kNoIndex, kNoIndex}};
+
+  friend auto operator<=>(const CountedElement& a, const CountedElement& b) {
+    if (const auto order = a.kind <=> b.kind; order != 0) return order;
+    return a.origins <=> b.origins;
+  }
+  friend bool operator==(const CountedElement& a, const CountedElement& b) {
+    return (a <=> b) == 0;
+  }
+};
+
+/// An attribute of a mesh as a report says it.
+enum class Attribute : std::uint8_t { Closed, Manifold, Orientable, Consistent, Outward };
+
+inline constexpr std::size_t kAttributes = 5;
+
+/// All defective elements of a mesh that a repair counts, and its attributes.
+struct DefectInventory {
+  /// In ascending order.
+  std::vector<CountedElement> elements;
+  /// Indexed by CountedDefect.
+  std::array<std::size_t, kCountedDefects> counts{};
+  /// Indexed by Attribute: whether the report says yes.
+  std::array<bool, kAttributes> is_yes{};
+
+  [[nodiscard]] std::size_t count(CountedDefect kind) const {
+    return counts[static_cast<std::size_t>(kind)];
+  }
+};
+
+/// Whether faces that touch at copies of a vertex, which welding would join, count as intersecting.
+enum class UnweldedPairs : std::uint8_t { Count, Ignore };
+
+/// Returns what identifies a vertex in the input: its key there, that of the vertex that it is a
+/// copy of, or, where it is new, its own key.
+[[nodiscard]] Index vertex_identity(const TrackedMesh& tracked, Index key);
+
+/// Returns the face of the input that a face, by key, was made of, or its own key where it is part
+/// of a hole patch.
+[[nodiscard]] Index face_identity(const TrackedMesh& tracked, Index key);
+
+/// Lists the defective elements of a mesh. Intersections, zero areas and attributes are exact.
+///
+/// @param mesh  Prepared from tracked.soup.
+/// @complexity  O(#V + #F), and what PreparedMesh::intersecting_pairs() and shells() cost.
+[[nodiscard]] DefectInventory list_defective(const TrackedMesh& tracked, const PreparedMesh& mesh,
+                                             const Tolerances& tolerances, UnweldedPairs unwelded);
+
+}  // namespace meshalyzer

@@ -1,0 +1,59 @@
+#include "meshalyzer/repair/driver/internal/final_check.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+std::array<std::uint64_t, 3> bits_of(const Vec3& p) {
+  return {std::bit_cast<std::uint64_t>(p[0]), std::bit_cast<std::uint64_t>(p[1]),
+          std::bit_cast<std::uint64_t>(p[2])};
+}
+
+/// Returns for each vertex the lowest one with bit-identical coordinates.
+std::vector<Index> find_representatives(const std::vector<Vec3>& positions) {
+  std::vector<Index> order(positions.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    return std::pair(bits_of(positions[a]), a) < std::pair(bits_of(positions[b]), b);
+  });
+  std::vector<Index> representative(positions.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool repeats = i > 0 && bits_of(positions[order[i]]) == bits_of(positions[order[i - 1]]);
+    representative[order[i]] = repeats ? representative[order[i - 1]] : order[i];
+  }
+  return representative;
+}
+
+}  // namespace
+
+FinalCheck final_check_for(const RepairOptions& options, Format input) {
+  const bool is_stl = options.written_as.value_or(input) == Format::Stl;
+  return {
+      .equal_points = is_stl ? EqualPoints::Merge : EqualPoints::Stay,
+      .unwelded = options.contact == Contact::Keep ? UnweldedPairs::Ignore : UnweldedPairs::Count};
+}
+
+DefectInventory list_defective_in_file(const RepairState& state, const Tolerances& tolerances,
+                                       const FinalCheck& check) {
+  const TrackedMesh& tracked = state.tracked();
+  if (check.equal_points == EqualPoints::Merge) {
+    const std::vector<Index> representative = find_representatives(tracked.soup.positions);
+    TrackedMesh merged = tracked;
+    for (Triangle& triangle : merged.soup.triangles) {
+      for (Index& v : triangle) v = v == kNoIndex ? kNoIndex : representative[v];
+    }
+    if (merged.soup.triangles != tracked.soup.triangles) {
+      const PreparedMesh mesh(merged.soup);
+      return list_defective(merged, mesh, tolerances, check.unwelded);
+    }
+  }
+  return list_defective(tracked, state.mesh(), tolerances, check.unwelded);
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "meshalyzer/defects/tolerances.h"
+#include "meshalyzer/repair/driver/internal/defect_inventory.h"
+#include "meshalyzer/repair/driver/internal/repair_state.h"
+#include "meshalyzer/repair/driver/options.h"
+
+#include <cstdint>
+
+namespace meshalyzer {
+
+/// Whether a file can hold two vertices at one point.
+enum class EqualPoints : std::uint8_t {
+  Stay,
+  /// They are one vertex in the file: STL names no vertices.
+  Merge,
+};
+
+/// What a mesh is in the file that will hold it, and what of it counts.
+struct FinalCheck {
+  EqualPoints equal_points = EqualPoints::Stay;
+  UnweldedPairs unwelded = UnweldedPairs::Count;
+};
+
+/// @param input  The format of the input.
+[[nodiscard]] FinalCheck final_check_for(const RepairOptions& options, Format input);
+
+/// Lists the defective elements of a mesh as its file will hold it.
+[[nodiscard]] DefectInventory list_defective_in_file(const RepairState& state,
+                                                     const Tolerances& tolerances,
+                                                     const FinalCheck& check);
+
+}  // namespace meshalyzer
