@@ -2,6 +2,7 @@
 
 #include "meshalyzer/io/obj.h"
 #include "meshalyzer/io/off.h"
+#include "meshalyzer/io/ply_header.h"
 #include "meshalyzer/io/stl.h"
 #include "meshalyzer/io/text_scanner.h"
 
@@ -73,6 +74,13 @@ std::optional<Format> format_of_content(std::string_view content) {
     return Format::Obj;
   }
   return std::nullopt;
+}
+
+bool is_binary(std::string_view content, Format format) {
+  if (format == Format::Stl) {
+    return is_binary_stl(content) || content.find('\0') != std::string_view::npos;
+  }
+  return format == Format::Ply && parse_ply_header(content).encoding != PlyEncoding::Ascii;
 }
 
 bool is_inria(std::string_view content) {

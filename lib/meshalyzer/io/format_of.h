@@ -18,6 +18,10 @@ namespace meshalyzer {
 /// The format that a file's content looks like: its first word, or a binary STL's size.
 [[nodiscard]] std::optional<Format> format_of_content(std::string_view content);
 
+/// Whether the content of a file of this format, which must be sound, is in the format's binary
+/// encoding.
+[[nodiscard]] bool is_binary(std::string_view content, Format format);
+
 /// Whether the first word of the content is MeshVersionFormatted.
 [[nodiscard]] bool is_inria(std::string_view content);
 

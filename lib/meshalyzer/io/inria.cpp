@@ -1,62 +1,15 @@
 #include "meshalyzer/io/inria.h"
 
 #include "meshalyzer/base/numbers.h"
+#include "meshalyzer/io/inria_sections.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/text_scanner.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 namespace meshalyzer {
 namespace {
-
-/// A section that says nothing about the triangles: a count, then records of so many numbers.
-struct SkippedSection {
-  std::string_view keyword;
-  std::size_t numbers_a_record;
-};
-
-constexpr std::array<SkippedSection, 38> kSkippedSections = {{
-    {"Edges", 3},
-    {"EdgesP2", 4},
-    {"TrianglesP2", 7},
-    {"Tetrahedra", 5},
-    {"TetrahedraP2", 11},
-    {"Hexahedra", 9},
-    {"Hexaedra", 9},
-    {"Prisms", 7},
-    {"Pentahedra", 7},
-    {"Pyramids", 6},
-    {"Corners", 1},
-    {"Ridges", 1},
-    {"RequiredVertices", 1},
-    {"RequiredEdges", 1},
-    {"RequiredTriangles", 1},
-    {"RequiredQuadrilaterals", 1},
-    {"RequiredTetrahedra", 1},
-    {"ParallelTriangles", 1},
-    {"ParallelEdges", 1},
-    {"SharedVertices", 1},
-    {"Normals", 3},
-    {"NormalAtVertices", 2},
-    {"NormalAtTriangleVertices", 3},
-    {"NormalAtQuadrilateralVertices", 3},
-    {"Tangents", 3},
-    {"TangentAtVertices", 2},
-    {"TangentAtEdges", 3},
-    {"TangentAtEdgeVertices", 3},
-    {"SubDomain", 4},
-    {"SubDomainFromMesh", 4},
-    {"SubDomainFromGeom", 4},
-    {"VertexOnGeometricVertex", 2},
-    {"VertexOnGeometricEdge", 3},
-    {"VertexOnGeometricTriangle", 4},
-    {"EdgeOnGeometricEdge", 2},
-    {"TriangleOnGeometricTriangle", 2},
-    {"VertexOnSupportVertex", 2},
-    {"VertexOnSupportEdge", 3},
-}};
 
 /// Reads the sections of one file in order; line ends mean nothing.
 class InriaParser {
@@ -156,9 +109,9 @@ class InriaParser {
 
   void skip_section(std::string_view keyword) {
     const auto* const section =
-        std::find_if(kSkippedSections.begin(), kSkippedSections.end(),
-                     [&](const SkippedSection& s) { return s.keyword == keyword; });
-    if (section == kSkippedSections.end()) {
+        std::find_if(kInriaSections.begin(), kInriaSections.end(),
+                     [&](const InriaSection& s) { return s.keyword == keyword; });
+    if (section == kInriaSections.end()) {
       in_.fault(in_quotes(keyword) + " is no keyword of INRIA's format");
     }
     skip_numbers(begin_records(section->numbers_a_record, keyword) * section->numbers_a_record);

@@ -1,12 +1,12 @@
 #include "meshalyzer/io/obj.h"
 
+#include "meshalyzer/io/obj_corner.h"
 #include "meshalyzer/io/print_record.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/text_scanner.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <vector>
 
 namespace meshalyzer {
@@ -80,7 +80,9 @@ class ObjParser {
     corners_.clear();
     corner_normals_.clear();
     while (!in_.at_record_end()) {
-      parse_corner(in_.word());
+      const ObjCorner corner = parse_obj_corner(in_.word(), counts(), in_);
+      corners_.push_back(corner.vertex);
+      corner_normals_.push_back(corner.normal);
     }
     if (corners_.empty()) {
       in_.fault("a face without corners");
@@ -100,50 +102,8 @@ class ObjParser {
     }
   }
 
-  /// v, v/, v/t, v/t/, v/t/n, v//, v//n.
-  void parse_corner(std::string_view token) {
-    std::array<std::string_view, 3> fields;
-    std::size_t begin = 0;
-    for (std::size_t n = 0; begin <= token.size(); ++n) {
-      if (n == fields.size()) {
-        in_.fault(in_quotes(token) + " is no corner of a face");
-      }
-      const std::size_t end = std::min(token.find('/', begin), token.size());
-      fields[n] = token.substr(begin, end - begin);
-      begin = end + 1;
-    }
-    if (!fields[1].empty()) {
-      static_cast<void>(parse_reference(fields[1], n_texture_points_, token));
-    }
-    corners_.push_back(parse_reference(fields[0], soup_.n_vertices(), token));
-    corner_normals_.push_back(
-        fields[2].empty() ? kNoIndex : parse_reference(fields[2], soup_.normals.size(), token));
-  }
-
-  /// An index from 0: a positive number counts from the first record of the file, a negative one
-  /// back from the last record so far.
-  [[nodiscard]] Index parse_reference(std::string_view field, std::size_t n_so_far,
-                                      std::string_view token) const {
-    std::int64_t value = 0;
-    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-    if (field.empty() || error == std::errc::invalid_argument ||
-        end != field.data() + field.size()) {
-      in_.fault(in_quotes(token) + " is no corner of a face");
-    }
-    if (error != std::errc{} || value > kLargestIndex) {
-      in_.fault("index " + std::string(field) + " is beyond " + std::to_string(kLargestIndex));
-    }
-    if (value == 0) {
-      in_.fault("index 0: indices count from 1");
-    }
-    if (value > 0) {
-      return static_cast<Index>(value - 1);
-    }
-    if (value < -static_cast<std::int64_t>(n_so_far)) {
-      in_.fault("index " + std::string(field) + " reaches back beyond the first of " +
-                std::to_string(n_so_far));
-    }
-    return static_cast<Index>(static_cast<std::int64_t>(n_so_far) + value);
+  [[nodiscard]] ObjCounts counts() const {
+    return {soup_.n_vertices(), n_texture_points_, soup_.normals.size()};
   }
 
   void resolve_normals() {

@@ -6,6 +6,7 @@
 #include "meshalyzer/io/point_table.h"
 #include "meshalyzer/io/print_record.h"
 #include "meshalyzer/io/references.h"
+#include "meshalyzer/io/stl_layout.h"
 #include "meshalyzer/io/text_scanner.h"
 
 #include <algorithm>
@@ -17,9 +18,6 @@
 namespace meshalyzer {
 namespace {
 
-constexpr std::size_t kCountOffset = 80;
-constexpr std::size_t kFacetsOffset = 84;
-constexpr std::size_t kFacetBytes = 50;
 /// Within a facet, after its normal.
 constexpr std::size_t kCornersOffset = 12;
 constexpr std::size_t kCornerBytes = 12;
@@ -114,25 +112,25 @@ class AsciiStlParser {
 };
 
 Soup parse_binary_stl(std::string_view content, const std::string& name) {
-  if (content.size() < kFacetsOffset) {
+  if (content.size() < kStlFacetsOffset) {
     throw IoError(name, {.byte = content.size()},
                   "the file ends within the 84 bytes before the first facet");
   }
-  const auto n = load<std::uint32_t>(content.data() + kCountOffset, std::endian::little);
+  const auto n = load<std::uint32_t>(content.data() + kStlHeaderBytes, std::endian::little);
   if (!is_binary_stl(content)) {
-    throw IoError(name, {.byte = kCountOffset},
+    throw IoError(name, {.byte = kStlHeaderBytes},
                   "a count of " + std::to_string(n) + " facets, which take " +
-                      std::to_string(kFacetsOffset + kFacetBytes * std::uint64_t{n}) +
+                      std::to_string(kStlFacetsOffset + kStlFacetBytes * std::uint64_t{n}) +
                       " bytes, but the file has " + std::to_string(content.size()));
   }
   if (n == 0) {
-    throw IoError(name, {.byte = kCountOffset}, "no mesh in it: a count of 0 facets");
+    throw IoError(name, {.byte = kStlHeaderBytes}, "no mesh in it: a count of 0 facets");
   }
   Soup soup = empty_stl_soup();
   PointTable points;
   soup.triangles.resize(n);
   for (std::size_t f = 0; f < n; ++f) {
-    std::size_t offset = kFacetsOffset + f * kFacetBytes + kCornersOffset;
+    std::size_t offset = kStlFacetsOffset + f * kStlFacetBytes + kCornersOffset;
     for (Index& corner : soup.triangles[f]) {
       Vec3 point;
       for (int i = 0; i < 3; ++i) {
@@ -149,19 +147,6 @@ Soup parse_binary_stl(std::string_view content, const std::string& name) {
   }
   count_merged_points(soup);
   return soup;
-}
-
-/// Zero where the face has no area, or none that doubles can tell.
-Vec3 unit_normal(const Soup& soup, const Triangle& triangle) {
-  const Vec3 a = soup.positions[triangle[0]];
-  const Vec3 u = soup.positions[triangle[1]] - a;
-  const Vec3 v = soup.positions[triangle[2]] - a;
-  const double u_size = u.lpNorm<Eigen::Infinity>();
-  const double v_size = v.lpNorm<Eigen::Infinity>();
-  // Scaled first, so that neither tiny nor huge faces lose their normal.
-  const Vec3 normal = Vec3(u / u_size).cross(Vec3(v / v_size));
-  const double length = normal.norm();
-  return length > 0.0 && std::isfinite(length) ? Vec3(normal / length) : Vec3(0.0, 0.0, 0.0);
 }
 
 void append_floats(std::string& content, const Vec3& vector) {
@@ -184,6 +169,18 @@ Soup parse_stl(std::string_view content, const std::string& name) {
   return name_fault(name, [&] { return AsciiStlParser(content).parse(); });
 }
 
+Vec3 unit_normal(const Soup& soup, const Triangle& triangle) {
+  const Vec3 a = soup.positions[triangle[0]];
+  const Vec3 u = soup.positions[triangle[1]] - a;
+  const Vec3 v = soup.positions[triangle[2]] - a;
+  const double u_size = u.lpNorm<Eigen::Infinity>();
+  const double v_size = v.lpNorm<Eigen::Infinity>();
+  // Scaled first, so that neither tiny nor huge faces lose their normal.
+  const Vec3 normal = Vec3(u / u_size).cross(Vec3(v / v_size));
+  const double length = normal.norm();
+  return length > 0.0 && std::isfinite(length) ? Vec3(normal / length) : Vec3(0.0, 0.0, 0.0);
+}
+
 std::string print_ascii_stl(const Soup& soup) {
   require_all_vertices(soup);
   std::string text = "solid mesh\n";
@@ -204,8 +201,8 @@ std::string print_binary_stl(const Soup& soup) {
     throw InvalidArgument("more faces than binary STL can count");
   }
   std::string content = "binary STL, 32-bit floats";
-  content.resize(kCountOffset, ' ');
-  content.reserve(kFacetsOffset + kFacetBytes * soup.n_faces());
+  content.resize(kStlHeaderBytes, ' ');
+  content.reserve(kStlFacetsOffset + kStlFacetBytes * soup.n_faces());
   append_little_endian(content, static_cast<std::uint32_t>(soup.n_faces()));
   for (const Triangle& triangle : soup.triangles) {
     append_floats(content, unit_normal(soup, triangle));
@@ -218,11 +215,11 @@ std::string print_binary_stl(const Soup& soup) {
 }
 
 bool is_binary_stl(std::string_view content) {
-  if (content.size() < kFacetsOffset) {
+  if (content.size() < kStlFacetsOffset) {
     return false;
   }
-  const auto n = load<std::uint32_t>(content.data() + kCountOffset, std::endian::little);
-  return content.size() == kFacetsOffset + kFacetBytes * std::uint64_t{n};
+  const auto n = load<std::uint32_t>(content.data() + kStlHeaderBytes, std::endian::little);
+  return content.size() == kStlFacetsOffset + kStlFacetBytes * std::uint64_t{n};
 }
 
 }  // namespace meshalyzer

@@ -1,0 +1,207 @@
+#include "meshalyzer/io/rewrite/face_plan.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+using Relation = ElementOrigin::Relation;
+
+class FacePlanner {
+ public:
+  FacePlanner(const EditedMesh& mesh, const FaceRecords& records)
+      : mesh_(mesh), records_(records), faces_(mesh.source.n_faces(), kNoIndex) {
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      if (mesh.faces[f].relation == Relation::Same) {
+        faces_[mesh.faces[f].record] = static_cast<Index>(f);
+      }
+    }
+  }
+
+  FacePlan plan() {
+    plan_.fates.reserve(records_.size());
+    for (Index r = 0; r < records_.size(); ++r) {
+      plan_.fates.push_back(fate_of(r));
+      if (plan_.fates.back() == RecordFate::Dropped) {
+        place_triangles(r);
+      }
+    }
+    place_added();
+    std::stable_sort(placed_.begin(), placed_.end(), [](const Placed& a, const Placed& b) {
+      return std::tie(a.record, a.rank, a.face) < std::tie(b.record, b.rank, b.face);
+    });
+    number_faces();
+    plan_.faces = std::move(faces_);
+    return std::move(plan_);
+  }
+
+ private:
+  /// Ranks at one record: its own triangles, what was made of them, patches beside them.
+  enum class Rank : std::uint8_t { Own, MadeOf, Beside };
+  struct Placed {
+    Index record;
+    Rank rank;
+    Index face;
+  };
+
+  [[nodiscard]] RecordFate fate_of(Index record) const {
+    const Index begin = records_.first_triangle[record];
+    const Index end = records_.first_triangle[record + 1];
+    if (std::find(faces_.begin() + begin, faces_.begin() + end, kNoIndex) != faces_.begin() + end) {
+      return RecordFate::Dropped;
+    }
+    if (is_fan(begin, end)) {
+      return RecordFate::Kept;
+    }
+    for (Index t = begin; t < end; ++t) {
+      if (!is_turn_of(source_corners(faces_[t]), mesh_.source.triangles[t])) {
+        return RecordFate::Dropped;
+      }
+    }
+    return RecordFate::Turned;
+  }
+
+  /// Whether some triangles still go round one corner, each from where the last one ends.
+  [[nodiscard]] bool is_fan(Index begin, Index end) const {
+    const Triangle& first = mesh_.source.triangles[begin];
+    if (first[1] == first[2] && source_corners(faces_[begin]) != first) {
+      return false;  // a record of fewer than three corners
+    }
+    const Index apex = mesh_.soup.triangles[faces_[begin]][0];
+    Index last = mesh_.soup.triangles[faces_[begin]][1];
+    for (Index t = begin; t < end; ++t) {
+      const Triangle& now = mesh_.soup.triangles[faces_[t]];
+      if (now[0] != apex || now[1] != last) {
+        return false;
+      }
+      last = now[2];
+    }
+    return true;
+  }
+
+  /// The vertices of the source that a face names; kNoIndex for others.
+  [[nodiscard]] Triangle source_corners(Index face) const {
+    Triangle corners = mesh_.soup.triangles[face];
+    for (Index& corner : corners) {
+      const bool is_old = corner != kNoIndex && mesh_.vertices[corner].relation == Relation::Same;
+      corner = is_old ? mesh_.vertices[corner].record : kNoIndex;
+    }
+    return corners;
+  }
+
+  static bool is_turn_of(const Triangle& now, const Triangle& before) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (now[0] == before[k] && now[1] == before[(k + 2) % 3] && now[2] == before[(k + 1) % 3]) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void place_triangles(Index record) {
+    for (Index t = records_.first_triangle[record]; t < records_.first_triangle[record + 1]; ++t) {
+      if (faces_[t] != kNoIndex) {
+        placed_.push_back({record, Rank::Own, faces_[t]});
+      }
+    }
+  }
+
+  void place_added() {
+    for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+      const ElementOrigin& origin = mesh_.faces[f];
+      const auto face = static_cast<Index>(f);
+      if (origin.relation == Relation::Same) {
+        continue;
+      }
+      if (records_.run_ends.empty() || origin.record == kNoIndex) {
+        placed_.push_back({kNoIndex, Rank::Beside, face});
+      } else if (origin.relation == Relation::MadeOf) {
+        placed_.push_back({records_.record_of(origin.record), Rank::MadeOf, face});
+      } else {
+        placed_.push_back(
+            {records_.run_ends[records_.record_of(origin.record)], Rank::Beside, face});
+      }
+    }
+  }
+
+  void number_faces() {
+    plan_.file_faces.resize(mesh_.faces.size());
+    plan_.written.reserve(placed_.size());
+    auto next = placed_.begin();
+    const auto number_up_to = [&](Index record) {
+      for (; next != placed_.end() && next->record <= record; ++next) {
+        plan_.file_faces[next->face] = n_numbered_++;
+        plan_.written.push_back({next->record, next->face});
+        ++plan_.n_records;
+      }
+    };
+    for (Index r = 0; r < records_.size(); ++r) {
+      if (plan_.fates[r] != RecordFate::Dropped) {
+        number_record(r);
+      }
+      number_up_to(r);
+    }
+    number_up_to(kNoIndex);
+  }
+
+  /// The triangles of a turned polygon come in the opposite order.
+  void number_record(Index record) {
+    const Index begin = records_.first_triangle[record];
+    const Index end = records_.first_triangle[record + 1];
+    for (Index t = begin; t < end; ++t) {
+      const bool is_turned = plan_.fates[record] == RecordFate::Turned;
+      plan_.file_faces[faces_[t]] = n_numbered_ + (is_turned ? end - 1 - t : t - begin);
+    }
+    n_numbered_ += end - begin;
+    ++plan_.n_records;
+  }
+
+  const EditedMesh& mesh_;
+  const FaceRecords& records_;
+  /// By triangle of the source: the face that it is now.
+  std::vector<Index> faces_;
+  std::vector<Placed> placed_;
+  Index n_numbered_ = 0;
+  FacePlan plan_;
+};
+
+}  // namespace
+
+Index FaceRecords::record_of(Index triangle) const {
+  const auto after = std::upper_bound(first_triangle.begin(), first_triangle.end(), triangle);
+  return static_cast<Index>(after - first_triangle.begin() - 1);
+}
+
+FanCorner fan_corner(const FaceRecords& records, Index record, std::size_t local) {
+  const Index first = records.first_triangle[record];
+  if (local < 3) {
+    return {first, local};
+  }
+  return {first + static_cast<Index>(local - 2), 2};
+}
+
+std::size_t local_corner(const FaceRecords& records, Index record, FanCorner corner) {
+  return corner.corner == 0 ? 0 : corner.corner + corner.triangle - records.first_triangle[record];
+}
+
+FacePlan plan_faces(const EditedMesh& mesh, const FaceRecords& records) {
+  return FacePlanner(mesh, records).plan();
+}
+
+bool keeps_order(const FacePlan& plan) {
+  return std::is_sorted(plan.file_faces.begin(), plan.file_faces.end());
+}
+
+std::vector<Index> new_vertices(const EditedMesh& mesh) {
+  std::vector<Index> numbers(mesh.source.n_vertices(), kNoIndex);
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (mesh.vertices[v].relation == Relation::Same) {
+      numbers[mesh.vertices[v].record] = static_cast<Index>(v);
+    }
+  }
+  return numbers;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "meshalyzer/io/rewrite/edited_mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace meshalyzer {
+
+/// The face records of a source. A polygon is one record and several triangles.
+struct FaceRecords {
+  /// By record: its first triangle; and behind the last record the number of triangles.
+  std::vector<Index> first_triangle;
+  /// By record: the last one of the run to which the same statements apply (materials, groups).
+  /// Empty where no statement applies to faces.
+  std::vector<Index> run_ends;
+
+  [[nodiscard]] std::size_t size() const { return first_triangle.size() - 1; }
+  [[nodiscard]] std::size_t n_triangles(Index record) const {
+    return first_triangle[record + 1] - first_triangle[record];
+  }
+  /// The record that a triangle of the source is of.
+  ///
+  /// @complexity O(log #records).
+  [[nodiscard]] Index record_of(Index triangle) const;
+};
+
+/// Where the corner `local` of a record, counted in the order of the file, stands among its
+/// triangles.
+struct FanCorner {
+  Index triangle;
+  std::size_t corner;
+};
+[[nodiscard]] FanCorner fan_corner(const FaceRecords& records, Index record, std::size_t local);
+
+/// The corner of its record, counted in the order of the file, that a triangle's corner is.
+[[nodiscard]] std::size_t local_corner(const FaceRecords& records, Index record, FanCorner corner);
+
+/// What becomes of a face record of the source.
+enum class RecordFate : std::uint8_t {
+  /// All its triangles are there, and still those of one polygon. Corners may be other vertices.
+  Kept,
+  /// All triangles of this polygon are there, of the same vertices, and all have been turned.
+  Turned,
+  /// It is dropped, and those of its triangles that are left are written one by one.
+  Dropped,
+};
+
+/// How the faces of an edited mesh stand in its file.
+struct FacePlan {
+  /// A face that is written as a record of its own.
+  struct WrittenFace {
+    /// The record of the source in or behind whose place it stands; kNoIndex: behind all.
+    Index record;
+    /// A face of the edited mesh.
+    Index face;
+  };
+  /// By record of the source.
+  std::vector<RecordFate> fates;
+  /// By triangle of the source: the face of the edited mesh that it is; kNoIndex where it was
+  /// dropped.
+  std::vector<Index> faces;
+  /// In the order of the file.
+  std::vector<WrittenFace> written;
+  /// By face of the edited mesh: which face of the file it is.
+  std::vector<Index> file_faces;
+  /// How many records the file has.
+  std::size_t n_records = 0;
+};
+
+/// Decides which face records stay. What was made of a face stands behind it where statements apply
+/// to faces, a patch at the end of the run of the face beside it; else added faces stand behind all
+/// others.
+///
+/// @complexity O(#F log #F).
+[[nodiscard]] FacePlan plan_faces(const EditedMesh& mesh, const FaceRecords& records);
+
+/// The vertex of the edited mesh at a corner of a triangle of the source that was kept.
+[[nodiscard]] inline Index vertex_at(const EditedMesh& mesh, const FacePlan& plan,
+                                     const FanCorner& corner) {
+  return mesh.soup.triangles[plan.faces[corner.triangle]][corner.corner];
+}
+
+/// Whether a plan leaves the faces in the order of the edited mesh.
+[[nodiscard]] bool keeps_order(const FacePlan& plan);
+
+/// By vertex of the source: which one of the edited mesh it is; kNoIndex where it was dropped.
+[[nodiscard]] std::vector<Index> new_vertices(const EditedMesh& mesh);
+
+}  // namespace meshalyzer

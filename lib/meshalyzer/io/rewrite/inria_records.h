@@ -1,0 +1,29 @@
+#pragma once
+
+#include "meshalyzer/io/inria_sections.h"
+
+#include <string_view>
+#include <vector>
+
+namespace meshalyzer {
+
+/// The sections of a file that hold records.
+struct InriaRecords {
+  struct Section {
+    std::string_view keyword;
+    std::string_view count;
+    /// Nothing for those of vertices and faces.
+    const InriaSection* kind = nullptr;
+    /// The records, each from its first number to its last.
+    std::vector<std::string_view> records;
+  };
+  std::vector<Section> sections;
+};
+
+/// Finds the records of a text that parse_inria() reads.
+[[nodiscard]] InriaRecords find_inria_records(std::string_view text);
+
+/// The numbers of a record, which may go over several lines.
+[[nodiscard]] std::vector<std::string_view> inria_numbers(std::string_view record);
+
+}  // namespace meshalyzer

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "meshalyzer/io/rewrite/blend.h"
+#include "meshalyzer/io/rewrite/obj_records.h"
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace meshalyzer {
+
+/// The texture coordinates and normals that the corners of an edited OBJ file name: those of the
+/// source, and new ones behind them.
+class ObjAttributes {
+ public:
+  ObjAttributes(const EditedMesh& mesh, std::string_view text, const ObjRecords& records);
+
+  /// What the corner of a face that is written anew names.
+  [[nodiscard]] ObjCorner corner(FanCorner corner);
+  /// The normal of a corner.
+  /// @param named  The record that this corner named in the source, kNoIndex where none.
+  [[nodiscard]] Index normal(FanCorner corner, Index named);
+
+  /// The values of the new records, each to stand behind its keyword.
+  [[nodiscard]] const std::vector<std::string>& new_texture_points() const {
+    return texture_points_.values;
+  }
+  [[nodiscard]] const std::vector<std::string>& new_normals() const { return normals_.values; }
+
+ private:
+  /// New records of one kind, each value once.
+  struct NewRecords {
+    std::vector<std::string> values;
+    std::unordered_map<std::string, Index> numbers;
+    [[nodiscard]] Index insert(std::string value);
+  };
+
+  [[nodiscard]] const std::vector<ObjCorner>& source_corners(Index record);
+  [[nodiscard]] Index texture_point(const Blend& blend, const std::vector<ObjCorner>& corners);
+  [[nodiscard]] std::vector<double> texture_numbers(Index texture_point) const;
+
+  const EditedMesh& mesh_;
+  std::string_view text_;
+  const ObjRecords& records_;
+  NewRecords texture_points_;
+  NewRecords normals_;
+  /// The corners of the record that was asked for last.
+  Index latest_record_ = kNoIndex;
+  std::vector<ObjCorner> latest_corners_;
+};
+
+}  // namespace meshalyzer

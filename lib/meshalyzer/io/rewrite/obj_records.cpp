@@ -1,0 +1,85 @@
+#include "meshalyzer/io/rewrite/obj_records.h"
+
+#include "meshalyzer/io/text_scanner.h"
+
+#include <algorithm>
+
+namespace meshalyzer {
+namespace {
+
+class ObjRecordFinder {
+ public:
+  explicit ObjRecordFinder(std::string_view text)
+      : text_(text), in_(text, Continuation::Backslash) {}
+
+  ObjRecords find() {
+    records_.face_records.first_triangle.push_back(0);
+    while (in_.next_record()) {
+      const std::size_t begin = text_.size() - in_.remaining();
+      note_statement(in_.word(), begin);
+      in_.skip_record();
+    }
+    end_run();
+    return std::move(records_);
+  }
+
+ private:
+  void note_statement(std::string_view keyword, std::size_t begin) {
+    if (keyword == "v") {
+      records_.vertices.push_back(begin);
+    } else if (keyword == "f" || keyword == "fo") {
+      records_.faces.push_back(begin);
+      note_triangles();
+    } else if (keyword == "vt") {
+      records_.texture_points.push_back(begin);
+    } else if (keyword == "vn") {
+      records_.normals.push_back(begin);
+    } else if (keyword == "l" || keyword == "p") {
+      records_.lines_and_points.push_back(begin);
+    } else if (keyword != "vp") {
+      // Materials, groups and the like apply to the faces behind them.
+      end_run();
+    }
+    if (keyword == "g" || keyword == "o") {
+      // In a name, # begins no comment.
+      static_cast<void>(in_.rest_of_record());
+    }
+  }
+
+  void note_triangles() {
+    std::size_t n_corners = 0;
+    for (; !in_.at_record_end(); ++n_corners) {
+      const bool is_relative = in_.word().find('-') != std::string_view::npos;
+      records_.has_relative_faces = records_.has_relative_faces || is_relative;
+    }
+    std::vector<Index>& first = records_.face_records.first_triangle;
+    first.push_back(first.back() + static_cast<Index>(std::max<std::size_t>(n_corners, 3) - 2));
+  }
+
+  void end_run() {
+    const std::size_t n = records_.faces.size();
+    records_.face_records.run_ends.resize(n, static_cast<Index>(n - 1));
+  }
+
+  std::string_view text_;
+  TextScanner in_;
+  ObjRecords records_;
+};
+
+std::size_t count_before(const std::vector<std::size_t>& begins, std::size_t statement) {
+  return static_cast<std::size_t>(std::lower_bound(begins.begin(), begins.end(), statement) -
+                                  begins.begin());
+}
+
+}  // namespace
+
+ObjCounts ObjRecords::counts_before(std::size_t statement) const {
+  return {count_before(vertices, statement), count_before(texture_points, statement),
+          count_before(normals, statement)};
+}
+
+ObjRecords find_obj_records(std::string_view text) {
+  return ObjRecordFinder(text).find();
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "meshalyzer/io/obj_corner.h"
+#include "meshalyzer/io/rewrite/face_plan.h"
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Where the statements of an OBJ file begin, by kind, in the order of the file.
+struct ObjRecords {
+  std::vector<std::size_t> vertices;
+  std::vector<std::size_t> texture_points;
+  std::vector<std::size_t> normals;
+  std::vector<std::size_t> faces;
+  /// `l` and `p`.
+  std::vector<std::size_t> lines_and_points;
+  FaceRecords face_records;
+  /// Whether any face counts back from the last record.
+  bool has_relative_faces = false;
+
+  /// How many records of each kind stand before a statement.
+  [[nodiscard]] ObjCounts counts_before(std::size_t statement) const;
+};
+
+/// Finds the statements of a text that parse_obj() reads.
+///
+/// @complexity O(bytes) time.
+[[nodiscard]] ObjRecords find_obj_records(std::string_view text);
+
+}  // namespace meshalyzer

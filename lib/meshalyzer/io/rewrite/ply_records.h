@@ -1,0 +1,69 @@
+#pragma once
+
+#include "meshalyzer/io/ply_header.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meshalyzer {
+
+/// What a record says of one property: views into the file.
+struct PlyField {
+  /// The number of items, where the property is a list.
+  std::string_view size;
+  std::vector<std::string_view> items;
+};
+
+/// One record of an element.
+struct PlyRecord {
+  /// The whole record, without its line end.
+  std::string_view bytes;
+  /// In the order of the properties.
+  std::vector<PlyField> fields;
+};
+
+/// Finds and reads the records of a PLY file whose content is sound, and encodes numbers as it
+/// does.
+class PlyRecords {
+ public:
+  PlyRecords(std::string_view content, const PlyHeader& header);
+
+  /// Where the records of an element begin.
+  [[nodiscard]] const std::vector<std::size_t>& begins(std::size_t element) const {
+    return begins_[element];
+  }
+  [[nodiscard]] PlyRecord read(std::size_t element, std::size_t record) const;
+
+  /// A number as it stands in the file.
+  [[nodiscard]] double number(std::string_view item, PlyType type) const;
+  [[nodiscard]] std::string text(double number, PlyType type) const;
+
+  /// Whether a number can stand in the file as one of this type without being changed.
+  [[nodiscard]] bool fits(double number, PlyType type) const;
+
+  [[nodiscard]] bool is_ascii() const { return header_.encoding == PlyEncoding::Ascii; }
+
+ private:
+  void find_ascii_records();
+  void find_binary_records();
+  [[nodiscard]] PlyRecord read_binary(const PlyElement& element, std::size_t begin) const;
+
+  std::string_view content_;
+  const PlyHeader& header_;
+  /// By element.
+  std::vector<std::vector<std::size_t>> begins_;
+};
+
+/// The words of the line of the header that declares an element or, where one is named, a property
+/// of it.
+[[nodiscard]] std::vector<std::string_view> declaration_of(
+    std::string_view content, const PlyElement& element,
+    std::optional<std::string_view> property = std::nullopt);
+
+/// The property of an element that has this name; its number of properties where none has.
+[[nodiscard]] std::size_t find_property(const PlyElement& element, std::string_view name);
+
+}  // namespace meshalyzer

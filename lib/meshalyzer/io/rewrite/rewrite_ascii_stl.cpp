@@ -1,0 +1,186 @@
+#include "meshalyzer/base/numbers.h"
+#include "meshalyzer/io/references.h"
+#include "meshalyzer/io/rewrite/face_plan.h"
+#include "meshalyzer/io/rewrite/rewrite_stl.h"
+#include "meshalyzer/io/rewrite/text_lines.h"
+#include "meshalyzer/io/stl.h"
+
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// "facet normal X Y Z outer loop vertex X Y Z ... endloop endfacet".
+constexpr std::size_t kFacetWords = 21;
+/// Which of these words are numbers: of the normal, then of the corners.
+constexpr std::array<std::size_t, 12> kNumberWords = {2, 3, 4, 8, 9, 10, 12, 13, 14, 16, 17, 18};
+
+using FacetWords = std::array<std::string_view, kFacetWords>;
+
+/// The words of the facet that the scanner stands before.
+FacetWords read_facet(TextScanner& in) {
+  FacetWords words;
+  for (std::string_view& word : words) {
+    static_cast<void>(in.next_record());
+    word = in.word();
+  }
+  return words;
+}
+
+/// Where the facets begin.
+struct StlRecords {
+  std::vector<std::size_t> facets;
+  FaceRecords face_records;
+};
+
+StlRecords find_facets(std::string_view text, std::size_t n_facets) {
+  StlRecords records;
+  TextScanner in(text);
+  while (in.next_record()) {
+    const std::size_t begin = text.size() - in.remaining();
+    // Of the keywords at this place only that of a facet has this letter.
+    const char letter = in.peek().front();
+    if (letter == 'f' || letter == 'F') {
+      records.facets.push_back(begin);
+      static_cast<void>(read_facet(in));
+      continue;
+    }
+    in.skip_record();
+    const std::size_t n = records.facets.size();
+    records.face_records.run_ends.resize(n, static_cast<Index>(n - 1));
+  }
+  records.face_records.first_triangle.resize(n_facets + 1);
+  std::iota(records.face_records.first_triangle.begin(), records.face_records.first_triangle.end(),
+            Index{0});
+  return records;
+}
+
+class AsciiStlRewriter {
+ public:
+  AsciiStlRewriter(const EditedMesh& mesh, std::string_view text)
+      : mesh_(mesh),
+        records_(find_facets(text, mesh.source.n_faces())),
+        plan_(plan_faces(mesh, records_.face_records)),
+        edits_(text) {}
+
+  RewrittenFile rewrite() {
+    std::vector<Index> faces(records_.facets.size(), kNoIndex);
+    for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+      if (mesh_.faces[f].relation == ElementOrigin::Relation::Same) {
+        faces[mesh_.faces[f].record] = static_cast<Index>(f);
+      }
+    }
+    auto next = plan_.written.begin();
+    for (Index r = 0; r < faces.size(); ++r) {
+      std::vector<std::string> added;
+      for (; next != plan_.written.end() && next->record == r; ++next) {
+        if (next->face != faces[r]) {
+          added.push_back(facet_like(r, next->face));
+        }
+      }
+      edit_record(r, faces[r], added);
+    }
+    RewrittenFile file;
+    file.bytes = edits_.apply();
+    if (!keeps_order(plan_)) {
+      file.file_faces = plan_.file_faces;
+    }
+    return file;
+  }
+
+ private:
+  [[nodiscard]] FacetWords words(Index record) const {
+    TextScanner in(edits_.source().substr(records_.facets[record]));
+    return read_facet(in);
+  }
+  [[nodiscard]] std::size_t end_of(const FacetWords& words) const {
+    return edits_.offset_of(words.back()) + words.back().size();
+  }
+
+  /// The numbers of a facet as text, in the order of kNumberWords.
+  [[nodiscard]] std::vector<std::string> numbers_of(Index face) const {
+    std::vector<std::string> numbers;
+    for (const double number : unit_normal(mesh_.soup, mesh_.soup.triangles[face])) {
+      numbers.push_back(shortest(number));
+    }
+    for (const Vec3& corner : corners_of(mesh_.soup, face)) {
+      for (const double number : corner) {
+        numbers.push_back(shortest(number));
+      }
+    }
+    return numbers;
+  }
+
+  /// @param face   What the facet is now; kNoIndex: it is dropped.
+  /// @param added  Facets to stand behind it, or in its place.
+  void edit_record(Index record, Index face, const std::vector<std::string>& added) {
+    if (face == kNoIndex && added.empty()) {
+      const std::size_t begin = records_.facets[record];
+      edits_.erase_with_lines(edits_.source().substr(begin, end_of(words(record)) - begin));
+      return;
+    }
+    std::string behind;
+    for (const std::string& facet : added) {
+      behind += edits_.line_end();
+      behind += indentation(record);
+      behind += facet;
+    }
+    const std::size_t end = end_of(words(record));
+    if (face == kNoIndex) {
+      const std::size_t blanks = edits_.line_end().size() + indentation(record).size();
+      edits_.replace(records_.facets[record], end, behind.substr(blanks));
+      return;
+    }
+    edits_.insert(end, std::move(behind));
+    if (corners_of(mesh_.soup, face) != corners_of(mesh_.source, record)) {
+      edit_numbers(record, face);
+    }
+  }
+
+  void edit_numbers(Index record, Index face) {
+    const FacetWords old = words(record);
+    const std::vector<std::string> numbers = numbers_of(face);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      edits_.replace(old[kNumberWords[i]], numbers[i]);
+    }
+  }
+
+  [[nodiscard]] std::string_view indentation(Index record) const {
+    const std::size_t begin = records_.facets[record];
+    const std::size_t blanks = edits_.source().substr(0, begin).find_last_not_of(" \t") + 1;
+    return edits_.source().substr(blanks, begin - blanks);
+  }
+
+  /// A face as the text of a facet, with other numbers.
+  [[nodiscard]] std::string facet_like(Index record, Index face) const {
+    const std::string_view text = edits_.source();
+    const FacetWords model = words(record);
+    const std::vector<std::string> numbers = numbers_of(face);
+    std::string facet;
+    std::size_t copied = records_.facets[record];
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const std::string_view old = model[kNumberWords[i]];
+      facet += text.substr(copied, edits_.offset_of(old) - copied);
+      facet += numbers[i];
+      copied = edits_.offset_of(old) + old.size();
+    }
+    return facet += text.substr(copied, end_of(model) - copied);
+  }
+
+  const EditedMesh& mesh_;
+  StlRecords records_;
+  FacePlan plan_;
+  LineEdits edits_;
+};
+
+}  // namespace
+
+RewrittenFile rewrite_ascii_stl(const EditedMesh& mesh, std::string_view text) {
+  require_all_vertices(mesh.soup);
+  return AsciiStlRewriter(mesh, text).rewrite();
+}
+
+}  // namespace meshalyzer

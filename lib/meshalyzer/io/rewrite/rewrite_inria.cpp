@@ -1,0 +1,313 @@
+#include "meshalyzer/io/rewrite/rewrite_inria.h"
+
+#include "meshalyzer/base/numbers.h"
+#include "meshalyzer/io/references.h"
+#include "meshalyzer/io/rewrite/blend.h"
+#include "meshalyzer/io/rewrite/face_plan.h"
+#include "meshalyzer/io/rewrite/inria_records.h"
+#include "meshalyzer/io/rewrite/text_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+using Section = InriaRecords::Section;
+
+/// New numbers of records, from 0; kNoIndex for those that are gone.
+using NewNumbers = std::vector<Index>;
+
+class InriaRewriter {
+ public:
+  InriaRewriter(const EditedMesh& mesh, std::string_view text)
+      : mesh_(mesh),
+        records_(find_inria_records(text)),
+        vertices_(new_vertices(mesh)),
+        edits_(text) {
+    face_records_.first_triangle.push_back(0);
+    for (const Section& section : records_.sections) {
+      const bool is_quadrilateral = section.keyword == "Quadrilaterals";
+      if (!is_quadrilateral && section.keyword != "Triangles") {
+        continue;
+      }
+      for (const std::string_view record : section.records) {
+        faces_.push_back(record);
+        std::vector<Index>& first = face_records_.first_triangle;
+        first.push_back(first.back() + (is_quadrilateral ? 2 : 1));
+      }
+    }
+    plan_ = plan_faces(mesh, face_records_);
+  }
+
+  RewrittenFile rewrite() {
+    for (const Section& section : records_.sections) {
+      if (section.keyword == "Vertices") {
+        edit_vertices(section);
+      }
+    }
+    edit_faces();
+    for (const InriaNames names : {InriaNames::Vertices, InriaNames::Edges, InriaNames::Triangles,
+                                   InriaNames::Quadrilaterals}) {
+      edit_sections_that_name(names);
+    }
+    RewrittenFile file;
+    file.bytes = edits_.apply();
+    file.file_faces = file_faces();
+    file.lost = {{AttributeKind::OtherRecords, n_lost_}};
+    return file;
+  }
+
+ private:
+  void set_count(const Section& section, std::size_t count) {
+    edits_.replace(section.count, std::to_string(count));
+  }
+
+  /// Puts records behind the last one of a section; each ends with a line end.
+  void append(std::string_view behind, std::string lines) {
+    const std::string_view text = edits_.source();
+    const std::size_t end = edits_.offset_of(behind) + behind.size();
+    const std::size_t next = text.find_first_not_of(" \t\r", end);
+    if (next == std::string_view::npos || text[next] == '\n' || text[next] == '#') {
+      edits_.insert_lines_behind(behind, std::move(lines));
+    } else if (!lines.empty()) {
+      edits_.insert(end, edits_.line_end() + lines);
+    }
+  }
+
+  void edit_vertices(const Section& section) {
+    for (Index r = 0; r < vertices_.size(); ++r) {
+      if (vertices_[r] == kNoIndex) {
+        edits_.erase_with_lines(section.records[r]);
+      } else if (mesh_.soup.positions[vertices_[r]] != mesh_.source.positions[r]) {
+        const std::vector<std::string_view> old = inria_numbers(section.records[r]);
+        for (std::size_t i = 0; i < 3; ++i) {
+          const auto axis = static_cast<Eigen::Index>(i);
+          const double now = mesh_.soup.positions[vertices_[r]][axis];
+          if (now != mesh_.source.positions[r][axis]) {
+            edits_.replace(old[i], shortest(now));
+          }
+        }
+      }
+    }
+    std::string added;
+    const std::vector<Blend> blends = added_vertex_blends(mesh_);
+    const std::size_t n_old = mesh_.vertices.size() - blends.size();
+    for (std::size_t i = 0; i < blends.size(); ++i) {
+      for (const double coordinate : mesh_.soup.positions[n_old + i]) {
+        append_shortest(added, coordinate);
+        added += ' ';
+      }
+      added += blends[i].is_empty()
+                   ? "0"
+                   : std::string(inria_numbers(section.records[blends[i].main_item()])[3]);
+      added += edits_.line_end();
+    }
+    set_count(section, mesh_.soup.n_vertices());
+    if (!section.records.empty()) {
+      append(section.records.back(), std::move(added));
+    }
+  }
+
+  void edit_faces() {
+    const std::string added = added_faces();
+    Index record = 0;
+    const Section* last_triangles = nullptr;
+    const Section* last_faces = nullptr;
+    for (const Section& section : records_.sections) {
+      const bool is_triangles = section.keyword == "Triangles";
+      if (!is_triangles && section.keyword != "Quadrilaterals") {
+        continue;
+      }
+      NewNumbers& numbers = is_triangles ? triangles_ : quadrilaterals_;
+      std::size_t n_kept = 0;
+      for (std::size_t i = 0; i < section.records.size(); ++i, ++record) {
+        const bool is_kept = edit_face(record);
+        numbers.push_back(is_kept ? n_faces_of_[is_triangles ? 0 : 1]++ : kNoIndex);
+        n_kept += is_kept ? 1 : 0;
+      }
+      last_faces = &section;
+      last_triangles = is_triangles ? &section : last_triangles;
+      counts_.emplace_back(&section, n_kept);
+    }
+    for (const auto& [section, n_kept] : counts_) {
+      set_count(*section, n_kept + (section == last_triangles ? n_added_ : 0));
+    }
+    if (n_added_ == 0 || last_faces == nullptr) {
+      return;
+    }
+    if (last_triangles == nullptr) {
+      append(last_faces->records.back(), "Triangles" + edits_.line_end() +
+                                             std::to_string(n_added_) + edits_.line_end() + added);
+    } else {
+      append(
+          last_triangles->records.empty() ? last_triangles->count : last_triangles->records.back(),
+          added);
+    }
+  }
+
+  /// Edits or drops a face record. Returns whether it stays.
+  bool edit_face(Index record) {
+    if (plan_.fates[record] == RecordFate::Dropped) {
+      edits_.erase_with_lines(faces_[record]);
+      return false;
+    }
+    const bool is_turned = plan_.fates[record] == RecordFate::Turned;
+    const std::vector<std::string_view> old = inria_numbers(faces_[record]);
+    const std::size_t n = old.size() - 1;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t local = is_turned ? (n - i) % n : i;
+      const FanCorner corner = fan_corner(face_records_, record, local);
+      const Index vertex = is_turned
+                               ? vertices_[mesh_.source.triangles[corner.triangle][corner.corner]]
+                               : vertex_at(mesh_, plan_, corner);
+      edits_.replace(old[i], std::to_string(std::uint64_t{vertex} + 1));
+    }
+    return true;
+  }
+
+  /// The records of faces that stand behind all triangles.
+  [[nodiscard]] std::string added_faces() {
+    std::string lines;
+    n_added_ = plan_.written.size();
+    for (const FacePlan::WrittenFace& written : plan_.written) {
+      for (const Index corner : mesh_.soup.triangles[written.face]) {
+        lines += std::to_string(std::uint64_t{corner} + 1) + ' ';
+      }
+      const ElementOrigin& origin = mesh_.faces[written.face];
+      const bool has_model = origin.relation != ElementOrigin::Relation::Beside;
+      lines +=
+          has_model
+              ? std::string(inria_numbers(faces_[face_records_.record_of(origin.record)]).back())
+              : "0";
+      lines += edits_.line_end();
+    }
+    return lines;
+  }
+
+  [[nodiscard]] const NewNumbers& numbers_of(InriaNames names) const {
+    switch (names) {
+      case InriaNames::Edges:
+        return edges_;
+      case InriaNames::Triangles:
+        return triangles_;
+      case InriaNames::Quadrilaterals:
+        return quadrilaterals_;
+      default:
+        return vertices_;
+    }
+  }
+
+  void edit_sections_that_name(InriaNames names) {
+    for (const Section& section : records_.sections) {
+      if (section.kind == nullptr || section.kind->names != names) {
+        continue;
+      }
+      Index n_kept = 0;
+      for (const std::string_view record : section.records) {
+        const bool is_kept = rename(record, *section.kind);
+        if (section.keyword == "Edges") {
+          edges_.push_back(is_kept ? n_kept : kNoIndex);
+        }
+        n_kept += is_kept ? 1 : 0;
+      }
+      n_lost_ += section.records.size() - n_kept;
+      set_count(section, n_kept);
+    }
+  }
+
+  /// Renews the numbers by which a record names others. Drops it, and returns false, where one of
+  /// those is gone.
+  bool rename(std::string_view record, const InriaSection& kind) {
+    const NewNumbers& numbers = numbers_of(kind.names);
+    const std::vector<std::string_view> old = inria_numbers(record);
+    const auto index_of = [&](std::size_t i) {
+      return static_cast<std::size_t>(parse_integer(old[i]).value_or(0) - 1);
+    };
+    for (std::size_t i = 0; i < kind.n_names; ++i) {
+      if (index_of(i) < numbers.size() && numbers[index_of(i)] == kNoIndex) {
+        edits_.erase_with_lines(record);
+        return false;
+      }
+    }
+    for (std::size_t i = 0; i < kind.n_names; ++i) {
+      if (index_of(i) < numbers.size()) {
+        edits_.replace(old[i], std::to_string(std::uint64_t{numbers[index_of(i)]} + 1));
+      }
+    }
+    return true;
+  }
+
+  /// Returns the place of each face in the file; nothing where they stand in the order of the mesh.
+  [[nodiscard]] std::vector<Index> file_faces() const {
+    std::vector<Index> order;
+    Index record = 0;
+    const auto append_added = [&] {
+      for (const FacePlan::WrittenFace& written : plan_.written) {
+        order.push_back(written.face);
+      }
+    };
+    const auto is_last = [&](const Section& section) {
+      const auto last = std::find_if(counts_.rbegin(), counts_.rend(), [](const auto& count) {
+        return count.first->keyword == "Triangles";
+      });
+      return last == counts_.rend() ? &section == counts_.back().first : &section == last->first;
+    };
+    for (const auto& [section, n_kept] : counts_) {
+      for (std::size_t i = 0; i < section->records.size(); ++i, ++record) {
+        append_record(record, order);
+      }
+      if (is_last(*section)) {
+        append_added();
+      }
+    }
+    std::vector<Index> places(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      places[order[i]] = static_cast<Index>(i);
+    }
+    return std::is_sorted(places.begin(), places.end()) ? std::vector<Index>{} : places;
+  }
+
+  void append_record(Index record, std::vector<Index>& order) const {
+    if (plan_.fates[record] == RecordFate::Dropped) {
+      return;
+    }
+    const std::size_t begin = order.size();
+    for (Index t = face_records_.first_triangle[record];
+         t < face_records_.first_triangle[record + 1]; ++t) {
+      order.push_back(plan_.faces[t]);
+    }
+    if (plan_.fates[record] == RecordFate::Turned) {
+      std::reverse(order.begin() + static_cast<std::ptrdiff_t>(begin), order.end());
+    }
+  }
+
+  const EditedMesh& mesh_;
+  InriaRecords records_;
+  /// The records of triangles and quadrilaterals, in the order of the file.
+  std::vector<std::string_view> faces_;
+  FaceRecords face_records_;
+  FacePlan plan_;
+  NewNumbers vertices_;
+  NewNumbers edges_;
+  NewNumbers triangles_;
+  NewNumbers quadrilaterals_;
+  /// How many triangles and quadrilaterals have been numbered.
+  std::array<Index, 2> n_faces_of_{};
+  std::size_t n_added_ = 0;
+  /// The sections of faces, and how many of their records stay.
+  std::vector<std::pair<const Section*, std::size_t>> counts_;
+  std::size_t n_lost_ = 0;
+  LineEdits edits_;
+};
+
+}  // namespace
+
+RewrittenFile rewrite_inria(const EditedMesh& mesh, std::string_view text) {
+  require_all_vertices(mesh.soup);
+  return InriaRewriter(mesh, text).rewrite();
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,360 @@
+#include "meshalyzer/io/rewrite/rewrite_obj.h"
+
+#include "meshalyzer/base/numbers.h"
+#include "meshalyzer/io/references.h"
+#include "meshalyzer/io/rewrite/blend.h"
+#include "meshalyzer/io/rewrite/obj_attributes.h"
+#include "meshalyzer/io/rewrite/text_lines.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// A new index in the words of an old one: counted from the first record, or back from the last.
+std::string reference_text(std::string_view old, Index index, std::size_t n_so_far) {
+  return old.front() == '-' ? '-' + std::to_string(n_so_far - index)
+                            : std::to_string(std::uint64_t{index} + 1);
+}
+
+class ObjRewriter {
+ public:
+  ObjRewriter(const EditedMesh& mesh, std::string_view text)
+      : mesh_(mesh),
+        records_(find_obj_records(text)),
+        plan_(plan_faces(mesh, records_.face_records)),
+        numbers_(new_vertices(mesh)),
+        attributes_(mesh, text, records_),
+        edits_(text) {}
+
+  RewrittenFile rewrite() {
+    edit_vertices();
+    write_faces();
+    settle_new_records();
+    for (Index r = 0; r < plan_.fates.size(); ++r) {
+      edit_face(r);
+    }
+    for (const std::size_t statement : records_.lines_and_points) {
+      edit_line_or_point(statement);
+    }
+    insert_behind(records_.vertices, added_vertices());
+    insert_behind(records_.texture_points, lines_of("vt", attributes_.new_texture_points()));
+    insert_behind(records_.normals, lines_of("vn", attributes_.new_normals()));
+    RewrittenFile file;
+    file.bytes = edits_.apply();
+    if (!keeps_order(plan_)) {
+      file.file_faces = plan_.file_faces;
+    }
+    file.lost = {{AttributeKind::LinesAndPoints, n_lost_}};
+    return file;
+  }
+
+ private:
+  [[nodiscard]] std::vector<std::string_view> words(std::size_t statement) const {
+    return words_at(edits_.source(), statement, Continuation::Backslash);
+  }
+
+  void edit_vertices() {
+    for (std::size_t r = 0; r < records_.vertices.size(); ++r) {
+      const Index v = numbers_[r];
+      if (v == kNoIndex) {
+        edits_.replace_lines(span_of(words(records_.vertices[r])), {});
+      } else if (mesh_.soup.positions[v] != mesh_.source.positions[r]) {
+        const std::vector<std::string_view> old = words(records_.vertices[r]);
+        for (std::size_t i = 0; i < 3; ++i) {
+          const auto axis = static_cast<Eigen::Index>(i);
+          if (mesh_.soup.positions[v][axis] != mesh_.source.positions[r][axis]) {
+            edits_.replace(old[1 + i], shortest(mesh_.soup.positions[v][axis]));
+          }
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] std::string added_vertices() const {
+    std::string lines;
+    const std::vector<Blend> blends = added_vertex_blends(mesh_);
+    const std::size_t n_old = mesh_.vertices.size() - blends.size();
+    for (std::size_t i = 0; i < blends.size(); ++i) {
+      lines += 'v';
+      for (const double coordinate : mesh_.soup.positions[n_old + i]) {
+        lines += ' ';
+        append_shortest(lines, coordinate);
+      }
+      append_extra(lines, blends[i]);
+      lines += edits_.line_end();
+    }
+    return lines;
+  }
+
+  /// Appends the numbers behind a position: weight and colour, where all have them.
+  void append_extra(std::string& line, const Blend& blend) const {
+    if (blend.is_empty()) {
+      return;
+    }
+    const auto extra = [&](Index vertex) {
+      std::vector<std::string_view> all = words(records_.vertices[vertex]);
+      all.erase(all.begin(), all.begin() + 4);
+      return all;
+    };
+    const std::vector<std::string_view> first = extra(blend.items[0]);
+    for (const Index item : blend.items) {
+      if (item != kNoIndex && extra(item).size() != first.size()) {
+        return;
+      }
+    }
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      const auto number = [&](Index item) { return parse_real(extra(item)[i]).value_or(0.0); };
+      line += ' ';
+      line += blend.is_single() ? std::string(first[i]) : shortest(blend.mean(number));
+    }
+  }
+
+  /// Replaces dropped records by what is left of them, and inserts what was added.
+  void write_faces() {
+    auto next = plan_.written.begin();
+    for (Index r = 0; r < plan_.fates.size(); ++r) {
+      const bool is_dropped = plan_.fates[r] == RecordFate::Dropped;
+      if (!is_dropped && (next == plan_.written.end() || next->record != r)) {
+        continue;
+      }
+      std::string lines;
+      for (; next != plan_.written.end() && next->record == r; ++next) {
+        lines += face_line(next->face);
+      }
+      const std::string_view record = span_of(words(records_.faces[r]));
+      if (is_dropped) {
+        edits_.replace_lines(record, std::move(lines));
+      } else {
+        edits_.insert_lines_behind(record, std::move(lines));
+      }
+    }
+    std::string rest;
+    for (; next != plan_.written.end(); ++next) {
+      rest += face_line(next->face);
+    }
+    insert_behind(records_.faces, std::move(rest));
+  }
+
+  /// Adds the new records that faces name which stay: statements that count back need to know how
+  /// many there are before they are edited.
+  void settle_new_records() {
+    for (Index r = 0; records_.has_relative_faces && r < plan_.fates.size(); ++r) {
+      if (plan_.fates[r] == RecordFate::Dropped) {
+        continue;
+      }
+      const std::vector<std::string_view> old = words(records_.faces[r]);
+      const ObjCounts counts = records_.counts_before(records_.faces[r]);
+      for (std::size_t i = 1; i < old.size(); ++i) {
+        const ObjCorner named = parse_obj_corner(old[i], counts, TextScanner(old[i]));
+        static_cast<void>(corner_now(r, i - 1, named));
+      }
+    }
+  }
+
+  [[nodiscard]] bool is_renumbered(Index record) const {
+    const std::vector<Index>& first = records_.face_records.first_triangle;
+    for (Index t = first[record]; t < first[record + 1]; ++t) {
+      if (mesh_.soup.triangles[plan_.faces[t]] != mesh_.source.triangles[t]) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool keeps_normals(Index record) {
+    if (mesh_.soup.corner_normals.empty() || mesh_.source.corner_normals.empty()) {
+      return true;
+    }
+    bool keeps = true;
+    for (std::size_t local = 0; local < records_.face_records.n_triangles(record) + 2; ++local) {
+      const FanCorner corner = fan_corner(records_.face_records, record, local);
+      ObjCorner named;
+      named.vertex = mesh_.source.triangles[corner.triangle][corner.corner];
+      named.normal = mesh_.source.corner_normals[corner.triangle][corner.corner];
+      keeps = corner_now(record, local, named).normal == named.normal && keeps;
+    }
+    return keeps;
+  }
+
+  [[nodiscard]] std::string face_line(Index face) {
+    std::array<ObjCorner, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = attributes_.corner({face, k});
+    }
+    // A face has them at all of its corners, or at none.
+    const bool has_texture = std::all_of(corners.begin(), corners.end(), [](const ObjCorner& c) {
+      return c.texture_point != kNoIndex;
+    });
+    const bool has_normals = std::all_of(corners.begin(), corners.end(),
+                                         [](const ObjCorner& c) { return c.normal != kNoIndex; });
+    std::string line = "f";
+    for (const ObjCorner& corner : corners) {
+      line += ' ' + std::to_string(std::uint64_t{corner.vertex} + 1);
+      if (has_texture) {
+        line += '/' + std::to_string(std::uint64_t{corner.texture_point} + 1);
+      }
+      if (has_normals) {
+        line += has_texture ? "/" : "//";
+        line += std::to_string(std::uint64_t{corner.normal} + 1);
+      }
+    }
+    return line + edits_.line_end();
+  }
+
+  void edit_face(Index record) {
+    const RecordFate fate = plan_.fates[record];
+    if (fate == RecordFate::Dropped) {
+      return;
+    }
+    if (fate == RecordFate::Kept && !records_.has_relative_faces && !is_renumbered(record) &&
+        keeps_normals(record)) {
+      return;
+    }
+    const std::vector<std::string_view> old = words(records_.faces[record]);
+    const ObjCounts counts = records_.counts_before(records_.faces[record]);
+    const std::size_t n = old.size() - 1;
+    for (std::size_t i = 0; i < n; ++i) {
+      // A turned polygon begins at the same corner, and goes round the other way.
+      const std::size_t local = fate == RecordFate::Turned ? (n - i) % n : i;
+      const ObjCorner named = parse_obj_corner(old[1 + local], counts, TextScanner(old[1 + local]));
+      edits_.replace(old[1 + i],
+                     corner_text(old[1 + local], corner_now(record, local, named), counts));
+    }
+  }
+
+  /// What a corner of a record that stays names now.
+  [[nodiscard]] ObjCorner corner_now(Index record, std::size_t local, const ObjCorner& named) {
+    const FanCorner corner = fan_corner(records_.face_records, record, local);
+    const Index face = plan_.faces[corner.triangle];
+    const Index vertex = named.vertex < numbers_.size() ? numbers_[named.vertex] : kNoIndex;
+    const Triangle& now = mesh_.soup.triangles[face];
+    // The triangles of a turned polygon have the same vertices at other corners.
+    const std::size_t k =
+        plan_.fates[record] == RecordFate::Turned
+            ? static_cast<std::size_t>(std::find(now.begin(), now.end(), vertex) - now.begin())
+            : corner.corner;
+    if (vertex != kNoIndex && now[k] == vertex) {
+      const Index normal = attributes_.normal({face, k}, named.normal);
+      return {vertex, named.texture_point, normal == kNoIndex ? named.normal : normal};
+    }
+    return attributes_.corner({face, corner.corner});
+  }
+
+  /// A corner in the words of an old one.
+  [[nodiscard]] std::string corner_text(std::string_view old, const ObjCorner& now,
+                                        const ObjCounts& counts) const {
+    const std::size_t first_slash = std::min(old.find('/'), old.size());
+    const std::size_t second_slash = std::min(old.find('/', first_slash + 1), old.size());
+    const ObjCounts n_so_far = new_counts(counts);
+    std::string text = reference_text(old, now.vertex, n_so_far.vertices);
+    text += old.substr(first_slash, 1);
+    const std::string_view texture_point =
+        old.substr(std::min(first_slash + 1, second_slash), second_slash - first_slash - 1);
+    if (!texture_point.empty() && now.texture_point != kNoIndex) {
+      text += reference_text(texture_point, now.texture_point, n_so_far.texture_points);
+    }
+    text += old.substr(second_slash, 1);
+    const std::string_view normal = old.substr(std::min(second_slash + 1, old.size()));
+    if (!normal.empty() && now.normal != kNoIndex) {
+      text += reference_text(normal, now.normal, n_so_far.normals);
+    }
+    return text;
+  }
+
+  /// How many records stand before a statement now.
+  [[nodiscard]] ObjCounts new_counts(const ObjCounts& old) const {
+    ObjCounts counts = old;
+    counts.vertices = 0;
+    for (std::size_t r = old.vertices; r-- > 0;) {
+      if (numbers_[r] != kNoIndex) {
+        counts.vertices = std::size_t{numbers_[r]} + 1;
+        break;
+      }
+    }
+    if (old.vertices == records_.vertices.size()) {
+      counts.vertices = mesh_.soup.n_vertices();
+    }
+    if (old.texture_points == records_.texture_points.size()) {
+      counts.texture_points += attributes_.new_texture_points().size();
+    }
+    if (old.normals == records_.normals.size()) {
+      counts.normals += attributes_.new_normals().size();
+    }
+    return counts;
+  }
+
+  /// Drops a line that has lost a vertex.
+  void edit_line_or_point(std::size_t statement) {
+    const std::vector<std::string_view> old = words(statement);
+    const ObjCounts counts = records_.counts_before(statement);
+    for (std::size_t i = 1; i < old.size(); ++i) {
+      const std::optional<ObjCorner> named = corner_of(old[i], counts);
+      if (!named || named->vertex >= numbers_.size()) {
+        return;
+      }
+      if (numbers_[named->vertex] == kNoIndex) {
+        edits_.replace_lines(span_of(old), {});
+        ++n_lost_;
+        return;
+      }
+    }
+    for (std::size_t i = 1; i < old.size(); ++i) {
+      ObjCorner named = *corner_of(old[i], counts);
+      named.vertex = numbers_[named.vertex];
+      edits_.replace(old[i], corner_text(old[i], named, counts));
+    }
+  }
+
+  /// The reader skips lines and points whatever they say.
+  [[nodiscard]] static std::optional<ObjCorner> corner_of(std::string_view word,
+                                                          const ObjCounts& counts) {
+    try {
+      const ObjCorner corner = parse_obj_corner(word, counts, TextScanner(word));
+      return corner.normal == kNoIndex ? std::optional(corner) : std::nullopt;
+    } catch (const TextFault&) {
+      return std::nullopt;
+    }
+  }
+
+  [[nodiscard]] std::string lines_of(std::string_view keyword,
+                                     const std::vector<std::string>& values) const {
+    std::string lines;
+    for (const std::string& value : values) {
+      lines += keyword;
+      lines += value;
+      lines += edits_.line_end();
+    }
+    return lines;
+  }
+
+  /// Puts lines behind the last statement of a kind, or first where there is none.
+  void insert_behind(const std::vector<std::size_t>& statements, std::string lines) {
+    if (statements.empty()) {
+      edits_.insert(0, std::move(lines));
+    } else {
+      edits_.insert_lines_behind(span_of(words(statements.back())), std::move(lines));
+    }
+  }
+
+  const EditedMesh& mesh_;
+  ObjRecords records_;
+  FacePlan plan_;
+  /// By vertex record: which vertex it is now; kNoIndex where it was dropped.
+  std::vector<Index> numbers_;
+  ObjAttributes attributes_;
+  LineEdits edits_;
+  std::size_t n_lost_ = 0;
+};
+
+}  // namespace
+
+RewrittenFile rewrite_obj(const EditedMesh& mesh, std::string_view text) {
+  require_all_vertices(mesh.soup);
+  return ObjRewriter(mesh, text).rewrite();
+}
+
+}  // namespace meshalyzer

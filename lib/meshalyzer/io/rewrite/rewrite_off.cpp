@@ -1,0 +1,266 @@
+#include "meshalyzer/io/rewrite/rewrite_off.h"
+
+#include "meshalyzer/base/numbers.h"
+#include "meshalyzer/io/off.h"
+#include "meshalyzer/io/references.h"
+#include "meshalyzer/io/rewrite/blend.h"
+#include "meshalyzer/io/rewrite/face_plan.h"
+#include "meshalyzer/io/rewrite/text_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// Where the records stand.
+struct OffRecords {
+  std::string_view n_vertices;
+  std::string_view n_faces;
+  std::vector<std::size_t> vertices;
+  std::vector<std::size_t> faces;
+  FaceRecords face_records;
+};
+
+class OffRecordFinder {
+ public:
+  OffRecordFinder(std::string_view text, std::size_t n_vertices)
+      : text_(text), in_(text), n_vertices_(n_vertices) {}
+
+  OffRecords find() {
+    static_cast<void>(in_.next_record());
+    if (is_off_keyword(in_.peek())) {
+      static_cast<void>(in_.word());
+      static_cast<void>(in_.next_record());
+    }
+    records_.n_vertices = in_.word();
+    records_.n_faces = in_.word();
+    in_.skip_record();
+    records_.face_records.first_triangle.push_back(0);
+    while (in_.next_record()) {
+      note_record();
+    }
+    return std::move(records_);
+  }
+
+ private:
+  void note_record() {
+    const std::size_t begin = text_.size() - in_.remaining();
+    if (records_.vertices.size() < n_vertices_) {
+      records_.vertices.push_back(begin);
+    } else {
+      records_.faces.push_back(begin);
+      std::vector<Index>& first = records_.face_records.first_triangle;
+      const auto n_corners = static_cast<Index>(in_.integer());
+      first.push_back(first.back() + std::max(n_corners, Index{3}) - 2);
+    }
+    in_.skip_record();
+  }
+
+  std::string_view text_;
+  TextScanner in_;
+  std::size_t n_vertices_;
+  OffRecords records_;
+};
+
+class OffRewriter {
+ public:
+  OffRewriter(const EditedMesh& mesh, std::string_view text)
+      : mesh_(mesh),
+        records_(OffRecordFinder(text, mesh.source.n_vertices()).find()),
+        plan_(plan_faces(mesh, records_.face_records)),
+        numbers_(new_vertices(mesh)),
+        n_vertex_numbers_(has_vertex_normals(mesh.source) ? 6 : 3),
+        edits_(text) {}
+
+  RewrittenFile rewrite() {
+    edits_.replace(records_.n_vertices, std::to_string(mesh_.soup.n_vertices()));
+    edits_.replace(records_.n_faces, std::to_string(plan_.n_records));
+    for (Index r = 0; r < numbers_.size(); ++r) {
+      edit_vertex(r);
+    }
+    edits_.insert_lines_behind(last_of(records_.vertices), added_vertices());
+    write_faces();
+    RewrittenFile file;
+    file.bytes = edits_.apply();
+    if (!keeps_order(plan_)) {
+      file.file_faces = plan_.file_faces;
+    }
+    return file;
+  }
+
+ private:
+  using Words = std::vector<std::string_view>;
+
+  [[nodiscard]] Words words(std::size_t record) const {
+    return words_at(edits_.source(), record, Continuation::None);
+  }
+
+  /// The last of some records, or the counts where there is none.
+  [[nodiscard]] std::string_view last_of(const std::vector<std::size_t>& records) const {
+    return records.empty() ? records_.n_faces : span_of(words(records.back()));
+  }
+
+  /// Position and, where each vertex has one, normal.
+  [[nodiscard]] std::vector<double> numbers_of(const Soup& soup, std::size_t v) const {
+    std::vector<double> numbers(soup.positions[v].begin(), soup.positions[v].end());
+    if (n_vertex_numbers_ == 6) {
+      numbers.insert(numbers.end(), soup.normals[v].begin(), soup.normals[v].end());
+    }
+    return numbers;
+  }
+
+  void edit_vertex(Index record) {
+    const Index v = numbers_[record];
+    if (v == kNoIndex) {
+      edits_.replace_lines(span_of(words(records_.vertices[record])), {});
+      return;
+    }
+    const std::vector<double> before = numbers_of(mesh_.source, record);
+    const std::vector<double> now = numbers_of(mesh_.soup, v);
+    if (before == now) {
+      return;
+    }
+    const Words old = words(records_.vertices[record]);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      if (now[i] != before[i]) {
+        edits_.replace(old[i], shortest(now[i]));
+      }
+    }
+  }
+
+  [[nodiscard]] std::string added_vertices() const {
+    std::string lines;
+    const std::vector<Blend> blends = added_vertex_blends(mesh_);
+    const std::size_t n_old = mesh_.vertices.size() - blends.size();
+    for (std::size_t i = 0; i < blends.size(); ++i) {
+      for (const double number : numbers_of(mesh_.soup, n_old + i)) {
+        append_shortest(lines, number);
+        lines += ' ';
+      }
+      append_extra(lines, blends[i]);
+      lines.pop_back();
+      lines += edits_.line_end();
+    }
+    return lines;
+  }
+
+  /// Appends colours and texture coordinates, each number followed by a blank. Colours stay whole
+  /// numbers where they are.
+  void append_extra(std::string& line, const Blend& blend) const {
+    if (blend.is_empty()) {
+      return;
+    }
+    const auto extra = [&](Index vertex) {
+      Words all = words(records_.vertices[vertex]);
+      all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n_vertex_numbers_));
+      return all;
+    };
+    const Words first = extra(blend.items[0]);
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      const auto number = [&](Index item) {
+        const Words all = extra(item);
+        return i < all.size() ? parse_real(all[i]).value_or(0.0) : 0.0;
+      };
+      const bool is_whole = parse_integer(first[i]).has_value();
+      const double mean = blend.mean(number);
+      line +=
+          blend.is_single() ? std::string(first[i]) : shortest(is_whole ? std::round(mean) : mean);
+      line += ' ';
+    }
+  }
+
+  void write_faces() {
+    auto next = plan_.written.begin();
+    for (Index r = 0; r < plan_.fates.size(); ++r) {
+      if (plan_.fates[r] != RecordFate::Dropped) {
+        edit_face(r);
+        continue;
+      }
+      std::string lines;
+      const Words old = words(records_.faces[r]);
+      for (; next != plan_.written.end() && next->record == r; ++next) {
+        lines += face_line(next->face, old);
+      }
+      edits_.replace_lines(span_of(old), std::move(lines));
+    }
+    std::string rest;
+    for (; next != plan_.written.end(); ++next) {
+      rest += face_line(next->face, model_of(next->face));
+    }
+    edits_.insert_lines_behind(last_of(records_.faces.empty() ? records_.vertices : records_.faces),
+                               std::move(rest));
+  }
+
+  /// The record that an added face has its colour of; empty in a hole patch.
+  [[nodiscard]] Words model_of(Index face) const {
+    const ElementOrigin& origin = mesh_.faces[face];
+    if (origin.relation != ElementOrigin::Relation::MadeOf) {
+      return {};
+    }
+    return words(records_.faces[records_.face_records.record_of(origin.record)]);
+  }
+
+  [[nodiscard]] std::string face_line(Index face, const Words& model) const {
+    std::string line = "3";
+    for (const Index corner : mesh_.soup.triangles[face]) {
+      line += ' ' + std::to_string(corner);
+    }
+    const auto n_corners =
+        model.empty() ? 0 : static_cast<std::size_t>(parse_integer(model[0]).value_or(0));
+    for (std::size_t i = 1 + n_corners; i < model.size(); ++i) {
+      line += ' ';
+      line += model[i];
+    }
+    return line + edits_.line_end();
+  }
+
+  void edit_face(Index record) {
+    const bool is_turned = plan_.fates[record] == RecordFate::Turned;
+    if (!is_turned && !is_renumbered(record)) {
+      return;
+    }
+    const Words old = words(records_.faces[record]);
+    const auto n = static_cast<std::size_t>(parse_integer(old[0]).value_or(0));
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t local = is_turned ? (n - i) % n : i;
+      const FanCorner corner = fan_corner(records_.face_records, record, local);
+      edits_.replace(old[1 + i], std::to_string(vertex_now(corner, is_turned)));
+    }
+  }
+
+  /// The vertex at a corner of the source; the triangles of a turned polygon name it elsewhere.
+  [[nodiscard]] Index vertex_now(const FanCorner& corner, bool is_turned) const {
+    return is_turned ? numbers_[mesh_.source.triangles[corner.triangle][corner.corner]]
+                     : vertex_at(mesh_, plan_, corner);
+  }
+
+  [[nodiscard]] bool is_renumbered(Index record) const {
+    const std::vector<Index>& first = records_.face_records.first_triangle;
+    for (Index t = first[record]; t < first[record + 1]; ++t) {
+      if (mesh_.soup.triangles[plan_.faces[t]] != mesh_.source.triangles[t]) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const EditedMesh& mesh_;
+  OffRecords records_;
+  FacePlan plan_;
+  /// By vertex record: which vertex it is now; kNoIndex where it was dropped.
+  std::vector<Index> numbers_;
+  std::size_t n_vertex_numbers_;
+  LineEdits edits_;
+};
+
+}  // namespace
+
+RewrittenFile rewrite_off(const EditedMesh& mesh, std::string_view text) {
+  require_all_vertices(mesh.soup);
+  return OffRewriter(mesh, text).rewrite();
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,467 @@
+#include "meshalyzer/io/rewrite/rewrite_ply.h"
+
+#include "meshalyzer/io/references.h"
+#include "meshalyzer/io/rewrite/blend.h"
+#include "meshalyzer/io/rewrite/ply_records.h"
+#include "meshalyzer/io/rewrite/text_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+constexpr std::array<std::string_view, 6> kOwnNumbers = {"x", "y", "z", "nx", "ny", "nz"};
+/// Lists of two numbers a corner.
+constexpr std::array<std::string_view, 2> kCornerLists = {"texcoord", "texcoords"};
+/// What other elements name vertices by.
+constexpr std::array<std::string_view, 4> kVertexReferences = {"vertex1", "vertex2", "vertex_index",
+                                                               "vertex_indices"};
+
+template <std::size_t N>
+bool is_one_of(std::string_view name, const std::array<std::string_view, N>& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::size_t find_element(const PlyHeader& header, std::string_view name) {
+  return static_cast<std::size_t>(
+      std::find_if(header.elements.begin(), header.elements.end(),
+                   [&](const PlyElement& element) { return element.name == name; }) -
+      header.elements.begin());
+}
+
+/// The content under edits. Records of text are lines.
+class PlyEdits : public LineEdits {
+ public:
+  PlyEdits(std::string_view content, bool is_ascii) : LineEdits(content), is_ascii_(is_ascii) {}
+
+  /// @param bytes  Whole records, as ended() makes them; empty to drop the record.
+  void replace_record(std::string_view record, std::string bytes) {
+    if (is_ascii_) {
+      replace_lines(record, std::move(bytes));
+    } else {
+      replace(offset_of(record), offset_of(record) + record.size(), std::move(bytes));
+    }
+  }
+  void insert_records_behind(std::string_view record, std::string bytes) {
+    if (is_ascii_) {
+      insert_lines_behind(record, std::move(bytes));
+    } else {
+      insert(offset_of(record) + record.size(), std::move(bytes));
+    }
+  }
+  /// A record of these fields.
+  [[nodiscard]] std::string joined(const std::vector<std::string>& fields) const {
+    std::string record;
+    for (const std::string& field : fields) {
+      record += record.empty() || !is_ascii_ ? "" : " ";
+      record += field;
+    }
+    return is_ascii_ ? record + line_end() : record;
+  }
+
+ private:
+  bool is_ascii_;
+};
+
+class PlyRewriter {
+ public:
+  PlyRewriter(const EditedMesh& mesh, std::string_view content, const PlyHeader& header)
+      : mesh_(mesh),
+        header_(header),
+        records_(content, header),
+        vertex_(find_element(header, "vertex")),
+        face_(find_element(header, "face")),
+        numbers_(new_vertices(mesh)),
+        has_normals_(has_vertex_normals(mesh.source)),
+        edits_(content, records_.is_ascii()) {
+    find_face_records();
+    plan_ = plan_faces(mesh, face_records_);
+  }
+
+  RewrittenFile rewrite() {
+    if (vertex_ != header_.elements.size()) {
+      widen_coordinates();
+      edit_vertices();
+    }
+    if (face_ != header_.elements.size()) {
+      widen_indices();
+      edit_faces();
+    }
+    std::size_t n_lost = 0;
+    for (std::size_t e = 0; e < header_.elements.size(); ++e) {
+      if (e != vertex_ && e != face_) {
+        n_lost += edit_element(e);
+      }
+    }
+    RewrittenFile file;
+    file.bytes = edits_.apply();
+    if (!keeps_order(plan_)) {
+      file.file_faces = plan_.file_faces;
+    }
+    file.lost = {{AttributeKind::OtherRecords, n_lost}};
+    return file;
+  }
+
+ private:
+  using Fields = std::vector<std::string>;
+
+  [[nodiscard]] const std::vector<PlyProperty>& properties(std::size_t element) const {
+    return header_.elements[element].properties;
+  }
+
+  void find_face_records() {
+    face_records_.first_triangle.push_back(0);
+    if (face_ == header_.elements.size()) {
+      return;
+    }
+    const auto& all = properties(face_);
+    corners_ = static_cast<std::size_t>(std::find_if(all.begin(), all.end(), is_corner_list) -
+                                        all.begin());
+    for (std::size_t r = 0; r < records_.begins(face_).size(); ++r) {
+      const std::size_t n = records_.read(face_, r).fields[corners_].items.size();
+      face_records_.first_triangle.push_back(face_records_.first_triangle.back() +
+                                             static_cast<Index>(std::max<std::size_t>(n, 3) - 2));
+    }
+  }
+
+  void set_count(std::size_t element, std::size_t count) {
+    edits_.replace(declaration_of(edits_.source(), header_.elements[element]).at(2),
+                   std::to_string(count));
+  }
+
+  /// Declares a property with another type.
+  void declare(std::size_t element, const PlyProperty& property, std::string type) {
+    const std::vector<std::string_view> words =
+        declaration_of(edits_.source(), header_.elements[element], property.name);
+    edits_.replace(words[words.size() - 2], std::move(type));
+  }
+
+  void widen_coordinates() {
+    vertex_properties_ = properties(vertex_);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      PlyProperty& property =
+          vertex_properties_[find_property(header_.elements[vertex_], kOwnNumbers[axis])];
+      const auto fits = [&](const Vec3& position) {
+        return records_.fits(position[static_cast<Eigen::Index>(axis)], property.type);
+      };
+      if (!std::all_of(mesh_.soup.positions.begin(), mesh_.soup.positions.end(), fits)) {
+        declare(vertex_, property, "double");
+        property.type = PlyType::Float64;
+        is_widened_ = true;
+      }
+    }
+  }
+
+  /// The number of the soup that a property of a vertex is; nothing for other properties.
+  [[nodiscard]] std::optional<double> own_number(const Soup& soup, std::size_t v,
+                                                 const PlyProperty& property) const {
+    const auto place = static_cast<std::size_t>(
+        std::find(kOwnNumbers.begin(), kOwnNumbers.end(), property.name) - kOwnNumbers.begin());
+    if (place < 3) {
+      return soup.positions[v][static_cast<Eigen::Index>(place)];
+    }
+    if (place < kOwnNumbers.size() && has_normals_) {
+      return soup.normals[v][static_cast<Eigen::Index>(place - 3)];
+    }
+    return std::nullopt;
+  }
+
+  void edit_vertices() {
+    set_count(vertex_, mesh_.soup.n_vertices());
+    for (Index r = 0; r < numbers_.size(); ++r) {
+      if (numbers_[r] == kNoIndex) {
+        edits_.replace_record(records_.read(vertex_, r).bytes, {});
+      } else if (is_widened_ || !keeps_numbers(r, numbers_[r])) {
+        edit_vertex(r, numbers_[r]);
+      }
+    }
+    std::string added;
+    const std::vector<Blend> blends = added_vertex_blends(mesh_);
+    const std::size_t n_old = mesh_.vertices.size() - blends.size();
+    for (std::size_t i = 0; i < blends.size(); ++i) {
+      added += added_vertex(n_old + i, blends[i]);
+    }
+    if (!added.empty()) {
+      const std::size_t last = records_.begins(vertex_).size() - 1;
+      edits_.insert_records_behind(records_.read(vertex_, last).bytes, std::move(added));
+    }
+  }
+
+  [[nodiscard]] bool keeps_numbers(Index record, Index v) const {
+    return mesh_.source.positions[record] == mesh_.soup.positions[v] &&
+           (!has_normals_ || mesh_.source.normals[record] == mesh_.soup.normals[v]);
+  }
+
+  void edit_vertex(Index record, Index v) {
+    const PlyRecord old = records_.read(vertex_, record);
+    for (std::size_t p = 0; p < old.fields.size(); ++p) {
+      const PlyProperty& property = vertex_properties_[p];
+      const std::optional<double> before = own_number(mesh_.source, record, property);
+      const std::optional<double> now = own_number(mesh_.soup, v, property);
+      if (now && (*now != *before || property.type != properties(vertex_)[p].type)) {
+        edits_.replace(old.fields[p].items[0], records_.text(*now, property.type));
+      }
+    }
+  }
+
+  [[nodiscard]] std::string added_vertex(std::size_t v, const Blend& blend) const {
+    Fields fields;
+    for (std::size_t p = 0; p < vertex_properties_.size(); ++p) {
+      const PlyProperty& property = vertex_properties_[p];
+      if (const std::optional<double> own = own_number(mesh_.soup, v, property)) {
+        fields.push_back(records_.text(*own, property.type));
+      } else if (blend.is_empty()) {
+        append_nothing(property, fields);
+      } else if (property.list_size_type || is_wide_integer(property.type)) {
+        append_copy(records_.read(vertex_, blend.main_item()).fields[p], fields);
+      } else {
+        const auto number = [&](Index item) {
+          return records_.number(records_.read(vertex_, item).fields[p].items[0], property.type);
+        };
+        fields.push_back(records_.text(blend.mean(number), property.type));
+      }
+    }
+    return edits_.joined(fields);
+  }
+
+  /// Bytes are colours; wider whole numbers are names of something, of which there is no mean.
+  static bool is_wide_integer(PlyType type) { return is_integer(type) && size_of(type) > 1; }
+
+  static void append_copy(const PlyField& field, Fields& fields) {
+    if (!field.size.empty()) {
+      fields.emplace_back(field.size);
+    }
+    fields.insert(fields.end(), field.items.begin(), field.items.end());
+  }
+
+  /// Appends an empty list, or 0.
+  void append_nothing(const PlyProperty& property, Fields& fields) const {
+    fields.push_back(records_.text(0.0, property.list_size_type.value_or(property.type)));
+  }
+
+  void widen_indices() {
+    const PlyProperty& corners = properties(face_)[corners_];
+    index_type_ = corners.type;
+    if (!records_.fits(static_cast<double>(mesh_.soup.n_vertices()), index_type_)) {
+      declare(face_, corners, "int");
+      index_type_ = PlyType::Int32;
+    }
+  }
+
+  void edit_faces() {
+    set_count(face_, plan_.n_records);
+    auto next = plan_.written.begin();
+    for (Index r = 0; r < plan_.fates.size(); ++r) {
+      if (plan_.fates[r] != RecordFate::Dropped) {
+        edit_face(r);
+        continue;
+      }
+      std::string left;
+      for (; next != plan_.written.end() && next->record == r; ++next) {
+        left += face_record(next->face);
+      }
+      edits_.replace_record(records_.read(face_, r).bytes, std::move(left));
+    }
+    std::string added;
+    for (; next != plan_.written.end(); ++next) {
+      added += face_record(next->face);
+    }
+    if (!added.empty()) {
+      const std::size_t last = records_.begins(face_).size() - 1;
+      edits_.insert_records_behind(records_.read(face_, last).bytes, std::move(added));
+    }
+  }
+
+  [[nodiscard]] std::string index_text(Index vertex) const {
+    return records_.text(vertex, index_type_);
+  }
+
+  void edit_face(Index record) {
+    const bool is_turned = plan_.fates[record] == RecordFate::Turned;
+    if (!is_turned && index_type_ == properties(face_)[corners_].type && !is_renumbered(record)) {
+      return;
+    }
+    const PlyRecord old = records_.read(face_, record);
+    const std::size_t n = old.fields[corners_].items.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t local = is_turned ? (n - i) % n : i;
+      const FanCorner corner = fan_corner(face_records_, record, local);
+      const Index source_vertex = mesh_.source.triangles[corner.triangle][corner.corner];
+      const Index vertex = is_turned ? numbers_[source_vertex] : vertex_at(mesh_, plan_, corner);
+      edits_.replace(old.fields[corners_].items[i], index_text(vertex));
+      const bool is_other = vertex != numbers_[source_vertex];
+      const Blend blend = is_other ? corner_blend(mesh_, face_records_,
+                                                  {plan_.faces[corner.triangle], corner.corner})
+                                   : single_blend(static_cast<Index>(local));
+      edit_corner_lists(old, i, blend);
+    }
+  }
+
+  /// Gives a corner of a record that stays what lists of the face say of its corners.
+  void edit_corner_lists(const PlyRecord& record, std::size_t local, const Blend& blend) {
+    const std::size_t n = record.fields[corners_].items.size();
+    for (std::size_t p = 0; p < record.fields.size(); ++p) {
+      const PlyProperty& property = properties(face_)[p];
+      const std::vector<std::string_view>& items = record.fields[p].items;
+      if (!is_one_of(property.name, kCornerLists) || items.size() != 2 * n || blend.is_empty()) {
+        continue;
+      }
+      for (std::size_t i = 0; i < 2; ++i) {
+        edits_.replace(items[2 * local + i], corner_item(items, i, blend, property.type));
+      }
+    }
+  }
+
+  /// One of the two numbers that a list says of a corner.
+  [[nodiscard]] std::string corner_item(const std::vector<std::string_view>& items, std::size_t i,
+                                        const Blend& blend, PlyType type) const {
+    const auto item = [&](Index corner) {
+      return items[2 * std::min<std::size_t>(corner, items.size() / 2 - 1) + i];
+    };
+    if (blend.is_single()) {
+      return std::string(item(blend.items[0]));
+    }
+    return records_.text(
+        blend.mean([&](Index corner) { return records_.number(item(corner), type); }), type);
+  }
+
+  [[nodiscard]] bool is_renumbered(Index record) const {
+    const std::vector<Index>& first = face_records_.first_triangle;
+    for (Index t = first[record]; t < first[record + 1]; ++t) {
+      if (mesh_.soup.triangles[plan_.faces[t]] != mesh_.source.triangles[t]) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// A face as a record of its own.
+  [[nodiscard]] std::string face_record(Index face) const {
+    const ElementOrigin& origin = mesh_.faces[face];
+    std::optional<PlyRecord> model;
+    if (origin.record != kNoIndex) {
+      model = records_.read(face_, face_records_.record_of(origin.record));
+    }
+    const bool is_patch = origin.relation == ElementOrigin::Relation::Beside;
+    Fields fields;
+    for (std::size_t p = 0; p < properties(face_).size(); ++p) {
+      const PlyProperty& property = properties(face_)[p];
+      if (p == corners_) {
+        append_corners(face, fields);
+      } else if (!model || (is_patch && property.list_size_type)) {
+        append_nothing(property, fields);
+      } else if (is_one_of(property.name, kCornerLists)) {
+        append_corner_list(face, p, *model, fields);
+      } else {
+        append_copy(model->fields[p], fields);
+      }
+    }
+    return edits_.joined(fields);
+  }
+
+  void append_corners(Index face, Fields& fields) const {
+    fields.push_back(records_.text(3.0, *properties(face_)[corners_].list_size_type));
+    for (const Index corner : mesh_.soup.triangles[face]) {
+      fields.push_back(index_text(corner));
+    }
+  }
+
+  void append_corner_list(Index face, std::size_t p, const PlyRecord& model, Fields& fields) const {
+    const PlyProperty& property = properties(face_)[p];
+    const std::vector<std::string_view>& items = model.fields[p].items;
+    if (items.size() != 2 * model.fields[corners_].items.size()) {
+      append_copy(model.fields[p], fields);
+      return;
+    }
+    fields.push_back(records_.text(6.0, *property.list_size_type));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Blend blend = corner_blend(mesh_, face_records_, {face, k});
+      for (std::size_t i = 0; i < 2; ++i) {
+        fields.push_back(corner_item(items, i, blend, property.type));
+      }
+    }
+  }
+
+  /// Edits the records of an element that is neither vertex nor face. Returns how many were
+  /// dropped.
+  [[nodiscard]] std::size_t edit_element(std::size_t element) {
+    std::vector<std::size_t> references;
+    for (std::size_t p = 0; p < properties(element).size(); ++p) {
+      if (is_one_of(properties(element)[p].name, kVertexReferences)) {
+        references.push_back(p);
+      }
+    }
+    std::size_t n_dropped = 0;
+    const std::size_t n = references.empty() ? 0 : records_.begins(element).size();
+    for (std::size_t r = 0; r < n; ++r) {
+      n_dropped += edit_references(element, records_.read(element, r), references) ? 0 : 1;
+    }
+    if (n_dropped != 0) {
+      set_count(element, n - n_dropped);
+    }
+    return n_dropped;
+  }
+
+  /// Renumbers the vertices that a record names. Drops it, and returns false, where one is gone.
+  bool edit_references(std::size_t element, const PlyRecord& record,
+                       const std::vector<std::size_t>& references) {
+    std::vector<std::pair<std::string_view, std::string>> renumbered;
+    for (const std::size_t p : references) {
+      const PlyType type = properties(element)[p].type;
+      for (const std::string_view item : record.fields[p].items) {
+        const double old = records_.number(item, type);
+        if (!(old >= 0.0 && old < static_cast<double>(numbers_.size()))) {
+          continue;
+        }
+        const Index now = numbers_[static_cast<std::size_t>(old)];
+        if (now == kNoIndex) {
+          edits_.replace_record(record.bytes, {});
+          return false;
+        }
+        if (now != static_cast<Index>(old)) {
+          renumbered.emplace_back(item, records_.text(now, type));
+        }
+      }
+    }
+    for (auto& [item, text] : renumbered) {
+      edits_.replace(item, std::move(text));
+    }
+    return true;
+  }
+
+  const EditedMesh& mesh_;
+  const PlyHeader& header_;
+  PlyRecords records_;
+  /// Numbers of elements; as many as there are where there is none.
+  std::size_t vertex_;
+  std::size_t face_;
+  /// The property of faces that lists their corners.
+  std::size_t corners_ = 0;
+  FaceRecords face_records_;
+  FacePlan plan_;
+  /// By vertex record: which vertex it is now; kNoIndex where it was dropped.
+  std::vector<Index> numbers_;
+  bool has_normals_;
+  bool is_widened_ = false;
+  /// The properties of vertices, and the type of indices in faces, as they are written.
+  std::vector<PlyProperty> vertex_properties_;
+  PlyType index_type_ = PlyType::Int32;
+  PlyEdits edits_;
+};
+
+}  // namespace
+
+std::optional<RewrittenFile> rewrite_ply(const EditedMesh& mesh, std::string_view content) {
+  require_all_vertices(mesh.soup);
+  const PlyHeader header = parse_ply_header(content);
+  if (find_element(header, "tristrips") != header.elements.size()) {
+    return std::nullopt;
+  }
+  return PlyRewriter(mesh, content, header).rewrite();
+}
+
+}  // namespace meshalyzer

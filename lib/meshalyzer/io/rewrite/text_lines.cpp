@@ -1,0 +1,71 @@
+#include "meshalyzer/io/rewrite/text_lines.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace meshalyzer {
+
+std::vector<std::string_view> words_at(std::string_view text, std::size_t begin,
+                                       Continuation continuation) {
+  TextScanner in(text.substr(begin), continuation);
+  std::vector<std::string_view> words;
+  while (!in.at_record_end()) {
+    words.push_back(in.word());
+  }
+  return words;
+}
+
+std::string_view span_of(const std::vector<std::string_view>& words) {
+  const char* const begin = words.front().data();
+  const char* const end = words.back().data() + words.back().size();
+  return {begin, static_cast<std::size_t>(end - begin)};
+}
+
+LineEdits::LineEdits(std::string_view text) : ByteEdits(text) {
+  const std::size_t first_end = text.find('\n');
+  const bool has_return =
+      first_end != std::string_view::npos && first_end != 0 && text[first_end - 1] == '\r';
+  line_end_ = has_return ? "\r\n" : "\n";
+}
+
+void LineEdits::replace_lines(std::string_view record, std::string lines) {
+  const std::size_t begin = offset_of(record);
+  replace(line_begin(begin), next_line(begin + record.size()), std::move(lines));
+}
+
+void LineEdits::insert_lines_behind(std::string_view record, std::string lines) {
+  if (lines.empty()) {
+    return;
+  }
+  const std::size_t at = next_line(offset_of(record) + record.size());
+  if (at == source().size() && source().back() != '\n') {
+    lines.insert(0, line_end_);
+  }
+  insert(at, std::move(lines));
+}
+
+void LineEdits::erase_with_lines(std::string_view part) {
+  constexpr std::string_view kBlanks = " \t\r";
+  std::size_t begin = offset_of(part);
+  std::size_t end = begin + part.size();
+  const std::size_t before = source().substr(0, begin).find_last_not_of(kBlanks);
+  const std::size_t behind = source().find_first_not_of(kBlanks, end);
+  const bool is_first = before == std::string_view::npos || source()[before] == '\n';
+  if (is_first && behind != std::string_view::npos && source()[behind] == '\n') {
+    begin = before == std::string_view::npos ? 0 : before + 1;
+    end = behind + 1;
+  }
+  erase(begin, end);
+}
+
+std::size_t LineEdits::line_begin(std::size_t offset) const {
+  const std::size_t previous = source().substr(0, offset).rfind('\n');
+  return previous == std::string_view::npos ? 0 : previous + 1;
+}
+
+std::size_t LineEdits::next_line(std::size_t offset) const {
+  const std::size_t end = source().find('\n', offset);
+  return std::min(end, source().size() - 1) + 1;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "meshalyzer/io/rewrite/byte_edits.h"
+#include "meshalyzer/io/text_scanner.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meshalyzer {
+
+/// The words of the record that begins at an offset of a text.
+[[nodiscard]] std::vector<std::string_view> words_at(std::string_view text, std::size_t begin,
+                                                     Continuation continuation);
+
+/// Edits of a text whose records are lines.
+class LineEdits : public ByteEdits {
+ public:
+  explicit LineEdits(std::string_view text);
+
+  /// "\n" or "\r\n", whichever ends the first line of the text.
+  [[nodiscard]] const std::string& line_end() const { return line_end_; }
+
+  /// Puts lines in the place of those of a record.
+  /// @param record  The record, from its first word to its last; a view into the text.
+  /// @param lines   Each with its line end; none to drop the record.
+  void replace_lines(std::string_view record, std::string lines);
+  /// Puts lines behind the last line of a record.
+  void insert_lines_behind(std::string_view record, std::string lines);
+  /// Drops a part of the text, and the lines it stands on where nothing else does.
+  void erase_with_lines(std::string_view part);
+
+ private:
+  /// Where the line begins that holds this offset, and where the next one does.
+  [[nodiscard]] std::size_t line_begin(std::size_t offset) const;
+  [[nodiscard]] std::size_t next_line(std::size_t offset) const;
+
+  std::string line_end_;
+};
+
+/// The record of these words, as a view.
+[[nodiscard]] std::string_view span_of(const std::vector<std::string_view>& words);
+
+}  // namespace meshalyzer

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstddef>
+
+namespace meshalyzer {
+
+// Where the parts of a binary STL file stand, in bytes: a header, the count of facets, the facets.
+inline constexpr std::size_t kStlHeaderBytes = 80;
+inline constexpr std::size_t kStlFacetsOffset = 84;
+inline constexpr std::size_t kStlFacetBytes = 50;
+/// Within a facet, behind its normal and its corners.
+inline constexpr std::size_t kStlAttributeOffset = 48;
+
+}  // namespace meshalyzer

@@ -1,0 +1,60 @@
+#include "meshalyzer/io/count_attributes.h"
+
+#include "meshalyzer/io/read.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace meshalyzer {
+namespace {
+
+std::string counted(const std::string& bytes, const std::string& name) {
+  std::string text;
+  for (const AttributeCount& count : count_attributes(parse_mesh(bytes, name), bytes)) {
+    text += text.empty() ? "" : ", ";
+    text += attribute_text(count);
+  }
+  return text;
+}
+
+TEST(CountAttributes, ObjCountsMaterialsAndGroupsByName) {
+  EXPECT_EQ(counted("# c\nv 0 0 0 1 1 1\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nusemtl a\ng x\nf 1 2 3\n"
+                    "usemtl b\nf 1 2 3\nusemtl a\nf 1 2 3 2\nl 1 2\n",
+                    "a.obj"),
+            "1 polygon, 2 texture coordinates, 1 vertex colour, 2 materials, 1 group, 1 line or "
+            "point, 1 comment");
+}
+
+TEST(CountAttributes, PlyCountsPropertiesAndOtherElements) {
+  EXPECT_EQ(counted("ply\nformat ascii 1.0\ncomment c\nelement vertex 3\nproperty float x\n"
+                    "property float y\nproperty float z\nproperty uchar red\nproperty float s\n"
+                    "element face 1\nproperty list uchar int vertex_index\nproperty int label\n"
+                    "element edge 2\nproperty int vertex1\nend_header\n0 0 0 1 0\n1 0 0 1 0\n"
+                    "0 1 0 1 0\n3 0 1 2 9\n0\n1\n",
+                    "a.ply"),
+            "3 vertex colours, 1 vertex property, 1 face property, 2 other records, 1 comment");
+}
+
+TEST(CountAttributes, OffCountsRecordsWithAColour) {
+  EXPECT_EQ(
+      counted("OFF\n4 2 0\n0 0 0 1 1 1\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2 255 0 0\n3 1 3 2\n", "a.off"),
+      "1 vertex colour, 1 face colour");
+}
+
+TEST(CountAttributes, InriaCountsReferencesAndOtherSections) {
+  EXPECT_EQ(counted("MeshVersionFormatted 2\nDimension 3\nVertices 3\n0 0 0 4\n1 0 0 0\n0 1 0 0\n"
+                    "Triangles 1\n1 2 3 8\nEdges 1\n1 2 0\nEnd\n",
+                    "a.mesh"),
+            "2 references, 1 other record");
+}
+
+TEST(LostAttributes, ObjHoldsGroupsAndNormals) {
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvt 0 0\ng x\nf 1/1/1 2/1/1 3/1/1\n";
+  const Soup soup = parse_mesh(obj, "a.obj");
+  EXPECT_EQ(lost_attributes(count_attributes(soup, obj), soup, Format::Obj).size(), 1u);
+  EXPECT_EQ(lost_attributes(count_attributes(soup, obj), soup, Format::Stl).size(), 3u);
+}
+
+}  // namespace
+}  // namespace meshalyzer

@@ -1,0 +1,143 @@
+#include "support/edited_file.h"
+
+#include <gtest/gtest.h>
+
+namespace meshalyzer {
+namespace {
+
+/// Two quads side by side with a texture, of two materials; a line and a comment.
+std::string two_quads() {
+  return "# made by hand\n"
+         "mtllib wall.mtl\n"
+         "v 0.000 0 0\nv 1.000 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n"
+         "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+         "g left\nusemtl brick\ns 1\n"
+         "f 1/1 2/2 3/3 4/4  # the left one\n"
+         "g right\nusemtl glass\n"
+         "f 2/1 5/2 6/3 3/4\n"
+         "l 1 2 5\n";
+}
+
+EditedFile edited(const std::string& text) {
+  return {text, "a.obj"};
+}
+
+TEST(RewriteObj, WithoutEditsIsTheSameBytes) {
+  EXPECT_EQ(edited(two_quads()).rewritten_bytes(), two_quads());
+}
+
+TEST(RewriteObj, MovedVertexChangesTheNumbersThatChanged) {
+  EditedFile file = edited(two_quads());
+  file.soup().positions[1].y() = 0.25;
+  EXPECT_EQ(file.rewritten_bytes(), with(two_quads(), "v 1.000 0 0", "v 1.000 0.25 0"));
+}
+
+TEST(RewriteObj, PatchStandsBehindTheFacesOfTheMaterialBesideIt) {
+  EditedFile file = edited(two_quads());
+  file.add_face({0, 3, 2}, beside(1));
+  EXPECT_EQ(file.rewritten_bytes(),
+            with(two_quads(), "# the left one\n", "# the left one\nf 1 4 3\n"));
+  // It stands before the second quad, whose triangles were the third and fourth face.
+  EXPECT_EQ(file.rewritten()->file_faces, (std::vector<Index>{0, 1, 3, 4, 2}));
+}
+
+TEST(RewriteObj, PolygonIsTrianglesWhereOneOfItsTrianglesIsDropped) {
+  EditedFile file = edited(two_quads());
+  file.drop_face(1);
+  EXPECT_EQ(file.rewritten_bytes(),
+            with(two_quads(), "f 1/1 2/2 3/3 4/4  # the left one\n", "f 1/1 2/2 3/3\n"));
+}
+
+TEST(RewriteObj, TurnedPolygonIsAPolygonTheOtherWayRound) {
+  EditedFile file = edited(two_quads());
+  for (Index f : {0U, 1U}) {
+    std::swap(file.soup().triangles[f][1], file.soup().triangles[f][2]);
+  }
+  EXPECT_EQ(file.rewritten_bytes(), with(two_quads(), "1/1 2/2 3/3 4/4", "1/1 4/4 3/3 2/2"));
+  EXPECT_EQ(file.rewritten()->file_faces, (std::vector<Index>{1, 0, 2, 3}));
+}
+
+TEST(RewriteObj, TurnedTriangleTakesItsTextureAlong) {
+  const std::string text =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3 # it\n";
+  EditedFile file = edited(text);
+  std::swap(file.soup().triangles[0][1], file.soup().triangles[0][2]);
+  EXPECT_EQ(file.rewritten_bytes(), with(text, "1/1 2/2 3/3", "1/1 3/3 2/2"));
+}
+
+TEST(RewriteObj, PolygonWhoseCornerIsAnotherVertexStaysAPolygon) {
+  EditedFile file = edited(two_quads());
+  // The right quad ends at a copy of the corner that it shared with the left one.
+  file.add_vertex({1, 1, 0}, made_of(2));
+  file.soup().triangles[2][2] = 5;
+  file.soup().triangles[3] = {1, 5, 6};
+  EXPECT_EQ(file.rewritten_bytes(), with(with(two_quads(), "v 2 1 0\n", "v 2 1 0\nv 1 1 0\n"),
+                                         "f 2/1 5/2 6/3 3/4", "f 2/1 5/2 6/3 7/4"));
+}
+
+TEST(RewriteObj, CornerAtAnotherVertexHasAnInterpolatedTextureCoordinate) {
+  EditedFile file = edited(two_quads());
+  // A quarter of the way along the lower edge of the left quad, whose texture goes from 0 to 1.
+  file.add_vertex({0.25, 0, 0});
+  file.add_face({6, 1, 2}, made_of(0));
+  const std::string bytes = file.rewritten_bytes();
+  EXPECT_NE(bytes.find("v 2 1 0\nv 0.25 0 0\n"), std::string::npos);
+  EXPECT_NE(bytes.find("vt 0 1\nvt 0.25 0\n"), std::string::npos);
+  EXPECT_NE(bytes.find("# the left one\nf 7/5 2/2 3/3\n"), std::string::npos);
+}
+
+TEST(RewriteObj, SeamIsKeptAtAVertexThatBothSidesName) {
+  EditedFile file = edited(two_quads());
+  // Vertex 3 has texture coordinate 3 on the left quad and 4 on the right one.
+  file.add_face({1, 4, 2}, made_of(2));
+  EXPECT_NE(file.rewritten_bytes().find("f 2/1 5/2 3/4\n"), std::string::npos);
+}
+
+TEST(RewriteObj, DroppedVertexMovesTheNumbersBehindIt) {
+  const std::string text =
+      "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 2/1 3/1 4/1\nf -3/-1 -2/-1 -1/-1\n";
+  EditedFile file = edited(text);
+  file.drop_vertex(0);
+  EXPECT_EQ(file.rewritten_bytes(),
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\nf -3/-1 -2/-1 -1/-1\n");
+}
+
+TEST(RewriteObj, LineThatLosesAVertexIsCountedAsLost) {
+  EditedFile file = edited("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\nl 1 2\nl 3 4\n");
+  file.drop_vertex(0);
+  EXPECT_EQ(file.rewritten_bytes(), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 2 3\n");
+  ASSERT_EQ(file.rewritten()->lost.size(), 1u);
+  EXPECT_EQ(attribute_text(file.rewritten()->lost[0]), "1 line or point");
+}
+
+TEST(RewriteObj, AddedRecordsMoveReferencesThatCountBackBehindThem) {
+  EditedFile file = edited("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n");
+  file.add_vertex({0, 0, 1});
+  file.add_face({0, 1, 3}, beside(0));
+  EXPECT_EQ(file.rewritten_bytes(), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf -4 -3 -2\nf 1 2 4\n");
+}
+
+TEST(RewriteObj, CopyOfAVertexHasItsColour) {
+  EditedFile file = edited("v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3");
+  file.add_vertex({0, 0, 0.5}, made_of(1));
+  file.soup().triangles[0][1] = 3;
+  EXPECT_EQ(file.rewritten_bytes(),
+            "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nv 0 0 0.5 0 1 0\nf 1 4 3");
+}
+
+TEST(RewriteObj, NewNormalStandsBehindTheOthers) {
+  EditedFile file = edited("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 -1\nf 1//1 2//1 3//1\n");
+  file.soup().normals.emplace_back(0, 0, 1);
+  file.soup().corner_normals[0] = {1, 1, 1};
+  EXPECT_EQ(file.rewritten_bytes(),
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 -1\nvn 0 0 1\nf 1//2 2//2 3//2\n");
+}
+
+TEST(RewriteObj, LinesEndAsTheFirstOneDoes) {
+  EditedFile file = edited("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3");
+  file.add_face({0, 2, 1}, beside(0));
+  EXPECT_EQ(file.rewritten_bytes(), "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\nf 1 3 2\r\n");
+}
+
+}  // namespace
+}  // namespace meshalyzer

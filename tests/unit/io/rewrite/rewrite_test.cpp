@@ -1,0 +1,218 @@
+#include "meshalyzer/io/rewrite/rewrite.h"
+
+#include "meshalyzer/base/bytes.h"
+#include "meshalyzer/io/write.h"
+#include "support/edited_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+namespace meshalyzer {
+namespace {
+
+TEST(RewriteNative, EditsTouchTheirLinesOnly) {
+  const std::string text =
+      "# a comment\nVertex 1 0.0 0 0\nVertex 5 1.0 0 0 # second\n\nVertex 7 0 1.0 0\nFace 3 1 5 "
+      "7\n";
+  EditedFile file(text, "a.mesh");
+  EXPECT_EQ(file.rewritten_bytes(), text);
+  file.soup().positions[1].z() = 2;
+  std::swap(file.soup().triangles[0][0], file.soup().triangles[0][1]);
+  EXPECT_EQ(file.rewritten_bytes(),
+            with(with(text, "1.0 0 0 #", "1.0 0 2 #"), "3 1 5 7", "3 5 1 7"));
+}
+
+TEST(RewriteNative, TornLineGoesWhereTheMeshHasNoneLeft) {
+  EditedFile file("Vertex 1 0 0 0\nVertex 2 1 0 0\n3 0 1 0\nVertex 3 0 1 0\nFace 1 1 2 3\n",
+                  "a.mesh");
+  EXPECT_EQ(file.rewritten_bytes(), file.bytes());
+  file.soup().torn_lines.clear();
+  EXPECT_EQ(file.rewritten_bytes(),
+            "Vertex 1 0 0 0\nVertex 2 1 0 0\nVertex 3 0 1 0\nFace 1 1 2 3\n");
+}
+
+TEST(RewriteOff, FacesOfAPolygonHaveItsColour) {
+  EditedFile file("OFF # quad\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3  255 0 0\n", "a.off");
+  EXPECT_EQ(file.rewritten_bytes(), file.bytes());
+  std::swap(file.soup().triangles[1][0], file.soup().triangles[1][1]);
+  EXPECT_EQ(file.rewritten_bytes(),
+            "OFF # quad\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 255 0 0\n3 2 0 3 255 0 0\n");
+}
+
+TEST(RewriteOff, VertexOnAnEdgeHasAMeanColour) {
+  EditedFile file("COFF\n3 1 0\n0 0 0 0 0 0 255\n1 0 0 200 0 0 255\n0 1 0 0 0 9 255\n3 0 1 2\n",
+                  "a.off");
+  file.add_vertex({0.5, 0, 0});
+  file.add_face({3, 1, 2}, made_of(0));
+  EXPECT_NE(file.rewritten_bytes().find("\n0.5 0 0 100 0 0 255\n"), std::string::npos);
+}
+
+std::string textured_ply() {
+  return "ply\nformat ascii 1.0\ncomment a wall\nelement vertex 4\nproperty float x\n"
+         "property float y\nproperty float z\nproperty uchar red\nelement face 1\n"
+         "property int label\nproperty list uchar uchar vertex_indices\n"
+         "property list uchar float texcoord\nelement edge 1\nproperty int vertex1\n"
+         "property int vertex2\nend_header\n"
+         "0.0 0 0 10\n1.0 0 0 30\n1 1 0 50\n0 1 0 70\n"
+         "7 4 0 1 2 3 8 0 0 1 0 1 1 0 1\n0 3\n";
+}
+
+TEST(RewritePly, WithoutEditsIsTheSameBytes) {
+  EXPECT_EQ(EditedFile(textured_ply(), "a.ply").rewritten_bytes(), textured_ply());
+}
+
+TEST(RewritePly, TriangleOfAPolygonHasItsCornersOfTheTexture) {
+  EditedFile file(textured_ply(), "a.ply");
+  file.drop_face(0);
+  EXPECT_EQ(file.rewritten_bytes(),
+            with(textured_ply(), "7 4 0 1 2 3 8 0 0 1 0 1 1 0 1", "7 3 0 2 3 6 0 0 1 1 0 1"));
+}
+
+TEST(RewritePly, PatchHasTheNumbersOfAFaceBesideItAndNoTexture) {
+  EditedFile file(textured_ply(), "a.ply");
+  file.add_face({0, 2, 1}, beside(1));
+  EXPECT_EQ(file.rewritten_bytes(), with(with(textured_ply(), "element face 1", "element face 2"),
+                                         "1 0 1 1 0 1\n", "1 0 1 1 0 1\n7 3 0 2 1 0\n"));
+}
+
+TEST(RewritePly, IndexTypeGrowsWhereItHasTo) {
+  EditedFile file(textured_ply(), "a.ply");
+  for (int i = 0; i < 300; ++i) {
+    file.add_vertex({0.5, 0.5, 1.0 + i});
+    file.add_face({0, 1, static_cast<Index>(4 + i)}, made_of(0));
+  }
+  const Soup read = file.read_back();
+  EXPECT_EQ(read.triangles, file.soup().triangles);
+  EXPECT_NE(file.rewritten_bytes().find("property list uchar int vertex_indices"),
+            std::string::npos);
+}
+
+TEST(RewritePly, RecordThatNamesADroppedVertexIsLost) {
+  EditedFile file(textured_ply(), "a.ply");
+  file.drop_face(1);
+  file.drop_vertex(3);
+  EXPECT_NE(file.rewritten_bytes().find("element edge 0\n"), std::string::npos);
+  EXPECT_EQ(attribute_text(file.rewritten()->lost.at(0)), "1 other record");
+}
+
+/// A triangle with a colour a vertex and a number a face.
+std::string binary_ply(std::endian order) {
+  std::string content = "ply\nformat binary_";
+  content += order == std::endian::little ? "little" : "big";
+  content +=
+      "_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property uchar red\nelement face 1\nproperty list uchar int vertex_indices\n"
+      "property short label\nend_header\n";
+  const auto append = [&](auto number) {
+    std::string bytes;
+    append_little_endian(bytes, number);
+    content += order == std::endian::little ? bytes : std::string(bytes.rbegin(), bytes.rend());
+  };
+  for (const Vec3& p : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}) {
+    for (const double coordinate : p) append(static_cast<float>(coordinate));
+    append(std::uint8_t{200});
+  }
+  append(std::uint8_t{3});
+  for (const std::int32_t corner : {0, 1, 2}) append(corner);
+  append(std::int16_t{-5});
+  return content;
+}
+
+TEST(RewritePly, BothBinaryEncodingsKeepTheirRecords) {
+  for (const std::endian order : {std::endian::little, std::endian::big}) {
+    EditedFile file(binary_ply(order), "a.ply");
+    EXPECT_EQ(file.rewritten_bytes(), file.bytes());
+    file.add_face({0, 2, 1}, made_of(0));
+    const std::string bytes = file.rewritten_bytes();
+    EXPECT_EQ(file.read_back().triangles, file.soup().triangles);
+    // Behind the records that were there stands one that ends with the same label.
+    EXPECT_EQ(bytes.substr(bytes.size() - 2), file.bytes().substr(file.bytes().size() - 2));
+    EXPECT_EQ(bytes.size(), file.bytes().size() + 15);
+  }
+}
+
+TEST(RewritePly, CoordinateThatIsNoFloatMakesThePropertyDouble) {
+  EditedFile file(binary_ply(std::endian::big), "a.ply");
+  file.soup().positions[1].x() = 0.1;
+  EXPECT_EQ(file.read_back().positions, file.soup().positions);
+  EXPECT_NE(file.rewritten_bytes().find("property double x\nproperty float y\n"),
+            std::string::npos);
+}
+
+std::string medit() {
+  return "MeshVersionFormatted 2\nDimension 3\n# by hand\nVertices\n5\n0.0 0 0 1\n1 0 0 2\n1 1 0 "
+         "3\n0 1 0 4\n"
+         "9 9 9 5\nTriangles 1\n1 2 3 7\nQuadrilaterals 1\n1 2 3 4 8\nCorners 2\n1\n5\nEnd\n";
+}
+
+TEST(RewriteInria, WithoutEditsIsTheSameBytes) {
+  EXPECT_EQ(EditedFile(medit(), "a.mesh").rewritten_bytes(), medit());
+}
+
+TEST(RewriteInria, WhatIsLeftOfAQuadrilateralStandsBehindTheTriangles) {
+  EditedFile file(medit(), "a.mesh");
+  file.drop_face(1);
+  file.add_face({0, 2, 1}, beside(0));
+  EXPECT_EQ(
+      file.rewritten_bytes(),
+      with(with(with(medit(), "Triangles 1\n1 2 3 7\n", "Triangles 3\n1 2 3 7\n1 3 4 8\n1 3 2 0\n"),
+                "Quadrilaterals 1", "Quadrilaterals 0"),
+           "1 2 3 4 8\n", ""));
+}
+
+TEST(RewriteInria, RecordThatNamesADroppedVertexIsLost) {
+  EditedFile file(medit(), "a.mesh");
+  file.drop_vertex(4);
+  EXPECT_EQ(file.rewritten_bytes(),
+            with(with(with(medit(), "Vertices\n5", "Vertices\n4"), "9 9 9 5\n", ""),
+                 "Corners 2\n1\n5\n", "Corners 1\n1\n"));
+  EXPECT_EQ(attribute_text(file.rewritten()->lost.at(0)), "1 other record");
+}
+
+TEST(RewriteStl, FacetsStayInTheirSolids) {
+  const std::string facet =
+      " facet normal 0 0 1\n  outer loop\n   vertex 0.0 0 0\n   vertex 1 0 0\n   vertex 0 1 0\n"
+      "  endloop\n endfacet\n";
+  const std::string text = "solid a\n" + facet + "endsolid a\nsolid b\n" +
+                           with(facet, "0 1 0", "0 -1 0") + "endsolid b\n";
+  EditedFile file(text, "a.stl");
+  EXPECT_EQ(file.rewritten_bytes(), text);
+  file.add_face({0, 2, 1}, beside(0));
+  const std::string added = with(with(with(facet, "0 0 1", "0 0 -1"), "1 0 0", "0 1 0"),
+                                 "   vertex 0 1 0\n  endloop", "   vertex 1 0 0\n  endloop");
+  EXPECT_EQ(file.rewritten_bytes(),
+            with(text, "endsolid a", with(added, "0.0 0 0", "0 0 0") + "endsolid a"));
+  file.drop_face(0);
+  EXPECT_EQ(file.read_back().n_faces(), 2u);
+}
+
+TEST(RewriteStl, BinaryKeepsHeaderAndAttributeWords) {
+  Soup soup;
+  soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  soup.triangles = {{0, 1, 2}, {0, 1, 3}};
+  std::string bytes = print_mesh(soup, Format::Stl, Encoding::Binary);
+  bytes.replace(0, 4, "mine");
+  bytes[84 + 48] = 7;
+  EditedFile file(bytes, "a.stl");
+  EXPECT_EQ(file.rewritten_bytes(), bytes);
+  file.add_face({1, 2, 3}, made_of(0));
+  file.add_face({2, 0, 3}, beside(0));
+  const std::string after = file.rewritten_bytes();
+  EXPECT_EQ(after.substr(0, 80), bytes.substr(0, 80));
+  EXPECT_EQ(after.substr(84, 100), bytes.substr(84));
+  EXPECT_EQ(after[84 + 148], 7);
+  EXPECT_EQ(after[84 + 198], 0);
+}
+
+TEST(RewriteStl, BinaryCannotHoldWhatIsNoFloat) {
+  Soup soup;
+  soup.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  soup.triangles = {{0, 1, 2}};
+  EditedFile file(print_mesh(soup, Format::Stl, Encoding::Binary), "a.stl");
+  file.soup().positions[1].x() = 0.1;
+  EXPECT_FALSE(file.rewritten());
+}
+
+}  // namespace
+}  // namespace meshalyzer
