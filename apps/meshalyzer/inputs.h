@@ -21,9 +21,6 @@ struct Inputs {
   std::vector<std::string> troubles;
 };
 
-/// Whether a path is a folder.
-[[nodiscard]] bool is_folder(const std::string& path);
-
 /// The mesh files that a command line means, and whether they are a set: those of a folder are, and
 /// several files where somebody asks for what is between them. A file named twice is one mesh of a
 /// set.

@@ -1,5 +1,6 @@
 #include "picture_paths.h"
 
+#include "mesh_folder.h"
 #include "file_ending.h"
 #include "meshalyzer/base/error.h"
 #include "same_file.h"

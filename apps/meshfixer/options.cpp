@@ -29,11 +29,25 @@ bool names_operation(const Said& said, const RepairOptions& repair) {
 
 void declare_actions(OptionTable& table, Options& options, Said& said) {
   table.group("What is done");
-  table.option("-o OUT", into(options.output, to_mesh_file), "where the repaired mesh goes");
+  table.option("-o OUT", into(options.output, to_output),
+               "where the repaired mesh goes: a mesh file, or - for standard output (the report "
+               "then goes to standard error), or a folder, for any number of meshes; a name "
+               "without an ending is that of a folder, and so is one that ends with /");
+  table.flag(
+      "--in-place", [&options] { options.target = Options::Target::InPlace; },
+      "write over the inputs: each stays as it was until its new file is complete, and where "
+      "nothing is changed");
+  table.flag(
+      "--backup", [&options] { options.backup = Options::Backup::Original; },
+      "with --in-place: keep what is written over as FILE.orig");
   table.flag("--find", said.find,
              "only report the defects; of these, --fix and --no-fix say which count for the exit "
              "status");
   table.flag("--dry-run", said.dry_run, "repair and report, but write nothing");
+  table.flag(
+      "--strict-attributes", [&options] { options.loss = Options::Loss::Refuse; },
+      "write nothing, with exit status 1, where OUT cannot hold all that IN says beside the mesh, "
+      "such as texture coordinates");
   table.option("--fix LIST", into(said.fix, to_codes),
                "only these, by code: " + names_of(all_defect_codes(), defect_name) +
                    "; or default (all but disjoint and numbering), or all");
@@ -130,16 +144,44 @@ void declare_reports(OptionTable& table, Options& options) {
   table.option("--max-defects N", into(options.repair.max_defects, to_count),
                "list so many defects at most; 0, the default: all");
   declare_json(table, options);
+  table.option_or("-", "--ndjson[=FILE]", into(options.ndjson),
+                  "of many files: a line of JSON for each as soon as it is done, in place of text; "
+                  "or in FILE, beside text");
   table.option("--html FILE", into(options.html, to_page),
                "as one page that opens in any browser, offline, with a 3D view before and after, "
                "every defect in a list and shown in place");
   declare_conduct(table, options);
 }
 
+/// Several meshes, and those that are written over, are told of in one report.
+void check_target(const Said& said, const Options& options) {
+  const bool is_in_place = options.target == Options::Target::InPlace;
+  if (is_in_place && options.output) {
+    throw UsageError("--in-place writes over the inputs, so -o cannot go with it");
+  }
+  if (options.backup == Options::Backup::Original && !is_in_place) {
+    throw UsageError("--backup keeps what --in-place writes over, and needs it");
+  }
+  if (options.ndjson && !options.is_batch()) {
+    throw UsageError("--ndjson tells of many files: it needs a folder as OUT, or --in-place");
+  }
+  if (is_stdout(options.ndjson) && is_stdout(options.json)) {
+    throw UsageError("--json and --ndjson cannot both go to standard output");
+  }
+  if (!options.is_batch() && !options.writes_to_stdout()) return;
+  if (said.find || said.dry_run) {
+    throw UsageError("--find and --dry-run write nothing, so --in-place cannot go with them");
+  }
+  if (options.html && options.is_batch()) {
+    throw UsageError("--html makes a page of one mesh");
+  }
+}
+
 void check_consistent(const Said& said, const Options& options) {
   if (said.guarantee) throw UsageError("--guarantee is not available yet in this version");
   if (said.paths.empty()) throw UsageError("no IN: name a mesh file, or - for standard input");
-  if (said.paths.size() > 1) {
+  check_target(said, options);
+  if (said.paths.size() > 1 && !options.is_batch()) {
     throw UsageError("one mesh at a time: " + said.paths[1] + " is one too many");
   }
   const bool changes =
@@ -150,7 +192,7 @@ void check_consistent(const Said& said, const Options& options) {
   if (said.dry_run && options.output) {
     throw UsageError("--dry-run writes nothing, so -o cannot go with it");
   }
-  if (!said.find && !said.dry_run && !options.output) {
+  if (!said.find && !said.dry_run && !options.output && !options.is_batch()) {
     throw UsageError("no OUT: name it with -o, or ask for --find or --dry-run");
   }
   if (options.repair.borders == Borders::Intended && said.names_holes) {
@@ -181,11 +223,16 @@ DefectCodes fixes_of(const Said& said, const RepairOptions& repair) {
 }
 
 void complete(const Said& said, Options& options) {
+  options.paths = said.paths;
   options.input = said.paths.front();
   options.action = said.find ? Options::Action::Find : Options::Action::Fix;
   options.repair.fixes = fixes_of(said, options.repair);
   const bool is_named = said.names_holes || (said.fix && said.fix->names_holes);
   options.repair.fill.sheets = is_named ? FillSheets::Yes : FillSheets::No;
+  const bool has_one_file_each = options.is_batch() || options.writes_to_stdout();
+  if (has_one_file_each && options.repair.fixes.contains(DefectCode::Disjoint)) {
+    throw UsageError("disjoint makes several files of one mesh: name OUT as one mesh file");
+  }
 }
 
 }  // namespace
@@ -195,18 +242,21 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   Options& options = command.options;
   Said said;
   OptionTable table(
-      {.calls = {"meshfixer [options] IN -o OUT", "meshfixer --find [options] IN"},
-       .purpose = "Finds what is wrong with a triangle mesh, repairs it as far as it can within a "
-                  "maximum deviation, writes a new file, and says what remains wrong with it. "
-                  "The input is never changed; what is not broken stays bit for bit.",
+      {.calls = {"meshfixer [options] IN -o OUT", "meshfixer [options] PATH... -o DIR",
+                 "meshfixer --in-place [options] PATH...", "meshfixer --find [options] IN"},
+       .purpose =
+           "Finds what is wrong with a triangle mesh, repairs it as far as it can within a "
+           "maximum deviation, writes a new file, and says what remains wrong with it. "
+           "The input is never changed but by --in-place; what is not broken stays bit for bit.",
        .footer = "Not available yet in this version: --guarantee; self-intersections are found "
                  "and left.\n\n"
                  "Exit status: 0 nothing asked for remains; 1 defects remain; 2 wrong usage; 3 a "
                  "file could not be read or written.",
        .version = "meshfixer " MESHALYZER_VERSION "\n"});
-  table.arguments("IN", said.paths,
-                  "a mesh file (.mesh .obj .off .stl .ply) or - for standard input; OUT one with "
-                  "such an ending.");
+  table.arguments(
+      "IN", said.paths,
+      "a mesh file (.mesh .obj .off .stl .ply) or - for standard input; PATH a mesh file "
+      "or a folder: all mesh files in it.");
   table.flag("--guarantee", said.guarantee, "");
   declare_actions(table, options, said);
   declare_operations(table, options, said);
@@ -215,6 +265,9 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   declare_reports(table, options);
   command.answer = table.parse(argc, argv);
   if (!command.answer) {
+    if (options.output && is_folder_name(*options.output)) {
+      options.target = Options::Target::Folder;
+    }
     check_consistent(said, options);
     complete(said, options);
   }

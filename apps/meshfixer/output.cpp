@@ -1,29 +1,24 @@
 #include "output.h"
 
+#include "meshalyzer/io/count_attributes.h"
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/io/format_of.h"
 #include "meshalyzer/io/read.h"
-#include "meshalyzer/io/stl.h"
+#include "meshalyzer/io/rewrite/rewrite.h"
 #include "meshalyzer/io/write.h"
+#include "meshalyzer/repair/edits/edited_mesh_of.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <system_error>
+#include <optional>
+#include <utility>
 
 namespace meshalyzer::fixer {
 namespace {
 
 Format output_format(const std::string& path, const Source& source) {
   const Format format = format_of_name(path).value();
-  return format == Format::Mesh && source.format == Format::Inria ? Format::Inria : format;
-}
-
-bool is_binary(const Source& source) {
-  if (source.format == Format::Stl) {
-    return is_binary_stl(source.bytes) || source.bytes.find('\0') != std::string_view::npos;
-  }
-  return source.format == Format::Ply &&
-         source.bytes.substr(0, 200).find("format binary") != std::string_view::npos;
+  return format == Format::Mesh && source.soup.format == Format::Inria ? Format::Inria : format;
 }
 
 /// Whether 32-bit floats hold all coordinates.
@@ -32,6 +27,22 @@ bool fits_floats(const Soup& soup) {
     return std::all_of(p.begin(), p.end(),
                        [](double x) { return static_cast<double>(static_cast<float>(x)) == x; });
   });
+}
+
+/// The result as a new file, which says nothing but the mesh.
+Output print_output(const Soup& soup, Format format, const Source& source) {
+  Output output;
+  Encoding encoding = Encoding::Text;
+  if (format == source.soup.format && is_binary(source.bytes, format)) {
+    encoding = Encoding::Binary;
+    if (format == Format::Stl && !fits_floats(soup)) {
+      encoding = Encoding::Text;
+      output.note = "written as text: the floats of binary STL would change coordinates";
+    }
+  }
+  output.bytes = print_mesh(soup, format, encoding);
+  output.lost = lost_attributes(count_attributes(source.soup, source.bytes), soup, format);
+  return output;
 }
 
 }  // namespace
@@ -45,45 +56,46 @@ std::string numbered_path(const std::string& path, std::size_t number) {
   return (whole.parent_path() / name).string();
 }
 
+Output make_output(const TrackedMesh& result, bool is_changed, const std::string& path,
+                   const Source& source) {
+  const Format format = output_format(path, source);
+  if (format != source.soup.format) {
+    return print_output(result.soup, format, source);
+  }
+  if (!is_changed) {
+    Output output;
+    output.bytes = source.bytes;
+    return output;
+  }
+  std::optional<RewrittenFile> file =
+      rewrite_mesh(edited_mesh_of(result, source.soup), source.bytes);
+  if (!file) {
+    return print_output(result.soup, format, source);
+  }
+  return {std::move(file->bytes), std::move(file->file_faces), std::move(file->lost), ""};
+}
+
+Soup write_output(const Output& output, const std::string& path) {
+  // What cannot be read must not take the place of an older file.
+  static_cast<void>(parse_mesh(output.bytes, path));
+  replace_file(path, output.bytes);
+  return read_mesh(path);
+}
+
 bool has_content(const Soup& soup, const std::string& path) {
   const bool holds_faces_only = format_of_name(path) == Format::Stl;
   return soup.n_faces() != 0 || (soup.n_vertices() != 0 && !holds_faces_only);
 }
 
-std::vector<Index> vertex_records(const Soup& soup, const Soup& disk) {
+std::vector<Index> vertex_records(const Soup& soup, const Soup& disk,
+                                  const std::vector<Index>& face_records) {
   if (disk.format != Format::Stl) return {};
   std::vector<Index> records(soup.n_vertices(), kNoIndex);
   for (std::size_t f = 0; f < soup.n_faces(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) records[soup.triangles[f][k]] = disk.triangles[f][k];
+    const std::size_t on_disk = face_records.empty() ? f : face_records[f];
+    for (std::size_t k = 0; k < 3; ++k) records[soup.triangles[f][k]] = disk.triangles[on_disk][k];
   }
   return records;
-}
-
-bool keeps_format(const std::string& path, const Source& source) {
-  return output_format(path, source) == source.format;
-}
-
-Written write_result(const Soup& soup, const std::string& path, const Source& source) {
-  Written written;
-  Encoding encoding = Encoding::Text;
-  if (keeps_format(path, source) && is_binary(source)) {
-    encoding = Encoding::Binary;
-    if (source.format == Format::Stl && !fits_floats(soup)) {
-      encoding = Encoding::Text;
-      written.note = "written as text: the floats of binary STL would change coordinates";
-    }
-  }
-  const std::string bytes = print_mesh(soup, output_format(path, source), encoding);
-  // What cannot be read must not take the place of an older file.
-  static_cast<void>(parse_mesh(bytes, path));
-  replace_file(path, bytes);
-  written.soup = read_mesh(path);
-  return written;
-}
-
-Written write_unchanged(const std::string& path, const Source& source) {
-  replace_file(path, source.bytes);
-  return {read_mesh(path), ""};
 }
 
 }  // namespace meshalyzer::fixer

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "meshalyzer/io/attributes.h"
 #include "meshalyzer/mesh/soup.h"
-#include "meshalyzer/report/repair_report.h"
+#include "meshalyzer/repair/edits/tracked_mesh.h"
 
 #include <cstddef>
 #include <string>
@@ -13,13 +14,17 @@ namespace meshalyzer::fixer {
 /// The file that was read.
 struct Source {
   std::string_view bytes;
-  Format format = Format::Mesh;
+  /// What it says.
+  const Soup& soup;
 };
 
-/// The file that was written.
-struct Written {
-  /// The mesh on disk, read back.
-  Soup soup;
+/// What is to be written.
+struct Output {
+  std::string bytes;
+  /// The record in the file of each face of the result; empty where they are the same.
+  std::vector<Index> face_records;
+  /// What of the source is not in it.
+  std::vector<AttributeCount> lost;
   /// A note for the user; mostly empty.
   std::string note;
 };
@@ -27,15 +32,19 @@ struct Written {
 /// The path of one of several outputs: "a.mesh" becomes "a_2.mesh".
 [[nodiscard]] std::string numbered_path(const std::string& path, std::size_t number);
 
-/// Writes a mesh in the format of the path's ending (INRIA's .mesh where the source was one), in
-/// binary where the source was of the same format in binary and loses nothing by it, and reads it
-/// back. The old file, if any, stays until the new one is complete.
+/// Makes the file of a result in the format of a path's ending (INRIA's .mesh where the source was
+/// one). In the source's format what was not changed stays as it is; where nothing was, that is
+/// all.
+///
+/// @param is_changed  Whether anything was.
+[[nodiscard]] Output make_output(const TrackedMesh& result, bool is_changed,
+                                 const std::string& path, const Source& source);
+
+/// Writes a file and reads it back. The old file, if any, stays until the new one is complete, and
+/// what cannot be read does not take its place.
 ///
 /// @throws IoError  where it cannot be written or read back.
-[[nodiscard]] Written write_result(const Soup& soup, const std::string& path, const Source& source);
-
-/// Writes the source's own bytes: for a mesh in which nothing was changed.
-[[nodiscard]] Written write_unchanged(const std::string& path, const Source& source);
+[[nodiscard]] Soup write_output(const Output& output, const std::string& path);
 
 /// Whether there is anything to write: the ending of a path may be that of a format that holds
 /// faces only (STL).
@@ -43,9 +52,9 @@ struct Written {
 
 /// Returns the record on disk of each vertex that was written, kNoIndex where it has none; empty
 /// where they are the same. Only STL, which names no vertices, numbers them anew.
-[[nodiscard]] std::vector<Index> vertex_records(const Soup& soup, const Soup& disk);
-
-/// Whether the ending of a path asks for the format that the source has.
-[[nodiscard]] bool keeps_format(const std::string& path, const Source& source);
+///
+/// @param face_records  As Output::face_records.
+[[nodiscard]] std::vector<Index> vertex_records(const Soup& soup, const Soup& disk,
+                                                const std::vector<Index>& face_records);
 
 }  // namespace meshalyzer::fixer

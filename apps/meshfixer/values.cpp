@@ -6,6 +6,7 @@
 #include "meshalyzer/io/format_of.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string_view>
@@ -113,11 +114,17 @@ std::string to_page(const std::string& text, const std::string& option) {
   return text;
 }
 
-std::string to_mesh_file(const std::string& text, const std::string& /*option*/) {
-  if (!format_of_name(text)) {
+std::string to_output(const std::string& text, const std::string& /*option*/) {
+  if (text != "-" && !is_folder_name(text) && !format_of_name(text)) {
     throw UsageError("'" + text + "' has the ending of no known mesh format");
   }
   return text;
+}
+
+bool is_folder_name(const std::string& text) {
+  const std::filesystem::path path(text);
+  const bool is_dots = path.filename() == "." || path.filename() == "..";
+  return text != "-" && (is_dots || !path.has_filename() || !path.has_extension());
 }
 
 }  // namespace meshalyzer::fixer

@@ -31,7 +31,9 @@ struct CodeList {
 [[nodiscard]] double to_seconds(const std::string& text, const std::string& option);
 /// The file of a page.
 [[nodiscard]] std::string to_page(const std::string& text, const std::string& option);
-/// The file of a mesh, with the ending of a known format.
-[[nodiscard]] std::string to_mesh_file(const std::string& text, const std::string& option);
+/// The file of a mesh, with the ending of a known format, or "-", or the name of a folder.
+[[nodiscard]] std::string to_output(const std::string& text, const std::string& option);
+/// Whether an output is a folder by its name: it ends with a slash, or has no ending.
+[[nodiscard]] bool is_folder_name(const std::string& text);
 
 }  // namespace meshalyzer::fixer

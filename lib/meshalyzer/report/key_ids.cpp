@@ -23,7 +23,7 @@ void note_vertices(const TrackedMesh& tracked, const FinalMesh& mesh, std::size_
 void note_faces(const TrackedMesh& tracked, const FinalMesh& mesh, std::size_t number,
                 FinalIds& ids) {
   for (std::size_t f = 0; f < tracked.face_keys.size(); ++f) {
-    note(tracked.face_keys[f], {number, mesh.name.face_ids.of(static_cast<Index>(f))}, ids);
+    note(tracked.face_keys[f], {number, mesh.face_id(static_cast<Index>(f))}, ids);
   }
 }
 

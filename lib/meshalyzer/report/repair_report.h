@@ -1,9 +1,11 @@
 #pragma once
 
+#include "meshalyzer/io/attributes.h"
 #include "meshalyzer/mesh/soup.h"
 #include "meshalyzer/repair/fix_defects.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,13 @@ struct FinalMesh {
   /// The record in the file of each vertex of the result's tracked mesh, kNoIndex where it has
   /// none; empty where they are the same.
   std::vector<Index> vertex_records = {};
+  /// By face of the tracked mesh: its record in the file. Empty where they are the same.
+  std::vector<Index> face_records = {};
+
+  /// The id that the file gives to a face of the tracked mesh.
+  [[nodiscard]] std::int64_t face_id(Index face) const {
+    return name.face_ids.of(face_records.empty() ? face : face_records[face]);
+  }
 };
 
 /// A repair from beginning to end, for reports. Only refers to the result.
@@ -40,10 +49,13 @@ struct RepairReport {
   const RepairResult& result;
   /// The defects that were to be fixed.
   DefectCodes fixes;
-  /// One for each mesh of the result; their faces are in the same order.
+  /// One for each mesh of the result.
   std::vector<FinalMesh> meshes;
   /// Sentences that a person should read, such as that an encoding was changed.
   std::vector<std::string> notes;
+  /// What the input says and the files that were written, or would be, do not, though no change
+  /// dropped it.
+  std::vector<AttributeCount> lost = {};
 };
 
 /// How many of the defects of a mesh are of the codes that count.

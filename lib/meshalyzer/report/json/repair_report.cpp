@@ -143,7 +143,7 @@ void write_tracking(JsonWriter& json, const RepairReport& report, std::size_t me
   for (std::size_t f = 0; f < tracked.face_keys.size(); ++f) {
     const auto face = static_cast<Index>(f);
     const Index origin = tracked.origin_of_face(face);
-    const std::int64_t id = report.meshes[mesh].name.face_ids.of(face);
+    const std::int64_t id = report.meshes[mesh].face_id(face);
     const bool is_old =
         tracked.face_keys[f] < tracked.n_input_faces && !is_changed[tracked.face_keys[f]];
     if (is_old && report.input.face_ids.of(origin) == id) continue;
@@ -248,6 +248,13 @@ void write_rises(JsonWriter& json, const std::vector<CountRise>& rises) {
   json.end_array();
 }
 
+void write_lost(JsonWriter& json, const RepairReport& report) {
+  json.key("lost");
+  json.begin_object(JsonLayout::Row);
+  for (const AttributeCount& lost : report.lost) json.member(attribute_key(lost.kind), lost.count);
+  json.end_object();
+}
+
 void write_meshes(JsonWriter& json, const RepairReport& report) {
   const std::vector<std::uint8_t> is_changed = changed_faces(report);
   json.key("meshes");
@@ -302,6 +309,7 @@ std::string json_report(const RepairReport& report) {
   json.begin_array();
   for (const std::string& note : report.notes) json.value(std::string_view(note));
   json.end_array();
+  write_lost(json, report);
   write_meshes(json, report);
   write_log(json, report);
   json.end_object();

@@ -97,11 +97,21 @@ void append_outcome(LineSink& lines, const RepairReport& report) {
   lines.line("format", format_name(report.input.format));
   append_written(lines, report);
   for (const std::string& note : report.notes) lines.line("note", note);
+  if (!report.lost.empty()) lines.line("lost", lost_text(report.lost));
   for (const std::string& warning : report.result.before.warnings) lines.line("warning", warning);
   lines.line("vertices", arrow(report.input.n_vertices, vertices));
   lines.line("faces", arrow(report.input.n_faces, faces));
   lines.line("maximum deviation", report.result.max_deviation);
   lines.line("largest deviation", report.result.deviation);
+}
+
+std::string lost_text(const std::vector<AttributeCount>& lost) {
+  std::string text;
+  for (const AttributeCount& count : lost) {
+    if (!text.empty()) text += ", ";
+    text += attribute_text(count);
+  }
+  return text;
 }
 
 std::string mesh_text(const RepairReport& report, std::size_t mesh) {

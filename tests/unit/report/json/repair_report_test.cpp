@@ -20,7 +20,7 @@ TEST(RepairJson, HasAllKeysThatProgramsRelyOn) {
   const json report = parsed(sample_result());
   EXPECT_EQ(report["schema"], "meshfixer-report/1");
   for (const char* key : {"version", "input", "fixes", "max_deviation", "deviation", "remaining",
-                          "notes", "meshes", "log"}) {
+                          "notes", "lost", "meshes", "log"}) {
     EXPECT_TRUE(report.contains(key)) << key;
   }
   EXPECT_EQ(report["input"]["path"], "in.mesh");
@@ -44,6 +44,24 @@ TEST(RepairJson, TrackingLeavesOutWhatKeptItsIdUnlessItWasChanged) {
   repair.meshes[0].name.face_ids.named = {5, 7, 8};
   const json report = json::parse(json_report(repair));
   EXPECT_EQ(report["meshes"][0]["tracking"], json::parse("[[7,7],[8,null]]"));
+}
+
+TEST(RepairJson, LostAttributesAreCountedByKind) {
+  const RepairResult result = sample_result();
+  RepairReport report = sample_report(result);
+  report.lost = {{AttributeKind::TextureCoordinates, 4}};
+  EXPECT_EQ(json::parse(json_report(report))["lost"], json::parse(R"({"texture_coordinates": 4})"));
+}
+
+TEST(RepairJson, TrackingNamesTheFaceOfTheFile) {
+  const RepairResult result = sample_result();
+  RepairReport report = sample_report(result);
+  const json rows = json::parse(json_report(report))["meshes"][0]["tracking"];
+  // The added face, the last of the mesh, stands first in the file.
+  report.meshes[0].face_records = {1, 2, 0};
+  const json moved = json::parse(json_report(report))["meshes"][0]["tracking"];
+  EXPECT_EQ(moved.back()[0], 1);
+  EXPECT_NE(moved, rows);
 }
 
 TEST(RepairJson, TrackingOfACopyNamesTheFaceItWasMadeOf) {

@@ -64,6 +64,14 @@ TEST(RepairReport, MeshThatWasNotWrittenIsSaidToBeNone) {
   EXPECT_THAT(text, HasLine("note: something to know"));
 }
 
+TEST(RepairReport, LostAttributesStandOnOneLine) {
+  const RepairResult result = sample_result();
+  RepairReport report = sample_report(result);
+  report.lost = {{AttributeKind::TextureCoordinates, 33963}, {AttributeKind::Materials, 1}};
+  EXPECT_THAT(text_report(report, ListLength::Short),
+              HasLine("lost: 33963 texture coordinates, 1 material"));
+}
+
 TEST(RepairReport, CountsOfEachCodeStandBeforeAndAfter) {
   RepairResult result = sample_result();
   add_defect(result.before, DefectCode::Hole);

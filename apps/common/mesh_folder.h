@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace meshalyzer {
+
+/// The mesh files of a folder.
+struct MeshFolder {
+  /// The files with the ending of a known format, whatever its case, in order of the bytes of their
+  /// names; folders within the folder do not count.
+  std::vector<std::string> files;
+  /// Why the folder could not be listed, or held no mesh; mostly empty.
+  std::string trouble;
+};
+
+/// Whether a path is a folder.
+[[nodiscard]] bool is_folder(const std::string& path);
+
+[[nodiscard]] MeshFolder list_mesh_folder(const std::string& folder);
+
+}  // namespace meshalyzer

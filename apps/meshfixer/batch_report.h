@@ -1,0 +1,54 @@
+#pragma once
+
+#include "meshalyzer/defects/defect.h"
+#include "meshalyzer/io/file_replacement.h"
+#include "meshalyzer/report/repair_report.h"
+#include "options.h"
+#include "streams.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace meshalyzer::fixer {
+
+/// Tells of the files of a batch as text, JSON and NDJSON.
+class BatchReport {
+ public:
+  /// @throws IoError where a file of a report cannot be written.
+  BatchReport(const Options& options, Streams streams);
+
+  /// Tells of a file that was repaired.
+  /// @param path  As the user knows it.
+  void add(const std::string& path, const RepairReport& report);
+  /// Tells of a file that could not be read or written.
+  void add_trouble(const std::string& path, const std::string& what);
+
+  /// Ends the reports.
+  void finish();
+
+ private:
+  using Counts = std::array<std::size_t, kDefectCodes>;
+
+  void add_json(const std::string& report);
+  void say(const std::string& text);
+  [[nodiscard]] std::string table() const;
+
+  Streams streams_;
+  /// The stream of the text; nothing where standard output is for JSON.
+  bool has_text_;
+  std::optional<FileReplacement> json_;
+  std::optional<FileReplacement> ndjson_;
+  bool has_json_ = false;
+  bool json_is_stdout_ = false;
+  bool ndjson_is_stdout_ = false;
+  std::size_t n_files_ = 0;
+  std::size_t n_changed_ = 0;
+  std::size_t n_with_rest_ = 0;
+  std::size_t n_troubles_ = 0;
+  Counts before_{};
+  Counts after_{};
+};
+
+}  // namespace meshalyzer::fixer

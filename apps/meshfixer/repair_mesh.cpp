@@ -1,0 +1,225 @@
+#include "repair_mesh.h"
+
+#include "meshalyzer/io/file.h"
+#include "meshalyzer/io/format_of.h"
+#include "meshalyzer/io/read.h"
+#include "output.h"
+#include "page.h"
+#include "progress_line.h"
+#include "same_file.h"
+#include "stop_request.h"
+#include "usage_error.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer::fixer {
+namespace {
+
+constexpr const char* kNothingLeft = "nothing is left that the format can hold";
+
+/// Whether two soups are the same records, but for how the file says them.
+bool is_same_mesh(const Soup& a, const Soup& b) {
+  return a.positions == b.positions && a.triangles == b.triangles && a.normals == b.normals &&
+         a.corner_normals == b.corner_normals && a.torn_lines.size() == b.torn_lines.size();
+}
+
+/// Returns what is looked for in the end: all defects, by the tolerances of the input.
+DefectOptions final_search(const Options& options, const Tolerances& used) {
+  return {.codes = DefectCodes::all(),
+          .tolerances = as_options(used),
+          .max_defects = options.repair.max_defects};
+}
+
+/// Returns the defects that remain in the mesh on disk: those that the repair found, unless the
+/// file differs by a bit from the mesh in memory.
+DefectReport remaining_on_disk(const RepairedMesh& mesh, const Soup& disk,
+                               const DefectOptions& search) {
+  const bool has_numbers = disk.format == Format::Mesh;
+  if (is_same_mesh(disk, mesh.tracked.soup) &&
+      has_numbers == (mesh.tracked.soup.format == Format::Mesh)) {
+    return mesh.remaining;
+  }
+  return find_defects(disk, search);
+}
+
+/// Whether a result is the input as it was read.
+bool is_unchanged(const RepairReport& report) {
+  if (report.result.meshes.size() != 1 || !report.result.log.steps.empty()) return false;
+  const Soup& soup = report.result.meshes.front().tracked.soup;
+  return soup.n_vertices() == report.input.n_vertices && soup.n_faces() == report.input.n_faces;
+}
+
+std::string ending_of(Format format) {
+  return std::string(format_name(format == Format::Inria ? Format::Mesh : format));
+}
+
+/// The paths of the meshes of a result, none of which is the input.
+std::vector<std::string> output_paths(const Options& options, const RepairReport& report) {
+  // The format of standard output is that of the input.
+  if (options.writes_to_stdout()) {
+    return {"standard output." + ending_of(report.input.format)};
+  }
+  if (!report.fixes.contains(DefectCode::Disjoint)) return {*options.output};
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < report.result.meshes.size(); ++i) {
+    paths.push_back(numbered_path(*options.output, i + 1));
+    if (is_same_file(options.input, paths.back())) {
+      throw UsageError(paths.back() +
+                       " would be written, but it is the input, which never changes");
+    }
+  }
+  return paths;
+}
+
+/// A file in hand, and where what comes of it goes.
+struct Job {
+  const Options& options;
+  Source source;
+  Streams streams;
+};
+
+/// Keeps the input beside what takes its place.
+void keep_original(const std::string& path) {
+  const std::string original = path + ".orig";
+  std::error_code error;
+  if (!std::filesystem::copy_file(path, original, error)) {
+    throw IoError(original, {}, error ? error.message() : "is there already");
+  }
+}
+
+/// Writes one mesh to where it goes.
+/// @return What can be read there.
+Soup put(const Job& job, const Output& output, bool is_changed, const std::string& path) {
+  if (job.options.writes_to_stdout()) {
+    Soup soup = parse_mesh(output.bytes, path);
+    job.streams.out << output.bytes << std::flush;
+    if (!job.streams.out) throw IoError("standard output", {}, "takes no more");
+    return soup;
+  }
+  if (job.options.target == Options::Target::InPlace) {
+    if (!is_changed) return job.source.soup;
+    if (job.options.backup == Options::Backup::Original) {
+      static_cast<void>(parse_mesh(output.bytes, path));
+      keep_original(path);
+    }
+  }
+  return write_output(output, path);
+}
+
+/// Writes the meshes of a result, reads them back, and adds what they are to the report.
+/// @return The meshes of the report as they are, where there will be a page of them.
+std::vector<Soup> write_all(const Job& job, const std::vector<std::string>& paths,
+                            RepairReport& report) {
+  const Options& options = job.options;
+  std::vector<Soup> finals;
+  const DefectOptions search = final_search(options, report.result.before.tolerances);
+  const bool is_changed = !is_unchanged(report);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const RepairedMesh& mesh = report.result.meshes[i];
+    if (!has_content(mesh.tracked.soup, paths[i])) {
+      report.notes.push_back(kNothingLeft);
+      report.meshes.push_back({name_of(mesh.tracked.soup, ""), mesh.remaining});
+      if (options.html) finals.push_back(mesh.tracked.soup);
+      continue;
+    }
+    Output output = make_output(mesh.tracked, is_changed, paths[i], job.source);
+    Soup disk = put(job, output, is_changed, paths[i]);
+    if (!output.note.empty()) report.notes.push_back(output.note);
+    report.lost.insert(report.lost.end(), output.lost.begin(), output.lost.end());
+    report.meshes.push_back({name_of(disk, options.writes_to_stdout() ? "-" : paths[i]),
+                             remaining_on_disk(mesh, disk, search),
+                             vertex_records(mesh.tracked.soup, disk, output.face_records),
+                             std::move(output.face_records)});
+    if (options.html) finals.push_back(std::move(disk));
+  }
+  report.lost = summed(std::move(report.lost));
+  return finals;
+}
+
+/// Tells of the attributes that would be lost, where none may be.
+/// @return Whether there are any.
+bool refuses_loss(const Job& job, const std::vector<std::string>& paths, RepairReport& report) {
+  if (job.options.loss == Options::Loss::Tell) return false;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const TrackedMesh& mesh = report.result.meshes[i].tracked;
+    if (!has_content(mesh.soup, paths[i])) continue;
+    const Output output = make_output(mesh, !is_unchanged(report), paths[i], job.source);
+    report.lost.insert(report.lost.end(), output.lost.begin(), output.lost.end());
+  }
+  report.lost = summed(std::move(report.lost));
+  if (!report.lost.empty()) {
+    report.notes.emplace_back("nothing is written, because attributes would be lost");
+  }
+  return !report.lost.empty();
+}
+
+/// The same for what is not to be written.
+std::vector<Soup> take_unwritten(const Options& options, RepairReport& report) {
+  std::vector<Soup> finals;
+  for (const RepairedMesh& mesh : report.result.meshes) {
+    report.meshes.push_back({name_of(mesh.tracked.soup, ""), mesh.remaining});
+    if (options.html) finals.push_back(mesh.tracked.soup);
+  }
+  return finals;
+}
+
+/// Adds what came out to the report, and writes it where it is to be written.
+std::vector<Soup> take_or_write(const Job& job, RepairReport& report) {
+  if (job.options.output) {
+    const std::vector<std::string> paths = output_paths(job.options, report);
+    if (!refuses_loss(job, paths, report)) return write_all(job, paths, report);
+  }
+  return take_unwritten(job.options, report);
+}
+
+/// Done or NotGood; Trouble where a mesh should have been written and was not.
+ExitCode verdict(const Options& options, const RepairReport& report, Streams streams) {
+  const bool is_missing =
+      report.meshes.empty() || std::any_of(report.meshes.begin(), report.meshes.end(),
+                                           [](const FinalMesh& m) { return m.name.path.empty(); });
+  if (options.loss == Options::Loss::Refuse && !report.lost.empty()) return ExitCode::NotGood;
+  if (options.output && is_missing) {
+    streams.err << *options.output << ": not written: " << kNothingLeft << '\n';
+    return ExitCode::Trouble;
+  }
+  return n_remaining(report) == 0 ? ExitCode::Done : ExitCode::NotGood;
+}
+
+std::string progress_text(const RepairProgress& now) {
+  return std::string(now.pass) + ", round " + std::to_string(now.round) + ", " +
+         std::to_string(static_cast<int>(100.0 * now.done)) + " %";
+}
+
+}  // namespace
+
+ExitCode repair_mesh(const Options& options, Soup soup, std::string_view bytes, Streams streams,
+                     const std::function<ExitCode(const RepairReport&)>& tell) {
+  const MeshName input = name_of(soup, options.input);
+  ProgressLine progress(streams.err, options.progress == ReportOptions::Progress::Never
+                                         ? ProgressLine::State::Off
+                                         : terminal_state(streams.err));
+  RepairOptions repair = options.repair;
+  repair.on_progress = [&](const RepairProgress& now) { progress.show(progress_text(now)); };
+  const StopRequest stop(options.time_limit);
+  repair.wants_to_stop = [&] { return stop.is_made(); };
+  if (options.output && !options.writes_to_stdout()) {
+    repair.written_as = format_of_name(*options.output);
+  }
+  const bool is_needed = options.html || options.output;
+  const Soup before = is_needed ? soup : Soup();
+  const RepairResult result = fix_defects(std::move(soup), repair);
+  progress.clear();
+  RepairReport report{input, result, repair.fixes, {}, {}};
+  if (result.is_stopped) report.notes.push_back(StopRequest::note());
+  const std::vector<Soup> finals = take_or_write({options, {bytes, before}, streams}, report);
+  if (options.html) write_page(*options.html, report, before, finals);
+  const ExitCode told = tell(report);
+  return told == ExitCode::Done ? verdict(options, report, streams) : told;
+}
+
+}  // namespace meshalyzer::fixer
