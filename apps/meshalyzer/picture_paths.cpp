@@ -1,7 +1,7 @@
 #include "picture_paths.h"
 
-#include "mesh_folder.h"
 #include "file_ending.h"
+#include "mesh_folder.h"
 #include "meshalyzer/base/error.h"
 #include "same_file.h"
 #include "usage_error.h"
