@@ -2,7 +2,7 @@
 
 #include "meshalyzer/analysis/fields.h"
 #include "meshalyzer/analysis/goodness.h"
-#include "meshalyzer/report/asked_lists.h"
+#include "meshalyzer/analysis/offender_lists.h"
 #include "meshalyzer/report/json/bytes.h"
 #include "meshalyzer/report/json/components.h"
 #include "meshalyzer/report/json/curvature.h"

@@ -1,6 +1,7 @@
 #include "meshalyzer/report/json/offenders.h"
 
 #include "meshalyzer/analysis/field_info.h"
+#include "meshalyzer/analysis/offender_lists.h"
 #include "meshalyzer/report/json/elements.h"
 
 #include <limits>
@@ -9,58 +10,6 @@
 
 namespace meshalyzer {
 namespace {
-
-/// A list of offenders.
-template <typename List>
-struct ListRow {
-  std::string_view key;
-  List Offenders::*member;
-  /// The ids of the records in a list of indices.
-  Ids Analysis::*ids = nullptr;
-};
-template <typename List>
-ListRow(std::string_view, List Offenders::*) -> ListRow<List>;
-template <typename List>
-ListRow(std::string_view, List Offenders::*, Ids Analysis::*) -> ListRow<List>;
-
-/// The lists that every analysis has.
-constexpr std::tuple kLists{
-    ListRow{"torn_lines", &Offenders::torn_lines},
-    ListRow{"orphan_vertices", &Offenders::orphan_vertices, &Analysis::vertex_ids},
-    ListRow{"missing_vertices", &Offenders::missing_vertices},
-    ListRow{"faces_with_missing_vertices", &Offenders::faces_with_missing_vertices,
-            &Analysis::face_ids},
-    ListRow{"degenerate_faces", &Offenders::degenerate_faces, &Analysis::face_ids},
-    ListRow{"duplicate_vertex_indices", &Offenders::duplicate_vertex_records,
-            &Analysis::vertex_ids},
-    ListRow{"duplicate_face_indices", &Offenders::duplicate_face_records, &Analysis::face_ids},
-    ListRow{"vertex_numbering", &Offenders::vertex_numbering},
-    ListRow{"face_numbering", &Offenders::face_numbering},
-    ListRow{"border_edges", &Offenders::border_edges},
-    ListRow{"non_manifold_edges", &Offenders::non_manifold_edges},
-    ListRow{"non_manifold_vertices", &Offenders::non_manifold_vertices, &Analysis::vertex_ids},
-    ListRow{"pinched_vertices", &Offenders::pinched_vertices, &Analysis::vertex_ids},
-    ListRow{"flipped_edges", &Offenders::flipped_edges},
-};
-
-/// The lists that an analysis with Scope::AttributesOnly has not.
-constexpr std::tuple kMeasuredLists{
-    ListRow{"indistinguishable_vertices", &Offenders::indistinguishable_vertices,
-            &Analysis::vertex_ids},
-    ListRow{"indistinguishable_edges", &Offenders::indistinguishable_edges},
-    ListRow{"zero_area_faces", &Offenders::zero_area_faces, &Analysis::face_ids},
-    ListRow{"duplicate_faces", &Offenders::duplicate_faces, &Analysis::face_ids},
-    ListRow{"intersecting_pairs", &Offenders::intersecting_pairs},
-};
-
-/// The lists that were asked for by a threshold; a list has no key where it was not.
-constexpr std::tuple kAskedLists{
-    ListRow{"short_edges", &Offenders::short_edges},
-    ListRow{"long_edges", &Offenders::long_edges},
-    ListRow{"small_angles", &Offenders::small_angles},
-    ListRow{"large_angles", &Offenders::large_angles},
-    ListRow{"large_aspect_ratios", &Offenders::large_aspect_ratios},
-};
 
 // Numbers that are no records: ids that are missing, lines.
 
@@ -222,7 +171,7 @@ void read_list(const JsonNode& node, std::optional<NumberingBreak>& place) {
 template <typename Rows>
 void write_lists(JsonWriter& json, const Analysis& analysis, const Rows& rows) {
   for_each_row(rows, [&](const auto& row) {
-    json.key(row.key);
+    json.key(row.info.key);
     write_list(json, analysis, analysis.offenders.*row.member, row.ids);
   });
 }
@@ -230,7 +179,7 @@ void write_lists(JsonWriter& json, const Analysis& analysis, const Rows& rows) {
 void write_asked_lists(JsonWriter& json, const Analysis& analysis) {
   for_each_row(kAskedLists, [&](const auto& row) {
     if (const auto& list = analysis.offenders.*row.member) {
-      json.key(row.key);
+      json.key(row.info.key);
       write_list(json, analysis, *list, row.ids);
     }
   });
@@ -280,6 +229,10 @@ void define_rows(SchemaDefinitions& schema) {
                              R"({"$ref": "#/$defs/contact"})"));
 }
 
+/// What is known however little was asked for.
+constexpr auto kLists =
+    std::tuple_cat(kTornLineLists, kRecordLists, kNumberingBreaks, kAttributeLists);
+
 /// The rows of all tables.
 constexpr auto kAllLists = std::tuple_cat(kLists, kMeasuredLists, kAskedLists);
 
@@ -301,7 +254,7 @@ void write_offenders(JsonWriter& json, const Analysis& analysis, JsonOffenders o
 Offenders read_offenders(const JsonNode& object) {
   Offenders all;
   for_each_row(kAllLists, [&](const auto& row) {
-    if (const std::optional<JsonNode> node = object.find(row.key)) {
+    if (const std::optional<JsonNode> node = object.find(row.info.key)) {
       read_list(*node, all.*row.member);
     }
   });
@@ -316,7 +269,7 @@ void define_offenders(SchemaDefinitions& schema) {
                           "computed have no key"};
   const Offenders none;
   for_each_row(kAllLists, [&](const auto& row) {
-    object.members.push_back({.key = std::string(row.key),
+    object.members.push_back({.key = std::string(row.info.key),
                               .description = "",
                               .type = schema_reference(type_name(none.*row.member)),
                               .presence = SchemaMember::Presence::Sometimes});

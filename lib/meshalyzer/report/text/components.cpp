@@ -1,50 +1,82 @@
 #include "meshalyzer/report/text/components.h"
 
 #include <algorithm>
+#include <array>
+#include <concepts>
 #include <fmt/format.h>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace meshalyzer {
 namespace {
 
-using Row = std::vector<std::string>;
-
-template <typename Integer>
-std::string cell_of(const std::optional<Integer>& number) {
-  return number ? std::to_string(*number) : "-";
+std::string cell_of(double value) {
+  return readable(value);
 }
 
-Row titles() {
-  return {"component",  "first face", "faces",    "vertices",   "edges",
-          "boundaries", "closed",     "manifold", "consistent", "outward",
-          "inside",     "genus",      "area",     "volume",     "intersecting pairs"};
+template <std::integral Integer>
+std::string cell_of(Integer value) {
+  if constexpr (std::same_as<Integer, bool>) {
+    return truth_cell(value);
+  } else {
+    return std::to_string(value);
+  }
 }
 
-Row row_of(const Analysis& analysis, std::size_t i) {
-  const ComponentAnalysis& component = analysis.components[i];
-  return {std::to_string(i),
-          std::to_string(analysis.face_ids.of(component.first_face)),
-          std::to_string(component.faces),
-          std::to_string(component.vertices),
-          std::to_string(component.edges),
-          std::to_string(component.boundaries),
-          truth_cell(component.closed),
-          truth_cell(component.manifold),
-          truth_cell(component.consistent),
-          truth_cell(component.outward),
-          cell_of(component.inside),
-          cell_of(component.genus),
-          readable(component.area),
-          component.volume ? readable(*component.volume) : "-",
-          std::to_string(component.intersecting_pairs)};
+template <typename T>
+std::string cell_of(const std::optional<T>& value) {
+  return value ? cell_of(*value) : "-";
 }
+
+/// A column of the table, and what stands in it for the component of a number.
+struct ComponentColumn {
+  std::string_view title;
+  std::string (*cell)(const Analysis& analysis, std::size_t number);
+};
+
+/// The column of what is known of a component by itself.
+template <auto Member>
+constexpr ComponentColumn column(std::string_view title) {
+  return {title, [](const Analysis& analysis, std::size_t number) {
+            return cell_of(analysis.components[number].*Member);
+          }};
+}
+
+constexpr std::array kComponentColumns{
+    ComponentColumn{"component",
+                    [](const Analysis&, std::size_t number) { return cell_of(number); }},
+    ComponentColumn{"first face",
+                    [](const Analysis& analysis, std::size_t number) {
+                      return cell_of(analysis.face_ids.of(analysis.components[number].first_face));
+                    }},
+    column<&ComponentAnalysis::faces>("faces"),
+    column<&ComponentAnalysis::vertices>("vertices"),
+    column<&ComponentAnalysis::edges>("edges"),
+    column<&ComponentAnalysis::boundaries>("boundaries"),
+    column<&ComponentAnalysis::closed>("closed"),
+    column<&ComponentAnalysis::manifold>("manifold"),
+    column<&ComponentAnalysis::consistent>("consistent"),
+    column<&ComponentAnalysis::outward>("outward"),
+    column<&ComponentAnalysis::inside>("inside"),
+    column<&ComponentAnalysis::genus>("genus"),
+    column<&ComponentAnalysis::area>("area"),
+    column<&ComponentAnalysis::volume>("volume"),
+    column<&ComponentAnalysis::intersecting_pairs>("intersecting pairs"),
+};
 
 }  // namespace
 
 TextTable components_table(const Analysis& analysis, std::size_t n) {
-  TextTable table{0, {titles()}};
+  TextTable table;
+  std::vector<std::string>& titles = table.rows.emplace_back();
+  for (const ComponentColumn& column : kComponentColumns) titles.emplace_back(column.title);
   for (std::size_t i = 0; i < n; ++i) {
-    table.rows.push_back(row_of(analysis, i));
+    std::vector<std::string>& cells = table.rows.emplace_back();
+    for (const ComponentColumn& column : kComponentColumns) {
+      cells.push_back(column.cell(analysis, i));
+    }
   }
   return table;
 }

@@ -1,22 +1,15 @@
 #include "meshalyzer/report/text/offenders.h"
 
+#include "meshalyzer/analysis/field_info.h"
+#include "meshalyzer/analysis/offender_lists.h"
 #include "meshalyzer/base/numbers.h"
-#include "meshalyzer/report/asked_lists.h"
 
-#include <span>
+#include <string_view>
 
 namespace meshalyzer {
 namespace {
 
-/// The names of a list and of each element in it.
-struct ListName {
-  std::string_view list;
-  std::string_view element;
-  /// Before and after the measured value of an element, where it has one.
-  std::string_view quantity = {};
-  std::string_view unit = {};
-};
-
+/// Tells lists of offenders, each by its size and then an element a line, or a point a line.
 class OffenderLines {
  public:
   OffenderLines(TextLines& lines, const Analysis& analysis, OffenderStyle style)
@@ -25,24 +18,36 @@ class OffenderLines {
         analysis_(analysis),
         points_(style == OffenderStyle::CustomPoints) {}
 
-  void vertices(const ListName& name, std::span<const Index> list);
-  void faces(const ListName& name, std::span<const Index> list);
-  void edges(const ListName& name, const EdgeList& list);
-  void pairs(const ListName& name, std::span<const IntersectingPair> list);
-  /// Adds a list of numbers that are no records: of ids that are missing, or of lines.
-  void numbers(const ListName& name, std::span<const std::int64_t> numbers);
-  void numbering(std::string_view name, const std::optional<NumberingBreak>& place);
-  /// Adds a list that was asked for by a threshold: it is told even where it is empty.
-  void asked(const ListName& name, const std::optional<EdgeList>& list);
-  void asked(const ListName& name, const std::optional<FaceList>& list);
+  template <typename Rows>
+  void tell(const Rows& rows) {
+    for_each_row(rows, [this](const auto& row) { list(row, analysis_.offenders.*row.member); });
+  }
 
  private:
-  void head(const ListName& name, std::size_t size) { lines_.line(name.list, size); }
+  template <typename List>
+  using Row = OffenderListRow<List>;
+
+  /// Tells a list of vertices or faces.
+  void list(const Row<std::vector<Index>>& row, const std::vector<Index>& records);
+  void list(const Row<EdgeList>& row, const EdgeList& edges);
+  void list(const Row<std::vector<IntersectingPair>>& row,
+            const std::vector<IntersectingPair>& pairs);
+  /// Tells a list of numbers that are no records: of ids that are missing, or of lines.
+  void list(const Row<std::vector<std::int64_t>>& row, const std::vector<std::int64_t>& numbers);
+  void list(const Row<std::optional<NumberingBreak>>& row,
+            const std::optional<NumberingBreak>& place);
+  /// Tells a list that was asked for by a threshold, even where it is empty.
+  void list(const Row<std::optional<EdgeList>>& row, const std::optional<EdgeList>& edges);
+  void list(const Row<std::optional<FaceList>>& row, const std::optional<FaceList>& faces);
+
+  void head_of_found(const OffenderListInfo& info, std::size_t size) {
+    lines_.line(std::string("offending ").append(info.label), size);
+  }
   void integer(std::int64_t number);
-  /// An element without a value is `name id`, ended by the caller.
-  void element(const ListName& name, std::int64_t id);
-  void edge_line(const ListName& name, const EdgeList& list, std::size_t i);
-  void edge_list(const ListName& name, const EdgeList& list);
+  /// Begins the line of an element; the caller ends it.
+  void element(const OffenderListInfo& info, std::int64_t id);
+  void edge_line(const OffenderListInfo& info, const EdgeList& edges, std::size_t i);
+  void edge_lines(const OffenderListInfo& info, const EdgeList& edges);
   void point(Index vertex);
   void points_of_face(Index face);
 
@@ -56,13 +61,13 @@ void OffenderLines::integer(std::int64_t number) {
   text_ += std::to_string(number);
 }
 
-void OffenderLines::element(const ListName& name, std::int64_t id) {
-  text_ += name.element;
+void OffenderLines::element(const OffenderListInfo& info, std::int64_t id) {
+  text_ += info.element;
   text_ += ' ';
   integer(id);
 }
 
-/// DReAMM's custom point: a place and the direction of its glyph.
+/// Appends a custom point of DReAMM: a place and the direction of its glyph.
 void OffenderLines::point(Index vertex) {
   if (vertex == kNoIndex) {
     return;  // a corner that no record defines has no place
@@ -81,86 +86,75 @@ void OffenderLines::points_of_face(Index face) {
   }
 }
 
-void OffenderLines::vertices(const ListName& name, std::span<const Index> list) {
-  if (list.empty()) {
+void OffenderLines::list(const Row<std::vector<Index>>& row, const std::vector<Index>& records) {
+  if (records.empty()) {
     return;
   }
-  head(name, list.size());
-  for (const Index vertex : list) {
-    if (points_) {
-      point(vertex);
-    } else {
-      element(name, analysis_.vertex_ids.of(vertex));
+  head_of_found(row.info, records.size());
+  const bool are_faces = row.ids == &Analysis::face_ids;
+  for (const Index record : records) {
+    if (!points_) {
+      element(row.info, (analysis_.*row.ids).of(record));
       text_ += '\n';
+    } else if (are_faces) {
+      points_of_face(record);
+    } else {
+      point(record);
     }
   }
 }
 
-void OffenderLines::faces(const ListName& name, std::span<const Index> list) {
-  if (list.empty()) {
-    return;
-  }
-  head(name, list.size());
-  for (const Index face : list) {
-    if (points_) {
-      points_of_face(face);
-    } else {
-      element(name, analysis_.face_ids.of(face));
-      text_ += '\n';
-    }
-  }
-}
-
-void OffenderLines::edge_line(const ListName& name, const EdgeList& list, std::size_t i) {
-  element(name, analysis_.vertex_ids.of(list.ends[i][0]));
+void OffenderLines::edge_line(const OffenderListInfo& info, const EdgeList& edges, std::size_t i) {
+  element(info, analysis_.vertex_ids.of(edges.ends[i][0]));
   text_ += ' ';
-  integer(analysis_.vertex_ids.of(list.ends[i][1]));
+  integer(analysis_.vertex_ids.of(edges.ends[i][1]));
   text_ += ':';
-  if (!list.values.empty()) {
+  if (!edges.values.empty()) {
     text_ += ' ';
-    text_ += name.quantity;
-    text_ += readable(list.values[i]);
-    text_ += name.unit;
+    text_ += info.quantity;
+    text_ += readable(edges.values[i]);
+    text_ += info.unit;
     text_ += ',';
   }
-  text_ += list.begin[i + 1] - list.begin[i] == 1 ? " face" : " faces";
-  for (Index k = list.begin[i]; k < list.begin[i + 1]; ++k) {
+  text_ += edges.begin[i + 1] - edges.begin[i] == 1 ? " face" : " faces";
+  for (Index k = edges.begin[i]; k < edges.begin[i + 1]; ++k) {
     text_ += ' ';
-    integer(analysis_.face_ids.of(list.faces[k]));
+    integer(analysis_.face_ids.of(edges.faces[k]));
   }
   text_ += '\n';
 }
 
-void OffenderLines::edge_list(const ListName& name, const EdgeList& list) {
-  head(name, list.size());
-  for (std::size_t i = 0; i < list.size(); ++i) {
+void OffenderLines::edge_lines(const OffenderListInfo& info, const EdgeList& edges) {
+  for (std::size_t i = 0; i < edges.size(); ++i) {
     if (points_) {
-      point(list.ends[i][0]);
-      point(list.ends[i][1]);
+      point(edges.ends[i][0]);
+      point(edges.ends[i][1]);
     } else {
-      edge_line(name, list, i);
+      edge_line(info, edges, i);
     }
   }
 }
 
-void OffenderLines::edges(const ListName& name, const EdgeList& list) {
-  if (list.size() > 0) {
-    edge_list(name, list);
+void OffenderLines::list(const Row<EdgeList>& row, const EdgeList& edges) {
+  if (edges.size() > 0) {
+    head_of_found(row.info, edges.size());
+    edge_lines(row.info, edges);
   }
 }
 
-void OffenderLines::pairs(const ListName& name, std::span<const IntersectingPair> list) {
-  if (list.empty()) {
+void OffenderLines::list(const Row<std::vector<IntersectingPair>>& row,
+                         const std::vector<IntersectingPair>& pairs) {
+  if (pairs.empty()) {
     return;
   }
-  head(name, list.size());
-  for (const IntersectingPair& pair : list) {
+  head_of_found(row.info, pairs.size());
+  for (const IntersectingPair& pair : pairs) {
     if (points_) {
       points_of_face(pair.face_a);
       points_of_face(pair.face_b);
       continue;
     }
-    element(name, analysis_.face_ids.of(pair.face_a));
+    element(row.info, analysis_.face_ids.of(pair.face_a));
     text_ += ' ';
     integer(analysis_.face_ids.of(pair.face_b));
     text_ += ": ";
@@ -169,86 +163,61 @@ void OffenderLines::pairs(const ListName& name, std::span<const IntersectingPair
   }
 }
 
-void OffenderLines::numbers(const ListName& name, std::span<const std::int64_t> numbers) {
+void OffenderLines::list(const Row<std::vector<std::int64_t>>& row,
+                         const std::vector<std::int64_t>& numbers) {
   if (numbers.empty()) {
     return;
   }
-  head(name, numbers.size());
+  head_of_found(row.info, numbers.size());
   for (const std::int64_t number : numbers) {
-    element(name, number);
+    element(row.info, number);
     text_ += '\n';
   }
 }
 
-void OffenderLines::numbering(std::string_view name, const std::optional<NumberingBreak>& place) {
+void OffenderLines::list(const Row<std::optional<NumberingBreak>>& row,
+                         const std::optional<NumberingBreak>& place) {
   if (place) {
-    lines_.line(name, numbering_text(*place));
+    lines_.line(std::string("offending ").append(row.info.label), numbering_text(*place));
   }
 }
 
-void OffenderLines::asked(const ListName& name, const std::optional<EdgeList>& list) {
-  if (list) {
-    edge_list(name, *list);
+void OffenderLines::list(const Row<std::optional<EdgeList>>& row,
+                         const std::optional<EdgeList>& edges) {
+  if (edges) {
+    lines_.line(row.info.label, edges->size());
+    edge_lines(row.info, *edges);
   }
 }
 
-void OffenderLines::asked(const ListName& name, const std::optional<FaceList>& list) {
-  if (!list) {
+void OffenderLines::list(const Row<std::optional<FaceList>>& row,
+                         const std::optional<FaceList>& faces) {
+  if (!faces) {
     return;
   }
-  head(name, list->faces.size());
-  for (std::size_t i = 0; i < list->faces.size(); ++i) {
+  lines_.line(row.info.label, faces->faces.size());
+  for (std::size_t i = 0; i < faces->faces.size(); ++i) {
     if (points_) {
-      points_of_face(list->faces[i]);
+      points_of_face(faces->faces[i]);
     } else {
-      element(name, analysis_.face_ids.of(list->faces[i]));
+      element(row.info, analysis_.face_ids.of(faces->faces[i]));
       text_ += ": ";
-      text_ += readable(list->values[i]);
+      text_ += readable(faces->values[i]);
       text_ += '\n';
     }
   }
 }
 
-void append_integrity(OffenderLines& lines, const Offenders& all) {
-  lines.vertices({"offending orphan vertices", "orphan vertex"}, all.orphan_vertices);
-  lines.numbers({"offending missing vertices", "missing vertex"}, all.missing_vertices);
-  lines.faces({"offending faces with missing vertices", "face with missing vertex"},
-              all.faces_with_missing_vertices);
-  lines.faces({"offending degenerate faces", "degenerate face"}, all.degenerate_faces);
-  lines.vertices({"offending duplicate vertex indices", "duplicate vertex index"},
-                 all.duplicate_vertex_records);
-  lines.faces({"offending duplicate face indices", "duplicate face index"},
-              all.duplicate_face_records);
-  lines.numbers({"offending torn lines", "torn line"}, all.torn_lines);
-  lines.numbering("offending vertex numbering", all.vertex_numbering);
-  lines.numbering("offending face numbering", all.face_numbering);
-}
-
-void append_attributes(OffenderLines& lines, const Offenders& all) {
-  lines.edges({"offending border edges", "border edge"}, all.border_edges);
-  lines.edges({"offending non-manifold edges", "non-manifold edge"}, all.non_manifold_edges);
-  lines.vertices({"offending non-manifold vertices", "non-manifold vertex"},
-                 all.non_manifold_vertices);
-  lines.vertices({"offending pinched vertices", "pinched vertex"}, all.pinched_vertices);
-  lines.edges({"offending flipped edges", "flipped edge"}, all.flipped_edges);
-}
-
-void append_characteristics(OffenderLines& lines, const Offenders& all) {
-  lines.vertices({"offending indistinguishable vertices", "indistinguishable vertex"},
-                 all.indistinguishable_vertices);
-  lines.edges({"offending indistinguishable edges", "indistinguishable edge"},
-              all.indistinguishable_edges);
-  lines.faces({"offending zero-area faces", "zero-area face"}, all.zero_area_faces);
-  lines.faces({"offending duplicate faces", "duplicate face"}, all.duplicate_faces);
-  lines.pairs({"offending intersecting pairs", "intersecting faces"}, all.intersecting_pairs);
-}
-
-void append_asked(OffenderLines& lines, const Offenders& all) {
-  lines.asked({"short edges", "short edge", "length "}, all.short_edges);
-  lines.asked({"long edges", "long edge", "length "}, all.long_edges);
-  lines.asked({"small edge angles", "small edge angle", "", " degrees"}, all.small_angles);
-  lines.asked({"large edge angles", "large edge angle", "", " degrees"}, all.large_angles);
-  lines.asked({"large aspect ratios", "large aspect ratio of face"}, all.large_aspect_ratios);
+void append_found(OffenderLines& lines, const Analysis& analysis) {
+  if (analysis.has_characteristics) {
+    lines.tell(kRecordLists);
+    lines.tell(kTornLineLists);
+    lines.tell(kNumberingBreaks);
+  }
+  lines.tell(kAttributeLists);
+  if (analysis.has_characteristics) {
+    lines.tell(kMeasuredLists);
+  }
 }
 
 }  // namespace
@@ -266,8 +235,7 @@ std::string numbering_text(const NumberingBreak& place) {
 }
 
 void append_offenders(TextLines& lines, const Analysis& analysis, OffenderStyle style) {
-  const Offenders& all = analysis.offenders;
-  if (style == OffenderStyle::None && !has_asked_lists(all)) {
+  if (style == OffenderStyle::None && !has_asked_lists(analysis.offenders)) {
     return;
   }
   if (!analysis.soup && style == OffenderStyle::CustomPoints) {
@@ -277,15 +245,9 @@ void append_offenders(TextLines& lines, const Analysis& analysis, OffenderStyle 
   const std::size_t length_before = lines.text().size();
   OffenderLines offenders(lines, analysis, style);
   if (style != OffenderStyle::None) {
-    if (analysis.has_characteristics) {
-      append_integrity(offenders, all);
-    }
-    append_attributes(offenders, all);
-    if (analysis.has_characteristics) {
-      append_characteristics(offenders, all);
-    }
+    append_found(offenders, analysis);
   }
-  append_asked(offenders, all);
+  offenders.tell(kAskedLists);
   if (lines.text().size() == length_before) {
     lines.line("offending elements", "none");
   }

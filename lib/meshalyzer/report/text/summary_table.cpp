@@ -15,23 +15,6 @@ constexpr std::size_t kMinWidth = 8;
 constexpr std::size_t kMaxWidth = 40;
 constexpr std::string_view kNone = "-";
 
-struct Column {
-  std::string_view title;
-  std::size_t width = 0;
-};
-
-constexpr std::array<Column, 10> kColumns{{{"faces", 8},
-                                           {"closed", 6},
-                                           {"manifold", 8},
-                                           {"outward", 7},
-                                           {"comps", 5},
-                                           {"genus", 5},
-                                           {"selfint", 7},
-                                           {"area", 9},
-                                           {"volume", 10},
-                                           {"good", 4}}};
-using Cells = std::array<std::string, kColumns.size()>;
-
 /// The characters of a name, control characters replaced: these would break the line.
 std::vector<std::string> characters_of(std::string_view name) {
   std::vector<std::string> characters;
@@ -80,35 +63,75 @@ std::string fitted(double value, std::size_t width) {
   return text;
 }
 
-std::string line_of(std::string name, const Cells& cells) {
-  for (std::size_t i = 0; i < kColumns.size(); ++i) {
-    name += fmt::format(" {:>{}}", cells[i], kColumns[i].width);
-  }
-  return name;
-}
-
 const std::optional<Goodness>& goodness_of(const Analysis& analysis) {
   return analysis.goodness ? analysis.goodness : analysis.fitness;
 }
 
-Cells cells_of(const Analysis& analysis) {
-  const Characteristics& c = analysis.characteristics;
-  const Attributes& attributes = analysis.attributes;
-  const std::optional<Goodness>& verdict = goodness_of(analysis);
-  const auto measured = [&](auto value, std::size_t column) {
-    return analysis.has_characteristics ? fitted(value, kColumns[column].width)
-                                        : std::string(kNone);
-  };
-  return {fitted(c.faces, kColumns[0].width),
-          truth_cell(attributes.closed.value),
-          truth_cell(attributes.manifold.value),
-          truth_cell(attributes.outward.value),
-          fitted(c.components, kColumns[4].width),
-          c.genus.value ? std::to_string(*c.genus.value) : std::string(kNone),
-          measured(c.intersecting_pairs, 6),
-          measured(c.area, 7),
-          c.volume.value ? fitted(*c.volume.value, kColumns[8].width) : std::string(kNone),
-          truth_cell(verdict ? std::optional(verdict->good) : std::nullopt)};
+/// A number that only whole analyses have.
+template <typename T>
+std::string measured(const Analysis& analysis, T value, std::size_t width) {
+  return analysis.has_characteristics ? fitted(value, width) : std::string(kNone);
+}
+
+/// A column of the table, and what stands in it for a mesh.
+struct SummaryColumn {
+  std::string_view title;
+  std::size_t width = 0;
+  std::string (*cell)(const Analysis& analysis, std::size_t width) = nullptr;
+};
+
+/// The column of an attribute.
+template <auto Member>
+constexpr SummaryColumn attribute(std::string_view title) {
+  return {title, title.size(), [](const Analysis& analysis, std::size_t /*width*/) {
+            return truth_cell((analysis.attributes.*Member).value);
+          }};
+}
+
+constexpr std::array kSummaryColumns{
+    SummaryColumn{"faces", 8,
+                  [](const Analysis& analysis, std::size_t width) {
+                    return fitted(analysis.characteristics.faces, width);
+                  }},
+    attribute<&Attributes::closed>("closed"),
+    attribute<&Attributes::manifold>("manifold"),
+    attribute<&Attributes::outward>("outward"),
+    SummaryColumn{"comps", 5,
+                  [](const Analysis& analysis, std::size_t width) {
+                    return fitted(analysis.characteristics.components, width);
+                  }},
+    SummaryColumn{"genus", 5,
+                  [](const Analysis& analysis, std::size_t /*width*/) {
+                    const auto& genus = analysis.characteristics.genus.value;
+                    return genus ? std::to_string(*genus) : std::string(kNone);
+                  }},
+    SummaryColumn{"selfint", 7,
+                  [](const Analysis& analysis, std::size_t width) {
+                    return measured(analysis, analysis.characteristics.intersecting_pairs, width);
+                  }},
+    SummaryColumn{"area", 9,
+                  [](const Analysis& analysis, std::size_t width) {
+                    return measured(analysis, analysis.characteristics.area, width);
+                  }},
+    SummaryColumn{"volume", 10,
+                  [](const Analysis& analysis, std::size_t width) {
+                    const auto& volume = analysis.characteristics.volume.value;
+                    return volume ? fitted(*volume, width) : std::string(kNone);
+                  }},
+    SummaryColumn{"good", 4,
+                  [](const Analysis& analysis, std::size_t /*width*/) {
+                    const std::optional<Goodness>& verdict = goodness_of(analysis);
+                    return truth_cell(verdict ? std::optional(verdict->good) : std::nullopt);
+                  }},
+};
+
+/// @param cell  Says what stands in a column.
+template <typename CellOf>
+std::string line_of(std::string name, CellOf cell) {
+  for (const SummaryColumn& column : kSummaryColumns) {
+    name += fmt::format(" {:>{}}", cell(column), column.width);
+  }
+  return name;
 }
 
 }  // namespace
@@ -122,24 +145,26 @@ std::size_t summary_width(std::span<const std::string> names) {
 }
 
 std::string summary_header(std::size_t width) {
-  Cells titles;
-  std::transform(kColumns.begin(), kColumns.end(), titles.begin(),
-                 [](const Column& column) { return std::string(column.title); });
-  return line_of(fitted_name("mesh", width), titles) + "  reason\n";
+  return line_of(fitted_name("mesh", width),
+                 [](const SummaryColumn& column) { return column.title; }) +
+         "  reason\n";
 }
 
 std::string summary_line(std::string_view name, const Analysis& analysis, std::size_t width) {
   const std::optional<Goodness>& verdict = goodness_of(analysis);
   const bool has_reason = verdict && !verdict->reasons.empty();
-  return line_of(fitted_name(name, width), cells_of(analysis)) +
+  const auto cell = [&](const SummaryColumn& column) {
+    return column.cell(analysis, column.width);
+  };
+  return line_of(fitted_name(name, width), cell) +
          (has_reason ? "  " + verdict->reasons.front() : "") + '\n';
 }
 
 std::string summary_of_unreadable(std::string_view name, std::string_view why, std::size_t width) {
-  Cells cells;
-  cells.fill(std::string(kNone));
-  cells.back() = "no";
-  return line_of(fitted_name(name, width), cells) + "  cannot be read: " + std::string(why) + '\n';
+  const auto cell = [](const SummaryColumn& column) {
+    return &column == &kSummaryColumns.back() ? "no" : kNone;
+  };
+  return line_of(fitted_name(name, width), cell) + "  cannot be read: " + std::string(why) + '\n';
 }
 
 }  // namespace meshalyzer
