@@ -87,4 +87,17 @@ Goodness judge(const Analysis& analysis, const GoodnessThresholds& thresholds) {
   return verdict(std::move(reasons));
 }
 
+const std::optional<Goodness>& verdict_of(const Analysis& analysis) {
+  return analysis.goodness ? analysis.goodness : analysis.fitness;
+}
+
+std::string verdict_text(const Goodness& verdict) {
+  if (verdict.good) return "good";
+  std::string text = "NOT good";
+  for (const std::string& reason : verdict.reasons) {
+    text.append(&reason == &verdict.reasons.front() ? ": " : "; ").append(reason);
+  }
+  return text;
+}
+
 }  // namespace meshalyzer

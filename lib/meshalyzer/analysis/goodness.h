@@ -3,6 +3,9 @@
 #include "meshalyzer/analysis/analysis.h"
 #include "meshalyzer/analysis/analyze.h"
 
+#include <optional>
+#include <string>
+
 namespace meshalyzer {
 
 /// Judges the parts of goodness that need no threshold ("Good" in doc/definitions.md).
@@ -10,5 +13,12 @@ namespace meshalyzer {
 
 /// Judges whether a mesh is good ("Good" in doc/definitions.md).
 [[nodiscard]] Goodness judge(const Analysis& analysis, const GoodnessThresholds& thresholds);
+
+/// Returns the verdict that every report tells: by thresholds where these were given, else without
+/// them. It is empty where the mesh was not judged.
+[[nodiscard]] const std::optional<Goodness>& verdict_of(const Analysis& analysis);
+
+/// Says a verdict in words: "good", or "NOT good: " and the reasons.
+[[nodiscard]] std::string verdict_text(const Goodness& verdict);
 
 }  // namespace meshalyzer

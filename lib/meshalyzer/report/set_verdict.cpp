@@ -1,19 +1,36 @@
 #include "meshalyzer/report/set_verdict.h"
 
+#include "meshalyzer/report/text/short_list.h"
+
+#include <cstddef>
+#include <string_view>
+
 namespace meshalyzer {
 namespace {
 
-bool are_apart(const SetIntersections& found) {
-  return found.pairs.empty() && found.contained.empty() && found.partly_contained.empty();
+void append_counted(std::vector<std::string>& reasons, std::size_t n, std::string_view one,
+                    std::string_view many) {
+  if (n != 0) reasons.push_back(counted(n, one, many));
 }
 
 }  // namespace
 
-std::optional<bool> is_good(const SetAnalysis& set) {
-  if (!set.good) {
-    return std::nullopt;
-  }
-  return set.not_good.empty() && (!set.intersections || are_apart(*set.intersections));
+void append_reasons_between(const SetIntersections& found, std::vector<std::string>& reasons) {
+  append_counted(reasons, found.pairs.size(), "pair of faces of different meshes intersects",
+                 "pairs of faces of different meshes intersect");
+  append_counted(reasons, found.contained.size(), "mesh is inside another one",
+                 "meshes are inside another one");
+  append_counted(reasons, found.partly_contained.size(), "mesh is partly inside another one",
+                 "meshes are partly inside another one");
+}
+
+std::optional<Goodness> set_verdict(const SetAnalysis& set) {
+  if (!set.good) return std::nullopt;
+  Goodness verdict;
+  append_counted(verdict.reasons, set.not_good.size(), "mesh is not good", "meshes are not good");
+  if (set.intersections) append_reasons_between(*set.intersections, verdict.reasons);
+  verdict.good = verdict.reasons.empty();
+  return verdict;
 }
 
 }  // namespace meshalyzer

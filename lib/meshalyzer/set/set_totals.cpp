@@ -1,5 +1,6 @@
 #include "meshalyzer/set/set_totals.h"
 
+#include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/set/set_counts.h"
 
 #include <algorithm>
@@ -62,7 +63,7 @@ void SetTotals::add_mesh(Index number, const Analysis& mesh) {
 }
 
 void SetTotals::judge(Index number, const Analysis& mesh) {
-  const std::optional<Goodness>& verdict = mesh.goodness ? mesh.goodness : mesh.fitness;
+  const std::optional<Goodness>& verdict = verdict_of(mesh);
   if (!verdict) {
     return;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/analysis/analysis.h"
+#include "meshalyzer/analysis/goodness.h"
 
 #include <memory>
 #include <utility>
@@ -28,6 +29,7 @@ inline Analysis sample_analysis() {
   analysis.offenders.orphan_vertices = {2, 3};
   analysis.offenders.degenerate_faces = {1};
   analysis.offenders.vertex_numbering = NumberingBreak{{10, 20, 30}, 0};
+  analysis.fitness = judge_fitness(analysis);
   return analysis;
 }
 

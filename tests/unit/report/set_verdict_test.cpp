@@ -12,6 +12,11 @@ SetAnalysis good_set() {
   return set;
 }
 
+std::optional<bool> is_good(const SetAnalysis& set) {
+  const std::optional<Goodness> verdict = set_verdict(set);
+  return verdict ? std::optional(verdict->good) : std::nullopt;
+}
+
 TEST(SetIsGood, MeshesThatAreGoodAndApartAre) {
   EXPECT_EQ(is_good(good_set()), true);
 }
@@ -47,6 +52,18 @@ TEST(SetIsGood, WhatWasNotAskedForDoesNotMatter) {
   SetAnalysis set = good_set();
   set.intersections.reset();
   EXPECT_EQ(is_good(set), true);
+}
+
+TEST(SetVerdict, ReasonsAreCounted) {
+  SetAnalysis set = good_set();
+  set.not_good = {{1, {"cannot be read"}}};
+  set.intersections->pairs = {{}, {}};
+  set.intersections->contained = {{0, 1}};
+  ASSERT_TRUE(set_verdict(set));
+  EXPECT_EQ(set_verdict(set)->reasons,
+            (std::vector<std::string>{"1 mesh is not good",
+                                      "2 pairs of faces of different meshes intersect",
+                                      "1 mesh is inside another one"}));
 }
 
 }  // namespace

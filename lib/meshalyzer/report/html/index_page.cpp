@@ -1,8 +1,10 @@
 #include "meshalyzer/report/html/index_table.h"
+#include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/report/html/page.h"
 #include "meshalyzer/report/html/page_frame.h"
 #include "meshalyzer/report/html/set_notes.h"
 #include "meshalyzer/report/html/set_sections.h"
+#include "meshalyzer/report/set_verdict.h"
 #include "meshalyzer/report/text/short_list.h"
 
 #include <algorithm>
@@ -17,19 +19,7 @@ std::size_t count_if_row(const std::vector<IndexRow>& rows, RowState state) {
       rows.begin(), rows.end(), [&](const IndexRow& row) { return state_of(row) == state; }));
 }
 
-/// Appends what is wrong between the meshes.
-void append_reasons(std::vector<std::string>& reasons, const SetIntersections& found) {
-  const auto append = [&](std::size_t n, std::string_view one, std::string_view many) {
-    if (n != 0) reasons.push_back(counted(n, one, many));
-  };
-  append(found.pairs.size(), "pair of faces of different meshes intersects",
-         "pairs of faces of different meshes intersect");
-  append(found.contained.size(), "mesh is inside another one", "meshes are inside another one");
-  append(found.partly_contained.size(), "mesh is partly inside another one",
-         "meshes are partly inside another one");
-}
-
-Verdict verdict_of(const std::vector<IndexRow>& rows, const SetAnalysis* set) {
+Verdict verdict_of_all(const std::vector<IndexRow>& rows, const SetAnalysis* set) {
   const std::size_t not_good = count_if_row(rows, RowState::NotGood);
   const std::size_t unreadable = count_if_row(rows, RowState::Unreadable);
   Verdict verdict{Verdict::Kind::Bad, "Not good"};
@@ -39,7 +29,9 @@ Verdict verdict_of(const std::vector<IndexRow>& rows, const SetAnalysis* set) {
   if (unreadable != 0) {
     verdict.reasons.push_back(counted(unreadable, "file cannot be read", "files cannot be read"));
   }
-  if (set != nullptr && set->intersections) append_reasons(verdict.reasons, *set->intersections);
+  if (set != nullptr && set->intersections) {
+    append_reasons_between(*set->intersections, verdict.reasons);
+  }
   if (!verdict.reasons.empty()) return verdict;
   if (count_if_row(rows, RowState::Good) == 0) return {};
   return {Verdict::Kind::Good, "Good"};
@@ -65,9 +57,7 @@ std::string facts_of(const std::vector<IndexRow>& rows) {
 IndexRow index_row(const Analysis& analysis, const DefectReport& defects, std::string name,
                    std::string page) {
   IndexRow row{.name = std::move(name), .page = std::move(page)};
-  const std::optional<Goodness>& goodness =
-      analysis.goodness ? analysis.goodness : analysis.fitness;
-  if (goodness) {
+  if (const std::optional<Goodness>& goodness = verdict_of(analysis)) {
     row.good = goodness->good;
     row.reasons = goodness->reasons;
   }
@@ -83,7 +73,7 @@ IndexRow index_row(const Analysis& analysis, const DefectReport& defects, std::s
 
 std::string html_index(const std::vector<IndexRow>& rows, const SetAnalysis* set) {
   const PageHeader header{
-      .name = "All meshes", .verdict = verdict_of(rows, set), .facts = facts_of(rows)};
+      .name = "All meshes", .verdict = verdict_of_all(rows, set), .facts = facts_of(rows)};
   return html_page(header, {}, [&](HtmlWriter& html) {
     append_meshes_section(
         html, rows, set == nullptr ? std::vector<std::vector<std::string>>{} : set_notes(*set));

@@ -1,4 +1,5 @@
 #include "meshalyzer/report/html/attribute_tables.h"
+#include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/report/html/defect_list.h"
 #include "meshalyzer/report/html/page.h"
 #include "meshalyzer/report/html/page_frame.h"
@@ -32,9 +33,8 @@ Verdict attributes_as_verdict(const Attributes& attributes) {
   return {Verdict::Kind::None, text};
 }
 
-Verdict verdict_of(const Analysis& analysis) {
-  const std::optional<Goodness>& goodness =
-      analysis.goodness ? analysis.goodness : analysis.fitness;
+Verdict page_verdict(const Analysis& analysis) {
+  const std::optional<Goodness>& goodness = verdict_of(analysis);
   if (!goodness) return attributes_as_verdict(analysis.attributes);
   return goodness->good ? Verdict{Verdict::Kind::Good, "Good"}
                         : Verdict{Verdict::Kind::Bad, "Not good", goodness->reasons};
@@ -95,7 +95,7 @@ std::string html_report(const MeshPage& page) {
   const std::array drawn{TitledMesh{"", page.mesh}};
   const PageHeader header{.index = page.index,
                           .name = file_name(page.mesh.name.path),
-                          .verdict = verdict_of(page.analysis),
+                          .verdict = page_verdict(page.analysis),
                           .facts = facts_of(page.analysis)};
   return html_page(header, drawn, [&](HtmlWriter& html) {
     append_defects_section(html, drawn);

@@ -68,6 +68,9 @@ void write_integrity(JsonWriter& json, const Analysis& analysis) {
 }
 
 void define_integrity(SchemaDefinitions& schema) {
+  schema.define("verdict", {.description = "",
+                            .members = {{"good", "", std::string(schema_type::kTruthOrNull)},
+                                        {"reasons", "", std::string(schema_type::kTexts)}}});
   constexpr auto kSometimes = SchemaMember::Presence::Sometimes;
   SchemaObject object{.description = "whether the file says what it means"};
   append_members(object.members, Integrity(), kIntegrityFields);
@@ -233,6 +236,10 @@ void write_mesh_members(JsonWriter& json, const Analysis& analysis, JsonOffender
   write_undefined(json, analysis);
   json.key("per_component");
   write_components(json, analysis);
+  json.key("verdict");
+  json.begin_object();
+  write_verdict(json, verdict_of(analysis));
+  json.end_object();
   write_verdict(json, analysis.goodness);
   write_fitness(json, analysis);
   if (offenders == JsonOffenders::List || has_asked_lists(analysis.offenders)) {
@@ -283,6 +290,10 @@ void define_mesh(SchemaDefinitions& schema) {
        std::string(schema_type::kTextByKey)},
       {"per_component", "by lowest face",
        R"("type": "array", "items": {"$ref": "#/$defs/component"})"},
+      {"verdict",
+       "by the thresholds where these were given, else without; good is null where the "
+       "mesh was not judged",
+       schema_reference("verdict")},
       {"good", "null where no thresholds were given", std::string(schema_type::kTruthOrNull)},
       {"reasons", "why it is not good", std::string(schema_type::kTexts)},
       {"fitness",

@@ -215,7 +215,8 @@ void write_set_members(JsonWriter& json, const SetAnalysis& set,
   json.member("unreadable", set.unreadable);
   json.member("good", set.good);
   write_not_good(json, set);
-  json.member("is_good", is_good(set));
+  const std::optional<Goodness> verdict = set_verdict(set);
+  json.member("is_good", verdict ? std::optional(verdict->good) : std::nullopt);
   write_totals(json, set);
   write_measures(json, set.statistics ? &*set.statistics : nullptr);
   write_undefined(json, set);

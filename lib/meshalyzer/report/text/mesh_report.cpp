@@ -1,5 +1,6 @@
 #include "meshalyzer/report/text/mesh_report.h"
 
+#include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/report/text/components.h"
 #include "meshalyzer/report/text/curvature.h"
 #include "meshalyzer/report/text/lines.h"
@@ -13,6 +14,9 @@ namespace meshalyzer {
 namespace {
 
 void append_sections(TextLines& lines, const Analysis& analysis) {
+  if (const std::optional<Goodness>& verdict = verdict_of(analysis)) {
+    lines.line("verdict", verdict_text(*verdict));
+  }
   if (!analysis.has_characteristics) {
     lines.heading("MESH ATTRIBUTES");
     lines.line("file", analysis.path);

@@ -1,5 +1,6 @@
 #include "meshalyzer/report/text/set_report.h"
 
+#include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/report/set_verdict.h"
 #include "meshalyzer/report/text/lines.h"
 #include "meshalyzer/report/text/meetings.h"
@@ -15,15 +16,17 @@ namespace meshalyzer {
 namespace {
 
 void append_verdict(TextLines& lines, const SetAnalysis& set) {
+  if (const std::optional<Goodness> verdict = set_verdict(set)) {
+    lines.line("verdict", verdict_text(*verdict));
+  }
+  lines.line("meshes", set.meshes);
+  lines.line("unreadable files", set.unreadable);
   if (set.good) {
     lines.line("good meshes", fmt::format("{} of {}", *set.good, set.meshes));
   }
   for (const UnfitMesh& mesh : set.not_good) {
     lines.line("not good",
                fmt::format("{}: {}", set.names[mesh.mesh], fmt::join(mesh.reasons, "; ")));
-  }
-  if (const std::optional<bool> good = is_good(set)) {
-    lines.line("set is good", *good);
   }
 }
 
@@ -32,8 +35,6 @@ void append_verdict(TextLines& lines, const SetAnalysis& set) {
 std::string text_report(const SetAnalysis& set, OffenderStyle offenders) {
   TextLines lines;
   lines.heading("MESH SET");
-  lines.line("meshes", set.meshes);
-  lines.line("unreadable files", set.unreadable);
   append_verdict(lines, set);
   append_set_totals(lines, set);
   if (set.statistics) {

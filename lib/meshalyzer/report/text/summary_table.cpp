@@ -1,5 +1,6 @@
 #include "meshalyzer/report/text/summary_table.h"
 
+#include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/report/text/table.h"
 #include "meshalyzer/report/utf8.h"
 
@@ -63,10 +64,6 @@ std::string fitted(double value, std::size_t width) {
   return text;
 }
 
-const std::optional<Goodness>& goodness_of(const Analysis& analysis) {
-  return analysis.goodness ? analysis.goodness : analysis.fitness;
-}
-
 /// A number that only whole analyses have.
 template <typename T>
 std::string measured(const Analysis& analysis, T value, std::size_t width) {
@@ -120,7 +117,7 @@ constexpr std::array kSummaryColumns{
                   }},
     SummaryColumn{"good", 4,
                   [](const Analysis& analysis, std::size_t /*width*/) {
-                    const std::optional<Goodness>& verdict = goodness_of(analysis);
+                    const std::optional<Goodness>& verdict = verdict_of(analysis);
                     return truth_cell(verdict ? std::optional(verdict->good) : std::nullopt);
                   }},
 };
@@ -151,7 +148,7 @@ std::string summary_header(std::size_t width) {
 }
 
 std::string summary_line(std::string_view name, const Analysis& analysis, std::size_t width) {
-  const std::optional<Goodness>& verdict = goodness_of(analysis);
+  const std::optional<Goodness>& verdict = verdict_of(analysis);
   const bool has_reason = verdict && !verdict->reasons.empty();
   const auto cell = [&](const SummaryColumn& column) {
     return column.cell(analysis, column.width);

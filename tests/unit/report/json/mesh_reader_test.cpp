@@ -75,6 +75,7 @@ Analysis full_analysis() {
   a.offenders.long_edges = EdgeList{{{0, 3}}, {0, 1}, {0}, {kInfinity}};
   a.offenders.short_edges = EdgeList{};
   a.offenders.large_aspect_ratios = FaceList{{0, 1}, {3.5, kInfinity}};
+  a.fitness = judge_fitness(a);
   return a;
 }
 
@@ -147,6 +148,7 @@ TEST(ReadMeshJson, VerdictsComeBackWithTheirReasons) {
 TEST(ReadMeshJson, FitnessOfOnlyAttributesComesBackWhereItWasJudged) {
   Analysis written = sample_analysis();
   written.has_characteristics = false;
+  written.fitness.reset();
   EXPECT_FALSE(read_mesh_json(line_of(written)).fitness.has_value());
   written.fitness = Goodness{false, {"not closed"}};
   expect_verdict(read_mesh_json(line_of(written)).fitness, *written.fitness);
@@ -253,8 +255,9 @@ TEST(ReadMeshJson, MemberThatIsMissingIsNamed) {
   Analysis written = full_analysis();
   written.goodness = Goodness{true, {}};
   const json line = json::parse(line_of(written));
-  // These stand there only where there is something to say.
-  const std::set<std::string> optional{"/offenders",
+  // These stand there only where there is something to say; the verdict follows from the rest.
+  const std::set<std::string> optional{"/verdict",
+                                       "/offenders",
                                        "/integrity/first_torn_line",
                                        "/integrity/vertex_numbering",
                                        "/integrity/face_numbering",

@@ -31,6 +31,14 @@ TEST(TextReport, SectionsStandInOrder) {
   EXPECT_NE(characteristics, std::string::npos);
 }
 
+TEST(TextReport, VerdictIsTheFirstLine) {
+  Analysis analysis;
+  analysis.fitness = Goodness{true, {}};
+  EXPECT_EQ(report_of(analysis).find("verdict: good\n\nMESH FILE INTEGRITY\n"), 0U);
+  analysis.fitness = Goodness{false, {"not closed", "orphan vertices: 2"}};
+  EXPECT_EQ(report_of(analysis).find("verdict: NOT good: not closed; orphan vertices: 2\n"), 0U);
+}
+
 TEST(TextReport, AnswersAreYesNoOrUndefinedWithTheReason) {
   Analysis analysis;
   analysis.attributes.closed.value = true;

@@ -54,14 +54,14 @@ TEST(SetTextReport, MeshesThatAreNotGoodAreNamedWithEveryReason) {
   EXPECT_THAT(report, HasLine("good meshes: 2 of 3"));
   EXPECT_THAT(report, HasLine("not good: b.mesh: not closed; 2 orphan vertices"));
   EXPECT_THAT(report, HasLine("not good: torn.mesh: cannot be read: torn"));
-  EXPECT_THAT(report, HasLine("set is good: no"));
+  EXPECT_THAT(report, testing::HasSubstr("\nverdict: NOT good: 2 meshes are not good"));
 }
 
 TEST(SetTextReport, SetWithoutAFaultIsGood) {
   SetAnalysis set;
   set.good = 2;
   set.intersections.emplace();
-  EXPECT_THAT(report_of(set), HasLine("set is good: yes"));
+  EXPECT_THAT(report_of(set), HasLine("verdict: good"));
 }
 
 TEST(SetTextReport, SetThatWasNotJudgedIsNeitherGoodNorNot) {
