@@ -75,6 +75,13 @@ void OptionTable::option(const std::string& names, Take take, const std::string&
   declare(option, value, std::move(take));
 }
 
+void OptionTable::repeatable(const std::string& names, Take take, const std::string& help) {
+  const auto [name, value] = name_and_value(names);
+  CLI::Option* option = app_->add_option(name)->description(help)->multi_option_policy(
+      CLI::MultiOptionPolicy::TakeAll);
+  declare(option, value, std::move(take));
+}
+
 void OptionTable::option_or(const std::string& otherwise, const std::string& names, Take take,
                             const std::string& help) {
   const auto [name, value] = name_and_value(names);
@@ -107,7 +114,11 @@ std::optional<std::string> OptionTable::parse(int argc, const char* const* argv)
 
 void OptionTable::take_values() const {
   for (const auto& [option, take] : declared_) {
-    if (option->count() != 0) {
+    if (option->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll) {
+      for (const std::string& value : option->results()) {
+        take(value, option->get_name());
+      }
+    } else if (option->count() != 0) {
       take(option->as<std::string>(), option->get_name());
     }
   }

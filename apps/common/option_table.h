@@ -47,6 +47,8 @@ class OptionTable {
   void flag(const std::string& name, bool& target, const std::string& help);
   /// @param names  As help shows them: `-b N`.
   void option(const std::string& names, Take take, const std::string& help);
+  /// An option that may be given several times; each value is taken.
+  void repeatable(const std::string& names, Take take, const std::string& help);
   /// An option whose value may be left out: `--json[=FILE]`. What follows it on the command line is
   /// never taken for its value.
   ///

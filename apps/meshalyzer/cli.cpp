@@ -1,5 +1,7 @@
 #include "cli.h"
 
+#include "check/command.h"
+#include "check/run_check.h"
 #include "guarded.h"
 #include "inputs.h"
 #include "interrupt.h"
@@ -36,14 +38,21 @@ ExitCode report(const Options& options, Streams streams) {
   return carry_out(run, streams);
 }
 
+ExitCode print_answer(const std::string& answer, Streams streams) {
+  streams.out << answer << std::flush;
+  return streams.out ? ExitCode::Done : ExitCode::Trouble;
+}
+
 ExitCode run_command(int argc, const char* const* argv, Streams streams) {
-  const bool is_merge = argc > 1 && std::string_view(argv[1]) == "merge";
+  const std::string_view word = argc > 1 ? argv[1] : "";
+  if (word == "check") {
+    const CheckCommandLine line = parse_check_command_line(argc - 1, argv + 1);
+    return line.answer ? print_answer(*line.answer, streams) : run_check(line.command, streams);
+  }
+  const bool is_merge = word == "merge";
   const CommandLine command =
       is_merge ? parse_merge_command_line(argc - 1, argv + 1) : parse_command_line(argc, argv);
-  if (command.answer) {
-    streams.out << *command.answer << std::flush;
-    return streams.out ? ExitCode::Done : ExitCode::Trouble;
-  }
+  if (command.answer) return print_answer(*command.answer, streams);
   return is_merge ? merge(command.options, streams) : report(command.options, streams);
 }
 

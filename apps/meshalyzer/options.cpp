@@ -121,7 +121,8 @@ void complete(Options& options) {
 CommandLine parse_command_line(int argc, const char* const* argv) {
   CommandLine command;
   OptionTable table(
-      {.calls = {"meshalyzer [options] PATH...", "meshalyzer merge [options] FILE.ndjson..."},
+      {.calls = {"meshalyzer [options] PATH...", "meshalyzer check [options] PATH...",
+                 "meshalyzer merge [options] FILE.ndjson..."},
        .purpose = "Checks triangle meshes: is the file whole, is the surface closed, manifold, "
                   "orientable, consistent and outward, does it intersect itself, and how large, "
                   "long, thin and bent are its parts?",

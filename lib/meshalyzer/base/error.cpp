@@ -16,6 +16,6 @@ std::string located(const std::string& file, FilePlace place, const std::string&
 }  // namespace
 
 IoError::IoError(const std::string& file, FilePlace place, const std::string& what)
-    : Error(located(file, place, what)), file_(file), place_(place) {}
+    : Error(located(file, place, what)), file_(file), reason_(what), place_(place) {}
 
 }  // namespace meshalyzer

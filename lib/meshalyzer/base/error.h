@@ -37,9 +37,12 @@ class IoError : public Error {
 
   [[nodiscard]] const std::string& file() const noexcept { return file_; }
   [[nodiscard]] FilePlace place() const noexcept { return place_; }
+  /// What is wrong, without the file and the place.
+  [[nodiscard]] const std::string& reason() const noexcept { return reason_; }
 
  private:
   std::string file_;
+  std::string reason_;
   FilePlace place_;
 };
 

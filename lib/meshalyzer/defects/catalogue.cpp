@@ -18,6 +18,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .elements = "The component's first face, and the middle of it.",
      .fix = "Only where asked for: each component is written to a file of its own (the option "
             "`separate`), or the small ones are dropped (`keep-largest`).",
+     .fix_summary = "meshfixer separates or drops it where asked to",
      .passes = "separate or keep largest",
      .fixed_by_default = false},
     {.code = DefectCode::Foldover,
@@ -35,6 +36,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .elements = "The faces of the region, the edges of the folds, and a point of the region.",
      .fix = "A vertex of the region is moved back to where its faces unfold, or taken away and its "
             "place closed.",
+     .fix_summary = "meshfixer unfolds it",
      .passes = "remove foldovers",
      .fixed_by_default = true},
     {.code = DefectCode::FlatFacet,
@@ -48,6 +50,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .elements = "The face, and the middle of it.",
      .fix = "Its longest edge is flipped, or the face beyond that edge is split; the edges next to "
             "a very short one are brought together.",
+     .fix_summary = "meshfixer mends it",
      .passes = "mend facets",
      .fixed_by_default = true},
     {.code = DefectCode::DegenerateFacet,
@@ -65,6 +68,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
                  "middle of the shortest edge.",
      .fix = "A face that names a vertex twice is dropped; else the short edge is collapsed to a "
             "point.",
+     .fix_summary = "meshfixer collapses it",
      .passes = "mend facets",
      .fixed_by_default = true},
     {.code = DefectCode::Slit,
@@ -77,6 +81,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .measured = {.before = "gap"},
      .elements = "The border edges of both sides, and a point of the slit.",
      .fix = "The two sides are welded.",
+     .fix_summary = "meshfixer joins it",
      .passes = "weld borders",
      .fixed_by_default = true},
     {.code = DefectCode::SelfIntersection,
@@ -91,6 +96,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .fix =
          "Faces that are there twice, folds, and seams that were never welded, are mended as what "
          "they are; other intersections are left, and reported as not fixable.",
+     .fix_summary = "meshfixer mends it",
      .passes = "weld borders, drop duplicates or remove foldovers",
      .fixed_by_default = true},
     {.code = DefectCode::NonManifold,
@@ -105,6 +111,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .fix = "The mesh is cut at the edge, its faces paired by angle so that each solid stays "
             "closed; each fan gets a vertex of its own. The copies are moved apart by the smallest "
             "step after which nothing touches, unless the option `keep-contact` is given.",
+     .fix_summary = "meshfixer splits it",
      .passes = "split edges, split vertices and part contacts",
      .fixed_by_default = true},
     {.code = DefectCode::VertexNormal,
@@ -117,6 +124,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .value = "",
      .elements = "The vertex, and its place.",
      .fix = "The normals at the vertex are made anew from its faces.",
+     .fix_summary = "meshfixer makes it anew",
      .passes = "renew normals",
      .fixed_by_default = true},
     {.code = DefectCode::Corrupt,
@@ -136,6 +144,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .fix = "Faces with a missing vertex and repeated vertex records are dropped, a face record "
             "that repeats an id gets a new one, torn lines are not written. Positions that are not "
             "finite cannot be mended.",
+     .fix_summary = "meshfixer mends it",
      .passes = "drop corrupt records",
      .fixed_by_default = true},
     {.code = DefectCode::Hole,
@@ -149,6 +158,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .elements = "The border edges in walking order, and a point of the border.",
      .fix = "Filled by a patch that intersects nothing. A sheet, which means no solid, is left "
             "open unless filling is asked for by name.",
+     .fix_summary = "meshfixer fills it",
      .passes = "fill holes",
      .fixed_by_default = true},
     {.code = DefectCode::Flipped,
@@ -162,6 +172,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .elements = "The faces to be turned, the edges crossed twice in the same direction, and a "
                  "point of them.",
      .fix = "The faces are turned.",
+     .fix_summary = "meshfixer turns them",
      .passes = "orient consistently",
      .fixed_by_default = true},
     {.code = DefectCode::Inward,
@@ -174,6 +185,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .measured = {.before = "volume"},
      .elements = "The component's first face, and a point of it.",
      .fix = "The component is turned.",
+     .fix_summary = "meshfixer turns it",
      .passes = "orient outward",
      .fixed_by_default = true},
     {.code = DefectCode::DuplicateFacet,
@@ -187,6 +199,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .elements = "The faces, and the middle of them.",
      .fix = "Of those that face the same way all but the first are dropped. Of a wall between two "
             "solids that is there once for each, each solid keeps its own, and they come apart.",
+     .fix_summary = "meshfixer drops the copies",
      .passes = "drop duplicates",
      .fixed_by_default = true},
     {.code = DefectCode::OrphanVertex,
@@ -197,6 +210,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .value = "",
      .elements = "The vertex, and its place.",
      .fix = "The vertex is dropped.",
+     .fix_summary = "meshfixer drops it",
      .passes = "drop orphans",
      .fixed_by_default = true},
     {.code = DefectCode::Numbering,
@@ -209,6 +223,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .measured = {.before = "id"},
      .elements = "The vertex or face that has this id, and its place.",
      .fix = "Only where asked for: the option `renumber` counts anew.",
+     .fix_summary = "meshfixer renumbers where asked to",
      .passes = "renumber",
      .fixed_by_default = false},
 }};

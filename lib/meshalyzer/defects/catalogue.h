@@ -32,6 +32,8 @@ struct CatalogueEntry {
   std::string_view elements;
   /// Says what repair does about the defect.
   std::string_view fix;
+  /// Names in a few words what mends the defect: "meshfixer splits it".
+  std::string_view fix_summary;
   /// Names the repair passes that do it, as repair logs name them.
   std::string_view passes;
   /// Tells whether repair mends the defect unless told otherwise.

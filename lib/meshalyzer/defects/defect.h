@@ -96,6 +96,8 @@ struct Defect {
   /// The measured value, and the limit that it passes; CatalogueEntry::value says what they are.
   std::optional<double> value;
   std::optional<double> limit;
+  /// The 1-based line of the file where no record stands for the defect; else nothing.
+  std::optional<std::size_t> line = std::nullopt;
   /// Says what no list can hold, such as the id of a vertex that does not exist; mostly empty.
   std::string detail;
   /// Tells whether repair has a fix for the defect.

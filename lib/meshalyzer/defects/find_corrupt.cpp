@@ -102,6 +102,7 @@ void add_missing_vertices(const Soup& soup, std::vector<Defect>& defects) {
 void add_torn_lines(const Soup& soup, std::vector<Defect>& defects) {
   for (const std::uint32_t line : soup.torn_lines) {
     Defect& defect = defects.emplace_back(make_defect(DefectCode::Corrupt));
+    defect.line = line;
     defect.detail = sentence("line ", line, " is the remains of a torn record");
   }
 }

@@ -42,7 +42,7 @@ const std::vector<Box3>& PreparedMesh::component_boxes() const {
 }
 
 const std::vector<IntersectingPair>& PreparedMesh::intersecting_pairs() const& {
-  return pairs_.get([this] { return find_self_intersections(cut_, tree()); });
+  return pairs_.get([this] { return find_self_intersections(cut_, tree(), max_pairs_); });
 }
 
 std::vector<IntersectingPair> PreparedMesh::intersecting_pairs() && {

@@ -5,8 +5,10 @@
 #include "meshalyzer/prepared/shells.h"
 #include "meshalyzer/spatial/face_tree.h"
 #include "meshalyzer/spatial/intersecting_pair.h"
+#include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/topology/components.h"
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -70,6 +72,15 @@ class PreparedMesh {
   /// @param pairs  What find_self_intersections() would return.
   void set_intersecting_pairs(std::vector<IntersectingPair> pairs);
 
+  /// Has the search for intersecting pairs end when it has found so many, for one who need not know
+  /// them all. Must be called before anybody asks for them.
+  void limit_intersecting_pairs(std::size_t max_pairs) { max_pairs_ = max_pairs; }
+
+  /// Tells whether the search for intersecting pairs ended before it had found all. Asks for them.
+  [[nodiscard]] bool are_intersecting_pairs_cut() const {
+    return intersecting_pairs().size() >= max_pairs_;
+  }
+
   /// Returns what each component is as the wall of a solid: see find_shells(). Builds the tree and
   /// finds the intersecting pairs only where there are several components and one of them is a
   /// shell.
@@ -81,6 +92,7 @@ class PreparedMesh {
   mutable Lazy<FaceTree> tree_;
   mutable Lazy<Components> components_;
   mutable Lazy<std::vector<Box3>> component_boxes_;
+  std::size_t max_pairs_ = kAllPairs;
   mutable Lazy<std::vector<IntersectingPair>> pairs_;
   mutable Lazy<std::vector<Shell>> shells_;
 };

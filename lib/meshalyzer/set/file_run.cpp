@@ -2,22 +2,16 @@
 
 #include "meshalyzer/analysis/measure_again.h"
 #include "meshalyzer/base/error.h"
-#include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/parallel_in_order.h"
 #include "meshalyzer/io/read.h"
-#include "meshalyzer/set/file_stamp.h"
+#include "meshalyzer/set/files_at_once.h"
 
-#include <algorithm>
-#include <iterator>
 #include <new>
 #include <optional>
 #include <utility>
 
 namespace meshalyzer {
 namespace {
-
-/// Estimates the bytes of memory that the analysis of a file takes for each byte of the file.
-constexpr std::uint64_t kMemoryPerFileByte = 12;
 
 Box3 box_of(const Soup& soup) {
   Box3 box;
@@ -50,7 +44,7 @@ FileRun::FileRun(const std::vector<std::string>& paths, const SetOptions& option
 bool FileRun::run(const std::function<void(Index, const FileResult&)>& take) {
   bool is_stopped = false;
   parallel_in_order(
-      paths_.size(), n_files_at_once(),
+      paths_.size(), n_files_at_once(paths_, options_.memory_limit),
       [this](std::size_t i) { return look_at(static_cast<Index>(i)); },
       [&](std::size_t i, const FileResult& result) {
         is_stopped = listener_.wants_to_stop();
@@ -62,22 +56,6 @@ bool FileRun::run(const std::function<void(Index, const FileResult&)>& take) {
         return Next::GoOn;
       });
   return !is_stopped;
-}
-
-/// Returns how many files are analysed at once: so many that the largest of them fit in the memory
-/// limit together.
-std::size_t FileRun::n_files_at_once() const {
-  std::vector<std::uint64_t> bytes;
-  std::transform(paths_.begin(), paths_.end(), std::back_inserter(bytes),
-                 [](const std::string& path) { return stamp_of(path).bytes; });
-  std::sort(bytes.begin(), bytes.end(), std::greater<>());
-  const std::size_t most = std::min(2 * max_threads(), bytes.size());
-  std::uint64_t memory = 0;
-  std::size_t n = 0;
-  while (n < most && (memory += kMemoryPerFileByte * bytes[n]) <= options_.memory_limit) {
-    ++n;
-  }
-  return std::max<std::size_t>(1, n);
 }
 
 FileResult FileRun::look_at(Index number) const {

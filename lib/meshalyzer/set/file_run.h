@@ -39,7 +39,6 @@ class FileRun {
   [[nodiscard]] bool run(const std::function<void(Index, const FileResult&)>& take);
 
  private:
-  [[nodiscard]] std::size_t n_files_at_once() const;
   [[nodiscard]] FileResult look_at(Index number) const;
   [[nodiscard]] FileResult look_at_own(Index number) const;
   [[nodiscard]] FileResult glance_at(Index number) const;

@@ -3,9 +3,14 @@
 #include "meshalyzer/spatial/face_tree.h"
 #include "meshalyzer/spatial/intersecting_pair.h"
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace meshalyzer {
+
+/// The limit of a search that finds all pairs.
+inline constexpr std::size_t kAllPairs = std::numeric_limits<std::size_t>::max();
 
 /// Finds all pairs of faces of one mesh that intersect ("Intersecting faces" in
 /// doc/definitions.md), each with its kind.
@@ -14,10 +19,12 @@ namespace meshalyzer {
 /// which both have by file id. Exact for every pair; a face of zero area takes part as the segment
 /// or point it is.
 ///
-/// @param tree  Over the faces of `cut`.
-/// @return      By file face, ascending; the same for any number of threads.
+/// @param tree       Over the faces of `cut`.
+/// @param max_pairs  The search ends when it has found so many.
+/// @return           By file face, ascending, never more than max_pairs; the same for any number of
+/// threads. These are all pairs where they are fewer than max_pairs.
 /// @complexity  O(#F log #F + candidates), where a candidate is a pair of faces whose boxes meet.
-[[nodiscard]] std::vector<IntersectingPair> find_self_intersections(const CutMesh& cut,
-                                                                    const FaceTree& tree);
+[[nodiscard]] std::vector<IntersectingPair> find_self_intersections(
+    const CutMesh& cut, const FaceTree& tree, std::size_t max_pairs = kAllPairs);
 
 }  // namespace meshalyzer

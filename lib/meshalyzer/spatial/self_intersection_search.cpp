@@ -19,6 +19,9 @@ namespace {
 /// Leaves that one task looks at.
 constexpr std::size_t kLeavesPerChunk = 64;
 
+/// Leaves after which a search that may end early looks whether it has found enough.
+constexpr std::size_t kLeavesPerRound = 64 * kLeavesPerChunk;
+
 /// From this number of faces of a leaf on that have partners in another leaf it pays to look for
 /// directions that separate them.
 constexpr int kManyFaces = 2;
@@ -242,19 +245,42 @@ class PartnerSearch {
   std::array<std::optional<SeparatingDirections>, 8> directions_;
 };
 
+/// The pairs of a chunk of leaves, in the order of the leaves: all, or at least max_pairs.
+Pairs search_leaves(const Scene& scene, Chunk leaves) {
+  Pairs pairs;
+  for (std::size_t leaf = leaves.begin; leaf < leaves.end && pairs.size() < scene.max_pairs;
+       ++leaf) {
+    if (wanted_lanes(scene, leaf) != 0) {
+      PartnerSearch(scene, leaf, pairs).run();
+    }
+  }
+  return pairs;
+}
+
 }  // namespace
 
 std::vector<IntersectingPair> search_self_intersections(const SelfIntersectionScene& scene) {
   const std::size_t n_leaves = scene.tree.n_leaves();
-  std::vector<Pairs> parts(n_chunks(n_leaves, kLeavesPerChunk));
-  parallel_chunks(n_leaves, kLeavesPerChunk, [&](Chunk chunk) {
-    for (std::size_t leaf = chunk.begin; leaf < chunk.end; ++leaf) {
-      if (wanted_lanes(scene, leaf) != 0) {
-        PartnerSearch(scene, leaf, parts[chunk.number]).run();
-      }
-    }
-  });
-  return join_pairs(std::move(parts));
+  // Whether enough is found is asked between rounds, so that it does not depend on the threads.
+  const std::size_t leaves_per_round = scene.max_pairs == kAllPairs ? n_leaves : kLeavesPerRound;
+  std::vector<Pairs> parts;
+  std::size_t n_found = 0;
+  for (std::size_t first = 0; first < n_leaves && n_found < scene.max_pairs;
+       first += leaves_per_round) {
+    const std::size_t n = std::min(leaves_per_round, n_leaves - first);
+    const std::size_t n_before = parts.size();
+    parts.resize(n_before + n_chunks(n, kLeavesPerChunk));
+    parallel_chunks(n, kLeavesPerChunk, [&](Chunk chunk) {
+      parts[n_before + chunk.number] =
+          search_leaves(scene, {first + chunk.begin, first + chunk.end, chunk.number});
+    });
+    for (std::size_t i = n_before; i < parts.size(); ++i) n_found += parts[i].size();
+  }
+  Pairs pairs = join_pairs(std::move(parts));
+  if (pairs.size() > scene.max_pairs) {
+    pairs.erase(pairs.begin() + static_cast<std::ptrdiff_t>(scene.max_pairs), pairs.end());
+  }
+  return pairs;
 }
 
 }  // namespace meshalyzer

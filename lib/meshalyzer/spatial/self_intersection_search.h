@@ -4,6 +4,7 @@
 #include "meshalyzer/spatial/face_tree.h"
 #include "meshalyzer/spatial/fan_tree.h"
 #include "meshalyzer/spatial/intersecting_pair.h"
+#include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/spatial/slab_tree.h"
 
 #include <cstdint>
@@ -25,11 +26,13 @@ struct SelfIntersectionScene {
   /// Non-zero for each file vertex whose faces surely share no more than they must (see
   /// prove_stars()); empty where nothing is known.
   std::span<const std::uint8_t> proven = {};
+  /// The search ends when it has found so many.
+  std::size_t max_pairs = kAllPairs;
 };
 
 /// Finds the pairs with at least one wanted face, each once, with its kind.
 ///
-/// @return  By file face, ascending; the same for any number of threads.
+/// @return  By file face, ascending, never more than max_pairs; the same for any number of threads.
 [[nodiscard]] std::vector<IntersectingPair> search_self_intersections(
     const SelfIntersectionScene& scene);
 

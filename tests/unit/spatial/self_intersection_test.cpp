@@ -303,5 +303,23 @@ TEST(FindSelfIntersections, EmptyAndSingleFaceMeshesHaveNone) {
       listed(self_intersections(shapes::make({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}))), "");
 }
 
+TEST(FindSelfIntersections, SearchThatEndsEarlyFindsTheSameForAnyNumberOfThreads) {
+  // Two grids across each other, each of its own: 2 * 60 * 60 faces, far more than one round.
+  Soup across = shapes::grid(60, 60);
+  for (Vec3& p : across.positions) p = Vec3(p.x(), p.z() + 30.5, p.y() - 30.5);
+  const CutMesh cut = build(shapes::merged(shapes::grid(60, 60), across));
+  const FaceTree tree(cut);
+  const Pairs all = find_self_intersections(cut, tree);
+  ASSERT_GT(all.size(), 100U);
+  const auto some_with = [&](std::size_t n_threads) {
+    const ThreadLimit limit(n_threads);
+    return find_self_intersections(cut, tree, 20);
+  };
+  const Pairs some = some_with(1);
+  EXPECT_EQ(some.size(), 20U);
+  EXPECT_EQ(listed(some), listed(some_with(4)));
+  EXPECT_EQ(listed(find_self_intersections(cut, tree, all.size() + 1)), listed(all));
+}
+
 }  // namespace
 }  // namespace meshalyzer

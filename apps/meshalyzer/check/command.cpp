@@ -1,0 +1,127 @@
+#include "check/command.h"
+
+#include "arguments.h"
+#include "check/check_values.h"
+#include "meshalyzer/checks/profile.h"
+#include "option_table.h"
+#include "values.h"
+
+#include <algorithm>
+
+namespace meshalyzer {
+namespace {
+
+std::string profile_help() {
+  std::string text = "what is asked of the meshes:";
+  for (const CheckProfile& profile : check_profiles()) {
+    text.append("\n").append(profile.name).append(": ").append(profile.description);
+  }
+  return text + "\nThe first is the default.";
+}
+
+void declare_files(OptionTable& table, CheckCommand& command) {
+  table.group("Which files");
+  table.repeatable(
+      "--exclude GLOB", append_to(command.excluded),
+      "leave out what fits, in folders: a name (*_old.stl) or a path within the folder "
+      "(scans/*.ply); once for each GLOB");
+  table.option("--stdin-filename NAME", into(command.stdin_name),
+               "what standard input (-) is called; the ending says its format");
+}
+
+void declare_criteria(OptionTable& table, CheckCommand& command) {
+  CheckSettings& settings = command.settings;
+  table.group("What is good");
+  table.option("--profile NAME", into(settings.profile, to_profile_name), profile_help());
+  table.repeatable("--select CODES", append_codes(settings.selected),
+                   "look for these defects and limits only: a,b,c, or all; see doc/defects.md");
+  table.repeatable("--ignore CODES", append_codes(settings.ignored), "do not look for these");
+  for (const LimitInfo& info : limit_table()) {
+    std::string help = info.sense == LimitSense::AtLeast ? "at least N: " : "at most N: ";
+    table.option(std::string("--").append(info.name).append(" N"),
+                 into(settings.limits[info.kind], to_real), help.append(info.help));
+  }
+  table.option("--config FILE", into(command.settings_file),
+               "take settings from FILE, not from the .meshalyzer.toml that is nearest to each "
+               "file, in its folder or in one above; see doc/check.md");
+  table.option("--baseline FILE", into(command.baseline),
+               "accept the findings in FILE, made by --format json --max 0: they are known by "
+               "place and code, and only new ones are told");
+  table.flag("--isolated", command.is_isolated, "take no settings from files");
+}
+
+void declare_telling(OptionTable& table, CheckCommand& command) {
+  table.group("How it is told");
+  table.flag("--diff", command.is_comparison,
+             "what is better or worse in the second of two meshes than in the first: findings "
+             "that are gone, and new ones; exit status 1 where there is a new one");
+  table.option("--format NAME", into(command.format, to_check_format),
+               names_of(all_check_formats(), check_format_name));
+  table.option("--max N", into(command.settings.max_listed, to_count),
+               "list N findings of a code and mesh at most (5); 0 lists all");
+  table.option("--color WHEN", into(command.colour, to_colour_choice),
+               "auto (on a terminal, unless NO_COLOR is set), always or never");
+  table.option("--threads N", into(command.threads, to_thread_count),
+               "how many work at most (all cores)");
+  table.option("--memory-limit SIZE", into(command.memory_limit, to_bytes),
+               "stay below it (500M, 4G) where the largest few meshes allow it");
+}
+
+void check_paths(const CheckCommand& command) {
+  if (command.paths.empty()) {
+    throw UsageError("no PATH: name mesh files, folders, or - for standard input");
+  }
+  const auto n_stdin = std::count(command.paths.begin(), command.paths.end(), "-");
+  if (n_stdin > 1) {
+    throw UsageError("standard input (-) can be read only once");
+  }
+  if (command.stdin_name && n_stdin == 0) {
+    throw UsageError("--stdin-filename needs - among the PATHs");
+  }
+  if (command.is_comparison && (command.paths.size() != 2 || n_stdin != 0)) {
+    throw UsageError("--diff needs two mesh files");
+  }
+}
+
+void check_command(const CheckCommand& command) {
+  check_paths(command);
+  if (command.settings_file && command.is_isolated) {
+    throw UsageError("--config and --isolated exclude each other");
+  }
+  if (command.is_comparison && (command.baseline || command.format != CheckFormat::Text)) {
+    throw UsageError("--diff compares as text: --baseline and --format cannot go with it");
+  }
+}
+
+}  // namespace
+
+CheckCommandLine parse_check_command_line(int argc, const char* const* argv) {
+  CheckCommandLine line;
+  CheckCommand& command = line.command;
+  OptionTable table(
+      {.calls = {"meshalyzer check [options] PATH..."},
+       .purpose = "Judges every mesh on its own and tells what is wrong with it, one finding a "
+                  "line, the worst first.",
+       .footer = "Examples:\n"
+                 "meshalyzer check models\n"
+                 "meshalyzer check --profile print --max 0 part.stl\n"
+                 "meshalyzer check --format sarif models > findings.sarif\n\n"
+                 "Exit status: 0 all are good; 1 not all; 2 wrong usage; 3 something could not be "
+                 "read.",
+       .version = ""});
+  table.arguments("PATH", command.paths,
+                  "a mesh file (.mesh .obj .off .stl .ply), - for standard input, or a folder: "
+                  "all mesh files in it and in the folders within it.");
+  declare_files(table, command);
+  declare_criteria(table, command);
+  declare_telling(table, command);
+  try {
+    line.answer = table.parse(argc, argv);
+    if (!line.answer) check_command(command);
+  } catch (const UsageError& error) {
+    throw UsageError(std::string("check: ") + error.what());
+  }
+  return line;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "meshalyzer/checks/limits.h"
+#include "meshalyzer/defects/defect.h"
+#include "meshalyzer/defects/tolerances.h"
+
+#include <cstddef>
+
+namespace meshalyzer {
+
+/// What a mesh must be to pass a check, and how much is told of one that is not.
+struct CheckCriteria {
+  /// The mesh must have none of these defects.
+  DefectCodes codes;
+  ToleranceOptions tolerances;
+  Limits limits;
+  /// So many findings of a code are listed at most; 0 lists all. Counts are complete all the same.
+  std::size_t max_listed = 5;
+  /// The search for intersecting pairs ends when it has found so many; counts that it concerns are
+  /// "at least" then.
+  std::size_t max_pairs = 10'000;
+};
+
+}  // namespace meshalyzer

@@ -1,0 +1,100 @@
+#include "meshalyzer/checks/profile.h"
+
+#include <algorithm>
+#include <array>
+
+namespace meshalyzer {
+namespace {
+
+/// Defects that no mesh may have, whatever it is for.
+DefectCodes without_faults() {
+  return {DefectCode::Corrupt,         DefectCode::NonManifold, DefectCode::Flipped,
+          DefectCode::DegenerateFacet, DefectCode::FlatFacet,   DefectCode::DuplicateFacet};
+}
+
+DefectCodes with(DefectCodes codes, std::initializer_list<DefectCode> more) {
+  for (const DefectCode code : more) codes.insert(code);
+  return codes;
+}
+
+Limits some_faces() {
+  Limits limits;
+  limits[LimitKind::MinFaces] = 1;
+  return limits;
+}
+
+/// Zero area and zero length are decided exactly, as everything else that makes a mesh good.
+CheckCriteria solid() {
+  return {.codes = with(without_faults(),
+                        {DefectCode::SelfIntersection, DefectCode::Slit, DefectCode::Hole,
+                         DefectCode::Inward, DefectCode::OrphanVertex, DefectCode::Numbering}),
+          .tolerances = {.degeneracy = 0.0},
+          .limits = some_faces()};
+}
+
+CheckCriteria print() {
+  return {.codes = with(without_faults(),
+                        {DefectCode::SelfIntersection, DefectCode::Slit, DefectCode::Hole,
+                         DefectCode::Inward, DefectCode::Foldover, DefectCode::VertexNormal}),
+          .tolerances = {},
+          .limits = some_faces()};
+}
+
+CheckCriteria simulation() {
+  CheckCriteria criteria = print();
+  criteria.codes.insert(DefectCode::OrphanVertex);
+  criteria.limits[LimitKind::MinCornerAngle] = 5.0;
+  criteria.limits[LimitKind::MaxAspectRatio] = 20.0;
+  criteria.limits[LimitKind::MinEdgeAngle] = 5.0;
+  return criteria;
+}
+
+CheckCriteria sheet() {
+  CheckCriteria criteria = solid();
+  criteria.codes.erase(DefectCode::Hole);
+  criteria.codes.erase(DefectCode::Inward);
+  return criteria;
+}
+
+CheckCriteria exchange() {
+  return {.codes = with(without_faults(), {DefectCode::VertexNormal, DefectCode::OrphanVertex,
+                                           DefectCode::Numbering}),
+          .tolerances = {},
+          .limits = some_faces()};
+}
+
+const std::array<CheckProfile, 5>& profiles() {
+  static const std::array<CheckProfile, 5> table{
+      {{"solid",
+        "closed, manifold, outward, no intersection, nothing degenerate, no unused or misnumbered "
+        "records: what reports call good",
+        solid()},
+       {"print",
+        "a solid that slicers take: also no folds and no faces that are all but degenerate; "
+        "unused records and their numbers do not matter",
+        print()},
+       {"simulation",
+        "as print, no unused vertex, and angles of faces of at least 5 degrees, aspect ratios up "
+        "to 20, angles at edges of at least 5 degrees",
+        simulation()},
+       {"sheet", "as solid, but borders are meant: terrain, cloth, scans", sheet()},
+       {"exchange",
+        "records that other programs read the same way: borders and intersections do not matter",
+        exchange()}}};
+  return table;
+}
+
+}  // namespace
+
+std::span<const CheckProfile> check_profiles() {
+  return profiles();
+}
+
+const CheckProfile* find_profile(std::string_view name) {
+  const auto* const found =
+      std::find_if(profiles().begin(), profiles().end(),
+                   [&](const CheckProfile& profile) { return profile.name == name; });
+  return found == profiles().end() ? nullptr : found;
+}
+
+}  // namespace meshalyzer

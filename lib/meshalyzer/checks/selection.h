@@ -1,0 +1,28 @@
+#pragma once
+
+#include "meshalyzer/checks/criteria.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Stands for all codes in a list of codes.
+inline constexpr std::string_view kAllCodes = "all";
+
+/// Whether a name is that of a defect code or of a limit, or kAllCodes.
+[[nodiscard]] bool is_check_code(std::string_view name);
+
+/// The code that a mistyped name most likely means; empty where none is near.
+[[nodiscard]] std::string nearest_check_code(std::string_view name);
+
+/// Narrows or widens criteria by names of codes.
+///
+/// @param selected  Where there are any, only these defects are looked for, and limits only where
+/// they are among these; else all as they are.
+/// @param ignored   Not looked for.
+void select_codes(const std::vector<std::string>& selected, const std::vector<std::string>& ignored,
+                  CheckCriteria& criteria);
+
+}  // namespace meshalyzer

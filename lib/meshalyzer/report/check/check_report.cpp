@@ -1,0 +1,58 @@
+#include "meshalyzer/report/check/check_report.h"
+
+#include "meshalyzer/report/check/github.h"
+#include "meshalyzer/report/check/json.h"
+#include "meshalyzer/report/check/junit.h"
+#include "meshalyzer/report/check/sarif.h"
+#include "meshalyzer/report/check/text.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+constexpr std::array kCheckFormats{CheckFormat::Text,  CheckFormat::Json,  CheckFormat::Ndjson,
+                                   CheckFormat::Sarif, CheckFormat::Junit, CheckFormat::Github};
+
+}  // namespace
+
+std::span<const CheckFormat> all_check_formats() {
+  return kCheckFormats;
+}
+
+std::string_view check_format_name(CheckFormat format) {
+  constexpr std::array<std::string_view, kCheckFormats.size()> kNames{"text",  "json",  "ndjson",
+                                                                      "sarif", "junit", "github"};
+  return kNames[static_cast<std::size_t>(format)];
+}
+
+std::optional<CheckFormat> check_format(std::string_view name) {
+  const auto* const found =
+      std::find_if(kCheckFormats.begin(), kCheckFormats.end(),
+                   [&](CheckFormat format) { return check_format_name(format) == name; });
+  if (found == kCheckFormats.end()) return std::nullopt;
+  return *found;
+}
+
+std::unique_ptr<CheckReport> make_check_report(CheckFormat format, TextSink sink,
+                                               TextColour colour) {
+  switch (format) {
+    case CheckFormat::Json:
+      return std::make_unique<CheckJson>(std::move(sink));
+    case CheckFormat::Ndjson:
+      return std::make_unique<CheckNdjson>(std::move(sink));
+    case CheckFormat::Sarif:
+      return std::make_unique<CheckSarif>(std::move(sink));
+    case CheckFormat::Junit:
+      return std::make_unique<CheckJunit>(std::move(sink));
+    case CheckFormat::Github:
+      return std::make_unique<CheckGithub>(std::move(sink));
+    case CheckFormat::Text:
+      break;
+  }
+  return std::make_unique<CheckText>(std::move(sink), colour);
+}
+
+}  // namespace meshalyzer

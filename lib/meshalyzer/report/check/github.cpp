@@ -1,0 +1,62 @@
+#include "meshalyzer/report/check/github.h"
+
+#include "meshalyzer/report/check/lines.h"
+
+#include <fmt/format.h>
+
+namespace meshalyzer {
+namespace {
+
+/// Percent-encodes what would end the text or be taken for a part of the command.
+std::string encoded(std::string_view text, std::string_view reserved) {
+  std::string result;
+  for (const char c : text) {
+    if (reserved.find(c) == std::string_view::npos) {
+      result += c;
+    } else {
+      result += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+  }
+  return result;
+}
+
+std::string message(std::string_view text) {
+  return encoded(text, "%\r\n");
+}
+
+std::string property(std::string_view text) {
+  return encoded(text, "%\r\n:,");
+}
+
+std::string at_line(std::optional<std::size_t> line) {
+  return line ? fmt::format(",line={}", *line) : "";
+}
+
+}  // namespace
+
+void CheckGithub::add(const FileFindings& file) {
+  if (!file.is_readable()) {
+    const std::size_t line = file.trouble_place.line;
+    sink_(fmt::format("::error file={}{},title={}::{}\n", property(file.path),
+                      at_line(line == 0 ? std::nullopt : std::optional(line)), kUnreadable,
+                      message(file.trouble)));
+  }
+  for (const Finding& finding : file.findings) {
+    sink_(fmt::format("::{} file={}{},title={}::{}\n", severity_name(finding.severity),
+                      property(file.path), at_line(finding.line), property(finding.code),
+                      message(message_of(finding))));
+  }
+  for (const FindingCount& found : file.counts) {
+    if (n_left_out(file, found) == 0 && !found.is_at_least) continue;
+    sink_(fmt::format("::{} file={},title={}::{}\n", severity_name(found.severity),
+                      property(file.path), property(found.code),
+                      message(left_out_of(file, found))));
+  }
+}
+
+void CheckGithub::finish(const CheckTotals& totals, std::chrono::duration<double> /*elapsed*/) {
+  sink_(fmt::format("::notice title=meshalyzer check::{} good, {} not good, {} unreadable\n",
+                    totals.good, totals.not_good, totals.unreadable));
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,61 @@
+#include "meshalyzer/report/check/junit.h"
+
+#include "meshalyzer/report/check/lines.h"
+#include "meshalyzer/report/check/text.h"
+#include "meshalyzer/report/html/writer.h"
+
+#include <fmt/format.h>
+
+namespace meshalyzer {
+namespace {
+
+/// Text as it stands in XML: what HTML escapes is what XML does.
+std::string escaped(std::string_view text) {
+  std::string xml;
+  append_escaped_html(xml, text);
+  return xml;
+}
+
+/// "self-intersection: at least 85, hole: 2".
+std::string summary_of(const FileFindings& file) {
+  std::string text;
+  for (const FindingCount& found : file.counts) {
+    text += fmt::format("{}{}: {}{}", text.empty() ? "" : ", ", found.code,
+                        found.is_at_least ? "at least " : "", found.count);
+  }
+  return text;
+}
+
+std::string lines_of(const FileFindings& file) {
+  std::string lines;
+  CheckText([&](std::string_view text) { lines += text; }, TextColour::Never).add(file);
+  return lines;
+}
+
+}  // namespace
+
+void CheckJunit::add(const FileFindings& file) {
+  cases_ += fmt::format("    <testcase classname=\"meshalyzer.check\" name=\"{}\" time=\"0\"",
+                        escaped(file.path));
+  if (file.is_good()) {
+    cases_ += "/>\n";
+    return;
+  }
+  const std::string_view tag = file.is_readable() ? "failure" : "error";
+  cases_ += fmt::format(">\n      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n    </testcase>\n",
+                        tag, file.is_readable() ? "not good" : kUnreadable,
+                        escaped(file.is_readable() ? summary_of(file) : file.trouble),
+                        escaped(lines_of(file)));
+}
+
+void CheckJunit::finish(const CheckTotals& totals, std::chrono::duration<double> /*elapsed*/) {
+  const std::string numbers =
+      fmt::format("name=\"meshalyzer check\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"0\"",
+                  totals.meshes, totals.not_good, totals.unreadable);
+  sink_(
+      fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites {0}>\n  <testsuite "
+                  "{0}>\n{1}  </testsuite>\n</testsuites>\n",
+                  numbers, cases_));
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,45 @@
+#include "meshalyzer/report/check/lines.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace meshalyzer {
+
+std::string grouped(std::size_t number) {
+  std::string digits = std::to_string(number);
+  for (std::size_t i = digits.size(); i > 3;) {
+    i -= 3;
+    digits.insert(i, 1, ',');
+  }
+  return digits;
+}
+
+std::string place_of(const FileFindings& file, const Finding& finding) {
+  return finding.line ? fmt::format("{}:{}", file.path, *finding.line) : file.path;
+}
+
+std::string place_of_trouble(const FileFindings& file) {
+  const FilePlace place = file.trouble_place;
+  if (place.line != 0) return fmt::format("{}:{}", file.path, place.line);
+  if (place.byte != FilePlace::kNoByte) return fmt::format("{}:byte {}", file.path, place.byte);
+  return file.path;
+}
+
+std::string message_of(const Finding& finding) {
+  return finding.fix.empty() ? finding.message
+                             : fmt::format("{} ({})", finding.message, finding.fix);
+}
+
+std::size_t n_left_out(const FileFindings& file, const FindingCount& found) {
+  const auto n_listed =
+      std::count_if(file.findings.begin(), file.findings.end(),
+                    [&](const Finding& finding) { return finding.code == found.code; });
+  return found.count - static_cast<std::size_t>(n_listed);
+}
+
+std::string left_out_of(const FileFindings& file, const FindingCount& found) {
+  return fmt::format("... and {}{} more", found.is_at_least ? "at least " : "",
+                     grouped(n_left_out(file, found)));
+}
+
+}  // namespace meshalyzer

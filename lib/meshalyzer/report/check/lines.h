@@ -1,0 +1,31 @@
+#pragma once
+
+#include "meshalyzer/checks/finding.h"
+
+#include <cstddef>
+#include <string>
+
+namespace meshalyzer {
+
+/// Digits for people, in groups of three: "16,937,291".
+[[nodiscard]] std::string grouped(std::size_t number);
+
+/// Where a finding is: "cow.obj:628", or only the path where the format has no lines.
+[[nodiscard]] std::string place_of(const FileFindings& file, const Finding& finding);
+
+/// Where an unreadable file is wrong: "cow.obj:17", "cow.stl:byte 84", or only the path.
+[[nodiscard]] std::string place_of_trouble(const FileFindings& file);
+
+/// What is wrong, and what mends it in brackets.
+[[nodiscard]] std::string message_of(const Finding& finding);
+
+/// How many findings of a code are not listed.
+[[nodiscard]] std::size_t n_left_out(const FileFindings& file, const FindingCount& found);
+
+/// "... and 35 more", "... and at least 35 more".
+[[nodiscard]] std::string left_out_of(const FileFindings& file, const FindingCount& found);
+
+/// The code of files that cannot be read.
+inline constexpr std::string_view kUnreadable = "unreadable";
+
+}  // namespace meshalyzer

@@ -1,0 +1,142 @@
+#include "meshalyzer/report/check/sarif.h"
+
+#include "meshalyzer/checks/limits.h"
+#include "meshalyzer/defects/catalogue.h"
+#include "meshalyzer/report/check/lines.h"
+#include "meshalyzer/report/html/writer.h"
+
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// An object with nothing but a text: how SARIF writes messages and descriptions.
+void write_text(JsonWriter& json, std::string_view name, std::string_view text) {
+  json.key(name);
+  json.begin_object(JsonLayout::Row);
+  json.member("text", text);
+  json.end_object();
+}
+
+void write_rule(JsonWriter& json, std::string_view id, std::string_view summary,
+                std::string_view meaning) {
+  json.begin_object();
+  json.member("id", id);
+  write_text(json, "shortDescription", summary);
+  write_text(json, "fullDescription", meaning);
+  json.end_object();
+}
+
+void write_rules(JsonWriter& json) {
+  json.key("rules");
+  json.begin_array();
+  for (const CatalogueEntry& entry : defect_catalogue()) {
+    write_rule(json, entry.name, entry.summary, entry.meaning);
+  }
+  for (const LimitInfo& info : limit_table()) write_rule(json, info.name, info.quantity, info.help);
+  write_rule(json, kUnreadable, "a file that cannot be read",
+             "The file is not there, or its content is not of its format.");
+  json.end_array();
+}
+
+void write_place(JsonWriter& json, const FileFindings& file, std::optional<std::size_t> line) {
+  json.key("locations");
+  json.begin_array(JsonLayout::Row);
+  json.begin_object();
+  json.key("physicalLocation");
+  json.begin_object();
+  json.key("artifactLocation");
+  json.begin_object();
+  json.member("uri", std::string_view(address_of(file.path)));
+  json.end_object();
+  if (line) {
+    json.key("region");
+    json.begin_object();
+    json.member("startLine", *line);
+    json.end_object();
+  }
+  json.end_object();
+  json.end_object();
+  json.end_array();
+}
+
+void write_result(JsonWriter& json, std::string_view code, Severity severity,
+                  std::string_view message) {
+  json.member("ruleId", code);
+  json.member("level", severity_name(severity));
+  write_text(json, "message", message);
+}
+
+}  // namespace
+
+CheckSarif::CheckSarif(TextSink sink) : sink_(std::move(sink)) {
+  json_.begin_object();
+  json_.member("$schema", std::string_view("https://json.schemastore.org/sarif-2.1.0.json"));
+  json_.member("version", std::string_view("2.1.0"));
+  json_.key("runs");
+  json_.begin_array();
+  json_.begin_object();
+  json_.key("tool");
+  json_.begin_object();
+  json_.key("driver");
+  json_.begin_object();
+  json_.member("name", std::string_view("meshalyzer"));
+  json_.member("version", std::string_view(MESHALYZER_VERSION));
+  write_rules(json_);
+  json_.end_object();
+  json_.end_object();
+  json_.key("results");
+  json_.begin_array();
+}
+
+void CheckSarif::add(const FileFindings& file) {
+  addresses_.push_back(address_of(file.path));
+  if (!file.is_readable()) {
+    const std::size_t line = file.trouble_place.line;
+    json_.begin_object();
+    write_result(json_, kUnreadable, Severity::Error, file.trouble);
+    write_place(json_, file, line == 0 ? std::nullopt : std::optional(line));
+    json_.end_object();
+  }
+  for (const Finding& finding : file.findings) {
+    json_.begin_object();
+    write_result(json_, finding.code, finding.severity, message_of(finding));
+    write_place(json_, file, finding.line);
+    json_.end_object();
+  }
+  for (const FindingCount& found : file.counts) {
+    if (n_left_out(file, found) == 0 && !found.is_at_least) continue;
+    json_.begin_object();
+    write_result(json_, found.code, found.severity, left_out_of(file, found));
+    write_place(json_, file, std::nullopt);
+    json_.end_object();
+  }
+  sink_(json_.drain());
+}
+
+void CheckSarif::finish(const CheckTotals& totals, std::chrono::duration<double> /*elapsed*/) {
+  json_.end_array();
+  json_.key("artifacts");
+  json_.begin_array();
+  for (const std::string& address : addresses_) {
+    json_.begin_object(JsonLayout::Row);
+    json_.key("location");
+    json_.begin_object();
+    json_.member("uri", std::string_view(address));
+    json_.end_object();
+    json_.end_object();
+  }
+  json_.end_array();
+  json_.key("invocations");
+  json_.begin_array();
+  json_.begin_object(JsonLayout::Row);
+  json_.member("executionSuccessful", totals.unreadable == 0);
+  json_.end_object();
+  json_.end_array();
+  json_.end_object();
+  json_.end_array();
+  json_.end_object();
+  sink_(json_.take());
+}
+
+}  // namespace meshalyzer

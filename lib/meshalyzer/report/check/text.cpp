@@ -1,0 +1,56 @@
+#include "meshalyzer/report/check/text.h"
+
+#include "meshalyzer/report/check/lines.h"
+
+#include <fmt/format.h>
+
+namespace meshalyzer {
+namespace {
+
+/// "1 error", "3,120 errors".
+std::string number_of(std::size_t n, std::string_view one) {
+  return fmt::format("{} {}{}", grouped(n), one, n == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string CheckText::coloured(Severity severity, std::string_view text) const {
+  if (colour_ == TextColour::Never) return std::string(text);
+  return fmt::format("\x1b[{}m{}\x1b[0m", severity == Severity::Error ? "1;31" : "1;33", text);
+}
+
+void CheckText::add(const FileFindings& file) {
+  if (!file.is_readable()) {
+    sink_(fmt::format("{}: {}[{}]: {}\n", place_of_trouble(file),
+                      coloured(Severity::Error, "error"), kUnreadable, file.trouble));
+    return;
+  }
+  auto finding = file.findings.begin();
+  for (const FindingCount& found : file.counts) {
+    for (; finding != file.findings.end() && finding->code == found.code; ++finding) {
+      sink_(fmt::format("{}: {}[{}]: {}\n", place_of(file, *finding),
+                        coloured(found.severity, severity_name(found.severity)), found.code,
+                        message_of(*finding)));
+    }
+    if (n_left_out(file, found) != 0 || found.is_at_least) {
+      sink_(fmt::format("{}: {} {}\n", file.path, left_out_of(file, found), found.code));
+    }
+  }
+}
+
+void CheckText::finish(const CheckTotals& totals, std::chrono::duration<double> elapsed) {
+  std::string parts;
+  const auto part = [&](const std::string& text) { parts += (parts.empty() ? "" : ", ") + text; };
+  if (totals.good != 0) part(grouped(totals.good) + " good");
+  if (totals.not_good != 0) {
+    part(fmt::format("{} not ({}{}, {}; {} fixable)", grouped(totals.not_good),
+                     totals.is_at_least ? "at least " : "", number_of(totals.errors, "error"),
+                     number_of(totals.warnings, "warning"), grouped(totals.fixable)));
+  }
+  if (totals.unreadable != 0) part(grouped(totals.unreadable) + " unreadable");
+  sink_(fmt::format("{} mesh{} in {:.1f} s: {}\n", grouped(totals.meshes),
+                    totals.meshes == 1 ? "" : "es", elapsed.count(),
+                    parts.empty() ? "nothing to check" : parts));
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,67 @@
+#include "meshalyzer/checks/mesh_files.h"
+
+#include "support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace meshalyzer {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder with empty files.
+class MeshFilesTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* name : {"b.stl", "a.ply", "notes.txt", "old/c.OBJ", "old/deep/d.off",
+                             ".hidden/e.stl", ".f.stl"}) {
+      const fs::path path = fs::path(folder_.path()) / name;
+      fs::create_directories(path.parent_path());
+      std::ofstream(path).flush();
+    }
+  }
+
+  [[nodiscard]] std::vector<std::string> found(const std::vector<std::string>& excluded) const {
+    std::vector<std::string> names;
+    for (const std::string& file : find_mesh_files({folder_.path()}, excluded).files) {
+      names.push_back(fs::path(file).lexically_relative(folder_.path()).string());
+    }
+    return names;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(MeshFilesTest, FolderIsSearchedAsDeepAsItGoesButForWhatIsHidden) {
+  EXPECT_EQ(found({}), (std::vector<std::string>{"a.ply", "b.stl", "old/c.OBJ", "old/deep/d.off"}));
+}
+
+TEST_F(MeshFilesTest, ExcludedFilesAndFoldersAreLeftOut) {
+  EXPECT_EQ(found({"*.stl", "deep"}), (std::vector<std::string>{"a.ply", "old/c.OBJ"}));
+  EXPECT_EQ(found({"old/*.OBJ"}), (std::vector<std::string>{"a.ply", "b.stl", "old/deep/d.off"}));
+}
+
+TEST_F(MeshFilesTest, NamedFileIsTakenWhateverItIsCalled) {
+  const std::vector<std::string> paths{"-", folder_.file(".f.stl")};
+  EXPECT_EQ(find_mesh_files(paths, {"*.stl"}).files, paths);
+}
+
+TEST_F(MeshFilesTest, FolderWithoutMeshesIsATrouble) {
+  fs::create_directory(folder_.file("empty"));
+  const MeshFiles files = find_mesh_files({folder_.file("empty")}, {});
+  ASSERT_EQ(files.troubles.size(), 1U);
+  EXPECT_NE(files.troubles[0].find("empty: no mesh file"), std::string::npos);
+}
+
+TEST(MatchesGlob, PatternWithoutSlashIsForTheName) {
+  EXPECT_TRUE(matches_glob("*.ply", "deep/in/a.ply"));
+  EXPECT_FALSE(matches_glob("in", "deep/in/a.ply"));
+  EXPECT_TRUE(matches_glob("deep/*/a.ply", "deep/in/a.ply"));
+  EXPECT_FALSE(matches_glob("deep/*.ply", "deep/in/a.ply"));
+}
+
+}  // namespace
+}  // namespace meshalyzer
