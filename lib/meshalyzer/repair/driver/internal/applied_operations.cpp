@@ -64,7 +64,7 @@ class Suspects {
 };
 
 /// Returns the operations that affect an element: for a pair of faces, either of them.
-std::vector<Index> suspects_of(const CountedElement& element, const Suspects& suspects) {
+std::vector<Index> suspects_of(const WorsePlace& element, const Suspects& suspects) {
   std::vector<Index> found;
   for (const Triangle& corners : element.corners) {
     const std::vector<Index> more = suspects.at(corners);
@@ -87,7 +87,7 @@ void keep_likeliest(const std::vector<AppliedOperation>& operations, CountedDefe
 }
 
 /// Returns the faces, as elements of a site, that have a corner of an element.
-std::set<std::uint64_t> site_of(const CountedElement& element, const Soup& input,
+std::set<std::uint64_t> site_of(const WorsePlace& element, const Soup& input,
                                 const std::vector<std::vector<Index>>& faces_at) {
   std::set<std::uint64_t> site;
   for (const Triangle& corners : element.corners) {
@@ -134,14 +134,14 @@ std::size_t BannedOperations::size() const {
 }
 
 void ban_responsible(const std::vector<AppliedOperation>& operations,
-                     const std::vector<CountedElement>& elements, Blame blame, const Soup& input,
+                     const std::vector<WorsePlace>& places, Blame blame, const Soup& input,
                      BannedOperations& banned) {
   const Suspects suspects(operations);
   const std::vector<std::vector<Index>> faces_at = faces_at_vertices(input);
-  for (const CountedElement& element : elements) {
-    std::vector<Index> responsible = suspects_of(element, suspects);
-    if (blame == Blame::Last) keep_likeliest(operations, element.kind, responsible);
-    const std::set<std::uint64_t> near = site_of(element, input, faces_at);
+  for (const WorsePlace& place : places) {
+    std::vector<Index> responsible = suspects_of(place, suspects);
+    if (blame == Blame::Last) keep_likeliest(operations, place.kind, responsible);
+    const std::set<std::uint64_t> near = site_of(place, input, faces_at);
     for (const Index op : responsible) {
       // Of a large operation only the part round the element is banned.
       OperationSite part;

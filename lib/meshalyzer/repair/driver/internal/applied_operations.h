@@ -50,12 +50,18 @@ enum class Blame : std::uint8_t {
   All,
 };
 
-/// Bans the operations that are responsible for elements which have made a mesh worse.
+/// Where a mesh has become worse, and by what.
+struct WorsePlace {
+  CountedDefect kind = CountedDefect::BorderEdges;
+  ElementCorners corners;
+};
+
+/// Bans the operations that are responsible for what has made a mesh worse.
 ///
 /// @param input  The soup before all operations.
 /// @complexity   O(n log n) for n corners of operations, and O(#F).
 void ban_responsible(const std::vector<AppliedOperation>& operations,
-                     const std::vector<CountedElement>& elements, Blame blame, const Soup& input,
+                     const std::vector<WorsePlace>& places, Blame blame, const Soup& input,
                      BannedOperations& banned);
 
 }  // namespace meshalyzer

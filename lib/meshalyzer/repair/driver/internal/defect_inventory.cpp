@@ -59,7 +59,7 @@ class Inventory {
       CountedElement& element = add(CountedDefect::IntersectingPairs);
       const auto [a, b] = std::minmax({face(pair.face_a), face(pair.face_b)});
       element.origins = {a, b};
-      element.corners = {corners(pair.face_a), corners(pair.face_b)};
+      element.members = {pair.face_a, pair.face_b};
     }
   }
 
@@ -77,10 +77,6 @@ class Inventory {
     return vertex_identity(tracked_, tracked_.vertex_keys[v]);
   }
   [[nodiscard]] Index face(Index f) const { return face_identity(tracked_, tracked_.face_keys[f]); }
-  [[nodiscard]] Triangle corners(Index f) const {
-    const Triangle& t = tracked_.soup.triangles[f];
-    return {vertex(t[0]), vertex(t[1]), vertex(t[2])};
-  }
   [[nodiscard]] std::array<Index, 2> ends_of(HalfedgeHandle h) const { return file_ends(cut_, h); }
 
   CountedElement& add(CountedDefect kind) {
@@ -90,18 +86,19 @@ class Inventory {
   }
   void add_vertex(CountedDefect kind, Index v) {
     CountedElement& element = add(kind);
-    element.origins[0] = element.corners[0][0] = vertex(v);
+    element.origins[0] = vertex(v);
+    element.members[0] = v;
   }
   void add_edge(CountedDefect kind, const std::array<Index, 2>& ends) {
     CountedElement& element = add(kind);
     const auto [a, b] = std::minmax({vertex(ends[0]), vertex(ends[1])});
     element.origins = {a, b};
-    element.corners[0] = {a, b, kNoIndex};
+    element.members = ends;
   }
   void add_face(CountedDefect kind, Index f) {
     CountedElement& element = add(kind);
     element.origins[0] = face(f);
-    element.corners[0] = corners(f);
+    element.members[0] = f;
   }
   void add_cut_edges(CountedDefect kind, const CutEdges& edges) {
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -151,6 +148,25 @@ Index vertex_identity(const TrackedMesh& tracked, Index key) {
 Index face_identity(const TrackedMesh& tracked, Index key) {
   const Index origin = tracked.origin_of_key(key);
   return origin == kNoIndex ? key : origin;
+}
+
+ElementCorners corners_of(const TrackedMesh& tracked, const CountedElement& element) {
+  const auto identity = [&](Index v) { return vertex_identity(tracked, tracked.vertex_keys[v]); };
+  ElementCorners corners;
+  for (Triangle& none : corners) none = {kNoIndex, kNoIndex, kNoIndex};
+  const bool has_faces = element.kind == CountedDefect::IntersectingPairs ||
+                         element.kind == CountedDefect::DuplicateFaces ||
+                         element.kind == CountedDefect::ZeroAreaFaces;
+  for (std::size_t i = 0; i < element.members.size(); ++i) {
+    if (element.members[i] == kNoIndex) continue;
+    if (!has_faces) {
+      corners[0][i] = identity(element.members[i]);
+      continue;
+    }
+    const Triangle& t = tracked.soup.triangles[element.members[i]];
+    corners[i] = {identity(t[0]), identity(t[1]), identity(t[2])};
+  }
+  return corners;
 }
 
 DefectInventory list_defective(const TrackedMesh& tracked, const PreparedMesh& mesh,

@@ -21,10 +21,8 @@ struct CountedElement {
   /// both faces of a pair (face_identity()), in ascending order. The second is kNoIndex where there
   /// is one only.
   std::array<Index, 2> origins{kNoIndex, kNoIndex};
-  /// The corners of the face, or of each face of the pair, by origin; else the vertices of
-  /// `origins`. The rest is kNoIndex.
-  std::array<Triangle, 2> corners{Triangle{kNoIndex, kNoIndex, kNoIndex},
-                                  Triangle{kNoIndex, kNoIndex, kNoIndex}};
+  /// The same vertices, or faces, by index in the soup, in any order.
+  std::array<Index, 2> members{kNoIndex, kNoIndex};
 
   friend auto operator<=>(const CountedElement& a, const CountedElement& b) {
     if (const auto order = a.kind <=> b.kind; order != 0) return order;
@@ -64,6 +62,12 @@ enum class UnweldedPairs : std::uint8_t { Count, Ignore };
 /// Returns the face of the input that a face, by key, was made of, or its own key where it is part
 /// of a hole patch.
 [[nodiscard]] Index face_identity(const TrackedMesh& tracked, Index key);
+
+/// The vertices of a defective element, by identity: the vertex, the ends of the edge, or the
+/// corners of each face. The rest is kNoIndex.
+using ElementCorners = std::array<Triangle, 2>;
+
+[[nodiscard]] ElementCorners corners_of(const TrackedMesh& tracked, const CountedElement& element);
 
 /// Lists the defective elements of a mesh. Intersections, zero areas and attributes are exact.
 ///

@@ -45,12 +45,12 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
   on_progress_ = options.on_progress;
   wants_to_stop_ = options.wants_to_stop;
   const FinalCheck check = final_check_for(options, input_.format);
-  DefectInventory input = list_defective_in_file(*state_, tolerances_, check);
+  DefectInventory before = list_defective_in_file(*state_, tolerances_, check);
   const bool turns_over = std::any_of(plan.begin(), plan.end(), [](const PlannedPass& pass) {
     return pass.may_create.contains(DefectCode::Inward);
   });
-  if (turns_over) input.is_yes[static_cast<std::size_t>(Attribute::Outward)] = false;
-  DefectInventory before = input;
+  if (turns_over) before.is_yes[static_cast<std::size_t>(Attribute::Outward)] = false;
+  const DefectInventory input{{}, before.counts, before.is_yes};
   for (std::size_t stage = 0; stage < kMaxStages; ++stage) {
     std::optional<DefectInventory> after = run_stage(plan, {check, before});
     if (!after) break;
@@ -90,12 +90,15 @@ std::optional<DefectInventory> RepairDriver::run_stage(const std::vector<Planned
 void RepairDriver::ban(const DefectInventory& before, const DefectInventory& after,
                        const Worsening& worsening, std::size_t attempt) {
   const std::size_t n_banned = banned_.size();
-  const std::vector<CountedElement> elements = find_new_elements(before, after, worsening);
+  std::vector<WorsePlace> places;
+  for (const CountedElement& element : find_new_elements(before, after, worsening)) {
+    places.push_back({element.kind, corners_of(state_->tracked(), element)});
+  }
   if (attempt < kAttemptsByLast) {
-    ban_responsible(applied_, elements, Blame::Last, input_, banned_);
+    ban_responsible(applied_, places, Blame::Last, input_, banned_);
   }
   if (banned_.size() == n_banned && attempt < kAttemptsByAll) {
-    ban_responsible(applied_, elements, Blame::All, input_, banned_);
+    ban_responsible(applied_, places, Blame::All, input_, banned_);
   }
   if (banned_.size() == n_banned) banned_.add(applied_.back().pass);
 }
