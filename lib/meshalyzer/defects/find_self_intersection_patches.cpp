@@ -29,12 +29,6 @@ std::size_t place_in(std::span<const Index> sorted, Index face) {
                                   sorted.begin());
 }
 
-/// Tells whether mending another defect takes pairs of this kind away.
-bool is_matter_of_another_fix(ContactKind kind) {
-  return kind == ContactKind::Duplicate || kind == ContactKind::Unwelded ||
-         kind == ContactKind::FoldOver;
-}
-
 /// Joins faces that intersect or have a vertex in common; each is given by its place in a list.
 DisjointSets join(const Soup& soup, std::span<const Index> faces,
                   std::span<const IntersectingPair> pairs) {
@@ -73,9 +67,7 @@ std::vector<Defect> find_self_intersection_patches(const PreparedMesh& mesh) {
   }
   for (const IntersectingPair& pair : pairs) {
     const Index root = sets.find(static_cast<Index>(place_in(faces, pair.face_a)));
-    Defect& defect = defects[number[root]];
-    defect.pairs.push_back(pair);
-    defect.fixable = defect.fixable && is_matter_of_another_fix(pair.kind);
+    defects[number[root]].pairs.push_back(pair);
   }
   for (Defect& defect : defects) defect.value = static_cast<double>(defect.pairs.size());
   return defects;

@@ -40,8 +40,7 @@ namespace meshalyzer {
                                              const Tolerances& tolerances);
 
 /// Finds the connected patches of intersecting faces. A defect lists the pairs of its patch; its
-/// value is their number. It is fixable where mending other defects takes every pair away
-/// (duplicate, unwelded, fold-over).
+/// value is their number.
 [[nodiscard]] std::vector<Defect> find_self_intersection_patches(const PreparedMesh& mesh);
 
 /// Finds the edges with more than two faces, and the vertices with more than one fan of faces that

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace meshalyzer {
@@ -123,6 +124,43 @@ std::optional<Sign> filtered(Eigen::Index i, Eigen::Index j,
   return std::nullopt;
 }
 
+/// The sign of (b - a) x (c - a) . (d - a), where floating point is sure of it.
+std::optional<Sign> filtered_orient3d(const Vec3& a, const Vec3& b, const Vec3& c,
+                                      const ExactPoint& d) {
+  const Vec3 u = b - a;
+  const Vec3 v = c - a;
+  // The rest is off by 2^-50 of itself, and no coordinate of w is smaller than its rest, but zero.
+  const Vec3 w = (d.rounded - a) + d.rest;
+  const auto largest = [&](Eigen::Index k) {
+    return std::max({std::abs(u[k]), std::abs(v[k]), std::abs(w[k])});
+  };
+  const double x = largest(0);
+  const double y = largest(1);
+  const double z = largest(2);
+  const double determinant = w.dot(u.cross(v));
+  // Each of six products of three is off by less than 2^-49 of itself: 2^-50 for w, and seven
+  // roundings of 2^-53.
+  const double bound = 6.0 * 0x1p-49 * x * y * z;
+  const bool is_safe_range = std::min({x, y, z}) > 0x1p-130 && std::max({x, y, z}) < 0x1p+130;
+  if (!is_safe_range || std::abs(determinant) <= bound) return std::nullopt;
+  return determinant > 0.0 ? 1 : -1;
+}
+
+Sign exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const ExactPoint& d) {
+  std::array<Exact, 3> u;
+  std::array<Exact, 3> v;
+  std::array<Exact, 3> w;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    u[k] = Exact(b[i]) - Exact(a[i]);
+    v[k] = Exact(c[i]) - Exact(a[i]);
+    w[k] = d.numerator[k] - Exact(a[i]) * d.denominator;
+  }
+  return (w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) +
+          w[2] * (u[0] * v[1] - u[1] * v[0]))
+      .sign();
+}
+
 }  // namespace
 
 ExactPoint exact_point(const Vec3& point) {
@@ -170,6 +208,12 @@ Sign orient2d(Axis dropped, const ExactPoint& a, const ExactPoint& b, const Exac
     return *sure;
   }
   return exact_orient2d(i, j, points);
+}
+
+Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const ExactPoint& d) {
+  if (d.is_rounded()) return orient3d(a, b, c, d.rounded);
+  const std::optional<Sign> sure = filtered_orient3d(a, b, c, d);
+  return sure ? *sure : exact_orient3d(a, b, c, d);
 }
 
 }  // namespace meshalyzer

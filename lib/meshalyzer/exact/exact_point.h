@@ -41,4 +41,7 @@ struct ExactPoint {
 [[nodiscard]] Sign orient2d(Axis dropped, const ExactPoint& a, const ExactPoint& b,
                             const ExactPoint& c);
 
+/// orient3d() of three points that are doubles and one that need not be.
+[[nodiscard]] Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const ExactPoint& d);
+
 }  // namespace meshalyzer

@@ -98,6 +98,16 @@ struct FillOptions {
 /// Fills holes, each with a patch that intersects neither the mesh nor itself, or not at all.
 [[nodiscard]] PassResult fill_holes(const PassInput& input, const FillOptions& options);
 
+struct CutOptions {
+  /// Where given, holes that every patch for intersects the mesh are filled all the same, and the
+  /// patches are cut too.
+  std::optional<FillOptions> fill = {};
+};
+
+/// Cuts the faces that intersect along their intersections, and drops what does not bound the solid
+/// that they enclose (see cut_surface()).
+[[nodiscard]] PassResult cut_intersections(const PassInput& input, const CutOptions& options);
+
 /// Drops vertices that no face uses.
 [[nodiscard]] PassResult drop_orphans(const PassInput& input);
 

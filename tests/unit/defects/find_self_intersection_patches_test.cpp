@@ -24,7 +24,7 @@ TEST(FindSelfIntersectionPatches, MeshWithoutHasNone) {
   EXPECT_TRUE(patches_of(shapes::translated(shapes::grid(2, 2), {0, 0, 1})).empty());
 }
 
-TEST(FindSelfIntersectionPatches, CrossingFacesAreOneThatIsNotFixable) {
+TEST(FindSelfIntersectionPatches, CrossingFacesAreOneThatIsFixable) {
   const std::vector<Defect> found = patches_of(crossing());
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].code, DefectCode::SelfIntersection);
@@ -32,7 +32,7 @@ TEST(FindSelfIntersectionPatches, CrossingFacesAreOneThatIsNotFixable) {
   EXPECT_EQ(found[0].pairs, (std::vector<IntersectingPair>{{0, 1, ContactKind::Crossing}}));
   EXPECT_EQ(found[0].value, 1.0);
   EXPECT_EQ(found[0].positions.size(), 1U);
-  EXPECT_FALSE(found[0].fixable);
+  EXPECT_TRUE(found[0].fixable);
 }
 
 TEST(FindSelfIntersectionPatches, FacesThatAreApartAreSeveral) {
@@ -74,14 +74,14 @@ TEST(FindSelfIntersectionPatches, MattersOfOtherFixesAreFixable) {
   EXPECT_TRUE(folded[0].fixable);
 }
 
-TEST(FindSelfIntersectionPatches, OnePairThatIsNotMakesItUnfixable) {
+TEST(FindSelfIntersectionPatches, PairsOfSeveralKindsAreOne) {
   Soup soup = crossing();
   soup.triangles.push_back({0, 1, 2});
   const std::vector<Defect> found = patches_of(soup);
   ASSERT_EQ(found.size(), 1U);
   // 0 and 2 are the same face, and 1 crosses both.
   EXPECT_EQ(found[0].value, 3.0);
-  EXPECT_FALSE(found[0].fixable);
+  EXPECT_TRUE(found[0].fixable);
 }
 
 TEST(FindSelfIntersectionPatches, FaceOfZeroAreaTakesPart) {

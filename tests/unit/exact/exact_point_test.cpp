@@ -169,5 +169,34 @@ TEST(Orient2dOfExactPoints, EqualsTheRationals) {
   }
 }
 
+TEST(Orient3dOfExactPoints, EqualsTheRationals) {
+  for (const Cloud cloud : kClouds) {
+    RandomPoints points(6);
+    const std::vector<ExactPoint> made = points_made(cloud, 12);
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 a = points.next(cloud);
+      const Vec3 b = points.next(cloud);
+      const Vec3 c = points.next(cloud);
+      for (const ExactPoint& d : made) {
+        const auto expected = CGAL::orientation(test::rational_point(a), test::rational_point(b),
+                                                test::rational_point(c), place_of(d));
+        EXPECT_EQ(orient3d(a, b, c, d), static_cast<Sign>(expected));
+      }
+    }
+  }
+}
+
+TEST(Orient3dOfExactPoints, PointMadeInAPlaneIsInIt) {
+  for (const Cloud cloud : kClouds) {
+    RandomPoints points(7);
+    for (int i = 0; i < 20; ++i) {
+      const PlanePoints plane = next_plane(points, cloud);
+      const auto line = next_line(points, cloud, plane);
+      if (!line) continue;
+      EXPECT_EQ(orient3d(plane[0], plane[1], plane[2], meet(*line, plane)), 0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace meshalyzer

@@ -81,6 +81,10 @@ Changes find_changes(const Soup& input, const TrackedMesh& tracked) {
   return changes;
 }
 
+bool comes_first(const Vec3& a, const Vec3& b) {
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+}
+
 /// The faces of one mesh whose distance from another is asked for.
 struct Side {
   const Soup& from;
@@ -90,6 +94,9 @@ struct Side {
 
 struct SideResult {
   double largest = 0.0;
+  /// Of the faces that are not far.
+  double largest_near = 0.0;
+  /// Ascending.
   std::vector<Index> far;
 };
 
@@ -129,8 +136,73 @@ SideResult measure_side(const Side& side, const std::function<SurfaceDistance()>
   SideResult result;
   for (std::size_t i = 0; i < distances.size(); ++i) {
     result.largest = std::max(result.largest, distances[i].largest);
-    if (distances[i].is_far) result.far.push_back(side.faces[i].face);
+    if (distances[i].is_far) {
+      result.far.push_back(side.faces[i].face);
+    } else {
+      result.largest_near = std::max(result.largest_near, distances[i].largest);
+    }
   }
+  return result;
+}
+
+/// Puts corners in an order that does not depend on which one is first.
+Corners sorted(Corners corners) {
+  std::sort(corners.begin(), corners.end(), comes_first);
+  return corners;
+}
+
+/// Leaves out faces that are walls as a whole.
+void drop_walls(const Soup& input, std::span<const Corners> walls,
+                std::vector<ChangedFace>& faces) {
+  if (walls.empty()) return;
+  const auto less = [](const Corners& a, const Corners& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), comes_first);
+  };
+  std::vector<Corners> all(walls.size());
+  std::transform(walls.begin(), walls.end(), all.begin(), sorted);
+  std::sort(all.begin(), all.end(), less);
+  std::erase_if(faces, [&](const ChangedFace& changed) {
+    return std::binary_search(all.begin(), all.end(), sorted(corners_of(input, changed.face)),
+                              less);
+  });
+}
+
+/// The walls, and what of the new surface is near faces of the input.
+Soup surface_with_walls(const Side& old_side, std::span<const Corners> walls, double bound) {
+  Box3 near;
+  for (const ChangedFace& changed : old_side.faces) {
+    for (const Vec3& corner : corners_of(old_side.from, changed.face)) near.extend(corner);
+  }
+  near.min().array() -= bound;
+  near.max().array() += bound;
+  Soup soup;
+  soup.positions = old_side.to.positions;
+  for (Index face = 0; face < old_side.to.n_faces(); ++face) {
+    if (!has_surface(old_side.to, face)) continue;
+    Box3 box;
+    for (const Vec3& corner : corners_of(old_side.to, face)) box.extend(corner);
+    if (near.intersects(box)) soup.triangles.push_back(old_side.to.triangles[face]);
+  }
+  for (const Corners& wall : walls) {
+    const auto first = static_cast<Index>(soup.n_vertices());
+    soup.positions.insert(soup.positions.end(), wall.begin(), wall.end());
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  return soup;
+}
+
+/// Measures what of the input is far from the new surface again, from walls too.
+SideResult measure_with_walls(Side& old_side, const SideResult& without,
+                              std::span<const Corners> walls, double bound) {
+  std::erase_if(old_side.faces, [&](const ChangedFace& changed) {
+    return !std::binary_search(without.far.begin(), without.far.end(), changed.face);
+  });
+  const Soup soup = surface_with_walls(old_side, walls, bound);
+  const CutMesh cut = build(soup);
+  const FaceTree tree(cut);
+  const ClosestPoints closest(tree);
+  SideResult result = measure_side(old_side, [&] { return SurfaceDistance(tree, closest, bound); });
+  result.largest = std::max(result.largest, without.largest_near);
   return result;
 }
 
@@ -183,8 +255,9 @@ void DeviationMeter::include_patches(const TrackedMesh& tracked) {
 DeviationMeter::~DeviationMeter() = default;
 
 DeviationMeter::Result DeviationMeter::measure(const TrackedMesh& tracked, const FaceTree& tree,
-                                               double bound) const {
+                                               double bound, std::span<const Corners> walls) const {
   Changes changes = find_changes(input_, tracked);
+  drop_walls(input_, walls, changes.of_input);
   Side old_side{input_, tracked.soup, std::move(changes.of_input)};
   Side new_side{tracked.soup, input_, std::move(changes.of_repaired)};
   Result result;
@@ -193,6 +266,9 @@ DeviationMeter::Result DeviationMeter::measure(const TrackedMesh& tracked, const
     const ClosestPoints closest(tree);
     SideResult old_result =
         measure_side(old_side, [&] { return SurfaceDistance(tree, closest, bound); });
+    if (!old_result.far.empty() && !walls.empty()) {
+      old_result = measure_with_walls(old_side, old_result, walls, bound);
+    }
     result.largest = std::max(result.largest, old_result.largest);
     result.far_input_faces = std::move(old_result.far);
   }

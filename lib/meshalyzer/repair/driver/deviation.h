@@ -2,9 +2,11 @@
 
 #include "meshalyzer/repair/edits/tracked_mesh.h"
 #include "meshalyzer/spatial/face_tree.h"
+#include "meshalyzer/spatial/triangle_contact.h"
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace meshalyzer {
@@ -55,10 +57,12 @@ class DeviationMeter {
   ///
   /// @param tree   Over the tracked mesh's faces.
   /// @param bound  Finite, at least 0.
+  /// @param walls  Parts of older surfaces that separated no inside from no outside, and are gone:
+  /// the input may be near to them instead of the new surface.
   /// @complexity   O(#F), and O(log #F) for each face that has changed. Where
   /// faces only moved by less than a thousandth of the bound, nothing else is looked at.
-  [[nodiscard]] Result measure(const TrackedMesh& tracked, const FaceTree& tree,
-                               double bound) const;
+  [[nodiscard]] Result measure(const TrackedMesh& tracked, const FaceTree& tree, double bound,
+                               std::span<const Corners> walls = {}) const;
 
  private:
   struct Surface;

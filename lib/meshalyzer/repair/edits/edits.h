@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/types.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -66,6 +67,13 @@ struct Edits {
     std::int32_t id;
   };
 
+  /// A part of the surface that goes, and of which it is proved that it separates no inside from no
+  /// outside: the deviation does not count it as lost.
+  struct InteriorWall {
+    Index op;
+    std::array<Vec3, 3> corners;
+  };
+
   std::size_t n_operations = 0;
   std::vector<MovedVertex> moved_vertices;
   std::vector<AddedVertex> added_vertices;
@@ -76,6 +84,7 @@ struct Edits {
   std::vector<ChangedNormal> changed_normals;
   std::vector<ChangedId> changed_vertex_ids;
   std::vector<ChangedId> changed_face_ids;
+  std::vector<InteriorWall> interior_walls;
 
   [[nodiscard]] bool empty() const { return n_operations == 0; }
   /// Begins the next operation, and gives its number.

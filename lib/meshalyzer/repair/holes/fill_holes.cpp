@@ -1,3 +1,4 @@
+#include "meshalyzer/repair/holes/internal/crossing_patches.h"
 #include "meshalyzer/repair/holes/internal/fill_loop.h"
 #include "meshalyzer/repair/holes/internal/islands.h"
 #include "meshalyzer/repair/holes/internal/patch_edits.h"
@@ -221,6 +222,24 @@ class HoleFiller {
 };
 
 }  // namespace
+
+std::vector<Edits::AddedFace> crossing_patches(const PassInput& input, const FillOptions& options) {
+  const HoleLoops found = find_hole_loops(input.mesh);
+  if (found.loops.empty()) return {};
+  const ExistingEdges existing(input.mesh, found.loops);
+  const FillTask task{.mesh = input.mesh,
+                      .existing = existing,
+                      .degeneracy = input.tolerances.degeneracy,
+                      .shape = FillShape::Linear};
+  const Choice choice = choose_loops(input, found.loops, options);
+  Edits edits;
+  for (std::size_t i = 0; i < found.loops.size(); ++i) {
+    if (choice.is_chosen[i] == 0) continue;
+    const std::optional<Patch> patch = first_patch(task, {.loop = found.loops[i], .bridges = {}});
+    if (patch) add_patch(input.mesh, found.loops[i], *patch, edits);
+  }
+  return std::move(edits.added_faces);
+}
 
 PassResult fill_holes(const PassInput& input, const FillOptions& options) {
   HoleLoops found = find_hole_loops(input.mesh);

@@ -180,7 +180,7 @@ Acceptance check_acceptance(const RepairState& before, const RepairState& after,
   check.check_defects();
   check.check_contacts();
   const DeviationMeter::Result deviation =
-      rules.meter.measure(after.tracked(), after.mesh().tree(), rules.max_deviation);
+      rules.meter.measure(after.tracked(), after.mesh().tree(), rules.max_deviation, rules.walls);
   acceptance.deviation = deviation.largest;
   check.check_deviation(deviation);
   return acceptance;

@@ -6,6 +6,7 @@
 #include "meshalyzer/repair/edits/edits.h"
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -35,6 +36,8 @@ struct AcceptanceRules {
   /// Defects that the pass may create, for later passes to repair. Self-intersection stands for
   /// contact of faces that were cut apart and still coincide.
   DefectCodes may_create;
+  /// See DeviationMeter::measure(); those that these operations take away are among them.
+  std::span<const Corners> walls = {};
 };
 
 struct Acceptance {

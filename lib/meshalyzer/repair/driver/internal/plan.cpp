@@ -62,6 +62,11 @@ void plan_operations(const RepairOptions& options, const Tolerances& tolerances,
   }
 }
 
+CutOptions cut_options(const RepairOptions& options) {
+  const bool fills = options.borders == Borders::Holes && options.fixes.contains(DefectCode::Hole);
+  return {.fill = fills ? std::optional(options.fill) : std::nullopt};
+}
+
 void plan_fixes(const RepairOptions& options, const Tolerances& tolerances, Planner& plan) {
   using enum DefectCode;
   // Cutting a mesh apart leaves contacts, and a fin cut off leaves a border.
@@ -86,6 +91,12 @@ void plan_fixes(const RepairOptions& options, const Tolerances& tolerances, Plan
   if (options.contact == Contact::Part) {
     plan.add({"part contacts", NonManifold, part_contacts});
   }
+  plan.add({"cut intersections",
+            SelfIntersection,
+            [cut = cut_options(options)](const PassInput& input) {
+              return cut_intersections(input, cut);
+            },
+            {NonManifold, FlatFacet, DegenerateFacet, Foldover, Flipped, Hole}});
   plan.add({"renew normals", VertexNormal, renew_normals});
   plan.add({"drop orphans", OrphanVertex, drop_orphans});
   plan.add({"renumber", Numbering, renumber});

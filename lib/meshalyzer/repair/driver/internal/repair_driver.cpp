@@ -58,7 +58,7 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
     // What was banned for the sake of others may be done now, so that nothing is left to do.
     if (banned_.size() == 0) break;
     banned_ = {};
-    checkpoint_ = {state_->tracked(), log_, deviation_};
+    checkpoint_ = {state_->tracked(), log_, deviation_, walls_};
     applied_.clear();
   }
   rises_ = find_rises(input, before);
@@ -110,10 +110,12 @@ void RepairDriver::restart() {
     meter_->include_patches(state_->tracked());
     log_ = checkpoint_->log;
     deviation_ = checkpoint_->deviation;
+    walls_ = checkpoint_->walls;
   } else {
     state_ = std::make_unique<RepairState>(track_mesh(input_), tolerances_);
     log_ = {};
     deviation_ = 0.0;
+    walls_.clear();
   }
   applied_.clear();
 }
@@ -189,13 +191,14 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
     }
     skipped[op] = rejected.contains(signature[op]);
   }
-  const AcceptanceRules rules{input_, *meter_, limits_.max_deviation, pass.may_create};
   for (std::size_t trial = 0; trial < kMaxTrials && !is_to_stop(); ++trial) {
     if (std::all_of(skipped.begin(), skipped.end(), [](auto s) { return s != 0; })) return false;
     TrackedMesh tracked = apply_edits(state_->tracked(), edits, skipped);
     const AffectedElements affected =
         find_affected_elements(state_->tracked(), edits, SkippedOperations(skipped), tracked);
     auto after = std::make_unique<RepairState>(std::move(tracked), tolerances_, *state_, affected);
+    std::vector<Corners> walls = walls_with(edits, skipped);
+    const AcceptanceRules rules{input_, *meter_, limits_.max_deviation, pass.may_create, walls};
     const Acceptance acceptance =
         check_acceptance(*state_, *after, affected, skipped.size(), rules);
     if (acceptance.all_accepted()) {
@@ -203,6 +206,7 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
                 {state_->tracked(), edits, skipped, after->tracked(), affected}, log_);
       record_applied({pass, site, skipped, affected, after->tracked()});
       state_ = std::move(after);
+      walls_ = std::move(walls);
       deviation_ = acceptance.deviation;
       include_patches(edits);
       return true;
@@ -247,6 +251,15 @@ std::vector<OperationSite> RepairDriver::sites(const Edits& edits) const {
   }
   for (OperationSite& site : sites) sort_unique(site);
   return sites;
+}
+
+std::vector<Corners> RepairDriver::walls_with(const Edits& edits,
+                                              std::span<const std::uint8_t> skipped) const {
+  std::vector<Corners> walls = walls_;
+  for (const Edits::InteriorWall& wall : edits.interior_walls) {
+    if (skipped[wall.op] == 0) walls.push_back(wall.corners);
+  }
+  return walls;
 }
 
 void RepairDriver::include_patches(const Edits& edits) {

@@ -1,0 +1,98 @@
+#include "meshalyzer/arrangement/cells.h"
+
+#include "meshalyzer/arrangement/piece_edges.h"
+#include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/exact/exact_point.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// Tells how pieces follow each other round an edge.
+class RadialOrder {
+ public:
+  RadialOrder(const Soup& soup, const Arrangement& arrangement)
+      : soup_(soup), arrangement_(arrangement) {}
+
+  /// Sorts the uses of one edge counter-clockwise, as seen against the direction from its lower
+  /// vertex to the higher one.
+  void sort(std::span<EdgeUse> uses) const {
+    if (uses.size() < 3) return;
+    const EdgeUse first = uses[0];
+    const auto part = [&](const EdgeUse& use) { return 1 - turn(first, use.apex); };
+    std::sort(uses.begin() + 1, uses.end(), [&](const EdgeUse& p, const EdgeUse& q) {
+      const Sign part_of_p = part(p);
+      const Sign part_of_q = part(q);
+      if (part_of_p != part_of_q) return part_of_p < part_of_q;
+      return p.piece != q.piece && turn(p, q.apex) > 0;
+    });
+  }
+
+ private:
+  /// 1 where a vertex comes within half a turn after the piece, -1 where it comes within half a
+  /// turn before it, 0 where it is opposite.
+  [[nodiscard]] Sign turn(const EdgeUse& use, Index apex) const {
+    // The first source has the orientation of the piece.
+    const auto plane = corners_of(soup_, arrangement_.sources_of(use.piece).front().face);
+    const std::size_t n = arrangement_.n_input_vertices;
+    const Sign side =
+        apex < n ? orient3d(plane[0], plane[1], plane[2], soup_.positions[apex])
+                 : orient3d(plane[0], plane[1], plane[2], arrangement_.exact.made(apex - n));
+    return side * use.direction;
+  }
+
+  const Soup& soup_;
+  const Arrangement& arrangement_;
+};
+
+/// The side of a piece that one comes to next, counter-clockwise round its edge.
+Index side_after(const EdgeUse& use) {
+  return 2 * use.piece + (use.direction > 0 ? 0 : 1);
+}
+Index side_before(const EdgeUse& use) {
+  return 2 * use.piece + (use.direction > 0 ? 1 : 0);
+}
+
+/// Numbers sets 0, 1, ... in order of their lowest elements.
+std::size_t number_sets(DisjointSets& sets, std::vector<Index>& number_of) {
+  Index count = 0;
+  for (Index i = 0; i < number_of.size(); ++i) {
+    const Index root = sets.find(i);
+    number_of[i] = root == i ? count++ : number_of[root];
+  }
+  return count;
+}
+
+}  // namespace
+
+Cells find_cells(const Soup& soup, const Arrangement& arrangement) {
+  const std::size_t n = arrangement.pieces.size();
+  DisjointSets sides(2 * n);
+  DisjointSets pieces(n);
+  std::vector<Index> unbalanced;
+  const RadialOrder order(soup, arrangement);
+  PieceEdges edges(arrangement);
+  for_each_edge(edges, [&](std::span<EdgeUse> uses) {
+    order.sort(uses);
+    int balance = 0;
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+      const EdgeUse& next = uses[(i + 1) % uses.size()];
+      if (uses.size() > 1) sides.unite(side_after(uses[i]), side_before(next));
+      pieces.unite(uses[i].piece, next.piece);
+      balance += uses[i].direction * arrangement.multiplicity(uses[i].piece);
+    }
+    if (balance != 0) unbalanced.push_back(uses[0].piece);
+  });
+  Cells cells;
+  cells.of_side.resize(2 * n);
+  cells.count = number_sets(sides, cells.of_side);
+  cells.component_of.resize(n);
+  cells.n_components = number_sets(pieces, cells.component_of);
+  cells.is_closed.assign(cells.n_components, 1);
+  for (const Index piece : unbalanced) cells.is_closed[cells.component_of[piece]] = 0;
+  return cells;
+}
+
+}  // namespace meshalyzer

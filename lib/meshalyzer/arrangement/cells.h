@@ -1,0 +1,40 @@
+#pragma once
+
+#include "meshalyzer/arrangement/arrangement.h"
+#include "meshalyzer/mesh/soup.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace meshalyzer {
+
+/// The cells into which the pieces of an arrangement divide space.
+///
+/// Cells are told by what is between pieces that follow each other round an edge. So each
+/// component, of pieces that hang together through edges, has cells of its own: where one component
+/// lies inside another, its outer cell is a part of one of the other's. An edge with but one piece
+/// leads from no cell to another: a hole joins nothing.
+struct Cells {
+  std::size_t count = 0;
+  /// 2 #pieces: the cell in front of each piece, where its normal points, and the one behind it.
+  std::vector<Index> of_side;
+
+  std::size_t n_components = 0;
+  /// #pieces: the component of each.
+  std::vector<Index> component_of;
+  /// #components: 1 where each edge is crossed equally often in both directions, each piece counted
+  /// as often as faces cover it.
+  std::vector<std::uint8_t> is_closed;
+
+  [[nodiscard]] Index front(std::size_t piece) const { return of_side[2 * piece]; }
+  [[nodiscard]] Index behind(std::size_t piece) const { return of_side[2 * piece + 1]; }
+};
+
+/// Finds the cells of an arrangement without pieces of no area, exactly.
+///
+/// @param soup  What was arranged.
+/// @complexity  O(#pieces), and O(n log n) for n pieces round one edge.
+[[nodiscard]] Cells find_cells(const Soup& soup, const Arrangement& arrangement);
+
+}  // namespace meshalyzer

@@ -1,0 +1,47 @@
+#include "meshalyzer/repair/cut/internal/cut_edits.h"
+#include "meshalyzer/repair/cut/internal/cut_surface.h"
+#include "meshalyzer/repair/holes/internal/crossing_patches.h"
+#include "meshalyzer/repair/passes.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// Cutting takes about two kilobytes a pair.
+constexpr std::size_t kMaxPairs = 2'000'000;
+
+PassResult refuse_all(const IntersectingPair& first, const std::string& reason) {
+  PassResult result;
+  result.refused.push_back(
+      {.code = DefectCode::SelfIntersection, .face = first.face_a, .reason = reason});
+  return result;
+}
+
+}  // namespace
+
+PassResult cut_intersections(const PassInput& input, const CutOptions& options) {
+  const auto& pairs = input.mesh.intersecting_pairs();
+  const auto first = std::find_if(pairs.begin(), pairs.end(), [](const IntersectingPair& pair) {
+    return pair.kind != ContactKind::Unwelded;
+  });
+  if (pairs.size() > kMaxPairs) {
+    return refuse_all(pairs.front(), std::to_string(pairs.size()) +
+                                         " pairs of faces intersect, and no more than " +
+                                         std::to_string(kMaxPairs) + " are cut");
+  }
+  if (input.limits.groups == Groups::Faces) {
+    if (first == pairs.end()) return {};
+    return refuse_all(*first, "the groups are faces of a body, whose borders get no new vertices");
+  }
+  const std::vector<Edits::AddedFace> patches =
+      options.fill ? crossing_patches(input, *options.fill) : std::vector<Edits::AddedFace>();
+  if (first == pairs.end() && patches.empty()) return {};
+  const Pockets pockets =
+      input.operation_size == OperationSize::Normal ? Pockets::Dropped : Pockets::Kept;
+  return cut_edits(input, patches, cut_surface(input.mesh, patches, pockets));
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,186 @@
+#include "meshalyzer/repair/cut/internal/cut_edits.h"
+
+#include "meshalyzer/base/disjoint_sets.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// Why nothing is done to a part.
+enum class Obstacle : std::uint8_t { None, Unfinished, Sheet, Fixed };
+
+std::string reason_of(Obstacle obstacle) {
+  switch (obstacle) {
+    case Obstacle::None:
+      return "";
+    case Obstacle::Unfinished:
+      return "rounding the points of the cut makes faces intersect again and again";
+    case Obstacle::Sheet:
+      return "the surface is a sheet: nothing tells what of it should go";
+    case Obstacle::Fixed:
+      return "it meets a vertex that must stay as it is";
+  }
+  return "";
+}
+
+/// Tells whether two faces have the same corners in the same order, whichever comes first.
+bool are_same(Triangle a, const Triangle& b) {
+  for (int i = 0; i < 3; ++i) {
+    if (a == b) return true;
+    std::rotate(a.begin(), a.begin() + 1, a.end());
+  }
+  return false;
+}
+
+class CutEdits {
+ public:
+  CutEdits(const PassInput& input, std::span<const Edits::AddedFace> patches,
+           const CutSurface& surface)
+      : input_(input),
+        soup_(input.tracked.soup),
+        patches_(patches),
+        surface_(surface),
+        parts_(soup_.n_faces() + patches.size()),
+        obstacles_(soup_.n_faces() + patches.size(), Obstacle::None) {}
+
+  PassResult make() {
+    find_changes();
+    join_parts();
+    find_obstacles();
+    remove_faces();
+    add_faces();
+    add_walls();
+    return std::move(result_);
+  }
+
+ private:
+  void find_changes() {
+    is_same_.assign(surface_.triangles.size(), 0);
+    std::vector<std::uint8_t> stays(soup_.n_faces(), 0);
+    for (std::size_t i = 0; i < surface_.triangles.size(); ++i) {
+      const Index face = surface_.origins[i];
+      const bool is_same =
+          face < soup_.n_faces() && are_same(surface_.triangles[i], soup_.triangles[face]);
+      if (!is_same) continue;
+      is_same_[i] = 1;
+      stays[face] = 1;
+    }
+    for (Index face = 0; face < soup_.n_faces(); ++face) {
+      if (stays[face] == 0 && is_in_complex(soup_.triangles[face])) changed_.push_back(face);
+    }
+  }
+
+  /// Faces that have a vertex in common change together.
+  void join_parts() {
+    for (const auto& [a, b] : surface_.ties) parts_.unite(a, b);
+    std::vector<Index> face_at(surface_.positions.size(), kNoIndex);
+    const auto join_at = [&](const Triangle& corners, Index face) {
+      for (const Index v : corners) {
+        if (face_at[v] == kNoIndex) face_at[v] = face;
+        parts_.unite(face_at[v], face);
+      }
+    };
+    for (const Index face : changed_) join_at(soup_.triangles[face], face);
+    for (std::size_t i = 0; i < surface_.triangles.size(); ++i) {
+      if (is_same_[i] == 0) join_at(surface_.triangles[i], surface_.origins[i]);
+    }
+  }
+
+  void find_obstacles() {
+    for (const Index face : surface_.unfinished) {
+      obstacles_[parts_.find(face)] = Obstacle::Unfinished;
+    }
+    for (const Index face : surface_.of_sheets) {
+      obstacles_[parts_.find(face)] = Obstacle::Sheet;
+    }
+    for (const Index face : changed_) {
+      const Triangle& t = soup_.triangles[face];
+      const bool is_fixed = std::any_of(
+          t.begin(), t.end(), [&](Index v) { return input_.limits.is_fixed(input_.tracked, v); });
+      if (is_fixed) obstacles_[parts_.find(face)] = Obstacle::Fixed;
+    }
+  }
+
+  void remove_faces() {
+    operations_.assign(obstacles_.size(), kNoIndex);
+    std::vector<std::uint8_t> is_refused(soup_.n_faces(), 0);
+    for (const Index face : changed_) {
+      const Index part = parts_.find(face);
+      if (obstacles_[part] != Obstacle::None) {
+        if (std::exchange(is_refused[part], 1) == 0) refuse(face, obstacles_[part]);
+        continue;
+      }
+      if (operations_[part] == kNoIndex) operations_[part] = result_.edits.begin_operation();
+      result_.edits.removed_faces.push_back({operations_[part], face});
+    }
+    // A patch that is left as it is changes no other face.
+    for (std::size_t i = 0; i < surface_.triangles.size(); ++i) {
+      const Index part = parts_.find(surface_.origins[i]);
+      if (is_same_[i] != 0 || obstacles_[part] != Obstacle::None) continue;
+      if (operations_[part] == kNoIndex) operations_[part] = result_.edits.begin_operation();
+    }
+  }
+
+  void refuse(Index face, Obstacle obstacle) {
+    result_.refused.push_back(
+        {.code = DefectCode::SelfIntersection, .face = face, .reason = reason_of(obstacle)});
+  }
+
+  void add_faces() {
+    const auto n_vertices = static_cast<Index>(soup_.n_vertices());
+    std::vector<Index> number(surface_.positions.size() - n_vertices, kNoIndex);
+    for (std::size_t i = 0; i < surface_.triangles.size(); ++i) {
+      const Index op = operations_[parts_.find(surface_.origins[i])];
+      if (is_same_[i] != 0 || op == kNoIndex) continue;
+      Triangle corners = surface_.triangles[i];
+      for (Index& v : corners) {
+        if (v < n_vertices) continue;
+        Index& added = number[v - n_vertices];
+        if (added == kNoIndex) {
+          added = n_vertices + static_cast<Index>(result_.edits.added_vertices.size());
+          result_.edits.added_vertices.push_back({.op = op, .position = surface_.positions[v]});
+        }
+        v = added;
+      }
+      const Index origin = surface_.origins[i];
+      const bool fills_hole = origin >= soup_.n_faces();
+      result_.edits.added_faces.push_back(
+          {.op = op,
+           .corners = corners,
+           .like = fills_hole ? patches_[origin - soup_.n_faces()].like : origin,
+           .fills_hole = fills_hole});
+    }
+  }
+
+  void add_walls() {
+    for (const InteriorWall& wall : surface_.walls) {
+      const Index op = operations_[parts_.find(wall.face)];
+      if (op != kNoIndex) result_.edits.interior_walls.push_back({op, wall.corners});
+    }
+  }
+
+  const PassInput& input_;
+  const Soup& soup_;
+  std::span<const Edits::AddedFace> patches_;
+  const CutSurface& surface_;
+  DisjointSets parts_;
+  /// By the lowest face of each part.
+  std::vector<Obstacle> obstacles_;
+  std::vector<Index> operations_;
+  std::vector<std::uint8_t> is_same_;
+  std::vector<Index> changed_;
+  PassResult result_;
+};
+
+}  // namespace
+
+PassResult cut_edits(const PassInput& input, std::span<const Edits::AddedFace> patches,
+                     const CutSurface& surface) {
+  return CutEdits(input, patches, surface).make();
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "meshalyzer/repair/cut/internal/cut_surface.h"
+#include "meshalyzer/repair/pass.h"
+
+namespace meshalyzer {
+
+/// Makes edits of what cutting has made of a mesh: an operation for each part of the surface that
+/// changes, as far as parts do not depend on each other. Parts that are unfinished, or that would
+/// change what must stay, are refused instead.
+///
+/// @param patches  What cut_surface() has added.
+[[nodiscard]] PassResult cut_edits(const PassInput& input,
+                                   std::span<const Edits::AddedFace> patches,
+                                   const CutSurface& surface);
+
+}  // namespace meshalyzer

@@ -1,0 +1,192 @@
+#include "meshalyzer/repair/cut/internal/cut_surface.h"
+
+#include "meshalyzer/arrangement/arrange.h"
+#include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/mesh/build.h"
+#include "meshalyzer/repair/cut/internal/round_vertices.h"
+#include "meshalyzer/spatial/self_intersection.h"
+#include "meshalyzer/spatial/self_intersection_of.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// Most meshes need two, nearly all five.
+constexpr std::size_t kMaxCuttingRounds = 20;
+
+using Pairs = std::vector<IntersectingPair>;
+
+bool is_flat(const std::vector<Vec3>& positions, const Triangle& t) {
+  return are_collinear(positions[t[0]], positions[t[1]], positions[t[2]]);
+}
+
+/// Leaves out pairs that are only not welded, but where they hang together with others.
+void drop_unwelded(std::size_t n_faces, Pairs& pairs) {
+  DisjointSets groups(n_faces);
+  for (const IntersectingPair& pair : pairs) groups.unite(pair.face_a, pair.face_b);
+  std::vector<std::uint8_t> is_more(n_faces, 0);
+  for (const IntersectingPair& pair : pairs) {
+    if (pair.kind != ContactKind::Unwelded) is_more[groups.find(pair.face_a)] = 1;
+  }
+  std::erase_if(
+      pairs, [&](const IntersectingPair& pair) { return is_more[groups.find(pair.face_a)] == 0; });
+}
+
+bool stays(PieceFate fate) {
+  return fate == PieceFate::Kept || fate == PieceFate::Turned || fate == PieceFate::OfSheet;
+}
+
+/// Cuts a surface, round by round.
+class CuttingRounds {
+ public:
+  CuttingRounds(const PreparedMesh& mesh, std::span<const Edits::AddedFace> patches,
+                Pockets pockets)
+      : mesh_(mesh), pockets_(pockets) {
+    soup_.positions = mesh.soup().positions;
+    for (const Triangle& t : mesh.soup().triangles) add(t);
+    for (const Edits::AddedFace& patch : patches) add(patch.corners);
+  }
+
+  CutSurface run() {
+    // Where nothing was left out or added, the first round is prepared already.
+    const bool is_prepared = soup_.triangles == mesh_.soup().triangles;
+    if (!is_prepared || cut_round(mesh_.cut(), mesh_.tree(), mesh_.intersecting_pairs())) {
+      while (cut_round()) {
+      }
+    }
+    result_.positions = std::move(soup_.positions);
+    result_.triangles = std::move(soup_.triangles);
+    result_.origins = std::move(origins_);
+    return std::move(result_);
+  }
+
+ private:
+  void add(const Triangle& t) {
+    const Index number = n_added_++;
+    if (!is_in_complex(t) || is_flat(soup_.positions, t)) return;
+    soup_.triangles.push_back(t);
+    origins_.push_back(number);
+  }
+
+  /// Looks for intersecting pairs and cuts them.
+  /// @return Whether another round is needed.
+  bool cut_round() {
+    const CutMesh cut = build(soup_);
+    const FaceTree tree(cut);
+    return cut_round(cut, tree,
+                     round_ == 0 ? find_self_intersections(cut, tree)
+                                 : find_self_intersections_of(cut, tree, new_faces_));
+  }
+
+  bool cut_round(const CutMesh& cut, const FaceTree& tree, Pairs pairs) {
+    drop_unwelded(soup_.n_faces(), pairs);
+    if (pairs.empty()) return false;
+    if (round_ == kMaxCuttingRounds) {
+      give_up(pairs);
+      return false;
+    }
+    cut_once(cut, tree, pairs);
+    ++round_;
+    return true;
+  }
+
+  void cut_once(const CutMesh& cut, const FaceTree& tree, const Pairs& pairs) {
+    const Arrangement arrangement = arrange(soup_, pairs);
+    const Cells cells = find_cells(soup_, arrangement);
+    const std::vector<PieceFate> fates =
+        select_pieces({soup_, cut, tree, arrangement, cells},
+                      components_to_select(arrangement, cells, pairs), pockets_);
+    tie_faces(arrangement, pairs);
+    take(arrangement, fates, round_vertices(arrangement, round_));
+  }
+
+  /// #components: 1 for those that intersect.
+  [[nodiscard]] static std::vector<std::uint8_t> components_to_select(
+      const Arrangement& arrangement, const Cells& cells, const Pairs& pairs) {
+    std::vector<std::uint8_t> is_cut(cells.n_components, 0);
+    for (const IntersectingPair& pair : pairs) {
+      for (const Index face : {pair.face_a, pair.face_b}) {
+        for (const Index piece : arrangement.pieces_of(face)) {
+          is_cut[cells.component_of[piece]] = 1;
+        }
+      }
+    }
+    return is_cut;
+  }
+
+  void tie_faces(const Arrangement& arrangement, const Pairs& pairs) {
+    const auto tie = [&](Index a, Index b) {
+      if (origins_[a] != origins_[b]) result_.ties.push_back({origins_[a], origins_[b]});
+    };
+    for (const IntersectingPair& pair : pairs) tie(pair.face_a, pair.face_b);
+    for (std::size_t i = 0; i < arrangement.pieces.size(); ++i) {
+      const auto sources = arrangement.sources_of(i);
+      for (const PieceSource& source : sources) tie(sources.front().face, source.face);
+    }
+  }
+
+  void take(const Arrangement& arrangement, std::span<const PieceFate> fates,
+            RoundedVertices rounded) {
+    std::vector<std::uint8_t> was_cut(soup_.n_faces(), 0);
+    for (const Index face : arrangement.cut_faces) was_cut[face] = 1;
+    std::vector<Triangle> triangles;
+    std::vector<Index> origins;
+    new_faces_.clear();
+    for (std::size_t i = 0; i < fates.size(); ++i) {
+      const Index face = arrangement.sources_of(i).front().face;
+      Triangle t = arrangement.pieces[i];
+      if (fates[i] == PieceFate::Interior || fates[i] == PieceFate::Cancelled) {
+        const std::vector<Vec3>& at = arrangement.positions;
+        result_.walls.push_back({origins_[face], {at[t[0]], at[t[1]], at[t[2]]}});
+      }
+      if (fates[i] == PieceFate::OfSheet && was_cut[face] != 0) {
+        result_.of_sheets.push_back(origins_[face]);
+      }
+      if (!stays(fates[i])) continue;
+      for (Index& v : t) v = rounded.stands_for[v];
+      if (fates[i] == PieceFate::Turned) std::swap(t[1], t[2]);
+      if (was_cut[face] != 0) {
+        if (!is_in_complex(t) || is_flat(rounded.positions, t)) continue;
+        new_faces_.push_back(static_cast<Index>(triangles.size()));
+      }
+      triangles.push_back(t);
+      origins.push_back(origins_[face]);
+    }
+    soup_.positions = std::move(rounded.positions);
+    soup_.triangles = std::move(triangles);
+    origins_ = std::move(origins);
+  }
+
+  void give_up(const Pairs& pairs) {
+    for (const IntersectingPair& pair : pairs) {
+      result_.unfinished.push_back(origins_[pair.face_a]);
+      result_.unfinished.push_back(origins_[pair.face_b]);
+    }
+    sort_unique(result_.unfinished);
+  }
+
+  const PreparedMesh& mesh_;
+  Pockets pockets_;
+  std::size_t round_ = 0;
+  Index n_added_ = 0;
+  /// What is cut in this round: positions and faces alone.
+  Soup soup_;
+  std::vector<Index> origins_;
+  /// Which faces the last round has made. Ascending.
+  std::vector<Index> new_faces_;
+  CutSurface result_;
+};
+
+}  // namespace
+
+CutSurface cut_surface(const PreparedMesh& mesh, std::span<const Edits::AddedFace> patches,
+                       Pockets pockets) {
+  return CuttingRounds(mesh, patches, pockets).run();
+}
+
+}  // namespace meshalyzer

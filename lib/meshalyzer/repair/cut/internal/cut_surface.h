@@ -1,0 +1,47 @@
+#pragma once
+
+#include "meshalyzer/prepared/prepared_mesh.h"
+#include "meshalyzer/repair/cut/internal/select_pieces.h"
+#include "meshalyzer/repair/edits/edits.h"
+#include "meshalyzer/spatial/triangle_contact.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// A part of the old surface that separates no inside from no outside, and is gone.
+struct InteriorWall {
+  Index face = kNoIndex;
+  Corners corners;
+};
+
+/// A surface of which the intersecting faces were cut, by its positions and faces alone.
+struct CutSurface {
+  /// Vertices of the input keep their numbers; those beyond are new.
+  std::vector<Vec3> positions;
+  std::vector<Triangle> triangles;
+  /// #triangles: the face of the input that each is a part of; n_faces + i for patch face i.
+  std::vector<Index> origins;
+  std::vector<InteriorWall> walls;
+  /// Faces of the input of which parts stay or go together.
+  std::vector<std::array<Index, 2>> ties;
+  /// Faces of the input of which parts still intersect others in the end.
+  std::vector<Index> unfinished;
+  /// Faces of the input that intersect others and are of a sheet.
+  std::vector<Index> of_sheets;
+};
+
+/// Cuts the faces that intersect, keeps what bounds the solid, and rounds new vertices, again and
+/// again until no faces intersect: the rounded faces may intersect anew.
+///
+/// Faces that are only not welded are left alone, as far as they meet no others. Faces of no area
+/// go: what is left of them is cut at their corners.
+///
+/// @param patches  Faces that are added before, on vertices of the mesh.
+[[nodiscard]] CutSurface cut_surface(const PreparedMesh& mesh,
+                                     std::span<const Edits::AddedFace> patches, Pockets pockets);
+
+}  // namespace meshalyzer

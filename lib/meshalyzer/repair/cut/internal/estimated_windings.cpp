@@ -1,0 +1,93 @@
+#include "meshalyzer/repair/cut/internal/estimated_windings.h"
+
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/spatial/winding_number.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace meshalyzer {
+namespace {
+
+/// So many pieces are looked at, about.
+constexpr std::size_t kManySamples = 50'000;
+/// A winding number is whole where it is no farther than this from one. Beside a sheet that another
+/// one crosses it comes as near as 1/4.
+constexpr double kSure = 0.15;
+
+/// What is estimated beside one piece.
+struct Sample {
+  Index piece = kNoIndex;
+  double area = 0.0;
+  /// The winding number in front of the piece.
+  double front = 0.0;
+};
+
+std::vector<Sample> choose_samples(const ArrangedSoup& a, std::span<const std::uint8_t> wanted) {
+  std::vector<Sample> samples;
+  for (Index piece = 0; piece < a.arrangement.pieces.size(); ++piece) {
+    if (wanted[a.cells.component_of[piece]] != 0) samples.push_back({.piece = piece});
+  }
+  const std::size_t stride = 1 + samples.size() / kManySamples;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < samples.size(); i += stride) samples[n++] = samples[i];
+  samples.resize(n);
+  return samples;
+}
+
+WindingNumbers windings_of(const Soup& soup) {
+  std::vector<Corners> triangles;
+  triangles.reserve(soup.n_faces());
+  for (Index face = 0; face < soup.n_faces(); ++face) {
+    triangles.push_back(corners_of(soup, face));
+  }
+  return WindingNumbers(std::move(triangles));
+}
+
+void estimate(const ArrangedSoup& a, std::vector<Sample>& samples) {
+  const WindingNumbers windings = windings_of(a.soup);
+  parallel_chunks(samples.size(), 256, [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      Sample& sample = samples[i];
+      const Triangle& t = a.arrangement.pieces[sample.piece];
+      const Vec3& p = a.arrangement.positions[t[0]];
+      const Vec3& q = a.arrangement.positions[t[1]];
+      const Vec3& r = a.arrangement.positions[t[2]];
+      sample.area = (q - p).cross(r - p).norm();
+      // On the piece itself it is half-way between those on both sides.
+      sample.front =
+          windings.at((p + q + r) / 3.0) - 0.5 * a.arrangement.multiplicity(sample.piece);
+    }
+  });
+}
+
+}  // namespace
+
+EstimatedWindings estimate_windings(const ArrangedSoup& arranged,
+                                    std::span<const std::uint8_t> wanted) {
+  const Cells& cells = arranged.cells;
+  EstimatedWindings result{.of_cell = std::vector<double>(cells.count, 0.0),
+                           .bounds_solid = std::vector<std::uint8_t>(cells.n_components, 0)};
+  std::vector<Sample> samples = choose_samples(arranged, wanted);
+  if (samples.empty()) return result;
+  estimate(arranged, samples);
+  std::vector<double> areas(cells.count, 0.0);
+  std::vector<double> whole(cells.n_components, 0.0);
+  for (const Sample& sample : samples) {
+    const double behind = sample.front + arranged.arrangement.multiplicity(sample.piece);
+    result.of_cell[cells.front(sample.piece)] += sample.area * sample.front;
+    result.of_cell[cells.behind(sample.piece)] += sample.area * behind;
+    areas[cells.front(sample.piece)] += sample.area;
+    areas[cells.behind(sample.piece)] += sample.area;
+    const bool is_whole = std::abs(sample.front - std::round(sample.front)) <= kSure;
+    whole[cells.component_of[sample.piece]] += is_whole ? sample.area : -sample.area;
+  }
+  for (std::size_t i = 0; i < cells.count; ++i) {
+    if (areas[i] > 0.0) result.of_cell[i] /= areas[i];
+  }
+  for (std::size_t i = 0; i < whole.size(); ++i) result.bounds_solid[i] = whole[i] > 0.0 ? 1 : 0;
+  return result;
+}
+
+}  // namespace meshalyzer

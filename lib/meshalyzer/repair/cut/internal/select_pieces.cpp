@@ -1,0 +1,142 @@
+#include "meshalyzer/repair/cut/internal/select_pieces.h"
+
+#include "meshalyzer/repair/cut/internal/estimated_windings.h"
+
+#include <array>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// Estimated winding numbers from here on are surely inside.
+constexpr double kSurelyInside = 0.75;
+
+/// What counts as inside a closed component.
+enum class Rule : std::uint8_t {
+  /// What is gone round at least once, in all: a component inside others is a cavity.
+  InAll,
+  /// What the component itself goes round at least once.
+  Own,
+  /// What it goes round at all.
+  OwnEitherWay,
+};
+
+/// Decides component by component which cells are inside.
+class PieceSelection {
+ public:
+  PieceSelection(const ArrangedSoup& arranged, std::span<const std::uint8_t> is_cut,
+                 Pockets pockets)
+      : a_(arranged),
+        cells_(arranged.cells),
+        pockets_(pockets),
+        fates_(arranged.arrangement.pieces.size(), PieceFate::Kept) {
+    is_closed_.assign(cells_.n_components, 0);
+    is_open_.assign(cells_.n_components, 0);
+    for (std::size_t c = 0; c < cells_.n_components; ++c) {
+      (cells_.is_closed[c] != 0 ? is_closed_ : is_open_)[c] = is_cut[c];
+    }
+  }
+
+  std::vector<PieceFate> run() {
+    select_exactly();
+    select_by_estimates();
+    return std::move(fates_);
+  }
+
+ private:
+  /// No component is lost: where one rule keeps nothing of it, the next one is tried, and where
+  /// none does, all of it stays.
+  void select_exactly() {
+    const Windings windings = find_windings(a_, is_closed_);
+    std::vector<std::uint8_t> pending = is_closed_;
+    for (const Rule rule : {Rule::InAll, Rule::Own, Rule::OwnEitherWay}) {
+      std::vector<std::uint8_t> is_kept(cells_.n_components, 0);
+      decide(pending, [&](Index component, Index cell) {
+        return is_inside(windings, rule, component, cell);
+      });
+      for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
+        const bool stays = fates_[piece] == PieceFate::Kept || fates_[piece] == PieceFate::Turned;
+        if (stays) is_kept[cells_.component_of[piece]] = 1;
+      }
+      for (std::size_t c = 0; c < pending.size(); ++c) {
+        if (is_kept[c] != 0) pending[c] = 0;
+      }
+    }
+    keep_all(pending);
+    // In a cavity it is known what is outside.
+    for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
+      const bool is_cavity = windings.others[cells_.component_of[piece]] > 0;
+      if (is_cavity && fates_[piece] == PieceFate::Exterior) fates_[piece] = PieceFate::Cancelled;
+    }
+  }
+
+  [[nodiscard]] bool is_inside(const Windings& windings, Rule rule, Index component,
+                               Index cell) const {
+    const int own = windings.own[cell];
+    const int around = rule == Rule::InAll && windings.others[component] > 0 ? 1 : 0;
+    const bool either_way = rule == Rule::OwnEitherWay || pockets_ == Pockets::Kept;
+    // Where cavities overlap there is nothing but cavity.
+    return own + around > 0 || (either_way && around == 0 && own < 0);
+  }
+
+  void select_by_estimates() {
+    const EstimatedWindings windings = estimate_windings(a_, is_open_);
+    std::vector<std::uint8_t> solid = is_open_;
+    for (std::size_t c = 0; c < solid.size(); ++c) {
+      if (windings.bounds_solid[c] == 0) solid[c] = 0;
+    }
+    decide(solid, [&](Index, Index cell) { return windings.of_cell[cell] >= 0.5; });
+    for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
+      const bool is_sure = windings.of_cell[cells_.front(piece)] >= kSurelyInside &&
+                           windings.of_cell[cells_.behind(piece)] >= kSurelyInside;
+      const Index component = cells_.component_of[piece];
+      if (is_open_[component] != 0 && solid[component] == 0) fates_[piece] = PieceFate::OfSheet;
+      const bool is_estimated = solid[component] != 0;
+      if (is_estimated && fates_[piece] == PieceFate::Interior && !is_sure) {
+        fates_[piece] = PieceFate::Exterior;
+      }
+    }
+  }
+
+  template <typename IsInside>
+  void decide(const std::vector<std::uint8_t>& components, const IsInside& is_inside) {
+    for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
+      const Index component = cells_.component_of[piece];
+      if (components[component] == 0) continue;
+      fates_[piece] = fate_of(piece, is_inside(component, cells_.front(piece)),
+                              is_inside(component, cells_.behind(piece)));
+    }
+  }
+
+  [[nodiscard]] PieceFate fate_of(std::size_t piece, bool is_front_inside,
+                                  bool is_inside_behind) const {
+    if (is_front_inside != is_inside_behind) {
+      return is_inside_behind ? PieceFate::Kept : PieceFate::Turned;
+    }
+    if (is_front_inside) return PieceFate::Interior;
+    return a_.arrangement.multiplicity(piece) == 0 ? PieceFate::Cancelled : PieceFate::Exterior;
+  }
+
+  void keep_all(const std::vector<std::uint8_t>& components) {
+    for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
+      if (components[cells_.component_of[piece]] != 0) fates_[piece] = PieceFate::Kept;
+    }
+  }
+
+  const ArrangedSoup& a_;
+  const Cells& cells_;
+  Pockets pockets_;
+  /// #components: 1 for those to be selected from.
+  std::vector<std::uint8_t> is_closed_;
+  std::vector<std::uint8_t> is_open_;
+  std::vector<PieceFate> fates_;
+};
+
+}  // namespace
+
+std::vector<PieceFate> select_pieces(const ArrangedSoup& arranged,
+                                     std::span<const std::uint8_t> is_cut, Pockets pockets) {
+  return PieceSelection(arranged, is_cut, pockets).run();
+}
+
+}  // namespace meshalyzer

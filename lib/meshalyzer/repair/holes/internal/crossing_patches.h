@@ -1,0 +1,14 @@
+#pragma once
+
+#include "meshalyzer/repair/passes.h"
+
+#include <vector>
+
+namespace meshalyzer {
+
+/// Returns a face for each triangle of a patch for each loop that may be filled, whatever the
+/// patches intersect. They have no new vertices.
+[[nodiscard]] std::vector<Edits::AddedFace> crossing_patches(const PassInput& input,
+                                                             const FillOptions& options);
+
+}  // namespace meshalyzer

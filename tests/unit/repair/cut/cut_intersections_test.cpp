@@ -1,0 +1,186 @@
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/mesh/build.h"
+#include "meshalyzer/repair/fix_defects.h"
+#include "meshalyzer/repair/passes.h"
+#include "meshalyzer/spatial/self_intersection.h"
+#include "support/run_pass.h"
+#include "support/same_soup.h"
+#include "support/shapes.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// Asks the pass until it has nothing more to propose.
+PassRun cut_all(const Soup& soup) {
+  return run_pass(soup, [](const PassInput& input) { return cut_intersections(input, {}); });
+}
+
+double volume(const Soup& soup) {
+  double six_times = 0.0;
+  for (const Triangle& t : soup.triangles) {
+    six_times += soup.positions[t[0]].dot(soup.positions[t[1]].cross(soup.positions[t[2]]));
+  }
+  return six_times / 6.0;
+}
+
+double area(const Soup& soup) {
+  double sum = 0.0;
+  for (const Triangle& t : soup.triangles) {
+    const Vec3& p = soup.positions[t[0]];
+    sum += 0.5 * (soup.positions[t[1]] - p).cross(soup.positions[t[2]] - p).norm();
+  }
+  return sum;
+}
+
+bool intersects(const Soup& soup) {
+  const CutMesh cut = build(soup);
+  return !find_self_intersections(cut, FaceTree(cut)).empty();
+}
+
+/// Expects a mesh to come out of the default repair without any defect that was to be fixed.
+Soup expect_good(const Soup& soup) {
+  const RepairResult result = fix_defects(soup);
+  EXPECT_EQ(result.meshes.size(), 1U);
+  for (const Defect& defect : result.meshes[0].remaining.defects) {
+    EXPECT_FALSE(default_fixes().contains(defect.code)) << defect_name(defect.code);
+  }
+  return result.meshes[0].tracked.soup;
+}
+
+Soup box(const Vec3& low, const Vec3& high) {
+  Soup soup = shapes::cube();
+  for (Vec3& p : soup.positions) p = low + p.cwiseProduct(high - low);
+  return soup;
+}
+
+TEST(CutIntersections, MeshesThatMeetNothingAreLeft) {
+  for (const Soup& soup : {shapes::icosphere(2), shapes::nested_cubes(shapes::InnerShell::Cavity),
+                           shapes::two_tetrahedra_sharing_vertex(), shapes::grid(3, 3)}) {
+    const PassRun run = cut_all(soup);
+    EXPECT_EQ(run.operations, 0U);
+    EXPECT_TRUE(run.refused.empty());
+  }
+}
+
+TEST(CutIntersections, SeamsThatAreOnlyNotWeldedAreLeft) {
+  const Soup soup =
+      shapes::merged(shapes::grid(1, 1), shapes::translated(shapes::grid(1, 1), {1, 0, 0}));
+  EXPECT_EQ(cut_all(soup).operations, 0U);
+}
+
+TEST(CutIntersections, CubesThatCrossBecomeTheirUnion) {
+  const Soup soup = shapes::merged(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
+  const PassRun run = cut_all(soup);
+  EXPECT_EQ(run.operations, 1U);
+  EXPECT_EQ(volume(run.tracked.soup), 15.0);
+  // Two cubes of area 24, each without a corner of three unit squares.
+  EXPECT_NEAR(area(run.tracked.soup), 42.0, 1e-12);
+  EXPECT_FALSE(intersects(run.tracked.soup));
+  EXPECT_EQ(volume(expect_good(soup)), 15.0);
+}
+
+TEST(CutIntersections, CavityThatABarCrossesStaysACavity) {
+  // The bar goes through the wall of a hollow cube and 1 deep into its cavity of 2^3.
+  const Soup hollow =
+      shapes::merged(box({0, 0, 0}, {4, 4, 4}), shapes::flipped(box({1, 1, 1}, {3, 3, 3})));
+  const Soup soup = shapes::merged(hollow, box({-1, 1.5, 1.5}, {2, 2.5, 2.5}));
+  // 64 - 8, 1 outside and 1 in the cavity.
+  EXPECT_NEAR(volume(expect_good(soup)), 58.0, 1e-12);
+}
+
+TEST(CutIntersections, CavityItselfInsideOthersIsKeptWhereItCutsItself) {
+  // Two cavities that cross each other, inside one cube.
+  const Soup soup = shapes::merged(
+      box({0, 0, 0}, {6, 6, 6}),
+      shapes::flipped(shapes::merged(box({1, 1, 1}, {3, 3, 3}), box({2, 2, 2}, {4, 4, 4}))));
+  EXPECT_NEAR(volume(expect_good(soup)), 216.0 - 15.0, 1e-12);
+}
+
+TEST(CutIntersections, SheetsThatCrossAreLeftAndNamed) {
+  Soup upright = shapes::grid(2, 2);
+  for (Vec3& p : upright.positions) p = {p.x(), 1.25, p.y() - 1.0};
+  const PassRun run = cut_all(shapes::merged(shapes::grid(2, 2), upright));
+  EXPECT_EQ(run.operations, 0U);
+  ASSERT_EQ(run.refused.size(), 1U);
+  EXPECT_EQ(run.refused[0].code, DefectCode::SelfIntersection);
+}
+
+TEST(CutIntersections, CrossingPartsWithAHoleLoseOnlyWhatIsInside) {
+  // The hole is in a corner that the other cube is far from.
+  const std::vector<Index> hole{0};
+  Soup cubes = shapes::merged(shapes::cube(4), shapes::cube(4, {3, 3, 3}));
+  const double whole = 63.0 + 64.0;
+  cubes = shapes::without_faces(cubes, hole);
+  EXPECT_NEAR(volume(expect_good(cubes)), whole, 1e-9);
+}
+
+TEST(CutIntersections, FacesThatMeetNothingKeepTheirBits) {
+  const Soup sphere = shapes::icosphere(3);
+  const Soup soup = shapes::merged(sphere, shapes::translated(sphere, {1.5, 0.1, 0.2}));
+  const CutMesh cut = build(soup);
+  std::vector<std::uint8_t> meets(soup.n_faces(), 0);
+  for (const IntersectingPair& pair : find_self_intersections(cut, FaceTree(cut))) {
+    meets[pair.face_a] = 1;
+    meets[pair.face_b] = 1;
+  }
+  const PassRun run = cut_all(soup);
+  std::size_t n_kept = 0;
+  for (Index f = 0; f < run.tracked.soup.n_faces(); ++f) {
+    const Index key = run.tracked.face_keys[f];
+    if (key >= soup.n_faces()) continue;
+    ++n_kept;
+    EXPECT_EQ(meets[key], 0);
+    EXPECT_EQ(corners_of(run.tracked.soup, f), corners_of(soup, key));
+  }
+  EXPECT_GT(n_kept, soup.n_faces() / 2);
+  // The volume of two balls less the lens, within what 1280 faces can tell of them.
+  const double d = std::sqrt(1.5 * 1.5 + 0.1 * 0.1 + 0.2 * 0.2);
+  const double lens = std::numbers::pi * (4.0 + d) * (2.0 - d) * (2.0 - d) / 12.0;
+  EXPECT_NEAR(volume(run.tracked.soup), 8.0 / 3.0 * std::numbers::pi - lens, 0.1);
+}
+
+TEST(CutIntersections, BallTurnedIntoItselfSixTimesComesOutGood) {
+  const Soup ball = shapes::icosphere(1);
+  Soup soup = ball;
+  for (int i = 1; i < 6; ++i) {
+    const Eigen::Matrix3d turn =
+        (Eigen::AngleAxisd(0.1 * i, Vec3::UnitX()) * Eigen::AngleAxisd(0.07 * i, Vec3::UnitZ()))
+            .toRotationMatrix();
+    Soup turned = ball;
+    for (Vec3& p : turned.positions) p = turn * p;
+    soup = shapes::merged(std::move(soup), turned);
+  }
+  const Soup united = cut_all(soup).tracked.soup;
+  EXPECT_FALSE(intersects(united));
+  EXPECT_GT(volume(united), volume(ball));
+  EXPECT_LT(volume(united), 4.0 / 3.0 * std::numbers::pi);
+}
+
+TEST(CutIntersections, NumberOfThreadsDoesNotMatter) {
+  const Soup sphere = shapes::icosphere(3);
+  const Soup soup = shapes::merged(sphere, shapes::translated(sphere, {0.5, 0.1, 0.2}));
+  const auto with = [&](std::size_t n) {
+    const ThreadLimit limit(n);
+    return cut_all(soup).tracked.soup;
+  };
+  EXPECT_TRUE(same_soup(with(1), with(2)));
+}
+
+TEST(CutIntersections, SecondRepairChangesNothing) {
+  const Soup once = expect_good(shapes::merged(
+      shapes::icosphere(2), shapes::translated(shapes::icosphere(2), {0.7, 0.2, 0.1})));
+  const RepairResult again = fix_defects(once);
+  EXPECT_TRUE(again.log.steps.empty());
+  EXPECT_TRUE(same_soup(again.meshes[0].tracked.soup, once));
+}
+
+}  // namespace
+}  // namespace meshalyzer
