@@ -19,7 +19,6 @@ struct Said {
   bool renumber = false, drop_orphans = false, separate = false;
   /// Whether holes are asked for by name, beside --fix.
   bool names_holes = false;
-  bool guarantee = false;
 };
 
 bool names_operation(const Said& said, const RepairOptions& repair) {
@@ -52,6 +51,9 @@ void declare_actions(OptionTable& table, Options& options, Said& said) {
                "only these, by code: " + names_of(all_defect_codes(), defect_name) +
                    "; or default (all but disjoint and numbering), or all");
   table.option("--no-fix LIST", into(said.no_fix, to_codes), "all of these but those named");
+  table.flag("--guarantee", options.repair.guarantee,
+             "replace what is still broken in the end by a new, clean surface of the solid that it "
+             "means, within the maximum deviation, or say that none was found");
 }
 
 void declare_operations(OptionTable& table, Options& options, Said& said) {
@@ -178,7 +180,6 @@ void check_target(const Said& said, const Options& options) {
 }
 
 void check_consistent(const Said& said, const Options& options) {
-  if (said.guarantee) throw UsageError("--guarantee is not available yet in this version");
   if (said.paths.empty()) throw UsageError("no IN: name a mesh file, or - for standard input");
   check_target(said, options);
   if (said.paths.size() > 1 && !options.is_batch()) {
@@ -248,16 +249,13 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
            "Finds what is wrong with a triangle mesh, repairs it as far as it can within a "
            "maximum deviation, writes a new file, and says what remains wrong with it. "
            "The input is never changed but by --in-place; what is not broken stays bit for bit.",
-       .footer = "Not available yet in this version: --guarantee; self-intersections are found "
-                 "and left.\n\n"
-                 "Exit status: 0 nothing asked for remains; 1 defects remain; 2 wrong usage; 3 a "
+       .footer = "Exit status: 0 nothing asked for remains; 1 defects remain; 2 wrong usage; 3 a "
                  "file could not be read or written.",
        .version = "meshfixer " MESHALYZER_VERSION "\n"});
   table.arguments(
       "IN", said.paths,
       "a mesh file (.mesh .obj .off .stl .ply) or - for standard input; PATH a mesh file "
       "or a folder: all mesh files in it.");
-  table.flag("--guarantee", said.guarantee, "");
   declare_actions(table, options, said);
   declare_operations(table, options, said);
   declare_holes(table, options, said);

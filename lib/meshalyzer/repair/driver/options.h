@@ -60,6 +60,9 @@ struct RepairOptions {
   Contact contact = Contact::Part;
   Borders borders = Borders::Holes;
   Groups groups = Groups::Names;
+  /// Whether what is still broken in the end is replaced by a new surface, see
+  /// replace_broken_solids().
+  bool guarantee = false;
   /// How many of the largest components are kept, whatever is lost; 0 keeps all.
   std::size_t keep_largest = 0;
   /// How many remaining defects are listed at most; 0 lists all.
