@@ -19,7 +19,7 @@ namespace {
 /// Larger ones only take longer.
 constexpr std::uintmax_t kMaxBytes = 2'000'000;
 
-std::vector<std::string> mesh_files(const std::string& folder) {
+std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> files;
   if (!std::filesystem::is_directory(folder)) return files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
@@ -53,7 +53,7 @@ std::vector<std::pair<std::string, std::string>> in_all_formats(const std::strin
 template <typename Use>
 void for_each_file(Use use) {
   for (const std::string folder : {MESHALYZER_MESHES, MESHALYZER_CORPUS}) {
-    for (const std::string& path : mesh_files(folder)) {
+    for (const std::string& path : files_in(folder)) {
       std::vector<std::pair<std::string, std::string>> files;
       try {
         files = in_all_formats(path);

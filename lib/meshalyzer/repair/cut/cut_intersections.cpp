@@ -11,7 +11,7 @@ namespace meshalyzer {
 namespace {
 
 /// Cutting takes about two kilobytes a pair.
-constexpr std::size_t kMaxPairs = 2'000'000;
+constexpr std::size_t kMostPairsCut = 2'000'000;
 
 PassResult refuse_all(const IntersectingPair& first, const std::string& reason) {
   PassResult result;
@@ -27,10 +27,10 @@ PassResult cut_intersections(const PassInput& input, const CutOptions& options) 
   const auto first = std::find_if(pairs.begin(), pairs.end(), [](const IntersectingPair& pair) {
     return pair.kind != ContactKind::Unwelded;
   });
-  if (pairs.size() > kMaxPairs) {
+  if (pairs.size() > kMostPairsCut) {
     return refuse_all(pairs.front(), std::to_string(pairs.size()) +
                                          " pairs of faces intersect, and no more than " +
-                                         std::to_string(kMaxPairs) + " are cut");
+                                         std::to_string(kMostPairsCut) + " are cut");
   }
   if (input.limits.groups == Groups::Faces) {
     if (first == pairs.end()) return {};

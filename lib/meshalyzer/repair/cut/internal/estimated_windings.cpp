@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kManySamples = 50'000;
 /// A winding number is whole where it is no farther than this from one. Beside a sheet that another
 /// one crosses it comes as near as 1/4.
-constexpr double kSure = 0.15;
+constexpr double kNearWhole = 0.15;
 
 /// What is estimated beside one piece.
 struct Sample {
@@ -80,7 +80,7 @@ EstimatedWindings estimate_windings(const ArrangedSoup& arranged,
     result.of_cell[cells.behind(sample.piece)] += sample.area * behind;
     areas[cells.front(sample.piece)] += sample.area;
     areas[cells.behind(sample.piece)] += sample.area;
-    const bool is_whole = std::abs(sample.front - std::round(sample.front)) <= kSure;
+    const bool is_whole = std::abs(sample.front - std::round(sample.front)) <= kNearWhole;
     whole[cells.component_of[sample.piece]] += is_whole ? sample.area : -sample.area;
   }
   for (std::size_t i = 0; i < cells.count; ++i) {

@@ -21,9 +21,9 @@ Ends sorted(Ends ends) {
 }
 
 /// The border edges of a complex, by their two vertices.
-class BorderEdges {
+class BorderHalfedges {
  public:
-  explicit BorderEdges(const CutMesh& cut) : cut_(cut), edges_(find_border_edges(cut)) {}
+  explicit BorderHalfedges(const CutMesh& cut) : cut_(cut), edges_(find_border_edges(cut)) {}
 
   /// Returns the inner half-edge of the border edge between two vertices.
   [[nodiscard]] HalfedgeHandle find(const Ends& ends) const {
@@ -40,7 +40,7 @@ class BorderEdges {
 };
 
 /// Returns the chain walked backwards, with the half-edges of its edges.
-HoleLoop make_loop(const BoundaryChain& chain, const BorderEdges& border) {
+HoleLoop make_loop(const BoundaryChain& chain, const BorderHalfedges& border) {
   HoleLoop loop;
   loop.vertices.assign(chain.vertices.rbegin(), chain.vertices.rend());
   const std::size_t n_edges = chain.is_closed ? loop.size() : loop.size() - 1;
@@ -74,7 +74,7 @@ HoleLoops find_hole_loops(const PreparedMesh& mesh) {
   HoleLoops result;
   const std::vector<BoundaryChain> chains = find_boundary_chains(mesh);
   if (chains.empty()) return result;
-  const BorderEdges border(mesh.cut());
+  const BorderHalfedges border(mesh.cut());
   for (const BoundaryChain& chain : chains) {
     HoleLoop loop = make_loop(chain, border);
     std::string reason = objection(mesh.cut(), chain, loop);
