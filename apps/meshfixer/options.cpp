@@ -51,6 +51,11 @@ void declare_actions(OptionTable& table, Options& options, Said& said) {
                "only these, by code: " + names_of(all_defect_codes(), defect_name) +
                    "; or default (all but disjoint and numbering), or all");
   table.option("--no-fix LIST", into(said.no_fix, to_codes), "all of these but those named");
+  table.flag(
+      "--cut", [&options] { options.repair.intersections = Intersections::Cut; },
+      "cut faces that intersect, and keep what bounds the solid that they enclose; may take "
+      "minutes "
+      "and gigabytes where many cross in one place: see --time-limit");
   table.flag("--guarantee", options.repair.guarantee,
              "replace what is still broken in the end by a new, clean surface of the solid that it "
              "means, within the maximum deviation, or say that none was found");

@@ -72,10 +72,9 @@ std::vector<double> distances(const std::vector<Vec3>& points, const ClosestPoin
   return result;
 }
 
-constexpr std::size_t kPointsATriangle = 2;
+constexpr std::size_t kPointsATriangle = 4;
 
-/// The middle of each triangle of a contour, and of its longest edge. Its vertices lie on the mesh
-/// but for the rounding of their places along edges.
+/// The corners and the middle of each triangle of a contour.
 std::vector<Vec3> points_of(const Contour& contour) {
   std::vector<Vec3> points;
   points.reserve(kPointsATriangle * contour.triangles.size());
@@ -83,11 +82,7 @@ std::vector<Vec3> points_of(const Contour& contour) {
     const Vec3& a = contour.positions[t[0]];
     const Vec3& b = contour.positions[t[1]];
     const Vec3& c = contour.positions[t[2]];
-    const std::array<double, 3> lengths{(a - b).norm(), (b - c).norm(), (c - a).norm()};
-    const std::array<Vec3, 3> middles{(a + b) / 2.0, (b + c) / 2.0, (c + a) / 2.0};
-    const auto longest = std::max_element(lengths.begin(), lengths.end()) - lengths.begin();
-    points.push_back((a + b + c) / 3.0);
-    points.push_back(middles[static_cast<std::size_t>(longest)]);
+    points.insert(points.end(), {a, b, c, (a + b + c) / 3.0});
   }
   return points;
 }

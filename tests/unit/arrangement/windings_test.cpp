@@ -96,10 +96,10 @@ TEST(FindWindings, ThreePlanesThroughOnePointAreToldApartRoundTheirEdges) {
       shapes::merged(shapes::merged(slab({0, -1, -1}, {1, 2, 2}), slab({-1, 0, -1}, {2, 1, 2})),
                      slab({-1, -1, 0}, {2, 2, 1})));
   // Inclusion and exclusion: 3 * 9 - 3 * 3 + 1.
-  EXPECT_EQ(cut.volume(1), 19.0);
+  EXPECT_NEAR(cut.volume(1), 19.0, 1e-12);
   // Three bars of volume 3 through the cube.
-  EXPECT_EQ(cut.volume(2), 7.0);
-  EXPECT_EQ(cut.volume(3), 1.0);
+  EXPECT_NEAR(cut.volume(2), 7.0, 1e-12);
+  EXPECT_NEAR(cut.volume(3), 1.0, 1e-12);
 }
 
 /// The 27 ways in which an interval of length 1, 2 or 3 can lie to [3, 6], on a grid.

@@ -32,6 +32,9 @@ enum class Borders : std::uint8_t {
   Intended,
 };
 
+/// What becomes of faces that intersect and are neither repeated, folded nor unwelded.
+enum class Intersections : std::uint8_t { Keep, Cut };
+
 /// Whether all faces are turned over before anything else.
 enum class Turn : std::uint8_t { Nothing, Everything };
 
@@ -59,6 +62,7 @@ struct RepairOptions {
   Turn turn = Turn::Nothing;
   Contact contact = Contact::Part;
   Borders borders = Borders::Holes;
+  Intersections intersections = Intersections::Keep;
   Groups groups = Groups::Names;
   /// Whether what is still broken in the end is replaced by a new surface, see
   /// replace_broken_solids().
