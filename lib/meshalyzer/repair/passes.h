@@ -60,11 +60,6 @@ namespace meshalyzer {
 /// cavities stay cavities; open or self-intersecting ones by votes of winding numbers.
 [[nodiscard]] PassResult orient_outward(const PassInput& input);
 
-/// Replaces the components that are still broken, and those that they intersect, by the contour of
-/// the solid that they mean (see contour_mesh()), where all of them bound one. Walls inside the
-/// solid go, and holes are spanned.
-[[nodiscard]] PassResult replace_broken_solids(const PassInput& input);
-
 /// Removes foldovers (see find_foldovers()).
 [[nodiscard]] PassResult remove_foldovers(const PassInput& input);
 

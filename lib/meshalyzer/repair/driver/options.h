@@ -64,9 +64,6 @@ struct RepairOptions {
   Borders borders = Borders::Holes;
   Intersections intersections = Intersections::Keep;
   Groups groups = Groups::Names;
-  /// Whether what is still broken in the end is replaced by a new surface, see
-  /// replace_broken_solids().
-  bool guarantee = false;
   /// How many of the largest components are kept, whatever is lost; 0 keeps all.
   std::size_t keep_largest = 0;
   /// How many remaining defects are listed at most; 0 lists all.

@@ -113,9 +113,4 @@ std::vector<PlannedPass> plan_passes(const RepairOptions& options, const Toleran
   return plan.take();
 }
 
-std::vector<PlannedPass> plan_last_resort(const RepairOptions& options) {
-  if (!options.guarantee) return {};
-  return {{"replace broken solids", DefectCode::SelfIntersection, replace_broken_solids}};
-}
-
 }  // namespace meshalyzer

@@ -37,8 +37,4 @@ struct PlannedPass {
 [[nodiscard]] std::vector<PlannedPass> plan_passes(const RepairOptions& options,
                                                    const Tolerances& tolerances);
 
-/// Returns the passes for what all others have left broken; none unless the options ask for a
-/// guarantee.
-[[nodiscard]] std::vector<PlannedPass> plan_last_resort(const RepairOptions& options);
-
 }  // namespace meshalyzer

@@ -51,32 +51,17 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
   });
   if (turns_over) before.is_yes[static_cast<std::size_t>(Attribute::Outward)] = false;
   const DefectInventory input{{}, before.counts, before.is_yes};
-  DefectInventory last = run_stages(plan, check, std::move(before));
-  const std::vector<PlannedPass> last_resort = plan_last_resort(options);
-  if (!last_resort.empty()) {
-    set_checkpoint();
-    last = run_stages(last_resort, check, std::move(last));
-  }
-  rises_ = find_rises(input, last);
-}
-
-DefectInventory RepairDriver::run_stages(const std::vector<PlannedPass>& plan,
-                                         const FinalCheck& check, DefectInventory before) {
   for (std::size_t stage = 0; stage < kMaxStages; ++stage) {
     std::optional<DefectInventory> after = run_stage(plan, {check, before});
     if (!after) break;
     before = std::move(*after);
     // What was banned for the sake of others may be done now, so that nothing is left to do.
     if (banned_.size() == 0) break;
-    set_checkpoint();
+    banned_ = {};
+    checkpoint_ = {state_->tracked(), log_, deviation_, walls_};
+    applied_.clear();
   }
-  return before;
-}
-
-void RepairDriver::set_checkpoint() {
-  banned_ = {};
-  checkpoint_ = {state_->tracked(), log_, deviation_, walls_};
-  applied_.clear();
+  rises_ = find_rises(input, before);
 }
 
 std::optional<DefectInventory> RepairDriver::run_stage(const std::vector<PlannedPass>& plan,

@@ -91,11 +91,6 @@ class RepairDriver {
     std::vector<Corners> walls;
   };
 
-  /// Runs the plan stage by stage, each of which is free again to do what the one before had
-  /// banned, and returns what is defective in the end.
-  DefectInventory run_stages(const std::vector<PlannedPass>& plan, const FinalCheck& check,
-                             DefectInventory before);
-  void set_checkpoint();
   /// Runs the plan from the checkpoint, with more and more operations banned, until the mesh is not
   /// worse than it was there.
   ///
