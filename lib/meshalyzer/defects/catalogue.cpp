@@ -99,7 +99,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
          "bound "
          "the solid that the faces enclose goes: exactly where they are closed, by estimates where "
          "they nearly are; sheets are left.",
-     .fix_summary = "meshfixer mends it",
+     .fix_summary = "meshfixer cuts it where asked to",
      .passes = "weld borders, drop duplicates, remove foldovers or cut intersections",
      .fixed_by_default = true},
     {.code = DefectCode::NonManifold,

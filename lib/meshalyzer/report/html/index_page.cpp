@@ -1,5 +1,5 @@
-#include "meshalyzer/report/html/index_table.h"
 #include "meshalyzer/analysis/goodness.h"
+#include "meshalyzer/report/html/index_table.h"
 #include "meshalyzer/report/html/page.h"
 #include "meshalyzer/report/html/page_frame.h"
 #include "meshalyzer/report/html/set_notes.h"

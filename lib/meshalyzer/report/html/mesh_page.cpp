@@ -1,5 +1,5 @@
-#include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/analysis/goodness.h"
+#include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/defect_list.h"
 #include "meshalyzer/report/html/page.h"
 #include "meshalyzer/report/html/page_frame.h"
