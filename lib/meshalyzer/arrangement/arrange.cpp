@@ -27,13 +27,13 @@ void require_faces(const Soup& soup, std::span<const IntersectingPair> pairs) {
   }
 }
 
-FaceContacts find_contacts(const Soup& soup, std::span<const FaceShape> shapes,
+FaceContacts find_contacts(const Soup& soup, std::span<const FaceSimplex> simplices,
                            std::span<const IntersectingPair> pairs) {
   std::vector<FaceContacts> parts(n_chunks(pairs.size(), kItemsAtOnce));
   parallel_chunks(pairs.size(), kItemsAtOnce, [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const FaceShape& a = shapes[shape_number(shapes, pairs[i].face_a)];
-      const FaceShape& b = shapes[shape_number(shapes, pairs[i].face_b)];
+      const FaceSimplex& a = simplices[simplex_number(simplices, pairs[i].face_a)];
+      const FaceSimplex& b = simplices[simplex_number(simplices, pairs[i].face_b)];
       find_face_contact(soup, a, b, parts[chunk.number]);
     }
   });
@@ -46,24 +46,24 @@ FaceContacts find_contacts(const Soup& soup, std::span<const FaceShape> shapes,
   return all;
 }
 
-NamedPoints name_contacts(const Soup& soup, std::span<const FaceShape> shapes,
+NamedPoints name_contacts(const Soup& soup, std::span<const FaceSimplex> simplices,
                           const FaceContacts& contacts) {
   std::vector<PointName> names;
-  for (const FaceShape& shape : shapes) {
-    for (const Index v : shape.vertices) names.push_back(vertex_name(v));
+  for (const FaceSimplex& simplex : simplices) {
+    for (const Index v : simplex.vertices) names.push_back(vertex_name(v));
   }
   for (const ContactPoint& point : contacts.points) names.push_back(point.point);
   return {soup, std::move(names)};
 }
 
 /// The crossings in each cluster.
-std::vector<std::vector<PointName>> find_crossings(std::span<const FaceShape> shapes,
+std::vector<std::vector<PointName>> find_crossings(std::span<const FaceSimplex> simplices,
                                                    std::span<const FaceCluster> clusters,
                                                    const NamedPoints& points) {
   std::vector<std::vector<PointName>> crossings(clusters.size());
   parallel_chunks(clusters.size(), kItemsAtOnce, [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      crossings[i] = find_segment_crossings(shapes, clusters[i], points);
+      crossings[i] = find_segment_crossings(simplices, clusters[i], points);
     }
   });
   return crossings;
@@ -102,26 +102,26 @@ std::vector<EdgeNode> collect_edge_nodes(std::vector<EdgeNode> own,
 
 Arrangement arrange(const Soup& soup, std::span<const IntersectingPair> pairs) {
   require_faces(soup, pairs);
-  const std::vector<FaceShape> shapes = shapes_of(soup, pairs);
-  const FaceContacts contacts = find_contacts(soup, shapes, pairs);
-  const NamedPoints points = name_contacts(soup, shapes, contacts);
-  const std::vector<FaceCluster> clusters = make_clusters(shapes, pairs, contacts, points);
-  const auto crossings = find_crossings(shapes, clusters, points);
+  const std::vector<FaceSimplex> simplices = simplices_of(soup, pairs);
+  const FaceContacts contacts = find_contacts(soup, simplices, pairs);
+  const NamedPoints points = name_contacts(soup, simplices, contacts);
+  const std::vector<FaceCluster> clusters = make_clusters(simplices, pairs, contacts, points);
+  const auto crossings = find_crossings(simplices, clusters, points);
   const NamedPoints crossing_points = name_crossings(soup, crossings);
   Nodes nodes = unite_points(points, crossing_points);
 
   const std::vector<Index> flat_faces = find_flat_faces(soup);
   const std::vector<VertexPair> flat_edges = edges_of_faces(soup, flat_faces);
-  const std::vector<ClusterPieces> pieces = cut_clusters({.shapes = shapes,
+  const std::vector<ClusterPieces> pieces = cut_clusters({.simplices = simplices,
                                                           .points = points,
                                                           .crossings = crossing_points,
                                                           .nodes = nodes,
                                                           .flat_edges = flat_edges},
                                                          clusters, crossings);
   const std::vector<EdgeNode> edge_nodes =
-      collect_edge_nodes(find_edge_nodes(shapes, contacts, points, nodes), pieces);
+      collect_edge_nodes(find_edge_nodes(simplices, contacts, points, nodes), pieces);
   return assemble({.soup = soup,
-                   .shapes = shapes,
+                   .simplices = simplices,
                    .points = points,
                    .clusters = pieces,
                    .flat_faces = flat_faces,

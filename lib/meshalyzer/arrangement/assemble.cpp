@@ -17,7 +17,7 @@ class Assembly {
       : parts_(parts), soup_(parts.soup), nodes_(std::move(nodes)) {}
 
   Arrangement run() {
-    for (const FaceShape& shape : parts_.shapes) result_.cut_faces.push_back(shape.face);
+    for (const FaceSimplex& simplex : parts_.simplices) result_.cut_faces.push_back(simplex.face);
     number_vertices();
     collect_pieces();
     index_faces();

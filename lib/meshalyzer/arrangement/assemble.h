@@ -7,7 +7,7 @@ namespace meshalyzer {
 /// The parts that an arrangement is assembled from. It only refers to them.
 struct ArrangementParts {
   const Soup& soup;
-  std::span<const FaceShape> shapes;
+  std::span<const FaceSimplex> simplices;
   const NamedPoints& points;
   std::span<const ClusterPieces> clusters;
   /// The faces of no area, ascending.

@@ -24,25 +24,25 @@ struct ClusterSegment {
 struct FaceCluster {
   /// An axis along which the plane projects to an area.
   Axis axis = Axis::X;
-  /// The faces by the numbers of their shapes, ascending.
+  /// The faces by the numbers of their simplices, ascending.
   std::vector<Index> faces;
   /// Numbers of the points that lie in the faces, their corners included. Ascending, each once.
   std::vector<Index> points;
   std::vector<ClusterSegment> segments;
 };
 
-/// The shapes of the faces of these pairs, ascending by face.
-[[nodiscard]] std::vector<FaceShape> shapes_of(const Soup& soup,
-                                               std::span<const IntersectingPair> pairs);
+/// The simplices of the faces of these pairs, ascending by face.
+[[nodiscard]] std::vector<FaceSimplex> simplices_of(const Soup& soup,
+                                                    std::span<const IntersectingPair> pairs);
 
-/// The number of the shape of a face, which must have one.
-[[nodiscard]] Index shape_number(std::span<const FaceShape> shapes, Index face);
+/// The number of the simplex of a face, which must have one.
+[[nodiscard]] Index simplex_number(std::span<const FaceSimplex> simplices, Index face);
 
 /// Groups the triangles among the faces, with all that lies in them.
 ///
-/// @param points  Holds the corners of all shapes, and all that the contacts name.
+/// @param points  Holds the corners of all simplices, and all that the contacts name.
 /// @return        Ascending by first face.
-[[nodiscard]] std::vector<FaceCluster> make_clusters(std::span<const FaceShape> shapes,
+[[nodiscard]] std::vector<FaceCluster> make_clusters(std::span<const FaceSimplex> simplices,
                                                      std::span<const IntersectingPair> pairs,
                                                      const FaceContacts& contacts,
                                                      const NamedPoints& points);

@@ -63,7 +63,7 @@ class ClusterCut {
 
   void insert_faces() {
     for (const Index number : cluster_.faces) {
-      const FaceShape& face = scene_.shapes[number];
+      const FaceSimplex& face = scene_.simplices[number];
       for (const VertexPair& edge : face.edges()) {
         const std::vector<Index> chain =
             insert_segment(t_, local_corner(edge[0]), local_corner(edge[1]));
@@ -104,13 +104,13 @@ class ClusterCut {
 
   /// Returns the turn of a face in the projection.
   [[nodiscard]] Sign turn_of(Index number) const {
-    const Triangle& v = scene_.shapes[number].vertices;
+    const Triangle& v = scene_.simplices[number].vertices;
     return t_.turn(local_corner(v[0]), local_corner(v[1]), local_corner(v[2]));
   }
 
   void take_all() {
     const std::array<PieceSource, 1> source{
-        PieceSource{scene_.shapes[cluster_.faces[0]].face, turn_of(cluster_.faces[0])}};
+        PieceSource{scene_.simplices[cluster_.faces[0]].face, turn_of(cluster_.faces[0])}};
     for (std::size_t i = 0; i < t_.n_triangles(); ++i) take(i, source);
   }
 
@@ -124,7 +124,7 @@ class ClusterCut {
       for (const Index number : cover.of(i)) {
         const auto k = std::lower_bound(cluster_.faces.begin(), cluster_.faces.end(), number) -
                        cluster_.faces.begin();
-        sources.push_back({scene_.shapes[number].face, turns[static_cast<std::size_t>(k)]});
+        sources.push_back({scene_.simplices[number].face, turns[static_cast<std::size_t>(k)]});
       }
       if (!sources.empty()) take(i, sources);
     }

@@ -34,7 +34,7 @@ struct ClusterPieces {
 
 /// The input of the cutting of a cluster. It only refers to it.
 struct CuttingScene {
-  std::span<const FaceShape> shapes;
+  std::span<const FaceSimplex> simplices;
   const NamedPoints& points;
   const NamedPoints& crossings;
   const Nodes& nodes;

@@ -20,7 +20,8 @@ enum class Position : std::uint8_t {
 /// Collects where two faces meet.
 class Meeting {
  public:
-  Meeting(const Soup& soup, const FaceShape& p, const FaceShape& q) : soup_(soup), p_(p), q_(q) {}
+  Meeting(const Soup& soup, const FaceSimplex& p, const FaceSimplex& q)
+      : soup_(soup), p_(p), q_(q) {}
 
   void find() {
     position_ = position();
@@ -51,7 +52,7 @@ class Meeting {
  private:
   [[nodiscard]] const Vec3& at(Index vertex) const { return soup_.positions[vertex]; }
 
-  [[nodiscard]] bool is_in_plane(const FaceShape& triangle, const FaceShape& other) const {
+  [[nodiscard]] bool is_in_plane(const FaceSimplex& triangle, const FaceSimplex& other) const {
     return std::all_of(other.vertices.begin(), other.vertices.end(),
                        [&](Index x) { return side_of(soup_, triangle, x) == 0; });
   }
@@ -77,7 +78,7 @@ class Meeting {
     return projection_axis(at(a), at(b), at(c));
   }
 
-  void add_corners(const FaceShape& of, const FaceShape& in) {
+  void add_corners(const FaceSimplex& of, const FaceSimplex& in) {
     for (const Index x : of.vertices) {
       if (contains(soup_, in, x)) add(vertex_name(x));
     }
@@ -91,7 +92,7 @@ class Meeting {
 
   /// Adds the points where edges go through a triangle from one side of its plane to the other, but
   /// for its corners.
-  void add_piercings(const FaceShape& of, const FaceShape& triangle) {
+  void add_piercings(const FaceSimplex& of, const FaceSimplex& triangle) {
     if (!triangle.is_triangle()) return;
     for (const VertexPair& edge : of.edges()) {
       if (side_of(soup_, triangle, edge[0]) * side_of(soup_, triangle, edge[1]) < 0 &&
@@ -103,7 +104,7 @@ class Meeting {
 
   /// Tells whether a line that is not in the plane of the triangle goes through its inside, or
   /// through the inside of an edge.
-  [[nodiscard]] bool pierces(const VertexPair& edge, const FaceShape& triangle) const {
+  [[nodiscard]] bool pierces(const VertexPair& edge, const FaceSimplex& triangle) const {
     Sign side = 0;
     int n_zeros = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -151,7 +152,7 @@ class Meeting {
 
   /// Reports the parts of a triangle's edges that lie in the other triangle, which is in the same
   /// plane.
-  void report_edges(const FaceShape& of, FaceContacts& found) const {
+  void report_edges(const FaceSimplex& of, FaceContacts& found) const {
     for (const VertexPair& edge : of.edges()) {
       std::vector<PointName> on;
       std::copy_if(points_.begin(), points_.end(), std::back_inserter(on),
@@ -163,29 +164,29 @@ class Meeting {
 
   /// All points are in one line: the segments from the first to the others cover what is between
   /// them.
-  void report_segments(const std::vector<PointName>& points, const FaceShape& face,
-                       const FaceShape& other, FaceContacts& found) const {
+  void report_segments(const std::vector<PointName>& points, const FaceSimplex& face,
+                       const FaceSimplex& other, FaceContacts& found) const {
     if (!face.is_triangle()) return;
     for (std::size_t i = 1; i < points.size(); ++i) {
       found.segments.push_back({face.face, other.face, line(other), points[0], points[i]});
     }
   }
 
-  [[nodiscard]] SegmentLine line(const FaceShape& other) const {
+  [[nodiscard]] SegmentLine line(const FaceSimplex& other) const {
     if (position_ == Position::CoplanarTriangles) return SegmentLine::Edge;
     return other.is_triangle() ? SegmentLine::Plane : SegmentLine::Face;
   }
 
   const Soup& soup_;
-  const FaceShape& p_;
-  const FaceShape& q_;
+  const FaceSimplex& p_;
+  const FaceSimplex& q_;
   Position position_ = Position::Askew;
   std::vector<PointName> points_;
 };
 
 }  // namespace
 
-void find_face_contact(const Soup& soup, const FaceShape& p, const FaceShape& q,
+void find_face_contact(const Soup& soup, const FaceSimplex& p, const FaceSimplex& q,
                        FaceContacts& found) {
   Meeting meeting(soup, p, q);
   meeting.find();

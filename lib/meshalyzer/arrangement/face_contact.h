@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/arrangement/face_shape.h"
+#include "meshalyzer/arrangement/face_simplex.h"
 
 #include <vector>
 
@@ -43,7 +43,7 @@ struct FaceContacts {
 /// Points are the corners of one face that lie in the other, where an edge of one goes through the
 /// other, and where edges in one plane cross: together the corners of the faces' intersection.
 /// Decided by signs of orientations alone.
-void find_face_contact(const Soup& soup, const FaceShape& p, const FaceShape& q,
+void find_face_contact(const Soup& soup, const FaceSimplex& p, const FaceSimplex& q,
                        FaceContacts& found);
 
 }  // namespace meshalyzer

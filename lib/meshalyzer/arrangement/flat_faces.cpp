@@ -54,17 +54,17 @@ std::vector<VertexPair> edges_of_faces(const Soup& soup, std::span<const Index> 
   return edges;
 }
 
-std::vector<EdgeNode> find_edge_nodes(std::span<const FaceShape> shapes,
+std::vector<EdgeNode> find_edge_nodes(std::span<const FaceSimplex> simplices,
                                       const FaceContacts& contacts, const NamedPoints& points,
                                       const Nodes& nodes) {
   std::vector<EdgeNode> found;
   const auto corner = [&](Index v) { return nodes.of_first[points.find(vertex_name(v))]; };
   for (const auto& [face, point] : contacts.points) {
-    const FaceShape& shape = shapes[shape_number(shapes, face)];
-    if (shape.is_triangle()) continue;
+    const FaceSimplex& simplex = simplices[simplex_number(simplices, face)];
+    if (simplex.is_triangle()) continue;
     const Index node = nodes.of_first[points.find(point)];
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto [u, v] = std::minmax(shape.vertices[i], shape.vertices[(i + 1) % 3]);
+      const auto [u, v] = std::minmax(simplex.vertices[i], simplex.vertices[(i + 1) % 3]);
       // All are in one line, along which nodes are in order.
       const auto [low, high] = std::minmax({corner(u), corner(v)});
       if (low < node && node < high) found.push_back({{u, v}, node});

@@ -12,7 +12,7 @@ namespace meshalyzer {
                                                      std::span<const Index> faces);
 
 /// The nodes inside the edges of those faces of no area that take part in contacts.
-[[nodiscard]] std::vector<EdgeNode> find_edge_nodes(std::span<const FaceShape> shapes,
+[[nodiscard]] std::vector<EdgeNode> find_edge_nodes(std::span<const FaceSimplex> simplices,
                                                     const FaceContacts& contacts,
                                                     const NamedPoints& points, const Nodes& nodes);
 

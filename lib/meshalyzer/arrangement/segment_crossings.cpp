@@ -13,9 +13,9 @@ constexpr std::size_t kFewSegments = 16;
 /// Looks for crossings among the segments of one cluster.
 class Crossings {
  public:
-  Crossings(std::span<const FaceShape> shapes, const FaceCluster& cluster,
+  Crossings(std::span<const FaceSimplex> simplices, const FaceCluster& cluster,
             const NamedPoints& points)
-      : shapes_(shapes), axis_(cluster.axis), points_(points) {
+      : simplices_(simplices), axis_(cluster.axis), points_(points) {
     for (const ClusterSegment& s : cluster.segments) {
       if (s.line == SegmentLine::Edge || s.from == s.to) continue;
       segments_.push_back(s);
@@ -69,10 +69,10 @@ class Crossings {
   }
 
   [[nodiscard]] VertexPair ends(const ClusterSegment& s) const {
-    return shapes_[shape_number(shapes_, s.other)].ends;
+    return simplices_[simplex_number(simplices_, s.other)].ends;
   }
 
-  std::span<const FaceShape> shapes_;
+  std::span<const FaceSimplex> simplices_;
   Axis axis_;
   const NamedPoints& points_;
   std::vector<ClusterSegment> segments_;
@@ -82,10 +82,10 @@ class Crossings {
 
 }  // namespace
 
-std::vector<PointName> find_segment_crossings(std::span<const FaceShape> shapes,
+std::vector<PointName> find_segment_crossings(std::span<const FaceSimplex> simplices,
                                               const FaceCluster& cluster,
                                               const NamedPoints& points) {
-  return Crossings(shapes, cluster, points).find();
+  return Crossings(simplices, cluster, points).find();
 }
 
 }  // namespace meshalyzer

@@ -10,7 +10,7 @@ namespace meshalyzer {
 /// are left out.
 ///
 /// @complexity  O(n log n + pairs whose boxes meet).
-[[nodiscard]] std::vector<PointName> find_segment_crossings(std::span<const FaceShape> shapes,
+[[nodiscard]] std::vector<PointName> find_segment_crossings(std::span<const FaceSimplex> simplices,
                                                             const FaceCluster& cluster,
                                                             const NamedPoints& points);
 

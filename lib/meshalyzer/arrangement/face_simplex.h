@@ -7,7 +7,7 @@
 namespace meshalyzer {
 
 /// A face as a set of points: a triangle, or where its area is zero a segment or a point.
-struct FaceShape {
+struct FaceSimplex {
   Index face = kNoIndex;
   Triangle vertices{};
   /// 2, 1 or 0.
@@ -23,15 +23,15 @@ struct FaceShape {
 };
 
 /// @param face  In the complex.
-[[nodiscard]] FaceShape face_shape(const Soup& soup, Index face);
+[[nodiscard]] FaceSimplex face_simplex(const Soup& soup, Index face);
 
 /// Whether x lies on the closed segment between two vertices, which are at different places.
 [[nodiscard]] bool is_on_segment(const Soup& soup, const VertexPair& ends, Index x);
 
-/// Whether a vertex lies in the closed shape.
-[[nodiscard]] bool contains(const Soup& soup, const FaceShape& shape, Index x);
+/// Whether a vertex lies in the closed simplex.
+[[nodiscard]] bool contains(const Soup& soup, const FaceSimplex& simplex, Index x);
 
 /// Tells on which side of a triangle's plane a vertex lies, as orient3d() does.
-[[nodiscard]] Sign side_of(const Soup& soup, const FaceShape& triangle, Index x);
+[[nodiscard]] Sign side_of(const Soup& soup, const FaceSimplex& triangle, Index x);
 
 }  // namespace meshalyzer

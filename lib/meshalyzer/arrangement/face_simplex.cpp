@@ -1,4 +1,4 @@
-#include "meshalyzer/arrangement/face_shape.h"
+#include "meshalyzer/arrangement/face_simplex.h"
 
 #include <algorithm>
 
@@ -9,25 +9,25 @@ bool lexicographically_less(const Vec3& a, const Vec3& b) {
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
-bool has_corner(const FaceShape& shape, Index x) {
-  return std::find(shape.vertices.begin(), shape.vertices.end(), x) != shape.vertices.end();
+bool has_corner(const FaceSimplex& simplex, Index x) {
+  return std::find(simplex.vertices.begin(), simplex.vertices.end(), x) != simplex.vertices.end();
 }
 
 /// Tells whether a point in the plane of the triangle lies in the triangle.
-bool is_in_triangle(const Soup& soup, const FaceShape& shape, Index x) {
+bool is_in_triangle(const Soup& soup, const FaceSimplex& simplex, Index x) {
   const auto at = [&](std::size_t i) -> const Vec3& {
-    return soup.positions[shape.vertices[i % 3]];
+    return soup.positions[simplex.vertices[i % 3]];
   };
-  const Sign turn = orient2d(shape.axis, at(0), at(1), at(2));
+  const Sign turn = orient2d(simplex.axis, at(0), at(1), at(2));
   for (std::size_t i = 0; i < 3; ++i) {
-    if (orient2d(shape.axis, at(i), at(i + 1), soup.positions[x]) * turn < 0) return false;
+    if (orient2d(simplex.axis, at(i), at(i + 1), soup.positions[x]) * turn < 0) return false;
   }
   return true;
 }
 
 }  // namespace
 
-std::vector<VertexPair> FaceShape::edges() const {
+std::vector<VertexPair> FaceSimplex::edges() const {
   if (dimension == 2) {
     return {{vertices[0], vertices[1]}, {vertices[1], vertices[2]}, {vertices[2], vertices[0]}};
   }
@@ -35,19 +35,19 @@ std::vector<VertexPair> FaceShape::edges() const {
   return {};
 }
 
-FaceShape face_shape(const Soup& soup, Index face) {
+FaceSimplex face_simplex(const Soup& soup, Index face) {
   const Triangle& t = soup.triangles[face];
-  FaceShape shape{.face = face, .vertices = t};
+  FaceSimplex simplex{.face = face, .vertices = t};
   const auto at = [&](Index v) -> const Vec3& { return soup.positions[v]; };
   if (const auto axis = projection_axis(at(t[0]), at(t[1]), at(t[2]))) {
-    shape.axis = *axis;
-    return shape;
+    simplex.axis = *axis;
+    return simplex;
   }
   const auto [low, high] = std::minmax_element(
       t.begin(), t.end(), [&](Index a, Index b) { return lexicographically_less(at(a), at(b)); });
-  shape.ends = {*low, *high};
-  shape.dimension = at(*low) == at(*high) ? 0 : 1;
-  return shape;
+  simplex.ends = {*low, *high};
+  simplex.dimension = at(*low) == at(*high) ? 0 : 1;
+  return simplex;
 }
 
 bool is_on_segment(const Soup& soup, const VertexPair& ends, Index x) {
@@ -59,19 +59,19 @@ bool is_on_segment(const Soup& soup, const VertexPair& ends, Index x) {
          are_collinear(low, high, point);
 }
 
-bool contains(const Soup& soup, const FaceShape& shape, Index x) {
-  if (has_corner(shape, x)) return true;
-  switch (shape.dimension) {
+bool contains(const Soup& soup, const FaceSimplex& simplex, Index x) {
+  if (has_corner(simplex, x)) return true;
+  switch (simplex.dimension) {
     case 2:
-      return side_of(soup, shape, x) == 0 && is_in_triangle(soup, shape, x);
+      return side_of(soup, simplex, x) == 0 && is_in_triangle(soup, simplex, x);
     case 1:
-      return is_on_segment(soup, shape.ends, x);
+      return is_on_segment(soup, simplex.ends, x);
     default:
-      return soup.positions[x] == soup.positions[shape.vertices[0]];
+      return soup.positions[x] == soup.positions[simplex.vertices[0]];
   }
 }
 
-Sign side_of(const Soup& soup, const FaceShape& triangle, Index x) {
+Sign side_of(const Soup& soup, const FaceSimplex& triangle, Index x) {
   if (has_corner(triangle, x)) return 0;
   const auto [a, b, c] = triangle.vertices;
   return orient3d(soup.positions[a], soup.positions[b], soup.positions[c], soup.positions[x]);
