@@ -1,6 +1,6 @@
 #include "output.h"
 
-#include "meshalyzer/io/count_attributes.h"
+#include "meshalyzer/io/convert/rewrite_as.h"
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/io/format_of.h"
 #include "meshalyzer/io/read.h"
@@ -29,19 +29,21 @@ bool fits_floats(const Soup& soup) {
   });
 }
 
-/// The result as a new file, which says nothing but the mesh.
-Output print_output(const Soup& soup, Format format, const Source& source) {
+/// The result as a new file, with what its format can hold.
+Output new_file(const EditedMesh& mesh, Format format, const Source& source) {
   Output output;
   Encoding encoding = Encoding::Text;
   if (format == source.soup.format && is_binary(source.bytes, format)) {
     encoding = Encoding::Binary;
-    if (format == Format::Stl && !fits_floats(soup)) {
+    if (format == Format::Stl && !fits_floats(mesh.soup)) {
       encoding = Encoding::Text;
       output.note = "written as text: the floats of binary STL would change coordinates";
     }
   }
-  output.bytes = print_mesh(soup, format, encoding);
-  output.lost = lost_attributes(count_attributes(source.soup, source.bytes), soup, format);
+  RewrittenFile file = rewrite_as(mesh, source.bytes, format, encoding);
+  output.bytes = std::move(file.bytes);
+  output.face_records = std::move(file.file_faces);
+  output.lost = std::move(file.lost);
   return output;
 }
 
@@ -59,18 +61,18 @@ std::string numbered_path(const std::string& path, std::size_t number) {
 Output make_output(const TrackedMesh& result, bool is_changed, const std::string& path,
                    const Source& source) {
   const Format format = output_format(path, source);
-  if (format != source.soup.format) {
-    return print_output(result.soup, format, source);
-  }
-  if (!is_changed) {
+  if (!is_changed && format == source.soup.format) {
     Output output;
     output.bytes = source.bytes;
     return output;
   }
-  std::optional<RewrittenFile> file =
-      rewrite_mesh(edited_mesh_of(result, source.soup), source.bytes);
+  const EditedMesh mesh = edited_mesh_of(result, source.soup);
+  if (format != source.soup.format) {
+    return new_file(mesh, format, source);
+  }
+  std::optional<RewrittenFile> file = rewrite_mesh(mesh, source.bytes);
   if (!file) {
-    return print_output(result.soup, format, source);
+    return new_file(mesh, format, source);
   }
   return {std::move(file->bytes), std::move(file->file_faces), std::move(file->lost), ""};
 }

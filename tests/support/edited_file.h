@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/io/convert/rewrite_as.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/rewrite/rewrite.h"
@@ -79,6 +80,10 @@ class EditedFile {
   [[nodiscard]] std::optional<RewrittenFile> rewritten() {
     if (has_vertex_normals_) soup_.corner_normals = soup_.triangles;
     return rewrite_mesh(mesh_, bytes_);
+  }
+  [[nodiscard]] RewrittenFile rewritten_as(Format format, Encoding encoding = Encoding::Text) {
+    if (has_vertex_normals_) soup_.corner_normals = soup_.triangles;
+    return rewrite_as(mesh_, bytes_, format, encoding);
   }
   [[nodiscard]] std::string rewritten_bytes() { return rewritten().value().bytes; }
   /// What the file says after edits.

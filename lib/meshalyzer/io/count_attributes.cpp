@@ -4,6 +4,7 @@
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/format_of.h"
 #include "meshalyzer/io/ply_header.h"
+#include "meshalyzer/io/ply_names.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/stl_layout.h"
 #include "meshalyzer/io/text_scanner.h"
@@ -84,30 +85,27 @@ class ObjCounter {
   std::set<std::string> smoothing_groups_;
 };
 
-bool is_colour(std::string_view property) {
-  constexpr std::array<std::string_view, 10> kNames = {
-      "red",           "green",        "blue",          "alpha", "diffuse_red",
-      "diffuse_green", "diffuse_blue", "diffuse_alpha", "r",     "g"};
-  return std::find(kNames.begin(), kNames.end(), property) != kNames.end() || property == "b" ||
-         property == "a";
-}
+constexpr std::array<std::string_view, 6> kPlyRead = {"x", "y", "z", "nx", "ny", "nz"};
 
 Counts count_ply_element(const PlyElement& element) {
-  constexpr std::array<std::string_view, 6> kRead = {"x", "y", "z", "nx", "ny", "nz"};
   const bool is_vertex = element.name == "vertex";
-  std::size_t n_properties = 0;
+  std::size_t n_others = 0;
   bool has_colour = false;
+  bool has_texture = false;
   for (const PlyProperty& property : element.properties) {
-    const bool is_read = is_vertex
-                             ? std::find(kRead.begin(), kRead.end(), property.name) != kRead.end()
-                             : is_corner_list(property);
-    has_colour = has_colour || is_colour(property.name);
-    n_properties += !is_read && !is_colour(property.name) ? 1 : 0;
+    const bool is_read = is_vertex ? is_one_of(property.name, kPlyRead) : is_corner_list(property);
+    if (is_ply_colour(property.name)) {
+      has_colour = true;
+    } else if (is_ply_texture(property.name)) {
+      has_texture = true;
+    } else {
+      n_others += is_read ? 0 : 1;
+    }
   }
-  return {
-      {is_vertex ? AttributeKind::VertexColours : AttributeKind::FaceColours,
-       has_colour ? element.count : 0},
-      {is_vertex ? AttributeKind::VertexProperties : AttributeKind::FaceProperties, n_properties}};
+  return {{is_vertex ? AttributeKind::VertexColours : AttributeKind::FaceColours,
+           has_colour ? element.count : 0},
+          {AttributeKind::TextureCoordinates, has_texture ? element.count : 0},
+          {is_vertex ? AttributeKind::VertexProperties : AttributeKind::FaceProperties, n_others}};
 }
 
 Counts count_ply(std::string_view content) {
@@ -237,19 +235,6 @@ Counts count_by_format(const Soup& soup, std::string_view bytes) {
   return {};
 }
 
-/// Whether a file of this format that print_mesh() makes of a soup says so.
-bool is_printed(AttributeKind kind, const Soup& soup, Format format) {
-  switch (kind) {
-    case AttributeKind::Normals:
-      return format == Format::Obj ||
-             ((format == Format::Ply || format == Format::Off) && has_vertex_normals(soup));
-    case AttributeKind::Groups:
-      return format == Format::Obj && soup.format == Format::Obj;
-    default:
-      return false;
-  }
-}
-
 }  // namespace
 
 std::vector<AttributeCount> count_attributes(const Soup& soup, std::string_view bytes) {
@@ -260,13 +245,6 @@ std::vector<AttributeCount> count_attributes(const Soup& soup, std::string_view 
     counts.push_back({AttributeKind::Comments, count_lines_with(bytes, '#')});
   }
   return summed(std::move(counts));
-}
-
-std::vector<AttributeCount> lost_attributes(std::vector<AttributeCount> source, const Soup& printed,
-                                            Format format) {
-  std::erase_if(
-      source, [&](const AttributeCount& count) { return is_printed(count.kind, printed, format); });
-  return source;
 }
 
 }  // namespace meshalyzer

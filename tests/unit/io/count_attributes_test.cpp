@@ -33,7 +33,7 @@ TEST(CountAttributes, PlyCountsPropertiesAndOtherElements) {
                     "element edge 2\nproperty int vertex1\nend_header\n0 0 0 1 0\n1 0 0 1 0\n"
                     "0 1 0 1 0\n3 0 1 2 9\n0\n1\n",
                     "a.ply"),
-            "3 vertex colours, 1 vertex property, 1 face property, 2 other records, 1 comment");
+            "3 texture coordinates, 3 vertex colours, 1 face property, 2 other records, 1 comment");
 }
 
 TEST(CountAttributes, OffCountsRecordsWithAColour) {
@@ -47,13 +47,6 @@ TEST(CountAttributes, InriaCountsReferencesAndOtherSections) {
                     "Triangles 1\n1 2 3 8\nEdges 1\n1 2 0\nEnd\n",
                     "a.mesh"),
             "2 references, 1 other record");
-}
-
-TEST(LostAttributes, ObjHoldsGroupsAndNormals) {
-  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvt 0 0\ng x\nf 1/1/1 2/1/1 3/1/1\n";
-  const Soup soup = parse_mesh(obj, "a.obj");
-  EXPECT_EQ(lost_attributes(count_attributes(soup, obj), soup, Format::Obj).size(), 1u);
-  EXPECT_EQ(lost_attributes(count_attributes(soup, obj), soup, Format::Stl).size(), 3u);
 }
 
 }  // namespace

@@ -44,12 +44,6 @@ std::array<double, 3> nearest_weights(const Vec3& p, const std::array<Vec3, 3>& 
   return {a / (a + b + c), b / (a + b + c), c / (a + b + c)};
 }
 
-/// The triangle of the source that a face is or was made of; kNoIndex in a hole patch.
-Index model_of(const ElementOrigin& origin) {
-  const bool has_model = origin.relation == Relation::Same || origin.relation == Relation::MadeOf;
-  return has_model ? origin.record : kNoIndex;
-}
-
 bool is_whole(const Triangle& triangle) {
   return std::find(triangle.begin(), triangle.end(), kNoIndex) == triangle.end();
 }
@@ -125,6 +119,11 @@ class VertexBlender {
 
 }  // namespace
 
+Index model_of(const ElementOrigin& origin) {
+  const bool has_model = origin.relation == Relation::Same || origin.relation == Relation::MadeOf;
+  return has_model ? origin.record : kNoIndex;
+}
+
 Index Blend::main_item() const {
   const auto* const largest = std::max_element(weights.begin(), weights.end());
   return items[static_cast<std::size_t>(largest - weights.begin())];
@@ -150,36 +149,6 @@ Blend blend_at(const Vec3& place, const std::array<Vec3, 3>& corners,
     }
   }
   return n == 0 ? single_blend(items[0]) : blend;
-}
-
-Blend corner_blend(const EditedMesh& mesh, const FaceRecords& records, FanCorner corner) {
-  const Index model = model_of(mesh.faces[corner.triangle]);
-  if (model == kNoIndex) {
-    return {};
-  }
-  const Index record = records.record_of(model);
-  const auto local = [&](Index triangle, std::size_t k) {
-    return static_cast<Index>(local_corner(records, record, {triangle, k}));
-  };
-  const Index v = mesh.soup.triangles[corner.triangle][corner.corner];
-  const Index origin = mesh.vertices[v].record;
-  const auto corner_at = [&](Index triangle) {
-    const Triangle& t = mesh.source.triangles[triangle];
-    return static_cast<std::size_t>(std::find(t.begin(), t.end(), origin) - t.begin());
-  };
-  if (origin != kNoIndex && corner_at(model) != 3) {
-    return single_blend(local(model, corner_at(model)));
-  }
-  for (Index t = records.first_triangle[record]; t < records.first_triangle[record + 1]; ++t) {
-    if (origin != kNoIndex && corner_at(t) != 3) {
-      return single_blend(local(t, corner_at(t)));
-    }
-  }
-  if (!is_whole(mesh.source.triangles[model])) {
-    return {};
-  }
-  return blend_at(mesh.soup.positions[v], corners_of(mesh.source, model),
-                  {local(model, 0), local(model, 1), local(model, 2)});
 }
 
 std::vector<Blend> added_vertex_blends(const EditedMesh& mesh) {

@@ -41,12 +41,8 @@ struct Blend {
 [[nodiscard]] Blend blend_at(const Vec3& place, const std::array<Vec3, 3>& corners,
                              const std::array<Index, 3>& items);
 
-/// Returns where a corner of a written face takes its attributes from: of the corners of the face
-/// record that the face was made of, counted in the order of the file. A vertex that this record
-/// names has those of its corner; any other is somewhere on the triangle that the face was made of,
-/// so that attributes never come from beyond a seam. Empty in a hole patch.
-[[nodiscard]] Blend corner_blend(const EditedMesh& mesh, const FaceRecords& records,
-                                 FanCorner corner);
+/// The triangle of the source that a face is or was made of; kNoIndex in a hole patch.
+[[nodiscard]] Index model_of(const ElementOrigin& origin);
 
 /// Returns where each added vertex takes its attributes from, in their order: of the vertices of
 /// the source. A copy has those of what it is a copy of, a vertex on a face those of the face

@@ -33,6 +33,7 @@ class FacePlanner {
       return std::tie(a.record, a.rank, a.face) < std::tie(b.record, b.rank, b.face);
     });
     number_faces();
+    plan_.n_split_polygons = count_split_polygons();
     plan_.faces = std::move(faces_);
     return std::move(plan_);
   }
@@ -156,6 +157,19 @@ class FacePlanner {
     }
     n_numbered_ += end - begin;
     ++plan_.n_records;
+  }
+
+  [[nodiscard]] std::size_t count_split_polygons() const {
+    std::vector<bool> is_split(records_.size(), false);
+    for (const Placed& placed : placed_) {
+      const ElementOrigin& origin = mesh_.faces[placed.face];
+      if (origin.relation == Relation::Same || origin.relation == Relation::MadeOf) {
+        const Index record = records_.record_of(origin.record);
+        is_split[record] =
+            plan_.fates[record] == RecordFate::Dropped && records_.n_triangles(record) > 1;
+      }
+    }
+    return static_cast<std::size_t>(std::count(is_split.begin(), is_split.end(), true));
   }
 
   const EditedMesh& mesh_;

@@ -67,6 +67,8 @@ struct FacePlan {
   std::vector<Index> file_faces;
   /// How many records the file has.
   std::size_t n_records = 0;
+  /// How many polygons are dropped of which something is left.
+  std::size_t n_split_polygons = 0;
 };
 
 /// Decides which face records stay. What was made of a face stands behind it where statements apply

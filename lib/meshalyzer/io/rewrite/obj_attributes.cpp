@@ -23,7 +23,12 @@ std::string text_of(const std::vector<double>& numbers) {
 
 ObjAttributes::ObjAttributes(const EditedMesh& mesh, std::string_view text,
                              const ObjRecords& records)
-    : mesh_(mesh), text_(text), records_(records) {}
+    : mesh_(mesh),
+      text_(text),
+      records_(records),
+      blender_(mesh, records.face_records, [this](Index a, Index b) {
+        return source_corner(a).texture_point == source_corner(b).texture_point;
+      }) {}
 
 Index ObjAttributes::NewRecords::insert(std::string value) {
   const auto [entry, is_new] = numbers.emplace(value, static_cast<Index>(values.size()));
@@ -36,15 +41,13 @@ Index ObjAttributes::NewRecords::insert(std::string value) {
 ObjCorner ObjAttributes::corner(FanCorner corner) {
   ObjCorner named;
   named.vertex = mesh_.soup.triangles[corner.triangle][corner.corner];
-  const Blend blend = corner_blend(mesh_, records_.face_records, corner);
+  const Blend blend = blender_.blend(corner);
   if (blend.is_empty()) {
     named.normal = normal(corner, kNoIndex);
     return named;
   }
-  const Index record = records_.face_records.record_of(mesh_.faces[corner.triangle].record);
-  const std::vector<ObjCorner>& corners = source_corners(record);
-  named.texture_point = texture_point(blend, corners);
-  named.normal = normal(corner, corners[blend.main_item()].normal);
+  named.texture_point = texture_point(blend);
+  named.normal = normal(corner, source_corner(blend.main_item()).normal);
   return named;
 }
 
@@ -68,14 +71,14 @@ Index ObjAttributes::normal(FanCorner corner, Index named) {
          normals_.insert(text_of({value.x(), value.y(), value.z()}));
 }
 
-Index ObjAttributes::texture_point(const Blend& blend, const std::vector<ObjCorner>& corners) {
+Index ObjAttributes::texture_point(const Blend& blend) {
   const auto is_known = [&](Index item) {
-    return item == kNoIndex || corners[item].texture_point < records_.texture_points.size();
+    return item == kNoIndex || source_corner(item).texture_point < records_.texture_points.size();
   };
   if (!std::all_of(blend.items.begin(), blend.items.end(), is_known)) {
     return kNoIndex;
   }
-  const auto named = [&](Index item) { return corners[item].texture_point; };
+  const auto named = [&](Index item) { return source_corner(item).texture_point; };
   const Index first = named(blend.items[0]);
   if (std::all_of(blend.items.begin(), blend.items.end(),
                   [&](Index item) { return item == kNoIndex || named(item) == first; })) {
@@ -99,6 +102,12 @@ std::vector<double> ObjAttributes::texture_numbers(Index texture_point) const {
     numbers.push_back(parse_real(words[i]).value_or(0.0));
   }
   return numbers;
+}
+
+ObjCorner ObjAttributes::source_corner(Index number) {
+  const FanCorner corner = corner_of_number(number);
+  const Index record = records_.face_records.record_of(corner.triangle);
+  return source_corners(record)[local_corner(records_.face_records, record, corner)];
 }
 
 const std::vector<ObjCorner>& ObjAttributes::source_corners(Index record) {

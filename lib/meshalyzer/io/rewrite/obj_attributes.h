@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/io/rewrite/blend.h"
+#include "meshalyzer/io/rewrite/corner_blender.h"
 #include "meshalyzer/io/rewrite/obj_records.h"
 
 #include <string>
@@ -37,12 +37,15 @@ class ObjAttributes {
   };
 
   [[nodiscard]] const std::vector<ObjCorner>& source_corners(Index record);
-  [[nodiscard]] Index texture_point(const Blend& blend, const std::vector<ObjCorner>& corners);
+  /// What a corner of the source names, by its number.
+  [[nodiscard]] ObjCorner source_corner(Index number);
+  [[nodiscard]] Index texture_point(const Blend& blend);
   [[nodiscard]] std::vector<double> texture_numbers(Index texture_point) const;
 
   const EditedMesh& mesh_;
   std::string_view text_;
   const ObjRecords& records_;
+  CornerBlender blender_;
   NewRecords texture_points_;
   NewRecords normals_;
   /// The corners of the record that was asked for last.

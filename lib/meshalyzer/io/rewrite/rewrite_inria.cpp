@@ -56,7 +56,8 @@ class InriaRewriter {
     RewrittenFile file;
     file.bytes = edits_.apply();
     file.file_faces = file_faces();
-    file.lost = {{AttributeKind::OtherRecords, n_lost_}};
+    file.lost = {{AttributeKind::Polygons, plan_.n_split_polygons},
+                 {AttributeKind::OtherRecords, n_lost_}};
     return file;
   }
 

@@ -46,7 +46,8 @@ class NativeRewriter {
         edits_.replace_lines(span_of(words(torn)), {});
       }
     }
-    return {edits_.apply(), {}, {}};
+    const std::size_t n_lost_comments = edits_.n_lost_comments();
+    return {edits_.apply(), {}, {{AttributeKind::Comments, n_lost_comments}}};
   }
 
  private:

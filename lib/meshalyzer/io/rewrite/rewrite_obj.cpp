@@ -48,7 +48,9 @@ class ObjRewriter {
     if (!keeps_order(plan_)) {
       file.file_faces = plan_.file_faces;
     }
-    file.lost = {{AttributeKind::LinesAndPoints, n_lost_}};
+    file.lost = {{AttributeKind::Polygons, plan_.n_split_polygons},
+                 {AttributeKind::LinesAndPoints, n_lost_},
+                 {AttributeKind::Comments, edits_.n_lost_comments()}};
     return file;
   }
 

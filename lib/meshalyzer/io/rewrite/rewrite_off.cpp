@@ -1,10 +1,10 @@
 #include "meshalyzer/io/rewrite/rewrite_off.h"
 
 #include "meshalyzer/base/numbers.h"
-#include "meshalyzer/io/off.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/rewrite/blend.h"
 #include "meshalyzer/io/rewrite/face_plan.h"
+#include "meshalyzer/io/rewrite/off_records.h"
 #include "meshalyzer/io/rewrite/text_lines.h"
 
 #include <algorithm>
@@ -15,61 +15,11 @@
 namespace meshalyzer {
 namespace {
 
-/// Where the records stand.
-struct OffRecords {
-  std::string_view n_vertices;
-  std::string_view n_faces;
-  std::vector<std::size_t> vertices;
-  std::vector<std::size_t> faces;
-  FaceRecords face_records;
-};
-
-class OffRecordFinder {
- public:
-  OffRecordFinder(std::string_view text, std::size_t n_vertices)
-      : text_(text), in_(text), n_vertices_(n_vertices) {}
-
-  OffRecords find() {
-    static_cast<void>(in_.next_record());
-    if (is_off_keyword(in_.peek())) {
-      static_cast<void>(in_.word());
-      static_cast<void>(in_.next_record());
-    }
-    records_.n_vertices = in_.word();
-    records_.n_faces = in_.word();
-    in_.skip_record();
-    records_.face_records.first_triangle.push_back(0);
-    while (in_.next_record()) {
-      note_record();
-    }
-    return std::move(records_);
-  }
-
- private:
-  void note_record() {
-    const std::size_t begin = text_.size() - in_.remaining();
-    if (records_.vertices.size() < n_vertices_) {
-      records_.vertices.push_back(begin);
-    } else {
-      records_.faces.push_back(begin);
-      std::vector<Index>& first = records_.face_records.first_triangle;
-      const auto n_corners = static_cast<Index>(in_.integer());
-      first.push_back(first.back() + std::max(n_corners, Index{3}) - 2);
-    }
-    in_.skip_record();
-  }
-
-  std::string_view text_;
-  TextScanner in_;
-  std::size_t n_vertices_;
-  OffRecords records_;
-};
-
 class OffRewriter {
  public:
   OffRewriter(const EditedMesh& mesh, std::string_view text)
       : mesh_(mesh),
-        records_(OffRecordFinder(text, mesh.source.n_vertices()).find()),
+        records_(find_off_records(text, mesh.source.n_vertices())),
         plan_(plan_faces(mesh, records_.face_records)),
         numbers_(new_vertices(mesh)),
         n_vertex_numbers_(has_vertex_normals(mesh.source) ? 6 : 3),
@@ -88,6 +38,8 @@ class OffRewriter {
     if (!keeps_order(plan_)) {
       file.file_faces = plan_.file_faces;
     }
+    file.lost = {{AttributeKind::Polygons, plan_.n_split_polygons},
+                 {AttributeKind::Comments, edits_.n_lost_comments()}};
     return file;
   }
 

@@ -1,7 +1,9 @@
 #include "meshalyzer/io/rewrite/rewrite_ply.h"
 
+#include "meshalyzer/io/ply_names.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/rewrite/blend.h"
+#include "meshalyzer/io/rewrite/ply_corner_lists.h"
 #include "meshalyzer/io/rewrite/ply_records.h"
 #include "meshalyzer/io/rewrite/text_lines.h"
 
@@ -15,16 +17,9 @@ namespace meshalyzer {
 namespace {
 
 constexpr std::array<std::string_view, 6> kOwnNumbers = {"x", "y", "z", "nx", "ny", "nz"};
-/// Lists of two numbers a corner.
-constexpr std::array<std::string_view, 2> kCornerLists = {"texcoord", "texcoords"};
 /// What other elements name vertices by.
 constexpr std::array<std::string_view, 4> kVertexReferences = {"vertex1", "vertex2", "vertex_index",
                                                                "vertex_indices"};
-
-template <std::size_t N>
-bool is_one_of(std::string_view name, const std::array<std::string_view, N>& names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 std::size_t find_element(const PlyHeader& header, std::string_view name) {
   return static_cast<std::size_t>(
@@ -80,6 +75,10 @@ class PlyRewriter {
         edits_(content, records_.is_ascii()) {
     find_face_records();
     plan_ = plan_faces(mesh, face_records_);
+    if (face_ != header.elements.size()) {
+      lists_.emplace(mesh, records_, PlyFaces{header.elements[face_], face_, corners_},
+                     face_records_);
+    }
   }
 
   RewrittenFile rewrite() {
@@ -102,7 +101,8 @@ class PlyRewriter {
     if (!keeps_order(plan_)) {
       file.file_faces = plan_.file_faces;
     }
-    file.lost = {{AttributeKind::OtherRecords, n_lost}};
+    file.lost = {{AttributeKind::Polygons, plan_.n_split_polygons},
+                 {AttributeKind::OtherRecords, n_lost}};
     return file;
   }
 
@@ -294,39 +294,23 @@ class PlyRewriter {
       const Index vertex = is_turned ? numbers_[source_vertex] : vertex_at(mesh_, plan_, corner);
       edits_.replace(old.fields[corners_].items[i], index_text(vertex));
       const bool is_other = vertex != numbers_[source_vertex];
-      const Blend blend = is_other ? corner_blend(mesh_, face_records_,
-                                                  {plan_.faces[corner.triangle], corner.corner})
-                                   : single_blend(static_cast<Index>(local));
-      edit_corner_lists(old, i, blend);
+      edit_corner_lists(old, i,
+                        is_other ? lists_->blend({plan_.faces[corner.triangle], corner.corner})
+                                 : single_blend(corner_number(corner)));
     }
   }
 
   /// Gives a corner of a record that stays what lists of the face say of its corners.
   void edit_corner_lists(const PlyRecord& record, std::size_t local, const Blend& blend) {
-    const std::size_t n = record.fields[corners_].items.size();
     for (std::size_t p = 0; p < record.fields.size(); ++p) {
-      const PlyProperty& property = properties(face_)[p];
-      const std::vector<std::string_view>& items = record.fields[p].items;
-      if (!is_one_of(property.name, kCornerLists) || items.size() != 2 * n || blend.is_empty()) {
+      if (!lists_->has_list(record, p) || blend.is_empty()) {
         continue;
       }
+      const std::array<std::string, 2> numbers = lists_->numbers(blend, p);
       for (std::size_t i = 0; i < 2; ++i) {
-        edits_.replace(items[2 * local + i], corner_item(items, i, blend, property.type));
+        edits_.replace(record.fields[p].items[2 * local + i], numbers[i]);
       }
     }
-  }
-
-  /// One of the two numbers that a list says of a corner.
-  [[nodiscard]] std::string corner_item(const std::vector<std::string_view>& items, std::size_t i,
-                                        const Blend& blend, PlyType type) const {
-    const auto item = [&](Index corner) {
-      return items[2 * std::min<std::size_t>(corner, items.size() / 2 - 1) + i];
-    };
-    if (blend.is_single()) {
-      return std::string(item(blend.items[0]));
-    }
-    return records_.text(
-        blend.mean([&](Index corner) { return records_.number(item(corner), type); }), type);
   }
 
   [[nodiscard]] bool is_renumbered(Index record) const {
@@ -340,7 +324,7 @@ class PlyRewriter {
   }
 
   /// A face as a record of its own.
-  [[nodiscard]] std::string face_record(Index face) const {
+  [[nodiscard]] std::string face_record(Index face) {
     const ElementOrigin& origin = mesh_.faces[face];
     std::optional<PlyRecord> model;
     if (origin.record != kNoIndex) {
@@ -354,8 +338,8 @@ class PlyRewriter {
         append_corners(face, fields);
       } else if (!model || (is_patch && property.list_size_type)) {
         append_nothing(property, fields);
-      } else if (is_one_of(property.name, kCornerLists)) {
-        append_corner_list(face, p, *model, fields);
+      } else if (lists_->has_list(*model, p)) {
+        append_corner_list(face, p, fields);
       } else {
         append_copy(model->fields[p], fields);
       }
@@ -370,18 +354,11 @@ class PlyRewriter {
     }
   }
 
-  void append_corner_list(Index face, std::size_t p, const PlyRecord& model, Fields& fields) const {
-    const PlyProperty& property = properties(face_)[p];
-    const std::vector<std::string_view>& items = model.fields[p].items;
-    if (items.size() != 2 * model.fields[corners_].items.size()) {
-      append_copy(model.fields[p], fields);
-      return;
-    }
-    fields.push_back(records_.text(6.0, *property.list_size_type));
+  void append_corner_list(Index face, std::size_t p, Fields& fields) {
+    fields.push_back(records_.text(6.0, *properties(face_)[p].list_size_type));
     for (std::size_t k = 0; k < 3; ++k) {
-      const Blend blend = corner_blend(mesh_, face_records_, {face, k});
-      for (std::size_t i = 0; i < 2; ++i) {
-        fields.push_back(corner_item(items, i, blend, property.type));
+      for (const std::string& number : lists_->numbers(lists_->blend({face, k}), p)) {
+        fields.push_back(number);
       }
     }
   }
@@ -443,6 +420,8 @@ class PlyRewriter {
   std::size_t corners_ = 0;
   FaceRecords face_records_;
   FacePlan plan_;
+  /// Nothing where there are no faces.
+  std::optional<PlyCornerLists> lists_;
   /// By vertex record: which vertex it is now; kNoIndex where it was dropped.
   std::vector<Index> numbers_;
   bool has_normals_;

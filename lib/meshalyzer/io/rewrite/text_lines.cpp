@@ -30,7 +30,17 @@ LineEdits::LineEdits(std::string_view text) : ByteEdits(text) {
 
 void LineEdits::replace_lines(std::string_view record, std::string lines) {
   const std::size_t begin = offset_of(record);
-  replace(line_begin(begin), next_line(begin + record.size()), std::move(lines));
+  const std::size_t next = next_line(begin + record.size());
+  const std::string_view rest =
+      source().substr(begin + record.size(), next - begin - record.size());
+  if (rest.find('#') != std::string_view::npos) {
+    if (lines.empty()) {
+      ++n_lost_comments_;
+    } else {
+      lines.insert(lines.find(line_end_), rest.substr(0, rest.find_last_not_of("\r\n") + 1));
+    }
+  }
+  replace(line_begin(begin), next, std::move(lines));
 }
 
 void LineEdits::insert_lines_behind(std::string_view record, std::string lines) {

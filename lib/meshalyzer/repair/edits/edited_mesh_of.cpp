@@ -1,10 +1,14 @@
 #include "meshalyzer/repair/edits/edited_mesh_of.h"
 
 #include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/mesh/vertex_faces.h"
+#include "meshalyzer/spatial/triangle_distance.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
@@ -81,6 +85,57 @@ class PatchNeighbours {
   std::vector<Index> neighbours_;
 };
 
+/// Finds the face of the input that a changed face lies on.
+///
+/// An edge that is flipped leaves two faces of which each has one corner beyond the face that it
+/// was, and may lie on the face there alone: a cap has no area that it could keep.
+class FacesBelow {
+ public:
+  FacesBelow(const TrackedMesh& tracked, const Soup& input) : tracked_(tracked), input_(input) {}
+
+  /// @param origin  The face of the input that the face is or was made of; it is the answer where
+  ///                the format has no attributes of faces.
+  [[nodiscard]] Index find(Index face, Index origin) {
+    if (input_.format == Format::Mesh) return origin;
+    const Triangle& before = input_.triangles[origin];
+    Index below = origin;
+    for (const Index v : tracked_.soup.triangles[face]) {
+      const Index key = v == kNoIndex ? kNoIndex : tracked_.vertex_keys[v];
+      if (key >= tracked_.n_input_vertices || contains(before, key) || contains(before, kNoIndex)) {
+        continue;
+      }
+      if (!faces_) faces_ = std::make_unique<VertexFaces>(input_);
+      for (const Index other : faces_->at(key)) {
+        const bool is_beside = count_shared(input_.triangles[other], before) >= 2;
+        if (is_beside && is_nearer(face, other, below)) below = other;
+      }
+    }
+    return below;
+  }
+
+ private:
+  static bool contains(const Triangle& triangle, Index vertex) {
+    return std::find(triangle.begin(), triangle.end(), vertex) != triangle.end();
+  }
+
+  /// Whether the middle of a face is nearer to one face of the input than to another, beyond
+  /// rounding.
+  [[nodiscard]] bool is_nearer(Index face, Index candidate, Index other) const {
+    if (contains(input_.triangles[candidate], kNoIndex)) return false;
+    const std::array<Vec3, 3> corners = corners_of(tracked_.soup, face);
+    const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    constexpr double kBeyondRounding = 1e-9;
+    const double slack = kBeyondRounding * (corners[1] - corners[0]).norm();
+    return closest_on_triangle(corners_of(input_, candidate), middle).distance + slack <
+           closest_on_triangle(corners_of(input_, other), middle).distance;
+  }
+
+  const TrackedMesh& tracked_;
+  const Soup& input_;
+  /// Of the input; found when they are first needed.
+  std::unique_ptr<VertexFaces> faces_;
+};
+
 }  // namespace
 
 EditedMesh edited_mesh_of(const TrackedMesh& tracked, const Soup& input) {
@@ -90,15 +145,15 @@ EditedMesh edited_mesh_of(const TrackedMesh& tracked, const Soup& input) {
     mesh.vertices.push_back(origin_of_vertex(tracked, key));
   }
   PatchNeighbours patches(tracked);
+  FacesBelow faces_below(tracked, input);
   mesh.faces.reserve(tracked.face_keys.size());
   for (std::size_t f = 0; f < tracked.face_keys.size(); ++f) {
     const auto face = static_cast<Index>(f);
     const Index key = tracked.face_keys[f];
     const Index origin = tracked.origin_of_face(face);
-    if (key < tracked.n_input_faces) {
-      mesh.faces.push_back({Relation::Same, key});
-    } else if (origin != kNoIndex) {
-      mesh.faces.push_back({Relation::MadeOf, origin});
+    if (origin != kNoIndex) {
+      const Index below = faces_below.find(face, origin);
+      mesh.faces.push_back({below == key ? Relation::Same : Relation::MadeOf, below});
     } else {
       mesh.faces.push_back({Relation::Beside, patches.record_beside(face)});
     }

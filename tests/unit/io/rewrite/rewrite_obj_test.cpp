@@ -44,8 +44,19 @@ TEST(RewriteObj, PatchStandsBehindTheFacesOfTheMaterialBesideIt) {
 TEST(RewriteObj, PolygonIsTrianglesWhereOneOfItsTrianglesIsDropped) {
   EditedFile file = edited(two_quads());
   file.drop_face(1);
-  EXPECT_EQ(file.rewritten_bytes(),
-            with(two_quads(), "f 1/1 2/2 3/3 4/4  # the left one\n", "f 1/1 2/2 3/3\n"));
+  EXPECT_EQ(file.rewritten_bytes(), with(two_quads(), "f 1/1 2/2 3/3 4/4  # the left one\n",
+                                         "f 1/1 2/2 3/3  # the left one\n"));
+  EXPECT_EQ(attribute_text(file.rewritten()->lost.at(0)), "1 polygon");
+}
+
+TEST(RewriteObj, CommentThatGoesWithItsFaceIsCountedAsLost) {
+  EditedFile file = edited(two_quads());
+  file.drop_face(0);
+  file.drop_face(0);
+  EXPECT_EQ(file.rewritten_bytes(), with(two_quads(), "f 1/1 2/2 3/3 4/4  # the left one\n", ""));
+  // No polygon is split: this one was dropped as a whole.
+  ASSERT_EQ(file.rewritten()->lost.size(), 1u);
+  EXPECT_EQ(attribute_text(file.rewritten()->lost[0]), "1 comment");
 }
 
 TEST(RewriteObj, TurnedPolygonIsAPolygonTheOtherWayRound) {

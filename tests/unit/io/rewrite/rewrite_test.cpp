@@ -93,7 +93,8 @@ TEST(RewritePly, RecordThatNamesADroppedVertexIsLost) {
   file.drop_face(1);
   file.drop_vertex(3);
   EXPECT_NE(file.rewritten_bytes().find("element edge 0\n"), std::string::npos);
-  EXPECT_EQ(attribute_text(file.rewritten()->lost.at(0)), "1 other record");
+  EXPECT_EQ(attribute_text(file.rewritten()->lost.at(0)), "1 polygon");
+  EXPECT_EQ(attribute_text(file.rewritten()->lost.at(1)), "1 other record");
 }
 
 /// A triangle with a colour a vertex and a number a face.

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "meshalyzer/io/rewrite/face_plan.h"
+#include "meshalyzer/mesh/soup.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Red, green, blue and opacity, each from 0 to 1.
+using Rgba = std::array<double, 4>;
+using TexturePoint = std::array<double, 2>;
+
+/// What a file says of a mesh beside positions, triangles and normals, as far as several formats
+/// can say it.
+struct MeshAttributes {
+  /// Which triangles are one polygon.
+  FaceRecords faces;
+  /// By vertex, and by face record; empty where none has one.
+  std::vector<std::optional<Rgba>> vertex_colours;
+  std::vector<std::optional<Rgba>> face_colours;
+  /// By corner, see first_corner(); empty where none has one.
+  std::vector<std::optional<TexturePoint>> texture;
+  /// How many of the file's texture coordinates these are.
+  std::size_t n_texture_points = 0;
+  /// The solids of an STL file that have a name.
+  std::vector<Group> solids;
+  /// What comments before the first record say, with the blank before it.
+  std::vector<std::string> comments;
+};
+
+/// The place of a record's first corner among those of all records, of which each has at least
+/// three.
+[[nodiscard]] inline std::size_t first_corner(const FaceRecords& faces, Index record) {
+  return faces.first_triangle[record] + 2 * std::size_t{record};
+}
+
+/// The vertices at the corners of a record, in the order of the file; those of a record of fewer
+/// than three corners are those of its triangle.
+[[nodiscard]] std::vector<Index> corners_of(const FaceRecords& faces, const Soup& soup,
+                                            Index record);
+
+/// Gives each corner the texture coordinates of its vertex.
+void use_at_corners(MeshAttributes& attributes, const Soup& soup,
+                    const std::vector<TexturePoint>& points);
+
+/// Records of one triangle each.
+[[nodiscard]] FaceRecords single_triangles(std::size_t n);
+
+}  // namespace meshalyzer

@@ -1,0 +1,114 @@
+#include "meshalyzer/base/numbers.h"
+#include "meshalyzer/io/convert/read_attributes.h"
+#include "meshalyzer/io/rewrite/obj_records.h"
+#include "meshalyzer/io/rewrite/text_lines.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+class ObjAttributeReader {
+ public:
+  explicit ObjAttributeReader(std::string_view text)
+      : text_(text), records_(find_obj_records(text)) {}
+
+  MeshAttributes read() {
+    attributes_.faces.first_triangle = records_.face_records.first_triangle;
+    read_colours();
+    read_texture();
+    return std::move(attributes_);
+  }
+
+ private:
+  [[nodiscard]] Words words(std::size_t statement) const {
+    return words_at(text_, statement, Continuation::Backslash);
+  }
+
+  /// A vertex has a colour behind its position or, of seven numbers, behind its weight.
+  void read_colours() {
+    constexpr std::size_t kShortest = 7;
+    auto& colours = attributes_.vertex_colours;
+    double largest = 0.0;
+    for (std::size_t v = 0; v < records_.vertices.size(); ++v) {
+      const Words all = words(records_.vertices[v]);
+      if (all.size() < kShortest) {
+        continue;
+      }
+      colours.resize(records_.vertices.size());
+      Rgba& colour = colours[v].emplace(Rgba{0.0, 0.0, 0.0, 1.0});
+      for (std::size_t i = 0; i < 3; ++i) {
+        colour[i] = parse_real(all[all.size() - 3 + i]).value_or(0.0);
+        largest = std::max(largest, colour[i]);
+      }
+    }
+    // Some programs write bytes.
+    const double scale = largest > 1.0 ? 255.0 : 1.0;
+    for (std::optional<Rgba>& colour : colours) {
+      for (std::size_t i = 0; colour && i < 3; ++i) {
+        (*colour)[i] /= scale;
+      }
+    }
+  }
+
+  void read_texture() {
+    if (records_.texture_points.empty()) {
+      return;
+    }
+    const FaceRecords& faces = attributes_.faces;
+    attributes_.texture.resize(first_corner(faces, static_cast<Index>(faces.size())));
+    std::vector<bool> is_used(records_.texture_points.size(), false);
+    for (Index r = 0; r < faces.size(); ++r) {
+      read_texture_of_face(r, is_used);
+    }
+    attributes_.n_texture_points =
+        static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), true));
+    if (attributes_.n_texture_points == 0) {
+      attributes_.texture.clear();
+    }
+  }
+
+  /// A face has texture coordinates at all corners, or none.
+  void read_texture_of_face(Index record, std::vector<bool>& is_used) {
+    const Words all = words(records_.faces[record]);
+    const ObjCounts counts = records_.counts_before(records_.faces[record]);
+    std::vector<Index> named;
+    for (std::size_t i = 1; i < all.size(); ++i) {
+      named.push_back(parse_obj_corner(all[i], counts, TextScanner(all[i])).texture_point);
+      if (named.back() >= is_used.size() || !is_flat(named.back())) {
+        return;
+      }
+    }
+    const std::size_t first = first_corner(attributes_.faces, record);
+    const std::size_t n = attributes_.faces.n_triangles(record) + 2;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Index point = named[std::min(i, named.size() - 1)];
+      is_used[point] = true;
+      attributes_.texture[first + i] = texture_point(point);
+    }
+  }
+
+  [[nodiscard]] double texture_number(Index point, std::size_t i) const {
+    const Words all = words(records_.texture_points[point]);
+    return i + 1 < all.size() ? parse_real(all[i + 1]).value_or(0.0) : 0.0;
+  }
+  [[nodiscard]] bool is_flat(Index point) const { return texture_number(point, 2) == 0.0; }
+  [[nodiscard]] TexturePoint texture_point(Index point) const {
+    return {texture_number(point, 0), texture_number(point, 1)};
+  }
+
+  std::string_view text_;
+  ObjRecords records_;
+  MeshAttributes attributes_;
+};
+
+}  // namespace
+
+MeshAttributes read_obj_attributes(std::string_view text) {
+  return ObjAttributeReader(text).read();
+}
+
+}  // namespace meshalyzer

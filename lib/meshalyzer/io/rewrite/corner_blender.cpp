@@ -1,0 +1,83 @@
+#include "meshalyzer/io/rewrite/corner_blender.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// The corner of a triangle that names a vertex.
+std::optional<Index> corner_at(const Soup& source, Index triangle, Index vertex) {
+  const Triangle& t = source.triangles[triangle];
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (t[k] == vertex) {
+      return corner_number({triangle, k});
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+CornerBlender::CornerBlender(const EditedMesh& mesh, const FaceRecords& records, SaysSame says_same)
+    : mesh_(mesh), records_(records), says_same_(std::move(says_same)) {}
+
+Blend CornerBlender::blend(FanCorner corner) {
+  const Index model = model_of(mesh_.faces[corner.triangle]);
+  if (model == kNoIndex) {
+    return {};
+  }
+  const Index v = mesh_.soup.triangles[corner.triangle][corner.corner];
+  const Index vertex = mesh_.vertices[v].record;
+  if (vertex != kNoIndex) {
+    std::optional<Index> found = corner_in_record(model, vertex);
+    if (!found) {
+      found = corner_beside(model, vertex);
+    }
+    if (found) {
+      return single_blend(*found);
+    }
+  }
+  const Triangle& corners = mesh_.source.triangles[model];
+  if (std::find(corners.begin(), corners.end(), kNoIndex) != corners.end()) {
+    return {};
+  }
+  return blend_at(
+      mesh_.soup.positions[v], corners_of(mesh_.source, model),
+      {corner_number({model, 0}), corner_number({model, 1}), corner_number({model, 2})});
+}
+
+std::optional<Index> CornerBlender::corner_in_record(Index model, Index vertex) const {
+  const Index record = records_.record_of(model);
+  std::optional<Index> found = corner_at(mesh_.source, model, vertex);
+  for (Index t = records_.first_triangle[record]; !found && t < records_.first_triangle[record + 1];
+       ++t) {
+    found = corner_at(mesh_.source, t, vertex);
+  }
+  return found;
+}
+
+std::optional<Index> CornerBlender::corner_beside(Index model, Index vertex) {
+  if (!faces_) {
+    faces_ = std::make_unique<VertexFaces>(mesh_.source);
+  }
+  for (const Index face : faces_->at(vertex)) {
+    const Triangle& t = mesh_.source.triangles[face];
+    if (count_shared(t, mesh_.source.triangles[model]) >= 2 && !has_seam_between(face, model)) {
+      return corner_at(mesh_.source, face, vertex);
+    }
+  }
+  return std::nullopt;
+}
+
+bool CornerBlender::has_seam_between(Index a, Index b) const {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::optional<Index> other = corner_at(mesh_.source, b, mesh_.source.triangles[a][k]);
+    if (other && !says_same_(corner_number({a, k}), *other)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace meshalyzer

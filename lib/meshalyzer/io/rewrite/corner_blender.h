@@ -1,0 +1,49 @@
+#pragma once
+
+#include "meshalyzer/io/rewrite/blend.h"
+#include "meshalyzer/mesh/vertex_faces.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace meshalyzer {
+
+/// A corner of a triangle of the source, as one number.
+[[nodiscard]] inline Index corner_number(FanCorner corner) {
+  return 3 * corner.triangle + static_cast<Index>(corner.corner);
+}
+[[nodiscard]] inline FanCorner corner_of_number(Index number) {
+  return {number / 3, number % 3};
+}
+
+/// Finds where the corners of faces that are written anew take their attributes from: of the
+/// corners of the source, see corner_number().
+class CornerBlender {
+ public:
+  /// Whether two corners of the source at one vertex have the same attributes: there is no seam
+  /// between their faces.
+  using SaysSame = std::function<bool(Index, Index)>;
+
+  /// @param mesh, records  Must outlive the object.
+  CornerBlender(const EditedMesh& mesh, const FaceRecords& records, SaysSame says_same);
+
+  /// Returns the blend of a corner; empty in a hole patch. A vertex that the record names which the
+  /// face was made of has the attributes of its corner there. Beyond an edge of that record it has
+  /// those of the face there, unless the edge is on a seam. Any other is somewhere on the triangle
+  /// that the face was made of, so that attributes never come from beyond a seam.
+  [[nodiscard]] Blend blend(FanCorner corner);
+
+ private:
+  [[nodiscard]] std::optional<Index> corner_in_record(Index model, Index vertex) const;
+  [[nodiscard]] std::optional<Index> corner_beside(Index model, Index vertex);
+  [[nodiscard]] bool has_seam_between(Index a, Index b) const;
+
+  const EditedMesh& mesh_;
+  const FaceRecords& records_;
+  SaysSame says_same_;
+  /// Of the source; found when they are first needed.
+  std::unique_ptr<VertexFaces> faces_;
+};
+
+}  // namespace meshalyzer

@@ -1,0 +1,60 @@
+#include "meshalyzer/io/rewrite/off_records.h"
+
+#include "meshalyzer/io/off.h"
+#include "meshalyzer/io/text_scanner.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+class OffRecordFinder {
+ public:
+  OffRecordFinder(std::string_view text, std::size_t n_vertices)
+      : text_(text), in_(text), n_vertices_(n_vertices) {}
+
+  OffRecords find() {
+    static_cast<void>(in_.next_record());
+    if (is_off_keyword(in_.peek())) {
+      records_.has_texture = in_.peek().substr(0, 2) == "ST";
+      static_cast<void>(in_.word());
+      static_cast<void>(in_.next_record());
+    }
+    records_.n_vertices = in_.word();
+    records_.n_faces = in_.word();
+    in_.skip_record();
+    records_.face_records.first_triangle.push_back(0);
+    while (in_.next_record()) {
+      note_record();
+    }
+    return std::move(records_);
+  }
+
+ private:
+  void note_record() {
+    const std::size_t begin = text_.size() - in_.remaining();
+    if (records_.vertices.size() < n_vertices_) {
+      records_.vertices.push_back(begin);
+    } else {
+      records_.faces.push_back(begin);
+      std::vector<Index>& first = records_.face_records.first_triangle;
+      const auto n_corners = static_cast<Index>(in_.integer());
+      first.push_back(first.back() + std::max(n_corners, Index{3}) - 2);
+    }
+    in_.skip_record();
+  }
+
+  std::string_view text_;
+  TextScanner in_;
+  std::size_t n_vertices_;
+  OffRecords records_;
+};
+
+}  // namespace
+
+OffRecords find_off_records(std::string_view text, std::size_t n_vertices) {
+  return OffRecordFinder(text, n_vertices).find();
+}
+
+}  // namespace meshalyzer

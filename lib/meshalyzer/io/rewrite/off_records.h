@@ -1,0 +1,27 @@
+#pragma once
+
+#include "meshalyzer/io/rewrite/face_plan.h"
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Where the records of an OFF file stand.
+struct OffRecords {
+  std::string_view n_vertices;
+  std::string_view n_faces;
+  std::vector<std::size_t> vertices;
+  std::vector<std::size_t> faces;
+  FaceRecords face_records;
+  /// Whether vertices end with texture coordinates.
+  bool has_texture = false;
+};
+
+/// Finds the records of a text that parse_off() reads.
+///
+/// @complexity O(bytes) time.
+[[nodiscard]] OffRecords find_off_records(std::string_view text, std::size_t n_vertices);
+
+}  // namespace meshalyzer

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "meshalyzer/io/rewrite/corner_blender.h"
+#include "meshalyzer/io/rewrite/ply_records.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace meshalyzer {
+
+/// The face records of a PLY file.
+struct PlyFaces {
+  const PlyElement& element;
+  /// The number of the element, and of the property that lists the corners.
+  std::size_t number;
+  std::size_t corners;
+};
+
+/// The lists of faces that say two numbers a corner: texture coordinates.
+class PlyCornerLists {
+ public:
+  /// All must outlive the object.
+  PlyCornerLists(const EditedMesh& mesh, const PlyRecords& records, const PlyFaces& faces,
+                 const FaceRecords& face_records);
+
+  /// Whether a property of a face record is such a list.
+  [[nodiscard]] bool has_list(const PlyRecord& record, std::size_t property) const;
+
+  /// Returns what the corner of a face takes its numbers of: see CornerBlender.
+  [[nodiscard]] Blend blend(FanCorner corner) { return blender_.blend(corner); }
+
+  /// The numbers of a blend of corners, as they stand in the file.
+  [[nodiscard]] std::array<std::string, 2> numbers(const Blend& blend, std::size_t property) const;
+
+ private:
+  /// The two numbers of a corner of the source; nothing where its record has none.
+  [[nodiscard]] std::optional<std::array<std::string_view, 2>> items_of(Index corner,
+                                                                        std::size_t property) const;
+  [[nodiscard]] bool says_same(Index a, Index b) const;
+
+  const PlyRecords& records_;
+  PlyFaces faces_;
+  const FaceRecords& face_records_;
+  CornerBlender blender_;
+};
+
+}  // namespace meshalyzer
