@@ -34,13 +34,18 @@ void check(const std::uint8_t* data, std::size_t size) {
   edit_at_random(*file, next);
   const std::optional<RewrittenFile> written = file->rewritten();
   if (written && !says_what_was_written(*file, *written, file->read_back())) std::abort();
+  for (const Format format : {Format::Mesh, Format::Obj, Format::Off, Format::Stl, Format::Ply}) {
+    const RewrittenFile other = file->rewritten_as(format);
+    const std::string name = "a." + std::string(format_name(format));
+    if (!says_what_was_written(*file, other, parse_mesh(other.bytes, name))) std::abort();
+  }
 }
 
 }  // namespace
 }  // namespace meshalyzer
 
 /// A file of any format and some edits of its mesh. Without edits it must be written as the same
-/// bytes, with them as a file that is read as the edited mesh.
+/// bytes, with them, in every format, as a file that is read as the edited mesh.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size > meshalyzer::kEditBytes) meshalyzer::check(data, size);
   return 0;

@@ -91,5 +91,20 @@ TEST(RewriteMesh, EditedFilesReadBackAsTheMeshThatWasWritten) {
   });
 }
 
+TEST(RewriteAs, EditedFilesReadBackInEveryFormatAsTheMeshThatWasWritten) {
+  std::mt19937 random(20261123);
+  const auto next = [&](std::size_t n) { return static_cast<Index>(random() % n); };
+  for_each_file([&](EditedFile& file) {
+    if (file.soup().triangles.empty()) return;
+    edit_at_random(file, next);
+    for (const Format format : {Format::Mesh, Format::Obj, Format::Off, Format::Stl, Format::Ply}) {
+      SCOPED_TRACE(std::string(format_name(format)));
+      const RewrittenFile written = file.rewritten_as(format);
+      const std::string name = "a." + std::string(format_name(format));
+      EXPECT_TRUE(says_what_was_written(file, written, parse_mesh(written.bytes, name)));
+    }
+  });
+}
+
 }  // namespace
 }  // namespace meshalyzer

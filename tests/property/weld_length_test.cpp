@@ -49,7 +49,7 @@ TEST(WeldBorders, LargerLengthClosesNoLessOfTornMeshes) {
 
 TEST(WeldBorders, LargerLengthClosesNoLessOfARealMesh) {
   // Welded within 1e-3 of the diagonal at once it keeps more border edges than within 1e-8.
-  const std::string file = std::string(MESHALYZER_CORPUS) + "/neuropil/heal_a003.mesh";
+  const std::string file = MESHALYZER_CORPUS "/neuropil/heal_a003.mesh";
   if (!std::filesystem::is_regular_file(file)) GTEST_SKIP() << "no corpus";
   expect_larger_lengths_close_no_less(read_mesh(file));
 }

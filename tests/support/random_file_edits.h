@@ -59,7 +59,7 @@ inline bool says_what_was_written(EditedFile& file, const RewrittenFile& written
                                   const Soup& read) {
   const Soup& soup = file.soup();
   if (read.n_faces() != soup.n_faces()) return false;
-  if (soup.format != Format::Stl && read.positions != soup.positions) return false;
+  if (read.format != Format::Stl && read.positions != soup.positions) return false;
   for (Index f = 0; f < soup.n_faces(); ++f) {
     const Index on_file = written.file_faces.empty() ? f : written.file_faces[f];
     if (!is_same_face(corners_of(read, on_file), corners_of(soup, f))) return false;
