@@ -65,6 +65,8 @@ void BatchReport::add(const std::string& path, const RepairReport& report) {
     before_[code] += report.result.before.counts[code];
     for (const FinalMesh& mesh : report.meshes) after_[code] += mesh.remaining.counts[code];
   }
+  lost_.insert(lost_.end(), report.lost.begin(), report.lost.end());
+  lost_ = summed(std::move(lost_));
   if (has_json_ || ndjson_ || ndjson_is_stdout_) add_json(on_one_line(json_report(report)));
   say(file_line(path, report));
   ++n_files_;
@@ -101,6 +103,7 @@ std::string BatchReport::table() const {
   text += "changed: " + std::to_string(n_changed_) + '\n';
   text += "with defects left that were asked for: " + std::to_string(n_with_rest_) + '\n';
   text += "not read or not written: " + std::to_string(n_troubles_) + '\n';
+  if (!lost_.empty()) text += "lost: " + lost_text(lost_) + '\n';
   return text;
 }
 

@@ -49,6 +49,7 @@ class BatchReport {
   std::size_t n_troubles_ = 0;
   Counts before_{};
   Counts after_{};
+  std::vector<AttributeCount> lost_;
 };
 
 }  // namespace meshalyzer::fixer

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -43,8 +44,16 @@ Output new_file(const EditedMesh& mesh, Format format, const Source& source) {
   RewrittenFile file = rewrite_as(mesh, source.bytes, format, encoding);
   output.bytes = std::move(file.bytes);
   output.face_records = std::move(file.file_faces);
-  output.lost = std::move(file.lost);
+  output.loss = {std::move(file.lost), std::move(file.lost_records)};
   return output;
+}
+
+/// By kind: how many are lost in a part, but for records that another part may have.
+std::map<AttributeKind, std::size_t> lost_in_part(const Loss& part) {
+  std::map<AttributeKind, std::size_t> counts;
+  for (const AttributeCount& count : part.lost) counts[count.kind] += count.count;
+  for (const LostRecord& record : part.records) --counts[record.kind];
+  return counts;
 }
 
 }  // namespace
@@ -74,7 +83,30 @@ Output make_output(const TrackedMesh& result, bool is_changed, const std::string
   if (!file) {
     return new_file(mesh, format, source);
   }
-  return {std::move(file->bytes), std::move(file->file_faces), std::move(file->lost), ""};
+  return {std::move(file->bytes),
+          std::move(file->file_faces),
+          {std::move(file->lost), std::move(file->lost_records)},
+          ""};
+}
+
+std::vector<AttributeCount> lost_by_all(const std::vector<Loss>& parts, const Source& source) {
+  std::map<AttributeKind, std::size_t> counts;
+  std::map<std::pair<AttributeKind, std::size_t>, std::size_t> n_losers;
+  for (const Loss& part : parts) {
+    for (const auto& [kind, count] : lost_in_part(part)) {
+      // A polygon is in one part; what the format cannot hold is lost in each.
+      std::size_t& all = counts[kind];
+      all = kind == AttributeKind::Polygons ? std::min(all + count, source.soup.n_polygons)
+                                            : std::max(all, count);
+    }
+    for (const LostRecord& record : part.records) ++n_losers[{record.kind, record.offset}];
+  }
+  std::vector<AttributeCount> lost;
+  for (const auto& [kind, count] : counts) lost.push_back({kind, count});
+  for (const auto& [record, n] : n_losers) {
+    lost.push_back({record.first, n == parts.size() ? 1U : 0U});
+  }
+  return summed(std::move(lost));
 }
 
 Soup write_output(const Output& output, const std::string& path) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/io/attributes.h"
+#include "meshalyzer/io/rewrite/rewritten_file.h"
 #include "meshalyzer/mesh/soup.h"
 #include "meshalyzer/repair/edits/tracked_mesh.h"
 
@@ -18,13 +19,19 @@ struct Source {
   const Soup& soup;
 };
 
+/// What of a source is not in a file.
+struct Loss {
+  std::vector<AttributeCount> lost;
+  /// Which of that are records whose elements are not in it.
+  std::vector<LostRecord> records;
+};
+
 /// What is to be written.
 struct Output {
   std::string bytes;
   /// The record in the file of each face of the result; empty where they are the same.
   std::vector<Index> face_records;
-  /// What of the source is not in it.
-  std::vector<AttributeCount> lost;
+  Loss loss;
   /// A note for the user; mostly empty.
   std::string note;
 };
@@ -39,6 +46,10 @@ struct Output {
 /// @param is_changed  Whether anything was.
 [[nodiscard]] Output make_output(const TrackedMesh& result, bool is_changed,
                                  const std::string& path, const Source& source);
+
+/// What of a source is in none of the files that hold its parts.
+[[nodiscard]] std::vector<AttributeCount> lost_by_all(const std::vector<Loss>& parts,
+                                                      const Source& source);
 
 /// Writes a file and reads it back. The old file, if any, stays until the new one is complete, and
 /// what cannot be read does not take its place.

@@ -1,5 +1,6 @@
 #include "repair_mesh.h"
 
+#include "meshalyzer/base/error.h"
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/io/format_of.h"
 #include "meshalyzer/io/read.h"
@@ -83,12 +84,27 @@ struct Job {
   Streams streams;
 };
 
+std::string original_of(const std::string& path) {
+  return path + ".orig";
+}
+
 /// Keeps the input beside what takes its place.
 void keep_original(const std::string& path) {
-  const std::string original = path + ".orig";
+  const std::string original = original_of(path);
   std::error_code error;
   if (!std::filesystem::copy_file(path, original, error)) {
     throw IoError(original, {}, error ? error.message() : "is there already");
+  }
+}
+
+/// Writes over an input that is kept; where that fails, the copy goes again.
+Soup replace_kept(const Output& output, const std::string& path) {
+  try {
+    return write_output(output, path);
+  } catch (const Error&) {
+    std::error_code ignored;
+    std::filesystem::remove(original_of(path), ignored);
+    throw;
   }
 }
 
@@ -106,6 +122,7 @@ Soup put(const Job& job, const Output& output, bool is_changed, const std::strin
     if (job.options.backup == Options::Backup::Original) {
       static_cast<void>(parse_mesh(output.bytes, path));
       keep_original(path);
+      return replace_kept(output, path);
     }
   }
   return write_output(output, path);
@@ -117,6 +134,7 @@ std::vector<Soup> write_all(const Job& job, const std::vector<std::string>& path
                             RepairReport& report) {
   const Options& options = job.options;
   std::vector<Soup> finals;
+  std::vector<Loss> losses;
   const DefectOptions search = final_search(options, report.result.before.tolerances);
   const bool is_changed = !is_unchanged(report);
   for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -130,14 +148,14 @@ std::vector<Soup> write_all(const Job& job, const std::vector<std::string>& path
     Output output = make_output(mesh.tracked, is_changed, paths[i], job.source);
     Soup disk = put(job, output, is_changed, paths[i]);
     if (!output.note.empty()) report.notes.push_back(output.note);
-    report.lost.insert(report.lost.end(), output.lost.begin(), output.lost.end());
+    losses.push_back(std::move(output.loss));
     report.meshes.push_back({name_of(disk, options.writes_to_stdout() ? "-" : paths[i]),
                              remaining_on_disk(mesh, disk, search),
                              vertex_records(mesh.tracked.soup, disk, output.face_records),
                              std::move(output.face_records)});
     if (options.html) finals.push_back(std::move(disk));
   }
-  report.lost = summed(std::move(report.lost));
+  report.lost = lost_by_all(losses, job.source);
   return finals;
 }
 
@@ -145,13 +163,13 @@ std::vector<Soup> write_all(const Job& job, const std::vector<std::string>& path
 /// @return Whether there are any.
 bool refuses_loss(const Job& job, const std::vector<std::string>& paths, RepairReport& report) {
   if (job.options.loss == Options::Loss::Tell) return false;
+  std::vector<Loss> losses;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const TrackedMesh& mesh = report.result.meshes[i].tracked;
     if (!has_content(mesh.soup, paths[i])) continue;
-    const Output output = make_output(mesh, !is_unchanged(report), paths[i], job.source);
-    report.lost.insert(report.lost.end(), output.lost.begin(), output.lost.end());
+    losses.push_back(make_output(mesh, !is_unchanged(report), paths[i], job.source).loss);
   }
-  report.lost = summed(std::move(report.lost));
+  report.lost = lost_by_all(losses, job.source);
   if (!report.lost.empty()) {
     report.notes.emplace_back("nothing is written, because attributes would be lost");
   }

@@ -83,6 +83,24 @@ class RepairFiles(unittest.TestCase):
         self.assertTrue(fixed.startswith(header + struct.pack("<I", 12) + facets))
         self.assertEqual(fixed[-2:], b"\0\0")
 
+    def test_of_separate_parts_only_that_is_lost_which_none_has(self):
+        second = "".join(f"v {x + 5} {y} {z} # right\n" for x, y, z in CORNERS)
+        second += "".join("f " + " ".join(str(v + 9) for v in wall) + "\n" for wall in WALLS)
+        self.write("two.obj", obj() + second + "l 1 2\nl 9 10\nl 1 9\n")
+        result = run("--separate", "--keep-borders", "two.obj", "-o", "part.obj", cwd=self.folder)
+        self.assertEqual((self.folder / "part_1.obj").read_text().count("\nl "), 1)
+        self.assertEqual((self.folder / "part_2.obj").read_text().count("\nl "), 1)
+        # Only the line between the parts is in none.
+        self.assertIn(b"\nlost: 1 line or point\n", result.stdout)
+
+    def test_the_table_of_many_files_says_what_all_have_lost(self):
+        # A line to a vertex that goes.
+        for name in ("a.obj", "b.obj"):
+            self.write(name, obj() + "v 7 7 7\nl 1 9\n")
+        result = run("a.obj", "b.obj", "-o", "out", cwd=self.folder)
+        self.assertIn(b"\na.obj: 2 -> 0 defects, written: out/a.obj, lost: 1 line or point\n", b"\n" + result.stdout)
+        self.assertTrue(result.stdout.endswith(b"\nlost: 2 lines and points\n"), result.stdout)
+
     def test_in_place_keeps_the_original_where_asked_for(self):
         self.write("box.obj", obj())
         result = run("--in-place", "--backup", "box.obj", cwd=self.folder)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "meshalyzer/io/rewrite/rewritten_file.h"
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -23,6 +25,12 @@ class ByteEdits {
   void insert(std::size_t at, std::string text) { replace(at, at, std::move(text)); }
   void erase(std::size_t begin, std::size_t end) { replace(begin, end, {}); }
 
+  /// Notes that a part of the source is dropped which should not have been.
+  void note_loss(AttributeKind kind, std::string_view part) {
+    lost_.push_back({kind, offset_of(part)});
+  }
+  [[nodiscard]] const std::vector<LostRecord>& lost() const { return lost_; }
+
   [[nodiscard]] std::string_view source() const { return source_; }
   /// Where a view into the source begins.
   [[nodiscard]] std::size_t offset_of(std::string_view part) const {
@@ -42,6 +50,7 @@ class ByteEdits {
   };
   std::string_view source_;
   std::vector<Edit> edits_;
+  std::vector<LostRecord> lost_;
 };
 
 }  // namespace meshalyzer

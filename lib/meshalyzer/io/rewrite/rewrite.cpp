@@ -37,6 +37,9 @@ std::optional<RewrittenFile> rewrite_by_format(const EditedMesh& mesh, std::stri
 std::optional<RewrittenFile> rewrite_mesh(const EditedMesh& mesh, std::string_view bytes) {
   std::optional<RewrittenFile> file = rewrite_by_format(mesh, bytes);
   if (file) {
+    for (const LostRecord& record : file->lost_records) {
+      file->lost.push_back({record.kind, 1});
+    }
     file->lost = summed(std::move(file->lost));
   }
   return file;

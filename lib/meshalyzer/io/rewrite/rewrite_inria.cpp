@@ -56,8 +56,8 @@ class InriaRewriter {
     RewrittenFile file;
     file.bytes = edits_.apply();
     file.file_faces = file_faces();
-    file.lost = {{AttributeKind::Polygons, plan_.n_split_polygons},
-                 {AttributeKind::OtherRecords, n_lost_}};
+    file.lost = {{AttributeKind::Polygons, plan_.n_split_polygons}};
+    file.lost_records = edits_.lost();
     return file;
   }
 
@@ -214,7 +214,6 @@ class InriaRewriter {
         }
         n_kept += is_kept ? 1 : 0;
       }
-      n_lost_ += section.records.size() - n_kept;
       set_count(section, n_kept);
     }
   }
@@ -230,6 +229,7 @@ class InriaRewriter {
     for (std::size_t i = 0; i < kind.n_names; ++i) {
       if (index_of(i) < numbers.size() && numbers[index_of(i)] == kNoIndex) {
         edits_.erase_with_lines(record);
+        edits_.note_loss(AttributeKind::OtherRecords, record);
         return false;
       }
     }
@@ -300,7 +300,6 @@ class InriaRewriter {
   std::size_t n_added_ = 0;
   /// The sections of faces, and how many of their records stay.
   std::vector<std::pair<const Section*, std::size_t>> counts_;
-  std::size_t n_lost_ = 0;
   LineEdits edits_;
 };
 

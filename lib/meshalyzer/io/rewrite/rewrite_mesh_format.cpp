@@ -46,8 +46,7 @@ class NativeRewriter {
         edits_.replace_lines(span_of(words(torn)), {});
       }
     }
-    const std::size_t n_lost_comments = edits_.n_lost_comments();
-    return {edits_.apply(), {}, {{AttributeKind::Comments, n_lost_comments}}};
+    return {edits_.apply(), {}, {}, edits_.lost()};
   }
 
  private:

@@ -48,9 +48,8 @@ class ObjRewriter {
     if (!keeps_order(plan_)) {
       file.file_faces = plan_.file_faces;
     }
-    file.lost = {{AttributeKind::Polygons, plan_.n_split_polygons},
-                 {AttributeKind::LinesAndPoints, n_lost_},
-                 {AttributeKind::Comments, edits_.n_lost_comments()}};
+    file.lost = {{AttributeKind::Polygons, plan_.n_split_polygons}};
+    file.lost_records = edits_.lost();
     return file;
   }
 
@@ -300,7 +299,7 @@ class ObjRewriter {
       }
       if (numbers_[named->vertex] == kNoIndex) {
         edits_.replace_lines(span_of(old), {});
-        ++n_lost_;
+        edits_.note_loss(AttributeKind::LinesAndPoints, span_of(old));
         return;
       }
     }
@@ -349,7 +348,6 @@ class ObjRewriter {
   std::vector<Index> numbers_;
   ObjAttributes attributes_;
   LineEdits edits_;
-  std::size_t n_lost_ = 0;
 };
 
 }  // namespace

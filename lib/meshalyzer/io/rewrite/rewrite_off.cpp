@@ -38,8 +38,8 @@ class OffRewriter {
     if (!keeps_order(plan_)) {
       file.file_faces = plan_.file_faces;
     }
-    file.lost = {{AttributeKind::Polygons, plan_.n_split_polygons},
-                 {AttributeKind::Comments, edits_.n_lost_comments()}};
+    file.lost = {{AttributeKind::Polygons, plan_.n_split_polygons}};
+    file.lost_records = edits_.lost();
     return file;
   }
 

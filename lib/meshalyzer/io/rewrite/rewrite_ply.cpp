@@ -90,10 +90,9 @@ class PlyRewriter {
       widen_indices();
       edit_faces();
     }
-    std::size_t n_lost = 0;
     for (std::size_t e = 0; e < header_.elements.size(); ++e) {
       if (e != vertex_ && e != face_) {
-        n_lost += edit_element(e);
+        edit_element(e);
       }
     }
     RewrittenFile file;
@@ -101,8 +100,8 @@ class PlyRewriter {
     if (!keeps_order(plan_)) {
       file.file_faces = plan_.file_faces;
     }
-    file.lost = {{AttributeKind::Polygons, plan_.n_split_polygons},
-                 {AttributeKind::OtherRecords, n_lost}};
+    file.lost = {{AttributeKind::Polygons, plan_.n_split_polygons}};
+    file.lost_records = edits_.lost();
     return file;
   }
 
@@ -363,9 +362,8 @@ class PlyRewriter {
     }
   }
 
-  /// Edits the records of an element that is neither vertex nor face. Returns how many were
-  /// dropped.
-  [[nodiscard]] std::size_t edit_element(std::size_t element) {
+  /// Edits the records of an element that is neither vertex nor face.
+  void edit_element(std::size_t element) {
     std::vector<std::size_t> references;
     for (std::size_t p = 0; p < properties(element).size(); ++p) {
       if (is_one_of(properties(element)[p].name, kVertexReferences)) {
@@ -380,7 +378,6 @@ class PlyRewriter {
     if (n_dropped != 0) {
       set_count(element, n - n_dropped);
     }
-    return n_dropped;
   }
 
   /// Renumbers the vertices that a record names. Drops it, and returns false, where one is gone.
@@ -397,6 +394,7 @@ class PlyRewriter {
         const Index now = numbers_[static_cast<std::size_t>(old)];
         if (now == kNoIndex) {
           edits_.replace_record(record.bytes, {});
+          edits_.note_loss(AttributeKind::OtherRecords, record.bytes);
           return false;
         }
         if (now != static_cast<Index>(old)) {

@@ -35,7 +35,7 @@ void LineEdits::replace_lines(std::string_view record, std::string lines) {
       source().substr(begin + record.size(), next - begin - record.size());
   if (rest.find('#') != std::string_view::npos) {
     if (lines.empty()) {
-      ++n_lost_comments_;
+      note_loss(AttributeKind::Comments, rest);
     } else {
       lines.insert(lines.find(line_end_), rest.substr(0, rest.find_last_not_of("\r\n") + 1));
     }

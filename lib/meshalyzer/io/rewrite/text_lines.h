@@ -23,7 +23,7 @@ class LineEdits : public ByteEdits {
   [[nodiscard]] const std::string& line_end() const { return line_end_; }
 
   /// Puts lines in the place of those of a record. A comment behind the record then stands behind
-  /// the first of them.
+  /// the first of them, or is lost where there is none.
   /// @param record  The record, from its first word to its last; a view into the text.
   /// @param lines   Each with its line end; none to drop the record.
   void replace_lines(std::string_view record, std::string lines);
@@ -32,16 +32,12 @@ class LineEdits : public ByteEdits {
   /// Drops a part of the text, and the lines it stands on where nothing else does.
   void erase_with_lines(std::string_view part);
 
-  /// How many comments went with the records that they stood behind.
-  [[nodiscard]] std::size_t n_lost_comments() const { return n_lost_comments_; }
-
  private:
   /// Where the line begins that holds this offset, and where the next one does.
   [[nodiscard]] std::size_t line_begin(std::size_t offset) const;
   [[nodiscard]] std::size_t next_line(std::size_t offset) const;
 
   std::string line_end_;
-  std::size_t n_lost_comments_ = 0;
 };
 
 /// The record of these words, as a view.
