@@ -29,6 +29,23 @@ bool is_same_mesh(const Soup& a, const Soup& b) {
          a.corner_normals == b.corner_normals && a.torn_lines.size() == b.torn_lines.size();
 }
 
+/// Whether two soups are the same but for the order of their faces.
+/// @param faces  By face of `b`: which face of `a` it is; empty where they are the same.
+bool is_same_but_for_order(const Soup& a, const Soup& b, const std::vector<Index>& faces) {
+  if (a.positions != b.positions || a.normals != b.normals || a.n_faces() != b.n_faces() ||
+      a.corner_normals.size() != b.corner_normals.size() || a.format != b.format ||
+      faces.size() != b.n_faces()) {
+    return false;
+  }
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (a.triangles[faces[f]] != b.triangles[f] ||
+        (!b.corner_normals.empty() && a.corner_normals[faces[f]] != b.corner_normals[f])) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// Returns what is looked for in the end: all defects, by the tolerances of the input.
 DefectOptions final_search(const Options& options, const Tolerances& used) {
   return {.codes = DefectCodes::all(),
@@ -37,9 +54,16 @@ DefectOptions final_search(const Options& options, const Tolerances& used) {
 }
 
 /// Returns the defects that remain in the mesh on disk: those that the repair found, unless the
-/// file differs by a bit from the mesh in memory.
+/// file differs by a bit from the mesh in memory. Of a mesh without defects that is said in any
+/// order of its faces.
+///
+/// @param face_records  As Output::face_records.
 DefectReport remaining_on_disk(const RepairedMesh& mesh, const Soup& disk,
+                               const std::vector<Index>& face_records,
                                const DefectOptions& search) {
+  if (mesh.remaining.total() == 0 && is_same_but_for_order(disk, mesh.tracked.soup, face_records)) {
+    return mesh.remaining;
+  }
   const bool has_numbers = disk.format == Format::Mesh;
   if (is_same_mesh(disk, mesh.tracked.soup) &&
       has_numbers == (mesh.tracked.soup.format == Format::Mesh)) {
@@ -150,7 +174,7 @@ std::vector<Soup> write_all(const Job& job, const std::vector<std::string>& path
     if (!output.note.empty()) report.notes.push_back(output.note);
     losses.push_back(std::move(output.loss));
     report.meshes.push_back({name_of(disk, options.writes_to_stdout() ? "-" : paths[i]),
-                             remaining_on_disk(mesh, disk, search),
+                             remaining_on_disk(mesh, disk, output.face_records, search),
                              vertex_records(mesh.tracked.soup, disk, output.face_records),
                              std::move(output.face_records)});
     if (options.html) finals.push_back(std::move(disk));

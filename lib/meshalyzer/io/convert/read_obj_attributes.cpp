@@ -60,9 +60,14 @@ class ObjAttributeReader {
     }
     const FaceRecords& faces = attributes_.faces;
     attributes_.texture.resize(first_corner(faces, static_cast<Index>(faces.size())));
-    std::vector<bool> is_used(records_.texture_points.size(), false);
+    std::vector<std::optional<TexturePoint>> points;
+    points.reserve(records_.texture_points.size());
+    for (const std::size_t statement : records_.texture_points) {
+      points.push_back(read_texture_point(statement));
+    }
+    std::vector<bool> is_used(points.size(), false);
     for (Index r = 0; r < faces.size(); ++r) {
-      read_texture_of_face(r, is_used);
+      read_texture_of_face(r, points, is_used);
     }
     attributes_.n_texture_points =
         static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), true));
@@ -72,13 +77,14 @@ class ObjAttributeReader {
   }
 
   /// A face has texture coordinates at all corners, or none.
-  void read_texture_of_face(Index record, std::vector<bool>& is_used) {
+  void read_texture_of_face(Index record, const std::vector<std::optional<TexturePoint>>& points,
+                            std::vector<bool>& is_used) {
     const Words all = words(records_.faces[record]);
     const ObjCounts counts = records_.counts_before(records_.faces[record]);
     std::vector<Index> named;
     for (std::size_t i = 1; i < all.size(); ++i) {
       named.push_back(parse_obj_corner(all[i], counts, TextScanner(all[i])).texture_point);
-      if (named.back() >= is_used.size() || !is_flat(named.back())) {
+      if (named.back() >= points.size() || !points[named.back()]) {
         return;
       }
     }
@@ -87,17 +93,17 @@ class ObjAttributeReader {
     for (std::size_t i = 0; i < n; ++i) {
       const Index point = named[std::min(i, named.size() - 1)];
       is_used[point] = true;
-      attributes_.texture[first + i] = texture_point(point);
+      attributes_.texture[first + i] = points[point];
     }
   }
 
-  [[nodiscard]] double texture_number(Index point, std::size_t i) const {
-    const Words all = words(records_.texture_points[point]);
-    return i + 1 < all.size() ? parse_real(all[i + 1]).value_or(0.0) : 0.0;
-  }
-  [[nodiscard]] bool is_flat(Index point) const { return texture_number(point, 2) == 0.0; }
-  [[nodiscard]] TexturePoint texture_point(Index point) const {
-    return {texture_number(point, 0), texture_number(point, 1)};
+  /// Nothing for a point of three numbers, which other formats have none of.
+  [[nodiscard]] std::optional<TexturePoint> read_texture_point(std::size_t statement) const {
+    const Words all = words(statement);
+    const auto number = [&](std::size_t i) {
+      return i < all.size() ? parse_real(all[i]).value_or(0.0) : 0.0;
+    };
+    return number(3) == 0.0 ? std::optional(TexturePoint{number(1), number(2)}) : std::nullopt;
   }
 
   std::string_view text_;
