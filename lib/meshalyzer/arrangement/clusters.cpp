@@ -38,8 +38,9 @@ std::vector<FaceSimplex> simplices_of(const Soup& soup, std::span<const Intersec
   sort_unique(faces);
   std::vector<FaceSimplex> simplices(faces.size());
   parallel_chunks(faces.size(), [&](Chunk chunk) {
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i)
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       simplices[i] = face_simplex(soup, faces[i]);
+    }
   });
   return simplices;
 }
