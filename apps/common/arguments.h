@@ -3,6 +3,8 @@
 #include "usage_error.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -23,6 +25,15 @@ namespace meshalyzer {
 /// How many threads at most.
 /// @throws UsageError if the text is no such number.
 [[nodiscard]] std::size_t to_thread_count(const std::string& text, const std::string& option);
+
+/// How many times something, at least once.
+/// @throws UsageError if the text is no such number.
+[[nodiscard]] std::uint64_t to_ratio(const std::string& text, const std::string& option);
+
+/// The question whether a mistyped name means the nearest of some: "; did you mean 'hole'?"; empty
+/// where none is near.
+[[nodiscard]] std::string did_you_mean(std::string_view mistyped,
+                                       std::span<const std::string_view> names);
 
 /// The names of some values, "a, b, c".
 template <typename Values, typename Name>

@@ -1,26 +1,13 @@
 #include "mesh_folder.h"
 
+#include "meshalyzer/io/format_of.h"
+
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <string_view>
 #include <system_error>
 
 namespace meshalyzer {
-namespace {
-
 namespace fs = std::filesystem;
-
-bool has_mesh_ending(const fs::path& path) {
-  constexpr std::array<std::string_view, 5> kEndings{".mesh", ".obj", ".off", ".stl", ".ply"};
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
-    return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
-}
-
-}  // namespace
 
 bool is_folder(const std::string& path) {
   std::error_code ignored;  // what is no folder is told of when it is read
@@ -34,7 +21,8 @@ MeshFolder list_mesh_folder(const std::string& folder) {
        entry.increment(error)) {
     std::error_code ignored;  // an entry that cannot be looked at is told of when it is read
     const fs::file_status status = entry->status(ignored);
-    if (has_mesh_ending(entry->path()) && !fs::is_directory(status) && !fs::is_other(status)) {
+    if (format_of_name(entry->path().filename().string()) && !fs::is_directory(status) &&
+        !fs::is_other(status)) {
       names.push_back(entry->path().filename().string());
     }
   }
@@ -42,7 +30,7 @@ MeshFolder list_mesh_folder(const std::string& folder) {
   if (error) {
     result.trouble = folder + ": cannot list the folder: " + error.message();
   } else if (names.empty()) {
-    result.trouble = folder + ": no mesh file in the folder (.mesh .obj .off .stl .ply)";
+    result.trouble = folder + ": no mesh file in the folder (" + kMeshEndings + ")";
   }
   std::sort(names.begin(), names.end());
   for (const std::string& name : names) {

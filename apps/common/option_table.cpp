@@ -1,6 +1,7 @@
 #include "option_table.h"
 
 #include "help_formatter.h"
+#include "meshalyzer/base/nearest_name.h"
 #include "usage_error.h"
 
 #include <CLI/CLI.hpp>
@@ -10,25 +11,54 @@
 namespace meshalyzer {
 namespace {
 
-/// The option that a message of the parser begins with.
-std::string upto_colon(std::string_view message) {
-  return std::string(message.substr(0, message.find(':')));
-}
-
 /// "-b N" and "--json[=FILE]" in two.
 std::pair<std::string, std::string> name_and_value(const std::string& names) {
   const std::size_t end = names.find_first_of(" [");
   return {names.substr(0, end), names.substr(end)};
 }
 
+/// What messages call an option: by its letter where it has one.
+std::string called(const CLI::Option& option) {
+  return option.get_snames().empty() ? option.get_name() : "-" + option.get_snames().front();
+}
+
+/// Refuses the option that a message of the parser begins with: it has too few values, or too many.
+[[noreturn]] void refuse_number(const CLI::App& app, std::string_view message) {
+  const std::string name(message.substr(0, message.find(':')));
+  const CLI::Option* option = app.get_option_no_throw(name);
+  if (option != nullptr && option->results().empty()) {
+    throw UsageError(called(*option) + " needs a value: " + called(*option) +
+                     option->get_option_text());
+  }
+  throw UsageError((option == nullptr ? name : called(*option)) +
+                   " must be given once, with one value");
+}
+
 void refuse_empty_values(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& value : option->results()) {
       if (value.empty()) {
-        throw UsageError(option->get_name() + " needs a value, not an empty text");
+        throw UsageError(called(*option) + " needs a value, not an empty text");
       }
     }
   }
+}
+
+/// Refuses the first of the arguments that the parser could not place, and names the option that
+/// was meant, as far as one is like it.
+[[noreturn]] void refuse_unknown(const CLI::App& app) {
+  const std::vector<std::string> arguments = app.remaining();
+  const std::string& argument = arguments.front();
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& word : option->get_lnames()) names.push_back("--" + word);
+  }
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const std::string_view nearest =
+      argument.size() < 3 ? std::string_view()
+                          : nearest_name(argument.substr(0, argument.find('=')), known);
+  throw UsageError("unknown option " + argument +
+                   (nearest.empty() ? "" : "; did you mean " + std::string(nearest) + "?"));
 }
 
 }  // namespace
@@ -104,8 +134,10 @@ std::optional<std::string> OptionTable::parse(int argc, const char* const* argv)
     take_values();
   } catch (const CLI::CallForHelp&) {
     return app_->help();
+  } catch (const CLI::ExtrasError&) {
+    refuse_unknown(*app_);
   } catch (const CLI::ArgumentMismatch& error) {
-    throw UsageError(upto_colon(error.what()) + " must be given once, with one value");
+    refuse_number(*app_, error.what());
   } catch (const CLI::ParseError& error) {
     throw UsageError(error.what());
   }
@@ -116,10 +148,10 @@ void OptionTable::take_values() const {
   for (const auto& [option, take] : declared_) {
     if (option->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll) {
       for (const std::string& value : option->results()) {
-        take(value, option->get_name());
+        take(value, called(*option));
       }
     } else if (option->count() != 0) {
-      take(option->as<std::string>(), option->get_name());
+      take(option->as<std::string>(), called(*option));
     }
   }
 }

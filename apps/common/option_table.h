@@ -45,7 +45,7 @@ class OptionTable {
   void group(const std::string& title) { group_ = title; }
   void flag(const std::string& name, std::function<void()> set, const std::string& help);
   void flag(const std::string& name, bool& target, const std::string& help);
-  /// @param names  As help shows them: `-b N`.
+  /// @param names  As help shows them: `-b N`, `-b,--shorter-than N`.
   void option(const std::string& names, Take take, const std::string& help);
   /// An option that may be given several times; each value is taken.
   void repeatable(const std::string& names, Take take, const std::string& help);

@@ -9,12 +9,18 @@ void declare_json(OptionTable& table, ReportOptions& options) {
                   "as JSON in place of text; or as JSON in FILE, and as text");
 }
 
+void declare_unpack_ratio(OptionTable& table, std::uint64_t& ratio) {
+  table.option("--max-unpack-ratio N", into(ratio, to_ratio),
+               "refuse a .gz that takes more than N times its size (1000)");
+}
+
 void declare_conduct(OptionTable& table, ReportOptions& options) {
   const auto be_quiet = [&options] { options.progress = ReportOptions::Progress::Never; };
   table.option("--threads N", into(options.threads, to_thread_count),
                "at most N threads; 0, the default: one a core");
   table.flag("--quiet", be_quiet, "nothing on standard error but what is wrong");
   table.flag("--no-progress", be_quiet, "no progress on standard error (only a terminal has it)");
+  declare_unpack_ratio(table, options.max_unpack_ratio);
 }
 
 }  // namespace meshalyzer

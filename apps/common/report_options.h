@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/io/gzip.h"
 #include "option_table.h"
 #include "report_target.h"
 
@@ -14,6 +15,8 @@ struct ReportOptions {
   std::optional<ReportTarget> json;
   /// 0: as many as the machine has cores.
   std::size_t threads = 0;
+  /// How many times its size a gzipped file may take.
+  std::uint64_t max_unpack_ratio = kDefaultUnpackRatio;
   enum class Progress : std::uint8_t { OnTerminal, Never };
   Progress progress = Progress::OnTerminal;
 };
@@ -21,7 +24,10 @@ struct ReportOptions {
 /// --json
 void declare_json(OptionTable& table, ReportOptions& options);
 
-/// --threads, --quiet, --no-progress
+/// --max-unpack-ratio N, of a command with these options.
+void declare_unpack_ratio(OptionTable& table, std::uint64_t& ratio);
+
+/// --threads, --quiet, --no-progress, --max-unpack-ratio
 void declare_conduct(OptionTable& table, ReportOptions& options);
 
 }  // namespace meshalyzer

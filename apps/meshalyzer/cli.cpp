@@ -1,5 +1,6 @@
 #include "cli.h"
 
+#include "arguments.h"
 #include "check/command.h"
 #include "check/run_check.h"
 #include "guarded.h"
@@ -7,14 +8,20 @@
 #include "interrupt.h"
 #include "journal.h"
 #include "merge.h"
+#include "meshalyzer/base/nearest_name.h"
 #include "meshalyzer/base/parallel.h"
 #include "options.h"
 #include "request.h"
 #include "run.h"
+#include "usage_error.h"
 
+#include <array>
+#include <filesystem>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <string_view>
+#include <system_error>
 
 namespace meshalyzer {
 namespace {
@@ -22,6 +29,7 @@ namespace {
 ExitCode report(const Options& options, Streams streams) {
   const Inputs inputs = inputs_of(options);
   const ThreadLimit limit(options.threads);
+  const UnpackLimit unpack_limit(options.max_unpack_ratio);
   const InterruptGuard guard;
   const Request request = request_of(options, inputs.is_set);
   std::optional<Journal> journal;
@@ -43,8 +51,28 @@ ExitCode print_answer(const std::string& answer, Streams streams) {
   return streams.out ? ExitCode::Done : ExitCode::Trouble;
 }
 
+std::string_view first_word(int argc, const char* const* argv) {
+  return argc > 1 ? argv[1] : "";
+}
+
+bool is_command(std::string_view word) {
+  return word == "check" || word == "merge";
+}
+
+/// Refuses a first word that is no file, and nearly a command.
+void check_first_word(std::string_view word) {
+  constexpr std::array<std::string_view, 2> kCommands{"check", "merge"};
+  std::error_code ignored;  // what cannot be looked at is told of when it is read
+  if (!is_command(word) && !nearest_name(word, kCommands).empty() &&
+      !std::filesystem::exists(word, ignored)) {
+    throw UsageError("there is no file and no command '" + std::string(word) + "'" +
+                     did_you_mean(word, kCommands));
+  }
+}
+
 ExitCode run_command(int argc, const char* const* argv, Streams streams) {
-  const std::string_view word = argc > 1 ? argv[1] : "";
+  const std::string_view word = first_word(argc, argv);
+  check_first_word(word);
   if (word == "check") {
     const CheckCommandLine line = parse_check_command_line(argc - 1, argv + 1);
     return line.answer ? print_answer(*line.answer, streams) : run_check(line.command, streams);
@@ -60,7 +88,9 @@ ExitCode run_command(int argc, const char* const* argv, Streams streams) {
 
 int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   const Streams streams{out, err};
-  return run_guarded("meshalyzer", streams, [&] { return run_command(argc, argv, streams); });
+  const std::string_view word = first_word(argc, argv);
+  const std::string name = is_command(word) ? "meshalyzer " + std::string(word) : "meshalyzer";
+  return run_guarded(name, streams, [&] { return run_command(argc, argv, streams); });
 }
 
 }  // namespace meshalyzer

@@ -28,6 +28,10 @@ void JsonOutput::on_mesh(Index, const Analysis& mesh) {
   report_.add(mesh);
 }
 
+void JsonOutput::on_unreadable(Index number, const std::string& why) {
+  report_.add_unreadable(run_.inputs.files[number], why);
+}
+
 void JsonOutput::on_findings(const ObjectFindings& findings) {
   report_.add(findings, run_.inputs.names);
 }

@@ -7,6 +7,7 @@
 
 #include <iosfwd>
 #include <optional>
+#include <string>
 
 namespace meshalyzer {
 
@@ -22,6 +23,7 @@ class JsonOutput : public Output {
   // What follows throws IoError if the file cannot be written.
 
   void on_mesh(Index number, const Analysis& mesh) override;
+  void on_unreadable(Index number, const std::string& why) override;
   void on_findings(const ObjectFindings& findings) override;
   void finish(const SetAnalysis* set) override;
 

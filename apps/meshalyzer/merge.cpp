@@ -29,6 +29,7 @@ ExitCode merge(const Options& how, Streams streams) {
     known.add(journal);
   }
   const ThreadLimit limit(options.threads);
+  const UnpackLimit unpack_limit(options.max_unpack_ratio);
   const InterruptGuard guard;
   const Inputs inputs{subject.files.paths, subject.files.names, subject.request.is_set, {}};
   const PicturePaths no_pictures;

@@ -11,19 +11,19 @@ void declare_questions(OptionTable& table, Options& options) {
   MeshRequest& mesh = options.mesh;
   table.group("What is done");
   table.flag(
-      "-a", [&mesh] { mesh.scope = Scope::AttributesOnly; }, "only the attributes");
-  table.option("-g AR,ANGLE,LEN", into(mesh.goodness, to_thresholds),
+      "-a,--attributes", [&mesh] { mesh.scope = Scope::AttributesOnly; }, "only the attributes");
+  table.option("-g,--good AR,ANGLE,LEN", into(mesh.goodness, to_thresholds),
                "is the mesh good? Prints 1 or 0, with -p every reason. Good: closed, manifold, "
                "outward, no intersecting faces, no orphan, missing vertex or degenerate face, "
                "contiguous numbering, largest aspect ratio < AR, smallest edge angle > ANGLE "
                "degrees, shortest edge > LEN; not with -a");
-  table.flag("-i", options.asked.intersections,
+  table.flag("-i,--intersections", options.asked.intersections,
              "set: faces of different meshes that share a point, and meshes inside others");
-  table.flag("-s", options.asked.separation,
+  table.flag("-s,--separation", options.asked.separation,
              "set: for each vertex the distance to the closest point of any other mesh, negative "
              "inside one; every mesh must be good. Without -i, -s, -a and -g a folder is asked "
              "for both");
-  table.flag("-v", options.total_volume, "folder: print only the total volume of the set");
+  table.flag("-v,--volume", options.total_volume, "folder: print only the total volume of the set");
   table.flag("--exact-coincidence", mesh.exact_coincidence,
              "indistinguishable vertices: only those at exactly the same place");
   table.option_or("mixed", "--curvature[=AREA]", into(mesh.curvature, to_area),
@@ -36,17 +36,18 @@ void declare_names(OptionTable& table, Options& options) {
   MeshRequest& mesh = options.mesh;
   table.group("Which elements are named, by their ids in the file");
   table.flag(
-      "-p", [&options] { options.offenders = OffenderStyle::Ids; }, "every offending element");
+      "-p,--offenders", [&options] { options.offenders = OffenderStyle::Ids; },
+      "every offending element");
   table.flag(
-      "-q", [&options] { options.offenders = OffenderStyle::CustomPoints; },
+      "-q,--points", [&options] { options.offenders = OffenderStyle::CustomPoints; },
       "as -p, vertices as DReAMM custom points: x y z 1 0 0 1");
-  table.option("-b N", into(mesh.shorter_than, to_real), "edges shorter than N");
-  table.option("-c N", into(mesh.longer_than, to_real), "edges longer than N");
-  table.option("-d N", into(mesh.angle_below_degrees, to_real),
+  table.option("-b,--shorter-than N", into(mesh.shorter_than, to_real), "edges shorter than N");
+  table.option("-c,--longer-than N", into(mesh.longer_than, to_real), "edges longer than N");
+  table.option("-d,--angle-below N", into(mesh.angle_below_degrees, to_real),
                "edges with an angle smaller than N degrees");
-  table.option("-e N", into(mesh.angle_above_degrees, to_real),
+  table.option("-e,--angle-above N", into(mesh.angle_above_degrees, to_real),
                "edges with an angle larger than N degrees");
-  table.option("-f N", into(mesh.aspect_above, to_real),
+  table.option("-f,--aspect-above N", into(mesh.aspect_above, to_real),
                "faces with an aspect ratio larger than N");
 }
 
@@ -126,13 +127,20 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
        .purpose = "Checks triangle meshes: is the file whole, is the surface closed, manifold, "
                   "orientable, consistent and outward, does it intersect itself, and how large, "
                   "long, thin and bent are its parts?",
-       .footer = "Exit status: 0 done (with -g: good); 1 with -g: not good; 2 wrong usage; 3 an "
+       .footer = "Examples:\n"
+                 "meshalyzer cow.obj\n"
+                 "meshalyzer check models\n"
+                 "meshalyzer --html cow.html cow.obj\n"
+                 "meshalyzer -p -g 100,5,0.1 cow.obj\n"
+                 "meshalyzer -i -s --json=set.json neurons\n\n"
+                 "Exit status: 0 done (with -g: good); 1 with -g: not good; 2 wrong usage; 3 an "
                  "input could not be read, or the report not be written; 130 interrupted.",
        .version = "meshalyzer " MESHALYZER_VERSION "\n"});
   Options& options = command.options;
-  table.arguments("PATH", options.paths,
-                  "a mesh file (.mesh .obj .off .stl .ply), - for standard input, or a folder: "
-                  "all mesh files in it, in name order, as one set.");
+  table.arguments(
+      "PATH", options.paths,
+      "a mesh file (.mesh .obj .off .stl .ply, also .gz), - for standard input, or a folder: "
+      "all mesh files in it, in name order, as one set.");
   declare_questions(table, options);
   declare_names(table, options);
   declare_separation(table, options);
@@ -156,7 +164,10 @@ CommandLine parse_merge_command_line(int argc, const char* const* argv) {
        .purpose = "Makes the report of a run of the journals of its parts (--shard), or of a "
                   "whole one: the same, byte for byte, as the run would have printed. What was "
                   "asked stands in the journals; the options only say how to tell it.",
-       .footer = "The statistics over all faces of a set are made of the mesh files, which must "
+       .footer = "Examples:\n"
+                 "meshalyzer merge --summary part1.ndjson part2.ndjson\n"
+                 "meshalyzer merge --json=set.json part*.ndjson\n\n"
+                 "The statistics over all faces of a set are made of the mesh files, which must "
                  "be where they were and unchanged.\n\n"
                  "Exit status: 0 done (with -g: good); 1 with -g: not good; 2 wrong usage; 3 a "
                  "part is missing, or a file cannot be read.",
@@ -165,13 +176,9 @@ CommandLine parse_merge_command_line(int argc, const char* const* argv) {
   table.group("How it is told");
   declare_reports(table, command.options);
   declare_work(table, command.options);
-  try {
-    command.answer = table.parse(argc, argv);
-  } catch (const UsageError& error) {
-    throw UsageError(std::string("merge: ") + error.what());
-  }
+  command.answer = table.parse(argc, argv);
   if (!command.answer && command.options.paths.empty()) {
-    throw UsageError("merge: no FILE: name the journals of all parts");
+    throw UsageError("no FILE: name the journals of all parts");
   }
   return command;
 }

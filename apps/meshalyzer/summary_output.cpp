@@ -1,6 +1,7 @@
 #include "summary_output.h"
 
 #include "meshalyzer/report/text/summary_table.h"
+#include "terminal.h"
 #include "text_output.h"
 
 #include <ostream>
@@ -8,7 +9,10 @@
 namespace meshalyzer {
 
 SummaryOutput::SummaryOutput(const Run& run, std::ostream& out)
-    : run_(run), out_(out), name_width_(summary_width(run.inputs.names)) {
+    : run_(run),
+      out_(out),
+      name_width_(summary_width(run.inputs.names,
+                                is_terminal(out) ? NameLength::Fitted : NameLength::Whole)) {
   out_ << summary_header(name_width_);
 }
 

@@ -3,11 +3,14 @@
 #include "arguments.h"
 #include "meshalyzer/base/memory_size.h"
 #include "meshalyzer/base/numbers.h"
+#include "meshalyzer/io/format_of.h"
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <string_view>
+#include <system_error>
 
 namespace meshalyzer {
 namespace {
@@ -17,9 +20,18 @@ namespace {
   throw UsageError(option + " needs " + what + ", not '" + text + "'");
 }
 
+/// Refuses a text that was taken for thresholds, since these were left out.
+[[noreturn]] void refuse_path(const std::string& option, const std::string& text) {
+  throw UsageError("the three numbers of " + option + " are missing: '" + option +
+                   " AR,ANGLE,LEN " + text + "', as in '" + option + " 100,5,0.1 " + text +
+                   "'; 'meshalyzer check " + text + "' judges without numbers");
+}
+
 }  // namespace
 
 GoodnessThresholds to_thresholds(const std::string& text, const std::string& option) {
+  std::error_code ignored;  // what cannot be looked at is no path
+  if (format_of_name(text) || std::filesystem::exists(text, ignored)) refuse_path(option, text);
   std::string_view rest = without_sign(text);
   std::array<double, 3> numbers{};
   for (std::size_t i = 0; i < 3; ++i) {

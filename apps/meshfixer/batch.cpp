@@ -1,10 +1,10 @@
 #include "batch.h"
 
 #include "batch_report.h"
+#include "input_file.h"
 #include "interrupt.h"
 #include "mesh_folder.h"
 #include "meshalyzer/base/error.h"
-#include "meshalyzer/io/file.h"
 #include "meshalyzer/io/format_of.h"
 #include "meshalyzer/io/read.h"
 #include "repair_mesh.h"
@@ -102,15 +102,15 @@ ExitCode repair_one(const Options& options, const BatchFile& file, Streams strea
   of_file.output = file.output;
   try {
     if (!format_of_name(file.output)) {
-      throw IoError(file.output, {}, "has the ending of no known mesh format");
+      throw IoError(file.output, {},
+                    std::string("has the ending of no known mesh format (") + kMeshEndings + ")");
     }
-    const FileContent content(file.input);
-    Soup soup = parse_mesh(content.bytes(), file.input);
-    return repair_mesh(of_file, std::move(soup), content.bytes(), streams,
-                       [&](const RepairReport& repair) {
-                         report.add(file.input, repair);
-                         return ExitCode::Done;
-                       });
+    const InputFile input(file.input);
+    Soup soup = parse_mesh(input.bytes(), file.input);
+    return repair_mesh(of_file, std::move(soup), input, streams, [&](const RepairReport& repair) {
+      report.add(file.input, repair);
+      return ExitCode::Done;
+    });
   } catch (const Error& error) {
     streams.err << error.what() << std::endl;
     report.add_trouble(file.input, error.what());

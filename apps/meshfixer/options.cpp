@@ -29,7 +29,7 @@ bool names_operation(const Said& said, const RepairOptions& repair) {
 
 void declare_actions(OptionTable& table, Options& options, Said& said) {
   table.group("What is done");
-  table.option("-o OUT", into(options.output, to_output),
+  table.option("-o,--output OUT", into(options.output, to_output),
                "where the repaired mesh goes: a mesh file, or - for standard output (the report "
                "then goes to standard error), or a folder, for any number of meshes; a name "
                "without an ending is that of a folder, and so is one that ends with /");
@@ -252,13 +252,18 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
            "Finds what is wrong with a triangle mesh, repairs it as far as it can within a "
            "maximum deviation, writes a new file, and says what remains wrong with it. "
            "The input is never changed but by --in-place; what is not broken stays bit for bit.",
-       .footer = "Not available yet in this version: --guarantee.\n\n"
+       .footer = "Examples:\n"
+                 "meshfixer --find cow.obj\n"
+                 "meshfixer cow.obj -o cow_fixed.obj\n"
+                 "meshfixer --solid --max-deviation 0.5% scan.ply -o scan.stl\n"
+                 "meshfixer --in-place --backup models\n\n"
+                 "Not available yet in this version: --guarantee.\n\n"
                  "Exit status: 0 nothing asked for remains; 1 defects remain; 2 wrong usage; 3 a "
                  "file could not be read or written.",
        .version = "meshfixer " MESHALYZER_VERSION "\n"});
   table.arguments(
       "IN", said.paths,
-      "a mesh file (.mesh .obj .off .stl .ply) or - for standard input; PATH a mesh file "
+      "a mesh file (.mesh .obj .off .stl .ply, also .gz) or - for standard input; PATH a mesh file "
       "or a folder: all mesh files in it.");
   table.flag("--guarantee", said.guarantee, "");
   declare_actions(table, options, said);

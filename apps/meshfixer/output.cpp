@@ -3,6 +3,7 @@
 #include "meshalyzer/io/convert/rewrite_as.h"
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/io/format_of.h"
+#include "meshalyzer/io/gzip.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/io/rewrite/rewrite.h"
 #include "meshalyzer/io/write.h"
@@ -18,6 +19,9 @@ namespace meshalyzer::fixer {
 namespace {
 
 Format output_format(const std::string& path, const Source& source) {
+  if (path == source.file.path()) {
+    return source.soup.format;
+  }
   const Format format = format_of_name(path).value();
   return format == Format::Mesh && source.soup.format == Format::Inria ? Format::Inria : format;
 }
@@ -34,18 +38,47 @@ bool fits_floats(const Soup& soup) {
 Output new_file(const EditedMesh& mesh, Format format, const Source& source) {
   Output output;
   Encoding encoding = Encoding::Text;
-  if (format == source.soup.format && is_binary(source.bytes, format)) {
+  if (format == source.soup.format && is_binary(source.file.bytes(), format)) {
     encoding = Encoding::Binary;
     if (format == Format::Stl && !fits_floats(mesh.soup)) {
       encoding = Encoding::Text;
       output.note = "written as text: the floats of binary STL would change coordinates";
+    } else if (format == Format::Off) {
+      encoding = Encoding::Text;
+      output.note = "written as text: binary OFF is only read";
     }
   }
-  RewrittenFile file = rewrite_as(mesh, source.bytes, format, encoding);
+  if (format == source.soup.format && format == Format::Ply) {
+    output.note = "written as faces: strips of triangles are only read";
+  }
+  RewrittenFile file = rewrite_as(mesh, source.file.bytes(), format, encoding);
   output.bytes = std::move(file.bytes);
   output.face_records = std::move(file.file_faces);
   output.loss = {std::move(file.lost), std::move(file.lost_records)};
   return output;
+}
+
+/// The bytes of a source, edited.
+Output rewritten_output(RewrittenFile file, const Source& source) {
+  Output output;
+  output.bytes = std::string(source.file.plain().mark()) + file.bytes;
+  output.face_records = std::move(file.file_faces);
+  output.loss = {std::move(file.lost), std::move(file.lost_records)};
+  return output;
+}
+
+/// The file of a result before it is packed.
+Output make_plain_output(const TrackedMesh& result, bool is_changed, const std::string& path,
+                         const Source& source) {
+  const Format format = output_format(path, source);
+  const bool is_same_format = format == source.soup.format;
+  if (is_same_format && !is_changed) {
+    return rewritten_output({std::string(source.file.bytes()), {}, {}, {}}, source);
+  }
+  const EditedMesh mesh = edited_mesh_of(result, source.soup);
+  std::optional<RewrittenFile> file =
+      is_same_format ? rewrite_mesh(mesh, source.file.bytes()) : std::nullopt;
+  return file ? rewritten_output(std::move(*file), source) : new_file(mesh, format, source);
 }
 
 /// By kind: how many are lost in a part, but for records that another part may have.
@@ -60,33 +93,29 @@ std::map<AttributeKind, std::size_t> lost_in_part(const Loss& part) {
 
 std::string numbered_path(const std::string& path, std::size_t number) {
   const std::filesystem::path whole(path);
-  std::string name = whole.stem().string();
-  name += '_';
-  name += std::to_string(number);
-  name += whole.extension().string();
+  std::filesystem::path stem = whole.stem();
+  std::string ending = whole.extension().string();
+  if (is_gzip_name(path)) {
+    ending.insert(0, stem.extension().string());
+    stem = stem.stem();
+  }
+  const std::string name = stem.string() + '_' + std::to_string(number) + ending;
   return (whole.parent_path() / name).string();
 }
 
 Output make_output(const TrackedMesh& result, bool is_changed, const std::string& path,
                    const Source& source) {
-  const Format format = output_format(path, source);
-  if (!is_changed && format == source.soup.format) {
+  const PlainContent& plain = source.file.plain();
+  const bool is_gzipped = path == source.file.path() ? plain.was_gzipped() : is_gzip_name(path);
+  const bool is_same = output_format(path, source) == source.soup.format && !is_changed;
+  if (is_same && is_gzipped == plain.was_gzipped()) {
     Output output;
-    output.bytes = source.bytes;
+    output.bytes = source.file.original();
     return output;
   }
-  const EditedMesh mesh = edited_mesh_of(result, source.soup);
-  if (format != source.soup.format) {
-    return new_file(mesh, format, source);
-  }
-  std::optional<RewrittenFile> file = rewrite_mesh(mesh, source.bytes);
-  if (!file) {
-    return new_file(mesh, format, source);
-  }
-  return {std::move(file->bytes),
-          std::move(file->file_faces),
-          {std::move(file->lost), std::move(file->lost_records)},
-          ""};
+  Output output = make_plain_output(result, is_changed, path, source);
+  if (is_gzipped) output.bytes = pack_gzip(output.bytes);
+  return output;
 }
 
 std::vector<AttributeCount> lost_by_all(const std::vector<Loss>& parts, const Source& source) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "input_file.h"
 #include "meshalyzer/io/attributes.h"
 #include "meshalyzer/io/rewrite/rewritten_file.h"
 #include "meshalyzer/mesh/soup.h"
@@ -14,7 +15,7 @@ namespace meshalyzer::fixer {
 
 /// The file that was read.
 struct Source {
-  std::string_view bytes;
+  const InputFile& file;
   /// What it says.
   const Soup& soup;
 };
@@ -36,12 +37,12 @@ struct Output {
   std::string note;
 };
 
-/// The path of one of several outputs: "a.mesh" becomes "a_2.mesh".
+/// The path of one of several outputs: "a.mesh" becomes "a_2.mesh", "a.obj.gz" "a_2.obj.gz".
 [[nodiscard]] std::string numbered_path(const std::string& path, std::size_t number);
 
 /// Makes the file of a result in the format of a path's ending (INRIA's .mesh where the source was
-/// one). In the source's format what was not changed stays as it is; where nothing was, that is
-/// all.
+/// one), gzipped where it ends in .gz; what takes the place of the source stays in its format. In
+/// the source's format what was not changed stays as it is; where nothing was, that is all.
 ///
 /// @param is_changed  Whether anything was.
 [[nodiscard]] Output make_output(const TrackedMesh& result, bool is_changed,

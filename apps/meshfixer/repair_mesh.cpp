@@ -83,11 +83,20 @@ std::string ending_of(Format format) {
   return std::string(format_name(format == Format::Inria ? Format::Mesh : format));
 }
 
+/// A file in hand, and where what comes of it goes.
+struct Job {
+  const Options& options;
+  Source source;
+  Streams streams;
+};
+
 /// The paths of the meshes of a result, none of which is the input.
-std::vector<std::string> output_paths(const Options& options, const RepairReport& report) {
+std::vector<std::string> output_paths(const Job& job, const RepairReport& report) {
+  const Options& options = job.options;
   // The format of standard output is that of the input.
   if (options.writes_to_stdout()) {
-    return {"standard output." + ending_of(report.input.format)};
+    const std::string gzip = job.source.file.plain().was_gzipped() ? ".gz" : "";
+    return {"standard output." + ending_of(report.input.format) + gzip};
   }
   if (!report.fixes.contains(DefectCode::Disjoint)) return {*options.output};
   std::vector<std::string> paths;
@@ -100,13 +109,6 @@ std::vector<std::string> output_paths(const Options& options, const RepairReport
   }
   return paths;
 }
-
-/// A file in hand, and where what comes of it goes.
-struct Job {
-  const Options& options;
-  Source source;
-  Streams streams;
-};
 
 std::string original_of(const std::string& path) {
   return path + ".orig";
@@ -213,7 +215,7 @@ std::vector<Soup> take_unwritten(const Options& options, RepairReport& report) {
 /// Adds what came out to the report, and writes it where it is to be written.
 std::vector<Soup> take_or_write(const Job& job, RepairReport& report) {
   if (job.options.output) {
-    const std::vector<std::string> paths = output_paths(job.options, report);
+    const std::vector<std::string> paths = output_paths(job, report);
     if (!refuses_loss(job, paths, report)) return write_all(job, paths, report);
   }
   return take_unwritten(job.options, report);
@@ -239,7 +241,7 @@ std::string progress_text(const RepairProgress& now) {
 
 }  // namespace
 
-ExitCode repair_mesh(const Options& options, Soup soup, std::string_view bytes, Streams streams,
+ExitCode repair_mesh(const Options& options, Soup soup, const InputFile& file, Streams streams,
                      const std::function<ExitCode(const RepairReport&)>& tell) {
   const MeshName input = name_of(soup, options.input);
   ProgressLine progress(streams.err, options.progress == ReportOptions::Progress::Never
@@ -250,7 +252,8 @@ ExitCode repair_mesh(const Options& options, Soup soup, std::string_view bytes, 
   const StopRequest stop(options.time_limit);
   repair.wants_to_stop = [&] { return stop.is_made(); };
   if (options.output && !options.writes_to_stdout()) {
-    repair.written_as = format_of_name(*options.output);
+    repair.written_as =
+        options.target == Options::Target::InPlace ? soup.format : format_of_name(*options.output);
   }
   const bool is_needed = options.html || options.output;
   const Soup before = is_needed ? soup : Soup();
@@ -258,7 +261,7 @@ ExitCode repair_mesh(const Options& options, Soup soup, std::string_view bytes, 
   progress.clear();
   RepairReport report{input, result, repair.fixes, {}, {}};
   if (result.is_stopped) report.notes.push_back(StopRequest::note());
-  const std::vector<Soup> finals = take_or_write({options, {bytes, before}, streams}, report);
+  const std::vector<Soup> finals = take_or_write({options, {file, before}, streams}, report);
   if (options.html) write_page(*options.html, report, before, finals);
   const ExitCode told = tell(report);
   return told == ExitCode::Done ? verdict(options, report, streams) : told;

@@ -1,7 +1,9 @@
 #include "session.h"
 
 #include "batch.h"
+#include "input_file.h"
 #include "meshalyzer/io/file.h"
+#include "meshalyzer/io/gzip.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/report/json/repair_report.h"
@@ -15,7 +17,6 @@
 #include <optional>
 #include <ostream>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -48,8 +49,8 @@ ExitCode find(const Options& options, const Soup& soup, Streams streams) {
   return n_asked(report, asked) == 0 ? ExitCode::Done : ExitCode::NotGood;
 }
 
-ExitCode fix(const Options& options, Soup soup, std::string_view bytes, Streams streams) {
-  return repair_mesh(options, std::move(soup), bytes, streams, [&](const RepairReport& report) {
+ExitCode fix(const Options& options, Soup soup, const InputFile& file, Streams streams) {
+  return repair_mesh(options, std::move(soup), file, streams, [&](const RepairReport& report) {
     // What is written to standard output is the mesh alone.
     const Streams told_to{options.writes_to_stdout() ? streams.err : streams.out, streams.err};
     return tell(
@@ -85,12 +86,13 @@ void check_outputs(const Options& options) {
 }  // namespace
 
 ExitCode work(const Options& options, Streams streams) {
+  const UnpackLimit limit(options.max_unpack_ratio);
   if (options.is_batch()) return run_batch(options, streams);
   check_outputs(options);
-  const FileContent content(options.input);
-  Soup soup = parse_mesh(content.bytes(), options.input);
+  const InputFile file(options.input);
+  Soup soup = parse_mesh(file.bytes(), options.input);
   if (options.action == Options::Action::Find) return find(options, soup, streams);
-  return fix(options, std::move(soup), content.bytes(), streams);
+  return fix(options, std::move(soup), file, streams);
 }
 
 }  // namespace meshalyzer::fixer

@@ -43,7 +43,10 @@ void add_codes(std::string_view item, const std::string& option, DefectCodes& co
       if (more.contains(code)) codes.insert(code);
     }
   } else {
-    throw UsageError(option + " needs defect codes, not '" + std::string(item) + "'");
+    std::vector<std::string_view> names{"all", "default"};
+    for (const DefectCode code : all_defect_codes()) names.push_back(defect_name(code));
+    throw UsageError(option + " needs defect codes, not '" + std::string(item) + "'" +
+                     did_you_mean(item, names));
   }
 }
 
@@ -116,7 +119,8 @@ std::string to_page(const std::string& text, const std::string& option) {
 
 std::string to_output(const std::string& text, const std::string& /*option*/) {
   if (text != "-" && !is_folder_name(text) && !format_of_name(text)) {
-    throw UsageError("'" + text + "' has the ending of no known mesh format");
+    throw UsageError("'" + text + "' has the ending of no known mesh format (" + kMeshEndings +
+                     ")");
   }
   return text;
 }

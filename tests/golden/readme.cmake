@@ -1,7 +1,20 @@
-# Fails where a report that README.md shows is not what the command before it prints. What a command writes goes to
-# build/, which is made for it and is no part of the project.
+# Fails where a report that README.md shows is not what the command before it prints; behind `| head -N` stand its first
+# N lines. What a command writes goes to build/, which is made for it and is no part of the project.
 cmake_minimum_required(VERSION 3.25)
 file(READ ${ROOT}/README.md readme)
+
+# first_lines(TEXT N RESULT): the first N lines of a text.
+function(first_lines text n result)
+  set(shown "")
+  foreach(i RANGE 1 ${n})
+    string(FIND "${text}" "\n" end)
+    math(EXPR end "${end} + 1")
+    string(SUBSTRING "${text}" 0 ${end} line)
+    string(SUBSTRING "${text}" ${end} -1 text)
+    string(APPEND shown "${line}")
+  endforeach()
+  set(${result} "${shown}" PARENT_SCOPE)
+endfunction()
 
 # check_commands(COMMAND PROGRAM LEAST): runs the lines `    ./dev COMMAND ARGUMENT...`, of which there are LEAST or more.
 function(check_commands command program least)
@@ -12,10 +25,18 @@ function(check_commands command program least)
   endif()
   foreach(line IN LISTS lines)
     string(REGEX REPLACE "    \\./dev ${command} (.*)" "\\1" arguments "${line}")
+    set(n_shown 0)
+    if(arguments MATCHES "^(.*) \\| head -([0-9]+)$")
+      set(arguments "${CMAKE_MATCH_1}")
+      set(n_shown ${CMAKE_MATCH_2})
+    endif()
     separate_arguments(arguments)
     execute_process(COMMAND ${program} ${arguments} WORKING_DIRECTORY ${ROOT} OUTPUT_VARIABLE report RESULT_VARIABLE exit)
     if(NOT exit MATCHES "^[01]$")
       message(SEND_ERROR "${line} ends with ${exit}")
+    endif()
+    if(n_shown GREATER 0)
+      first_lines("${report}" ${n_shown} report)
     endif()
     string(FIND "${readme}" "```text\n${report}```" place)
     if(line MATCHES "--html ([^ ]+)")

@@ -12,6 +12,7 @@ set(package_benchmark libbenchmark-dev)
 set(package_nlohmann_json nlohmann-json3-dev)
 set(package_Python3 python3)
 set(package_tomlplusplus libtomlplusplus-dev)
+set(package_ZLIB zlib1g-dev)
 set(package_Threads g++)
 set(package_meshalyzer g++) # the consumer of tests/install looks for ourselves
 

@@ -19,7 +19,10 @@ namespace {
 
 std::string to_profile_name(const std::string& text, const std::string& option) {
   if (find_profile(text) == nullptr) {
-    refuse_value(option, "solid, print, simulation, sheet or exchange", text);
+    std::vector<std::string_view> names;
+    for (const CheckProfile& profile : check_profiles()) names.push_back(profile.name);
+    throw UsageError(option + " needs solid, print, simulation, sheet or exchange, not '" + text +
+                     "'" + did_you_mean(text, names));
   }
   return text;
 }
@@ -27,7 +30,10 @@ std::string to_profile_name(const std::string& text, const std::string& option) 
 CheckFormat to_check_format(const std::string& text, const std::string& option) {
   const std::optional<CheckFormat> format = check_format(text);
   if (!format) {
-    refuse_value(option, "one of " + names_of(all_check_formats(), check_format_name), text);
+    std::vector<std::string_view> names;
+    for (const CheckFormat each : all_check_formats()) names.push_back(check_format_name(each));
+    throw UsageError(option + " needs one of " + names_of(all_check_formats(), check_format_name) +
+                     ", not '" + text + "'" + did_you_mean(text, names));
   }
   return *format;
 }

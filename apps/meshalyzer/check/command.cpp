@@ -4,6 +4,7 @@
 #include "check/check_values.h"
 #include "meshalyzer/checks/profile.h"
 #include "option_table.h"
+#include "report_options.h"
 #include "values.h"
 
 #include <algorithm>
@@ -57,14 +58,17 @@ void declare_telling(OptionTable& table, CheckCommand& command) {
              "that are gone, and new ones; exit status 1 where there is a new one");
   table.option("--format NAME", into(command.format, to_check_format),
                names_of(all_check_formats(), check_format_name));
-  table.option("--max N", into(command.settings.max_listed, to_count),
-               "list N findings of a code and mesh at most (5); 0 lists all");
+  table.option(
+      "--max N", into(command.settings.max_listed, to_count),
+      "list N findings of a code and mesh; 0 lists all. By default 5 at most, and fewer where a "
+      "mesh would have 30 lines or more");
   table.option("--color WHEN", into(command.colour, to_colour_choice),
                "auto (on a terminal, unless NO_COLOR is set), always or never");
   table.option("--threads N", into(command.threads, to_thread_count),
                "how many work at most (all cores)");
   table.option("--memory-limit SIZE", into(command.memory_limit, to_bytes),
                "stay below it (500M, 4G) where the largest few meshes allow it");
+  declare_unpack_ratio(table, command.max_unpack_ratio);
 }
 
 void check_paths(const CheckCommand& command) {
@@ -109,18 +113,15 @@ CheckCommandLine parse_check_command_line(int argc, const char* const* argv) {
                  "Exit status: 0 all are good; 1 not all; 2 wrong usage; 3 something could not be "
                  "read.",
        .version = ""});
-  table.arguments("PATH", command.paths,
-                  "a mesh file (.mesh .obj .off .stl .ply), - for standard input, or a folder: "
-                  "all mesh files in it and in the folders within it.");
+  table.arguments(
+      "PATH", command.paths,
+      "a mesh file (.mesh .obj .off .stl .ply, also .gz), - for standard input, or a folder: "
+      "all mesh files in it and in the folders within it.");
   declare_files(table, command);
   declare_criteria(table, command);
   declare_telling(table, command);
-  try {
-    line.answer = table.parse(argc, argv);
-    if (!line.answer) check_command(command);
-  } catch (const UsageError& error) {
-    throw UsageError(std::string("check: ") + error.what());
-  }
+  line.answer = table.parse(argc, argv);
+  if (!line.answer) check_command(command);
   return line;
 }
 

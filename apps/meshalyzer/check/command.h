@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/memory_size.h"
 #include "meshalyzer/checks/settings.h"
+#include "meshalyzer/io/gzip.h"
 #include "meshalyzer/report/check/check_report.h"
 
 #include <cstddef>
@@ -36,6 +37,8 @@ struct CheckCommand {
   ColourChoice colour = ColourChoice::OnTerminal;
   /// 0: as many as the machine has cores.
   std::size_t threads = 0;
+  /// How many times its size a gzipped file may take.
+  std::uint64_t max_unpack_ratio = kDefaultUnpackRatio;
   /// Bytes.
   std::uint64_t memory_limit = physical_memory() / 2;
 };

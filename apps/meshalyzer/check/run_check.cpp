@@ -6,13 +6,13 @@
 #include "meshalyzer/checks/known_findings.h"
 #include "meshalyzer/checks/mesh_files.h"
 #include "meshalyzer/report/check/baseline.h"
+#include "terminal.h"
 #include "usage_error.h"
 
 #include <chrono>
 #include <cstdlib>
-#include <iostream>
 #include <map>
-#include <unistd.h>
+#include <ostream>
 
 namespace meshalyzer {
 namespace {
@@ -24,9 +24,9 @@ bool is_colour_forbidden() {
 }
 
 TextColour colour_of(ColourChoice choice, const std::ostream& out) {
-  const bool on_terminal = &out == &std::cout && ::isatty(STDOUT_FILENO) == 1;
-  const bool wanted = choice == ColourChoice::Always ||
-                      (choice == ColourChoice::OnTerminal && on_terminal && !is_colour_forbidden());
+  const bool wanted =
+      choice == ColourChoice::Always ||
+      (choice == ColourChoice::OnTerminal && is_terminal(out) && !is_colour_forbidden());
   return wanted ? TextColour::Always : TextColour::Never;
 }
 
@@ -40,7 +40,7 @@ class Baseline {
   void prepare(std::vector<CheckJob>& jobs) {
     if (!known_) return;
     for (CheckJob& job : jobs) {
-      max_listed_[job.name] = job.criteria.max_listed;
+      told_[job.name] = job.criteria;
       job.criteria.max_listed = 0;
     }
   }
@@ -48,13 +48,15 @@ class Baseline {
   [[nodiscard]] FileFindings new_findings(FileFindings file) {
     if (!known_) return file;
     known_->drop_from(file);
-    cut_listed(file, max_listed_[file.path]);
+    const CheckCriteria& told = told_[file.path];
+    cut_listed(file, told.max_listed, told.max_lines);
     return file;
   }
 
  private:
   std::optional<KnownFindings> known_;
-  std::map<std::string, std::size_t> max_listed_;
+  /// The criteria of each file, which say how much is told of it.
+  std::map<std::string, CheckCriteria> told_;
 };
 
 ExitCode exit_code_of(const CheckTotals& totals, bool has_trouble) {
@@ -119,7 +121,7 @@ ExitCode compare_meshes(const CheckCommand& command, Streams streams) {
     files.push_back(file);
     return true;
   }));
-  if (files.size() != 2) throw UsageError("check: --diff: a settings file excludes a mesh");
+  if (files.size() != 2) throw UsageError("--diff: a settings file excludes a mesh");
   const FileFindings gone = findings_beside(files[0], files[1]);
   const FileFindings added = findings_beside(files[1], files[0]);
   print_findings("gone: ", gone, streams.out);
@@ -136,6 +138,7 @@ ExitCode compare_meshes(const CheckCommand& command, Streams streams) {
 
 ExitCode run_check(const CheckCommand& command, Streams streams) {
   const ThreadLimit limit(command.threads);
+  const UnpackLimit unpack_limit(command.max_unpack_ratio);
   const InterruptGuard guard;
   return command.is_comparison ? compare_meshes(command, streams) : check_all(command, streams);
 }

@@ -1,5 +1,6 @@
 #include "meshalyzer/analysis/goodness.h"
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/base/numbers.h"
 
 namespace meshalyzer {
@@ -21,7 +22,7 @@ class Reasons {
   /// Adds a reason unless the count is zero.
   void forbid(std::size_t count, const std::string& what) {
     if (count != 0) {
-      add(what + ": " + std::to_string(count));
+      add(what + ": " + grouped(count));
     }
   }
 

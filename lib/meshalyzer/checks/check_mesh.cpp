@@ -1,6 +1,7 @@
 #include "meshalyzer/checks/check_mesh.h"
 
 #include "meshalyzer/checks/defect_sentence.h"
+#include "meshalyzer/checks/known_findings.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/find_defects.h"
 
@@ -143,6 +144,7 @@ FileFindings check_mesh(Soup soup, std::string path, const CheckCriteria& criter
   mesh.limit_intersecting_pairs(criteria.max_pairs);
   FileFindings file;
   file.path = std::move(path);
+  file.format = mesh.soup().format;
   file.vertices = mesh.soup().n_vertices();
   file.faces = mesh.soup().n_faces();
   const DefectReport report =
@@ -151,6 +153,7 @@ FileFindings check_mesh(Soup soup, std::string path, const CheckCriteria& criter
   findings.add_defects(report, Severity::Error);
   findings.add_beyond_limits();
   findings.add_defects(report, Severity::Warning);
+  cut_listed(file, criteria.max_listed, criteria.max_lines);
   return file;
 }
 

@@ -16,6 +16,9 @@ struct CheckCriteria {
   Limits limits;
   /// So many findings of a code are listed at most; 0 lists all. Counts are complete all the same.
   std::size_t max_listed = 5;
+  /// A file has so many lines in a report at most: where it would have more, fewer of each code are
+  /// listed. 0: no limit, as where somebody says how many of a code are to be listed.
+  std::size_t max_lines = 29;
   /// The search for intersecting pairs ends when it has found so many; counts that it concerns are
   /// "at least" then.
   std::size_t max_pairs = 10'000;

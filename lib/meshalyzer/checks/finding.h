@@ -3,6 +3,7 @@
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/types.h"
 #include "meshalyzer/defects/defect.h"
+#include "meshalyzer/mesh/soup.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -54,6 +55,8 @@ struct FileFindings {
   /// Says why the file cannot be read, without its name and the place; empty where it can.
   std::string trouble;
   FilePlace trouble_place;
+  /// What it was read as; nothing where it cannot be read.
+  std::optional<Format> format = std::nullopt;
   std::size_t vertices = 0;
   std::size_t faces = 0;
   /// The worst first: errors before warnings; no more of a code than the criteria list.

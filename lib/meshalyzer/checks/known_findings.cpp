@@ -30,6 +30,16 @@ void uncount(const Finding& finding, std::vector<FindingCount>& counts) {
   if (found->count == 0) counts.erase(found);
 }
 
+/// The lines of a file of which so many findings of a code are listed.
+std::size_t n_lines(const FileFindings& file, std::size_t max_listed) {
+  std::size_t lines = 0;
+  for (const FindingCount& found : file.counts) {
+    const bool has_rest = found.count > max_listed || found.is_at_least;
+    lines += std::min(found.count, max_listed) + (has_rest ? 1 : 0);
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::vector<KnownFinding> known_of(const FileFindings& file) {
@@ -66,8 +76,9 @@ void KnownFindings::drop_from(FileFindings& file) {
   });
 }
 
-void cut_listed(FileFindings& file, std::size_t max_listed) {
+void cut_listed(FileFindings& file, std::size_t max_listed, std::size_t max_lines) {
   if (max_listed == 0) return;
+  while (max_lines != 0 && max_listed > 0 && n_lines(file, max_listed) > max_lines) --max_listed;
   std::map<std::string_view, std::size_t> n_listed;
   std::erase_if(file.findings,
                 [&](const Finding& finding) { return ++n_listed[finding.code] > max_listed; });

@@ -12,22 +12,29 @@ bool has(const std::vector<std::string>& names, std::string_view name) {
                      [&](const std::string& each) { return each == name || each == kAllCodes; });
 }
 
-std::vector<std::string_view> all_check_codes() {
-  std::vector<std::string_view> names{kAllCodes};
-  for (const DefectCode code : all_defect_codes()) names.push_back(defect_name(code));
-  for (const LimitInfo& info : limit_table()) names.push_back(info.name);
+/// The names that lists of codes may have.
+std::vector<std::string_view> selectable_names() {
+  std::vector<std::string_view> names = all_check_codes();
+  names.insert(names.begin(), kAllCodes);
   return names;
 }
 
 }  // namespace
 
+std::vector<std::string_view> all_check_codes() {
+  std::vector<std::string_view> names;
+  for (const DefectCode code : all_defect_codes()) names.push_back(defect_name(code));
+  for (const LimitInfo& info : limit_table()) names.push_back(info.name);
+  return names;
+}
+
 bool is_check_code(std::string_view name) {
-  const std::vector<std::string_view> names = all_check_codes();
+  const std::vector<std::string_view> names = selectable_names();
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 std::string nearest_check_code(std::string_view name) {
-  return std::string(nearest_name(name, all_check_codes()));
+  return std::string(nearest_name(name, selectable_names()));
 }
 
 void select_codes(const std::vector<std::string>& selected, const std::vector<std::string>& ignored,

@@ -32,7 +32,10 @@ CheckCriteria criteria_of(const std::vector<const CheckSettings*>& layers) {
     }
     if (!layer->selected.empty()) selected = layer->selected;
     ignored.insert(ignored.end(), layer->ignored.begin(), layer->ignored.end());
-    criteria.max_listed = layer->max_listed.value_or(criteria.max_listed);
+    if (layer->max_listed) {
+      criteria.max_listed = *layer->max_listed;
+      criteria.max_lines = 0;
+    }
   }
   select_codes(selected, ignored, criteria);
   return criteria;

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/bytes.h"
 #include "meshalyzer/base/numbers.h"
+#include "meshalyzer/io/binary_off.h"
 #include "meshalyzer/io/format_of.h"
 #include "meshalyzer/io/ply_header.h"
 #include "meshalyzer/io/ply_names.h"
@@ -137,8 +138,15 @@ std::string_view from_line(std::string_view text, std::size_t line) {
   return text.substr(begin);
 }
 
+Counts count_binary_off(std::string_view content) {
+  const BinaryOff off = parse_binary_off(content, "");
+  return {{AttributeKind::TextureCoordinates, off.n_texture_points},
+          {AttributeKind::VertexColours, off.n_vertex_colours},
+          {AttributeKind::FaceColours, off.n_face_colours}};
+}
+
 /// Counts what stands behind the positions and normals of vertices and the corners of faces.
-Counts count_off(const Soup& soup, std::string_view text) {
+Counts count_off_text(const Soup& soup, std::string_view text) {
   TextScanner head(text);
   static_cast<void>(head.next_record());
   const bool has_texture = head.peek().substr(0, 2) == "ST";
@@ -159,6 +167,13 @@ Counts count_off(const Soup& soup, std::string_view text) {
   return {{AttributeKind::TextureCoordinates, has_texture ? soup.n_vertices() : 0},
           {AttributeKind::VertexColours, n_vertex_colours},
           {AttributeKind::FaceColours, n_face_colours}};
+}
+
+Counts count_off(const Soup& soup, std::string_view content) {
+  if (is_binary(content, Format::Off)) {
+    return count_binary_off(content);
+  }
+  return soup.vertex_lines.empty() ? Counts{} : count_off_text(soup, content);
 }
 
 Counts count_binary_stl(std::string_view content) {
@@ -224,7 +239,7 @@ Counts count_by_format(const Soup& soup, std::string_view bytes) {
     case Format::Ply:
       return count_ply(bytes);
     case Format::Off:
-      return soup.vertex_lines.empty() ? Counts{} : count_off(soup, bytes);
+      return count_off(soup, bytes);
     case Format::Stl:
       return is_binary(bytes, Format::Stl) ? count_binary_stl(bytes) : count_ascii_stl(bytes);
     case Format::Inria:

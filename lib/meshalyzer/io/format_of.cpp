@@ -1,7 +1,7 @@
 #include "meshalyzer/io/format_of.h"
 
 #include "meshalyzer/io/obj.h"
-#include "meshalyzer/io/off.h"
+#include "meshalyzer/io/off_keyword.h"
 #include "meshalyzer/io/ply_header.h"
 #include "meshalyzer/io/stl.h"
 #include "meshalyzer/io/text_scanner.h"
@@ -27,11 +27,27 @@ std::string_view first_word(std::string_view content) {
   return in.next_record() ? in.word() : std::string_view{};
 }
 
+/// The format that a file's content is of beyond doubt: its first word begins files of this format
+/// and no others.
+std::optional<Format> unmistakable_format(std::string_view content) {
+  constexpr std::array<std::string_view, 8> kObjBeginnings = {"v", "vn", "vt",     "f",
+                                                              "g", "o",  "mtllib", "usemtl"};
+  const std::optional<Format> format = format_of_content(content);
+  const bool is_weak =
+      format == Format::Obj && std::find(kObjBeginnings.begin(), kObjBeginnings.end(),
+                                         first_word(content)) == kObjBeginnings.end();
+  return is_weak ? std::nullopt : format;
+}
+
 }  // namespace
 
 bool has_ending(std::string_view name, std::string_view ending) {
   return name.size() >= ending.size() &&
          lower_case(name.substr(name.size() - ending.size())) == ending;
+}
+
+bool is_gzip_name(std::string_view name) {
+  return has_ending(name, ".gz");
 }
 
 std::optional<Format> format_of_name(std::string_view name) {
@@ -42,8 +58,9 @@ std::optional<Format> format_of_name(std::string_view name) {
       {".stl", Format::Stl},
       {".ply", Format::Ply},
   }};
+  const std::string_view plain = is_gzip_name(name) ? name.substr(0, name.size() - 3) : name;
   for (const auto& [ending, format] : kEndings) {
-    if (has_ending(name, ending)) {
+    if (has_ending(plain, ending)) {
       return format;
     }
   }
@@ -76,15 +93,29 @@ std::optional<Format> format_of_content(std::string_view content) {
   return std::nullopt;
 }
 
+std::optional<Format> format_of(std::string_view content, std::string_view name) {
+  const std::optional<Format> by_name = format_of_name(name);
+  if (!by_name) {
+    return format_of_content(content);
+  }
+  const bool is_stl = by_name == Format::Stl && is_binary(content, Format::Stl);
+  const std::optional<Format> by_content = is_stl ? by_name : unmistakable_format(content);
+  return by_content ? by_content : by_name;
+}
+
 bool is_binary(std::string_view content, Format format) {
   if (format == Format::Stl) {
     return is_binary_stl(content) || content.find('\0') != std::string_view::npos;
   }
+  if (format == Format::Off) {
+    return is_binary_off(content);
+  }
   return format == Format::Ply && parse_ply_header(content).encoding != PlyEncoding::Ascii;
 }
 
-bool is_inria(std::string_view content) {
-  return first_word(content) == "MeshVersionFormatted";
+bool is_named_as(std::string_view name, Format format) {
+  const std::optional<Format> by_name = format_of_name(name);
+  return !by_name || by_name == format || (by_name == Format::Mesh && format == Format::Inria);
 }
 
 }  // namespace meshalyzer

@@ -11,18 +11,28 @@ namespace meshalyzer {
 /// @param ending  In lower case.
 [[nodiscard]] bool has_ending(std::string_view name, std::string_view ending);
 
-/// The format that the ending of a file name stands for, in any case of letters; `.mesh` is
-/// Format::Mesh.
+/// The endings of mesh files, as a refusal names them.
+inline constexpr const char* kMeshEndings = ".mesh .obj .off .stl .ply, each also with .gz";
+
+/// Whether the name is that of a gzipped file.
+[[nodiscard]] bool is_gzip_name(std::string_view name);
+
+/// The format that the ending of a file name stands for, in any case of letters, whether `.gz`
+/// stands behind it or not; `.mesh` is Format::Mesh.
 [[nodiscard]] std::optional<Format> format_of_name(std::string_view name);
 
 /// The format that a file's content looks like: its first word, or a binary STL's size.
 [[nodiscard]] std::optional<Format> format_of_content(std::string_view content);
 
+/// The format of a file: that of its name, unless the content is unmistakably of another one; where
+/// the name says none, what the content looks like.
+[[nodiscard]] std::optional<Format> format_of(std::string_view content, std::string_view name);
+
 /// Whether the content of a file of this format, which must be sound, is in the format's binary
 /// encoding.
 [[nodiscard]] bool is_binary(std::string_view content, Format format);
 
-/// Whether the first word of the content is MeshVersionFormatted.
-[[nodiscard]] bool is_inria(std::string_view content);
+/// Whether a file of this name may be of this format: `.mesh` stands for two.
+[[nodiscard]] bool is_named_as(std::string_view name, Format format);
 
 }  // namespace meshalyzer

@@ -69,7 +69,7 @@ class ObjParser {
     soup_.vertex_lines.push_back(static_cast<std::uint32_t>(line_));
     std::size_t extra = 0;
     for (; !in_.at_record_end(); ++extra) {
-      static_cast<void>(in_.real());
+      in_.skip_number();
     }
     if (extra == 2 || extra > 4) {
       in_.fault("a vertex of " + std::to_string(3 + extra) + " numbers, not 3, 4, 6 or 7");

@@ -1,6 +1,8 @@
 #include "meshalyzer/io/off.h"
 
 #include "meshalyzer/base/numbers.h"
+#include "meshalyzer/io/binary_off.h"
+#include "meshalyzer/io/off_keyword.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/text_scanner.h"
 
@@ -9,31 +11,6 @@
 
 namespace meshalyzer {
 namespace {
-
-/// Tells what vertex lines hold besides the position, in this order, as the keyword says.
-struct VertexLayout {
-  bool normal = false;
-  bool colour = false;
-  bool texture = false;
-  bool readable = true;
-};
-
-bool take_prefix(std::string_view& word, std::string_view prefix) {
-  if (word.substr(0, prefix.size()) != prefix) {
-    return false;
-  }
-  word.remove_prefix(prefix.size());
-  return true;
-}
-
-VertexLayout layout_of(std::string_view keyword) {
-  VertexLayout layout;
-  layout.texture = take_prefix(keyword, "ST");
-  layout.colour = take_prefix(keyword, "C");
-  layout.normal = take_prefix(keyword, "N");
-  layout.readable = keyword == "OFF";
-  return layout;
-}
 
 /// Reads the lines of one file in order.
 class OffParser {
@@ -70,10 +47,7 @@ class OffParser {
     const std::string_view keyword = in_.peek();
     if (is_off_keyword(keyword)) {
       static_cast<void>(in_.word());
-      layout_ = layout_of(keyword);
-      if (!layout_.readable || in_.peek() == "BINARY") {
-        in_.fault("OFF in other than three dimensions or in binary is not read");
-      }
+      layout_ = parse_off_keyword(keyword, in_);
     } else if (keyword.find_first_not_of("0123456789") != std::string_view::npos) {
       in_.fault(in_quotes(keyword) + " is not the keyword OFF");
     }
@@ -96,7 +70,7 @@ class OffParser {
     }
     std::size_t extra = 0;
     for (; !in_.at_record_end(); ++extra) {
-      static_cast<void>(in_.real());
+      in_.skip_number();
     }
     const std::size_t texture = layout_.texture ? 2 : 0;
     const bool has_colour = extra == texture + 3 || extra == texture + 4;
@@ -119,7 +93,7 @@ class OffParser {
     append_polygon(soup_, corners_, line);
     std::size_t n_colour = 0;
     for (; !in_.at_record_end(); ++n_colour) {
-      static_cast<void>(in_.real());
+      in_.skip_number();
     }
     if (n_colour == 2 || n_colour > 4) {
       in_.fault(std::to_string(n_colour) + " numbers after the corners, which is no colour");
@@ -128,7 +102,7 @@ class OffParser {
 
   TextScanner in_;
   Soup soup_;
-  VertexLayout layout_;
+  OffLayout layout_;
   std::size_t n_vertices_ = 0;
   std::size_t n_faces_ = 0;
   /// The corners of the face being read.
@@ -151,8 +125,11 @@ void print_vertex(std::string& text, const Soup& soup, std::size_t vertex, bool 
 
 }  // namespace
 
-Soup parse_off(std::string_view text, const std::string& name) {
-  return name_fault(name, [&] { return OffParser(text).parse(); });
+Soup parse_off(std::string_view content, const std::string& name) {
+  return name_fault(name, [&] {
+    return is_binary_off(content) ? parse_binary_off(content, name).soup
+                                  : OffParser(content).parse();
+  });
 }
 
 std::string print_off(const Soup& soup) {
@@ -168,15 +145,6 @@ std::string print_off(const Soup& soup) {
             '\n';
   }
   return text;
-}
-
-bool is_off_keyword(std::string_view word) {
-  take_prefix(word, "ST");
-  take_prefix(word, "C");
-  take_prefix(word, "N");
-  take_prefix(word, "4");
-  take_prefix(word, "n");
-  return word == "OFF";
 }
 
 }  // namespace meshalyzer

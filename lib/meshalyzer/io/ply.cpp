@@ -35,6 +35,8 @@ class PlyBody {
         parse_vertices(element);
       } else if (element.name == "face") {
         parse_faces(element);
+      } else if (element.name == "tristrips") {
+        parse_strips(element);
       } else {
         skip_records(element);
       }
@@ -103,6 +105,40 @@ class PlyBody {
       }
       append_polygon(soup_, corners_, line);
       source_.end_record();
+    }
+  }
+
+  void parse_strips(const PlyElement& element) {
+    for (std::size_t i = 0; i < element.count; ++i) {
+      source_.begin_record(element);
+      for (const PlyProperty& property : element.properties) {
+        if (is_corner_list(property)) {
+          read_strips(property);
+        } else {
+          skip_property(property);
+        }
+      }
+      source_.end_record();
+    }
+  }
+
+  /// Reads a list of strips, all but the last ended by -1: every three corners that follow each
+  /// other are a face, those of every other face the other way round.
+  void read_strips(const PlyProperty& property) {
+    corners_.clear();
+    for (std::size_t left = source_.list_size(property); left > 0; --left) {
+      const Index corner = source_.index_of_strip(property.type);
+      if (corner == kNoIndex) {
+        corners_.clear();
+        continue;
+      }
+      corners_.push_back(corner);
+      if (const std::size_t n = corners_.size(); n >= 3) {
+        const std::size_t first = n % 2 == 0 ? n - 2 : n - 3;
+        const std::size_t second = n % 2 == 0 ? n - 3 : n - 2;
+        soup_.triangles.push_back({corners_[first], corners_[second], corner});
+        append_line(soup_.face_lines);
+      }
     }
   }
 

@@ -7,8 +7,9 @@
 
 namespace meshalyzer {
 
-/// Reads PLY 1.0, ASCII or binary in either byte order: x y z, nx ny nz and the faces'
-/// vertex_indices (or vertex_index); every other property and element is skipped.
+/// Reads PLY 1.0, ASCII or binary in either byte order: x y z, nx ny nz and the vertex_indices (or
+/// vertex_index) of faces and of strips of triangles (`tristrips`); every other property and
+/// element is skipped.
 ///
 /// @param name  Stands in messages.
 /// @throws IoError with the first faulty line, in binary content with the byte offset.

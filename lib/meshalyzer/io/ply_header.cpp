@@ -112,9 +112,6 @@ class HeaderParser {
     PlyElement element;
     element.name = line.word();
     element.line = line.line();
-    if (element.name == "tristrips") {
-      line.fault("triangle strips are not read");
-    }
     if (element.name.empty() || has_name(header_.elements, element.name)) {
       line.fault("element " + in_quotes(element.name) + " has no name or is declared twice");
     }
@@ -145,7 +142,7 @@ class HeaderParser {
     if (property.name.empty() || has_name(element.properties, property.name)) {
       line.fault("property " + in_quotes(property.name) + " has no name or is declared twice");
     }
-    if (element.name == "face" && is_corner_list(property) && !is_integer(property.type)) {
+    if (has_corners(element) && is_corner_list(property) && !is_integer(property.type)) {
       line.fault("the vertex indices of faces are no integers");
     }
     element.properties.push_back(std::move(property));
@@ -169,7 +166,7 @@ class HeaderParser {
           };
           require_one(element, is_axis, "number " + std::string(axis));
         }
-      } else if (element.name == "face") {
+      } else if (has_corners(element)) {
         require_one(element, is_corner_list, "list vertex_indices or vertex_index");
       }
     }
@@ -204,6 +201,10 @@ std::size_t size_of(PlyType type) {
       return 8;
   }
   return 0;
+}
+
+bool has_corners(const PlyElement& element) {
+  return element.name == "face" || element.name == "tristrips";
 }
 
 bool is_corner_list(const PlyProperty& property) {

@@ -35,8 +35,8 @@ struct PlyElement {
   std::vector<PlyProperty> properties;
 };
 
-/// The contents of the header of a PLY file. Names are unique; `vertex` has x, y and z, `face` one
-/// list of vertex indices.
+/// The contents of the header of a PLY file. Names are unique; `vertex` has x, y and z, `face` and
+/// `tristrips` one list of vertex indices.
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::Ascii;
   std::vector<PlyElement> elements;
@@ -45,7 +45,10 @@ struct PlyHeader {
   std::size_t n_bytes = 0;
 };
 
-/// Whether this property of a face is the list of its corners.
+/// Whether the records of this element are faces or strips of faces.
+[[nodiscard]] bool has_corners(const PlyElement& element);
+
+/// Whether this property of a face or strip is the list of its corners.
 [[nodiscard]] bool is_corner_list(const PlyProperty& property);
 
 /// @throws TextFault with the first faulty line.

@@ -37,6 +37,14 @@ void AsciiPlySource::check_count(const PlyElement& element) const {
   }
 }
 
+Index AsciiPlySource::index_of_strip(PlyType type) {
+  if (in_.peek() == "-1") {
+    static_cast<void>(in_.word());
+    return kNoIndex;
+  }
+  return index(type);
+}
+
 void AsciiPlySource::finish() {
   if (in_.next_record()) {
     in_.fault("more lines than the header counts");
@@ -68,7 +76,16 @@ double BinaryPlySource::real(PlyType type) {
 
 Index BinaryPlySource::index(PlyType type) {
   const std::size_t offset = at_;
+  return checked_index(integer(type), offset);
+}
+
+Index BinaryPlySource::index_of_strip(PlyType type) {
+  const std::size_t offset = at_;
   const std::int64_t value = integer(type);
+  return value == -1 ? kNoIndex : checked_index(value, offset);
+}
+
+Index BinaryPlySource::checked_index(std::int64_t value, std::size_t offset) const {
   if (value < 0 || value > kLargestIndex) {
     fault_at(offset,
              "index " + std::to_string(value) + " is not in 0 to " + std::to_string(kLargestIndex));

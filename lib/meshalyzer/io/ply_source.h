@@ -30,6 +30,8 @@ class AsciiPlySource {
   [[nodiscard]] double real(PlyType /*type*/) { return in_.real(); }
   /// A vertex index.
   [[nodiscard]] Index index(PlyType /*type*/) { return in_.index(0); }
+  /// A vertex index, or kNoIndex for the -1 that ends a strip.
+  [[nodiscard]] Index index_of_strip(PlyType type);
   [[nodiscard]] std::size_t list_size(const PlyProperty& /*list*/) {
     return in_.count(2, "list items");
   }
@@ -58,6 +60,7 @@ class BinaryPlySource {
 
   [[nodiscard]] double real(PlyType type);
   [[nodiscard]] Index index(PlyType type);
+  [[nodiscard]] Index index_of_strip(PlyType type);
   [[nodiscard]] std::size_t list_size(const PlyProperty& list);
   void skip(PlyType type) { static_cast<void>(take(size_of(type))); }
 
@@ -73,6 +76,8 @@ class BinaryPlySource {
   double number(PlyType type);
   /// The next number, of an integer type.
   std::int64_t integer(PlyType type);
+  /// The vertex index that was read at an offset; faults where it is none.
+  [[nodiscard]] Index checked_index(std::int64_t value, std::size_t offset) const;
 
   std::string_view content_;
   std::size_t at_;

@@ -7,6 +7,7 @@
 #include "meshalyzer/io/mesh_format.h"
 #include "meshalyzer/io/obj.h"
 #include "meshalyzer/io/off.h"
+#include "meshalyzer/io/plain_content.h"
 #include "meshalyzer/io/ply.h"
 #include "meshalyzer/io/stl.h"
 
@@ -14,19 +15,6 @@
 
 namespace meshalyzer {
 namespace {
-
-Format decide_format(std::string_view content, const std::string& name) {
-  const std::optional<Format> by_name = format_of_name(name);
-  if (by_name) {
-    return *by_name == Format::Mesh && is_inria(content) ? Format::Inria : *by_name;
-  }
-  const std::optional<Format> by_content = format_of_content(content);
-  if (!by_content) {
-    throw IoError(name, {.line = 1},
-                  "neither the name nor the content is that of a known mesh format");
-  }
-  return *by_content;
-}
 
 Soup parse_as(Format format, std::string_view content, const std::string& name) {
   switch (format) {
@@ -54,10 +42,17 @@ Soup read_mesh(const std::string& path) {
 }
 
 Soup parse_mesh(std::string_view content, const std::string& name) {
-  if (content.empty()) {
+  const PlainContent plain(content, name);
+  if (plain.bytes().empty()) {
     throw IoError(name, {.line = 1}, "the file is empty");
   }
-  Soup soup = parse_as(decide_format(content, name), content, name);
+  const std::optional<Format> format = format_of(plain.bytes(), name);
+  if (!format) {
+    throw IoError(name, {.line = 1},
+                  std::string("neither the name nor the content is that of a known mesh format (") +
+                      kMeshEndings + ")");
+  }
+  Soup soup = parse_as(*format, plain.bytes(), name);
   if (soup.positions.empty() && soup.triangles.empty()) {
     throw IoError(name, {.line = 1}, "no mesh in it: neither a vertex nor a face");
   }

@@ -9,10 +9,11 @@ namespace meshalyzer {
 
 /// Reads a mesh file.
 ///
-/// The format is that of the name's ending (.mesh .obj .off .stl .ply, any case); `.mesh` is
-/// INRIA's where the content begins with MeshVersionFormatted, `.stl` is binary or ASCII by
-/// content, and a name with another ending is read as what its content looks like. See
-/// doc/formats.md for each grammar.
+/// The format is that of the name's ending (.mesh .obj .off .stl .ply, any case), unless the
+/// content is unmistakably that of another one; `.mesh` is INRIA's where the content begins with
+/// MeshVersionFormatted, and a name with another ending is read as what its content looks like. Any
+/// of them may be gzipped, and may begin with a byte order mark. See doc/formats.md for each
+/// grammar.
 ///
 /// @param path  "-" reads standard input.
 /// @throws IoError with the file and line (binary: byte offset) of the first fault.

@@ -3,6 +3,7 @@
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/io/format_of.h"
+#include "meshalyzer/io/gzip.h"
 #include "meshalyzer/io/inria.h"
 #include "meshalyzer/io/mesh_format.h"
 #include "meshalyzer/io/obj.h"
@@ -50,9 +51,11 @@ std::string print_binary(const Soup& soup, Format format) {
 void write_mesh(const Soup& soup, const std::string& path, Encoding encoding) {
   const std::optional<Format> format = format_of_name(path);
   if (!format) {
-    throw InvalidArgument("'" + path + "' has the ending of no known mesh format");
+    throw InvalidArgument("'" + path + "' has the ending of no known mesh format (" + kMeshEndings +
+                          ")");
   }
-  replace_file(path, print_mesh(soup, *format, encoding));
+  const std::string bytes = print_mesh(soup, *format, encoding);
+  replace_file(path, is_gzip_name(path) ? pack_gzip(bytes) : bytes);
 }
 
 std::string print_mesh(const Soup& soup, Format format, Encoding encoding) {

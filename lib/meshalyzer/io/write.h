@@ -9,7 +9,8 @@ namespace meshalyzer {
 /// Chooses the flavour to write where a format has several.
 enum class Encoding { Text, Binary };
 
-/// Writes a soup to a file; the format is that of the name's ending, `.mesh` the native one.
+/// Writes a soup to a file; the format is that of the name's ending, `.mesh` the native one, and
+/// what ends in .gz is gzipped.
 ///
 /// Every double is written so that it reads back to the last bit (STL: its 32-bit floats cannot;
 /// the text flavour does). The file is written beside the target, flushed and renamed, so that a

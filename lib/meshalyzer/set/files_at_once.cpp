@@ -1,9 +1,13 @@
 #include "meshalyzer/set/files_at_once.h"
 
+#include "meshalyzer/base/bytes.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/io/format_of.h"
 #include "meshalyzer/set/file_stamp.h"
 
 #include <algorithm>
+#include <array>
+#include <fstream>
 #include <functional>
 #include <iterator>
 
@@ -13,12 +17,23 @@ namespace {
 /// About the bytes of memory that the analysis of a file takes for each byte of it.
 constexpr std::uint64_t kMemoryPerFileByte = 12;
 
+/// The bytes of a file, of a gzipped one about those that it takes: its last four bytes say so.
+std::uint64_t content_bytes(const std::string& path) {
+  const std::uint64_t bytes = stamp_of(path).bytes;
+  std::array<char, sizeof(std::uint32_t)> size{};
+  if (is_gzip_name(path) && bytes >= size.size()) {
+    std::ifstream file(path, std::ios::binary);
+    file.seekg(-static_cast<std::streamoff>(size.size()), std::ios::end);
+    file.read(size.data(), size.size());
+  }
+  return std::max<std::uint64_t>(bytes, load<std::uint32_t>(size.data(), std::endian::little));
+}
+
 }  // namespace
 
 std::size_t n_files_at_once(const std::vector<std::string>& paths, std::uint64_t memory_limit) {
   std::vector<std::uint64_t> bytes;
-  std::transform(paths.begin(), paths.end(), std::back_inserter(bytes),
-                 [](const std::string& path) { return stamp_of(path).bytes; });
+  std::transform(paths.begin(), paths.end(), std::back_inserter(bytes), content_bytes);
   std::sort(bytes.begin(), bytes.end(), std::greater<>());
   const std::size_t most = std::min(2 * max_threads(), bytes.size());
   std::uint64_t memory = 0;

@@ -63,5 +63,26 @@ TEST(CutListed, CountsStay) {
   EXPECT_EQ(file.findings.size(), 1U);
 }
 
+/// Findings of four codes, ten of each.
+FileFindings many_of_four_codes() {
+  FileFindings file;
+  for (const std::string_view code : {"hole", "slit", "flipped", "numbering"}) {
+    file.counts.push_back({.code = code, .count = 10});
+    for (int i = 0; i < 10; ++i) file.findings.emplace_back().code = code;
+  }
+  return file;
+}
+
+TEST(CutListed, FewerOfEachCodeAreLeftWhereThereWouldBeTooManyLines) {
+  FileFindings file = many_of_four_codes();
+  cut_listed(file, 5, 24);  // five of each code and a line for the rest: 24 lines
+  EXPECT_EQ(file.findings.size(), 20U);
+  cut_listed(file, 5, 23);
+  EXPECT_EQ(file.findings.size(), 16U);
+  cut_listed(file, 5, 4);  // not even one
+  EXPECT_TRUE(file.findings.empty());
+  EXPECT_EQ(file.counts.size(), 4U);
+}
+
 }  // namespace
 }  // namespace meshalyzer

@@ -94,6 +94,15 @@ TEST(ParseObj, WeightsAndColoursAreSkipped) {
   EXPECT_EQ(soup.positions, (std::vector<Vec3>{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}));
 }
 
+TEST(ParseObj, ColoursThatAreNoNumbersAreSkippedToo) {
+  const Soup soup = parse("v 1 2 3 nan -nan(ind) inf\nv 1 2 3 NaN\n");
+  EXPECT_EQ(soup.positions, (std::vector<Vec3>{{1, 2, 3}, {1, 2, 3}}));
+  EXPECT_EQ(
+      begin_like(error_of([] { return parse("v 1 nan 3 0 0 0\n"); }), "o.obj:1: \"nan\" is not"),
+      "o.obj:1: \"nan\" is not");
+  EXPECT_NE(error_of([] { return parse("v 1 2 3 red green blue\n"); }), "accepted");
+}
+
 TEST(ParseObj, OtherStatementsOfTheFormatAreSkipped) {
   const Soup soup = parse("mtllib a.mtl\nusemtl b\ns off\nl 1 2 \\\n3\np 1\nvp 1\nvt 0\n" +
                           kFourVertices + "f 1 2 3");

@@ -5,7 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -66,11 +71,103 @@ TEST(ParseOff, AnIndexBeyondTheVerticesIsMissing) {
   EXPECT_EQ(soup.missing[0].corner, 2);
 }
 
+TEST(ParseOff, ColoursThatAreNoNumbersAreSkippedToo) {
+  EXPECT_TRUE(same_soup(parse("COFF\n4 1 0\n0 0 0 nan nan nan 1\n1 0 0 0 0 0 1\n1 1 0 0 0 0 1\n"
+                              "0 1 0 0 0 0 1\n3 0 1 2 nan 0 inf\n"),
+                        parse("OFF\n4 1 0\n" + kVertices + "3 0 1 2\n")));
+}
+
+/// A binary file: a line, then 32-bit numbers, the most significant byte first.
+class BinaryOffFile {
+ public:
+  explicit BinaryOffFile(std::string line) : content_(std::move(line)) {}
+
+  BinaryOffFile& integers(const std::vector<std::int32_t>& values) {
+    for (const std::int32_t value : values) {
+      add(value);
+    }
+    return *this;
+  }
+  BinaryOffFile& floats(const std::vector<float>& values) {
+    for (const float value : values) {
+      add(value);
+    }
+    return *this;
+  }
+  [[nodiscard]] const std::string& content() const { return content_; }
+
+ private:
+  template <typename T>
+  void add(T value) {
+    auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
+    if (std::endian::native == std::endian::little) {
+      std::reverse(bytes.begin(), bytes.end());
+    }
+    content_.append(bytes.data(), bytes.size());
+  }
+
+  std::string content_;
+};
+
+/// The square of kVertices, its two faces, one of which has a colour.
+BinaryOffFile binary_square() {
+  BinaryOffFile file("OFF BINARY\n");
+  file.integers({4, 2, 0}).floats({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
+  file.integers({3, 0, 1, 2, 0}).integers({3, 0, 2, 3, 3}).floats({1, 0.5F, 0});
+  return file;
+}
+
+TEST(ParseOff, BinaryIsTheSameMeshAsText) {
+  const Soup soup = parse(binary_square().content());
+  EXPECT_TRUE(same_soup(soup, parse("OFF\n4 2 0\n" + kVertices + "3 0 1 2\n3 0 2 3\n")));
+  EXPECT_TRUE(soup.vertex_lines.empty());
+  EXPECT_TRUE(soup.face_lines.empty());
+}
+
+TEST(ParseOff, BinaryHasNormalsColoursAndTexturesAsItsKeywordSays) {
+  BinaryOffFile file("STCNOFF BINARY\n");
+  file.integers({1, 0, 0}).floats({1, 2, 3, 0, 0, 1, 0.1F, 0.2F, 0.3F, 1, 0.5F, 0.5F});
+  const Soup soup = parse(file.content());
+  EXPECT_EQ(soup.positions, (std::vector<Vec3>{{1, 2, 3}}));
+  EXPECT_EQ(soup.normals, (std::vector<Vec3>{{0, 0, 1}}));
+}
+
+TEST(ParseOff, EveryCutOfABinaryFileIsRefusedAtAByte) {
+  const std::string content = binary_square().content();
+  for (std::size_t n = std::string("OFF BINARY\n").size(); n < content.size(); ++n) {
+    EXPECT_EQ(begin_like(error_of([&] { return parse(content.substr(0, n)); }), "f.off:byte "),
+              "f.off:byte ")
+        << n;
+  }
+}
+
+TEST(ParseOff, RefusesBinaryContentThatIsMalformedAtItsByte) {
+  const auto file = [](const std::vector<std::int32_t>& numbers) {
+    return BinaryOffFile("OFF BINARY\n").integers(numbers).content();
+  };
+  constexpr std::int32_t kNan = 0x7fc00000;
+  const std::vector<RefusedText> cases = {
+      {file({2000000000, 1, 0}), "f.off:byte 11: a count of 2000000000 vertices, but only"},
+      {file({-1, 1, 0}), "f.off:byte 11: a count of -1 vertices"},
+      {file({1, 2000000000, 0, 0, 0, 0}), "f.off:byte 15: a count of 2000000000 faces"},
+      {file({1, 0, 0, 0, kNan, 0}), "f.off:byte 27: a number is not finite"},
+      {file({1, 1, 0, 0, 0, 0, 0, 0, 0}), "f.off:byte 35: a face without corners"},
+      {file({1, 1, 0, 0, 0, 0, 1, -1, 0}), "f.off:byte 39: index -1"},
+      {file({1, 1, 0, 0, 0, 0, 1, 0, 9}), "f.off:byte 43: a count of 9 colour components"},
+      {file({1, 0, 0, 0, 0, 0, 7}), "f.off:byte 35: 4 bytes more than the header counts"},
+  };
+  for (const auto& [content, begin] : cases) {
+    EXPECT_EQ(begin_like(error_of([&] { return parse(content); }), begin), begin);
+  }
+}
+
 TEST(ParseOff, RefusesWhatIsMalformedAtItsLine) {
   const std::vector<RefusedText> cases = {
       {"OOF\n4 1 0\n", "f.off:1: \"OOF\" is not the keyword OFF"},
       {"OFF\n", "f.off:2: the file ends before its counts"},
-      {"OFF BINARY\n", "f.off:1: OFF in other than"},
+      {"OFF BINARY\n", "f.off:byte 11: the file ends within a record"},
+      {"OFF BINARY now\n", "f.off:1: \"now\" stands where the line should end"},
+      {"4OFF BINARY\n", "f.off:1: OFF in other than"},
       {"4OFF\n1 0 0\n0 0 0 1\n", "f.off:1: OFF in other than"},
       {"nOFF\n3\n1 0 0\n0 0 0\n", "f.off:1: OFF in other than"},
       {"OFF\n4\n", "f.off:2: a count of 4 vertices, but only 1 bytes follow"},

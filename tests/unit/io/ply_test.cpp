@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <string>
 #include <vector>
 
@@ -125,6 +127,71 @@ TEST(ParsePly, PolygonsAreFanned) {
   EXPECT_EQ(soup.n_polygons, 1U);
 }
 
+const std::string kFiveVertices = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 0 1\n";
+
+/// The header of five vertices and a list of strips.
+std::string strip_header(const std::string& encoding) {
+  return "ply\nformat " + encoding +
+         " 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\nelement "
+         "tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+}
+
+/// Two strips: of three faces, the second of which is turned, and of one.
+const std::vector<std::int32_t> kStrips = {0, 1, 2, 3, 4, -1, 4, 1, 0};
+
+/// The same faces without strips.
+Soup faces_of_strips() {
+  return parse(kAscii +
+               "element vertex 5\nproperty float x\nproperty float y\nproperty float z\nelement "
+               "face 4\nproperty list uchar int vertex_indices\nend_header\n" +
+               kFiveVertices + "3 0 1 2\n3 2 1 3\n3 2 3 4\n3 4 1 0\n");
+}
+
+TEST(ParsePly, StripsAreFacesEveryOtherTurned) {
+  std::string text = strip_header("ascii") + kFiveVertices + std::to_string(kStrips.size());
+  for (const std::int32_t corner : kStrips) {
+    text += ' ' + std::to_string(corner);
+  }
+  const Soup soup = parse(text + '\n');
+  EXPECT_TRUE(same_soup(soup, faces_of_strips()));
+  EXPECT_EQ(soup.face_lines, (std::vector<std::uint32_t>{15, 15, 15, 15}));
+}
+
+TEST(ParsePly, StripsAreReadInEitherByteOrder) {
+  for (const std::endian order : {std::endian::little, std::endian::big}) {
+    const bool is_little = order == std::endian::little;
+    std::string content = strip_header(is_little ? "binary_little_endian" : "binary_big_endian");
+    const auto add = [&](auto value) {
+      auto bytes = std::bit_cast<std::array<char, sizeof(value)>>(value);
+      if (order != std::endian::native) {
+        std::reverse(bytes.begin(), bytes.end());
+      }
+      content.append(bytes.data(), bytes.size());
+    };
+    for (const Vec3& position : faces_of_strips().positions) {
+      for (const double coordinate : position) {
+        add(static_cast<float>(coordinate));
+      }
+    }
+    add(static_cast<std::int32_t>(kStrips.size()));
+    for (const std::int32_t corner : kStrips) {
+      add(corner);
+    }
+    EXPECT_TRUE(same_soup(parse(content), faces_of_strips())) << is_little;
+  }
+}
+
+TEST(ParsePly, StripsOfFewerThanThreeCornersAreNoFaces) {
+  const Soup soup = parse(strip_header("ascii") + kFiveVertices + "6 -1 0 1 -1 2 -1\n");
+  EXPECT_EQ(soup.n_faces(), 0U);
+  EXPECT_EQ(soup.n_vertices(), 5U);
+}
+
+TEST(ParsePly, RefusesOtherNegativeIndicesInStrips) {
+  EXPECT_EQ(error_of([] { return parse(strip_header("ascii") + kFiveVertices + "3 0 1 -2\n"); }),
+            "p.ply:15: index -2: indices count from 0");
+}
+
 TEST(ParsePly, PointsWithoutFacesAreASoup) {
   EXPECT_EQ(parse(kAscii + kVertexHeader + "end_header\n" + kVertices).n_vertices(), 3U);
 }
@@ -148,7 +215,9 @@ TEST(ParsePly, RefusesAHeaderThatIsMalformedAtItsLine) {
        "p.ply:5: property \"x\" has no name or is"},
       {vertex + "element vertex 1\n",
        "p.ply:7: element \"vertex\" has no name or is declared twice"},
-      {vertex + "element tristrips 1\n", "p.ply:7: triangle strips are not read"},
+      {vertex + "element tristrips 1\nend_header\n", "p.ply:7: element tristrips needs one"},
+      {vertex + "element tristrips 1\nproperty list uchar float vertex_indices\n",
+       "p.ply:8: the vertex indices of faces"},
       {vertex + "element face 1\nproperty list float int vertex_indices\n",
        "p.ply:8: the size of a list"},
       {vertex + "element face 1\nproperty list uchar float vertex_indices\n",

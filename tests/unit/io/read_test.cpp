@@ -1,12 +1,17 @@
 #include "meshalyzer/io/read.h"
 
 #include "io_cases.h"
+#include "meshalyzer/io/gzip.h"
+#include "meshalyzer/io/plain_content.h"
+#include "meshalyzer/io/write.h"
+#include "support/same_soup.h"
 #include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -29,8 +34,8 @@ std::vector<std::string> corpus_files(const std::string& folder) {
 
 TEST(ParseMesh, TheNameDecidesTheFormat) {
   EXPECT_EQ(parse_mesh("v 0 0 0\n", "a.obj").format, Format::Obj);
-  EXPECT_EQ(error_of([] { return parse_mesh("v 0 0 0\n", "a.mesh"); }),
-            "a.mesh:1: \"v\" is neither Vertex nor Face");
+  EXPECT_EQ(error_of([] { return parse_mesh("hello\n", "a.mesh"); }),
+            "a.mesh:1: \"hello\" is neither Vertex nor Face");
 }
 
 TEST(ParseMesh, ThoseOfInriaAreKnownByTheirContent) {
@@ -43,7 +48,56 @@ TEST(ParseMesh, WithoutAKnownEndingTheContentDecides) {
   EXPECT_EQ(parse_mesh(kInriaMesh, "-").format, Format::Inria);
   EXPECT_EQ(parse_mesh("OFF 1 0 0\n0 0 0\n", "a.txt").format, Format::Off);
   EXPECT_EQ(error_of([] { return parse_mesh("hello\n", "-"); }),
-            "-:1: neither the name nor the content is that of a known mesh format");
+            "-:1: neither the name nor the content is that of a known mesh format (.mesh .obj .off "
+            ".stl .ply, each also with .gz)");
+}
+
+TEST(ParseMesh, AWrongEndingIsNotBelieved) {
+  EXPECT_TRUE(same_soup(parse_mesh("OFF\n1 0 0\n0 0 0\n", "a.stl"),
+                        parse_mesh("OFF\n1 0 0\n0 0 0\n", "a.off")));
+}
+
+/// The same mesh in every format.
+std::vector<std::pair<std::string, std::string>> every_format() {
+  Soup soup = strip_of_hard_numbers(5);
+  return {{"a.mesh", print_mesh(soup, Format::Mesh)},
+          {"b.mesh", print_mesh(soup, Format::Inria)},
+          {"a.obj", print_mesh(soup, Format::Obj)},
+          {"a.off", print_mesh(soup, Format::Off)},
+          {"a.stl", print_mesh(soup, Format::Stl)},
+          {"b.stl", print_mesh(parse_mesh("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "a.off"),
+                               Format::Stl, Encoding::Binary)},
+          {"a.ply", print_mesh(soup, Format::Ply)},
+          {"b.ply", print_mesh(soup, Format::Ply, Encoding::Binary)}};
+}
+
+TEST(ParseMesh, GzippedIsTheSameMeshInEveryFormat) {
+  for (const auto& [name, content] : every_format()) {
+    const Soup plain = parse_mesh(content, name);
+    EXPECT_TRUE(same_soup(parse_mesh(pack_gzip(content), name + ".gz"), plain)) << name;
+    EXPECT_TRUE(same_soup(parse_mesh(pack_gzip(content), name), plain)) << name;
+    EXPECT_TRUE(same_soup(parse_mesh(content, name + ".gz"), plain)) << name;
+    EXPECT_EQ(parse_mesh(pack_gzip(content), "-").format, plain.format) << name;
+  }
+}
+
+TEST(ParseMesh, AByteOrderMarkMeansNothing) {
+  const std::string mark(kByteOrderMark);
+  for (const auto& [name, content] : every_format()) {
+    EXPECT_TRUE(same_soup(parse_mesh(mark + content, name), parse_mesh(content, name))) << name;
+    EXPECT_TRUE(same_soup(parse_mesh(pack_gzip(mark + content), name), parse_mesh(content, name)))
+        << name;
+  }
+  EXPECT_EQ(parse_mesh(mark + "Vertex 7 0 0 0\n", "a.mesh").vertex_lines.front(), 1U);
+}
+
+TEST(ParseMesh, WhatIsWrongInGzippedContentIsToldByTheLineInIt) {
+  EXPECT_EQ(error_of([] { return parse_mesh(pack_gzip("v 0 0 0\nv 0 0\n"), "a.obj.gz"); }),
+            "a.obj.gz:2: the line ends where a number should stand");
+  EXPECT_EQ(error_of([] { return parse_mesh(pack_gzip(""), "a.obj.gz"); }),
+            "a.obj.gz:1: the file is empty");
+  EXPECT_EQ(error_of([] { return parse_mesh(pack_gzip(pack_gzip("v 0 0 0\n")), "a.obj.gz"); }),
+            "a.obj.gz:byte 0: is gzipped twice");
 }
 
 TEST(ParseMesh, WithoutAnyRecordThereIsNoMesh) {

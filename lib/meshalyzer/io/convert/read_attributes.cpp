@@ -6,6 +6,8 @@
 #include "meshalyzer/io/text_scanner.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace meshalyzer {
 namespace {
@@ -116,10 +118,22 @@ std::size_t first_record(const Soup& soup, std::string_view text) {
   return begin;
 }
 
+/// Forgets colours that are no numbers: no format says them but as text.
+void drop_unreal(std::vector<std::optional<Rgba>>& colours) {
+  for (std::optional<Rgba>& colour : colours) {
+    if (colour && !std::all_of(colour->begin(), colour->end(),
+                               [](double part) { return std::isfinite(part); })) {
+      colour.reset();
+    }
+  }
+}
+
 }  // namespace
 
 MeshAttributes read_attributes(const Soup& soup, std::string_view bytes) {
   MeshAttributes attributes = read_by_format(soup, bytes);
+  drop_unreal(attributes.vertex_colours);
+  drop_unreal(attributes.face_colours);
   if (soup.format == Format::Ply) {
     attributes.comments = ply_comments(bytes);
   } else if (!is_binary(bytes, soup.format)) {

@@ -26,7 +26,8 @@ class PlyAttributeReader {
   MeshAttributes read() {
     attributes_.faces = single_triangles(soup_.n_faces());
     for (std::size_t e = 0; e < header_.elements.size(); ++e) {
-      if (header_.elements[e].name == "face") {
+      // Where some faces are strips, those of this element are only a part of all.
+      if (header_.elements[e].name == "face" && !has_strips()) {
         read_faces(e);
       }
     }
@@ -40,6 +41,11 @@ class PlyAttributeReader {
   }
 
  private:
+  [[nodiscard]] bool has_strips() const {
+    return std::any_of(header_.elements.begin(), header_.elements.end(),
+                       [](const PlyElement& element) { return element.name == "tristrips"; });
+  }
+
   void read_faces(std::size_t element) {
     const std::vector<PlyProperty>& properties = header_.elements[element].properties;
     const auto corners = static_cast<std::size_t>(

@@ -1,6 +1,6 @@
 #include "meshalyzer/io/rewrite/off_records.h"
 
-#include "meshalyzer/io/off.h"
+#include "meshalyzer/io/off_keyword.h"
 #include "meshalyzer/io/text_scanner.h"
 
 #include <algorithm>

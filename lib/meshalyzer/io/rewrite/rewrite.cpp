@@ -20,7 +20,7 @@ std::optional<RewrittenFile> rewrite_by_format(const EditedMesh& mesh, std::stri
     case Format::Obj:
       return rewrite_obj(mesh, bytes);
     case Format::Off:
-      return rewrite_off(mesh, bytes);
+      return is_binary(bytes, Format::Off) ? std::nullopt : std::optional(rewrite_off(mesh, bytes));
     case Format::Stl:
       return is_binary(bytes, Format::Stl) ? rewrite_binary_stl(mesh, bytes)
                                            : rewrite_ascii_stl(mesh, bytes);

@@ -41,6 +41,9 @@ void CheckGithub::add(const FileFindings& file) {
                       at_line(line == 0 ? std::nullopt : std::optional(line)), kUnreadable,
                       message(file.trouble)));
   }
+  if (const std::string note = note_of(file); !note.empty()) {
+    sink_(fmt::format("::notice file={},title=format::{}\n", property(file.path), message(note)));
+  }
   for (const Finding& finding : file.findings) {
     sink_(fmt::format("::{} file={}{},title={}::{}\n", severity_name(finding.severity),
                       property(file.path), at_line(finding.line), property(finding.code),

@@ -1,6 +1,13 @@
 #include "meshalyzer/report/check/json.h"
 
+#include "meshalyzer/checks/selection.h"
 #include "meshalyzer/report/json/bytes.h"
+#include "meshalyzer/report/json/format.h"
+#include "meshalyzer/report/json/schema_writer.h"
+
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -63,6 +70,7 @@ void write_error(JsonWriter& json, const FileFindings& file) {
 
 void write_file(JsonWriter& json, const FileFindings& file) {
   write_bytes(json, "path", file.path);
+  if (file.format) write_format(json, file.path, *file.format);
   json.member("good", file.is_good());
   write_error(json, file);
   json.member("vertices", file.vertices);
@@ -96,7 +104,121 @@ void write_head(JsonWriter& json) {
   json.member("version", std::string_view(MESHALYZER_VERSION));
 }
 
+/// The keywords of a list whose items are a definition.
+std::string list_of(std::string_view definition) {
+  return R"("type": "array", "items": {)" + schema_reference(definition) + "}";
+}
+
+std::string code_type() {
+  return schema_enum(all_check_codes());
+}
+
+std::string severity_type() {
+  return schema_enum({severity_name(Severity::Error), severity_name(Severity::Warning)});
+}
+
+void define_finding(SchemaDefinitions& schema) {
+  const std::string text(schema_type::kText);
+  const std::string ids = R"("type": "array", "items": {"type": "integer"}, "maxItems": )" +
+                          std::to_string(Finding::kMaxElements);
+  const std::string real(schema_type::kReal);
+  schema.define(
+      "finding",
+      {.description = "something that is wrong with a mesh",
+       .members = {
+           {"code", "", code_type()},
+           {"severity", "", severity_type()},
+           {"message", "one sentence without full stop", text},
+           {"fix", "what mends it; null where nothing does", R"("type": ["string", "null"])"},
+           {"line", "of the record that the message names first; null where there are no lines",
+            R"("type": ["integer", "null"], "minimum": 1)"},
+           {"vertices", "ids of the file, the first few", ids},
+           {"faces", "ids of the file, the first few", ids},
+           {"position", "", R"("type": ["array", "null"], "items": {"type": "number"})"},
+           {"value", "what was measured", real},
+           {"limit", "what it passes", real}}});
+}
+
+void define_count(SchemaDefinitions& schema) {
+  const std::string count(schema_type::kCount);
+  schema.define("count",
+                {.description = "how often something was found",
+                 .members = {{"code", "", code_type()},
+                             {"severity", "", severity_type()},
+                             {"count", "whether listed or not", count},
+                             {"at_least", "there may be more, since the search ended early",
+                              std::string(schema_type::kTruth)},
+                             {"fixable", "those that meshfixer mends", count}}});
+}
+
+void define_error(SchemaDefinitions& schema) {
+  schema.define("error", {.description = "why a file cannot be read; null where it can",
+                          .members = {{"message", "", std::string(schema_type::kText)},
+                                      {"line", "from 1", std::string(schema_type::kCountOrNull)},
+                                      {"byte", "from 0", std::string(schema_type::kCountOrNull)}},
+                          .null = SchemaObject::Null::Sometimes});
+}
+
+void define_file(SchemaDefinitions& schema) {
+  const std::string count(schema_type::kCount);
+  SchemaObject file{.description = "", .members = path_members()};
+  for (SchemaMember& member : format_members()) {
+    member.presence = SchemaMember::Presence::Sometimes;  // what cannot be read has no format
+    file.members.push_back(std::move(member));
+  }
+  const std::vector<SchemaMember> parts{
+      {"good", "without a finding", std::string(schema_type::kTruth)},
+      {"error", "", schema_reference("error")},
+      {"vertices", "", count},
+      {"faces", "", count},
+      {"counts", "one for each code that was found", list_of("count")},
+      {"findings", "errors before warnings, so many of a code as --max says", list_of("finding")}};
+  file.members.insert(file.members.end(), parts.begin(), parts.end());
+  schema.define("mesh", file);
+}
+
+void define_totals(SchemaDefinitions& schema) {
+  SchemaObject totals{.description = "of all files"};
+  for (const std::string_view key :
+       {"meshes", "good", "not_good", "unreadable", "errors", "warnings", "fixable"}) {
+    totals.members.push_back({std::string(key), "", std::string(schema_type::kCount)});
+  }
+  totals.members.push_back(
+      {"at_least", "there may be more errors", std::string(schema_type::kTruth)});
+  schema.define("totals", totals);
+}
+
+SchemaObject check_object() {
+  return {.description =
+              "A report of meshalyzer check. A program may rely on these keys; more may "
+              "be added. See doc/check.md.",
+          .members = {{"schema", "", R"("const": ")" + std::string(kCheckSchema) + '"'},
+                      {"version", "", std::string(schema_type::kText)},
+                      {"meshes", "in the order of the command line, those of a folder by name",
+                       list_of("mesh")},
+                      {"totals", "", schema_reference("totals")}}};
+}
+
 }  // namespace
+
+std::string check_json_schema() {
+  JsonWriter json;
+  json.begin_object();
+  json.member("$schema", std::string_view("https://json-schema.org/draft/2020-12/schema"));
+  json.member("title", kCheckSchema);
+  write_schema(json, check_object());
+  json.key("$defs");
+  json.begin_object();
+  SchemaDefinitions definitions(json);
+  define_file(definitions);
+  define_error(definitions);
+  define_count(definitions);
+  define_finding(definitions);
+  define_totals(definitions);
+  json.end_object();
+  json.end_object();
+  return json.take();
+}
 
 CheckJson::CheckJson(TextSink sink) : sink_(std::move(sink)) {
   json_.begin_object();

@@ -4,6 +4,8 @@
 #include "meshalyzer/report/json/report.h"
 #include "meshalyzer/report/json/writer.h"
 
+#include <string>
+
 namespace meshalyzer {
 
 /// One JSON object: all files, each with its findings, and the totals (doc/check.schema.json).
@@ -31,5 +33,8 @@ class CheckNdjson : public CheckReport {
  private:
   TextSink sink_;
 };
+
+/// The JSON Schema of CheckJson: doc/check.schema.json. The lines of CheckNdjson are its "mesh".
+[[nodiscard]] std::string check_json_schema();
 
 }  // namespace meshalyzer

@@ -37,15 +37,19 @@ std::string lines_of(const FileFindings& file) {
 void CheckJunit::add(const FileFindings& file) {
   cases_ += fmt::format("    <testcase classname=\"meshalyzer.check\" name=\"{}\" time=\"0\"",
                         escaped(file.path));
+  const std::string note = note_of(file);
+  const std::string output =
+      note.empty() ? "" : fmt::format("      <system-out>{}</system-out>\n", escaped(note));
   if (file.is_good()) {
-    cases_ += "/>\n";
+    cases_ += output.empty() ? "/>\n" : fmt::format(">\n{}    </testcase>\n", output);
     return;
   }
   const std::string_view tag = file.is_readable() ? "failure" : "error";
-  cases_ += fmt::format(">\n      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n    </testcase>\n",
-                        tag, file.is_readable() ? "not good" : kUnreadable,
-                        escaped(file.is_readable() ? summary_of(file) : file.trouble),
-                        escaped(lines_of(file)));
+  cases_ +=
+      fmt::format(">\n      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n{4}    </testcase>\n", tag,
+                  file.is_readable() ? "not good" : kUnreadable,
+                  escaped(file.is_readable() ? summary_of(file) : file.trouble),
+                  escaped(lines_of(file)), output);
 }
 
 void CheckJunit::finish(const CheckTotals& totals, std::chrono::duration<double> /*elapsed*/) {

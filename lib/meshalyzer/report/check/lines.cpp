@@ -1,18 +1,11 @@
 #include "meshalyzer/report/check/lines.h"
 
+#include "meshalyzer/report/format_text.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace meshalyzer {
-
-std::string grouped(std::size_t number) {
-  std::string digits = std::to_string(number);
-  for (std::size_t i = digits.size(); i > 3;) {
-    i -= 3;
-    digits.insert(i, 1, ',');
-  }
-  return digits;
-}
 
 std::string place_of(const FileFindings& file, const Finding& finding) {
   return finding.line ? fmt::format("{}:{}", file.path, *finding.line) : file.path;
@@ -35,6 +28,14 @@ std::size_t n_left_out(const FileFindings& file, const FindingCount& found) {
       std::count_if(file.findings.begin(), file.findings.end(),
                     [&](const Finding& finding) { return finding.code == found.code; });
   return found.count - static_cast<std::size_t>(n_listed);
+}
+
+std::string note_of(const FileFindings& file) {
+  if (!file.format) return "";
+  const std::string_view misleading = misleading_format(file.path, *file.format);
+  return misleading.empty() ? ""
+                            : fmt::format("read as {} by its content; its name says {}",
+                                          format_name(*file.format), misleading);
 }
 
 std::string left_out_of(const FileFindings& file, const FindingCount& found) {

@@ -1,14 +1,12 @@
 #pragma once
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/checks/finding.h"
 
 #include <cstddef>
 #include <string>
 
 namespace meshalyzer {
-
-/// Digits for people, in groups of three: "16,937,291".
-[[nodiscard]] std::string grouped(std::size_t number);
 
 /// Where a finding is: "cow.obj:628", or only the path where the format has no lines.
 [[nodiscard]] std::string place_of(const FileFindings& file, const Finding& finding);
@@ -24,6 +22,10 @@ namespace meshalyzer {
 
 /// "... and 35 more", "... and at least 35 more".
 [[nodiscard]] std::string left_out_of(const FileFindings& file, const FindingCount& found);
+
+/// What a person should know of a file that is no finding: that its name says another format than
+/// its content. Mostly empty.
+[[nodiscard]] std::string note_of(const FileFindings& file);
 
 /// The code of files that cannot be read.
 inline constexpr std::string_view kUnreadable = "unreadable";

@@ -39,7 +39,8 @@ void write_rules(JsonWriter& json) {
   json.end_array();
 }
 
-void write_place(JsonWriter& json, const FileFindings& file, std::optional<std::size_t> line) {
+void write_place(JsonWriter& json, std::string_view address,
+                 std::optional<std::size_t> line = std::nullopt) {
   json.key("locations");
   json.begin_array(JsonLayout::Row);
   json.begin_object();
@@ -47,7 +48,7 @@ void write_place(JsonWriter& json, const FileFindings& file, std::optional<std::
   json.begin_object();
   json.key("artifactLocation");
   json.begin_object();
-  json.member("uri", std::string_view(address_of(file.path)));
+  json.member("uri", address);
   json.end_object();
   if (line) {
     json.key("region");
@@ -91,27 +92,43 @@ CheckSarif::CheckSarif(TextSink sink) : sink_(std::move(sink)) {
 
 void CheckSarif::add(const FileFindings& file) {
   addresses_.push_back(address_of(file.path));
+  if (std::string note = note_of(file); !note.empty()) {
+    notes_.push_back({addresses_.back(), std::move(note)});
+  }
   if (!file.is_readable()) {
     const std::size_t line = file.trouble_place.line;
     json_.begin_object();
     write_result(json_, kUnreadable, Severity::Error, file.trouble);
-    write_place(json_, file, line == 0 ? std::nullopt : std::optional(line));
+    write_place(json_, addresses_.back(), line == 0 ? std::nullopt : std::optional(line));
     json_.end_object();
   }
   for (const Finding& finding : file.findings) {
     json_.begin_object();
     write_result(json_, finding.code, finding.severity, message_of(finding));
-    write_place(json_, file, finding.line);
+    write_place(json_, addresses_.back(), finding.line);
     json_.end_object();
   }
   for (const FindingCount& found : file.counts) {
     if (n_left_out(file, found) == 0 && !found.is_at_least) continue;
     json_.begin_object();
     write_result(json_, found.code, found.severity, left_out_of(file, found));
-    write_place(json_, file, std::nullopt);
+    write_place(json_, addresses_.back());
     json_.end_object();
   }
   sink_(json_.drain());
+}
+
+void CheckSarif::write_notes() {
+  json_.key("toolExecutionNotifications");
+  json_.begin_array();
+  for (const Note& note : notes_) {
+    json_.begin_object();
+    json_.member("level", std::string_view("note"));
+    write_text(json_, "message", note.text);
+    write_place(json_, note.address);
+    json_.end_object();
+  }
+  json_.end_array();
 }
 
 void CheckSarif::finish(const CheckTotals& totals, std::chrono::duration<double> /*elapsed*/) {
@@ -131,6 +148,7 @@ void CheckSarif::finish(const CheckTotals& totals, std::chrono::duration<double>
   json_.begin_array();
   json_.begin_object(JsonLayout::Row);
   json_.member("executionSuccessful", totals.unreadable == 0);
+  write_notes();
   json_.end_object();
   json_.end_array();
   json_.end_object();

@@ -19,10 +19,18 @@ class CheckSarif : public CheckReport {
   void finish(const CheckTotals& totals, std::chrono::duration<double> elapsed) override;
 
  private:
+  void write_notes();
+
   TextSink sink_;
   JsonWriter json_;
   /// Addresses of all files, for "artifacts".
   std::vector<std::string> addresses_;
+  struct Note {
+    std::string address;
+    std::string text;
+  };
+  /// What is said of files that is no finding, for "toolExecutionNotifications".
+  std::vector<Note> notes_;
 };
 
 }  // namespace meshalyzer

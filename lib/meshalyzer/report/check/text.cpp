@@ -25,6 +25,9 @@ void CheckText::add(const FileFindings& file) {
                       coloured(Severity::Error, "error"), kUnreadable, file.trouble));
     return;
   }
+  if (const std::string note = note_of(file); !note.empty()) {
+    sink_(fmt::format("{}: note: {}\n", file.path, note));
+  }
   auto finding = file.findings.begin();
   for (const FindingCount& found : file.counts) {
     for (; finding != file.findings.end() && finding->code == found.code; ++finding) {

@@ -1,3 +1,4 @@
+#include "meshalyzer/report/format_text.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/defect_list.h"
 #include "meshalyzer/report/html/page.h"
@@ -26,8 +27,7 @@ std::string facts_of(const MeshName& mesh) {
   facts += ", ";
   facts += counted(mesh.n_vertices, "vertex", "vertices");
   facts += ", ";
-  facts += format_name(mesh.format);
-  facts += " file";
+  facts += file_text(mesh.path, mesh.format);
   return facts;
 }
 

@@ -140,12 +140,21 @@ void append_all_defects(HtmlWriter& html, const IndexRow& row) {
   append_found(html, row, count, worst);
 }
 
+/// A mesh that is good by itself, and cuts others, is not to be read as good.
+void append_verdict(HtmlWriter& html, const NotedRow& noted) {
+  const RowState state = state_of(noted.row);
+  if (state == RowState::Good && !noted.notes.empty()) {
+    html.element("td", {{"class", state_class(RowState::NotGood)}}, "good only by itself");
+  } else {
+    html.element("td", {{"class", state_class(state)}}, state_text(state));
+  }
+}
+
 void append_row(HtmlWriter& html, const NotedRow& noted, const Columns& columns) {
   const IndexRow& row = noted.row;
   const HtmlElement line(html, "tr");
-  const RowState state = state_of(row);
   append_name(html, row);
-  html.element("td", {{"class", state_class(state)}}, state_text(state));
+  append_verdict(html, noted);
   html.element("td", {{"class", "name why"}}, why(noted));
   append_all_defects(html, row);
   append_count(html, row, row.faces);

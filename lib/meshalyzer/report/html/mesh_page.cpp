@@ -1,4 +1,5 @@
 #include "meshalyzer/analysis/goodness.h"
+#include "meshalyzer/report/format_text.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/defect_list.h"
 #include "meshalyzer/report/html/page.h"
@@ -50,8 +51,7 @@ std::string facts_of(const Analysis& analysis) {
     facts += counted(c.components, "component", "components");
   }
   facts += ", ";
-  facts += format_name(analysis.format);
-  facts += " file";
+  facts += file_text(analysis.path, analysis.format);
   return facts;
 }
 

@@ -1,3 +1,4 @@
+#include "meshalyzer/report/format_text.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/defect_list.h"
 #include "meshalyzer/report/html/page.h"
@@ -50,8 +51,7 @@ std::string facts_of(const RepairReport& report) {
   facts += ", vertices ";
   facts += with_drawn_arrow(arrow(report.input.n_vertices, vertices));
   facts += ", ";
-  facts += format_name(report.input.format);
-  facts += " file";
+  facts += file_text(report.input.path, report.input.format);
   return facts;
 }
 

@@ -25,4 +25,12 @@ std::string read_bytes(const JsonNode& object, std::string_view name) {
   return *std::move(bytes);
 }
 
+std::vector<SchemaMember> path_members() {
+  return {{"path", "as the user named it; bytes that are not UTF-8 are U+FFFD",
+           std::string(schema_type::kText)},
+          {"path_bytes",
+           "only where the path is not UTF-8: its bytes, each as the character of its number",
+           std::string(schema_type::kText), SchemaMember::Presence::Sometimes}};
+}
+
 }  // namespace meshalyzer

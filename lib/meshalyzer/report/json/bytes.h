@@ -1,10 +1,12 @@
 #pragma once
 
+#include "meshalyzer/report/json/schema_writer.h"
 #include "meshalyzer/report/json/tree.h"
 #include "meshalyzer/report/json/writer.h"
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace meshalyzer {
 
@@ -16,5 +18,8 @@ void write_bytes(JsonWriter& json, std::string_view name, std::string_view bytes
 
 /// Reads what write_bytes() wrote.
 [[nodiscard]] std::string read_bytes(const JsonNode& object, std::string_view name);
+
+/// How schemas describe a path that write_bytes() wrote.
+[[nodiscard]] std::vector<SchemaMember> path_members();
 
 }  // namespace meshalyzer

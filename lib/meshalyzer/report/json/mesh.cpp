@@ -8,29 +8,13 @@
 #include "meshalyzer/report/json/curvature.h"
 #include "meshalyzer/report/json/elements.h"
 #include "meshalyzer/report/json/fields.h"
+#include "meshalyzer/report/json/format.h"
 #include "meshalyzer/report/json/offenders.h"
 #include "meshalyzer/report/json/record_ids.h"
 #include "meshalyzer/report/json/statistics.h"
 
-#include <algorithm>
-#include <array>
-#include <iterator>
-
 namespace meshalyzer {
 namespace {
-
-constexpr std::array kFormats{Format::Mesh, Format::Inria, Format::Obj,
-                              Format::Off,  Format::Stl,   Format::Ply};
-
-Format read_format(const JsonNode& node) {
-  const auto* const found = std::find_if(kFormats.begin(), kFormats.end(), [&](Format format) {
-    return format_name(format) == node.text();
-  });
-  if (found == kFormats.end()) {
-    node.refuse("no format of meshes");
-  }
-  return *found;
-}
 
 /// Writes the first break in the numbering and the torn lines, which a report has even without the
 /// other offenders.
@@ -206,24 +190,22 @@ std::optional<Goodness> read_fitness(const JsonNode& mesh, const Analysis& analy
 
 /// The members from "path" to "polygons".
 std::vector<SchemaMember> file_members() {
-  std::vector<std::string_view> formats;
-  std::transform(kFormats.begin(), kFormats.end(), std::back_inserter(formats), format_name);
   const std::string count(schema_type::kCount);
-  return {{"path", "as the user named it; bytes that are not UTF-8 are U+FFFD",
-           std::string(schema_type::kText)},
-          {"path_bytes",
-           "only where the path is not UTF-8: its bytes, each as the character of its number",
-           std::string(schema_type::kText), SchemaMember::Presence::Sometimes},
-          {"format", "", schema_enum(formats)},
-          {"merged_points", "STL: corners whose point had been met before, bit by bit", count},
-          {"polygons", "faces of more than three corners, each fanned into triangles", count}};
+  std::vector<SchemaMember> members = path_members();
+  const std::vector<SchemaMember> format = format_members();
+  members.insert(members.end(), format.begin(), format.end());
+  members.push_back(
+      {"merged_points", "STL: corners whose point had been met before, bit by bit", count});
+  members.push_back(
+      {"polygons", "faces of more than three corners, each fanned into triangles", count});
+  return members;
 }
 
 }  // namespace
 
 void write_mesh_members(JsonWriter& json, const Analysis& analysis, JsonOffenders offenders) {
   write_bytes(json, "path", analysis.path);
-  json.member("format", format_name(analysis.format));
+  write_format(json, analysis.path, analysis.format);
   json.member("merged_points", analysis.n_merged_points);
   json.member("polygons", analysis.n_polygons);
   json.key("integrity");

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/report/json/bytes.h"
+#include "meshalyzer/report/json/format.h"
 #include "meshalyzer/report/json/point.h"
 #include "meshalyzer/report/json/writer.h"
 #include "meshalyzer/report/key_ids.h"
@@ -25,7 +26,7 @@ void begin_report(JsonWriter& json) {
 
 void write_name(JsonWriter& json, const MeshName& mesh) {
   write_bytes(json, "path", mesh.path);
-  json.member("format", format_name(mesh.format));
+  write_format(json, mesh.path, mesh.format);
   json.member("vertices", mesh.n_vertices);
   json.member("faces", mesh.n_faces);
 }

@@ -1,6 +1,7 @@
 #include "meshalyzer/report/json/report.h"
 
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/report/json/bytes.h"
 #include "meshalyzer/report/json/findings.h"
 #include "meshalyzer/report/json/mesh.h"
 #include "meshalyzer/report/json/name.h"
@@ -29,6 +30,10 @@ class JsonReport::Pieces {
     pour();
   }
 
+  void add_unreadable(std::string path, std::string why) {
+    unreadable_.push_back({std::move(path), std::move(why)});
+  }
+
   void add(const ObjectFindings& findings, const std::vector<std::string>& names) {
     require(stage_ != Stage::Finished);
     if (!findings.separation) {
@@ -48,7 +53,7 @@ class JsonReport::Pieces {
   void finish(const SetAnalysis* set) {
     require(stage_ != Stage::Finished && (set != nullptr || stage_ == Stage::Meshes));
     if (set == nullptr) {
-      json_.end_array();
+      end_meshes();
     } else {
       end_closest();
       write_set_members(json_, *set, on_row());
@@ -68,8 +73,22 @@ class JsonReport::Pieces {
     }
   }
 
-  void begin_set() {
+  void end_meshes() {
     json_.end_array();
+    if (unreadable_.empty()) return;
+    json_.key("unreadable");
+    json_.begin_array();
+    for (const Unreadable& file : unreadable_) {
+      json_.begin_object(JsonLayout::Row);
+      write_bytes(json_, "path", file.path);
+      write_bytes(json_, "error", file.why);
+      json_.end_object();
+    }
+    json_.end_array();
+  }
+
+  void begin_set() {
+    end_meshes();
     json_.key("set");
     json_.begin_object();
   }
@@ -97,8 +116,14 @@ class JsonReport::Pieces {
   }
 
   TextSink sink_;
+  struct Unreadable {
+    std::string path;
+    std::string why;
+  };
+
   JsonOffenders offenders_;
   JsonWriter json_;
+  std::vector<Unreadable> unreadable_;
   Stage stage_ = Stage::Meshes;
 };
 
@@ -110,6 +135,10 @@ JsonReport& JsonReport::operator=(JsonReport&&) noexcept = default;
 
 void JsonReport::add(const Analysis& mesh) {
   pieces_->add(mesh);
+}
+
+void JsonReport::add_unreadable(std::string path, std::string why) {
+  pieces_->add_unreadable(std::move(path), std::move(why));
 }
 
 void JsonReport::add(const ObjectFindings& findings, const std::vector<std::string>& names) {

@@ -34,6 +34,10 @@ class JsonReport {
   /// A further element of "meshes".
   void add(const Analysis& mesh);
 
+  /// A further element of "unreadable", before the report is finished.
+  /// @param why  As a person is told.
+  void add_unreadable(std::string path, std::string why);
+
   /// The rows of "closest" of one mesh of a set, where its separation was asked for; what is said
   /// of its intersections comes from finish().
   /// @param names  Of the meshes of the set, by number.

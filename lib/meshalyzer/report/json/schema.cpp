@@ -1,5 +1,6 @@
 #include "meshalyzer/report/json/schema.h"
 
+#include "meshalyzer/report/json/bytes.h"
 #include "meshalyzer/report/json/curvature.h"
 #include "meshalyzer/report/json/mesh.h"
 #include "meshalyzer/report/json/non_finite.h"
@@ -20,8 +21,19 @@ SchemaObject report_object() {
                       {"version", "", std::string(schema_type::kText)},
                       {"meshes", "in the order of the command line, those of a folder by name",
                        R"("type": "array", "items": {"$ref": "#/$defs/mesh"})"},
+                      {"unreadable", "files that cannot be read, and why; only where there are any",
+                       R"("type": "array", "items": {"$ref": "#/$defs/unreadable"})",
+                       SchemaMember::Presence::Sometimes},
                       {"set", "only where a folder was given", schema_reference("set"),
                        SchemaMember::Presence::Sometimes}}};
+}
+
+void define_unreadable(SchemaDefinitions& schema) {
+  SchemaObject file{.description = "", .members = path_members()};
+  file.members.push_back({"error", "FILE:LINE: what is wrong", std::string(schema_type::kText)});
+  file.members.push_back({"error_bytes", "as path_bytes", std::string(schema_type::kText),
+                          SchemaMember::Presence::Sometimes});
+  schema.define("unreadable", file);
 }
 
 }  // namespace
@@ -36,6 +48,7 @@ std::string json_schema() {
   json.begin_object();
   SchemaDefinitions definitions(json);
   define_mesh(definitions);
+  define_unreadable(definitions);
   define_curvature(definitions);
   define_offenders(definitions);
   define_set(definitions);

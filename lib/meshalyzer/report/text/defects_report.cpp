@@ -1,6 +1,7 @@
 #include "meshalyzer/report/text/defects_report.h"
 
 #include "meshalyzer/defects/catalogue.h"
+#include "meshalyzer/report/format_text.h"
 #include "meshalyzer/report/text/defect_lines.h"
 
 #include <string>
@@ -40,7 +41,7 @@ std::string text_report(const MeshName& mesh, const DefectReport& report, const 
   TextLines lines;
   lines.heading("DEFECTS");
   lines.line("file", mesh.path);
-  lines.line("format", format_name(mesh.format));
+  lines.line("format", format_text(mesh.path, mesh.format));
   lines.line("vertices", mesh.n_vertices);
   lines.line("faces", mesh.n_faces);
   append_tolerances(lines, report);

@@ -1,5 +1,6 @@
 #include "meshalyzer/report/text/repair_lines.h"
 
+#include "meshalyzer/report/format_text.h"
 #include "meshalyzer/report/text/short_list.h"
 
 #include <cstdint>
@@ -94,7 +95,7 @@ void append_outcome(LineSink& lines, const RepairReport& report) {
     faces += mesh.name.n_faces;
   }
   lines.line("file", report.input.path);
-  lines.line("format", format_name(report.input.format));
+  lines.line("format", format_text(report.input.path, report.input.format));
   append_written(lines, report);
   for (const std::string& note : report.notes) lines.line("note", note);
   if (!report.lost.empty()) lines.line("lost", lost_text(report.lost));

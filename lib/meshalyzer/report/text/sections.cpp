@@ -1,6 +1,7 @@
 #include "meshalyzer/report/text/sections.h"
 
 #include "meshalyzer/analysis/fields.h"
+#include "meshalyzer/report/format_text.h"
 #include "meshalyzer/report/text/offenders.h"
 
 #include <fmt/format.h>
@@ -80,7 +81,7 @@ std::string genus_text(const Characteristics& c) {
 
 void append_integrity(LineSink& lines, const Analysis& analysis) {
   lines.line("file", analysis.path);
-  lines.line("format", format_name(analysis.format));
+  lines.line("format", format_text(analysis.path, analysis.format));
   if (analysis.format == Format::Stl) {
     lines.line("merged points",
                fmt::format("{} (bit-identical points of the STL file count as one vertex)",

@@ -22,7 +22,9 @@ void append_verdict(TextLines& lines, const SetAnalysis& set) {
   lines.line("meshes", set.meshes);
   lines.line("unreadable files", set.unreadable);
   if (set.good) {
-    lines.line("good meshes", fmt::format("{} of {}", *set.good, set.meshes));
+    const bool cut_each_other = set.not_good.empty() && !set_verdict(set)->good;
+    lines.line("good meshes", fmt::format("{} of {}{}", *set.good, set.meshes,
+                                          cut_each_other ? ", each by itself" : ""));
   }
   for (const UnfitMesh& mesh : set.not_good) {
     lines.line("not good",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/report/text/defects_report.h"
 
 #include <cstddef>
@@ -28,7 +29,7 @@ inline void append_rest(std::string& text, std::size_t n, ListLength lists) {
 /// "1 face", "2 faces".
 [[nodiscard]] inline std::string counted(std::size_t n, std::string_view one,
                                          std::string_view many) {
-  std::string text = std::to_string(n);
+  std::string text = grouped(n);
   text += ' ';
   text += n == 1 ? one : many;
   return text;

@@ -133,12 +133,12 @@ std::string line_of(std::string name, CellOf cell) {
 
 }  // namespace
 
-std::size_t summary_width(std::span<const std::string> names) {
+std::size_t summary_width(std::span<const std::string> names, NameLength length) {
   std::size_t width = kMinWidth;
   for (const std::string& name : names) {
     width = std::max(width, n_characters(name));
   }
-  return std::min(width, kMaxWidth);
+  return length == NameLength::Whole ? width : std::min(width, kMaxWidth);
 }
 
 std::string summary_header(std::size_t width) {

@@ -3,14 +3,19 @@
 #include "meshalyzer/analysis/analysis.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace meshalyzer {
 
-/// How wide the first column of a summary is: as the longest name, but within 8 ... 40 characters.
-[[nodiscard]] std::size_t summary_width(std::span<const std::string> names);
+/// Whether long names lose their middle, to fit on a terminal, or stay whole, for programs.
+enum class NameLength : std::uint8_t { Fitted, Whole };
+
+/// How wide the first column of a summary is: as the longest name, at least 8 characters, fitted
+/// at most 40.
+[[nodiscard]] std::size_t summary_width(std::span<const std::string> names, NameLength length);
 
 /// The titles of a summary: one line a mesh, aligned although each can be printed as soon as it is
 /// known. About 80 characters and the name, then the first reason why the mesh is not good.

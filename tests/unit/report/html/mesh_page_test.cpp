@@ -15,13 +15,13 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-Analysis analysis_of(const Soup& soup, std::string path = "folder/cube.obj",
+Analysis analysis_of(const Soup& soup, std::string path = "folder/cube.mesh",
                      const AnalysisOptions& options = {}) {
   return analyze(soup, std::move(path), options);
 }
 
 std::string page_of(const Analysis& analysis, const std::string& index = "",
-                    const MeshName& name = sample_name("folder/cube.obj")) {
+                    const MeshName& name = sample_name("folder/cube.mesh")) {
   const DefectReport defects = sample_defects();
   const Scene scene = sample_scene();
   return html_report(MeshPage{analysis, {name, defects, scene}, index});
@@ -35,15 +35,15 @@ std::string content_of(const std::string& html) {
 TEST(HtmlReport, PageIsWellFormed) {
   AnalysisOptions options;
   options.curvature = VertexArea::Mixed;
-  EXPECT_THAT(html_faults(page_of(analysis_of(shapes::cube(), "cube.obj", options), "../a.html")),
+  EXPECT_THAT(html_faults(page_of(analysis_of(shapes::cube(), "cube.mesh", options), "../a.html")),
               IsEmpty());
   EXPECT_THAT(html_faults(page_of(analysis_of({}))), IsEmpty());
 }
 
 TEST(HtmlReport, GoodMeshIsSaidToBeGood) {
   const std::string html = page_of(analysis_of(shapes::cube()));
-  EXPECT_THAT(html, HasSubstr("<title>cube.obj: good</title>"));
-  EXPECT_THAT(html, HasSubstr("<h1>cube.obj</h1>"));
+  EXPECT_THAT(html, HasSubstr("<title>cube.mesh: good</title>"));
+  EXPECT_THAT(html, HasSubstr("<h1>cube.mesh</h1>"));
   EXPECT_THAT(html, HasSubstr("<p class=\"verdict good\" role=\"status\">Good</p>"));
   EXPECT_THAT(html, Not(HasSubstr("class=\"reasons\"")));
   EXPECT_THAT(html, HasSubstr("<p class=\"facts\">12 faces, 8 vertices, mesh file</p>"));
@@ -53,7 +53,7 @@ TEST(HtmlReport, EveryReasonAgainstAMeshIsTold) {
   Analysis analysis = analysis_of(shapes::cube());
   analysis.goodness = Goodness{false, {"not closed", "2 < 3 & more"}};
   const std::string html = page_of(analysis);
-  EXPECT_THAT(html, HasSubstr("<title>cube.obj: not good</title>"));
+  EXPECT_THAT(html, HasSubstr("<title>cube.mesh: not good</title>"));
   EXPECT_THAT(html, HasSubstr("<p class=\"verdict bad\" role=\"status\">Not good</p>"));
   EXPECT_THAT(html, HasSubstr("<li>not closed</li>"));
   EXPECT_THAT(html, HasSubstr("<li>2 &lt; 3 &amp; more</li>"));
@@ -62,7 +62,7 @@ TEST(HtmlReport, EveryReasonAgainstAMeshIsTold) {
 TEST(HtmlReport, WhereOnlyAttributesWereAskedForTheyAreTheVerdict) {
   AnalysisOptions options;
   options.scope = Scope::AttributesOnly;
-  const std::string html = page_of(analysis_of(shapes::cube(), "cube.obj", options));
+  const std::string html = page_of(analysis_of(shapes::cube(), "cube.mesh", options));
   EXPECT_THAT(html, HasSubstr(">Closed, manifold, orientable, consistent, outward</p>"));
   EXPECT_THAT(html, Not(HasSubstr("id=\"characteristics\"")));
   EXPECT_THAT(html_faults(html), IsEmpty());
@@ -92,7 +92,7 @@ TEST(HtmlReport, QuantityOfEqualValuesHasFiguresAndNoHistogram) {
 TEST(HtmlReport, CurvatureIsShownWhereItWasMeasured) {
   AnalysisOptions options;
   options.curvature = VertexArea::Barycentric;
-  const std::string html = page_of(analysis_of(shapes::cube(), "cube.obj", options));
+  const std::string html = page_of(analysis_of(shapes::cube(), "cube.mesh", options));
   EXPECT_THAT(html, HasSubstr("<td>barycentric</td>"));
   // 2 pi (8 - 18 + 12).
   EXPECT_THAT(html, HasSubstr("<td>12.56637061</td>"));

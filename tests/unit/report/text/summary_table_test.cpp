@@ -118,10 +118,12 @@ TEST(SummaryLine, UnreadableFileKeepsTheColumnsAndTellsWhy) {
 }
 
 TEST(SummaryWidth, IsThatOfTheLongestNameWithinLimits) {
-  EXPECT_EQ(summary_width(std::vector<std::string>{"a"}), 8U);
-  EXPECT_EQ(summary_width(std::vector<std::string>{"a", "twelve.mesh_"}), 12U);
-  EXPECT_EQ(summary_width(std::vector<std::string>{std::string(300, 'x')}), 40U);
-  EXPECT_EQ(summary_width({}), 8U);
+  EXPECT_EQ(summary_width(std::vector<std::string>{"a"}, NameLength::Fitted), 8U);
+  EXPECT_EQ(summary_width(std::vector<std::string>{"a", "twelve.mesh_"}, NameLength::Fitted), 12U);
+  const std::vector<std::string> long_name{std::string(300, 'x')};
+  EXPECT_EQ(summary_width(long_name, NameLength::Fitted), 40U);
+  EXPECT_EQ(summary_width(long_name, NameLength::Whole), 300U);
+  EXPECT_EQ(summary_width({}, NameLength::Whole), 8U);
 }
 
 }  // namespace

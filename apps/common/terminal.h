@@ -1,0 +1,10 @@
+#pragma once
+
+#include <iosfwd>
+
+namespace meshalyzer {
+
+/// Whether a stream is the process's standard output, and that is a terminal.
+[[nodiscard]] bool is_terminal(const std::ostream& out);
+
+}  // namespace meshalyzer
