@@ -63,7 +63,7 @@ class InriaRewriter {
 
  private:
   void set_count(const Section& section, std::size_t count) {
-    edits_.replace(section.count, std::to_string(count));
+    edits_.replace_integer(section.count, static_cast<std::int64_t>(count));
   }
 
   /// Puts records behind the last one of a section; each ends with a line end.
@@ -164,7 +164,7 @@ class InriaRewriter {
       const Index vertex = is_turned
                                ? vertices_[mesh_.source.triangles[corner.triangle][corner.corner]]
                                : vertex_at(mesh_, plan_, corner);
-      edits_.replace(old[i], std::to_string(std::uint64_t{vertex} + 1));
+      edits_.replace_integer(old[i], std::int64_t{vertex} + 1);
     }
     return true;
   }
@@ -235,7 +235,7 @@ class InriaRewriter {
     }
     for (std::size_t i = 0; i < kind.n_names; ++i) {
       if (index_of(i) < numbers.size()) {
-        edits_.replace(old[i], std::to_string(std::uint64_t{numbers[index_of(i)]} + 1));
+        edits_.replace_integer(old[i], std::int64_t{numbers[index_of(i)]} + 1);
       }
     }
     return true;

@@ -90,7 +90,7 @@ class NativeRewriter {
     }
     const std::vector<std::string_view> old = words(records_.vertices[record]);
     if (!keeps_id) {
-      edits_.replace(old[1], vertex_id(v));
+      edits_.replace_integer(old[1], mesh_.soup.vertex_ids.of(v));
     }
     for (std::size_t i = 0; i < 3; ++i) {
       const auto axis = static_cast<Eigen::Index>(i);
@@ -141,9 +141,9 @@ class NativeRewriter {
 
   void edit_face(Index record, Index face) {
     const std::vector<std::string_view> old = words(records_.faces[record]);
-    edits_.replace(old[1], std::to_string(mesh_.soup.face_ids.of(face)));
+    edits_.replace_integer(old[1], mesh_.soup.face_ids.of(face));
     for (std::size_t k = 0; k < 3; ++k) {
-      edits_.replace(old[2 + k], vertex_id(mesh_.soup.triangles[face][k]));
+      edits_.replace_integer(old[2 + k], mesh_.soup.vertex_ids.of(mesh_.soup.triangles[face][k]));
     }
   }
 

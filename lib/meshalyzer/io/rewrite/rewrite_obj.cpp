@@ -16,8 +16,10 @@ namespace {
 
 /// A new index in the words of an old one: counted from the first record, or back from the last.
 std::string reference_text(std::string_view old, Index index, std::size_t n_so_far) {
-  return old.front() == '-' ? '-' + std::to_string(n_so_far - index)
-                            : std::to_string(std::uint64_t{index} + 1);
+  const std::int64_t number = old.front() == '-'
+                                  ? std::int64_t{index} - static_cast<std::int64_t>(n_so_far)
+                                  : std::int64_t{index} + 1;
+  return parse_integer(old) == number ? std::string(old) : std::to_string(number);
 }
 
 class ObjRewriter {
@@ -251,7 +253,7 @@ class ObjRewriter {
     const std::size_t first_slash = std::min(old.find('/'), old.size());
     const std::size_t second_slash = std::min(old.find('/', first_slash + 1), old.size());
     const ObjCounts n_so_far = new_counts(counts);
-    std::string text = reference_text(old, now.vertex, n_so_far.vertices);
+    std::string text = reference_text(old.substr(0, first_slash), now.vertex, n_so_far.vertices);
     text += old.substr(first_slash, 1);
     const std::string_view texture_point =
         old.substr(std::min(first_slash + 1, second_slash), second_slash - first_slash - 1);

@@ -26,8 +26,8 @@ class OffRewriter {
         edits_(text) {}
 
   RewrittenFile rewrite() {
-    edits_.replace(records_.n_vertices, std::to_string(mesh_.soup.n_vertices()));
-    edits_.replace(records_.n_faces, std::to_string(plan_.n_records));
+    edits_.replace_integer(records_.n_vertices, static_cast<std::int64_t>(mesh_.soup.n_vertices()));
+    edits_.replace_integer(records_.n_faces, static_cast<std::int64_t>(plan_.n_records));
     for (Index r = 0; r < numbers_.size(); ++r) {
       edit_vertex(r);
     }
@@ -179,7 +179,7 @@ class OffRewriter {
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t local = is_turned ? (n - i) % n : i;
       const FanCorner corner = fan_corner(records_.face_records, record, local);
-      edits_.replace(old[1 + i], std::to_string(vertex_now(corner, is_turned)));
+      edits_.replace_integer(old[1 + i], vertex_now(corner, is_turned));
     }
   }
 

@@ -128,8 +128,8 @@ class PlyRewriter {
   }
 
   void set_count(std::size_t element, std::size_t count) {
-    edits_.replace(declaration_of(edits_.source(), header_.elements[element]).at(2),
-                   std::to_string(count));
+    edits_.replace_integer(declaration_of(edits_.source(), header_.elements[element]).at(2),
+                           static_cast<std::int64_t>(count));
   }
 
   /// Declares a property with another type.

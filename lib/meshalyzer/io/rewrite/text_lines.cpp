@@ -1,5 +1,7 @@
 #include "meshalyzer/io/rewrite/text_lines.h"
 
+#include "meshalyzer/base/numbers.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -52,6 +54,12 @@ void LineEdits::insert_lines_behind(std::string_view record, std::string lines) 
     lines.insert(0, line_end_);
   }
   insert(at, std::move(lines));
+}
+
+void LineEdits::replace_integer(std::string_view part, std::int64_t number) {
+  if (parse_integer(part) != number) {
+    replace(part, std::to_string(number));
+  }
 }
 
 void LineEdits::erase_with_lines(std::string_view part) {

@@ -4,6 +4,7 @@
 #include "meshalyzer/io/text_scanner.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,8 @@ class LineEdits : public ByteEdits {
   void replace_lines(std::string_view record, std::string lines);
   /// Puts lines behind the last line of a record.
   void insert_lines_behind(std::string_view record, std::string lines);
+  /// Replaces an integer, unless it is that number already, in whatever words.
+  void replace_integer(std::string_view part, std::int64_t number);
   /// Drops a part of the text, and the lines it stands on where nothing else does.
   void erase_with_lines(std::string_view part);
 

@@ -121,6 +121,11 @@ TEST(RewriteObj, LineThatLosesAVertexIsCountedAsLost) {
   EXPECT_EQ(attribute_text(file.rewritten()->lost[0]), "1 line or point");
 }
 
+TEST(RewriteObj, IntegersStayInTheWordsOfTheFile) {
+  EditedFile file = edited("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf -03/-01 -2/01 03/1\n");
+  EXPECT_EQ(file.rewritten_bytes(), file.bytes());
+}
+
 TEST(RewriteObj, AddedRecordsMoveReferencesThatCountBackBehindThem) {
   EditedFile file = edited("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n");
   file.add_vertex({0, 0, 1});

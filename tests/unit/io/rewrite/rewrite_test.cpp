@@ -151,6 +151,12 @@ TEST(RewriteInria, WithoutEditsIsTheSameBytes) {
   EXPECT_EQ(EditedFile(medit(), "a.mesh").rewritten_bytes(), medit());
 }
 
+TEST(RewriteInria, IntegersStayInTheWordsOfTheFile) {
+  const std::string text =
+      with(with(medit(), "Vertices\n5", "Vertices\n+05"), "1 2 3 7", "01 2 3 7");
+  EXPECT_EQ(EditedFile(text, "a.mesh").rewritten_bytes(), text);
+}
+
 TEST(RewriteInria, WhatIsLeftOfAQuadrilateralStandsBehindTheTriangles) {
   EditedFile file(medit(), "a.mesh");
   file.drop_face(1);
