@@ -140,7 +140,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   table.arguments(
       "PATH", options.paths,
       "a mesh file (.mesh .obj .off .stl .ply, also .gz), - for standard input, or a folder: "
-      "all mesh files in it, in name order, as one set.");
+      "all mesh files in it, in name order, as one set. 'meshalyzer check' judges each by itself.");
   declare_questions(table, options);
   declare_names(table, options);
   declare_separation(table, options);

@@ -34,6 +34,12 @@ Soup parse_as(Format format, std::string_view content, const std::string& name) 
   return {};
 }
 
+/// Whether a content begins with the byte order mark of UTF-16, and is not binary all the same.
+bool is_utf16(std::string_view content) {
+  const std::string_view mark = content.substr(0, 2);
+  return (mark == "\xff\xfe" || mark == "\xfe\xff") && !format_of_content(content);
+}
+
 }  // namespace
 
 Soup read_mesh(const std::string& path) {
@@ -45,6 +51,9 @@ Soup parse_mesh(std::string_view content, const std::string& name) {
   const PlainContent plain(content, name);
   if (plain.bytes().empty()) {
     throw IoError(name, {.line = 1}, "the file is empty");
+  }
+  if (is_utf16(plain.bytes())) {
+    throw IoError(name, {.line = 1}, "is text in UTF-16: only UTF-8 is read");
   }
   const std::optional<Format> format = format_of(plain.bytes(), name);
   if (!format) {

@@ -91,6 +91,22 @@ TEST(ParseMesh, AByteOrderMarkMeansNothing) {
   EXPECT_EQ(parse_mesh(mark + "Vertex 7 0 0 0\n", "a.mesh").vertex_lines.front(), 1U);
 }
 
+TEST(ParseMesh, TextInUtf16IsSaidToBeThat) {
+  for (const std::string& text :
+       {std::string("\xff\xfev\0 \0", 6), std::string("\xfe\xff\0v\0 ", 6)}) {
+    EXPECT_EQ(error_of([&] { return parse_mesh(text, "a.obj"); }),
+              "a.obj:1: is text in UTF-16: only UTF-8 is read");
+  }
+}
+
+TEST(ParseMesh, ABinaryFileMayBeginWithTheMarkOfUtf16) {
+  std::string content =
+      print_mesh(parse_mesh("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "a.off"), Format::Stl,
+                 Encoding::Binary);
+  content.replace(0, 2, "\xff\xfe");
+  EXPECT_EQ(parse_mesh(content, "a.stl").n_faces(), 1U);
+}
+
 TEST(ParseMesh, WhatIsWrongInGzippedContentIsToldByTheLineInIt) {
   EXPECT_EQ(error_of([] { return parse_mesh(pack_gzip("v 0 0 0\nv 0 0\n"), "a.obj.gz"); }),
             "a.obj.gz:2: the line ends where a number should stand");
