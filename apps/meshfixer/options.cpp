@@ -19,7 +19,6 @@ struct Said {
   bool renumber = false, drop_orphans = false, separate = false;
   /// Whether holes are asked for by name, beside --fix.
   bool names_holes = false;
-  bool guarantee = false;
 };
 
 bool names_operation(const Said& said, const RepairOptions& repair) {
@@ -56,6 +55,13 @@ void declare_actions(OptionTable& table, Options& options, Said& said) {
       "--cut", [&options] { options.repair.intersections = Intersections::Cut; },
       "cut faces that intersect, and keep what bounds the solid that they enclose; may take "
       "minutes and gigabytes where many cross in one place");
+  table.flag("--solid", options.repair.solid,
+             "the result is to be a solid: holes of sheets are filled too, open fragments that "
+             "enclose nothing are dropped, each told with its area, and intersections are cut");
+  table.flag("--guarantee", options.repair.guarantee,
+             "what is not good in the end is replaced by a new surface within the maximum "
+             "deviation, or it is said that none was found; with --solid, where there is nothing "
+             "but sheets they become thin solids");
 }
 
 void declare_operations(OptionTable& table, Options& options, Said& said) {
@@ -182,7 +188,6 @@ void check_target(const Said& said, const Options& options) {
 }
 
 void check_consistent(const Said& said, const Options& options) {
-  if (said.guarantee) throw UsageError("--guarantee is not available yet in this version");
   if (said.paths.empty()) throw UsageError("no IN: name a mesh file, or - for standard input");
   check_target(said, options);
   if (said.paths.size() > 1 && !options.is_batch()) {
@@ -198,6 +203,9 @@ void check_consistent(const Said& said, const Options& options) {
   }
   if (!said.find && !said.dry_run && !options.output && !options.is_batch()) {
     throw UsageError("no OUT: name it with -o, or ask for --find or --dry-run");
+  }
+  if (options.repair.borders == Borders::Intended && options.repair.solid) {
+    throw UsageError("--keep-borders fills no hole, so --solid cannot go with it");
   }
   if (options.repair.borders == Borders::Intended && said.names_holes) {
     throw UsageError("--keep-borders fills no hole, so no --fill- option can go with it");
@@ -232,7 +240,12 @@ void complete(const Said& said, Options& options) {
   options.action = said.find ? Options::Action::Find : Options::Action::Fix;
   options.repair.fixes = fixes_of(said, options.repair);
   const bool is_named = said.names_holes || (said.fix && said.fix->names_holes);
-  options.repair.fill.sheets = is_named ? FillSheets::Yes : FillSheets::No;
+  RepairOptions& repair = options.repair;
+  repair.fill.sheets = is_named || repair.solid ? FillSheets::Yes : FillSheets::No;
+  if (repair.solid || repair.guarantee) repair.intersections = Intersections::Cut;
+  // Gaps in the numbers are not good either.
+  const bool leaves_numbers = said.no_fix && said.no_fix->codes.contains(DefectCode::Numbering);
+  if (repair.guarantee && !leaves_numbers) repair.fixes.insert(DefectCode::Numbering);
   const bool has_one_file_each = options.is_batch() || options.writes_to_stdout();
   if (has_one_file_each && options.repair.fixes.contains(DefectCode::Disjoint)) {
     throw UsageError("disjoint makes several files of one mesh: name OUT as one mesh file");
@@ -255,9 +268,8 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
        .footer = "Examples:\n"
                  "meshfixer --find cow.obj\n"
                  "meshfixer cow.obj -o cow_fixed.obj\n"
-                 "meshfixer --solid --max-deviation 0.5% scan.ply -o scan.stl\n"
+                 "meshfixer --solid --guarantee scan.ply -o scan.stl\n"
                  "meshfixer --in-place --backup models\n\n"
-                 "Not available yet in this version: --guarantee.\n\n"
                  "Exit status: 0 nothing asked for remains; 1 defects remain; 2 wrong usage; 3 a "
                  "file could not be read or written.",
        .version = "meshfixer " MESHALYZER_VERSION "\n"});
@@ -265,7 +277,6 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
       "IN", said.paths,
       "a mesh file (.mesh .obj .off .stl .ply, also .gz) or - for standard input; PATH a mesh file "
       "or a folder: all mesh files in it.");
-  table.flag("--guarantee", said.guarantee, "");
   declare_actions(table, options, said);
   declare_operations(table, options, said);
   declare_holes(table, options, said);

@@ -1,5 +1,7 @@
 #include "repair_mesh.h"
 
+#include "meshalyzer/analysis/analyze.h"
+#include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/io/format_of.h"
@@ -154,6 +156,11 @@ Soup put(const Job& job, const Output& output, bool is_changed, const std::strin
   return write_output(output, path);
 }
 
+/// Whether the meshes that come out are looked at once more.
+bool keeps_meshes(const Options& options) {
+  return options.html || options.repair.guarantee;
+}
+
 /// Writes the meshes of a result, reads them back, and adds what they are to the report.
 /// @return The meshes of the report as they are, where there will be a page of them.
 std::vector<Soup> write_all(const Job& job, const std::vector<std::string>& paths,
@@ -168,7 +175,7 @@ std::vector<Soup> write_all(const Job& job, const std::vector<std::string>& path
     if (!has_content(mesh.tracked.soup, paths[i])) {
       report.notes.push_back(kNothingLeft);
       report.meshes.push_back({name_of(mesh.tracked.soup, ""), mesh.remaining});
-      if (options.html) finals.push_back(mesh.tracked.soup);
+      if (keeps_meshes(options)) finals.push_back(mesh.tracked.soup);
       continue;
     }
     Output output = make_output(mesh.tracked, is_changed, paths[i], job.source);
@@ -179,7 +186,7 @@ std::vector<Soup> write_all(const Job& job, const std::vector<std::string>& path
                              remaining_on_disk(mesh, disk, output.face_records, search),
                              vertex_records(mesh.tracked.soup, disk, output.face_records),
                              std::move(output.face_records)});
-    if (options.html) finals.push_back(std::move(disk));
+    if (keeps_meshes(options)) finals.push_back(std::move(disk));
   }
   report.lost = lost_by_all(losses, job.source);
   return finals;
@@ -207,7 +214,7 @@ std::vector<Soup> take_unwritten(const Options& options, RepairReport& report) {
   std::vector<Soup> finals;
   for (const RepairedMesh& mesh : report.result.meshes) {
     report.meshes.push_back({name_of(mesh.tracked.soup, ""), mesh.remaining});
-    if (options.html) finals.push_back(mesh.tracked.soup);
+    if (keeps_meshes(options)) finals.push_back(mesh.tracked.soup);
   }
   return finals;
 }
@@ -219,6 +226,21 @@ std::vector<Soup> take_or_write(const Job& job, RepairReport& report) {
     if (!refuses_loss(job, paths, report)) return write_all(job, paths, report);
   }
   return take_unwritten(job.options, report);
+}
+
+/// Whether all meshes are good, as the analysis of what is on disk says; notes why not.
+bool are_good(const std::vector<Soup>& finals, RepairReport& report) {
+  bool is_good = true;
+  AnalysisOptions options;
+  options.scope = Scope::AttributesOnly;
+  options.judge_fitness = true;
+  for (std::size_t i = 0; i < finals.size(); ++i) {
+    const Analysis analysis = analyze(finals[i], report.meshes[i].name.path, options);
+    if (analysis.fitness && analysis.fitness->good) continue;
+    is_good = false;
+    if (analysis.fitness) report.notes.push_back("verdict: " + verdict_text(*analysis.fitness));
+  }
+  return is_good;
 }
 
 /// Done or NotGood; Trouble where a mesh should have been written and was not.
@@ -260,11 +282,15 @@ ExitCode repair_mesh(const Options& options, Soup soup, const InputFile& file, S
   const RepairResult result = fix_defects(std::move(soup), repair);
   progress.clear();
   RepairReport report{input, result, repair.fixes, {}, {}};
+  report.notes = result.notes;
   if (result.is_stopped) report.notes.push_back(StopRequest::note());
   const std::vector<Soup> finals = take_or_write({options, {file, before}, streams}, report);
+  const bool is_as_guaranteed = !options.repair.guarantee || are_good(finals, report);
   if (options.html) write_page(*options.html, report, before, finals);
   const ExitCode told = tell(report);
-  return told == ExitCode::Done ? verdict(options, report, streams) : told;
+  if (told != ExitCode::Done) return told;
+  const ExitCode code = verdict(options, report, streams);
+  return code == ExitCode::Done && !is_as_guaranteed ? ExitCode::NotGood : code;
 }
 
 }  // namespace meshalyzer::fixer

@@ -11,7 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -23,9 +24,14 @@ constexpr std::uint32_t kFirstLevel = 3 * 5;
 constexpr double kSpacing = 1.0 / 128.0;
 /// The sides of a face are looked at from this distance, as a share of the maximum deviation.
 constexpr double kReach = 1.0 / 16.0;
-/// A tetrahedron in which the contour is too far away is bisected so many times at once: once more,
-/// and its edges are half as long.
-constexpr std::uint32_t kBisections = 2;
+/// Points along creases are taken at this distance, as a multiple of the maximum deviation.
+constexpr double kCreaseSpacing = 2.0;
+/// There are at most about so many points along creases, and pieces of faces that meet others.
+constexpr double kMostPieces = 1e5;
+/// An edge is a crease where the normals of its faces are farther apart than about four degrees.
+constexpr double kCosCrease = 0.9975;
+/// A tetrahedron in which the contour is too far away is bisected at most so many times at once.
+constexpr double kMostBisections = 6.0;
 
 /// A mesh, what is built for it, and points of the part of it that bounds its solid.
 struct Target {
@@ -46,6 +52,47 @@ std::vector<std::uint8_t> intersecting_faces(const Target& target) {
   for (const IntersectingPair& pair : find_self_intersections(target.cut, target.tree)) {
     result[pair.face_a] = 1;
     result[pair.face_b] = 1;
+  }
+  return result;
+}
+
+/// The length of the edges of the faces that are marked.
+double length_round(const Soup& soup, const std::vector<std::uint8_t>& faces) {
+  double sum = 0.0;
+  for (Index f = 0; f < soup.n_faces(); ++f) {
+    if (faces[f] == 0) continue;
+    const auto [a, b, c] = corners_of(soup, f);
+    sum += (b - a).norm() + (c - b).norm() + (a - c).norm();
+  }
+  return sum;
+}
+
+/// Marks the edges where the surface bends, or ends.
+std::vector<std::uint8_t> find_creases(const Target& target) {
+  std::vector<std::uint8_t> result(target.soup.n_faces());
+  const TriMesh& mesh = target.cut.mesh;
+  const auto normal = [&](FaceHandle f) {
+    const auto [a, b, c] = corners_of(target.soup, target.cut.side.face(f));
+    return Vec3((b - a).cross(c - a)).stableNormalized();
+  };
+  const auto mark = [&](HalfedgeHandle h) {
+    if (mesh.is_boundary(h)) return;
+    const Index face = target.cut.side.face(mesh.face_handle(h));
+    const Triangle& t = target.soup.triangles[face];
+    const Index from = target.cut.side.vertex(mesh.from_vertex_handle(h));
+    const auto k = std::find(t.begin(), t.end(), from) - t.begin();
+    result[face] = static_cast<std::uint8_t>(result[face] | 1U << static_cast<unsigned>(k));
+  };
+  for (const EdgeHandle e : mesh.edges()) {
+    const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
+    const HalfedgeHandle opposite = mesh.halfedge_handle(e, 1);
+    if (mesh.is_boundary(e)) {
+      mark(h);
+      mark(opposite);
+    } else if (normal(mesh.face_handle(h)).dot(normal(mesh.face_handle(opposite))) < kCosCrease) {
+      // Once is enough.
+      mark(h);
+    }
   }
   return result;
 }
@@ -72,12 +119,10 @@ std::vector<double> distances(const std::vector<Vec3>& points, const ClosestPoin
   return result;
 }
 
-constexpr std::size_t kPointsATriangle = 4;
-
 /// The corners and the middle of each triangle of a contour.
 std::vector<Vec3> points_of(const Contour& contour) {
   std::vector<Vec3> points;
-  points.reserve(kPointsATriangle * contour.triangles.size());
+  points.reserve(4 * contour.triangles.size());
   for (const Triangle& t : contour.triangles) {
     const Vec3& a = contour.positions[t[0]];
     const Vec3& b = contour.positions[t[1]];
@@ -100,7 +145,7 @@ class ContourSearch {
       measure();
       if (far_.empty()) return {soup_of(contour_), {}, deviation_, true};
       const std::size_t n_before = leaves_.size();
-      for (const Index t : far_) refine(t, grid_.tetrahedron(t).level + kBisections);
+      refine_far();
       leaves_ = grid_.leaves();
       if (leaves_.size() > limits_.max_tetrahedra || leaves_.size() == n_before) {
         return {soup_of(contour_), {}, deviation_, false};
@@ -110,21 +155,29 @@ class ContourSearch {
 
  private:
   void refine_at_samples() {
-    for (const Vec3& p : target_.parts.separating) {
-      for (Index t = grid_.leaf_at(p); grid_.tetrahedron(t).level < kFirstLevel;
-           t = grid_.leaf_at(p)) {
-        grid_.bisect(t);
-      }
-    }
+    for (const Vec3& p : target_.parts.separating) refine_at(p, kFirstLevel);
     leaves_ = grid_.leaves();
   }
 
-  /// Bisects a tetrahedron and its parts.
-  void refine(Index t, std::uint32_t level) {
-    if (grid_.tetrahedron(t).level >= level) return;
-    grid_.bisect(t);
-    if (const auto halves = grid_.halves(t)) {
-      for (const Index half : *halves) refine(half, level);
+  /// Bisects the tetrahedra round the points that are too far away.
+  void refine_far() {
+    std::vector<std::uint32_t> levels;
+    levels.reserve(far_.size());
+    for (const auto& [point, distance] : far_) {
+      const double halvings = 2.0 * std::log2(distance / limits_.max_deviation);
+      const double n = std::clamp(std::ceil(halvings), 1.0, kMostBisections);
+      levels.push_back(grid_.tetrahedron(grid_.leaf_at(point)).level +
+                       static_cast<std::uint32_t>(n));
+    }
+    for (std::size_t i = 0; i < far_.size(); ++i) refine_at(far_[i].first, levels[i]);
+  }
+
+  /// Bisects what holds a point until it is of a level, which may be beyond the highest.
+  void refine_at(const Vec3& point, std::uint32_t level) {
+    const std::uint32_t last = std::min(level, BisectionGrid::kMaxLevel);
+    for (Index t = grid_.leaf_at(point); grid_.tetrahedron(t).level < last;
+         t = grid_.leaf_at(point)) {
+      grid_.bisect(t);
     }
   }
 
@@ -142,7 +195,7 @@ class ContourSearch {
     const ClosestPoints closest(tree);
     const std::vector<double> of_samples = distances(target_.parts.separating, closest);
     for (std::size_t i = 0; i < of_samples.size(); ++i) {
-      note(of_samples[i], [&] { return grid_.leaf_at(target_.parts.separating[i]); });
+      note(target_.parts.separating[i], of_samples[i]);
     }
     const std::vector<Vec3> points = points_of(contour_);
     const std::vector<double> of_contour = distances(points, target_.closest);
@@ -150,14 +203,13 @@ class ContourSearch {
       if (of_contour[i] > limits_.max_deviation && target_.region.spans_hole_at(points[i])) {
         continue;
       }
-      note(of_contour[i], [&] { return contour_.leaves[i / kPointsATriangle]; });
+      note(points[i], of_contour[i]);
     }
   }
 
-  template <typename Leaf>
-  void note(double distance, const Leaf& leaf) {
+  void note(const Vec3& point, double distance) {
     deviation_ = std::max(deviation_, distance);
-    if (distance > limits_.max_deviation) far_.push_back(leaf());
+    if (distance > limits_.max_deviation) far_.emplace_back(point, distance);
   }
 
   const Target& target_;
@@ -166,8 +218,8 @@ class ContourSearch {
   std::vector<Index> leaves_;
   GridLabels labels_;
   Contour contour_;
-  /// Tetrahedra in which the surfaces are too far apart.
-  std::vector<Index> far_;
+  /// Points of one surface that are too far from the other, and how far.
+  std::vector<std::pair<Vec3, double>> far_;
   double deviation_ = 0.0;
 };
 
@@ -188,9 +240,14 @@ std::optional<ContouredMesh> contour_mesh(const Soup& soup, const ContourLimits&
   Target target(soup);
   const auto grid = grid_round(target.tree.bounds());
   if (!grid) return std::nullopt;
-  target.parts = divide_surface(soup, target.region, intersecting_faces(target),
-                                {.spacing = kSpacing * target.tree.bounds().diagonal().norm(),
-                                 .reach = kReach * limits.max_deviation});
+  const FaceHints hints{intersecting_faces(target), find_creases(target)};
+  const double least = kCreaseSpacing * limits.max_deviation;
+  target.parts = divide_surface(
+      soup, target.region, hints,
+      {.spacing = kSpacing * target.tree.bounds().diagonal().norm(),
+       .reach = kReach * limits.max_deviation,
+       .crease_spacing = std::max(least, length_round(soup, hints.creases) / kMostPieces),
+       .least_piece = std::max(least, length_round(soup, hints.changes_inside) / kMostPieces)});
   ContouredMesh result = ContourSearch(target, *grid, limits).run();
   result.walls = std::move(target.parts.walls);
   return result;

@@ -1,13 +1,16 @@
 #include "meshalyzer/repair/fix_defects.h"
 
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/base/numbers.h"
 #include "meshalyzer/defects/finders.h"
+#include "meshalyzer/exact/normal.h"
 #include "meshalyzer/repair/driver/internal/fixed_vertices.h"
 #include "meshalyzer/repair/driver/internal/plan.h"
 #include "meshalyzer/repair/driver/internal/repair_driver.h"
 #include "meshalyzer/repair/edits/apply_edits.h"
 #include "meshalyzer/repair/records/internal/keep_largest.h"
 #include "meshalyzer/repair/records/separate.h"
+#include "meshalyzer/repair/replace/internal/guarantee.h"
 
 #include <algorithm>
 #include <utility>
@@ -67,6 +70,26 @@ void name_what_has_no_reason(const RepairOptions& options, RepairResult& result)
   }
 }
 
+/// Names each fragment that was dropped, with its area.
+void name_dropped_fragments(const Soup& input, RepairResult& result) {
+  for (const LoggedOperation& operation : result.log.operations) {
+    if (result.log.steps[operation.step].pass != "drop fragments") continue;
+    double area = 0.0;
+    std::size_t n = 0;
+    for (const Index key : operation.removed_faces) {
+      if (key >= input.n_faces() || !is_in_complex(input.triangles[key])) continue;
+      const auto [a, b, c] = corners_of(input, key);
+      area += accurate_normal(a, b, c).norm() / 2.0;
+      ++n;
+    }
+    if (n == 0) continue;
+    result.notes.push_back("dropped, because it encloses nothing: a fragment of area " +
+                           shortest(area) + ", with face " +
+                           std::to_string(input.face_ids.of(operation.removed_faces.front())) +
+                           (n == 1 ? "" : " and " + std::to_string(n - 1) + " more"));
+  }
+}
+
 }  // namespace
 
 RepairResult fix_defects(Soup soup, const RepairOptions& options) {
@@ -75,6 +98,7 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   }
   const Box3 box = used_box(soup);
   const Tolerances tolerances = resolve_tolerances(options.tolerances, box);
+  const Soup before = options.solid ? soup : Soup();
   RepairLimits limits;
   limits.max_deviation = length_of(options.max_deviation, box);
   limits.groups = options.groups;
@@ -89,6 +113,7 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
                                                .tolerances = options.tolerances,
                                                .max_defects = options.max_defects});
   driver.run_plan(plan_passes(options, tolerances), options);
+  if (options.guarantee) result.notes = guarantee_goodness(driver, options, tolerances);
   if (options.keep_largest != 0) {
     driver.apply_unchecked({"keep largest", DefectCode::Disjoint, [&](const PassInput& input) {
                               return keep_largest(input, options.keep_largest);
@@ -99,6 +124,7 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   result.is_stopped = driver.is_stopped();
   result.rises = driver.rises();
   result.log = driver.take_log();
+  name_dropped_fragments(before, result);
   name_what_has_no_reason(options, result);
   return result;
 }

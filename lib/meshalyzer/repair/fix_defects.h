@@ -6,6 +6,7 @@
 #include "meshalyzer/repair/driver/repair_log.h"
 #include "meshalyzer/repair/edits/tracked_mesh.h"
 
+#include <string>
 #include <vector>
 
 namespace meshalyzer {
@@ -29,6 +30,8 @@ struct RepairResult {
   double deviation = 0.0;
   /// Tells whether the repair ended because it was asked to, so that more might be repaired.
   bool is_stopped = false;
+  /// What a person should know of what was done, in sentences.
+  std::vector<std::string> notes;
   /// The counts that are higher than before: only where a graver one has fallen that could not fall
   /// otherwise ("Never worse" in doc/repair.md).
   std::vector<CountRise> rises;

@@ -118,4 +118,45 @@ struct CutOptions {
 /// record defines are left. It must run once only: a second run turns the faces back.
 [[nodiscard]] PassResult flip_all(const PassInput& input);
 
+/// Which fragments are dropped: open parts that bound no solid, see bounds_solid().
+enum class Fragments : std::uint8_t {
+  /// Those with a small share of the area of the mesh.
+  Small,
+  /// All, where anything is left that bounds a solid.
+  All,
+};
+
+/// Drops fragments: they separate no inside from no outside. The last part of a mesh stays.
+[[nodiscard]] PassResult drop_fragments(const PassInput& input, Fragments which);
+
+/// Makes a thin solid of every open part that bounds none, and of every closed part with one side
+/// only: gives it a second side, and moves both apart.
+///
+/// @param thickness  Of the solid, where the surface is flat; a length above 0.
+[[nodiscard]] PassResult thicken_sheets(const PassInput& input, double thickness);
+
+/// What replace_broken_solids() replaces, and how far it may go.
+struct ReplaceOptions {
+  /// Only what is broken, or all of the mesh.
+  enum class Scope : std::uint8_t { Broken, Whole };
+  Scope scope = Scope::Broken;
+  /// Whether parts that bound no solid may be lost in it.
+  enum class Sheets : std::uint8_t { Kept, Dropped };
+  Sheets sheets = Sheets::Kept;
+  /// Between the new surface and what it replaces.
+  double max_deviation = 0.0;
+};
+
+/// What replace_broken_solids() proposes.
+struct Replacement {
+  PassResult result;
+  /// How far the new surface and what it replaces are apart at most, where they were sampled.
+  double deviation = 0.0;
+};
+
+/// Replaces the components that are broken, and those that they intersect, by the contour of the
+/// solid that they mean (see contour_mesh()). Walls inside the solid go, and holes are spanned.
+[[nodiscard]] Replacement replace_broken_solids(const PassInput& input,
+                                                const ReplaceOptions& options);
+
 }  // namespace meshalyzer

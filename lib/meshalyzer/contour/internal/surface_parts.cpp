@@ -19,7 +19,9 @@ class FaceDivision {
 
   /// Halves a face along its longest edges until its pieces are small enough, and tells which
   /// separate.
-  void divide(const Corners3& face, bool may_change_inside, SurfaceParts& parts) const {
+  void divide(const Corners3& face, bool may_change_inside, unsigned creases,
+              SurfaceParts& parts) const {
+    const std::size_t n_before = parts.separating.size();
     std::vector<Corners3> open{face};
     while (!open.empty()) {
       const Corners3 t = open.back();
@@ -28,7 +30,7 @@ class FaceDivision {
       const std::size_t longest = longest_edge(t);
       const double length = (t[(longest + 1) % 3] - t[longest]).norm();
       if (length > resolution_.spacing ||
-          (may_change_inside && length > resolution_.reach && changes_inside(t, middle))) {
+          (may_change_inside && length > resolution_.least_piece && changes_inside(t, middle))) {
         const Vec3 half = (t[longest] + t[(longest + 1) % 3]) / 2.0;
         open.push_back({half, t[(longest + 1) % 3], t[(longest + 2) % 3]});
         open.push_back({t[longest], half, t[(longest + 2) % 3]});
@@ -38,7 +40,11 @@ class FaceDivision {
         parts.walls.push_back(t);
       }
     }
-    add_edge_points(face, parts);
+    // Where no face meets another, what holds in the midst of it holds at its edges.
+    const bool any_separates = parts.separating.size() > n_before;
+    if (any_separates || may_change_inside) {
+      add_crease_points(face, may_change_inside, creases, parts);
+    }
   }
 
  private:
@@ -62,14 +68,16 @@ class FaceDivision {
     });
   }
 
-  /// Adds points along long edges, where creases are, and which middles leave out.
-  void add_edge_points(const Corners3& t, SurfaceParts& parts) const {
+  /// Adds points along creases, which middles leave out.
+  void add_crease_points(const Corners3& t, bool may_change_inside, unsigned creases,
+                         SurfaceParts& parts) const {
     for (std::size_t i = 0; i < 3; ++i) {
+      if ((creases >> i & 1U) == 0) continue;
       const Vec3 edge = t[(i + 1) % 3] - t[i];
-      const double n = std::floor(edge.norm() / resolution_.spacing);
+      const double n = std::ceil(edge.norm() / resolution_.crease_spacing);
       for (double k = 0.0; k < n; ++k) {
         const Vec3 p = t[i] + edge * (k / n);
-        if (separates(p)) parts.separating.push_back(p);
+        if (!may_change_inside || separates(p)) parts.separating.push_back(p);
       }
     }
   }
@@ -81,8 +89,7 @@ class FaceDivision {
 
 }  // namespace
 
-SurfaceParts divide_surface(const Soup& soup, const Region& region,
-                            const std::vector<std::uint8_t>& changes_inside,
+SurfaceParts divide_surface(const Soup& soup, const Region& region, const FaceHints& hints,
                             const PartsResolution& resolution) {
   constexpr std::size_t kFaces = 64;
   std::vector<SurfaceParts> of_chunk(n_chunks(soup.n_faces(), kFaces));
@@ -94,7 +101,7 @@ SurfaceParts divide_surface(const Soup& soup, const Region& region,
       const double length = normal.norm();
       if (!(length > 0.0)) continue;
       FaceDivision(region, resolution, normal / length)
-          .divide(face, changes_inside[f] != 0, of_chunk[chunk.number]);
+          .divide(face, hints.changes_inside[f] != 0, hints.creases[f], of_chunk[chunk.number]);
     }
   });
   SurfaceParts all;

@@ -64,6 +64,11 @@ struct RepairOptions {
   Borders borders = Borders::Holes;
   Intersections intersections = Intersections::Keep;
   Groups groups = Groups::Names;
+  /// Whether the result is to be a solid: holes of sheets are filled too, and fragments that bound
+  /// none are dropped.
+  bool solid = false;
+  /// Whether what is not good in the end is replaced, see guarantee_goodness().
+  bool guarantee = false;
   /// How many of the largest components are kept, whatever is lost; 0 keeps all.
   std::size_t keep_largest = 0;
   /// How many remaining defects are listed at most; 0 lists all.

@@ -64,7 +64,16 @@ void plan_operations(const RepairOptions& options, const Tolerances& tolerances,
 
 CutOptions cut_options(const RepairOptions& options) {
   const bool fills = options.borders == Borders::Holes && options.fixes.contains(DefectCode::Hole);
-  return {.fill = fills ? std::optional(options.fill) : std::nullopt};
+  if (!fills) return {};
+  CutOptions cut{.fill = options.fill};
+  // What a patch over a sheet cuts off is no solid that the sheet means.
+  if (options.solid) cut.fill->sheets = FillSheets::No;
+  return cut;
+}
+
+PlannedPass drop(Fragments which) {
+  return {"drop fragments", DefectCode::Hole,
+          [which](const PassInput& input) { return drop_fragments(input, which); }};
 }
 
 void plan_fixes(const RepairOptions& options, const Tolerances& tolerances, Planner& plan) {
@@ -81,6 +90,7 @@ void plan_fixes(const RepairOptions& options, const Tolerances& tolerances, Plan
   plan.add({"split vertices", NonManifold, split_vertices, cuts});
   plan.add({"orient consistently", Flipped, orient_consistently});
   plan.add({"remove foldovers", Foldover, remove_foldovers, {Hole}});
+  if (options.solid) plan.add(drop(Fragments::Small));
   if (options.borders == Borders::Holes) {
     plan.add({"fill holes",
               Hole,
@@ -99,12 +109,22 @@ void plan_fixes(const RepairOptions& options, const Tolerances& tolerances, Plan
               },
               {NonManifold, FlatFacet, DegenerateFacet, Foldover, Flipped, Hole}});
   }
+  if (options.solid) plan.add(drop(Fragments::All));
   plan.add({"renew normals", VertexNormal, renew_normals});
   plan.add({"drop orphans", OrphanVertex, drop_orphans});
   plan.add({"renumber", Numbering, renumber});
 }
 
 }  // namespace
+
+std::vector<PlannedPass> plan_after_replacement(const RepairOptions& options) {
+  using enum DefectCode;
+  Planner plan(options.fixes);
+  plan.add_always({"orient outward", Inward, orient_outward});
+  plan.add({"drop orphans", OrphanVertex, drop_orphans});
+  plan.add({"renumber", Numbering, renumber});
+  return plan.take();
+}
 
 std::vector<PlannedPass> plan_passes(const RepairOptions& options, const Tolerances& tolerances) {
   Planner plan(options.fixes);

@@ -37,4 +37,7 @@ struct PlannedPass {
 [[nodiscard]] std::vector<PlannedPass> plan_passes(const RepairOptions& options,
                                                    const Tolerances& tolerances);
 
+/// Returns the passes for a mesh of which parts were replaced by closed surfaces.
+[[nodiscard]] std::vector<PlannedPass> plan_after_replacement(const RepairOptions& options);
+
 }  // namespace meshalyzer

@@ -57,11 +57,26 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
     before = std::move(*after);
     // What was banned for the sake of others may be done now, so that nothing is left to do.
     if (banned_.size() == 0) break;
-    banned_ = {};
-    checkpoint_ = {state_->tracked(), log_, deviation_, walls_};
-    applied_.clear();
+    set_checkpoint();
   }
   rises_ = find_rises(input, before);
+}
+
+void RepairDriver::set_checkpoint() {
+  banned_ = {};
+  checkpoint_ = {state_->tracked(), log_, deviation_, walls_};
+  applied_.clear();
+}
+
+bool RepairDriver::run_trial(const Trial& trial) {
+  set_checkpoint();
+  apply_unchecked(trial.change);
+  if (state_->tracked().face_keys != checkpoint_->tracked.face_keys) {
+    run_rounds(trial.plan);
+    if (!is_stopped_ && trial.is_wanted(*state_)) return true;
+  }
+  restart();
+  return false;
 }
 
 std::optional<DefectInventory> RepairDriver::run_stage(const std::vector<PlannedPass>& plan,
@@ -152,6 +167,7 @@ void RepairDriver::apply_unchecked(const PlannedPass& pass) {
       find_affected_elements(state_->tracked(), result.edits, SkippedOperations({}), tracked);
   log_edits(std::string(pass.name), pass.code,
             {state_->tracked(), result.edits, {}, tracked, affected}, log_);
+  walls_ = walls_with(result.edits, std::vector<std::uint8_t>(result.edits.n_operations, 0));
   state_ = std::make_unique<RepairState>(std::move(tracked), tolerances_);
 }
 

@@ -10,6 +10,7 @@
 #include "meshalyzer/repair/driver/internal/worsening.h"
 #include "meshalyzer/repair/driver/repair_log.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -58,6 +59,25 @@ class RepairDriver {
   /// for it by name.
   void apply_unchecked(const PlannedPass& pass);
 
+  /// Something that is tried out.
+  struct Trial {
+    /// What it begins with, applied unchecked.
+    PlannedPass change;
+    /// The passes that run afterwards, as those of run_plan() do.
+    std::vector<PlannedPass> plan;
+    /// Whether the mesh that comes of it is kept.
+    std::function<bool(const RepairState&)> is_wanted;
+  };
+
+  /// Tries something out, and takes it back where what comes of it is not wanted.
+  ///
+  /// @return Whether it was kept.
+  bool run_trial(const Trial& trial);
+
+  [[nodiscard]] const RepairState& state() const { return *state_; }
+  [[nodiscard]] double max_deviation() const { return limits_.max_deviation; }
+  /// Notes a deviation that was measured outside.
+  void raise_deviation(double deviation) { deviation_ = std::max(deviation_, deviation); }
   /// Tells whether run_plan() was stopped.
   [[nodiscard]] bool is_stopped() const { return is_stopped_; }
 
@@ -91,6 +111,7 @@ class RepairDriver {
     std::vector<Corners> walls;
   };
 
+  void set_checkpoint();
   /// Runs the plan from the checkpoint, with more and more operations banned, until the mesh is not
   /// worse than it was there.
   ///

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "meshalyzer/base/types.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
+
+#include <vector>
+
+namespace meshalyzer {
+
+/// Components of a mesh that hang together because they intersect.
+struct BrokenSolid {
+  /// Its faces, by index into the soup, ascending.
+  std::vector<Index> faces;
+  /// Whether each of its components bounds a solid, see bounds_solid(), and whether any does.
+  bool all_bound_solid = true;
+  bool any_bounds_solid = false;
+};
+
+/// Finds the components that are not closed, not manifold, not consistently oriented, intersect
+/// themselves or others, or have faces of zero area, and unites those that intersect each other.
+///
+/// @return     In order of their lowest face.
+/// @complexity As PreparedMesh::intersecting_pairs() and bounds_solid().
+[[nodiscard]] std::vector<BrokenSolid> find_broken_solids(const PreparedMesh& mesh);
+
+/// Takes the whole mesh as one broken solid; without faces where it has none.
+[[nodiscard]] BrokenSolid whole_mesh_as_solid(const PreparedMesh& mesh);
+
+}  // namespace meshalyzer

@@ -1,0 +1,126 @@
+#include "meshalyzer/repair/replace/internal/guarantee.h"
+
+#include "meshalyzer/base/numbers.h"
+#include "meshalyzer/repair/driver/internal/final_check.h"
+#include "meshalyzer/repair/passes.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// Whether a mesh is good but for the numbers of its records.
+bool is_good(const DefectInventory& found) {
+  const auto yes = [&](Attribute attribute) {
+    return found.is_yes[static_cast<std::size_t>(attribute)];
+  };
+  return yes(Attribute::Closed) && yes(Attribute::Manifold) && yes(Attribute::Consistent) &&
+         yes(Attribute::Outward) &&
+         std::all_of(found.counts.begin(), found.counts.end(), [](auto n) { return n == 0; });
+}
+
+class Guarantee {
+ public:
+  Guarantee(RepairDriver& driver, const RepairOptions& options, const Tolerances& tolerances)
+      : driver_(driver),
+        options_(options),
+        tolerances_(tolerances),
+        check_(final_check_for(options, driver.tracked().soup.format)),
+        max_deviation_(driver.max_deviation()) {}
+
+  std::vector<std::string> run() {
+    if (is_good(driver_.state())) return {};
+    if (driver_.tracked().soup.n_faces() == 0) return {"no solid: there is no face to make one of"};
+    if (!(max_deviation_ > 0.0)) {
+      return {"not replaced: a replacement needs a maximum deviation above 0"};
+    }
+    using Scope = ReplaceOptions::Scope;
+    const bool is_done =
+        (options_.solid && thicken()) || replace(Scope::Broken) || replace(Scope::Whole);
+    if (!is_done) note_failure();
+    return std::move(notes_);
+  }
+
+ private:
+  [[nodiscard]] bool is_good(const RepairState& state) const {
+    return meshalyzer::is_good(list_defective_in_file(state, tolerances_, check_));
+  }
+
+  /// Keeps what comes of a pass, and of a plan after it, where that is good.
+  bool try_pass(const PlannedPass& pass, std::vector<PlannedPass> plan) {
+    return driver_.run_trial(
+        {.change = pass, .plan = std::move(plan), .is_wanted = [&](const RepairState& state) {
+           return is_good(state);
+         }});
+  }
+
+  /// Makes thin solids of sheets, where there is nothing but sheets.
+  bool thicken() {
+    const double left = max_deviation_ - driver_.deviation();
+    // Thinner where thick sheets would meet.
+    for (const double share : {0.5, 0.05, 0.005}) {
+      const double thickness = share * left;
+      const PlannedPass pass{"thicken sheets", DefectCode::Hole, [&](const PassInput& input) {
+                               return thicken_sheets(input, thickness);
+                             }};
+      if (!try_pass(pass, plan_passes(options_, tolerances_))) continue;
+      driver_.raise_deviation(thickness / 2.0);
+      notes_.push_back("a surface that encloses nothing was made a solid " + shortest(thickness) +
+                       " thick");
+      return true;
+    }
+    return false;
+  }
+
+  /// Replaces what is broken, or all.
+  bool replace(ReplaceOptions::Scope scope) {
+    const ReplaceOptions how{
+        .scope = scope,
+        .sheets = options_.solid ? ReplaceOptions::Sheets::Dropped : ReplaceOptions::Sheets::Kept,
+        .max_deviation = max_deviation_ - driver_.deviation()};
+    Replacement made;
+    const double before = driver_.deviation();
+    const PlannedPass pass{"replace broken solids", DefectCode::SelfIntersection,
+                           [&](const PassInput& input) {
+                             made = replace_broken_solids(input, how);
+                             return made.result;
+                           }};
+    const std::size_t n_before = driver_.tracked().soup.n_faces();
+    if (!try_pass(pass, plan_after_replacement(options_))) {
+      if (!made.result.refused.empty()) reason_ = made.result.refused.front().reason;
+      return false;
+    }
+    driver_.raise_deviation(before + made.deviation);
+    notes_.push_back(
+        "what was still broken, or the mesh round it, was replaced by a new surface, " +
+        shortest(made.deviation) + " from the old one at most where it was sampled (" +
+        std::to_string(n_before) + " -> " + std::to_string(driver_.tracked().soup.n_faces()) +
+        " faces)");
+    return true;
+  }
+
+  void note_failure() {
+    notes_.push_back(
+        "not good, and not replaced: " +
+        (reason_.empty() ? std::string("no replacement was found that is good") : reason_));
+  }
+
+  RepairDriver& driver_;
+  const RepairOptions& options_;
+  const Tolerances& tolerances_;
+  FinalCheck check_;
+  double max_deviation_;
+  std::string reason_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace
+
+std::vector<std::string> guarantee_goodness(RepairDriver& driver, const RepairOptions& options,
+                                            const Tolerances& tolerances) {
+  return Guarantee(driver, options, tolerances).run();
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,211 @@
+#include "meshalyzer/repair/replace/internal/thick_surface.h"
+
+#include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/exact/normal.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// A face at an edge.
+struct FaceAtEdge {
+  /// The ends of the edge, the lower first.
+  std::array<Index, 2> ends{};
+  /// The position of the face in the list, and of the corner from which it goes along the edge.
+  std::size_t face = 0;
+  std::size_t corner = 0;
+  /// The direction of the face as seen along the edge.
+  double angle = 0.0;
+};
+
+/// An edge at which a rim ends, as the rim goes along it.
+struct RimEnd {
+  Index from = kNoIndex;
+  Index to = kNoIndex;
+  std::size_t face = 0;
+};
+
+/// The two sides of a face: in front of it, where its normal points, and behind it.
+constexpr std::size_t kFront = 0;
+constexpr std::size_t kBehind = 1;
+
+class Thickening {
+ public:
+  Thickening(const Soup& soup, std::span<const Index> faces)
+      : soup_(soup), faces_(faces), sets_(6 * faces.size()) {
+    find_edges();
+  }
+
+  ThickSurface run(double thickness) {
+    join_all_sides();
+    place_vertices(thickness / 2.0);
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      add({corner(f, kFront, 0), corner(f, kFront, 1), corner(f, kFront, 2)}, f);
+      add({corner(f, kBehind, 0), corner(f, kBehind, 2), corner(f, kBehind, 1)}, f);
+    }
+    for (const auto& [f, from] : borders_) add_rim(f, from);
+    close_rims();
+    return std::move(surface_);
+  }
+
+ private:
+  [[nodiscard]] const Triangle& triangle(std::size_t f) const { return soup_.triangles[faces_[f]]; }
+
+  void find_edges() {
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index a = triangle(f)[k];
+        const Index b = triangle(f)[(k + 1) % 3];
+        edges_.push_back({{std::min(a, b), std::max(a, b)}, f, k, 0.0});
+      }
+    }
+    std::sort(edges_.begin(), edges_.end(), [](const FaceAtEdge& a, const FaceAtEdge& b) {
+      return std::pair(a.ends, a.face) < std::pair(b.ends, b.face);
+    });
+  }
+
+  /// Sorts the faces at an edge round it.
+  void sort_round(std::span<FaceAtEdge> edge) const {
+    const Vec3& from = soup_.positions[edge.front().ends[0]];
+    const Vec3 axis = (soup_.positions[edge.front().ends[1]] - from).normalized();
+    const Vec3 x = axis.unitOrthogonal();
+    const Vec3 y = axis.cross(x);
+    for (FaceAtEdge& at : edge) {
+      const Vec3 to = soup_.positions[triangle(at.face)[(at.corner + 2) % 3]] - from;
+      at.angle = std::atan2(to.dot(y), to.dot(x));
+    }
+    std::sort(edge.begin(), edge.end(), [](const FaceAtEdge& a, const FaceAtEdge& b) {
+      return std::pair(a.angle, a.face) < std::pair(b.angle, b.face);
+    });
+  }
+
+  [[nodiscard]] bool goes_along(const FaceAtEdge& at) const {
+    return triangle(at.face)[at.corner] == at.ends[0];
+  }
+
+  static std::size_t name(std::size_t face, std::size_t side, std::size_t corner) {
+    return 6 * face + 3 * side + corner % 3;
+  }
+
+  void join_all_sides() {
+    for (std::size_t begin = 0; begin < edges_.size();) {
+      std::size_t end = begin + 1;
+      while (end < edges_.size() && edges_[end].ends == edges_[begin].ends) ++end;
+      const auto edge = std::span(edges_).subspan(begin, end - begin);
+      begin = end;
+      if (edge.size() == 1) {
+        borders_.emplace_back(edge.front().face, edge.front().corner);
+        continue;
+      }
+      if (edge.size() > 2) sort_round(edge);
+      for (std::size_t i = 0; i < edge.size(); ++i) join(edge[i], edge[(i + 1) % edge.size()]);
+    }
+  }
+
+  /// Joins the side of a face that looks ahead, round the edge, to the one that looks back of the
+  /// next.
+  void join(const FaceAtEdge& a, const FaceAtEdge& b) {
+    const std::size_t ahead = goes_along(a) ? kFront : kBehind;
+    const std::size_t back = goes_along(b) ? kBehind : kFront;
+    const std::size_t turn = goes_along(a) == goes_along(b) ? 0 : 1;
+    for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+      sets_.unite(static_cast<Index>(name(a.face, ahead, a.corner + k)),
+                  static_cast<Index>(name(b.face, back, b.corner + (k ^ turn))));
+    }
+  }
+
+  void place_vertices(double distance) {
+    constexpr Index kNone = kNoIndex;
+    std::vector<Vec3> normals(6 * faces_.size(), Vec3::Zero());
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const auto [a, b, c] = corners_of(soup_, faces_[f]);
+      const Vec3 normal = accurate_normal(a, b, c).stableNormalized();
+      for (std::size_t k = 0; k < 6; ++k) {
+        const std::size_t set = sets_.find(static_cast<Index>(6 * f + k));
+        normals[set] += k < 3 ? normal : Vec3(-normal);
+      }
+    }
+    std::vector<Index> vertex_of(6 * faces_.size(), kNone);
+    vertices_.resize(6 * faces_.size());
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      const std::size_t set = sets_.find(static_cast<Index>(i));
+      if (vertex_of[set] == kNone) {
+        vertex_of[set] = static_cast<Index>(surface_.positions.size());
+        const Vec3& at = soup_.positions[triangle(i / 6)[i % 3]];
+        surface_.positions.push_back(at + distance * normals[set].stableNormalized());
+      }
+      vertices_[i] = vertex_of[set];
+    }
+  }
+
+  [[nodiscard]] Index corner(std::size_t face, std::size_t side, std::size_t k) const {
+    return vertices_[name(face, side, k)];
+  }
+
+  void add(const Triangle& t, std::size_t face) {
+    surface_.triangles.push_back(t);
+    surface_.origins.push_back(faces_[face]);
+  }
+
+  void add_rim(std::size_t f, std::size_t from) {
+    const Index a = corner(f, kFront, from);
+    const Index b = corner(f, kFront, from + 1);
+    const Index c = corner(f, kBehind, from);
+    const Index d = corner(f, kBehind, from + 1);
+    if (a != c) add({b, a, c}, f);
+    if (b != d) add({b, c, d}, f);
+    ends_.push_back({a, c, f});
+    ends_.push_back({d, b, f});
+  }
+
+  /// Closes what rims leave open where more than two meet, as at the end of an edge with three
+  /// faces.
+  void close_rims() {
+    std::map<std::pair<Index, Index>, std::size_t> open;
+    for (const RimEnd& end : ends_) {
+      if (end.from == end.to) continue;
+      const auto back = open.find({end.to, end.from});
+      if (back != open.end()) {
+        open.erase(back);
+      } else {
+        open[{end.from, end.to}] = end.face;
+      }
+    }
+    while (!open.empty()) {
+      const auto [start, face] = *open.begin();
+      open.erase(open.begin());
+      Index at = start.second;
+      for (auto next = open.lower_bound({at, 0}); next != open.end() && next->first.first == at;
+           next = open.lower_bound({at, 0})) {
+        const Index to = next->first.second;
+        open.erase(next);
+        if (to != start.first) add({start.first, to, at}, face);
+        at = to;
+      }
+    }
+  }
+
+  const Soup& soup_;
+  std::span<const Index> faces_;
+  std::vector<FaceAtEdge> edges_;
+  /// Faces at borders, and the corner from which they go along.
+  std::vector<std::pair<std::size_t, std::size_t>> borders_;
+  std::vector<RimEnd> ends_;
+  /// Of corners of sides, see name().
+  DisjointSets sets_;
+  std::vector<Index> vertices_;
+  ThickSurface surface_;
+};
+
+}  // namespace
+
+ThickSurface thicken(const Soup& soup, std::span<const Index> faces, double thickness) {
+  return Thickening(soup, faces).run(thickness);
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,130 @@
+#include "meshalyzer/prepared/prepared_mesh.h"
+#include "support/shapes.h"
+#include "unit/repair/repaired_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace meshalyzer {
+namespace {
+
+RepairOptions to_solid() {
+  RepairOptions options;
+  options.solid = true;
+  options.guarantee = true;
+  options.fill.sheets = FillSheets::Yes;
+  options.intersections = Intersections::Cut;
+  return options;
+}
+
+/// Whether a mesh is closed, manifold, oriented outwards and embedded.
+bool is_good(const Soup& soup) {
+  const PreparedMesh mesh(soup);
+  const CutMesh& cut = mesh.cut();
+  if (soup.triangles.empty() || !cut.side.non_manifold_vertices.empty()) return false;
+  for (const auto h : cut.mesh.halfedges()) {
+    if (cut.mesh.is_boundary(h)) return false;
+  }
+  for (const Shell& shell : mesh.shells()) {
+    if (shell.outward != true) return false;
+  }
+  return mesh.intersecting_pairs().empty();
+}
+
+bool is_noted(const RepairResult& result, std::string_view what) {
+  return std::any_of(result.notes.begin(), result.notes.end(),
+                     [&](const std::string& note) { return note.find(what) != std::string::npos; });
+}
+
+/// What is good in the end, of one mesh, and within the maximum deviation.
+Soup made_good(const Soup& soup, const RepairOptions& options) {
+  const RepairResult result = fix_defects(soup, options);
+  EXPECT_TRUE(is_good(only_mesh(result)));
+  EXPECT_LE(result.deviation, result.max_deviation);
+  return only_mesh(result);
+}
+
+const Soup kFace = shapes::make({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+
+TEST(Guarantee, CubesThatCrossAreReplacedByTheirUnion) {
+  RepairOptions options = to_solid();
+  // So that nothing but the replacement can help. Volumes 8 + 8 - 1.
+  options.intersections = Intersections::Keep;
+  options.max_deviation.value = 0.005;
+  const Soup cubes = shapes::merged(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
+  const RepairResult result = fix_defects(cubes, options);
+  EXPECT_TRUE(is_good(only_mesh(result)));
+  EXPECT_TRUE(is_noted(result, "was replaced by a new surface"));
+  EXPECT_LE(result.deviation, result.max_deviation);
+  EXPECT_NEAR(volume_of(only_mesh(result)), 15, 0.3);
+}
+
+TEST(Guarantee, WhatIsGoodStaysAsItIs) {
+  const RepairResult result = fix_defects(shapes::cube(), to_solid());
+  EXPECT_TRUE(result.log.steps.empty());
+  EXPECT_TRUE(result.notes.empty());
+}
+
+TEST(Guarantee, LoneFaceBesideABlockIsDroppedAndNamedWithItsArea) {
+  const Soup soup = shapes::merged(shapes::cube(), shapes::translated(kFace, {3, 0, 0}));
+  const RepairResult result = fix_defects(soup, to_solid());
+  EXPECT_EQ(only_mesh(result).n_faces(), 12U);
+  EXPECT_TRUE(is_good(only_mesh(result)));
+  EXPECT_TRUE(is_noted(result, "a fragment of area 0.5"));
+}
+
+TEST(Guarantee, OneFaceBecomesAThinSolid) {
+  EXPECT_EQ(made_good(kFace, to_solid()).n_faces(), 8U);
+  EXPECT_TRUE(is_noted(fix_defects(kFace, to_solid()), "was made a solid"));
+}
+
+TEST(Guarantee, PlateBecomesAThinSolid) {
+  static_cast<void>(made_good(shapes::grid(5, 4), to_solid()));
+}
+
+TEST(Guarantee, MoebiusStripBecomesAThinSolid) {
+  static_cast<void>(made_good(shapes::moebius_strip(24), to_solid()));
+}
+
+TEST(Guarantee, SheetStaysOneUnlessASolidIsAskedFor) {
+  RepairOptions options;
+  options.guarantee = true;
+  const Soup grid = shapes::grid(3, 3);
+  const RepairResult result = fix_defects(grid, options);
+  EXPECT_EQ(only_mesh(result).triangles, grid.triangles);
+  EXPECT_TRUE(is_noted(result, "it is a sheet"));
+}
+
+TEST(Guarantee, PointsAloneAreRefused) {
+  const RepairResult result = fix_defects(shapes::make({{0, 0, 0}, {1, 0, 0}}, {}), to_solid());
+  EXPECT_TRUE(is_noted(result, "there is no face"));
+}
+
+TEST(Guarantee, WithoutDeviationNothingIsReplaced) {
+  RepairOptions options = to_solid();
+  options.max_deviation.value = 0.0;
+  EXPECT_TRUE(is_noted(fix_defects(kFace, options), "not replaced"));
+}
+
+TEST(Guarantee, DamagedMeshesEndGoodOrWithAReason) {
+  std::mt19937 random(16);
+  const auto below = [&](std::size_t n) { return static_cast<Index>(random() % n); };
+  RepairOptions options = to_solid();
+  options.max_deviation.value = 0.01;
+  for (int trial = 0; trial < 12; ++trial) {
+    Soup soup = shapes::icosphere(1);
+    for (int i = 0; i < 3; ++i) {
+      Triangle& t = soup.triangles[below(soup.n_faces())];
+      std::swap(t[1], t[2]);
+    }
+    for (int i = 0; i < 2; ++i) soup.positions[below(soup.n_vertices())] *= 0.7;
+    soup = shapes::without_faces(soup, std::vector<Index>{below(20), 20 + below(20)});
+    const RepairResult result = fix_defects(soup, options);
+    const bool has_reason = is_noted(result, "not ");
+    EXPECT_NE(is_good(only_mesh(result)), has_reason) << trial;
+  }
+}
+
+}  // namespace
+}  // namespace meshalyzer
