@@ -1,5 +1,6 @@
 #include "meshalyzer/report/html/index_table.h"
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/text/lines.h"
@@ -115,7 +116,7 @@ void append_name(HtmlWriter& html, const IndexRow& row) {
 }
 
 void append_count(HtmlWriter& html, const IndexRow& row, std::size_t count) {
-  append_number(html, state_of(row) == RowState::Unreadable ? "-" : std::to_string(count));
+  append_number(html, state_of(row) == RowState::Unreadable ? "-" : grouped(count));
 }
 
 /// Among many zeros the others are to be seen.
@@ -125,7 +126,7 @@ void append_found(HtmlWriter& html, const IndexRow& row, std::size_t count, Seve
     append_count(html, row, count);
   } else {
     const std::string_view kind = worst == Severity::Error ? "number found" : "number warned";
-    html.element("td", {{"class", kind}}, std::to_string(count));
+    html.element("td", {{"class", kind}}, grouped(count));
   }
 }
 

@@ -1,5 +1,7 @@
 #include "meshalyzer/report/text/lines.h"
 
+#include "meshalyzer/base/grouped_digits.h"
+
 #include <fmt/format.h>
 
 namespace meshalyzer {
@@ -29,6 +31,10 @@ void TextLines::add(std::string_view name, std::string_view value) {
 
 void ReportRows::add(std::string_view name, std::string_view value) {
   rows_.push_back({std::string(name), std::string(value)});
+}
+
+std::string ReportRows::count_text(std::size_t count) const {
+  return grouped(count);
 }
 
 }  // namespace meshalyzer

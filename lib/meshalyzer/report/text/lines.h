@@ -1,9 +1,11 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -33,11 +35,16 @@ class LineSink {
   }
   template <std::integral Integer>
   requires(!std::same_as<Integer, bool>) void line(std::string_view name, Integer value) {
-    add(name, std::to_string(value));
+    add(name, std::in_range<std::size_t>(value) ? count_text(static_cast<std::size_t>(value))
+                                                : std::to_string(value));
   }
 
  private:
   virtual void add(std::string_view name, std::string_view value) = 0;
+  /// What a count is written as.
+  [[nodiscard]] virtual std::string count_text(std::size_t count) const {
+    return std::to_string(count);
+  }
 };
 
 /// Collects the lines of a text report.
@@ -61,13 +68,15 @@ struct ReportRow {
   std::string value;
 };
 
-/// Keeps the lines of a report apart, for tables.
+/// Keeps the lines of a report apart, for the tables of pages, which people read: counts have their
+/// digits in groups.
 class ReportRows : public LineSink {
  public:
   [[nodiscard]] const std::vector<ReportRow>& rows() const { return rows_; }
 
  private:
   void add(std::string_view name, std::string_view value) override;
+  [[nodiscard]] std::string count_text(std::size_t count) const override;
 
   std::vector<ReportRow> rows_;
 };

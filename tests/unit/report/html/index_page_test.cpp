@@ -71,7 +71,7 @@ TEST(HtmlIndex, AllDefectsOfAMeshAreCountedBesideWhyItIsNotGood) {
   rows[1].defects[static_cast<std::size_t>(DefectCode::Slit)] = 4;
   EXPECT_THAT(html_index(rows, nullptr),
               HasSubstr("<td class=\"name why\">not closed; 2 orphan vertices</td>"
-                        "<td class=\"number found\">11</td><td class=\"number\">1000</td>"));
+                        "<td class=\"number found\">11</td><td class=\"number\">1,000</td>"));
 }
 
 TEST(HtmlIndex, DefectsThatAreNoErrorsAreNotShownAsSuch) {
@@ -102,6 +102,7 @@ TEST(HtmlIndex, VerdictCountsWhatIsNotGood) {
 TEST(HtmlIndex, GoodMeshesThatMeetAreNotAGoodSet) {
   const SetAnalysis set = sample_set();
   const std::string html = html_index({sample_rows()[0]}, &set);
+  EXPECT_THAT(html, HasSubstr("good only by itself</td>"));
   EXPECT_THAT(html, HasSubstr("verdict bad"));
   EXPECT_THAT(html, HasSubstr("<li>5 pairs of faces of different meshes intersect</li>"));
   EXPECT_THAT(html, HasSubstr("<li>1 mesh is inside another one</li>"));

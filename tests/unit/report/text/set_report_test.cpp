@@ -1,6 +1,7 @@
 #include "meshalyzer/report/text/set_report.h"
 
 #include "has_line.h"
+#include "meshalyzer/report/text/lines.h"
 #include "sample_set.h"
 
 #include <gmock/gmock.h>
@@ -174,6 +175,17 @@ TEST(SetTextReport, ColumnsAreAlignedByCharactersNotBytes) {
   set.names[0] = "\xC3\xA4.mesh";  // two bytes, one character
   EXPECT_THAT(report_of(set), HasSubstr("  \xC3\xA4.mesh         3   -1     1       2    2"));
   EXPECT_THAT(report_of(set), HasSubstr("  b.mesh         6    3     4       4    5"));
+}
+
+TEST(LineSink, CountsHaveTheirDigitsInGroupsOnPagesAlone) {
+  TextLines lines;
+  lines.line("faces", std::size_t{16937291});
+  EXPECT_EQ(lines.text(), "faces: 16937291\n");
+  ReportRows rows;
+  rows.line("faces", std::size_t{16937291});
+  rows.line("genus", -1000);
+  EXPECT_EQ(rows.rows()[0].value, "16,937,291");
+  EXPECT_EQ(rows.rows()[1].value, "-1000");
 }
 
 }  // namespace

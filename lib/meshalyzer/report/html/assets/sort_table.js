@@ -9,9 +9,14 @@
     return row.cells[column].textContent.trim();
   }
 
+  // Counts have their digits in groups: 1,012.
+  function numberOf(text) {
+    return Number(/^\d{1,3}(,\d{3})+$/.test(text) ? text.replace(/,/g, "") : text);
+  }
+
   function compare(a, b) {
-    const x = Number(a);
-    const y = Number(b);
+    const x = numberOf(a);
+    const y = numberOf(b);
     return Number.isNaN(x) || Number.isNaN(y) ? order.compare(a, b) : x - y;
   }
 
