@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <optional>
 #include <string>
-#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -24,7 +23,7 @@ void check(const std::uint8_t* data, std::size_t size) {
   };
   std::optional<EditedFile> file;
   try {
-    file.emplace(std::move(content), kNames[data[0] % kNames.size()]);
+    file.emplace(content, kNames[data[0] % kNames.size()]);
   } catch (const IoError&) {
     return;
   }

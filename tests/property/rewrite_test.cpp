@@ -62,7 +62,7 @@ void for_each_file(Use use) {
       }
       for (auto& [name, bytes] : files) {
         SCOPED_TRACE(path + " as " + name);
-        EditedFile file(std::move(bytes), name);
+        EditedFile file(bytes, name);
         if (file.soup().missing.empty()) use(file);
       }
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/io/convert/rewrite_as.h"
+#include "meshalyzer/io/plain_content.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/rewrite/rewrite.h"
@@ -19,8 +20,8 @@ namespace meshalyzer {
 class EditedFile {
  public:
   /// @param name  Decides the format, as that of a file.
-  EditedFile(std::string bytes, const std::string& name)
-      : bytes_(std::move(bytes)),
+  EditedFile(const std::string& bytes, const std::string& name)
+      : bytes_(PlainContent(bytes, name).bytes()),
         name_(name),
         source_(parse_mesh(bytes_, name)),
         soup_(source_),

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/mesh/soup.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -41,13 +42,33 @@ class VertexFaces {
   std::vector<Index> faces_;
 };
 
-/// How many corners of a triangle name a vertex that another one names too.
-[[nodiscard]] inline std::size_t count_shared(const Triangle& a, const Triangle& b) {
-  std::size_t n = 0;
-  for (const Index vertex : a) {
-    n += vertex == b[0] || vertex == b[1] || vertex == b[2] ? 1 : 0;
+/// Calls `use` with the faces of a soup that name a vertex and two of a triangle; with some of them
+/// twice.
+///
+/// @complexity O(the faces at the vertex, or at two corners of the triangle, whichever are fewer).
+template <typename Use>
+void for_each_face_beside(const Soup& soup, const VertexFaces& faces, const Triangle& triangle,
+                          Index vertex, Use use) {
+  const auto names = [](const Triangle& t, Index v) { return t[0] == v || t[1] == v || t[2] == v; };
+  const auto use_those_of = [&](Index at) {
+    for (const Index face : faces.at(at)) {
+      const Triangle& t = soup.triangles[face];
+      const auto n_shared = std::count_if(triangle.begin(), triangle.end(),
+                                          [&](Index corner) { return names(t, corner); });
+      if (names(t, vertex) && n_shared >= 2) {
+        use(face);
+      }
+    }
+  };
+  Triangle corners = triangle;
+  std::sort(corners.begin(), corners.end(),
+            [&](Index a, Index b) { return faces.at(a).size() < faces.at(b).size(); });
+  if (faces.at(vertex).size() <= faces.at(corners[1]).size()) {
+    use_those_of(vertex);
+  } else {
+    use_those_of(corners[0]);
+    use_those_of(corners[1]);
   }
-  return n;
 }
 
 }  // namespace meshalyzer

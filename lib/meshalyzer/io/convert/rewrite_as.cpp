@@ -99,7 +99,8 @@ RewrittenFile rewrite_converted(const EditedMesh& mesh, const MeshAttributes& at
                                 Format format, Encoding encoding) {
   const std::string converted = print_with(attributes, mesh.source, format, encoding);
   const Soup source = parse_mesh(converted, "a." + std::string(format_name(format)));
-  return rewrite_mesh({source, mesh.soup, mesh.vertices, mesh.faces}, converted).value();
+  return rewrite_mesh({source, mesh.soup, mesh.vertices, mesh.faces, mesh.left_places}, converted)
+      .value();
 }
 
 RewrittenFile print_plainly(const Soup& soup, const MeshAttributes& attributes, Format format,

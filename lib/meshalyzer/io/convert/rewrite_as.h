@@ -14,7 +14,7 @@ namespace meshalyzer {
 ///
 /// What edits changed and added has attributes as rewrite_mesh() gives them.
 ///
-/// @param bytes     What mesh.source was parsed from.
+/// @param bytes     What mesh.source was parsed from, not gzipped and without a byte order mark.
 /// @param encoding  Binary only where the format is PLY or STL.
 /// @throws InvalidArgument if a face has a corner without a vertex.
 /// @complexity O(bytes + #F log #F).

@@ -29,18 +29,15 @@ Blend CornerBlender::blend(FanCorner corner) {
   }
   const Index v = mesh_.soup.triangles[corner.triangle][corner.corner];
   const Index vertex = mesh_.vertices[v].record;
-  if (vertex != kNoIndex) {
-    std::optional<Index> found = corner_in_record(model, vertex);
-    if (!found) {
-      found = corner_beside(model, vertex);
-    }
-    if (found) {
-      return single_blend(*found);
-    }
+  if (const std::optional<Index> found = corner_in_record(model, vertex)) {
+    return single_blend(*found);
   }
   const Triangle& corners = mesh_.source.triangles[model];
   if (std::find(corners.begin(), corners.end(), kNoIndex) != corners.end()) {
     return {};
+  }
+  if (const std::optional<Index> found = corner_beside(model, vertex)) {
+    return single_blend(*found);
   }
   return blend_at(
       mesh_.soup.positions[v], corners_of(mesh_.source, model),
@@ -48,6 +45,9 @@ Blend CornerBlender::blend(FanCorner corner) {
 }
 
 std::optional<Index> CornerBlender::corner_in_record(Index model, Index vertex) const {
+  if (vertex == kNoIndex) {
+    return std::nullopt;
+  }
   const Index record = records_.record_of(model);
   std::optional<Index> found = corner_at(mesh_.source, model, vertex);
   for (Index t = records_.first_triangle[record]; !found && t < records_.first_triangle[record + 1];
@@ -58,16 +58,20 @@ std::optional<Index> CornerBlender::corner_in_record(Index model, Index vertex) 
 }
 
 std::optional<Index> CornerBlender::corner_beside(Index model, Index vertex) {
+  if (vertex == kNoIndex) {
+    return std::nullopt;
+  }
   if (!faces_) {
     faces_ = std::make_unique<VertexFaces>(mesh_.source);
   }
-  for (const Index face : faces_->at(vertex)) {
-    const Triangle& t = mesh_.source.triangles[face];
-    if (count_shared(t, mesh_.source.triangles[model]) >= 2 && !has_seam_between(face, model)) {
-      return corner_at(mesh_.source, face, vertex);
-    }
-  }
-  return std::nullopt;
+  std::optional<Index> found;
+  for_each_face_beside(mesh_.source, *faces_, mesh_.source.triangles[model], vertex,
+                       [&](Index face) {
+                         if (!found && !has_seam_between(face, model)) {
+                           found = corner_at(mesh_.source, face, vertex);
+                         }
+                       });
+  return found;
 }
 
 bool CornerBlender::has_seam_between(Index a, Index b) const {

@@ -34,6 +34,9 @@ struct EditedMesh {
   /// By vertex and by face of `soup`.
   std::vector<ElementOrigin> vertices;
   std::vector<ElementOrigin> faces;
+  /// Faces of the source of which something is left that lies on another face now, and counts as
+  /// made of that.
+  std::vector<Index> left_places = {};
 };
 
 }  // namespace meshalyzer

@@ -161,14 +161,18 @@ class FacePlanner {
 
   [[nodiscard]] std::size_t count_split_polygons() const {
     std::vector<bool> is_split(records_.size(), false);
+    const auto note_remainder = [&](Index triangle) {
+      const Index record = records_.record_of(triangle);
+      is_split[record] =
+          plan_.fates[record] == RecordFate::Dropped && records_.n_triangles(record) > 1;
+    };
     for (const Placed& placed : placed_) {
       const ElementOrigin& origin = mesh_.faces[placed.face];
       if (origin.relation == Relation::Same || origin.relation == Relation::MadeOf) {
-        const Index record = records_.record_of(origin.record);
-        is_split[record] =
-            plan_.fates[record] == RecordFate::Dropped && records_.n_triangles(record) > 1;
+        note_remainder(origin.record);
       }
     }
+    std::for_each(mesh_.left_places.begin(), mesh_.left_places.end(), note_remainder);
     return static_cast<std::size_t>(std::count(is_split.begin(), is_split.end(), true));
   }
 

@@ -16,7 +16,7 @@ namespace meshalyzer {
 /// is another vertex now; a hole patch has none where the format can say so, else those of a face
 /// beside it.
 ///
-/// @param bytes  What mesh.source was parsed from.
+/// @param bytes  What mesh.source was parsed from, not gzipped and without a byte order mark.
 /// @return Nothing where these bytes cannot hold the mesh: a binary STL file coordinates that are
 /// no
 ///         32-bit floats; and of encodings that are read but not written.

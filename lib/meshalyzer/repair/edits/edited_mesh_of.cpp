@@ -105,10 +105,9 @@ class FacesBelow {
         continue;
       }
       if (!faces_) faces_ = std::make_unique<VertexFaces>(input_);
-      for (const Index other : faces_->at(key)) {
-        const bool is_beside = count_shared(input_.triangles[other], before) >= 2;
-        if (is_beside && is_nearer(face, other, below)) below = other;
-      }
+      for_each_face_beside(input_, *faces_, before, key, [&](Index other) {
+        if (is_nearer(face, other, below)) below = other;
+      });
     }
     return below;
   }
@@ -153,6 +152,7 @@ EditedMesh edited_mesh_of(const TrackedMesh& tracked, const Soup& input) {
     const Index origin = tracked.origin_of_face(face);
     if (origin != kNoIndex) {
       const Index below = faces_below.find(face, origin);
+      if (below != origin) mesh.left_places.push_back(origin);
       mesh.faces.push_back({below == key ? Relation::Same : Relation::MadeOf, below});
     } else {
       mesh.faces.push_back({Relation::Beside, patches.record_beside(face)});

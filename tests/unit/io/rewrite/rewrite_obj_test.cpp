@@ -104,6 +104,30 @@ TEST(RewriteObj, SeamIsKeptAtAVertexThatBothSidesName) {
   EXPECT_NE(file.rewritten_bytes().find("f 2/1 5/2 3/4\n"), std::string::npos);
 }
 
+/// A square of two triangles whose texture coordinates are its places.
+std::string textured_square() {
+  return "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+         "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n";
+}
+
+TEST(RewriteObj, CornerBeyondAnEdgeHasTheTextureOfTheFaceThere) {
+  EditedFile file = edited(textured_square());
+  file.soup().triangles = {{0, 1, 3}, {1, 2, 3}};
+  EXPECT_EQ(file.rewritten_bytes(), with(with(textured_square(), "f 1/1 2/2 3/3", "f 1/1 2/2 4/4"),
+                                         "f 1/1 3/3 4/4", "f 2/2 3/3 4/4"));
+}
+
+TEST(RewriteObj, CornerBeyondASeamHasATextureOfItsOwnFace) {
+  // The other face has its texture upside down.
+  const std::string text = with(textured_square(), "f 1/1 3/3 4/4", "f 1/3 3/1 4/2");
+  EditedFile file = edited(text);
+  file.soup().triangles[0] = {0, 1, 3};
+  // The point of the face that is nearest to the corner is the middle of its diagonal.
+  const std::string bytes = file.rewritten_bytes();
+  EXPECT_NE(bytes.find("vt 0 1\nvt 0.5 0.5\n"), std::string::npos);
+  EXPECT_NE(bytes.find("f 1/1 2/2 4/5\n"), std::string::npos);
+}
+
 TEST(RewriteObj, DroppedVertexMovesTheNumbersBehindIt) {
   const std::string text =
       "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 2/1 3/1 4/1\nf -3/-1 -2/-1 -1/-1\n";
