@@ -12,7 +12,7 @@ namespace meshalyzer {
 namespace {
 
 /// A replacement that takes more is not made: it would take more than some seconds.
-constexpr std::size_t kMaxTetrahedra = 1'500'000;
+constexpr std::size_t kMaxTetrahedra = 500'000;
 
 /// The faces of a broken solid alone.
 Soup soup_of(const Soup& all, const BrokenSolid& solid) {

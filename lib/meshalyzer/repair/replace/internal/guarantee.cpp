@@ -3,6 +3,7 @@
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/repair/driver/internal/final_check.h"
 #include "meshalyzer/repair/passes.h"
+#include "meshalyzer/repair/replace/internal/broken_solids.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -37,8 +38,8 @@ class Guarantee {
       return {"not replaced: a replacement needs a maximum deviation above 0"};
     }
     using Scope = ReplaceOptions::Scope;
-    const bool is_done =
-        (options_.solid && thicken()) || replace(Scope::Broken) || replace(Scope::Whole);
+    const bool is_done = (options_.solid && thicken()) || replace(Scope::Broken) ||
+                         (!is_all_broken() && replace(Scope::Whole));
     if (!is_done) note_failure();
     return std::move(notes_);
   }
@@ -46,6 +47,13 @@ class Guarantee {
  private:
   [[nodiscard]] bool is_good(const RepairState& state) const {
     return meshalyzer::is_good(list_defective_in_file(state, tolerances_, check_));
+  }
+
+  /// Whether all of the mesh is one broken solid, so that nothing is left to try.
+  [[nodiscard]] bool is_all_broken() const {
+    const std::vector<BrokenSolid> solids = find_broken_solids(driver_.mesh());
+    return solids.size() == 1 &&
+           solids.front().faces.size() == driver_.mesh().cut().side.faces.size();
   }
 
   /// Keeps what comes of a pass, and of a plan after it, where that is good.
