@@ -2,6 +2,7 @@
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/io/write.h"
+#include "support/effort.h"
 #include "support/random_file_edits.h"
 
 #include <gtest/gtest.h>
@@ -52,8 +53,10 @@ std::vector<std::pair<std::string, std::string>> in_all_formats(const std::strin
 /// Calls `use` with every mesh at hand that can be written, in every format.
 template <typename Use>
 void for_each_file(Use use) {
+  test::Effort share;
   for (const std::string folder : {MESHALYZER_MESHES, MESHALYZER_CORPUS}) {
     for (const std::string& path : files_in(folder)) {
+      if (!share.runs_next()) continue;
       std::vector<std::pair<std::string, std::string>> files;
       try {
         files = in_all_formats(path);
