@@ -13,9 +13,9 @@ namespace meshalyzer {
 namespace {
 
 /// The records of a file, number by number.
-class PlyBody {
+class PlyRecordsText {
  public:
-  explicit PlyBody(Encoding encoding) : is_text_(encoding == Encoding::Text) {}
+  explicit PlyRecordsText(Encoding encoding) : is_text_(encoding == Encoding::Text) {}
 
   template <typename Number>
   void append(Number number) {
@@ -66,7 +66,7 @@ struct PlyColours {
     return text;
   }
 
-  void append(std::size_t element, PlyBody& body) const {
+  void append(std::size_t element, PlyRecordsText& body) const {
     const Rgba white{1.0, 1.0, 1.0, 1.0};
     for (std::size_t i = 0; !colours.empty() && i < n_parts; ++i) {
       const double part = colours[element].value_or(white)[i];
@@ -177,7 +177,7 @@ class PlyPrinter {
   bool has_normals_;
   PlyColours vertex_colours_;
   PlyColours face_colours_;
-  PlyBody body_;
+  PlyRecordsText body_;
   bool has_large_faces_ = false;
 };
 
