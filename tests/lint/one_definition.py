@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Fails where two files define a type of one name in one namespace. The linker then takes one of the two for both in all
-that templates make of them, and says nothing.
+that templates make of them, and says nothing. In an unnamed namespace a type is of its file alone, but a unity build takes a
+module for one file.
 
 usage: one_definition.py ROOT
 """
@@ -16,7 +17,7 @@ TYPE = re.compile(r'\b(?:struct|class|enum class|enum|union)\s+(\w+)\s*(?:final\
 
 
 def types_of(text):
-    """Yields the whole names of the types that a file defines in namespaces that have a name."""
+    """Yields the names of the types that a file defines in namespaces: all of their names, '' for unnamed ones."""
     text = NOT_CODE.sub('""', text)
     scopes, start = [], 0
     for mark in re.finditer(r'[{};]', text):
@@ -26,10 +27,10 @@ def types_of(text):
         if mark.group() != '{':
             continue
         namespace, kind = NAMESPACE.search(head), TYPE.search(head)
-        if kind and all(scopes):
-            yield '::'.join([*scopes, kind.group(1)])
-        # What is in an unnamed namespace, a type or a function is of no other file.
-        scopes.append(namespace.group(1) if namespace else '')
+        if kind and None not in scopes:
+            yield (*scopes, kind.group(1))
+        # What is in a type or a function is of no other file.
+        scopes.append(namespace.group(1) if namespace else None)
 
 
 def main():
@@ -38,11 +39,15 @@ def main():
     for folder in ('lib', 'apps'):
         for path in sorted((root / folder).rglob('*')):
             if path.suffix in ('.h', '.cpp'):
+                file = path.relative_to(root)
                 for name in types_of(path.read_text()):
-                    files_of[name].append(str(path.relative_to(root)))
+                    whole_name = '::'.join(part for part in name if part)
+                    for unit in [file.parts[:3]] + ([] if '' in name else [()]):
+                        files_of[unit, whole_name].append(str(file))
     if len(files_of) < 100:
         sys.exit(f'only {len(files_of)} types found')
-    faults = [f'{name} is defined in {" and in ".join(files)}' for name, files in sorted(files_of.items()) if len(files) > 1]
+    faults = sorted({f'{name} is defined in {" and in ".join(files)}'
+                     for (_, name), files in files_of.items() if len(files) > 1})
     if faults:
         sys.exit('\n'.join(faults))
 

@@ -16,15 +16,15 @@ namespace {
 constexpr double kSmallShare = 0.1;
 
 /// What is known of each component.
-struct Parts {
+struct SurfaceParts {
   Components components;
   std::vector<double> areas;
   std::vector<std::uint8_t> is_open;
   std::vector<std::uint8_t> bounds;
 };
 
-Parts find_parts(const PreparedMesh& mesh) {
-  Parts parts{
+SurfaceParts find_parts(const PreparedMesh& mesh) {
+  SurfaceParts parts{
       .components = find_edge_components(mesh.cut()), .areas = {}, .is_open = {}, .bounds = {}};
   const CutMesh& cut = mesh.cut();
   parts.areas.resize(parts.components.count);
@@ -44,7 +44,7 @@ Parts find_parts(const PreparedMesh& mesh) {
 }  // namespace
 
 PassResult drop_fragments(const PassInput& input, Fragments which) {
-  const Parts parts = find_parts(input.mesh);
+  const SurfaceParts parts = find_parts(input.mesh);
   const std::size_t n = parts.components.count;
   const double total = std::accumulate(parts.areas.begin(), parts.areas.end(), 0.0);
   std::vector<std::uint8_t> is_dropped(n, 0);

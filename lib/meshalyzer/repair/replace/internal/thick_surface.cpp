@@ -13,7 +13,7 @@ namespace meshalyzer {
 namespace {
 
 /// A face at an edge.
-struct FaceAtEdge {
+struct FaceRoundEdge {
   /// The ends of the edge, the lower first.
   std::array<Index, 2> ends{};
   /// The position of the face in the list, and of the corner from which it goes along the edge.
@@ -64,27 +64,27 @@ class Thickening {
         edges_.push_back({{std::min(a, b), std::max(a, b)}, f, k, 0.0});
       }
     }
-    std::sort(edges_.begin(), edges_.end(), [](const FaceAtEdge& a, const FaceAtEdge& b) {
+    std::sort(edges_.begin(), edges_.end(), [](const FaceRoundEdge& a, const FaceRoundEdge& b) {
       return std::pair(a.ends, a.face) < std::pair(b.ends, b.face);
     });
   }
 
   /// Sorts the faces at an edge round it.
-  void sort_round(std::span<FaceAtEdge> edge) const {
+  void sort_round(std::span<FaceRoundEdge> edge) const {
     const Vec3& from = soup_.positions[edge.front().ends[0]];
     const Vec3 axis = (soup_.positions[edge.front().ends[1]] - from).normalized();
     const Vec3 x = axis.unitOrthogonal();
     const Vec3 y = axis.cross(x);
-    for (FaceAtEdge& at : edge) {
+    for (FaceRoundEdge& at : edge) {
       const Vec3 to = soup_.positions[triangle(at.face)[(at.corner + 2) % 3]] - from;
       at.angle = std::atan2(to.dot(y), to.dot(x));
     }
-    std::sort(edge.begin(), edge.end(), [](const FaceAtEdge& a, const FaceAtEdge& b) {
+    std::sort(edge.begin(), edge.end(), [](const FaceRoundEdge& a, const FaceRoundEdge& b) {
       return std::pair(a.angle, a.face) < std::pair(b.angle, b.face);
     });
   }
 
-  [[nodiscard]] bool goes_along(const FaceAtEdge& at) const {
+  [[nodiscard]] bool goes_along(const FaceRoundEdge& at) const {
     return triangle(at.face)[at.corner] == at.ends[0];
   }
 
@@ -109,7 +109,7 @@ class Thickening {
 
   /// Joins the side of a face that looks ahead, round the edge, to the one that looks back of the
   /// next.
-  void join(const FaceAtEdge& a, const FaceAtEdge& b) {
+  void join(const FaceRoundEdge& a, const FaceRoundEdge& b) {
     const std::size_t ahead = goes_along(a) ? kFront : kBehind;
     const std::size_t back = goes_along(b) ? kBehind : kFront;
     const std::size_t turn = goes_along(a) == goes_along(b) ? 0 : 1;
@@ -192,7 +192,7 @@ class Thickening {
 
   const Soup& soup_;
   std::span<const Index> faces_;
-  std::vector<FaceAtEdge> edges_;
+  std::vector<FaceRoundEdge> edges_;
   /// Faces at borders, and the corner from which they go along.
   std::vector<std::pair<std::size_t, std::size_t>> borders_;
   std::vector<RimEnd> ends_;
