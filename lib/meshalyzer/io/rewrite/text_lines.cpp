@@ -45,12 +45,23 @@ void LineEdits::replace_lines(std::string_view record, std::string lines) {
   replace(line_begin(begin), next, std::move(lines));
 }
 
+bool LineEdits::is_continued(std::size_t next) const {
+  std::string_view line = source().substr(0, next - 1);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line.ends_with('\\');
+}
+
 void LineEdits::insert_lines_behind(std::string_view record, std::string lines) {
   if (lines.empty()) {
     return;
   }
-  const std::size_t at = next_line(offset_of(record) + record.size());
+  std::size_t at = next_line(offset_of(record) + record.size());
+  // A backslash at the end of a line takes the next line to the same record.
+  while (at < source().size() && is_continued(at)) at = next_line(at);
   if (at == source().size() && source().back() != '\n') {
+    lines.insert(0, line_end_);
+    if (source().back() == '\\') lines.insert(0, line_end_);
+  } else if (at == source().size() && is_continued(at)) {
     lines.insert(0, line_end_);
   }
   insert(at, std::move(lines));

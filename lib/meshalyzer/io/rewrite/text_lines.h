@@ -39,6 +39,9 @@ class LineEdits : public ByteEdits {
   /// Where the line begins that holds this offset, and where the next one does.
   [[nodiscard]] std::size_t line_begin(std::size_t offset) const;
   [[nodiscard]] std::size_t next_line(std::size_t offset) const;
+  /// Tells whether the line that ends before an offset, where the next one begins, ends in a
+  /// backslash.
+  [[nodiscard]] bool is_continued(std::size_t next) const;
 
   std::string line_end_;
 };

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <string>
+#include <vector>
+
 namespace meshalyzer {
 namespace {
 
@@ -39,6 +43,20 @@ TEST(RewriteObj, PatchStandsBehindTheFacesOfTheMaterialBesideIt) {
             with(two_quads(), "# the left one\n", "# the left one\nf 1 4 3\n"));
   // It stands before the second quad, whose triangles were the third and fourth face.
   EXPECT_EQ(file.rewritten()->file_faces, (std::vector<Index>{0, 1, 3, 4, 2}));
+}
+
+TEST(RewriteObj, PatchStandsBehindLinesThatABackslashTakesToTheFace) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (const auto& [last, with_patch] :
+       std::vector<std::array<std::string, 2>>{{"f 1 2 3 \\\n\n", "f 1 2 3 \\\n\nf 1 3 2\n"},
+                                               {"f 1 2 \\\n3\n", "f 1 2 \\\n3\nf 1 3 2\n"},
+                                               {"f 1 2 3 \\\n", "f 1 2 3 \\\n\nf 1 3 2\n"},
+                                               {"f 1 2 3 \\", "f 1 2 3 \\\n\nf 1 3 2\n"}}) {
+    EditedFile file = edited(vertices + last);
+    file.add_face({0, 2, 1}, beside(0));
+    EXPECT_EQ(file.rewritten_bytes(), vertices + with_patch) << last;
+    EXPECT_EQ(file.read_back().n_faces(), 2U) << last;
+  }
 }
 
 TEST(RewriteObj, PolygonIsTrianglesWhereOneOfItsTrianglesIsDropped) {
