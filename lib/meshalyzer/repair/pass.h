@@ -53,6 +53,8 @@ struct PassInput {
   const Tolerances& tolerances;
   const RepairLimits& limits;
   OperationSize operation_size = OperationSize::Normal;
+  /// A pass that takes long asks now and then, and proposes no more when it says yes. May be empty.
+  std::function<bool()> wants_to_stop = {};
 };
 
 /// A defect that a pass could not repair, and the reason.

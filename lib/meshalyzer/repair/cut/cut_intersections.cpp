@@ -41,7 +41,7 @@ PassResult cut_intersections(const PassInput& input, const CutOptions& options) 
   if (first == pairs.end() && patches.empty()) return {};
   const Pockets pockets =
       input.operation_size == OperationSize::Normal ? Pockets::Dropped : Pockets::Kept;
-  return cut_edits(input, patches, cut_surface(input.mesh, patches, pockets));
+  return cut_edits(input, patches, cut_surface(input, patches, pockets));
 }
 
 }  // namespace meshalyzer

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/build.h"
+#include "meshalyzer/repair/driver/internal/face_cover.h"
 #include "meshalyzer/repair/driver/internal/face_distance.h"
 
 #include <algorithm>
@@ -81,10 +82,6 @@ Changes find_changes(const Soup& input, const TrackedMesh& tracked) {
   return changes;
 }
 
-bool comes_first(const Vec3& a, const Vec3& b) {
-  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-}
-
 /// The faces of one mesh whose distance from another is asked for.
 struct Side {
   const Soup& from;
@@ -100,6 +97,18 @@ struct SideResult {
   std::vector<Index> far;
 };
 
+/// Removes the faces whose distance is known, which is not negative, and returns the largest.
+double drop_settled(const std::vector<double>& distances, Side& side) {
+  double largest = 0.0;
+  std::size_t n_left = 0;
+  for (std::size_t i = 0; i < side.faces.size(); ++i) {
+    largest = std::max(largest, distances[i]);
+    if (distances[i] < 0.0) side.faces[n_left++] = side.faces[i];
+  }
+  side.faces.resize(n_left);
+  return largest;
+}
+
 /// Removes the faces that are nearer than the resolution to a single face of the other mesh, and
 /// returns the largest of their distances.
 double settle_near_faces(Side& side, double bound) {
@@ -114,14 +123,51 @@ double settle_near_faces(Side& side, double bound) {
       if (distance <= resolution) distances[i] = distance;
     }
   });
-  double largest = 0.0;
-  std::size_t n_left = 0;
-  for (std::size_t i = 0; i < side.faces.size(); ++i) {
-    largest = std::max(largest, distances[i]);
-    if (distances[i] < 0.0) side.faces[n_left++] = side.faces[i];
+  return drop_settled(distances, side);
+}
+
+/// What was made of each face of the input: parts of the new surface, and walls that are gone.
+class PartsOfFaces {
+ public:
+  PartsOfFaces(const Side& old_side, const TrackedMesh& tracked, std::span<const GoneWall> walls) {
+    place_.assign(old_side.from.n_faces(), kNoIndex);
+    for (Index i = 0; i < old_side.faces.size(); ++i) place_[old_side.faces[i].face] = i;
+    parts_.resize(old_side.faces.size());
+    for (Index face = 0; face < tracked.soup.n_faces(); ++face) {
+      if (has_surface(tracked.soup, face)) {
+        add(tracked.origin_of_face(face), corners_of(tracked.soup, face));
+      }
+    }
+    for (const GoneWall& wall : walls) add(wall.origin, wall.corners);
   }
-  side.faces.resize(n_left);
-  return largest;
+
+  /// @param i  The number of a face among those of the old side.
+  [[nodiscard]] std::span<const Corners> of(std::size_t i) const { return parts_[i]; }
+
+ private:
+  void add(Index origin, const Corners& part) {
+    if (origin != kNoIndex && place_[origin] != kNoIndex) parts_[place_[origin]].push_back(part);
+  }
+
+  std::vector<Index> place_;
+  std::vector<std::vector<Corners>> parts_;
+};
+
+/// Removes the faces of the input that lie nearer than the resolution to what they were cut into,
+/// and returns the largest of their distances.
+double settle_cut_faces(Side& old_side, const TrackedMesh& tracked, std::span<const GoneWall> walls,
+                        double bound) {
+  const double resolution = SurfaceDistance::kResolution * bound;
+  const PartsOfFaces parts(old_side, tracked, walls);
+  std::vector<double> distances(old_side.faces.size(), -1.0);
+  parallel_chunks(distances.size(), kFacesPerChunk, [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const auto distance =
+          distance_from_parts(corners_of(old_side.from, old_side.faces[i].face), parts.of(i));
+      if (distance && *distance <= resolution) distances[i] = *distance;
+    }
+  });
+  return drop_settled(distances, old_side);
 }
 
 /// Measures all faces that are left of a side.
@@ -152,14 +198,15 @@ Corners sorted(Corners corners) {
 }
 
 /// Leaves out faces that are walls as a whole.
-void drop_walls(const Soup& input, std::span<const Corners> walls,
+void drop_walls(const Soup& input, std::span<const GoneWall> walls,
                 std::vector<ChangedFace>& faces) {
   if (walls.empty()) return;
   const auto less = [](const Corners& a, const Corners& b) {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), comes_first);
   };
   std::vector<Corners> all(walls.size());
-  std::transform(walls.begin(), walls.end(), all.begin(), sorted);
+  std::transform(walls.begin(), walls.end(), all.begin(),
+                 [](const GoneWall& wall) { return sorted(wall.corners); });
   std::sort(all.begin(), all.end(), less);
   std::erase_if(faces, [&](const ChangedFace& changed) {
     return std::binary_search(all.begin(), all.end(), sorted(corners_of(input, changed.face)),
@@ -168,7 +215,7 @@ void drop_walls(const Soup& input, std::span<const Corners> walls,
 }
 
 /// The walls, and what of the new surface is near faces of the input.
-Soup surface_with_walls(const Side& old_side, std::span<const Corners> walls, double bound) {
+Soup surface_with_walls(const Side& old_side, std::span<const GoneWall> walls, double bound) {
   Box3 near;
   for (const ChangedFace& changed : old_side.faces) {
     for (const Vec3& corner : corners_of(old_side.from, changed.face)) near.extend(corner);
@@ -183,9 +230,9 @@ Soup surface_with_walls(const Side& old_side, std::span<const Corners> walls, do
     for (const Vec3& corner : corners_of(old_side.to, face)) box.extend(corner);
     if (near.intersects(box)) soup.triangles.push_back(old_side.to.triangles[face]);
   }
-  for (const Corners& wall : walls) {
+  for (const GoneWall& wall : walls) {
     const auto first = static_cast<Index>(soup.n_vertices());
-    soup.positions.insert(soup.positions.end(), wall.begin(), wall.end());
+    soup.positions.insert(soup.positions.end(), wall.corners.begin(), wall.corners.end());
     soup.triangles.push_back({first, first + 1, first + 2});
   }
   return soup;
@@ -193,7 +240,7 @@ Soup surface_with_walls(const Side& old_side, std::span<const Corners> walls, do
 
 /// Measures what of the input is far from the new surface again, from walls too.
 SideResult measure_with_walls(Side& old_side, const SideResult& without,
-                              std::span<const Corners> walls, double bound) {
+                              std::span<const GoneWall> walls, double bound) {
   std::erase_if(old_side.faces, [&](const ChangedFace& changed) {
     return !std::binary_search(without.far.begin(), without.far.end(), changed.face);
   });
@@ -255,13 +302,17 @@ void DeviationMeter::include_patches(const TrackedMesh& tracked) {
 DeviationMeter::~DeviationMeter() = default;
 
 DeviationMeter::Result DeviationMeter::measure(const TrackedMesh& tracked, const FaceTree& tree,
-                                               double bound, std::span<const Corners> walls) const {
+                                               double bound,
+                                               std::span<const GoneWall> walls) const {
   Changes changes = find_changes(input_, tracked);
   drop_walls(input_, walls, changes.of_input);
   Side old_side{input_, tracked.soup, std::move(changes.of_input)};
   Side new_side{tracked.soup, input_, std::move(changes.of_repaired)};
   Result result;
   result.largest = std::max(settle_near_faces(old_side, bound), settle_near_faces(new_side, bound));
+  if (!old_side.faces.empty()) {
+    result.largest = std::max(result.largest, settle_cut_faces(old_side, tracked, walls, bound));
+  }
   if (!old_side.faces.empty()) {
     const ClosestPoints closest(tree);
     SideResult old_result =

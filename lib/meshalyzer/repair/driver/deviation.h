@@ -11,6 +11,13 @@
 
 namespace meshalyzer {
 
+/// A part of an older surface that is gone and not missed: see Edits::InteriorWall.
+struct GoneWall {
+  Corners corners;
+  /// The face of the input that it was a part of; kNoIndex: of none.
+  Index origin = kNoIndex;
+};
+
 /// Measures how far repaired surfaces are from the input that they were made of.
 ///
 /// Construction is cheap, and the tree over the input is built by the first measurement that needs
@@ -57,12 +64,11 @@ class DeviationMeter {
   ///
   /// @param tree   Over the tracked mesh's faces.
   /// @param bound  Finite, at least 0.
-  /// @param walls  Parts of older surfaces that separated no inside from no outside, and are gone:
-  /// the input may be near to them instead of the new surface.
+  /// @param walls  The input may be near to them instead of the new surface.
   /// @complexity   O(#F), and O(log #F) for each face that has changed. Where
   /// faces only moved by less than a thousandth of the bound, nothing else is looked at.
   [[nodiscard]] Result measure(const TrackedMesh& tracked, const FaceTree& tree, double bound,
-                               std::span<const Corners> walls = {}) const;
+                               std::span<const GoneWall> walls = {}) const;
 
  private:
   struct Surface;

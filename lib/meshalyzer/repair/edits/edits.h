@@ -67,11 +67,14 @@ struct Edits {
     std::int32_t id;
   };
 
-  /// A part of the surface that goes, and of which it is proved that it separates no inside from no
-  /// outside: the deviation does not count it as lost.
+  /// A part of a face that goes and is not missed, because it is proved that it separates no inside
+  /// from no outside, it has no area, or it is there as a part of another face: the deviation does
+  /// not count it as lost.
   struct InteriorWall {
     Index op;
     std::array<Vec3, 3> corners;
+    /// The face that it is a part of; kNoIndex: of none that there is.
+    Index part_of = kNoIndex;
   };
 
   std::size_t n_operations = 0;

@@ -1,6 +1,9 @@
 #include "meshalyzer/repair/cut/internal/cut_edits.h"
 
 #include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/repair/orient/bounds_solid.h"
+#include "meshalyzer/topology/border.h"
+#include "meshalyzer/topology/components.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -11,7 +14,7 @@ namespace meshalyzer {
 namespace {
 
 /// Why nothing is done to a part.
-enum class Obstacle : std::uint8_t { None, Unfinished, Sheet, Fixed };
+enum class Obstacle : std::uint8_t { None, Unfinished, Sheet, Fixed, Lost };
 
 std::string reason_of(Obstacle obstacle) {
   switch (obstacle) {
@@ -23,6 +26,8 @@ std::string reason_of(Obstacle obstacle) {
       return "the surface is a sheet: nothing tells what of it should go";
     case Obstacle::Fixed:
       return "it meets a vertex that must stay as it is";
+    case Obstacle::Lost:
+      return "a component that may be a cavity would go as a whole";
   }
   return "";
 }
@@ -103,6 +108,52 @@ class CutEdits {
           t.begin(), t.end(), [&](Index v) { return input_.limits.is_fixed(input_.tracked, v); });
       if (is_fixed) obstacles_[parts_.find(face)] = Obstacle::Fixed;
     }
+    find_lost_components();
+  }
+
+  /// Of an open component, or beside a hole, the orientation is not sure enough to take all of it
+  /// for walls within a solid: it may be a cavity.
+  void find_lost_components() {
+    const CutMesh& cut = input_.mesh.cut();
+    const Components components = find_edge_components(cut);
+    const std::vector<Index> component_of = components_of_faces(components);
+    std::vector<std::uint8_t> is_lost(components.count, 0);
+    for (const HalfedgeHandle h : find_border_edges(cut)) {
+      is_lost[components.of_face[static_cast<std::size_t>(cut.mesh.face_handle(h).idx())]] = 1;
+    }
+    const std::vector<std::uint8_t> has_patch = parts_with_patches();
+    for (const Index face : changed_) {
+      if (has_patch[parts_.find(face)] != 0) is_lost[component_of[face]] = 1;
+    }
+    for (const Index face : surface_.origins) {
+      if (face < soup_.n_faces()) is_lost[component_of[face]] = 0;
+    }
+    if (std::none_of(is_lost.begin(), is_lost.end(), [](auto lost) { return lost != 0; })) return;
+    const std::vector<std::uint8_t> bounds = bounds_solid(input_.mesh, components);
+    for (const Index face : changed_) {
+      const Index component = component_of[face];
+      if (is_lost[component] != 0 && bounds[component] != 0) {
+        obstacles_[parts_.find(face)] = Obstacle::Lost;
+      }
+    }
+  }
+
+  /// #faces: the component of each that is in the complex.
+  [[nodiscard]] std::vector<Index> components_of_faces(const Components& components) const {
+    std::vector<Index> component_of(soup_.n_faces(), kNoIndex);
+    for (std::size_t f = 0; f < components.of_face.size(); ++f) {
+      component_of[input_.mesh.cut().side.faces[f]] = components.of_face[f];
+    }
+    return component_of;
+  }
+
+  /// By the lowest face of each part: 1 where a patch belongs to it.
+  [[nodiscard]] std::vector<std::uint8_t> parts_with_patches() {
+    std::vector<std::uint8_t> has_patch(obstacles_.size(), 0);
+    for (std::size_t face = soup_.n_faces(); face < obstacles_.size(); ++face) {
+      has_patch[parts_.find(static_cast<Index>(face))] = 1;
+    }
+    return has_patch;
   }
 
   void remove_faces() {
@@ -159,7 +210,8 @@ class CutEdits {
   void add_walls() {
     for (const InteriorWall& wall : surface_.walls) {
       const Index op = operations_[parts_.find(wall.face)];
-      if (op != kNoIndex) result_.edits.interior_walls.push_back({op, wall.corners});
+      const Index face = wall.face < soup_.n_faces() ? wall.face : kNoIndex;
+      if (op != kNoIndex) result_.edits.interior_walls.push_back({op, wall.corners, face});
     }
   }
 

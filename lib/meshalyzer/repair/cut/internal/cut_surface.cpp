@@ -3,12 +3,15 @@
 #include "meshalyzer/arrangement/arrange.h"
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/repair/cut/internal/round_vertices.h"
 #include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/spatial/self_intersection_of.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -16,8 +19,18 @@
 namespace meshalyzer {
 namespace {
 
-/// Most meshes need two, nearly all five.
-constexpr std::size_t kMaxCuttingRounds = 20;
+/// How fine the grid of each round is: its spacing is the extent divided by two to this power. In
+/// the first rounds the nearest doubles will do; then the points that were made are rounded, and
+/// in the end all vertices of faces that intersect.
+constexpr std::array kGridBits{0, 0, 24, 24, 24, 24, 24, 24, 20, 20, 20, 17, 17, 17};
+constexpr std::size_t kFirstSnappedRound = 2;
+constexpr std::size_t kFirstRoundOfAll = 3;
+/// Rounding moves vertices no farther than about this share of the maximum deviation.
+constexpr double kRoundingShare = 0.25;
+
+/// How many pairs all rounds may cut, beside this multiple of those of the first.
+constexpr std::size_t kMorePairs = 10'000;
+constexpr std::size_t kTimesFirstPairs = 3;
 
 using Pairs = std::vector<IntersectingPair>;
 
@@ -44,11 +57,10 @@ bool stays(PieceFate fate) {
 /// Cuts a surface, round by round.
 class CuttingRounds {
  public:
-  CuttingRounds(const PreparedMesh& mesh, std::span<const Edits::AddedFace> patches,
-                Pockets pockets)
-      : mesh_(mesh), pockets_(pockets) {
-    soup_.positions = mesh.soup().positions;
-    for (const Triangle& t : mesh.soup().triangles) add(t);
+  CuttingRounds(const PassInput& input, std::span<const Edits::AddedFace> patches, Pockets pockets)
+      : input_(input), mesh_(input.mesh), pockets_(pockets), extent_(extent_of(mesh_.soup())) {
+    soup_.positions = mesh_.soup().positions;
+    for (const Triangle& t : mesh_.soup().triangles) add(t);
     for (const Edits::AddedFace& patch : patches) add(patch.corners);
   }
 
@@ -86,7 +98,9 @@ class CuttingRounds {
   bool cut_round(const CutMesh& cut, const FaceTree& tree, Pairs pairs) {
     drop_unwelded(soup_.n_faces(), pairs);
     if (pairs.empty()) return false;
-    if (round_ == kMaxCuttingRounds) {
+    if (round_ == 0) most_pairs_ = kMorePairs + kTimesFirstPairs * pairs.size();
+    n_pairs_cut_ += pairs.size();
+    if (round_ == kGridBits.size() || n_pairs_cut_ > most_pairs_ || is_to_stop()) {
       give_up(pairs);
       return false;
     }
@@ -102,7 +116,25 @@ class CuttingRounds {
         select_pieces({soup_, cut, tree, arrangement, cells},
                       components_to_select(arrangement, cells, pairs), pockets_);
     tie_faces(arrangement, pairs);
-    take(arrangement, fates, round_vertices(arrangement, round_));
+    take(arrangement, fates, round_vertices(arrangement, rounding()));
+  }
+
+  [[nodiscard]] bool is_to_stop() const { return input_.wants_to_stop && input_.wants_to_stop(); }
+
+  [[nodiscard]] static double extent_of(const Soup& soup) {
+    const Box3 box = used_box(soup);
+    return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
+  }
+
+  /// How this round rounds.
+  [[nodiscard]] Rounding rounding() const {
+    const double largest_move = kRoundingShare * input_.limits.max_deviation;
+    if (round_ < kFirstSnappedRound || !(extent_ > 0.0) || !(largest_move > 0.0)) return {};
+    const int exponent =
+        std::min(std::ilogb(extent_) + 1 - kGridBits[round_], std::ilogb(largest_move));
+    const auto n_first = static_cast<Index>(mesh_.soup().n_vertices());
+    return {.spacing = std::ldexp(1.0, exponent),
+            .first_to_snap = round_ < kFirstRoundOfAll ? n_first : 0};
   }
 
   /// #components: 1 for those that intersect.
@@ -138,20 +170,26 @@ class CuttingRounds {
     std::vector<Index> origins;
     new_faces_.clear();
     for (std::size_t i = 0; i < fates.size(); ++i) {
-      const Index face = arrangement.sources_of(i).front().face;
+      const auto sources = arrangement.sources_of(i);
+      const Index face = sources.front().face;
       Triangle t = arrangement.pieces[i];
-      if (fates[i] == PieceFate::Interior || fates[i] == PieceFate::Cancelled) {
-        const std::vector<Vec3>& at = arrangement.positions;
-        result_.walls.push_back({origins_[face], {at[t[0]], at[t[1]], at[t[2]]}});
+      const bool is_gone = fates[i] == PieceFate::Interior || fates[i] == PieceFate::Cancelled;
+      // What stays of one face is there for all that lie on it.
+      for (const PieceSource& source : sources.subspan(is_gone ? 0 : 1)) {
+        add_wall(source.face, arrangement, i);
       }
       if (fates[i] == PieceFate::OfSheet && was_cut[face] != 0) {
         result_.of_sheets.push_back(origins_[face]);
       }
       if (!stays(fates[i])) continue;
       for (Index& v : t) v = rounded.stands_for[v];
+      const bool is_moved = t != arrangement.pieces[i];
       if (fates[i] == PieceFate::Turned) std::swap(t[1], t[2]);
-      if (was_cut[face] != 0) {
-        if (!is_in_complex(t) || is_flat(rounded.positions, t)) continue;
+      if (was_cut[face] != 0 || is_moved) {
+        if (!is_in_complex(t) || is_flat(rounded.positions, t)) {
+          add_wall(face, arrangement, i);
+          continue;
+        }
         new_faces_.push_back(static_cast<Index>(triangles.size()));
       }
       triangles.push_back(t);
@@ -162,6 +200,12 @@ class CuttingRounds {
     origins_ = std::move(origins);
   }
 
+  void add_wall(Index face, const Arrangement& arrangement, std::size_t piece) {
+    const Triangle& t = arrangement.pieces[piece];
+    const std::vector<Vec3>& at = arrangement.positions;
+    result_.walls.push_back({origins_[face], {at[t[0]], at[t[1]], at[t[2]]}});
+  }
+
   void give_up(const Pairs& pairs) {
     for (const IntersectingPair& pair : pairs) {
       result_.unfinished.push_back(origins_[pair.face_a]);
@@ -170,9 +214,13 @@ class CuttingRounds {
     sort_unique(result_.unfinished);
   }
 
+  const PassInput& input_;
   const PreparedMesh& mesh_;
   Pockets pockets_;
+  double extent_;
   std::size_t round_ = 0;
+  std::size_t n_pairs_cut_ = 0;
+  std::size_t most_pairs_ = 0;
   Index n_added_ = 0;
   /// What is cut in this round: positions and faces alone.
   Soup soup_;
@@ -184,9 +232,9 @@ class CuttingRounds {
 
 }  // namespace
 
-CutSurface cut_surface(const PreparedMesh& mesh, std::span<const Edits::AddedFace> patches,
+CutSurface cut_surface(const PassInput& input, std::span<const Edits::AddedFace> patches,
                        Pockets pockets) {
-  return CuttingRounds(mesh, patches, pockets).run();
+  return CuttingRounds(input, patches, pockets).run();
 }
 
 }  // namespace meshalyzer

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/repair/cut/internal/select_pieces.h"
 #include "meshalyzer/repair/edits/edits.h"
+#include "meshalyzer/repair/pass.h"
 #include "meshalyzer/spatial/triangle_contact.h"
 
 #include <array>
@@ -12,7 +12,8 @@
 
 namespace meshalyzer {
 
-/// A part of the old surface that separates no inside from no outside, and is gone.
+/// A part of a face that is gone and need not be missed: it separates no inside from no outside,
+/// has no area, or is there as a part of another face.
 struct InteriorWall {
   Index face = kNoIndex;
   Corners corners;
@@ -40,8 +41,11 @@ struct CutSurface {
 /// Faces that are only not welded are left alone, as far as they meet no others. Faces of no area
 /// go: what is left of them is cut at their corners.
 ///
+/// It ends early, with what still intersects, when it is to stop, or when rounding makes more pairs
+/// than a multiple of those that there were.
+///
 /// @param patches  Faces that are added before, on vertices of the mesh.
-[[nodiscard]] CutSurface cut_surface(const PreparedMesh& mesh,
+[[nodiscard]] CutSurface cut_surface(const PassInput& input,
                                      std::span<const Edits::AddedFace> patches, Pockets pockets);
 
 }  // namespace meshalyzer

@@ -4,14 +4,16 @@
 #include "meshalyzer/spatial/winding_number.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 
 namespace meshalyzer {
 namespace {
 
-/// So many pieces are looked at, about.
-constexpr std::size_t kManySamples = 50'000;
+/// So many pieces are looked at of those that have the same cells on both sides.
+constexpr std::size_t kSamplesOfPatch = 64;
 /// A winding number is whole where it is no farther than this from one. Beside a sheet that another
 /// one crosses it comes as near as 1/4.
 constexpr double kNearWhole = 0.15;
@@ -24,15 +26,33 @@ struct Sample {
   double front = 0.0;
 };
 
+double area_of(const Arrangement& arrangement, Index piece) {
+  const Triangle& t = arrangement.pieces[piece];
+  const Vec3& p = arrangement.positions[t[0]];
+  return (arrangement.positions[t[1]] - p).cross(arrangement.positions[t[2]] - p).norm();
+}
+
+/// Chooses pieces of each patch evenly, in the order of the pieces, and gives to each the same
+/// share of the area of the patch.
 std::vector<Sample> choose_samples(const ArrangedSoup& a, std::span<const std::uint8_t> wanted) {
-  std::vector<Sample> samples;
+  std::map<std::array<Index, 3>, std::vector<Sample>> patches;
   for (Index piece = 0; piece < a.arrangement.pieces.size(); ++piece) {
-    if (wanted[a.cells.component_of[piece]] != 0) samples.push_back({.piece = piece});
+    const Index component = a.cells.component_of[piece];
+    if (wanted[component] == 0) continue;
+    patches[{component, a.cells.front(piece), a.cells.behind(piece)}].push_back(
+        {.piece = piece, .area = area_of(a.arrangement, piece)});
   }
-  const std::size_t stride = 1 + samples.size() / kManySamples;
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < samples.size(); i += stride) samples[n++] = samples[i];
-  samples.resize(n);
+  std::vector<Sample> samples;
+  for (const auto& [sides, pieces] : patches) {
+    const std::size_t n = std::min(pieces.size(), kSamplesOfPatch);
+    double area = 0.0;
+    for (const Sample& sample : pieces) area += sample.area;
+    for (std::size_t i = 0; i < n; ++i) {
+      Sample sample = pieces[i * pieces.size() / n];
+      if (n < pieces.size()) sample.area = area / static_cast<double>(n);
+      samples.push_back(sample);
+    }
+  }
   return samples;
 }
 
@@ -54,7 +74,6 @@ void estimate(const ArrangedSoup& a, std::vector<Sample>& samples) {
       const Vec3& p = a.arrangement.positions[t[0]];
       const Vec3& q = a.arrangement.positions[t[1]];
       const Vec3& r = a.arrangement.positions[t[2]];
-      sample.area = (q - p).cross(r - p).norm();
       // On the piece itself it is half-way between those on both sides.
       sample.front =
           windings.at((p + q + r) / 3.0) - 0.5 * a.arrangement.multiplicity(sample.piece);

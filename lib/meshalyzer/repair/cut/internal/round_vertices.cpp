@@ -3,7 +3,6 @@
 #include "meshalyzer/base/hash.h"
 #include "meshalyzer/base/sort_unique.h"
 
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <unordered_map>
@@ -11,25 +10,11 @@
 namespace meshalyzer {
 namespace {
 
-/// So many bits of the largest coordinate are kept, round by round; the last number holds for all
-/// rounds after.
-constexpr std::array kBits{53, 53, 53, 40, 36, 32, 30, 28, 26, 24, 22, 20};
-
 struct PositionHash {
   std::size_t operator()(const Vec3& position) const { return hash_position(position); }
 };
 
-/// Returns the distance of the places that coordinates are rounded to; 0 where the doubles nearest
-/// to them will do.
-double grid_of(const Arrangement& arrangement, std::size_t round) {
-  const int bits = kBits[std::min(round, kBits.size() - 1)];
-  if (bits >= 53) return 0.0;
-  double largest = 0.0;
-  for (std::size_t v = arrangement.n_input_vertices; v < arrangement.positions.size(); ++v) {
-    largest = std::max(largest, arrangement.positions[v].cwiseAbs().maxCoeff());
-  }
-  return std::ldexp(1.0, std::ilogb(std::max(largest, 0x1p-900)) + 1 - bits);
-}
+using VertexAt = std::unordered_map<Vec3, Index, PositionHash>;
 
 /// The vertices of the pieces of cut faces. Ascending.
 std::vector<Index> vertices_of_cut_faces(const Arrangement& arrangement) {
@@ -44,23 +29,54 @@ std::vector<Index> vertices_of_cut_faces(const Arrangement& arrangement) {
   return vertices;
 }
 
+Vec3 nearest_on_grid(const Vec3& position, double spacing) {
+  return (position / spacing).array().rint().matrix() * spacing;
+}
+
+/// Rounds to the points of a grid that vertices of cut faces are near to.
+void snap(const std::vector<Index>& of_cut_faces, const Rounding& rounding,
+          RoundedVertices& rounded) {
+  VertexAt at;
+  for (const Index v : of_cut_faces) {
+    if (v < rounding.first_to_snap) continue;
+    at.emplace(nearest_on_grid(rounded.positions[v], rounding.spacing), kNoIndex);
+  }
+  const std::size_t n_vertices = rounded.stands_for.size();
+  // A vertex that is on the grid already stays.
+  for (std::size_t v = n_vertices; v-- > 0;) {
+    const auto found = at.find(rounded.positions[v]);
+    if (found != at.end()) found->second = static_cast<Index>(v);
+  }
+  for (std::size_t v = rounding.first_to_snap; v < n_vertices; ++v) {
+    const auto found = at.find(nearest_on_grid(rounded.positions[v], rounding.spacing));
+    if (found == at.end()) continue;
+    if (found->second == kNoIndex) {
+      found->second = static_cast<Index>(rounded.positions.size());
+      rounded.positions.push_back(found->first);
+    }
+    rounded.stands_for[v] = found->second;
+  }
+}
+
+/// Makes one of the vertices of cut faces that are at one place: the lowest.
+void merge(const std::vector<Index>& of_cut_faces, RoundedVertices& rounded) {
+  VertexAt at;
+  for (const Index v : of_cut_faces) {
+    Index& stands_for = rounded.stands_for[v];
+    stands_for = at.emplace(rounded.positions[stands_for], stands_for).first->second;
+  }
+}
+
 }  // namespace
 
-RoundedVertices round_vertices(const Arrangement& arrangement, std::size_t round) {
-  RoundedVertices result;
-  result.positions = arrangement.positions;
-  const double grid = grid_of(arrangement, round);
-  for (std::size_t v = arrangement.n_input_vertices; v < result.positions.size(); ++v) {
-    if (grid == 0.0) break;
-    for (double& x : result.positions[v]) x = std::nearbyint(x / grid) * grid;
-  }
-  result.stands_for.resize(result.positions.size());
-  std::iota(result.stands_for.begin(), result.stands_for.end(), Index{0});
-  std::unordered_map<Vec3, Index, PositionHash> at;
-  for (const Index v : vertices_of_cut_faces(arrangement)) {
-    result.stands_for[v] = at.emplace(result.positions[v], v).first->second;
-  }
-  return result;
+RoundedVertices round_vertices(const Arrangement& arrangement, const Rounding& rounding) {
+  RoundedVertices rounded{.positions = arrangement.positions,
+                          .stands_for = std::vector<Index>(arrangement.positions.size())};
+  std::iota(rounded.stands_for.begin(), rounded.stands_for.end(), Index{0});
+  const std::vector<Index> of_cut_faces = vertices_of_cut_faces(arrangement);
+  if (rounding.spacing > 0.0) snap(of_cut_faces, rounding, rounded);
+  merge(of_cut_faces, rounded);
+  return rounded;
 }
 
 }  // namespace meshalyzer

@@ -9,16 +9,28 @@ namespace meshalyzer {
 
 /// The vertices of an arrangement at places that are doubles.
 struct RoundedVertices {
+  /// The positions of the vertices of the arrangement, and of further ones that were added.
   std::vector<Vec3> positions;
-  /// #positions: the vertex that stands for each: the lowest of those of cut faces that have come
-  /// to one place.
+  /// #vertices of the arrangement: the vertex that stands for each, which may be an added one.
   std::vector<Index> stands_for;
 };
 
-/// Rounds the vertices that were made.
+/// How vertices are rounded in one round of cutting.
+struct Rounding {
+  /// The distance of the grid's planes; 0 where the nearest doubles will do.
+  double spacing = 0.0;
+  /// Vertices of lower index are snapped to no grid, whatever the spacing.
+  Index first_to_snap = 0;
+};
+
+/// Rounds the vertices that were made, so that those that have come to one place become one.
 ///
-/// @param round  How often rounding has made faces intersect: after some rounds it is coarser, so
-/// that points that are nearly one become one.
-[[nodiscard]] RoundedVertices round_vertices(const Arrangement& arrangement, std::size_t round);
+/// On a grid the vertices of cut faces are rounded to its nearest point, and with each all that are
+/// in the same cell, also of faces that were not cut (Valque and Lazard, Removing
+/// self-intersections of a triangle mesh with vertex snapping). The chain of all faces stays closed
+/// where it was, since each vertex goes to one place. A vertex that would move is replaced by an
+/// added one.
+[[nodiscard]] RoundedVertices round_vertices(const Arrangement& arrangement,
+                                             const Rounding& rounding);
 
 }  // namespace meshalyzer

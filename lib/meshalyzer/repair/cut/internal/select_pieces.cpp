@@ -50,14 +50,10 @@ class PieceSelection {
     const Windings windings = find_windings(a_, is_closed_);
     std::vector<std::uint8_t> pending = is_closed_;
     for (const Rule rule : {Rule::InAll, Rule::Own, Rule::OwnEitherWay}) {
-      std::vector<std::uint8_t> is_kept(cells_.n_components, 0);
       decide(pending, [&](Index component, Index cell) {
         return is_inside(windings, rule, component, cell);
       });
-      for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
-        const bool stays = fates_[piece] == PieceFate::Kept || fates_[piece] == PieceFate::Turned;
-        if (stays) is_kept[cells_.component_of[piece]] = 1;
-      }
+      const std::vector<std::uint8_t> is_kept = components_kept();
       for (std::size_t c = 0; c < pending.size(); ++c) {
         if (is_kept[c] != 0) pending[c] = 0;
       }
@@ -68,6 +64,16 @@ class PieceSelection {
       const bool is_cavity = windings.others[cells_.component_of[piece]] > 0;
       if (is_cavity && fates_[piece] == PieceFate::Exterior) fates_[piece] = PieceFate::Cancelled;
     }
+  }
+
+  /// #components: 1 for those of which something stays.
+  [[nodiscard]] std::vector<std::uint8_t> components_kept() const {
+    std::vector<std::uint8_t> is_kept(cells_.n_components, 0);
+    for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
+      const bool stays = fates_[piece] == PieceFate::Kept || fates_[piece] == PieceFate::Turned;
+      if (stays) is_kept[cells_.component_of[piece]] = 1;
+    }
+    return is_kept;
   }
 
   [[nodiscard]] bool is_inside(const Windings& windings, Rule rule, Index component,
@@ -86,6 +92,11 @@ class PieceSelection {
       if (windings.bounds_solid[c] == 0) solid[c] = 0;
     }
     decide(solid, [&](Index, Index cell) { return windings.of_cell[cell] >= 0.5; });
+    const std::vector<std::uint8_t> is_kept = components_kept();
+    for (std::size_t c = 0; c < solid.size(); ++c) {
+      // No component is lost.
+      if (is_kept[c] == 0) solid[c] = 0;
+    }
     for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
       const bool is_sure = windings.of_cell[cells_.front(piece)] >= kSurelyInside &&
                            windings.of_cell[cells_.behind(piece)] >= kSurelyInside;

@@ -26,7 +26,7 @@ constexpr std::size_t kAttemptsByAll = 10;
 /// any more: what a stage has begun with is kept.
 constexpr std::size_t kMaxWork = 20'000'000;
 /// After so many stages what was banned stays undone.
-constexpr std::size_t kMaxStages = 5;
+constexpr std::size_t kMaxStages = 10;
 
 constexpr const char* kEndsWorse = "undone: in the end the mesh would be worse for it";
 
@@ -172,7 +172,7 @@ void RepairDriver::apply_unchecked(const PlannedPass& pass) {
 }
 
 PassResult RepairDriver::propose(const PlannedPass& pass, OperationSize size) const {
-  return pass.run({state_->tracked(), state_->mesh(), tolerances_, limits_, size});
+  return pass.run({state_->tracked(), state_->mesh(), tolerances_, limits_, size, wants_to_stop_});
 }
 
 bool RepairDriver::run(const PlannedPass& pass) {
@@ -213,7 +213,7 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
     const AffectedElements affected =
         find_affected_elements(state_->tracked(), edits, SkippedOperations(skipped), tracked);
     auto after = std::make_unique<RepairState>(std::move(tracked), tolerances_, *state_, affected);
-    std::vector<Corners> walls = walls_with(edits, skipped);
+    std::vector<GoneWall> walls = walls_with(edits, skipped);
     const AcceptanceRules rules{input_, *meter_, limits_.max_deviation, pass.may_create, walls};
     const Acceptance acceptance =
         check_acceptance(*state_, *after, affected, skipped.size(), rules);
@@ -269,11 +269,14 @@ std::vector<OperationSite> RepairDriver::sites(const Edits& edits) const {
   return sites;
 }
 
-std::vector<Corners> RepairDriver::walls_with(const Edits& edits,
-                                              std::span<const std::uint8_t> skipped) const {
-  std::vector<Corners> walls = walls_;
+std::vector<GoneWall> RepairDriver::walls_with(const Edits& edits,
+                                               std::span<const std::uint8_t> skipped) const {
+  std::vector<GoneWall> walls = walls_;
   for (const Edits::InteriorWall& wall : edits.interior_walls) {
-    if (skipped[wall.op] == 0) walls.push_back(wall.corners);
+    if (skipped[wall.op] != 0) continue;
+    const Index origin =
+        wall.part_of == kNoIndex ? kNoIndex : state_->tracked().origin_of_face(wall.part_of);
+    walls.push_back({wall.corners, origin});
   }
   return walls;
 }
