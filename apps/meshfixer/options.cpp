@@ -51,13 +51,9 @@ void declare_actions(OptionTable& table, Options& options, Said& said) {
                "only these, by code: " + names_of(all_defect_codes(), defect_name) +
                    "; or default (all but disjoint and numbering), or all");
   table.option("--no-fix LIST", into(said.no_fix, to_codes), "all of these but those named");
-  table.flag(
-      "--cut", [&options] { options.repair.intersections = Intersections::Cut; },
-      "cut faces that intersect, and keep what bounds the solid that they enclose; may take "
-      "minutes and gigabytes where many cross in one place");
   table.flag("--solid", options.repair.solid,
              "the result is to be a solid: holes of sheets are filled too, open fragments that "
-             "enclose nothing are dropped, each told with its area, and intersections are cut");
+             "enclose nothing are dropped, each told with its area");
   table.flag("--guarantee", options.repair.guarantee,
              "what is not good in the end is replaced by a new surface within the maximum "
              "deviation, or it is said that none was found; with --solid, where there is nothing "
@@ -242,7 +238,6 @@ void complete(const Said& said, Options& options) {
   const bool is_named = said.names_holes || (said.fix && said.fix->names_holes);
   RepairOptions& repair = options.repair;
   repair.fill.sheets = is_named || repair.solid ? FillSheets::Yes : FillSheets::No;
-  if (repair.solid || repair.guarantee) repair.intersections = Intersections::Cut;
   // Gaps in the numbers are not good either.
   const bool leaves_numbers = said.no_fix && said.no_fix->codes.contains(DefectCode::Numbering);
   if (repair.guarantee && !leaves_numbers) repair.fixes.insert(DefectCode::Numbering);

@@ -21,7 +21,7 @@ REPAIRS = {
     "flips and splits of thin faces": (["--fix", "flat-facet,degenerate-facet", "--degen-tolerance", "0.01"], None),
     "welds": (["--weld", "0.05", "--max-deviation", "0.1"], None),
     "foldovers": (["--fix", "foldover", "--max-foldover-angle", "30"], None),
-    "cuts": (["--cut"], ["crossing_cubes", "touching_cubes", "tetrahedra_sharing_edge", "crossing_faces"]),
+    "cuts": ([], ["crossing_cubes", "touching_cubes", "tetrahedra_sharing_edge", "crossing_faces"]),
 }
 
 

@@ -16,6 +16,7 @@ constexpr double kMaxCells = 64;
 
 using Points = std::array<Vec3, 3>;
 using Cell = std::array<long, 3>;
+using Counts = std::function<bool(const Vec3& point, const Vec3& normal)>;
 
 /// The faces that are in the complex.
 std::vector<Points> faces_of(const Soup& soup) {
@@ -145,19 +146,22 @@ double steps(double length, double spacing) {
 
 /// The largest distance of a sample. They stand in rows from the corner opposite to its shortest
 /// edge, so that slivers have few.
-double largest_of_samples(Points face, const Grid& grid, double spacing) {
+double largest_of_samples(Points face, const Grid& grid, double spacing, const Counts& counts) {
   const auto edge = [&](std::size_t i) { return (face[(i + 2) % 3] - face[(i + 1) % 3]).norm(); };
   std::size_t top = edge(1) < edge(0) ? 1 : 0;
   top = edge(2) < edge(top) ? 2 : top;
   std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(top), face.end());
   const double n_rows = steps(std::max(edge(1), edge(2)), spacing);
+  const Vec3 normal = (face[1] - face[0]).cross(face[2] - face[0]);
   double largest = 0.0;
   for (double row = 0.0; row <= n_rows; ++row) {
     const Vec3 left = face[0] + row / n_rows * (face[1] - face[0]);
     const Vec3 right = face[0] + row / n_rows * (face[2] - face[0]);
     const double n = steps((right - left).norm(), spacing);
     for (double i = 0.0; i <= n; ++i) {
-      largest = std::max(largest, grid.distance(left + i / n * (right - left)));
+      const Vec3 point = left + i / n * (right - left);
+      const double distance = grid.distance(point);
+      if (distance > largest && (!counts || counts(point, normal))) largest = distance;
     }
   }
   return largest;
@@ -165,7 +169,7 @@ double largest_of_samples(Points face, const Grid& grid, double spacing) {
 
 }  // namespace
 
-double sampled_distance(const Soup& from, const Soup& to, double spacing) {
+double sampled_distance(const Soup& from, const Soup& to, double spacing, const Counts& counts) {
   const std::vector<Points> faces = faces_of(from);
   std::vector<Points> others = faces_of(to);
   if (faces.empty() || others.empty()) {
@@ -176,12 +180,26 @@ double sampled_distance(const Soup& from, const Soup& to, double spacing) {
   const auto parts = map_chunks<double>(faces.size(), [&](Chunk chunk) {
     double part = 0.0;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      part = std::max(part, largest_of_samples(faces[i], grid, spacing));
+      part = std::max(part, largest_of_samples(faces[i], grid, spacing, counts));
     }
     return part;
   });
   for (const double part : parts) largest = std::max(largest, part);
   return largest;
+}
+
+double summed_winding(const Soup& soup, const Vec3& point) {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : faces_of(soup)) {
+    const Vec3 p = a - point;
+    const Vec3 q = b - point;
+    const Vec3 r = c - point;
+    const double numerator = p.dot(q.cross(r));
+    const double denominator = p.norm() * q.norm() * r.norm() + p.dot(q) * r.norm() +
+                               q.dot(r) * p.norm() + r.dot(p) * q.norm();
+    sum += 2.0 * std::atan2(numerator, denominator);
+  }
+  return sum / (4.0 * kPi);
 }
 
 }  // namespace meshalyzer::test

@@ -95,11 +95,10 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .elements = "The faces, the pairs with their kinds, and a point of the patch.",
      .fix =
          "Faces that are there twice, folds, and seams that were never welded, are mended as what "
-         "they are. The others are cut where they meet if that is asked for, and what does not "
-         "bound "
-         "the solid that the faces enclose goes: exactly where they are closed, by estimates where "
-         "they nearly are; sheets are left.",
-     .fix_summary = "meshfixer cuts it where asked to",
+         "they are. The others are cut where they meet, and what does not bound the solid that the "
+         "faces enclose goes: exactly where they are closed, by estimates where they nearly are; "
+         "sheets are left.",
+     .fix_summary = "meshfixer mends it",
      .passes = "weld borders, drop duplicates, remove foldovers or cut intersections",
      .fixed_by_default = true},
     {.code = DefectCode::NonManifold,

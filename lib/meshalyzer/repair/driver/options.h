@@ -32,9 +32,6 @@ enum class Borders : std::uint8_t {
   Intended,
 };
 
-/// What becomes of faces that intersect and are neither repeated, folded nor unwelded.
-enum class Intersections : std::uint8_t { Keep, Cut };
-
 /// Whether all faces are turned over before anything else.
 enum class Turn : std::uint8_t { Nothing, Everything };
 
@@ -62,7 +59,6 @@ struct RepairOptions {
   Turn turn = Turn::Nothing;
   Contact contact = Contact::Part;
   Borders borders = Borders::Holes;
-  Intersections intersections = Intersections::Keep;
   Groups groups = Groups::Names;
   /// Whether the result is to be a solid: holes of sheets are filled too, and fragments that bound
   /// none are dropped.

@@ -45,15 +45,9 @@ bool intersects(const Soup& soup) {
   return !find_self_intersections(cut, FaceTree(cut)).empty();
 }
 
-RepairOptions cutting() {
-  RepairOptions options;
-  options.intersections = Intersections::Cut;
-  return options;
-}
-
-/// Expects a mesh to come out of a repair that cuts without any defect that was to be fixed.
+/// Expects a mesh to come out of the default repair without any defect that was to be fixed.
 Soup expect_good(const Soup& soup) {
-  const RepairResult result = fix_defects(soup, cutting());
+  const RepairResult result = fix_defects(soup);
   EXPECT_EQ(result.meshes.size(), 1U);
   for (const Defect& defect : result.meshes[0].remaining.defects) {
     EXPECT_FALSE(default_fixes().contains(defect.code)) << defect_name(defect.code);
@@ -183,7 +177,7 @@ TEST(CutIntersections, NumberOfThreadsDoesNotMatter) {
 TEST(CutIntersections, SecondRepairChangesNothing) {
   const Soup once = expect_good(shapes::merged(
       shapes::icosphere(2), shapes::translated(shapes::icosphere(2), {0.7, 0.2, 0.1})));
-  const RepairResult again = fix_defects(once, cutting());
+  const RepairResult again = fix_defects(once);
   EXPECT_TRUE(again.log.steps.empty());
   EXPECT_TRUE(same_soup(again.meshes[0].tracked.soup, once));
 }

@@ -14,7 +14,6 @@ RepairOptions to_solid() {
   options.solid = true;
   options.guarantee = true;
   options.fill.sheets = FillSheets::Yes;
-  options.intersections = Intersections::Cut;
   return options;
 }
 
@@ -50,7 +49,7 @@ const Soup kFace = shapes::make({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
 TEST(Guarantee, CubesThatCrossAreReplacedByTheirUnion) {
   RepairOptions options = to_solid();
   // So that nothing but the replacement can help. Volumes 8 + 8 - 1.
-  options.intersections = Intersections::Keep;
+  options.fixes.erase(DefectCode::SelfIntersection);
   options.max_deviation.value = 0.005;
   const Soup cubes = shapes::merged(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
   const RepairResult result = fix_defects(cubes, options);

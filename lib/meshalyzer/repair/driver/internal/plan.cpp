@@ -101,14 +101,12 @@ void plan_fixes(const RepairOptions& options, const Tolerances& tolerances, Plan
   if (options.contact == Contact::Part) {
     plan.add({"part contacts", NonManifold, part_contacts});
   }
-  if (options.intersections == Intersections::Cut) {
-    plan.add({"cut intersections",
-              SelfIntersection,
-              [cut = cut_options(options)](const PassInput& input) {
-                return cut_intersections(input, cut);
-              },
-              {NonManifold, FlatFacet, DegenerateFacet, Foldover, Flipped, Hole}});
-  }
+  plan.add({"cut intersections",
+            SelfIntersection,
+            [cut = cut_options(options)](const PassInput& input) {
+              return cut_intersections(input, cut);
+            },
+            {NonManifold, FlatFacet, DegenerateFacet, Foldover, Flipped, Hole}});
   if (options.solid) plan.add(drop(Fragments::All));
   plan.add({"renew normals", VertexNormal, renew_normals});
   plan.add({"drop orphans", OrphanVertex, drop_orphans});
