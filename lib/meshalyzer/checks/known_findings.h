@@ -44,8 +44,8 @@ class KnownFindings {
 /// Leaves no more findings of a code in the list than so many; counts stay.
 ///
 /// @param max_listed  0 leaves all.
-/// @param max_lines   So many lines at most, one a finding and one for those of a code that are left
-/// out: where there would be more, fewer of each code are left. 0: no limit.
+/// @param max_lines   So many lines at most, one a finding and one for those of a code that are
+/// left out: where there would be more, fewer of each code are left. 0: no limit.
 void cut_listed(FileFindings& file, std::size_t max_listed, std::size_t max_lines = 0);
 
 }  // namespace meshalyzer
