@@ -108,16 +108,16 @@ std::optional<double> distance_from_parts(const Corners& face, std::span<const C
   for (const CountedEdge& edge : sum_of_boundaries(parts, normal)) {
     inaccuracy = std::max(inaccuracy, distance_from_edge(edge.ends, face));
   }
-  const auto [centre, radius] = incircle_of(face);
-  const bool is_covered = radius > kMargin * inaccuracy &&
+  const Incircle circle = incircle_of(face);
+  const bool is_covered = circle.radius > kMargin * inaccuracy &&
                           std::any_of(parts.begin(), parts.end(), [&](const Corners& part) {
-                            return contains(part, centre, normal);
+                            return contains(part, circle.centre, normal);
                           });
   if (!is_covered) return std::nullopt;
   // Shrunk towards the incentre the face is as deep as that; nothing moves farther than a corner.
   double farthest = 0.0;
-  for (const Vec3& corner : face) farthest = std::max(farthest, (corner - centre).norm());
-  return inaccuracy * (1.0 + farthest / radius);
+  for (const Vec3& corner : face) farthest = std::max(farthest, (corner - circle.centre).norm());
+  return inaccuracy * (1.0 + farthest / circle.radius);
 }
 
 }  // namespace meshalyzer
