@@ -1,13 +1,11 @@
 #include "meshalyzer/arrangement/face_simplex.h"
 
+#include "meshalyzer/base/lexicographic.h"
+
 #include <algorithm>
 
 namespace meshalyzer {
 namespace {
-
-bool lexicographically_less(const Vec3& a, const Vec3& b) {
-  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-}
 
 bool has_corner(const FaceSimplex& simplex, Index x) {
   return std::find(simplex.vertices.begin(), simplex.vertices.end(), x) != simplex.vertices.end();

@@ -1,5 +1,6 @@
 #include "meshalyzer/spatial/degenerate_contact.h"
 
+#include "meshalyzer/base/lexicographic.h"
 #include "meshalyzer/exact/predicates.h"
 
 #include <algorithm>
@@ -13,10 +14,6 @@ struct CollinearHull {
   Vec3 u;
   Vec3 v;
 };
-
-bool lexicographically_less(const Vec3& a, const Vec3& b) {
-  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-}
 
 /// Returns the hull of collinear corners. Lexicographic order is the order along the line.
 CollinearHull hull(const Corners& t) {

@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/driver/deviation.h"
 
+#include "meshalyzer/base/lexicographic.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/repair/driver/internal/face_cover.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -126,44 +128,52 @@ double settle_near_faces(Side& side, double bound) {
   return drop_settled(distances, side);
 }
 
-/// What was made of each face of the input: parts of the new surface, and walls that are gone.
+/// What was made of the faces of the input that changed: parts of the new surface, and walls that
+/// are gone.
 class PartsOfFaces {
  public:
-  PartsOfFaces(const Side& old_side, const TrackedMesh& tracked, std::span<const GoneWall> walls) {
-    place_.assign(old_side.from.n_faces(), kNoIndex);
-    for (Index i = 0; i < old_side.faces.size(); ++i) place_[old_side.faces[i].face] = i;
-    parts_.resize(old_side.faces.size());
-    for (Index face = 0; face < tracked.soup.n_faces(); ++face) {
-      if (has_surface(tracked.soup, face)) {
-        add(tracked.origin_of_face(face), corners_of(tracked.soup, face));
-      }
+  PartsOfFaces(const TrackedMesh& tracked, std::span<const ChangedFace> of_repaired,
+               std::span<const GoneWall> walls) {
+    parts_.reserve(of_repaired.size() + walls.size());
+    for (const ChangedFace& changed : of_repaired) {
+      parts_.push_back(
+          {tracked.origin_of_face(changed.face), corners_of(tracked.soup, changed.face)});
     }
-    for (const GoneWall& wall : walls) add(wall.origin, wall.corners);
+    for (const GoneWall& wall : walls) parts_.push_back({wall.origin, wall.corners});
+    std::stable_sort(parts_.begin(), parts_.end(), ByOrigin());
   }
 
-  /// @param i  The number of a face among those of the old side.
-  [[nodiscard]] std::span<const Corners> of(std::size_t i) const { return parts_[i]; }
+  /// @param face  A face of the input.
+  [[nodiscard]] std::vector<Corners> of(Index face) const {
+    const auto [first, last] =
+        std::equal_range(parts_.begin(), parts_.end(), Part{face, {}}, ByOrigin());
+    std::vector<Corners> parts;
+    std::transform(first, last, std::back_inserter(parts),
+                   [](const Part& part) { return part.corners; });
+    return parts;
+  }
 
  private:
-  void add(Index origin, const Corners& part) {
-    if (origin != kNoIndex && place_[origin] != kNoIndex) parts_[place_[origin]].push_back(part);
-  }
+  struct Part {
+    Index origin = 0;
+    Corners corners;
+  };
+  struct ByOrigin {
+    bool operator()(const Part& a, const Part& b) const { return a.origin < b.origin; }
+  };
 
-  std::vector<Index> place_;
-  std::vector<std::vector<Corners>> parts_;
+  std::vector<Part> parts_;
 };
 
 /// Removes the faces of the input that lie nearer than the resolution to what they were cut into,
 /// and returns the largest of their distances.
-double settle_cut_faces(Side& old_side, const TrackedMesh& tracked, std::span<const GoneWall> walls,
-                        double bound) {
+double settle_cut_faces(Side& old_side, const PartsOfFaces& parts, double bound) {
   const double resolution = SurfaceDistance::kResolution * bound;
-  const PartsOfFaces parts(old_side, tracked, walls);
   std::vector<double> distances(old_side.faces.size(), -1.0);
   parallel_chunks(distances.size(), kFacesPerChunk, [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const auto distance =
-          distance_from_parts(corners_of(old_side.from, old_side.faces[i].face), parts.of(i));
+      const Index face = old_side.faces[i].face;
+      const auto distance = distance_from_parts(corners_of(old_side.from, face), parts.of(face));
       if (distance && *distance <= resolution) distances[i] = *distance;
     }
   });
@@ -193,7 +203,7 @@ SideResult measure_side(const Side& side, const std::function<SurfaceDistance()>
 
 /// Puts corners in an order that does not depend on which one is first.
 Corners sorted(Corners corners) {
-  std::sort(corners.begin(), corners.end(), comes_first);
+  std::sort(corners.begin(), corners.end(), lexicographically_less);
   return corners;
 }
 
@@ -202,7 +212,8 @@ void drop_walls(const Soup& input, std::span<const GoneWall> walls,
                 std::vector<ChangedFace>& faces) {
   if (walls.empty()) return;
   const auto less = [](const Corners& a, const Corners& b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), comes_first);
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+                                        lexicographically_less);
   };
   std::vector<Corners> all(walls.size());
   std::transform(walls.begin(), walls.end(), all.begin(),
@@ -309,10 +320,12 @@ DeviationMeter::Result DeviationMeter::measure(const TrackedMesh& tracked, const
   Side old_side{input_, tracked.soup, std::move(changes.of_input)};
   Side new_side{tracked.soup, input_, std::move(changes.of_repaired)};
   Result result;
-  result.largest = std::max(settle_near_faces(old_side, bound), settle_near_faces(new_side, bound));
+  result.largest = settle_near_faces(old_side, bound);
   if (!old_side.faces.empty()) {
-    result.largest = std::max(result.largest, settle_cut_faces(old_side, tracked, walls, bound));
+    const PartsOfFaces parts(tracked, new_side.faces, walls);
+    result.largest = std::max(result.largest, settle_cut_faces(old_side, parts, bound));
   }
+  result.largest = std::max(result.largest, settle_near_faces(new_side, bound));
   if (!old_side.faces.empty()) {
     const ClosestPoints closest(tree);
     SideResult old_result =

@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/driver/internal/face_cover.h"
 
+#include "meshalyzer/base/lexicographic.h"
 #include "meshalyzer/repair/driver/internal/face_distance.h"
 #include "meshalyzer/spatial/closest_point.h"
 
@@ -10,10 +11,6 @@
 #include <vector>
 
 namespace meshalyzer {
-
-bool comes_first(const Vec3& a, const Vec3& b) {
-  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-}
 
 namespace {
 
@@ -53,13 +50,13 @@ std::vector<CountedEdge> sum_of_boundaries(std::span<const Corners> parts, const
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3& from = part[i];
       const Vec3& to = part[(i + 1) % 3];
-      edges.push_back(comes_first(from, to) ? CountedEdge{{from, to}, sign}
-                                            : CountedEdge{{to, from}, -sign});
+      edges.push_back(lexicographically_less(from, to) ? CountedEdge{{from, to}, sign}
+                                                       : CountedEdge{{to, from}, -sign});
     }
   }
   std::sort(edges.begin(), edges.end(), [](const CountedEdge& a, const CountedEdge& b) {
     return std::lexicographical_compare(a.ends.begin(), a.ends.end(), b.ends.begin(), b.ends.end(),
-                                        comes_first);
+                                        lexicographically_less);
   });
   std::size_t n = 0;
   for (const CountedEdge& edge : edges) {

@@ -7,9 +7,6 @@
 
 namespace meshalyzer {
 
-/// Orders points by their coordinates, lexicographically.
-[[nodiscard]] bool comes_first(const Vec3& a, const Vec3& b);
-
 /// Bounds the distance of the farthest point of a face from triangles that it was cut into.
 ///
 /// Each point of the face that is deeper inside than the parts are inaccurate lies below as many
