@@ -12,15 +12,6 @@
 namespace meshalyzer {
 namespace {
 
-/// #components: 1 where no edge has but one face.
-std::vector<std::uint8_t> which_are_closed(const CutMesh& cut, const Components& components) {
-  std::vector<std::uint8_t> is_closed(components.count, 1);
-  for (const HalfedgeHandle h : find_border_edges(cut)) {
-    is_closed[components.of_face[static_cast<std::size_t>(cut.mesh.face_handle(h).idx())]] = 0;
-  }
-  return is_closed;
-}
-
 /// #file faces: 1 for those that must be turned to make the mesh consistent. What no turning makes
 /// consistent stays as it is.
 std::vector<std::uint8_t> which_are_flipped(const PreparedMesh& mesh) {
@@ -37,6 +28,14 @@ bool separates(std::vector<Corners> triangles) {
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> which_are_closed(const CutMesh& cut, const Components& components) {
+  std::vector<std::uint8_t> is_closed(components.count, 1);
+  for (const HalfedgeHandle h : find_border_edges(cut)) {
+    is_closed[components.of_face[static_cast<std::size_t>(cut.mesh.face_handle(h).idx())]] = 0;
+  }
+  return is_closed;
+}
 
 std::vector<std::uint8_t> bounds_solid(const PreparedMesh& mesh, const Components& components) {
   std::vector<std::uint8_t> is_solid = which_are_closed(mesh.cut(), components);

@@ -8,6 +8,10 @@
 
 namespace meshalyzer {
 
+/// @return  #components: 1 for those without a border, whose edges all have two faces.
+[[nodiscard]] std::vector<std::uint8_t> which_are_closed(const CutMesh& cut,
+                                                         const Components& components);
+
 /// Tells for each component whether its surface bounds a solid: whether at least half of its area
 /// separates inside from outside. A face separates where the winding number of its component is, on
 /// its two sides, nearer to 1 and 0, which a closed surface has, than to 1/2 and -1/2, which a flat

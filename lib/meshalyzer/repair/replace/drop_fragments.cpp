@@ -2,7 +2,6 @@
 #include "meshalyzer/repair/orient/bounds_solid.h"
 #include "meshalyzer/repair/orient/internal/side_votes.h"
 #include "meshalyzer/repair/passes.h"
-#include "meshalyzer/topology/border.h"
 #include "meshalyzer/topology/components.h"
 
 #include <algorithm>
@@ -19,24 +18,20 @@ constexpr double kSmallShare = 0.1;
 struct SurfaceParts {
   Components components;
   std::vector<double> areas;
-  std::vector<std::uint8_t> is_open;
+  std::vector<std::uint8_t> is_closed;
   std::vector<std::uint8_t> bounds;
 };
 
 SurfaceParts find_parts(const PreparedMesh& mesh) {
   SurfaceParts parts{
-      .components = find_edge_components(mesh.cut()), .areas = {}, .is_open = {}, .bounds = {}};
+      .components = find_edge_components(mesh.cut()), .areas = {}, .is_closed = {}, .bounds = {}};
   const CutMesh& cut = mesh.cut();
   parts.areas.resize(parts.components.count);
-  parts.is_open.resize(parts.components.count);
   for (std::size_t f = 0; f < parts.components.of_face.size(); ++f) {
     const auto [a, b, c] = corners_of(mesh.soup(), cut.side.faces[f]);
     parts.areas[parts.components.of_face[f]] += accurate_normal(a, b, c).norm() / 2.0;
   }
-  for (const HalfedgeHandle h : find_border_edges(cut)) {
-    parts.is_open[parts.components
-                      .of_face[static_cast<std::size_t>(cut.mesh.face_handle(h).idx())]] = 1;
-  }
+  parts.is_closed = which_are_closed(cut, parts.components);
   parts.bounds = bounds_solid(mesh, parts.components);
   return parts;
 }
@@ -51,7 +46,7 @@ PassResult drop_fragments(const PassInput& input, Fragments which) {
   bool is_any_kept = false;
   for (std::size_t i = 0; i < n; ++i) {
     const bool is_wanted = which == Fragments::All || parts.areas[i] <= kSmallShare * total;
-    is_dropped[i] = parts.is_open[i] != 0 && parts.bounds[i] == 0 && is_wanted ? 1 : 0;
+    is_dropped[i] = parts.is_closed[i] == 0 && parts.bounds[i] == 0 && is_wanted ? 1 : 0;
     // Small sheets do not go for the sake of large ones that enclose nothing either, once these
     // had their chance to be closed.
     is_any_kept =

@@ -2,7 +2,6 @@
 
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/repair/orient/bounds_solid.h"
-#include "meshalyzer/topology/border.h"
 #include "meshalyzer/topology/components.h"
 
 #include <algorithm>
@@ -117,10 +116,8 @@ class CutEdits {
     const CutMesh& cut = input_.mesh.cut();
     const Components components = find_edge_components(cut);
     const std::vector<Index> component_of = components_of_faces(components);
-    std::vector<std::uint8_t> is_lost(components.count, 0);
-    for (const HalfedgeHandle h : find_border_edges(cut)) {
-      is_lost[components.of_face[static_cast<std::size_t>(cut.mesh.face_handle(h).idx())]] = 1;
-    }
+    std::vector<std::uint8_t> is_lost = which_are_closed(cut, components);
+    for (std::uint8_t& lost : is_lost) lost = lost == 0 ? 1 : 0;
     const std::vector<std::uint8_t> has_patch = parts_with_patches();
     for (const Index face : changed_) {
       if (has_patch[parts_.find(face)] != 0) is_lost[component_of[face]] = 1;
