@@ -29,8 +29,8 @@ constexpr std::size_t kFirstRoundOfAll = 3;
 constexpr double kRoundingShare = 0.25;
 
 /// How many pairs all rounds may cut, beside this multiple of those of the first.
-constexpr std::size_t kMorePairs = 10'000;
-constexpr std::size_t kTimesFirstPairs = 3;
+constexpr std::size_t kMorePairs = 1000;
+constexpr std::size_t kTimesFirstPairs = 2;
 
 using Pairs = std::vector<IntersectingPair>;
 

@@ -12,8 +12,11 @@
 namespace meshalyzer {
 namespace {
 
-/// So many pieces are looked at of those that have the same cells on both sides.
-constexpr std::size_t kSamplesOfPatch = 64;
+/// So many pieces are looked at of those that have the same cells on both sides: fewer where there
+/// are so many such patches that all samples together would be more than kSamples.
+constexpr std::size_t kMostSamplesOfPatch = 64;
+constexpr std::size_t kLeastSamplesOfPatch = 4;
+constexpr std::size_t kSamples = 4096;
 /// A winding number is whole where it is no farther than this from one. Beside a sheet that another
 /// one crosses it comes as near as 1/4.
 constexpr double kNearWhole = 0.15;
@@ -42,9 +45,11 @@ std::vector<Sample> choose_samples(const ArrangedSoup& a, std::span<const std::u
     patches[{component, a.cells.front(piece), a.cells.behind(piece)}].push_back(
         {.piece = piece, .area = area_of(a.arrangement, piece)});
   }
+  const std::size_t n_of_patch = std::clamp(kSamples / std::max<std::size_t>(1, patches.size()),
+                                            kLeastSamplesOfPatch, kMostSamplesOfPatch);
   std::vector<Sample> samples;
   for (const auto& [sides, pieces] : patches) {
-    const std::size_t n = std::min(pieces.size(), kSamplesOfPatch);
+    const std::size_t n = std::min(pieces.size(), n_of_patch);
     double area = 0.0;
     for (const Sample& sample : pieces) area += sample.area;
     for (std::size_t i = 0; i < n; ++i) {
