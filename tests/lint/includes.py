@@ -48,7 +48,7 @@ def main():
             return ['clang++', *options, '-w', '-DBOOST_ALL_NO_LIB', '-DCGAL_USE_GMPXX=1']
 
         plain = [o for o in jobs[0][1] if not o.startswith(('-D', '-I'))]
-        subprocess.run([*compiler(plain), '-x', 'c++-header', str(header), '-o', str(precompiled)], check=True)
+        subprocess.run([*compiler(plain), '-fpch-instantiate-templates', '-x', 'c++-header', str(header), '-o', str(precompiled)], check=True)
 
         def fault(job):
             source, options = job

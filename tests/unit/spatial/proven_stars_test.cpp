@@ -3,6 +3,7 @@
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/spatial/self_intersection_search.h"
+#include "support/effort.h"
 #include "support/random_soups.h"
 #include "support/shapes.h"
 #include "support/sliver_tube.h"
@@ -124,32 +125,36 @@ Soup moved(Soup soup, const std::function<double(double)>& move) {
 TEST(ProveStars, LeaveThePairsOfNoisyShapesAsTheyAre) {
   Random random(1);
   std::size_t n_pairs = 0;
+  test::Effort effort;
   for (const double noise : {1e-15, 1e-9, 0.02, 0.1, 0.5}) {
     const auto shake = [&](double x) {
       return x + noise * (static_cast<double>(random()) / 0x1p31 - 1);
     };
     for (const Soup& soup : shapes_to_try()) {
+      if (!effort.runs_next()) continue;
       n_pairs += expect_same_pairs(moved(soup, shake));
       n_pairs += expect_same_pairs(moved(damaged(soup, 9, random), shake));
     }
   }
-  EXPECT_GT(n_pairs, 10000u);
+  EXPECT_GT(n_pairs, 1000u);
 }
 
 TEST(ProveStars, LeaveThePairsOfGriddedShapesAsTheyAre) {
   Random random(2);
   std::size_t n_pairs = 0;
+  test::Effort effort;
   for (const double step : {0.03125, 0.125, 0.1, 0.3, 1.0}) {
     const auto snap = [&](double x) { return step * std::round(x / step); };
     const auto snap_but_for_an_ulp = [&](double x) {
       return random() % 4 == 0 ? std::nextafter(snap(x), 9.0) : snap(x);
     };
     for (const Soup& soup : shapes_to_try()) {
+      if (!effort.runs_next()) continue;
       n_pairs += expect_same_pairs(moved(soup, snap));
       n_pairs += expect_same_pairs(moved(damaged(soup, 9, random), snap_but_for_an_ulp));
     }
   }
-  EXPECT_GT(n_pairs, 10000u);
+  EXPECT_GT(n_pairs, 1000u);
 }
 
 }  // namespace

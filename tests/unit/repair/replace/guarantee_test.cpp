@@ -50,7 +50,7 @@ TEST(Guarantee, CubesThatCrossAreReplacedByTheirUnion) {
   RepairOptions options = to_solid();
   // So that nothing but the replacement can help. Volumes 8 + 8 - 1.
   options.fixes.erase(DefectCode::SelfIntersection);
-  options.max_deviation.value = 0.005;
+  options.max_deviation.value = 0.01;
   const Soup cubes = shapes::merged(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
   const RepairResult result = fix_defects(cubes, options);
   EXPECT_TRUE(is_good(only_mesh(result)));
