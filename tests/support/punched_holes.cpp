@@ -65,7 +65,7 @@ Filled fill_with_pass(const PunchedMesh& punched, FillShape shape) {
   const Tolerances tolerances = resolve_tolerances({}, used_box(tracked.soup));
   const RepairLimits limits;
   const PassResult result =
-      fill_holes({tracked, mesh, tolerances, limits},
+      fill_holes({tracked.soup, tracked, mesh, tolerances, limits},
                  {.at = punched.place, .shape = shape, .sheets = FillSheets::Yes});
   const TrackedMesh after = apply_edits(tracked, result.edits);
   Filled filled{.soup = after.soup, .patch = {}};

@@ -43,7 +43,7 @@ struct PassRun {
   while (true) {
     const PreparedMesh mesh(run.tracked.soup);
     const Tolerances resolved = resolve_tolerances(tolerances, box_of(run.tracked.soup));
-    PassResult result = pass({run.tracked, mesh, resolved, limits});
+    PassResult result = pass({soup, run.tracked, mesh, resolved, limits});
     run.refused = std::move(result.refused);
     if (result.edits.empty()) return run;
     run.operations += result.edits.n_operations;

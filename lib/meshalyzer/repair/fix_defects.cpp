@@ -22,7 +22,7 @@ namespace {
 TrackedMesh renumbered(const TrackedMesh& tracked, const Tolerances& tolerances) {
   const PreparedMesh mesh(tracked.soup);
   const RepairLimits limits;
-  return apply_edits(tracked, renumber({tracked, mesh, tolerances, limits}).edits);
+  return apply_edits(tracked, renumber({tracked.soup, tracked, mesh, tolerances, limits}).edits);
 }
 
 std::vector<RepairedMesh> finished_meshes(RepairDriver& driver, const RepairOptions& options,
@@ -98,7 +98,6 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   }
   const Box3 box = used_box(soup);
   const Tolerances tolerances = resolve_tolerances(options.tolerances, box);
-  const Soup before = options.solid ? soup : Soup();
   RepairLimits limits;
   limits.max_deviation = length_of(options.max_deviation, box);
   limits.groups = options.groups;
@@ -124,7 +123,7 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   result.is_stopped = driver.is_stopped();
   result.rises = driver.rises();
   result.log = driver.take_log();
-  name_dropped_fragments(before, result);
+  name_dropped_fragments(driver.input(), result);
   name_what_has_no_reason(options, result);
   return result;
 }

@@ -47,6 +47,8 @@ enum class OperationSize : std::uint8_t {
 
 /// What a pass sees. This holds references only.
 struct PassInput {
+  /// The mesh before all repairs.
+  const Soup& original;
   const TrackedMesh& tracked;
   /// Prepared from tracked.soup.
   const PreparedMesh& mesh;

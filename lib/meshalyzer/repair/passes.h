@@ -120,6 +120,9 @@ struct CutOptions {
 
 /// Which fragments are dropped: open parts that bound no solid, see bounds_solid().
 enum class Fragments : std::uint8_t {
+  /// Those that hung on a solid in the original mesh, where it is closed without them and they have
+  /// a small share of its area: fins, and what is left of walls.
+  Debris,
   /// Those with a small share of the area of the mesh.
   Small,
   /// All, where anything is left that bounds a solid.

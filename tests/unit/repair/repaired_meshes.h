@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/repair/fix_defects.h"
 #include "support/shapes.h"
 
@@ -23,6 +24,26 @@ inline const Soup& only_mesh(const RepairResult& result) {
   std::size_t n = 0;
   for (const RepairedMesh& mesh : result.meshes) n += mesh.remaining.count(code);
   return n;
+}
+
+/// Whether a mesh is closed, manifold, oriented outwards and embedded.
+[[nodiscard]] inline bool is_good(const Soup& soup) {
+  const PreparedMesh mesh(soup);
+  const CutMesh& cut = mesh.cut();
+  if (soup.triangles.empty() || !cut.side.non_manifold_vertices.empty()) return false;
+  for (const auto h : cut.mesh.halfedges()) {
+    if (cut.mesh.is_boundary(h)) return false;
+  }
+  for (const Shell& shell : mesh.shells()) {
+    if (shell.outward != true) return false;
+  }
+  return mesh.intersecting_pairs().empty();
+}
+
+/// Whether a note has this in it.
+[[nodiscard]] inline bool is_noted(const RepairResult& result, std::string_view what) {
+  return std::any_of(result.notes.begin(), result.notes.end(),
+                     [&](const std::string& note) { return note.find(what) != std::string::npos; });
 }
 
 /// Whether a refusal of this code has this in its reason.

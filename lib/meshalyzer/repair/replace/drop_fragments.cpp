@@ -1,4 +1,5 @@
 #include "meshalyzer/exact/normal.h"
+#include "meshalyzer/mesh/build.h"
 #include "meshalyzer/repair/orient/bounds_solid.h"
 #include "meshalyzer/repair/orient/internal/side_votes.h"
 #include "meshalyzer/repair/passes.h"
@@ -13,38 +14,44 @@ namespace {
 
 /// A fragment is small where it has at most this share of the area of the mesh.
 constexpr double kSmallShare = 0.1;
+/// A fragment is debris of a solid where it has at most this share of its area.
+constexpr double kDebrisShare = 0.01;
 
 /// What is known of each component.
 struct SurfaceParts {
   Components components;
   std::vector<double> areas;
+  /// #mesh faces.
+  std::vector<double> face_areas;
   std::vector<std::uint8_t> is_closed;
   std::vector<std::uint8_t> bounds;
 };
 
 SurfaceParts find_parts(const PreparedMesh& mesh) {
-  SurfaceParts parts{
-      .components = find_edge_components(mesh.cut()), .areas = {}, .is_closed = {}, .bounds = {}};
+  SurfaceParts parts{.components = find_edge_components(mesh.cut()),
+                     .areas = {},
+                     .face_areas = {},
+                     .is_closed = {},
+                     .bounds = {}};
   const CutMesh& cut = mesh.cut();
   parts.areas.resize(parts.components.count);
+  parts.face_areas.resize(parts.components.of_face.size());
   for (std::size_t f = 0; f < parts.components.of_face.size(); ++f) {
     const auto [a, b, c] = corners_of(mesh.soup(), cut.side.faces[f]);
-    parts.areas[parts.components.of_face[f]] += accurate_normal(a, b, c).norm() / 2.0;
+    parts.face_areas[f] = accurate_normal(a, b, c).norm() / 2.0;
+    parts.areas[parts.components.of_face[f]] += parts.face_areas[f];
   }
   parts.is_closed = which_are_closed(cut, parts.components);
   parts.bounds = bounds_solid(mesh, parts.components);
   return parts;
 }
 
-}  // namespace
-
-PassResult drop_fragments(const PassInput& input, Fragments which) {
-  const SurfaceParts parts = find_parts(input.mesh);
-  const std::size_t n = parts.components.count;
+/// #components: 1 for sheets, small ones or all.
+std::vector<std::uint8_t> find_sheets(const SurfaceParts& parts, Fragments which) {
   const double total = std::accumulate(parts.areas.begin(), parts.areas.end(), 0.0);
-  std::vector<std::uint8_t> is_dropped(n, 0);
+  std::vector<std::uint8_t> is_dropped(parts.components.count, 0);
   bool is_any_kept = false;
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < is_dropped.size(); ++i) {
     const bool is_wanted = which == Fragments::All || parts.areas[i] <= kSmallShare * total;
     is_dropped[i] = parts.is_closed[i] == 0 && parts.bounds[i] == 0 && is_wanted ? 1 : 0;
     // Small sheets do not go for the sake of large ones that enclose nothing either, once these
@@ -52,8 +59,56 @@ PassResult drop_fragments(const PassInput& input, Fragments which) {
     is_any_kept =
         is_any_kept || (which == Fragments::All ? parts.bounds[i] != 0 : is_dropped[i] == 0);
   }
+  if (!is_any_kept) is_dropped.assign(is_dropped.size(), 0);
+  return is_dropped;
+}
+
+/// #faces: the component of each that is in the complex.
+std::vector<Index> components_of_faces(const Soup& soup) {
+  const CutMesh cut = build(soup);
+  const Components components = find_components(cut);
+  std::vector<Index> component_of(soup.n_faces(), kNoIndex);
+  for (std::size_t f = 0; f < components.of_face.size(); ++f) {
+    component_of[cut.side.faces[f]] = components.of_face[f];
+  }
+  return component_of;
+}
+
+/// #components: 1 for sheets that hung, in the original, on solids that are closed without them.
+std::vector<std::uint8_t> find_debris(const PassInput& input, const SurfaceParts& parts) {
+  const std::vector<Index> component_of = components_of_faces(input.original);
+  const CutMesh& cut = input.mesh.cut();
+  /// Of the closed parts that were made of each component of the original.
+  std::vector<double> closed_areas(component_of.size(), 0.0);
+  const auto hung_on = [&](std::size_t f) {
+    const Index origin = input.tracked.origin_of_face(cut.side.faces[f]);
+    return origin == kNoIndex ? kNoIndex : component_of[origin];
+  };
+  const std::vector<Index>& part_of = parts.components.of_face;
+  for (std::size_t f = 0; f < part_of.size(); ++f) {
+    const Index component = parts.is_closed[part_of[f]] != 0 ? hung_on(f) : kNoIndex;
+    if (component != kNoIndex) closed_areas[component] += parts.face_areas[f];
+  }
+  std::vector<std::uint8_t> is_debris(parts.components.count, 0);
+  for (std::size_t i = 0; i < is_debris.size(); ++i) {
+    is_debris[i] = parts.is_closed[i] == 0 && parts.bounds[i] == 0 ? 1 : 0;
+  }
+  for (std::size_t f = 0; f < part_of.size(); ++f) {
+    const Index component = is_debris[part_of[f]] != 0 ? hung_on(f) : kNoIndex;
+    if (component == kNoIndex) continue;
+    if (parts.areas[part_of[f]] > kDebrisShare * closed_areas[component]) is_debris[part_of[f]] = 0;
+  }
+  return is_debris;
+}
+
+}  // namespace
+
+PassResult drop_fragments(const PassInput& input, Fragments which) {
+  const SurfaceParts parts = find_parts(input.mesh);
+  const std::vector<std::uint8_t> is_dropped =
+      which == Fragments::Debris ? find_debris(input, parts) : find_sheets(parts, which);
+  const std::size_t n = parts.components.count;
   PassResult result;
-  if (!is_any_kept) return result;
   const FacesByPart faces(parts.components.of_face, n);
   for (std::size_t i = 0; i < n; ++i) {
     if (is_dropped[i] == 0) continue;

@@ -24,7 +24,7 @@ PassResult mend_once(const Soup& soup, const RepairLimits& limits) {
   const TrackedMesh tracked = track_mesh(soup);
   const PreparedMesh mesh(tracked.soup);
   const Tolerances tolerances = resolve_tolerances({}, box_of(soup));
-  return mend_facets({tracked, mesh, tolerances, limits});
+  return mend_facets({tracked.soup, tracked, mesh, tolerances, limits});
 }
 
 /// The largest distance from the second surface of a lattice of points on each face of the first.

@@ -23,7 +23,7 @@ struct MendFixture {
   Tolerances tolerances;
   RepairLimits limits;
   WorkingMesh mesh;
-  PassInput input{tracked, built, tolerances, limits};
+  PassInput input{tracked.soup, tracked, built, tolerances, limits};
   MendRules rules{input};
 
   explicit MendFixture(const Soup& soup, double tolerance = 1e-8, std::vector<Index> thin = {})

@@ -16,7 +16,7 @@ PassResult flip(const Soup& soup) {
   const PreparedMesh mesh(tracked.soup);
   const Tolerances tolerances;
   const RepairLimits limits;
-  return flip_all({tracked, mesh, tolerances, limits});
+  return flip_all({tracked.soup, tracked, mesh, tolerances, limits});
 }
 
 Soup flipped(const Soup& soup) {

@@ -1,4 +1,3 @@
-#include "meshalyzer/prepared/prepared_mesh.h"
 #include "support/shapes.h"
 #include "unit/repair/repaired_meshes.h"
 
@@ -15,25 +14,6 @@ RepairOptions to_solid() {
   options.guarantee = true;
   options.fill.sheets = FillSheets::Yes;
   return options;
-}
-
-/// Whether a mesh is closed, manifold, oriented outwards and embedded.
-bool is_good(const Soup& soup) {
-  const PreparedMesh mesh(soup);
-  const CutMesh& cut = mesh.cut();
-  if (soup.triangles.empty() || !cut.side.non_manifold_vertices.empty()) return false;
-  for (const auto h : cut.mesh.halfedges()) {
-    if (cut.mesh.is_boundary(h)) return false;
-  }
-  for (const Shell& shell : mesh.shells()) {
-    if (shell.outward != true) return false;
-  }
-  return mesh.intersecting_pairs().empty();
-}
-
-bool is_noted(const RepairResult& result, std::string_view what) {
-  return std::any_of(result.notes.begin(), result.notes.end(),
-                     [&](const std::string& note) { return note.find(what) != std::string::npos; });
 }
 
 /// What is good in the end, of one mesh, and within the maximum deviation.

@@ -98,6 +98,7 @@ void plan_fixes(const RepairOptions& options, const Tolerances& tolerances, Plan
               {FlatFacet}});
   }
   plan.add({"orient outward", Inward, orient_outward});
+  plan.add(drop(Fragments::Debris));
   if (options.contact == Contact::Part) {
     plan.add({"part contacts", NonManifold, part_contacts});
   }
@@ -107,7 +108,7 @@ void plan_fixes(const RepairOptions& options, const Tolerances& tolerances, Plan
               return cut_intersections(input, cut);
             },
             {NonManifold, FlatFacet, DegenerateFacet, Foldover, Flipped, Hole}});
-  if (options.solid) plan.add(drop(Fragments::All));
+  plan.add(drop(options.solid ? Fragments::All : Fragments::Debris));
   plan.add({"renew normals", VertexNormal, renew_normals});
   plan.add({"drop orphans", OrphanVertex, drop_orphans});
   plan.add({"renumber", Numbering, renumber});

@@ -172,7 +172,8 @@ void RepairDriver::apply_unchecked(const PlannedPass& pass) {
 }
 
 PassResult RepairDriver::propose(const PlannedPass& pass, OperationSize size) const {
-  return pass.run({state_->tracked(), state_->mesh(), tolerances_, limits_, size, wants_to_stop_});
+  return pass.run(
+      {input_, state_->tracked(), state_->mesh(), tolerances_, limits_, size, wants_to_stop_});
 }
 
 bool RepairDriver::run(const PlannedPass& pass) {

@@ -36,6 +36,8 @@ class RepairDriver {
   RepairDriver(Soup input, const Tolerances& tolerances, RepairLimits limits, FixedVertices fixed);
 
   [[nodiscard]] const TrackedMesh& tracked() const { return state_->tracked(); }
+  /// Returns the mesh before all repairs.
+  [[nodiscard]] const Soup& input() const { return input_; }
   [[nodiscard]] const PreparedMesh& mesh() const { return state_->mesh(); }
   /// Returns an upper bound of the distance between the input and the tracked mesh, hole patches
   /// left out.
