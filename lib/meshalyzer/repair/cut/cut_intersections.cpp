@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -12,6 +13,8 @@ namespace {
 
 /// Cutting takes about two kilobytes a pair.
 constexpr std::size_t kMostPairsCut = 2'000'000;
+/// Pockets are forgotten where they have at most this share of the area of what stays.
+constexpr double kLargestForgotten = 0.25;
 
 PassResult refuse_all(const IntersectingPair& first, const std::string& reason) {
   PassResult result;
@@ -39,9 +42,16 @@ PassResult cut_intersections(const PassInput& input, const CutOptions& options) 
   const std::vector<Edits::AddedFace> patches =
       options.fill ? crossing_patches(input, *options.fill) : std::vector<Edits::AddedFace>();
   if (first == pairs.end() && patches.empty()) return {};
-  const Pockets pockets =
-      input.operation_size == OperationSize::Normal ? Pockets::Dropped : Pockets::Kept;
-  return cut_edits(input, patches, cut_surface(input, patches, pockets));
+  if (input.operation_size == OperationSize::Normal) {
+    return cut_edits(input, patches, cut_surface(input, patches, Pockets::Dropped));
+  }
+  CutSurface surface = cut_surface(input, patches, Pockets::Kept);
+  if (!surface.unfinished.empty()) {
+    CutSurface solid = cut_surface(input, patches, Pockets::Forgotten);
+    const bool is_better = solid.unfinished.empty() && solid.pocket_share <= kLargestForgotten;
+    if (is_better) surface = std::move(solid);
+  }
+  return cut_edits(input, patches, surface);
 }
 
 }  // namespace meshalyzer

@@ -225,7 +225,10 @@ void drop_walls(const Soup& input, std::span<const GoneWall> walls,
   });
 }
 
-/// The walls, and what of the new surface is near faces of the input.
+/// The walls that were parts of faces of the input, or of none, and what of the new surface is near
+/// these faces.
+///
+/// @param old_side  Its faces ascend.
 Soup surface_with_walls(const Side& old_side, std::span<const GoneWall> walls, double bound) {
   Box3 near;
   for (const ChangedFace& changed : old_side.faces) {
@@ -241,7 +244,14 @@ Soup surface_with_walls(const Side& old_side, std::span<const GoneWall> walls, d
     for (const Vec3& corner : corners_of(old_side.to, face)) box.extend(corner);
     if (near.intersects(box)) soup.triangles.push_back(old_side.to.triangles[face]);
   }
+  const auto is_asked_for = [&](Index origin) {
+    const auto found = std::lower_bound(
+        old_side.faces.begin(), old_side.faces.end(), origin,
+        [](const ChangedFace& changed, Index face) { return changed.face < face; });
+    return found != old_side.faces.end() && found->face == origin;
+  };
   for (const GoneWall& wall : walls) {
+    if (wall.origin != kNoIndex && !is_asked_for(wall.origin)) continue;
     const auto first = static_cast<Index>(soup.n_vertices());
     soup.positions.insert(soup.positions.end(), wall.corners.begin(), wall.corners.end());
     soup.triangles.push_back({first, first + 1, first + 2});

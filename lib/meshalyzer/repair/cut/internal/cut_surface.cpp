@@ -116,6 +116,7 @@ class CuttingRounds {
         select_pieces({soup_, cut, tree, arrangement, cells},
                       components_to_select(arrangement, cells, pairs), pockets_);
     tie_faces(arrangement, pairs);
+    if (round_ == 0) result_.pocket_share = share_of_pockets(arrangement, fates);
     take(arrangement, fates, round_vertices(arrangement, rounding()));
   }
 
@@ -162,6 +163,20 @@ class CuttingRounds {
     }
   }
 
+  [[nodiscard]] static double share_of_pockets(const Arrangement& arrangement,
+                                               std::span<const PieceFate> fates) {
+    double pockets = 0.0;
+    double kept = 0.0;
+    for (std::size_t i = 0; i < fates.size(); ++i) {
+      if (fates[i] != PieceFate::Exterior && !stays(fates[i])) continue;
+      const Triangle& t = arrangement.pieces[i];
+      const std::vector<Vec3>& at = arrangement.positions;
+      const double area = (at[t[1]] - at[t[0]]).cross(at[t[2]] - at[t[0]]).norm();
+      (stays(fates[i]) ? kept : pockets) += area;
+    }
+    return kept > 0.0 ? pockets / kept : 1.0;
+  }
+
   void take(const Arrangement& arrangement, std::span<const PieceFate> fates,
             RoundedVertices rounded) {
     std::vector<std::uint8_t> was_cut(soup_.n_faces(), 0);
@@ -173,7 +188,9 @@ class CuttingRounds {
       const auto sources = arrangement.sources_of(i);
       const Index face = sources.front().face;
       Triangle t = arrangement.pieces[i];
-      const bool is_gone = fates[i] == PieceFate::Interior || fates[i] == PieceFate::Cancelled;
+      const bool is_forgotten = fates[i] == PieceFate::Exterior && pockets_ == Pockets::Forgotten;
+      const bool is_gone =
+          is_forgotten || fates[i] == PieceFate::Interior || fates[i] == PieceFate::Cancelled;
       // What stays of one face is there for all that lie on it.
       for (const PieceSource& source : sources.subspan(is_gone ? 0 : 1)) {
         add_wall(source.face, arrangement, i);

@@ -27,6 +27,8 @@ struct CutSurface {
   /// #triangles: the face of the input that each is a part of; n_faces + i for patch face i.
   std::vector<Index> origins;
   std::vector<InteriorWall> walls;
+  /// The area of the pockets that went, relative to what stays.
+  double pocket_share = 0.0;
   /// Faces of the input of which parts stay or go together.
   std::vector<std::array<Index, 2>> ties;
   /// Faces of the input of which parts still intersect others in the end.

@@ -9,7 +9,12 @@ namespace meshalyzer {
 
 /// What becomes of pockets that faces go round the wrong way, as where a surface has been pushed
 /// through itself.
-enum class Pockets : std::uint8_t { Dropped, Kept };
+enum class Pockets : std::uint8_t {
+  Dropped,
+  Kept,
+  /// They are dropped, and need not be missed: they bound none of the solid.
+  Forgotten,
+};
 
 /// What becomes of a piece of an arrangement.
 enum class PieceFate : std::uint8_t {

@@ -302,6 +302,12 @@ std::vector<RepairDriver::Signature> RepairDriver::signatures(const Edits& edits
     signatures[edit.op].push_back(kNoIndex);
     signatures[edit.op].push_back(tracked.vertex_keys[edit.vertex]);
   }
+  // What declares more of it to be walls is another operation.
+  std::vector<Index> n_walls(edits.n_operations, 0);
+  for (const auto& wall : edits.interior_walls) ++n_walls[wall.op];
+  for (std::size_t op = 0; op < n_walls.size(); ++op) {
+    if (!signatures[op].empty()) signatures[op].push_back(n_walls[op]);
+  }
   return signatures;
 }
 

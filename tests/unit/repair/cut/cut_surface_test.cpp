@@ -1,0 +1,74 @@
+#include "meshalyzer/repair/cut/internal/cut_surface.h"
+
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace meshalyzer {
+namespace {
+
+/// A ball of which one vertex has been pushed through and out on the other side: what of the spike
+/// is outside is gone round the wrong way.
+Soup pierced_ball() {
+  Soup soup = shapes::icosphere(2);
+  const auto top = std::max_element(soup.positions.begin(), soup.positions.end(),
+                                    [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
+  *top *= -1.6;
+  return soup;
+}
+
+CutSurface cut(const Soup& soup, Pockets pockets) {
+  const TrackedMesh tracked = track_mesh(soup);
+  const PreparedMesh mesh(tracked.soup);
+  const Tolerances tolerances;
+  const RepairLimits limits{.max_deviation = 1.0, .fixed_vertices = {}};
+  return cut_surface({soup, tracked, mesh, tolerances, limits}, {}, pockets);
+}
+
+double area_of(const Corners& t) {
+  return (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2.0;
+}
+
+double area_of(const Soup& soup) {
+  double area = 0.0;
+  for (Index face = 0; face < soup.n_faces(); ++face) area += area_of(corners_of(soup, face));
+  return area;
+}
+
+struct Areas {
+  double kept = 0.0;
+  double walls = 0.0;
+};
+
+Areas areas_of(const CutSurface& surface) {
+  Soup kept;
+  kept.positions = surface.positions;
+  kept.triangles = surface.triangles;
+  Areas areas{.kept = area_of(kept)};
+  for (const InteriorWall& wall : surface.walls) areas.walls += area_of(wall.corners);
+  return areas;
+}
+
+TEST(CutSurface, PocketsThatAreDroppedAreMissedUnlessForgotten) {
+  const Soup soup = pierced_ball();
+  const double area = area_of(soup);
+  const CutSurface dropped = cut(soup, Pockets::Dropped);
+  const CutSurface forgotten = cut(soup, Pockets::Forgotten);
+  EXPECT_TRUE(dropped.unfinished.empty());
+  EXPECT_EQ(forgotten.triangles, dropped.triangles);
+  const double pocket = area - areas_of(dropped).kept - areas_of(dropped).walls;
+  EXPECT_GT(pocket, 0.005 * area);
+  EXPECT_NEAR(dropped.pocket_share * areas_of(dropped).kept, pocket, 1e-9 * area);
+  EXPECT_NEAR(areas_of(forgotten).kept + areas_of(forgotten).walls, area, 1e-9 * area);
+}
+
+TEST(CutSurface, PocketsThatAreKeptLeaveNothingToMiss) {
+  const Soup soup = pierced_ball();
+  const Areas areas = areas_of(cut(soup, Pockets::Kept));
+  EXPECT_NEAR(areas.kept + areas.walls, area_of(soup), 1e-9 * area_of(soup));
+}
+
+}  // namespace
+}  // namespace meshalyzer
