@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,7 +30,13 @@ struct MeshAttributes {
   std::size_t n_texture_points = 0;
   /// The solids of an STL file that have a name.
   std::vector<Group> solids;
-  /// What comments before the first record say, with the blank before it.
+  /// By vertex, and by face record, of a file of INRIA's format; empty where all are 0.
+  std::vector<std::int32_t> vertex_references;
+  std::vector<std::int32_t> face_references;
+  /// The attribute words of a binary STL file, by face; empty where all are 0.
+  std::vector<std::uint16_t> attribute_words;
+  /// What comments before the first record say, with the blank before it; of a binary STL file what
+  /// its header says, where that is text.
   std::vector<std::string> comments;
 };
 

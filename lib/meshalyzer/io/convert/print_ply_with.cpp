@@ -119,9 +119,12 @@ class PlyPrinter {
             "\nproperty double x\nproperty double y\nproperty double z\n";
     text += has_normals_ ? "property double nx\nproperty double ny\nproperty double nz\n" : "";
     text += vertex_colours_.declarations();
+    text += declaration_of(attributes_.vertex_references);
     text += "element face " + std::to_string(attributes_.faces.size()) + "\nproperty list " +
             size_type + " int vertex_indices\n";
     text += face_colours_.declarations();
+    text += declaration_of(attributes_.face_references);
+    text += attributes_.attribute_words.empty() ? "" : "property ushort attribute\n";
     text += attributes_.texture.empty() ? "" : "property list " + size_type + " float texcoord\n";
     return text + "end_header\n";
   }
@@ -136,7 +139,16 @@ class PlyPrinter {
       }
     }
     vertex_colours_.append(v, body_);
+    append_reference(attributes_.vertex_references, v);
     body_.end_record();
+  }
+
+  [[nodiscard]] static std::string declaration_of(const std::vector<std::int32_t>& references) {
+    return references.empty() ? "" : "property int reference\n";
+  }
+
+  void append_reference(const std::vector<std::int32_t>& references, std::size_t element) {
+    if (!references.empty()) body_.append(references[element]);
   }
 
   void append_size(std::size_t n) {
@@ -154,6 +166,10 @@ class PlyPrinter {
       body_.append(static_cast<std::int32_t>(corner == kNoIndex ? 0 : corner));
     }
     face_colours_.append(record, body_);
+    append_reference(attributes_.face_references, record);
+    if (!attributes_.attribute_words.empty()) {
+      body_.append(attributes_.attribute_words[record]);
+    }
     if (!attributes_.texture.empty()) {
       print_texture(record, corners.size());
     }

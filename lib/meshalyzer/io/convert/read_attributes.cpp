@@ -1,29 +1,56 @@
 #include "meshalyzer/io/convert/read_attributes.h"
 
+#include "meshalyzer/base/bytes.h"
+#include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/format_of.h"
 #include "meshalyzer/io/ply_header.h"
 #include "meshalyzer/io/rewrite/inria_records.h"
+#include "meshalyzer/io/stl_layout.h"
 #include "meshalyzer/io/text_scanner.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
 
-FaceRecords inria_faces(std::string_view text) {
-  FaceRecords faces;
+/// The number that a record ends with; 0 where it is none.
+std::int32_t reference_of(std::string_view record) {
+  const std::int64_t number = parse_integer(inria_numbers(record).back()).value_or(0);
+  return std::in_range<std::int32_t>(number) ? static_cast<std::int32_t>(number) : 0;
+}
+
+void clear_where_all_zero(std::vector<std::int32_t>& references) {
+  const bool is_any_set = std::any_of(references.begin(), references.end(),
+                                      [](std::int32_t reference) { return reference != 0; });
+  if (!is_any_set) references.clear();
+}
+
+MeshAttributes read_inria_attributes(std::string_view text) {
+  MeshAttributes attributes;
+  FaceRecords& faces = attributes.faces;
   faces.first_triangle.push_back(0);
   for (const InriaRecords::Section& section : find_inria_records(text).sections) {
-    if (section.keyword == "Triangles" || section.keyword == "Quadrilaterals") {
-      for (std::size_t i = 0; i < section.records.size(); ++i) {
-        faces.first_triangle.push_back(faces.first_triangle.back() +
-                                       (section.keyword == "Triangles" ? 1 : 2));
+    const bool has_vertices = section.keyword == "Vertices";
+    const bool has_triangles = section.keyword == "Triangles";
+    if (!has_vertices && !has_triangles && section.keyword != "Quadrilaterals") continue;
+    for (const std::string_view record : section.records) {
+      if (has_vertices) {
+        attributes.vertex_references.push_back(reference_of(record));
+        continue;
       }
+      faces.first_triangle.push_back(faces.first_triangle.back() + (has_triangles ? 1 : 2));
+      attributes.face_references.push_back(reference_of(record));
     }
   }
-  return faces;
+  clear_where_all_zero(attributes.vertex_references);
+  clear_where_all_zero(attributes.face_references);
+  return attributes;
 }
 
 /// The solids of an ASCII STL file, where any has a name.
@@ -47,6 +74,28 @@ std::vector<Group> named_solids(std::string_view text) {
   return has_name ? solids : std::vector<Group>{};
 }
 
+/// Empty where all are 0.
+std::vector<std::uint16_t> read_attribute_words(std::string_view bytes, std::size_t n_facets) {
+  std::vector<std::uint16_t> words(n_facets);
+  for (std::size_t i = 0; i < n_facets; ++i) {
+    const std::size_t at = kStlFacetsOffset + kStlFacetBytes * i + kStlAttributeOffset;
+    words[i] = load<std::uint16_t>(bytes.data() + at, std::endian::little);
+  }
+  const bool is_any_set =
+      std::any_of(words.begin(), words.end(), [](auto word) { return word != 0; });
+  return is_any_set ? words : std::vector<std::uint16_t>{};
+}
+
+/// What the header of a binary STL file says, where that is one line of text.
+std::vector<std::string> read_stl_header(std::string_view bytes) {
+  std::string_view header = bytes.substr(0, kStlHeaderBytes);
+  header = header.substr(0, header.find_last_not_of(std::string_view(" \0", 2)) + 1);
+  const bool is_text =
+      std::all_of(header.begin(), header.end(), [](char c) { return c >= ' ' && c <= '~'; });
+  if (header.empty() || !is_text) return {};
+  return {' ' + std::string(header)};
+}
+
 MeshAttributes read_by_format(const Soup& soup, std::string_view bytes) {
   MeshAttributes attributes;
   attributes.faces = single_triangles(soup.n_faces());
@@ -58,10 +107,12 @@ MeshAttributes read_by_format(const Soup& soup, std::string_view bytes) {
     case Format::Ply:
       return read_ply_attributes(soup, bytes);
     case Format::Inria:
-      attributes.faces = inria_faces(bytes);
-      return attributes;
+      return read_inria_attributes(bytes);
     case Format::Stl:
-      if (!is_binary(bytes, Format::Stl)) {
+      if (is_binary(bytes, Format::Stl)) {
+        attributes.attribute_words = read_attribute_words(bytes, soup.n_faces());
+        attributes.comments = read_stl_header(bytes);
+      } else {
         attributes.solids = named_solids(bytes);
       }
       return attributes;

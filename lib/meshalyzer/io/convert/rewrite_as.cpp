@@ -8,6 +8,8 @@
 #include "meshalyzer/io/rewrite/rewrite.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace meshalyzer {
@@ -20,6 +22,11 @@ bool holds_polygons(Format format) {
 std::size_t count_colours(const std::vector<std::optional<Rgba>>& colours) {
   return static_cast<std::size_t>(
       std::count_if(colours.begin(), colours.end(), [](const auto& colour) { return !!colour; }));
+}
+
+std::size_t count_set(const std::vector<std::int32_t>& references) {
+  return references.size() -
+         static_cast<std::size_t>(std::count(references.begin(), references.end(), 0));
 }
 
 /// Leaves of some attributes what a format can say.
@@ -37,6 +44,11 @@ void drop_what_is_not_held(MeshAttributes& attributes, const Soup& soup, Format 
   if (!holds_texture) {
     attributes.texture.clear();
     attributes.n_texture_points = 0;
+  }
+  if (format != Format::Ply) {
+    attributes.attribute_words.clear();
+    attributes.vertex_references.clear();
+    attributes.face_references.clear();
   }
   if (format != Format::Obj) {
     attributes.solids.clear();
@@ -58,6 +70,11 @@ std::size_t n_held(const AttributeCount& count, const MeshAttributes& attributes
       return count_colours(attributes.face_colours);
     case AttributeKind::TextureCoordinates:
       return attributes.n_texture_points;
+    case AttributeKind::References:
+      return count_set(attributes.vertex_references) + count_set(attributes.face_references);
+    case AttributeKind::AttributeWords:
+      return attributes.attribute_words.empty() ? 0 : count.count;
+    case AttributeKind::Headers:
     case AttributeKind::Comments:
       return attributes.comments.size();
     case AttributeKind::Groups:
@@ -77,7 +94,9 @@ std::size_t n_held(const AttributeCount& count, const MeshAttributes& attributes
 bool says_more_than_triangles(const MeshAttributes& attributes, const Soup& soup) {
   return attributes.faces.size() != soup.n_faces() || !attributes.vertex_colours.empty() ||
          !attributes.face_colours.empty() || !attributes.texture.empty() ||
-         !attributes.solids.empty() || !attributes.comments.empty();
+         !attributes.vertex_references.empty() || !attributes.face_references.empty() ||
+         !attributes.attribute_words.empty() || !attributes.solids.empty() ||
+         !attributes.comments.empty();
 }
 
 std::string print_with(const MeshAttributes& attributes, const Soup& soup, Format format,

@@ -1,9 +1,12 @@
 #include "meshalyzer/io/convert/rewrite_as.h"
 
+#include "meshalyzer/base/bytes.h"
 #include "meshalyzer/io/write.h"
 #include "support/edited_file.h"
 
 #include <gtest/gtest.h>
+
+#include <cstdint>
 
 namespace meshalyzer {
 namespace {
@@ -114,6 +117,49 @@ TEST(RewriteAs, NamedSolidsAreGroups) {
   const RewrittenFile obj = file.rewritten_as(Format::Obj);
   EXPECT_NE(obj.bytes.find("g left half\nf 1 2 3\ng right\nf 1 4 3\n"), std::string::npos);
   EXPECT_EQ(lost(obj), "");
+}
+
+/// A binary file of one facet, with a header and an attribute word.
+std::string binary_stl(std::string header) {
+  header.resize(80, ' ');
+  std::string bytes = header;
+  append_little_endian(bytes, std::uint32_t{1});
+  for (const float number : {0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F}) {
+    append_little_endian(bytes, number);
+  }
+  append_little_endian(bytes, std::uint16_t{31});
+  return bytes;
+}
+
+TEST(RewriteAs, WhatABinaryStlSaysIsACommentAndAProperty) {
+  EditedFile file(binary_stl("made by hand"), "a.stl");
+  const RewrittenFile ply = file.rewritten_as(Format::Ply);
+  EXPECT_EQ(ply.bytes,
+            "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 3\nproperty double x\n"
+            "property double y\nproperty double z\nelement face 1\n"
+            "property list uchar int vertex_indices\nproperty ushort attribute\nend_header\n"
+            "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 31\n");
+  EXPECT_EQ(lost(ply), "");
+  const RewrittenFile obj = file.rewritten_as(Format::Obj);
+  EXPECT_EQ(obj.bytes.substr(0, 15), "# made by hand\n");
+  EXPECT_EQ(lost(obj), "1 attribute word");
+  EXPECT_EQ(lost(EditedFile(binary_stl("\x01\x02"), "a.stl").rewritten_as(Format::Ply)),
+            "1 header");
+}
+
+TEST(RewriteAs, ReferencesArePropertiesOfPly) {
+  EditedFile file(
+      "MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 7\n1 0 0 0\n1 1 0 0\n0 1 0 0\n"
+      "Quadrilaterals 1\n1 2 3 4 5\nTriangles 1\n1 2 4 -6\nEnd\n",
+      "a.mesh");
+  const RewrittenFile ply = file.rewritten_as(Format::Ply);
+  EXPECT_NE(ply.bytes.find("property double z\nproperty int reference\nelement face 2\n"
+                           "property list uchar int vertex_indices\nproperty int reference\n"),
+            std::string::npos);
+  EXPECT_NE(ply.bytes.find("\n0 0 0 7\n1 0 0 0\n1 1 0 0\n0 1 0 0\n4 0 1 2 3 5\n3 0 1 3 -6\n"),
+            std::string::npos);
+  EXPECT_EQ(lost(ply), "");
+  EXPECT_EQ(lost(file.rewritten_as(Format::Obj)), "3 references");
 }
 
 TEST(RewriteAs, CommentsBeforeTheFirstRecordAreKept) {
