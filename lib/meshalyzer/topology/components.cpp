@@ -74,4 +74,13 @@ Components find_oriented_regions(const CutMesh& cut) {
   return number_sets(join_through_inner_edges(cut.mesh), cut.mesh.n_faces());
 }
 
+std::vector<Index> components_of_file_faces(const CutMesh& cut, const Components& components,
+                                            std::size_t n_file_faces) {
+  std::vector<Index> component_of(n_file_faces, kNoIndex);
+  for (std::size_t f = 0; f < components.of_face.size(); ++f) {
+    component_of[cut.side.faces[f]] = components.of_face[f];
+  }
+  return component_of;
+}
+
 }  // namespace meshalyzer

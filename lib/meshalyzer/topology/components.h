@@ -32,4 +32,11 @@ struct Components {
 /// @complexity As find_edge_components().
 [[nodiscard]] Components find_oriented_regions(const CutMesh& cut);
 
+/// Returns the component of each file face; kNoIndex for those that are not in the complex.
+///
+/// @param n_file_faces  Of the soup that the cut mesh was built from.
+[[nodiscard]] std::vector<Index> components_of_file_faces(const CutMesh& cut,
+                                                          const Components& components,
+                                                          std::size_t n_file_faces);
+
 }  // namespace meshalyzer

@@ -25,10 +25,11 @@ std::int32_t reference_of(std::string_view record) {
   return std::in_range<std::int32_t>(number) ? static_cast<std::int32_t>(number) : 0;
 }
 
-void clear_where_all_zero(std::vector<std::int32_t>& references) {
-  const bool is_any_set = std::any_of(references.begin(), references.end(),
-                                      [](std::int32_t reference) { return reference != 0; });
-  if (!is_any_set) references.clear();
+template <typename Number>
+void clear_where_all_zero(std::vector<Number>& numbers) {
+  const bool is_any_set =
+      std::any_of(numbers.begin(), numbers.end(), [](Number number) { return number != 0; });
+  if (!is_any_set) numbers.clear();
 }
 
 MeshAttributes read_inria_attributes(std::string_view text) {
@@ -81,9 +82,8 @@ std::vector<std::uint16_t> read_attribute_words(std::string_view bytes, std::siz
     const std::size_t at = kStlFacetsOffset + kStlFacetBytes * i + kStlAttributeOffset;
     words[i] = load<std::uint16_t>(bytes.data() + at, std::endian::little);
   }
-  const bool is_any_set =
-      std::any_of(words.begin(), words.end(), [](auto word) { return word != 0; });
-  return is_any_set ? words : std::vector<std::uint16_t>{};
+  clear_where_all_zero(words);
+  return words;
 }
 
 /// What the header of a binary STL file says, where that is one line of text.

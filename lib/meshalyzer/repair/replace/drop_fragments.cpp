@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -27,21 +28,20 @@ struct SurfaceParts {
   std::vector<std::uint8_t> bounds;
 };
 
-SurfaceParts find_parts(const PreparedMesh& mesh) {
-  SurfaceParts parts{.components = find_edge_components(mesh.cut()),
+SurfaceParts find_parts(const PreparedMesh& mesh, Components components,
+                        std::vector<std::uint8_t> is_closed) {
+  SurfaceParts parts{.components = std::move(components),
                      .areas = {},
                      .face_areas = {},
-                     .is_closed = {},
+                     .is_closed = std::move(is_closed),
                      .bounds = {}};
-  const CutMesh& cut = mesh.cut();
   parts.areas.resize(parts.components.count);
   parts.face_areas.resize(parts.components.of_face.size());
   for (std::size_t f = 0; f < parts.components.of_face.size(); ++f) {
-    const auto [a, b, c] = corners_of(mesh.soup(), cut.side.faces[f]);
+    const auto [a, b, c] = corners_of(mesh.soup(), mesh.cut().side.faces[f]);
     parts.face_areas[f] = accurate_normal(a, b, c).norm() / 2.0;
     parts.areas[parts.components.of_face[f]] += parts.face_areas[f];
   }
-  parts.is_closed = which_are_closed(cut, parts.components);
   parts.bounds = bounds_solid(mesh, parts.components);
   return parts;
 }
@@ -63,20 +63,11 @@ std::vector<std::uint8_t> find_sheets(const SurfaceParts& parts, Fragments which
   return is_dropped;
 }
 
-/// #faces: the component of each that is in the complex.
-std::vector<Index> components_of_faces(const Soup& soup) {
-  const CutMesh cut = build(soup);
-  const Components components = find_components(cut);
-  std::vector<Index> component_of(soup.n_faces(), kNoIndex);
-  for (std::size_t f = 0; f < components.of_face.size(); ++f) {
-    component_of[cut.side.faces[f]] = components.of_face[f];
-  }
-  return component_of;
-}
-
 /// #components: 1 for sheets that hung, in the original, on solids that are closed without them.
 std::vector<std::uint8_t> find_debris(const PassInput& input, const SurfaceParts& parts) {
-  const std::vector<Index> component_of = components_of_faces(input.original);
+  const CutMesh original = build(input.original);
+  const std::vector<Index> component_of =
+      components_of_file_faces(original, find_components(original), input.original.n_faces());
   const CutMesh& cut = input.mesh.cut();
   /// Of the closed parts that were made of each component of the original.
   std::vector<double> closed_areas(component_of.size(), 0.0);
@@ -104,7 +95,10 @@ std::vector<std::uint8_t> find_debris(const PassInput& input, const SurfaceParts
 }  // namespace
 
 PassResult drop_fragments(const PassInput& input, Fragments which) {
-  const SurfaceParts parts = find_parts(input.mesh);
+  Components components = find_edge_components(input.mesh.cut());
+  std::vector<std::uint8_t> is_closed = which_are_closed(input.mesh.cut(), components);
+  if (std::find(is_closed.begin(), is_closed.end(), 0) == is_closed.end()) return {};
+  const SurfaceParts parts = find_parts(input.mesh, std::move(components), std::move(is_closed));
   const std::vector<std::uint8_t> is_dropped =
       which == Fragments::Debris ? find_debris(input, parts) : find_sheets(parts, which);
   const std::size_t n = parts.components.count;

@@ -115,7 +115,8 @@ class CutEdits {
   void find_lost_components() {
     const CutMesh& cut = input_.mesh.cut();
     const Components components = find_edge_components(cut);
-    const std::vector<Index> component_of = components_of_faces(components);
+    const std::vector<Index> component_of =
+        components_of_file_faces(cut, components, soup_.n_faces());
     std::vector<std::uint8_t> is_lost = which_are_closed(cut, components);
     for (std::uint8_t& lost : is_lost) lost = lost == 0 ? 1 : 0;
     const std::vector<std::uint8_t> has_patch = parts_with_patches();
@@ -133,15 +134,6 @@ class CutEdits {
         obstacles_[parts_.find(face)] = Obstacle::Lost;
       }
     }
-  }
-
-  /// #faces: the component of each that is in the complex.
-  [[nodiscard]] std::vector<Index> components_of_faces(const Components& components) const {
-    std::vector<Index> component_of(soup_.n_faces(), kNoIndex);
-    for (std::size_t f = 0; f < components.of_face.size(); ++f) {
-      component_of[input_.mesh.cut().side.faces[f]] = components.of_face[f];
-    }
-    return component_of;
   }
 
   /// By the lowest face of each part: 1 where a patch belongs to it.

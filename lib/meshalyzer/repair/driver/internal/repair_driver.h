@@ -86,8 +86,8 @@ class RepairDriver {
   [[nodiscard]] RepairLog take_log() { return std::move(log_); }
 
  private:
-  /// The keys of the elements that an operation changes, which identify it when it is proposed
-  /// again.
+  /// The keys of the elements that an operation changes, and how many walls it declares, which
+  /// identify it when it is proposed again.
   using Signature = std::vector<Index>;
 
   /// The operations of a pass that were applied. This holds references only.
