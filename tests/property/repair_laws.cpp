@@ -263,7 +263,7 @@ bool is_essential(const Soup& soup, const Vec3& point, const Vec3& normal, doubl
 
 /// The input but for debris of solids that was dropped, which is named, and has little area.
 Soup without_dropped_debris(const Soup& input, const RepairResult& result) {
-  constexpr double kLargestShare = 0.01;
+  constexpr double kLargestShare = 0.05;
   std::vector<Index> dropped;
   double area = 0.0;
   double all = 0.0;

@@ -120,8 +120,10 @@ struct CutOptions {
 
 /// Which fragments are dropped: open parts that bound no solid, see bounds_solid().
 enum class Fragments : std::uint8_t {
-  /// Those that hung on a solid in the original mesh, where it is closed without them and they have
-  /// a small share of its area: fins, and what is left of walls.
+  /// Those that hung, in the original mesh, on a surface that bounds a solid, and have a small
+  /// share
+  /// of its area: fins, faces that hang in a hole, and what is left of walls. Those that only hole
+  /// patches are left in too.
   Debris,
   /// Those with a small share of the area of the mesh.
   Small,

@@ -19,6 +19,8 @@ namespace {
 
 /// Faces that one task measures.
 constexpr std::size_t kFacesPerChunk = 64;
+/// Corners of the pieces of a cut face are taken for one within this share of the resolution.
+constexpr double kMatchingShare = 1.0 / 16;
 
 bool has_surface(const Soup& soup, Index face) {
   return is_in_complex(soup.triangles[face]);
@@ -173,8 +175,15 @@ double settle_cut_faces(Side& old_side, const PartsOfFaces& parts, double bound)
   parallel_chunks(distances.size(), kFacesPerChunk, [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       const Index face = old_side.faces[i].face;
-      const auto distance = distance_from_parts(corners_of(old_side.from, face), parts.of(face));
-      if (distance && *distance <= resolution) distances[i] = *distance;
+      const Corners corners = corners_of(old_side.from, face);
+      const std::vector<Corners> pieces = parts.of(face);
+      // Where vertices were moved a little after the cut, the pieces fit together but nearly.
+      for (const double slack : {0.0, kMatchingShare * resolution}) {
+        const auto distance = distance_from_parts(corners, pieces, slack);
+        if (!distance || *distance > resolution) continue;
+        distances[i] = *distance;
+        break;
+      }
     }
   });
   return drop_settled(distances, old_side);
@@ -225,14 +234,18 @@ void drop_walls(const Soup& input, std::span<const GoneWall> walls,
   });
 }
 
-/// The walls that were parts of faces of the input, or of none, and what of the new surface is near
-/// these faces.
-///
-/// @param old_side  Its faces ascend.
+Box3 box_of(const Corners& corners) {
+  Box3 box;
+  for (const Vec3& corner : corners) box.extend(corner);
+  return box;
+}
+
+/// What of the new surface, and of the walls, is near the faces of the old side. A wall may be a
+/// part of another face than the one that it is near to: an edge may have been flipped before.
 Soup surface_with_walls(const Side& old_side, std::span<const GoneWall> walls, double bound) {
   Box3 near;
   for (const ChangedFace& changed : old_side.faces) {
-    for (const Vec3& corner : corners_of(old_side.from, changed.face)) near.extend(corner);
+    near.extend(box_of(corners_of(old_side.from, changed.face)));
   }
   near.min().array() -= bound;
   near.max().array() += bound;
@@ -240,18 +253,11 @@ Soup surface_with_walls(const Side& old_side, std::span<const GoneWall> walls, d
   soup.positions = old_side.to.positions;
   for (Index face = 0; face < old_side.to.n_faces(); ++face) {
     if (!has_surface(old_side.to, face)) continue;
-    Box3 box;
-    for (const Vec3& corner : corners_of(old_side.to, face)) box.extend(corner);
-    if (near.intersects(box)) soup.triangles.push_back(old_side.to.triangles[face]);
+    if (!near.intersects(box_of(corners_of(old_side.to, face)))) continue;
+    soup.triangles.push_back(old_side.to.triangles[face]);
   }
-  const auto is_asked_for = [&](Index origin) {
-    const auto found = std::lower_bound(
-        old_side.faces.begin(), old_side.faces.end(), origin,
-        [](const ChangedFace& changed, Index face) { return changed.face < face; });
-    return found != old_side.faces.end() && found->face == origin;
-  };
   for (const GoneWall& wall : walls) {
-    if (wall.origin != kNoIndex && !is_asked_for(wall.origin)) continue;
+    if (!near.intersects(box_of(wall.corners))) continue;
     const auto first = static_cast<Index>(soup.n_vertices());
     soup.positions.insert(soup.positions.end(), wall.corners.begin(), wall.corners.end());
     soup.triangles.push_back({first, first + 1, first + 2});

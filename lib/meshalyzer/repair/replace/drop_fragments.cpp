@@ -15,16 +15,21 @@ namespace {
 
 /// A fragment is small where it has at most this share of the area of the mesh.
 constexpr double kSmallShare = 0.1;
-/// A fragment is debris of a solid where it has at most this share of its area.
+/// A fragment is debris of a solid where it has less than this share of its area, and all that hung
+/// on it together less than that.
 constexpr double kDebrisShare = 0.01;
+constexpr double kShareOfAllDebris = 0.05;
 
-/// What is known of each component.
+/// The components of the mesh as it is, by common edges.
 struct SurfaceParts {
   Components components;
+  /// #components.
   std::vector<double> areas;
   /// #mesh faces.
   std::vector<double> face_areas;
+  /// #components.
   std::vector<std::uint8_t> is_closed;
+  /// #components: 1 for those that bound a solid.
   std::vector<std::uint8_t> bounds;
 };
 
@@ -63,31 +68,42 @@ std::vector<std::uint8_t> find_sheets(const SurfaceParts& parts, Fragments which
   return is_dropped;
 }
 
-/// #components: 1 for sheets that hung, in the original, on solids that are closed without them.
-std::vector<std::uint8_t> find_debris(const PassInput& input, const SurfaceParts& parts) {
+/// #mesh faces: the component of the original in which the face, or the one that it was made of,
+/// lay; kNoIndex for faces of hole patches.
+std::vector<Index> find_origins(const PassInput& input) {
   const CutMesh original = build(input.original);
   const std::vector<Index> component_of =
       components_of_file_faces(original, find_components(original), input.original.n_faces());
-  const CutMesh& cut = input.mesh.cut();
-  /// Of the closed parts that were made of each component of the original.
-  std::vector<double> closed_areas(component_of.size(), 0.0);
-  const auto hung_on = [&](std::size_t f) {
-    const Index origin = input.tracked.origin_of_face(cut.side.faces[f]);
-    return origin == kNoIndex ? kNoIndex : component_of[origin];
-  };
-  const std::vector<Index>& part_of = parts.components.of_face;
-  for (std::size_t f = 0; f < part_of.size(); ++f) {
-    const Index component = parts.is_closed[part_of[f]] != 0 ? hung_on(f) : kNoIndex;
-    if (component != kNoIndex) closed_areas[component] += parts.face_areas[f];
+  std::vector<Index> origins;
+  for (const Index face : input.mesh.cut().side.faces) {
+    const Index origin = input.tracked.origin_of_face(face);
+    origins.push_back(origin == kNoIndex ? kNoIndex : component_of[origin]);
   }
-  std::vector<std::uint8_t> is_debris(parts.components.count, 0);
+  return origins;
+}
+
+/// #components: 1 for sheets that hung, in the original, on parts that bound a solid and are much
+/// larger than all of these sheets, and for those that only hole patches are left in.
+std::vector<std::uint8_t> find_debris(const PassInput& input, const SurfaceParts& parts) {
+  const std::vector<Index> origins = find_origins(input);
+  const std::vector<Index>& part_of = parts.components.of_face;
+  std::vector<std::uint8_t> is_debris(parts.components.count);
   for (std::size_t i = 0; i < is_debris.size(); ++i) {
     is_debris[i] = parts.is_closed[i] == 0 && parts.bounds[i] == 0 ? 1 : 0;
   }
+  /// Of what was made of each component of the original.
+  std::vector<double> solid_areas(input.original.n_faces(), 0.0);
+  std::vector<double> sheet_areas(input.original.n_faces(), 0.0);
   for (std::size_t f = 0; f < part_of.size(); ++f) {
-    const Index component = is_debris[part_of[f]] != 0 ? hung_on(f) : kNoIndex;
-    if (component == kNoIndex) continue;
-    if (parts.areas[part_of[f]] > kDebrisShare * closed_areas[component]) is_debris[part_of[f]] = 0;
+    if (origins[f] == kNoIndex) continue;
+    (is_debris[part_of[f]] != 0 ? sheet_areas : solid_areas)[origins[f]] += parts.face_areas[f];
+  }
+  for (std::size_t f = 0; f < part_of.size(); ++f) {
+    const Index origin = origins[f];
+    if (origin == kNoIndex) continue;
+    const bool is_small = parts.areas[part_of[f]] < kDebrisShare * solid_areas[origin] &&
+                          sheet_areas[origin] < kShareOfAllDebris * solid_areas[origin];
+    if (!is_small) is_debris[part_of[f]] = 0;
   }
   return is_debris;
 }
@@ -98,6 +114,8 @@ PassResult drop_fragments(const PassInput& input, Fragments which) {
   Components components = find_edge_components(input.mesh.cut());
   std::vector<std::uint8_t> is_closed = which_are_closed(input.mesh.cut(), components);
   if (std::find(is_closed.begin(), is_closed.end(), 0) == is_closed.end()) return {};
+  // The last part of a mesh stays.
+  if (components.count < 2) return {};
   const SurfaceParts parts = find_parts(input.mesh, std::move(components), std::move(is_closed));
   const std::vector<std::uint8_t> is_dropped =
       which == Fragments::Debris ? find_debris(input, parts) : find_sheets(parts, which);

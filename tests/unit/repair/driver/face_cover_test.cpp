@@ -94,5 +94,27 @@ TEST(DistanceFromParts, IsABoundForPartsThatAreNearlyTheFace) {
   }
 }
 
+TEST(DistanceFromParts, PartsThatFitTogetherButNearlyNeedASlack) {
+  // Each part has corners of its own for (1, 1, 0), and the edge from the origin to (4, 0, 0) is
+  // split on one side of the thin parts along it alone.
+  const double step = 1e-9;
+  std::vector<Corners> parts = fan_at(kFace, {1, 1, 0});
+  parts[1][2].x() += step;
+  parts[2][2].y() -= step;
+  const Vec3 middle{2, step, 0};
+  const Vec3 left{1, -step, 0};
+  parts.push_back({kFace[0], middle, left});
+  parts.push_back({left, middle, kFace[1]});
+  EXPECT_FALSE(distance_from_parts(kFace, parts));
+  const auto bound = distance_from_parts(kFace, parts, 1e-7);
+  ASSERT_TRUE(bound);
+  // Corners move by sqrt(2) steps at most, edges by 5/3 (`middle` and the edge from `left` to
+  // (4, 0, 0)), and parts are one step off the border; the farthest corner is 3.2 radii away.
+  EXPECT_GT(*bound, step);
+  EXPECT_LE(*bound, (std::sqrt(2.0) + 5.0 / 3.0 + 1.0) * step * 4.2);
+  parts.erase(parts.begin());
+  EXPECT_FALSE(distance_from_parts(kFace, parts, 1e-7));
+}
+
 }  // namespace
 }  // namespace meshalyzer

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -54,6 +56,31 @@ TEST(DropFragments, FinStaysWhereHolesAreNotToBeFixed) {
 TEST(DropFragments, LoneFaceBesideASolidStays) {
   const Soup face = shapes::make({{3, 0, 0}, {3.1, 0, 0}, {3, 0.1, 0}}, {{0, 1, 2}});
   EXPECT_EQ(n_faces_after_repair(shapes::merged(shapes::cube(2), face)), 13U);
+}
+
+/// Takes away the faces round the first face, but for those at its first corner, by which it hangs
+/// then.
+Soup with_hanging_face(const Soup& soup) {
+  const Triangle& first = soup.triangles.front();
+  std::vector<Index> faces;
+  for (Index face = 1; face < soup.n_faces(); ++face) {
+    const Triangle& t = soup.triangles[face];
+    const bool is_near =
+        std::any_of(t.begin(), t.end(), [&](Index v) { return v == first[1] || v == first[2]; });
+    if (is_near) faces.push_back(face);
+  }
+  return shapes::without_faces(soup, faces);
+}
+
+TEST(DropFragments, FaceThatHangsInAHoleGoes) {
+  const RepairResult result = fix_defects(with_hanging_face(shapes::icosphere(3)), {});
+  EXPECT_TRUE(is_good(only_mesh(result)));
+  EXPECT_TRUE(is_noted(result, "with face 1"));
+}
+
+TEST(DropFragments, FaceThatHangsOnASheetStays) {
+  const Soup sheet = with_hanging_face(shapes::grid(20, 20));
+  EXPECT_EQ(n_faces_after_repair(sheet), sheet.n_faces());
 }
 
 }  // namespace

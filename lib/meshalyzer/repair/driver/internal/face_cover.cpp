@@ -41,19 +41,13 @@ struct CountedEdge {
   int count = 0;
 };
 
-/// The edges that the boundaries of the parts, each turned to the side of the normal, add up to.
-std::vector<CountedEdge> sum_of_boundaries(std::span<const Corners> parts, const Vec3& normal) {
-  std::vector<CountedEdge> edges;
-  edges.reserve(3 * parts.size());
-  for (const Corners& part : parts) {
-    const int sign = normal_of(part).dot(normal) < 0.0 ? -1 : 1;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3& from = part[i];
-      const Vec3& to = part[(i + 1) % 3];
-      edges.push_back(lexicographically_less(from, to) ? CountedEdge{{from, to}, sign}
-                                                       : CountedEdge{{to, from}, -sign});
-    }
-  }
+CountedEdge count_edge(const Vec3& from, const Vec3& to, int count) {
+  return lexicographically_less(from, to) ? CountedEdge{{from, to}, count}
+                                          : CountedEdge{{to, from}, -count};
+}
+
+/// Makes one edge of those between the same ends, and leaves out what cancels.
+void add_up(std::vector<CountedEdge>& edges) {
   std::sort(edges.begin(), edges.end(), [](const CountedEdge& a, const CountedEdge& b) {
     return std::lexicographical_compare(a.ends.begin(), a.ends.end(), b.ends.begin(), b.ends.end(),
                                         lexicographically_less);
@@ -67,8 +61,89 @@ std::vector<CountedEdge> sum_of_boundaries(std::span<const Corners> parts, const
     }
   }
   edges.resize(n);
-  std::erase_if(edges, [](const CountedEdge& edge) { return edge.count == 0; });
+  std::erase_if(edges, [](const CountedEdge& edge) {
+    return edge.count == 0 || edge.ends[0] == edge.ends[1];
+  });
+}
+
+/// The edges that the boundaries of the parts, each turned to the side of the normal, add up to.
+std::vector<CountedEdge> sum_of_boundaries(std::span<const Corners> parts, const Vec3& normal) {
+  std::vector<CountedEdge> edges;
+  edges.reserve(3 * parts.size());
+  for (const Corners& part : parts) {
+    const int sign = normal_of(part).dot(normal) < 0.0 ? -1 : 1;
+    for (std::size_t i = 0; i < 3; ++i) {
+      edges.push_back(count_edge(part[i], part[(i + 1) % 3], sign));
+    }
+  }
+  add_up(edges);
   return edges;
+}
+
+/// Makes one corner of those that are nearer to each other than the slack.
+/// @return How far corners moved.
+double merge_corners(std::vector<Corners>& parts, double slack) {
+  std::vector<Vec3> points;
+  for (const Corners& part : parts) points.insert(points.end(), part.begin(), part.end());
+  std::sort(points.begin(), points.end(), lexicographically_less);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::vector<std::size_t> stands_for(points.size());
+  double moved = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    stands_for[i] = i;
+    for (std::size_t j = i; j-- > 0 && points[i].x() - points[j].x() <= slack;) {
+      const double distance = (points[i] - points[j]).norm();
+      if (stands_for[j] != j || distance > slack) continue;
+      stands_for[i] = j;
+      moved = std::max(moved, distance);
+      break;
+    }
+  }
+  for (Corners& part : parts) {
+    for (Vec3& corner : part) {
+      const auto at =
+          std::lower_bound(points.begin(), points.end(), corner, lexicographically_less);
+      corner = points[stands_for[static_cast<std::size_t>(at - points.begin())]];
+    }
+  }
+  return moved;
+}
+
+/// Splits edges at the ends of others that are nearer to them than the slack, so that a long edge
+/// cancels the short ones that go along it.
+/// @return How far edges moved.
+double split_at_corners(std::vector<CountedEdge>& edges, double slack) {
+  std::vector<Vec3> points;
+  for (const CountedEdge& edge : edges) {
+    points.insert(points.end(), edge.ends.begin(), edge.ends.end());
+  }
+  std::sort(points.begin(), points.end(), lexicographically_less);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  double moved = 0.0;
+  std::vector<CountedEdge> split;
+  std::vector<std::pair<double, std::size_t>> on_edge;
+  for (const CountedEdge& edge : edges) {
+    const Vec3 along = edge.ends[1] - edge.ends[0];
+    on_edge.clear();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double at = (points[i] - edge.ends[0]).dot(along) / along.squaredNorm();
+      const double distance = (points[i] - edge.ends[0] - at * along).norm();
+      const bool is_end = points[i] == edge.ends[0] || points[i] == edge.ends[1];
+      if (is_end || !(at > 0.0 && at < 1.0) || distance > slack) continue;
+      on_edge.emplace_back(at, i);
+      moved = std::max(moved, distance);
+    }
+    std::sort(on_edge.begin(), on_edge.end());
+    Vec3 from = edge.ends[0];
+    for (const auto& [at, i] : on_edge) {
+      split.push_back(count_edge(from, points[i], edge.count));
+      from = points[i];
+    }
+    split.push_back(count_edge(from, edge.ends[1], edge.count));
+  }
+  edges = std::move(split);
+  add_up(edges);
+  return moved;
 }
 
 /// Returns how far a segment is from the nearest edge of a face, at its farther end.
@@ -94,20 +169,28 @@ bool contains(const Corners& t, const Vec3& point, const Vec3& direction) {
 
 }  // namespace
 
-std::optional<double> distance_from_parts(const Corners& face, std::span<const Corners> parts) {
+std::optional<double> distance_from_parts(const Corners& face, std::span<const Corners> parts,
+                                          double slack) {
   /// How much larger the incircle must be than the parts are inaccurate.
   constexpr double kMargin = 4.0;
+  /// So many edges are not compared with each other.
+  constexpr std::size_t kMostSplitEdges = 1000;
   const Vec3 normal = normal_of(face);
+  std::vector<Corners> merged(parts.begin(), parts.end());
+  double moved = slack > 0.0 ? merge_corners(merged, slack) : 0.0;
+  std::vector<CountedEdge> border = sum_of_boundaries(merged, normal);
+  if (slack > 0.0 && border.size() <= kMostSplitEdges) moved += split_at_corners(border, slack);
   double inaccuracy = 0.0;
-  for (const Corners& part : parts) {
+  for (const Corners& part : merged) {
     inaccuracy = std::max(inaccuracy, largest_distance(part, face));
   }
-  for (const CountedEdge& edge : sum_of_boundaries(parts, normal)) {
+  for (const CountedEdge& edge : border) {
     inaccuracy = std::max(inaccuracy, distance_from_edge(edge.ends, face));
   }
+  inaccuracy += moved;
   const Incircle circle = incircle_of(face);
   const bool is_covered = circle.radius > kMargin * inaccuracy &&
-                          std::any_of(parts.begin(), parts.end(), [&](const Corners& part) {
+                          std::any_of(merged.begin(), merged.end(), [&](const Corners& part) {
                             return contains(part, circle.centre, normal);
                           });
   if (!is_covered) return std::nullopt;

@@ -13,10 +13,14 @@ namespace meshalyzer {
 /// parts, by projection along its normal, as its incentre does: the sum of the parts' boundaries is
 /// a cycle near the face's border, and so winds equally often round all of them.
 ///
+/// @param slack  Corners of parts that are nearer to each other than this count as one, and an edge
+/// goes through corners that are nearer to it; the bound grows by how far they are. At least 0.
 /// @return     The bound, which is as small as the parts' corners are near to the face; nothing
 /// where it is not known that the parts cover the face.
-/// @complexity O(n log n) for n parts.
+/// @complexity O(n log n) for n parts with distinct corners; with a slack, O(k^2) for the k edges,
+/// at most 1,000, that do not cancel.
 [[nodiscard]] std::optional<double> distance_from_parts(const Corners& face,
-                                                        std::span<const Corners> parts);
+                                                        std::span<const Corners> parts,
+                                                        double slack = 0.0);
 
 }  // namespace meshalyzer
