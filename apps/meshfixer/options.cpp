@@ -19,6 +19,7 @@ struct Said {
   bool renumber = false, drop_orphans = false, separate = false;
   /// Whether holes are asked for by name, beside --fix.
   bool names_holes = false;
+  std::vector<BooleanOperation> operations;
 };
 
 bool names_operation(const Said& said, const RepairOptions& repair) {
@@ -74,6 +75,22 @@ void declare_operations(OptionTable& table, Options& options, Said& said) {
              "fixed, as by --fix all");
   table.option("--keep-largest N", into(repair.keep_largest, to_count_from_one),
                "only the N components with most faces");
+}
+
+void declare_booleans(OptionTable& table, Said& said) {
+  table.group("Several solids, combined exactly");
+  const auto declare = [&](const char* name, BooleanOperation operation, const char* text) {
+    table.flag(
+        name, [&said, operation] { said.operations.push_back(operation); }, text);
+  };
+  declare("--union", BooleanOperation::Union,
+          "what is inside any input; of one input, its components are combined");
+  declare("--intersection", BooleanOperation::Intersection, "what is inside all inputs");
+  declare("--difference", BooleanOperation::Difference,
+          "what is inside the first input and no other one");
+  declare("--subtract-in-order", BooleanOperation::SubtractInOrder,
+          "each input without those before it, a file each in the folder OUT; they are moved "
+          "apart where they would touch");
 }
 
 /// Takes a value that asks for holes to be filled.
@@ -183,8 +200,60 @@ void check_target(const Said& said, const Options& options) {
   }
 }
 
+/// Names the first option that asks for a repair, or for a report that a repair alone has; empty
+/// where there is none.
+std::string repair_option(const Said& said, const Options& options) {
+  const RepairOptions& repair = options.repair;
+  const std::pair<bool, const char*> asked[] = {
+      {said.find, "--find"},
+      {said.fix.has_value(), "--fix"},
+      {said.no_fix.has_value(), "--no-fix"},
+      {repair.solid, "--solid"},
+      {repair.guarantee, "--guarantee"},
+      {options.target == Options::Target::InPlace, "--in-place"},
+      {options.backup == Options::Backup::Original, "--backup"},
+      {repair.weld_within.has_value(), "--weld"},
+      {repair.turn == Turn::Everything, "--flip"},
+      {said.renumber, "--renumber"},
+      {said.drop_orphans, "--drop-orphans"},
+      {said.separate, "--separate"},
+      {repair.keep_largest != 0, "--keep-largest"},
+      {repair.borders == Borders::Intended, "--keep-borders"},
+      {repair.groups == Groups::Faces, "--by-group"},
+      {said.names_holes, "--fill-holes, --fill-at or --fill-shape"},
+      {options.ndjson.has_value(), "--ndjson"},
+      {options.html.has_value(), "--html"}};
+  for (const auto& [is_asked, name] : asked) {
+    if (is_asked) return name;
+  }
+  return {};
+}
+
+void check_combination(const Said& said, const Options& options) {
+  if (said.operations.size() > 1) throw UsageError("one boolean operation at a time");
+  if (const std::string option = repair_option(said, options); !option.empty()) {
+    throw UsageError(option + " repairs one mesh, so no boolean operation can go with it");
+  }
+  const bool is_dry = said.dry_run;
+  if (is_dry && options.output) {
+    throw UsageError("--dry-run writes nothing, so -o cannot go with it");
+  }
+  if (!is_dry && !options.output) throw UsageError("no OUT: name it with -o, or ask for --dry-run");
+  const bool is_in_order = said.operations.front() == BooleanOperation::SubtractInOrder;
+  if (is_in_order && options.output && options.target != Options::Target::Folder) {
+    throw UsageError("--subtract-in-order writes a file for each input: name a folder as OUT");
+  }
+  if (!is_in_order && options.target == Options::Target::Folder) {
+    throw UsageError("the inputs become one mesh: name OUT as one mesh file");
+  }
+}
+
 void check_consistent(const Said& said, const Options& options) {
   if (said.paths.empty()) throw UsageError("no IN: name a mesh file, or - for standard input");
+  if (!said.operations.empty()) {
+    check_combination(said, options);
+    return;
+  }
   check_target(said, options);
   if (said.paths.size() > 1 && !options.is_batch()) {
     throw UsageError("one mesh at a time: " + said.paths[1] + " is one too many");
@@ -233,6 +302,11 @@ DefectCodes fixes_of(const Said& said, const RepairOptions& repair) {
 void complete(const Said& said, Options& options) {
   options.paths = said.paths;
   options.input = said.paths.front();
+  if (!said.operations.empty()) {
+    options.action = Options::Action::Combine;
+    options.operation = said.operations.front();
+    return;
+  }
   options.action = said.find ? Options::Action::Find : Options::Action::Fix;
   options.repair.fixes = fixes_of(said, options.repair);
   const bool is_named = said.names_holes || (said.fix && said.fix->names_holes);
@@ -255,7 +329,8 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   Said said;
   OptionTable table(
       {.calls = {"meshfixer [options] IN -o OUT", "meshfixer [options] PATH... -o DIR",
-                 "meshfixer --in-place [options] PATH...", "meshfixer --find [options] IN"},
+                 "meshfixer --in-place [options] PATH...", "meshfixer --find [options] IN",
+                 "meshfixer --union [options] PATH... -o OUT"},
        .purpose =
            "Finds what is wrong with a triangle mesh, repairs it as far as it can within a "
            "maximum deviation, writes a new file, and says what remains wrong with it. "
@@ -264,7 +339,9 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
                  "meshfixer --find cow.obj\n"
                  "meshfixer cow.obj -o cow_fixed.obj\n"
                  "meshfixer --solid --guarantee scan.ply -o scan.stl\n"
-                 "meshfixer --in-place --backup models\n\n"
+                 "meshfixer --in-place --backup models\n"
+                 "meshfixer --difference block.stl hole.stl -o drilled.stl\n"
+                 "meshfixer --subtract-in-order neurites -o disjoint/\n\n"
                  "Exit status: 0 nothing asked for remains; 1 defects remain; 2 wrong usage; 3 a "
                  "file could not be read or written.",
        .version = "meshfixer " MESHALYZER_VERSION "\n"});
@@ -275,6 +352,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   declare_actions(table, options, said);
   declare_operations(table, options, said);
   declare_holes(table, options, said);
+  declare_booleans(table, said);
   declare_limits(table, options);
   declare_reports(table, options);
   command.answer = table.parse(argc, argv);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/repair/fix_defects.h"
+#include "meshalyzer/report/boolean_report.h"
 #include "meshalyzer/report/text/defects_report.h"
 #include "report_options.h"
 
@@ -17,8 +18,10 @@ struct Options : ReportOptions {
   std::vector<std::string> paths;
   /// The mesh file in hand, or "-".
   std::string input;
-  enum class Action : std::uint8_t { Find, Fix };
+  enum class Action : std::uint8_t { Find, Fix, Combine };
   Action action = Action::Fix;
+  /// What becomes of the inputs, where they are combined.
+  BooleanOperation operation = BooleanOperation::Union;
   /// A mesh file, or "-". Absent with --find and --dry-run.
   std::optional<std::string> output;
   /// Where meshes go: OUT, or files of the name of the input in the folder OUT, or the inputs

@@ -1,6 +1,7 @@
 #include "output.h"
 
 #include "meshalyzer/io/convert/rewrite_as.h"
+#include "meshalyzer/io/convert/rewrite_together.h"
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/io/format_of.h"
 #include "meshalyzer/io/gzip.h"
@@ -115,6 +116,33 @@ Output make_output(const TrackedMesh& result, bool is_changed, const std::string
   }
   Output output = make_plain_output(result, is_changed, path, source);
   if (is_gzipped) output.bytes = pack_gzip(output.bytes);
+  return output;
+}
+
+Output make_joint_output(const TrackedMesh& result, const Soup& all, const std::string& path,
+                         std::span<const Source> sources) {
+  Format format = format_of_name(path).value();
+  const auto all_are = [&](const auto& have) {
+    return std::all_of(sources.begin(), sources.end(), have);
+  };
+  if (format == Format::Mesh &&
+      all_are([](const Source& source) { return source.soup.format == Format::Inria; })) {
+    format = Format::Inria;
+  }
+  const bool may_be_binary =
+      format == Format::Ply || (format == Format::Stl && fits_floats(result.soup));
+  const bool is_binary_file =
+      may_be_binary && all_are([&](const Source& source) {
+        return source.soup.format == format && is_binary(source.file.bytes(), format);
+      });
+  std::vector<ReadFile> files;
+  for (const Source& source : sources) files.push_back({source.soup, source.file.bytes()});
+  RewrittenFile file = rewrite_together(edited_mesh_of(result, all), files, format,
+                                        is_binary_file ? Encoding::Binary : Encoding::Text);
+  Output output;
+  output.bytes = is_gzip_name(path) ? pack_gzip(file.bytes) : std::move(file.bytes);
+  output.face_records = std::move(file.file_faces);
+  output.loss = {std::move(file.lost), std::move(file.lost_records)};
   return output;
 }
 

@@ -7,6 +7,7 @@
 #include "meshalyzer/repair/edits/tracked_mesh.h"
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,13 @@ struct Output {
 /// @param is_changed  Whether anything was.
 [[nodiscard]] Output make_output(const TrackedMesh& result, bool is_changed,
                                  const std::string& path, const Source& source);
+
+/// Makes the file of a mesh that was made of those of several files, in the format of a path's
+/// ending (INRIA's .mesh where all sources are), with what this format can say of all of them.
+///
+/// @param all  The records of all sources, one behind the other.
+[[nodiscard]] Output make_joint_output(const TrackedMesh& result, const Soup& all,
+                                       const std::string& path, std::span<const Source> sources);
 
 /// What of a source is in none of the files that hold its parts.
 [[nodiscard]] std::vector<AttributeCount> lost_by_all(const std::vector<Loss>& parts,

@@ -1,6 +1,7 @@
 #include "session.h"
 
 #include "batch.h"
+#include "combine.h"
 #include "input_file.h"
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/io/gzip.h"
@@ -12,6 +13,7 @@
 #include "page.h"
 #include "repair_mesh.h"
 #include "same_file.h"
+#include "tell.h"
 #include "usage_error.h"
 
 #include <optional>
@@ -22,16 +24,6 @@
 
 namespace meshalyzer::fixer {
 namespace {
-
-/// Tells a report as text and JSON, where each is asked for.
-template <typename Text, typename Json>
-ExitCode tell(const Options& options, Streams streams, Text text, Json json) {
-  if (options.json && !options.json->is_stdout()) replace_file(options.json->file, json());
-  streams.out << (options.json && options.json->is_stdout() ? json() : text()) << std::flush;
-  if (streams.out) return ExitCode::Done;
-  streams.err << "meshfixer: standard output takes no more\n";
-  return ExitCode::Trouble;
-}
 
 ExitCode find(const Options& options, const Soup& soup, Streams streams) {
   std::optional<PreparedMesh> mesh(std::in_place, soup);
@@ -87,6 +79,7 @@ void check_outputs(const Options& options) {
 
 ExitCode work(const Options& options, Streams streams) {
   const UnpackLimit limit(options.max_unpack_ratio);
+  if (options.action == Options::Action::Combine) return combine(options, streams);
   if (options.is_batch()) return run_batch(options, streams);
   check_outputs(options);
   const InputFile file(options.input);

@@ -5,6 +5,7 @@
 #include "meshalyzer/exact/exact_point.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace meshalyzer {
@@ -66,6 +67,16 @@ std::size_t number_sets(DisjointSets& sets, std::vector<Index>& number_of) {
 }
 
 }  // namespace
+
+CellPieces::CellPieces(const Cells& cells) : pieces_(cells.of_side.size()) {
+  begin_.assign(cells.count + 1, 0);
+  for (const Index cell : cells.of_side) ++begin_[cell + 1];
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+  for (std::size_t side = 0; side < cells.of_side.size(); ++side) {
+    pieces_[next[cells.of_side[side]]++] = static_cast<Index>(side / 2);
+  }
+}
 
 Cells find_cells(const Soup& soup, const Arrangement& arrangement) {
   const std::size_t n = arrangement.pieces.size();

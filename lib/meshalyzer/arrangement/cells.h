@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace meshalyzer {
@@ -29,6 +30,22 @@ struct Cells {
 
   [[nodiscard]] Index front(std::size_t piece) const { return of_side[2 * piece]; }
   [[nodiscard]] Index behind(std::size_t piece) const { return of_side[2 * piece + 1]; }
+};
+
+/// The pieces at each cell.
+class CellPieces {
+ public:
+  /// @complexity O(#pieces).
+  explicit CellPieces(const Cells& cells);
+
+  /// Ascending; a piece that has a cell on both sides is there twice.
+  [[nodiscard]] std::span<const Index> of(Index cell) const {
+    return std::span(pieces_).subspan(begin_[cell], begin_[cell + 1] - begin_[cell]);
+  }
+
+ private:
+  std::vector<std::size_t> begin_;
+  std::vector<Index> pieces_;
 };
 
 /// Finds the cells of an arrangement without pieces of no area, exactly.

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "meshalyzer/arrangement/cells.h"
-#include "meshalyzer/spatial/face_tree.h"
+#include "meshalyzer/arrangement/arranged_soup.h"
 
 namespace meshalyzer {
 
@@ -12,16 +11,6 @@ struct Windings {
   std::vector<int> own;
   /// #components: how often the other closed components go round each one that was asked for.
   std::vector<int> others;
-};
-
-/// What an arrangement was made of, and its cells. Only refers.
-struct ArrangedSoup {
-  const Soup& soup;
-  const CutMesh& cut;
-  /// Over the faces of `cut`.
-  const FaceTree& tree;
-  const Arrangement& arrangement;
-  const Cells& cells;
 };
 
 /// Finds the winding numbers of cells: one exact ray for each component, and from there across the

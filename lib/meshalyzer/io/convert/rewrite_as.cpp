@@ -2,6 +2,7 @@
 
 #include "meshalyzer/io/convert/print_attributes.h"
 #include "meshalyzer/io/convert/read_attributes.h"
+#include "meshalyzer/io/convert/rewrite_with.h"
 #include "meshalyzer/io/count_attributes.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/io/references.h"
@@ -136,25 +137,30 @@ RewrittenFile print_plainly(const Soup& soup, const MeshAttributes& attributes, 
 
 }  // namespace
 
-RewrittenFile rewrite_as(const EditedMesh& mesh, std::string_view bytes, Format format,
-                         Encoding encoding) {
+RewrittenFile rewrite_with(const EditedMesh& mesh, MeshAttributes attributes,
+                           std::vector<AttributeCount> said, const FileKind& kind) {
   require_all_vertices(mesh.soup);
-  MeshAttributes attributes = read_attributes(mesh.source, bytes);
+  const Format format = kind.format;
   drop_what_is_not_held(attributes, mesh.source, format);
-  std::vector<AttributeCount> lost = count_attributes(mesh.source, bytes);
-  for (AttributeCount& count : lost) {
+  for (AttributeCount& count : said) {
     count.count -= std::min(count.count, n_held(count, attributes, mesh.soup, format));
   }
   if (format == Format::Obj && have_opacity(attributes.vertex_colours)) {
-    lost.push_back({AttributeKind::VertexProperties, 1});
+    said.push_back({AttributeKind::VertexProperties, 1});
   }
   const bool is_edited =
       holds_polygons(format) && says_more_than_triangles(attributes, mesh.source);
-  RewrittenFile file = is_edited ? rewrite_converted(mesh, attributes, format, encoding)
-                                 : print_plainly(mesh.soup, attributes, format, encoding);
-  lost.insert(lost.end(), file.lost.begin(), file.lost.end());
-  file.lost = summed(std::move(lost));
+  RewrittenFile file = is_edited ? rewrite_converted(mesh, attributes, format, kind.encoding)
+                                 : print_plainly(mesh.soup, attributes, format, kind.encoding);
+  said.insert(said.end(), file.lost.begin(), file.lost.end());
+  file.lost = summed(std::move(said));
   return file;
+}
+
+RewrittenFile rewrite_as(const EditedMesh& mesh, std::string_view bytes, Format format,
+                         Encoding encoding) {
+  return rewrite_with(mesh, read_attributes(mesh.source, bytes),
+                      count_attributes(mesh.source, bytes), {format, encoding});
 }
 
 }  // namespace meshalyzer

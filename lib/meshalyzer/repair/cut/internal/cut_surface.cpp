@@ -1,32 +1,20 @@
 #include "meshalyzer/repair/cut/internal/cut_surface.h"
 
 #include "meshalyzer/arrangement/arrange.h"
+#include "meshalyzer/arrangement/round_vertices.h"
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/mesh/build.h"
-#include "meshalyzer/repair/cut/internal/round_vertices.h"
 #include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/spatial/self_intersection_of.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
 
 namespace meshalyzer {
 namespace {
-
-/// How fine the grid of each round is: its spacing is the extent divided by two to this power. In
-/// the first rounds the nearest doubles will do; then the points that were made are rounded, and
-/// in the end all vertices of faces that intersect.
-constexpr std::array kGridBits{0, 0, 24, 24, 24, 24, 24, 24, 20, 20, 20, 17, 17, 17};
-constexpr std::size_t kFirstSnappedRound = 2;
-constexpr std::size_t kFirstRoundOfAll = 3;
-/// Rounding moves vertices no farther than about this share of the maximum deviation.
-constexpr double kRoundingShare = 0.25;
 
 /// How many pairs all rounds may cut, beside this multiple of those of the first.
 constexpr std::size_t kMorePairs = 1000;
@@ -100,7 +88,7 @@ class CuttingRounds {
     if (pairs.empty()) return false;
     if (round_ == 0) most_pairs_ = kMorePairs + kTimesFirstPairs * pairs.size();
     n_pairs_cut_ += pairs.size();
-    if (round_ == kGridBits.size() || n_pairs_cut_ > most_pairs_ || is_to_stop()) {
+    if (round_ == kRoundingRounds || n_pairs_cut_ > most_pairs_ || is_to_stop()) {
       give_up(pairs);
       return false;
     }
@@ -129,13 +117,10 @@ class CuttingRounds {
 
   /// How this round rounds.
   [[nodiscard]] Rounding rounding() const {
-    const double largest_move = kRoundingShare * input_.limits.max_deviation;
-    if (round_ < kFirstSnappedRound || !(extent_ > 0.0) || !(largest_move > 0.0)) return {};
-    const int exponent =
-        std::min(std::ilogb(extent_) + 1 - kGridBits[round_], std::ilogb(largest_move));
-    const auto n_first = static_cast<Index>(mesh_.soup().n_vertices());
-    return {.spacing = std::ldexp(1.0, exponent),
-            .first_to_snap = round_ < kFirstRoundOfAll ? n_first : 0};
+    return rounding_of_round(round_,
+                             {.extent = extent_,
+                              .max_deviation = input_.limits.max_deviation,
+                              .n_input_vertices = static_cast<Index>(mesh_.soup().n_vertices())});
   }
 
   /// #components: 1 for those that intersect.

@@ -1,14 +1,26 @@
-#include "meshalyzer/repair/cut/internal/round_vertices.h"
+#include "meshalyzer/arrangement/round_vertices.h"
 
 #include "meshalyzer/base/hash.h"
 #include "meshalyzer/base/sort_unique.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <unordered_map>
 
 namespace meshalyzer {
 namespace {
+
+/// How fine the grid of each round is: its spacing is the extent divided by two to this power. In
+/// the first rounds the nearest doubles will do; then the points that were made are rounded, and
+/// in the end all vertices of faces that intersect.
+constexpr std::array<int, kRoundingRounds> kGridBits{0,  0,  24, 24, 24, 24, 24,
+                                                     24, 20, 20, 20, 17, 17, 17};
+constexpr std::size_t kFirstSnappedRound = 2;
+constexpr std::size_t kFirstRoundOfAll = 3;
+/// Rounding moves vertices no farther than about this share of the maximum deviation.
+constexpr double kRoundingShare = 0.25;
 
 struct PositionHash {
   std::size_t operator()(const Vec3& position) const { return hash_position(position); }
@@ -68,6 +80,15 @@ void merge(const std::vector<Index>& of_cut_faces, RoundedVertices& rounded) {
 }
 
 }  // namespace
+
+Rounding rounding_of_round(std::size_t round, const RoundingLimits& limits) {
+  const double largest_move = kRoundingShare * limits.max_deviation;
+  if (round < kFirstSnappedRound || !(limits.extent > 0.0) || !(largest_move > 0.0)) return {};
+  const int exponent =
+      std::min(std::ilogb(limits.extent) + 1 - kGridBits[round], std::ilogb(largest_move));
+  return {.spacing = std::ldexp(1.0, exponent),
+          .first_to_snap = round < kFirstRoundOfAll ? limits.n_input_vertices : 0};
+}
 
 RoundedVertices round_vertices(const Arrangement& arrangement, const Rounding& rounding) {
   RoundedVertices rounded{.positions = arrangement.positions,

@@ -23,6 +23,24 @@ struct Rounding {
   Index first_to_snap = 0;
 };
 
+/// How often a soup is cut and rounded at most.
+inline constexpr std::size_t kRoundingRounds = 14;
+
+/// What the grids of the rounds depend on.
+struct RoundingLimits {
+  /// The longest side of the box of the soup as it was before all rounds.
+  double extent = 0.0;
+  /// Vertices move by a share of it at most.
+  double max_deviation = 0.0;
+  /// How many vertices the soup had before all rounds.
+  Index n_input_vertices = 0;
+};
+
+/// How a round rounds: first to the nearest doubles, then to grids that become coarser.
+///
+/// @param round  Below kRoundingRounds.
+[[nodiscard]] Rounding rounding_of_round(std::size_t round, const RoundingLimits& limits);
+
 /// Rounds the vertices that were made, so that those that have come to one place become one.
 ///
 /// On a grid the vertices of cut faces are rounded to its nearest point, and with each all that are

@@ -1,0 +1,348 @@
+#include "combine.h"
+
+#include "meshalyzer/analysis/analyze.h"
+#include "meshalyzer/analysis/goodness.h"
+#include "meshalyzer/base/error.h"
+#include "meshalyzer/boolean/combine_solids.h"
+#include "meshalyzer/boolean/part_from.h"
+#include "meshalyzer/defects/tolerances.h"
+#include "meshalyzer/io/read.h"
+#include "meshalyzer/repair/combine/track_combined.h"
+#include "meshalyzer/report/json/boolean_report.h"
+#include "meshalyzer/report/text/boolean_report.h"
+#include "operand_files.h"
+#include "output.h"
+#include "same_file.h"
+#include "stop_request.h"
+#include "tell.h"
+#include "usage_error.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer::fixer {
+namespace {
+
+InsideRule rule_of(BooleanOperation operation) {
+  switch (operation) {
+    case BooleanOperation::Union:
+      return union_rule();
+    case BooleanOperation::Intersection:
+      return intersection_rule();
+    case BooleanOperation::Difference:
+    case BooleanOperation::SubtractInOrder:
+      break;
+  }
+  return difference_rule();
+}
+
+/// A result, and what its file is made of.
+struct Result {
+  const CombinedSolid& solid;
+  /// All operands, one behind the other.
+  const Soup& all;
+  /// The files that they are from. What comes of the first alone is edited there where the others
+  /// only take away from it.
+  std::vector<Source> sources;
+  bool edits_first = false;
+
+  [[nodiscard]] const Soup& edited() const { return edits_first ? sources.front().soup : all; }
+};
+
+/// Does what the options say and keeps the report.
+class CombinationRun {
+ public:
+  CombinationRun(const Options& options, const OperandFiles& operands, Streams streams)
+      : options_(options), operands_(operands), streams_(streams), stop_(options.time_limit) {
+    report_.operation = options.operation;
+  }
+
+  ExitCode run() {
+    if (options_.operation == BooleanOperation::SubtractInOrder) {
+      subtract_in_order();
+    } else {
+      combine_into_one();
+    }
+    report_.lost = summed(std::move(report_.lost));
+    // What is written to standard output is the mesh alone.
+    const Streams told_to{options_.writes_to_stdout() ? streams_.err : streams_.out, streams_.err};
+    const ExitCode told = tell(
+        options_, told_to, [&] { return text_report(report_); },
+        [&] { return json_report(report_); });
+    return std::max(told, gravest_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t n_files() const { return operands_.files.size(); }
+
+  [[nodiscard]] Source source(std::size_t i) const {
+    return {*operands_.files[i], operands_.soups[i]};
+  }
+
+  [[nodiscard]] CombineOptions combine_options(const Soup& all) const {
+    CombineOptions options;
+    options.max_deviation = length_of(options_.repair.max_deviation, used_box(all));
+    options.wants_to_stop = [this] { return stop_.is_made(); };
+    return options;
+  }
+
+  void combine_into_one() {
+    const bool is_one = n_files() == 1;
+    const Soup joined = is_one ? Soup() : concatenate(operands_.soups);
+    const Soup& all = is_one ? operands_.soups.front() : joined;
+    const Operands operands = is_one ? operands_of(all) : operands_of(all, operands_.soups);
+    const CombinedSolid solid =
+        combine_solids(operands, rule_of(options_.operation), combine_options(all));
+    report_.n_pairs = solid.n_pairs;
+    add_operands(operands, solid);
+    Result result{solid, all, {}, is_one || options_.operation == BooleanOperation::Difference};
+    for (std::size_t i = 0; i < n_files(); ++i) result.sources.push_back(source(i));
+    add_result(result, options_.output);
+  }
+
+  /// Each file takes those before it away from its own solid.
+  void subtract_in_order() {
+    std::vector<Box3> boxes;
+    for (const Soup& soup : operands_.soups) boxes.push_back(used_box(soup));
+    finals_.resize(n_files());
+    for (std::size_t i = 0; i < n_files(); ++i) {
+      std::vector<Soup> soups{operands_.soups[i]};
+      nearby_.clear();
+      for (std::size_t j = 0; j < i; ++j) {
+        if (!boxes[i].intersects(boxes[j])) continue;
+        soups.push_back(operands_.soups[j]);
+        nearby_.push_back(j);
+      }
+      subtract(i, soups);
+    }
+  }
+
+  /// Takes all meshes but the first away from the first, which is of file i.
+  void subtract(std::size_t i, const std::vector<Soup>& soups) {
+    const Soup all = concatenate(soups);
+    const Operands operands = operands_of(all, soups);
+    CombinedSolid solid = combine_solids(operands, difference_rule(), combine_options(all));
+    report_.n_pairs += solid.n_pairs;
+    std::optional<std::string> path;
+    if (options_.output) {
+      const auto name = std::filesystem::path(operands_.files[i]->path()).filename();
+      path = (std::filesystem::path(*options_.output) / name).string();
+    }
+    add_operands({soups.front(), std::vector<Index>(soups.front().n_faces(), 0), 1}, solid);
+    if (solid.outcome == CombineOutcome::Done) move_off(i, operands, solid);
+    if (const std::optional<Soup> disk = add_result({solid, all, {source(i)}, true}, path)) {
+      finals_[i] = *disk;
+    }
+  }
+
+  /// Moves what is left of file i off the meshes before it.
+  void move_off(std::size_t i, const Operands& operands, CombinedSolid& solid) {
+    std::vector<Soup> others;
+    for (const std::size_t j : nearby_) others.push_back(finals_[j]);
+    const PartedVertices moved = part_from(solid, operands, concatenate(others),
+                                           combine_options(operands.soup).max_deviation);
+    const std::string name = operands_.files[i]->path();
+    if (moved.n_pairs_left != 0) {
+      report_.notes.push_back(name + ": " + std::to_string(moved.n_pairs_left) +
+                              " pairs of faces still touch a mesh before it: no step within the "
+                              "maximum deviation was found that parts them");
+      be_at_least(ExitCode::NotGood);
+    }
+    if (moved.vertices.empty()) return;
+    for (std::size_t k = 0; k < moved.vertices.size(); ++k) {
+      solid.positions[moved.vertices[k]] = moved.positions[k];
+    }
+    solid.largest_move += moved.largest_move;
+    report_.notes.push_back(name + ": " + std::to_string(moved.vertices.size()) +
+                            " vertices were moved off the meshes before it");
+  }
+
+  /// Tells of operands, and of how much of each is in a result.
+  void add_operands(const Operands& operands, const CombinedSolid& solid) {
+    const std::size_t first = report_.operands.size();
+    const std::vector<double> volumes = volumes_of(operands);
+    for (std::size_t i = 0; i < operands.count; ++i) {
+      BooleanOperand& operand = report_.operands.emplace_back();
+      operand.name = name_of_operand(first + i);
+      operand.volume = volumes[i];
+    }
+    enum : std::uint8_t { Gone, Cut, Whole };
+    std::vector<std::uint8_t> fates(operands.soup.n_faces(), Gone);
+    for (const CombinedFace& face : solid.faces) {
+      if (face.origin >= fates.size()) continue;
+      Triangle before = operands.soup.triangles[face.origin];
+      if (face.is_turned) std::swap(before[1], before[2]);
+      fates[face.origin] = face.corners == before ? Whole : Cut;
+    }
+    for (std::size_t f = 0; f < fates.size(); ++f) {
+      BooleanOperand& operand = report_.operands[first + operands.of_face[f]];
+      ++operand.n_faces;
+      ++(fates[f] == Whole ? operand.n_whole : fates[f] == Cut ? operand.n_cut : operand.n_gone);
+    }
+  }
+
+  [[nodiscard]] std::string name_of_operand(std::size_t number) const {
+    if (n_files() > 1) return operands_.files[number]->path();
+    const std::string path = operands_.files.front()->path();
+    return "component " + std::to_string(number + 1) + " of " + path;
+  }
+
+  void be_at_least(ExitCode code) { gravest_ = std::max(gravest_, code); }
+
+  /// Writes a result, where it is to be written, and tells of it.
+  /// @return The mesh as it is on disk; nothing where there is none.
+  std::optional<Soup> add_result(const Result& result, const std::optional<std::string>& path) {
+    const bool is_left = result.solid.outcome == CombineOutcome::TooManyPairs ||
+                         result.solid.outcome == CombineOutcome::Stopped;
+    if (is_left) {
+      report_.notes.push_back(result.solid.outcome == CombineOutcome::Stopped
+                                  ? "nothing is written: it was stopped before it was done"
+                                  : "nothing is written: more than " +
+                                        std::to_string(kMostPairsCombined) +
+                                        " pairs of faces intersect, and no more are cut");
+      be_at_least(ExitCode::NotGood);
+      return std::nullopt;
+    }
+    if (result.solid.faces.empty()) {
+      add_empty(path);
+      return std::nullopt;
+    }
+    if (result.solid.outcome == CombineOutcome::Unfinished) {
+      report_.notes.emplace_back("rounding makes faces of the result intersect again and again");
+    }
+    PartedMesh parted = part(result);
+    const bool is_changed = !is_unchanged(result.edited(), result.solid) || parted.is_parted;
+    Soup disk = write(result, parted.mesh, is_changed, path);
+    report_.outputs.back().largest_move = result.solid.largest_move + parted.largest_move;
+    judge(disk);
+    return disk;
+  }
+
+  /// Parts a result where it touches itself.
+  PartedMesh part(const Result& result) {
+    PartedMesh parted = part_combined(track_combined(result.edited(), result.solid),
+                                      combine_options(result.all).max_deviation);
+    if (parted.is_parted) {
+      report_.notes.emplace_back("parts that touched along an edge or at a vertex were parted");
+    }
+    return parted;
+  }
+
+  void add_empty(const std::optional<std::string>& path) {
+    const std::string where = path.value_or("the result");
+    report_.notes.push_back(where + " is empty: nothing is inside");
+    report_.outputs.push_back({});
+    report_.outputs.back().verdict = "empty";
+    if (!path) return;
+    streams_.err << where << ": not written: the result is empty\n";
+    be_at_least(ExitCode::Trouble);
+  }
+
+  [[nodiscard]] static Output output_of(const Result& result, const TrackedMesh& mesh,
+                                        bool is_changed, const std::string& path) {
+    if (result.edits_first) return make_output(mesh, is_changed, path, result.sources.front());
+    return make_joint_output(mesh, result.all, path, result.sources);
+  }
+
+  /// Writes a mesh and reads it back.
+  Soup write(const Result& result, const TrackedMesh& mesh, bool is_changed,
+             const std::optional<std::string>& path) {
+    BooleanOutput& told = report_.outputs.emplace_back();
+    if (!path) return mesh.soup;
+    const bool is_stdout = options_.writes_to_stdout();
+    const std::string name = is_stdout ? name_of_stdout() : *path;
+    const Output output = output_of(result, mesh, is_changed, name);
+    report_.lost.insert(report_.lost.end(), output.loss.lost.begin(), output.loss.lost.end());
+    if (!output.note.empty()) report_.notes.push_back(output.note);
+    if (options_.loss == Options::Loss::Refuse && !output.loss.lost.empty()) {
+      report_.notes.emplace_back("nothing is written, because attributes would be lost");
+      be_at_least(ExitCode::NotGood);
+      return mesh.soup;
+    }
+    told.path = is_stdout ? "-" : *path;
+    if (!is_stdout) return write_output(output, *path);
+    Soup disk = parse_mesh(output.bytes, name);
+    streams_.out << output.bytes << std::flush;
+    if (!streams_.out) throw IoError("standard output", {}, "takes no more");
+    return disk;
+  }
+
+  /// The format of standard output is that of the first input.
+  [[nodiscard]] std::string name_of_stdout() const {
+    const Format format = operands_.soups.front().format;
+    return "standard output." +
+           std::string(format_name(format == Format::Inria ? Format::Mesh : format));
+  }
+
+  /// Tells what a mesh is, as the analysis of what is on disk says.
+  void judge(const Soup& disk) {
+    BooleanOutput& output = report_.outputs.back();
+    output.n_vertices = disk.n_vertices();
+    output.n_faces = disk.n_faces();
+    output.volume = volumes_of({disk, std::vector<Index>(disk.n_faces(), 0), 1}).front();
+    AnalysisOptions options;
+    options.scope = Scope::AttributesOnly;
+    options.judge_fitness = true;
+    const Analysis analysis = analyze(disk, output.path, options);
+    output.is_good = analysis.fitness && analysis.fitness->good;
+    output.verdict = analysis.fitness ? verdict_text(*analysis.fitness) : "not judged";
+    if (!output.is_good) be_at_least(ExitCode::NotGood);
+  }
+
+  const Options& options_;
+  const OperandFiles& operands_;
+  Streams streams_;
+  StopRequest stop_;
+  BooleanReport report_;
+  /// The meshes that came out so far, by file, where each must not touch those before it; and those
+  /// of them that are near the one in hand.
+  std::vector<Soup> finals_;
+  std::vector<std::size_t> nearby_;
+  ExitCode gravest_ = ExitCode::Done;
+};
+
+void make_folder(const Options& options, const OperandFiles& operands) {
+  if (options.target != Options::Target::Folder) return;
+  std::vector<std::string> names;
+  for (const auto& file : operands.files) {
+    if (file->path() == "-") throw UsageError("standard input has no name to be written by");
+    names.push_back(std::filesystem::path(file->path()).filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  const auto twice = std::adjacent_find(names.begin(), names.end());
+  if (twice != names.end()) {
+    throw UsageError("two inputs are called " + *twice + ", and would be written to one file");
+  }
+  std::vector<std::string> inputs;
+  for (const auto& file : operands.files) inputs.push_back(file->path());
+  const KnownFiles known(inputs);
+  for (const std::string& name : names) {
+    const std::string path = (std::filesystem::path(*options.output) / name).string();
+    if (known.contain(path)) {
+      throw UsageError(path + " would be written, but it is an input, which never changes");
+    }
+  }
+  std::error_code error;
+  std::filesystem::create_directories(*options.output, error);
+  if (error) throw IoError(*options.output, {}, "cannot be made a folder: " + error.message());
+}
+
+}  // namespace
+
+ExitCode combine(const Options& options, Streams streams) {
+  const OperandFiles operands = read_operands(options);
+  const std::string faults = solid_faults(operands);
+  if (!faults.empty()) {
+    streams.err << faults << std::flush;
+    return ExitCode::NotGood;
+  }
+  make_folder(options, operands);
+  return CombinationRun(options, operands, streams).run();
+}
+
+}  // namespace meshalyzer::fixer

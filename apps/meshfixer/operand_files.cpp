@@ -1,0 +1,69 @@
+#include "operand_files.h"
+
+#include "mesh_folder.h"
+#include "meshalyzer/base/error.h"
+#include "meshalyzer/boolean/solid_fault.h"
+#include "meshalyzer/io/read.h"
+#include "same_file.h"
+#include "usage_error.h"
+
+#include <filesystem>
+#include <utility>
+
+namespace meshalyzer::fixer {
+namespace {
+
+std::vector<std::string> find_paths(const Options& options) {
+  std::vector<std::string> paths;
+  for (const std::string& path : options.paths) {
+    if (!is_folder(path)) {
+      paths.push_back(path);
+      continue;
+    }
+    MeshFolder folder = list_mesh_folder(path);
+    if (!folder.trouble.empty()) throw Error(folder.trouble);
+    paths.insert(paths.end(), folder.files.begin(), folder.files.end());
+  }
+  return paths;
+}
+
+/// Refuses to write over an input, or a report over OUT.
+void check_targets(const Options& options, const std::vector<std::string>& paths) {
+  const KnownFiles known(paths);
+  const bool is_one_file = options.output && !options.is_batch() && !options.writes_to_stdout();
+  if (is_one_file && known.contain(*options.output)) {
+    throw UsageError("OUT is an input, which never changes");
+  }
+  if (!options.json || options.json->is_stdout()) return;
+  if (known.contain(options.json->file)) {
+    throw UsageError("the FILE of --json is an input, which never changes");
+  }
+  if (is_one_file && is_same_file(*options.output, options.json->file)) {
+    throw UsageError("the FILE of --json is OUT");
+  }
+}
+
+}  // namespace
+
+OperandFiles read_operands(const Options& options) {
+  const std::vector<std::string> paths = find_paths(options);
+  check_targets(options, paths);
+  OperandFiles operands;
+  for (const std::string& path : paths) {
+    operands.files.push_back(std::make_unique<const InputFile>(path));
+    operands.soups.push_back(parse_mesh(operands.files.back()->bytes(), path));
+  }
+  return operands;
+}
+
+std::string solid_faults(const OperandFiles& operands) {
+  std::string text;
+  for (std::size_t i = 0; i < operands.soups.size(); ++i) {
+    const std::string fault = find_solid_fault(operands.soups[i]);
+    if (fault.empty()) continue;
+    text += operands.files[i]->path() + ": bounds no solid: " + fault + "; repair it first\n";
+  }
+  return text;
+}
+
+}  // namespace meshalyzer::fixer

@@ -1,0 +1,203 @@
+#include "meshalyzer/boolean/combine_solids.h"
+
+#include "meshalyzer/arrangement/round_vertices.h"
+#include "meshalyzer/base/error.h"
+#include "meshalyzer/boolean/internal/exact_solid.h"
+#include "meshalyzer/exact/exact_point.h"
+#include "meshalyzer/exact/predicates.h"
+#include "meshalyzer/mesh/build.h"
+#include "meshalyzer/spatial/self_intersection.h"
+#include "meshalyzer/spatial/self_intersection_of.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// How many pairs all rounds may cut, beside this multiple of those of the first.
+constexpr std::size_t kMorePairsInRounds = 1000;
+constexpr std::size_t kTimesFirstRound = 2;
+
+using Pairs = std::vector<IntersectingPair>;
+
+void require_operands(const Operands& operands) {
+  const Soup& soup = operands.soup;
+  if (operands.count == 0) throw InvalidArgument("combine_solids: there is no operand");
+  if (operands.of_face.size() != soup.n_faces() ||
+      std::any_of(operands.of_face.begin(), operands.of_face.end(),
+                  [&](Index operand) { return operand >= operands.count; })) {
+    throw InvalidArgument("combine_solids: a face belongs to no operand");
+  }
+  if (!std::all_of(soup.positions.begin(), soup.positions.end(),
+                   [](const Vec3& p) { return p.allFinite(); })) {
+    throw InvalidArgument("combine_solids: a position is not finite");
+  }
+}
+
+bool has_area(const std::vector<Vec3>& positions, const Triangle& t) {
+  return is_in_complex(t) && !are_collinear(positions[t[0]], positions[t[1]], positions[t[2]]);
+}
+
+double longest_side(const Soup& soup) {
+  Box3 box;
+  for (const Triangle& t : soup.triangles) {
+    for (const Index v : t) box.extend(soup.positions[v]);
+  }
+  return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
+}
+
+/// Combines operands, round by round: the first round cuts and selects, later ones cut what
+/// rounding has made intersect.
+class Combination {
+ public:
+  Combination(const Operands& operands, const CombineOptions& options)
+      : options_(options), n_operands_(operands.count) {
+    soup_.positions = operands.soup.positions;
+    for (Index face = 0; face < operands.soup.n_faces(); ++face) {
+      const Triangle& t = operands.soup.triangles[face];
+      if (!has_area(soup_.positions, t)) continue;
+      soup_.triangles.push_back(t);
+      origins_.push_back({.corners = t, .origin = face});
+      operand_of_.push_back(operands.of_face[face]);
+    }
+    limits_ = {.extent = longest_side(soup_),
+               .max_deviation = options.max_deviation,
+               .n_input_vertices = static_cast<Index>(soup_.n_vertices())};
+  }
+
+  CombinedSolid run(const InsideRule& rule) {
+    result_.outcome = run_rounds(rule);
+    for (std::size_t i = 0; i < origins_.size(); ++i) {
+      origins_[i].corners = soup_.triangles[i];
+    }
+    result_.positions = std::move(soup_.positions);
+    result_.faces = std::move(origins_);
+    std::stable_sort(
+        result_.faces.begin(), result_.faces.end(),
+        [](const CombinedFace& a, const CombinedFace& b) { return a.origin < b.origin; });
+    return std::move(result_);
+  }
+
+ private:
+  CombineOutcome run_rounds(const InsideRule& rule) {
+    if (is_to_stop()) return CombineOutcome::Stopped;
+    {
+      const CutMesh cut = build(soup_);
+      const FaceTree tree(cut);
+      const Pairs pairs = find_self_intersections(cut, tree, options_.max_pairs + 1);
+      if (pairs.size() > options_.max_pairs) return CombineOutcome::TooManyPairs;
+      result_.n_pairs = pairs.size();
+      take(find_exact_solid({soup_, cut, tree, pairs}, operand_of_, n_operands_, rule), 0);
+    }
+    return mend_rounding();
+  }
+
+  /// What was rounded is one solid now, which may intersect itself.
+  CombineOutcome mend_rounding() {
+    std::size_t n_pairs_cut = 0;
+    for (std::size_t round = 1;; ++round) {
+      const CutMesh cut = build(soup_);
+      const FaceTree tree(cut);
+      const Pairs pairs = find_self_intersections_of(cut, tree, new_faces_);
+      if (pairs.empty()) return CombineOutcome::Done;
+      if (is_to_stop()) return CombineOutcome::Stopped;
+      n_pairs_cut += pairs.size();
+      if (round == kRoundingRounds ||
+          n_pairs_cut > kMorePairsInRounds + kTimesFirstRound * result_.n_pairs) {
+        return CombineOutcome::Unfinished;
+      }
+      operand_of_.assign(soup_.n_faces(), 0);
+      take(find_exact_solid({soup_, cut, tree, pairs}, operand_of_, 1, union_rule()), round);
+    }
+  }
+
+  [[nodiscard]] bool is_to_stop() const {
+    return options_.wants_to_stop && options_.wants_to_stop();
+  }
+
+  /// Makes the boundary of a solid, rounded, the soup.
+  void take(const ExactSolid& solid, std::size_t round) {
+    const Arrangement& a = solid.arrangement;
+    std::vector<std::uint8_t> was_cut(soup_.n_faces(), 0);
+    for (const Index face : a.cut_faces) was_cut[face] = 1;
+    RoundedVertices rounded = round_vertices(a, rounding_of_round(round, limits_));
+    std::vector<Triangle> triangles;
+    std::vector<CombinedFace> origins;
+    new_faces_.clear();
+    double largest = 0.0;
+    for (const BoundaryPiece& part : solid.boundary) {
+      Triangle t = a.pieces[part.piece];
+      for (const Index v : t) largest = std::max(largest, move_of(v, a, rounded));
+      for (Index& v : t) v = rounded.stands_for[v];
+      const bool is_new = was_cut[part.face] != 0 || t != a.pieces[part.piece];
+      if (part.is_turned) std::swap(t[1], t[2]);
+      if (is_new && !has_area(rounded.positions, t)) continue;
+      if (is_new) new_faces_.push_back(static_cast<Index>(triangles.size()));
+      triangles.push_back(t);
+      origins.push_back(origin_of(part, a));
+    }
+    result_.largest_move += largest;
+    soup_.positions = std::move(rounded.positions);
+    soup_.triangles = std::move(triangles);
+    origins_ = std::move(origins);
+  }
+
+  [[nodiscard]] CombinedFace origin_of(const BoundaryPiece& part, const Arrangement& a) const {
+    CombinedFace origin = origins_[part.face];
+    for (const PieceSource& source : a.sources_of(part.piece)) {
+      const bool is_itself = source.face == part.face;
+      if (is_itself && part.is_turned == (source.sign > 0)) origin.is_turned = !origin.is_turned;
+      const bool is_other = operand_of_[source.face] != operand_of_[part.face];
+      origin.is_common = origin.is_common || is_other || origins_[source.face].is_common;
+    }
+    return origin;
+  }
+
+  /// How far rounding moves a vertex of an arrangement.
+  [[nodiscard]] static double move_of(Index v, const Arrangement& a,
+                                      const RoundedVertices& rounded) {
+    const double move = (rounded.positions[rounded.stands_for[v]] - a.positions[v]).norm();
+    return v < a.n_input_vertices ? move : move + a.exact.made(v - a.n_input_vertices).rest.norm();
+  }
+
+  const CombineOptions& options_;
+  std::size_t n_operands_;
+  RoundingLimits limits_;
+  /// What is cut in this round: positions and faces alone.
+  Soup soup_;
+  /// By face of the soup; without corners.
+  std::vector<CombinedFace> origins_;
+  std::vector<Index> operand_of_;
+  /// Which faces the last round has made. Ascending.
+  std::vector<Index> new_faces_;
+  CombinedSolid result_;
+};
+
+}  // namespace
+
+CombinedSolid combine_solids(const Operands& operands, const InsideRule& rule,
+                             const CombineOptions& options) {
+  require_operands(operands);
+  return Combination(operands, options).run(rule);
+}
+
+Soup as_soup(const CombinedSolid& solid) {
+  Soup soup;
+  std::vector<Index> number(solid.positions.size(), kNoIndex);
+  for (const CombinedFace& face : solid.faces) {
+    Triangle t = face.corners;
+    for (Index& v : t) {
+      if (number[v] == kNoIndex) {
+        number[v] = static_cast<Index>(soup.positions.size());
+        soup.positions.push_back(solid.positions[v]);
+      }
+      v = number[v];
+    }
+    soup.triangles.push_back(t);
+  }
+  return soup;
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,193 @@
+#include "meshalyzer/boolean/part_from.h"
+
+#include "meshalyzer/exact/normal.h"
+#include "meshalyzer/mesh/build.h"
+#include "meshalyzer/spatial/mutual_intersection.h"
+#include "meshalyzer/spatial/triangle_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// The first step, as a share of the largest coordinate: 64 units in its last place or more.
+constexpr double kFirstShare = 0x1p-46;
+constexpr double kStepGrowth = 4.0;
+constexpr int kMostRounds = 24;
+/// A vertex is on a face that is within so many first steps.
+constexpr double kNearSteps = 8.0;
+/// How closely the direction that is best before several faces is approached.
+constexpr int kDirectionSteps = 64;
+/// Directions that leave a face more slowly than this are as good as none.
+constexpr double kLeastClearance = 1e-3;
+
+/// The point nearest to the origin in the hull of unit normals, nearly: before each of their planes
+/// by the square of its length.
+Vec3 least_point(const std::vector<Vec3>& normals) {
+  Vec3 point = Vec3::Zero();
+  for (const Vec3& normal : normals) point += normal / static_cast<double>(normals.size());
+  for (int i = 0; i < kDirectionSteps; ++i) {
+    const auto worst =
+        std::min_element(normals.begin(), normals.end(),
+                         [&](const Vec3& a, const Vec3& b) { return a.dot(point) < b.dot(point); });
+    const Vec3 way = *worst - point;
+    const double length = way.squaredNorm();
+    const double gain = -way.dot(point);
+    if (!(gain > 0.0) || !(length > 0.0)) break;
+    point += std::min(gain / length, 1.0) * way;
+  }
+  return point;
+}
+
+/// Moves vertices, round by round, farther where faces still meet.
+class PartingFrom {
+ public:
+  PartingFrom(const CombinedSolid& difference, const Soup& others, double max_move)
+      : start_(difference.positions),
+        others_(others),
+        cut_others_(build(others)),
+        tree_of_others_(cut_others_),
+        max_move_(max_move) {
+    soup_.positions = difference.positions;
+    double size = 0.0;
+    for (const CombinedFace& face : difference.faces) {
+      soup_.triangles.push_back(face.corners);
+      for (const Index v : face.corners) size = std::max(size, start_[v].cwiseAbs().maxCoeff());
+    }
+    first_step_ = kFirstShare * size;
+  }
+
+  PartedVertices run(const CombinedSolid& difference, const Operands& operands) {
+    std::vector<IntersectingPair> pairs = find_pairs();
+    if (pairs.empty()) return {};
+    for (const CombinedFace& face : difference.faces) add_wall(face, operands);
+    for (int round = 0; round < kMostRounds && !pairs.empty(); ++round) {
+      choose(pairs);
+      if (!move()) break;
+      pairs = find_pairs();
+    }
+    return result(pairs.size());
+  }
+
+ private:
+  /// A vertex that is on the others, and how far it is to go from their faces there.
+  struct Contact {
+    /// Unit normals of common walls, out of the others.
+    std::vector<Vec3> walls;
+    /// The same of faces that it touches without a wall.
+    std::vector<Vec3> touched;
+    double step = 0.0;
+    bool is_to_grow = false;
+  };
+
+  [[nodiscard]] std::vector<IntersectingPair> find_pairs() const {
+    const CutMesh cut = build(soup_);
+    return find_intersections(cut, FaceTree(cut), cut_others_, tree_of_others_);
+  }
+
+  /// Notes a face that is a part of a face of the others, or lies on one.
+  void add_wall(const CombinedFace& face, const Operands& operands) {
+    const bool is_of_others = operands.of_face[face.origin] != 0;
+    if (!is_of_others && !face.is_common) return;
+    const auto [a, b, c] = corners_of(operands.soup, face.origin);
+    const Vec3 normal = is_of_others ? accurate_normal(a, b, c) : accurate_normal(a, c, b);
+    for (const Index v : face.corners) add_normal(normal, contacts_[v].walls);
+  }
+
+  /// Chooses the vertices that are to go farther: of each face that meets another those that are
+  /// on it, or are nearest.
+  void choose(const std::vector<IntersectingPair>& pairs) {
+    for (const IntersectingPair& pair : pairs) {
+      const Triangle& t = soup_.triangles[pair.face_a];
+      const Corners other = corners_of(others_, pair.face_b);
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const Index v : t) {
+        if (has_wall(v)) nearest = std::min(nearest, distance(other, v));
+      }
+      const bool has_no_wall = std::isinf(nearest);
+      for (const Index v : t) {
+        if (distance(other, v) > std::max(has_no_wall ? 0.0 : nearest, near())) continue;
+        Contact& contact = contacts_[v];
+        contact.is_to_grow = true;
+        add_normal(accurate_normal(other[0], other[1], other[2]), contact.touched);
+      }
+    }
+  }
+
+  [[nodiscard]] bool has_wall(Index vertex) const {
+    const auto found = contacts_.find(vertex);
+    return found != contacts_.end() && !found->second.walls.empty();
+  }
+
+  [[nodiscard]] double near() const { return kNearSteps * first_step_; }
+
+  [[nodiscard]] double distance(const Corners& other, Index vertex) const {
+    return closest_on_triangle(other, start_[vertex]).distance;
+  }
+
+  /// Faces of one plane count once.
+  static void add_normal(const Vec3& scaled, std::vector<Vec3>& normals) {
+    if (!(scaled.stableNorm() > 0.0)) return;
+    const Vec3 normal = scaled.stableNormalized();
+    if (std::find(normals.begin(), normals.end(), normal) == normals.end()) {
+      normals.push_back(normal);
+    }
+  }
+
+  /// Moves the vertices of which faces still meet others.
+  /// @return Whether any can go farther.
+  bool move() {
+    bool is_any = false;
+    for (auto& [vertex, contact] : contacts_) {
+      if (!std::exchange(contact.is_to_grow, false)) continue;
+      const std::vector<Vec3>& normals = contact.walls.empty() ? contact.touched : contact.walls;
+      if (normals.empty()) continue;
+      contact.step = contact.step == 0.0 ? first_step_ : kStepGrowth * contact.step;
+      const Vec3 point = least_point(normals);
+      const double clearance = std::max(point.squaredNorm(), kLeastClearance * kLeastClearance);
+      Vec3 way = point * (contact.step / clearance);
+      const double length = way.norm();
+      if (length > max_move_) way *= max_move_ / length;
+      const Vec3 to = start_[vertex] + way;
+      is_any = is_any || to != soup_.positions[vertex];
+      soup_.positions[vertex] = to;
+    }
+    return is_any;
+  }
+
+  [[nodiscard]] PartedVertices result(std::size_t n_left) const {
+    PartedVertices parted;
+    parted.n_pairs_left = n_left;
+    for (const auto& [vertex, contact] : contacts_) {
+      if (soup_.positions[vertex] == start_[vertex]) continue;
+      parted.vertices.push_back(vertex);
+      parted.positions.push_back(soup_.positions[vertex]);
+      parted.largest_move =
+          std::max(parted.largest_move, (soup_.positions[vertex] - start_[vertex]).norm());
+    }
+    return parted;
+  }
+
+  std::vector<Vec3> start_;
+  const Soup& others_;
+  CutMesh cut_others_;
+  FaceTree tree_of_others_;
+  double max_move_;
+  double first_step_ = 0.0;
+  /// As it is now: positions and faces alone.
+  Soup soup_;
+  std::map<Index, Contact> contacts_;
+};
+
+}  // namespace
+
+PartedVertices part_from(const CombinedSolid& difference, const Operands& operands,
+                         const Soup& others, double max_move) {
+  return PartingFrom(difference, others, max_move).run(difference, operands);
+}
+
+}  // namespace meshalyzer

@@ -1,0 +1,91 @@
+#include "meshalyzer/boolean/solid_fault.h"
+
+#include "meshalyzer/geometry/extent.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// Edges that are not crossed equally often in both directions.
+struct UnevenEdges {
+  /// Those of one face.
+  std::size_t n_borders = 0;
+  std::size_t n_others = 0;
+};
+
+UnevenEdges count_uneven_edges(const Soup& soup) {
+  // The lower vertex, the higher one, and the direction.
+  std::vector<std::pair<std::uint64_t, int>> sides;
+  sides.reserve(3 * soup.n_faces());
+  for (const Triangle& t : soup.triangles) {
+    if (!is_in_complex(t)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
+      sides.emplace_back(std::uint64_t{low} << 32U | high, low == t[k] ? 1 : -1);
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  UnevenEdges edges;
+  for (auto first = sides.begin(); first != sides.end();) {
+    auto last = first;
+    int sum = 0;
+    for (; last != sides.end() && last->first == first->first; ++last) sum += last->second;
+    if (sum != 0) ++(last - first == 1 ? edges.n_borders : edges.n_others);
+    first = last;
+  }
+  return edges;
+}
+
+std::string counted_edges(std::size_t n, const char* one, const char* many) {
+  return std::to_string(n) + (n == 1 ? one : many);
+}
+
+std::string fault_of_edges(const UnevenEdges& edges) {
+  if (edges.n_borders != 0) {
+    return "it is not closed: " +
+           counted_edges(edges.n_borders, " edge has one face only", " edges have one face only");
+  }
+  if (edges.n_others != 0) {
+    return "its faces are not oriented alike: " +
+           counted_edges(edges.n_others, " edge is", " edges are") +
+           " crossed more often in one direction than in the other";
+  }
+  return {};
+}
+
+/// Whether a component that is no shell, but closed, encloses anything.
+bool encloses_nothing(const PreparedMesh& mesh) {
+  const Components& components = mesh.components();
+  const std::vector<SignedVolume> volumes = signed_volumes(
+      mesh.cut().mesh, {components.of_face, components.count}, mesh.component_boxes());
+  return std::none_of(volumes.begin(), volumes.end(),
+                      [](const SignedVolume& volume) { return volume.sign > 0; });
+}
+
+std::string fault_of_shells(const Soup& soup) {
+  const PreparedMesh mesh(soup);
+  const std::vector<Shell>& shells = mesh.shells();
+  const auto inward = std::find_if(shells.begin(), shells.end(),
+                                   [](const Shell& shell) { return shell.outward == false; });
+  if (inward != shells.end()) {
+    return shells.size() == 1 ? "it is inside out" : "one of its components is inside out";
+  }
+  return encloses_nothing(mesh) ? "it encloses nothing, or is inside out" : "";
+}
+
+}  // namespace
+
+std::string find_solid_fault(const Soup& soup) {
+  if (soup.triangles.empty()) return "it has no faces";
+  if (!soup.missing.empty()) return "its faces name vertices that are not there";
+  const std::string fault = fault_of_edges(count_uneven_edges(soup));
+  return fault.empty() ? fault_of_shells(soup) : fault;
+}
+
+}  // namespace meshalyzer

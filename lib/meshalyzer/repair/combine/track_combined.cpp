@@ -1,0 +1,216 @@
+#include "meshalyzer/repair/combine/track_combined.h"
+
+#include "meshalyzer/mesh/build.h"
+#include "meshalyzer/repair/edits/apply_edits.h"
+#include "meshalyzer/repair/edits/edits.h"
+#include "meshalyzer/repair/fix_defects.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// Whether two faces have the same corners in the same order, whichever comes first.
+bool is_same_cycle(Triangle a, const Triangle& b) {
+  for (int i = 0; i < 3; ++i) {
+    if (a == b) return true;
+    std::rotate(a.begin(), a.begin() + 1, a.end());
+  }
+  return false;
+}
+
+/// Makes one operation of edits that turns a mesh into the result.
+class CombinedEdits {
+ public:
+  CombinedEdits(const Soup& source, const CombinedSolid& solid)
+      : soup_(source),
+        solid_(solid),
+        stays_(source.n_faces(), 0),
+        added_(solid.positions.size() - source.n_vertices(), kNoIndex) {}
+
+  Edits make() {
+    op_ = edits_.begin_operation();
+    find_model();
+    for (const CombinedFace& face : solid_.faces) take(face);
+    for (Index f = 0; f < stays_.size(); ++f) {
+      if (stays_[f] == 0) edits_.removed_faces.push_back({op_, f});
+    }
+    move_vertices();
+    remove_orphans();
+    turn_normals();
+    return std::move(edits_);
+  }
+
+ private:
+  [[nodiscard]] bool is_of_source(const CombinedFace& face) const {
+    return face.origin < soup_.n_faces();
+  }
+
+  /// Patches are modelled on the first face of the source of which something stays.
+  void find_model() {
+    const auto found = std::find_if(solid_.faces.begin(), solid_.faces.end(),
+                                    [&](const CombinedFace& face) { return is_of_source(face); });
+    if (found != solid_.faces.end()) model_ = found->origin;
+  }
+
+  void take(const CombinedFace& face) {
+    if (!is_of_source(face)) {
+      add(face);
+      return;
+    }
+    Triangle before = soup_.triangles[face.origin];
+    if (face.is_turned) std::swap(before[1], before[2]);
+    if (!is_same_cycle(face.corners, before)) {
+      add(face);
+      return;
+    }
+    stays_[face.origin] = 1;
+    if (face.is_turned) edits_.changed_faces.push_back({op_, face.origin, before});
+  }
+
+  void add(const CombinedFace& face) {
+    const auto n_vertices = static_cast<Index>(soup_.n_vertices());
+    Triangle corners = face.corners;
+    for (Index& v : corners) {
+      if (v < n_vertices) continue;
+      Index& number = added_[v - n_vertices];
+      if (number == kNoIndex) {
+        number = n_vertices + static_cast<Index>(edits_.added_vertices.size());
+        edits_.added_vertices.push_back({.op = op_, .position = solid_.positions[v]});
+      }
+      v = number;
+    }
+    edits_.added_faces.push_back({.op = op_,
+                                  .corners = corners,
+                                  .like = is_of_source(face) ? face.origin : model_,
+                                  .fills_hole = !is_of_source(face)});
+  }
+
+  void move_vertices() {
+    for (Index v = 0; v < soup_.n_vertices(); ++v) {
+      if (solid_.positions[v] == soup_.positions[v]) continue;
+      edits_.moved_vertices.push_back({op_, v, solid_.positions[v]});
+    }
+  }
+
+  /// Vertices that lose their last face go without being named.
+  void remove_orphans() {
+    std::vector<std::uint8_t> is_used(soup_.n_vertices(), 0);
+    for (const Triangle& t : soup_.triangles) {
+      for (const Index v : t) {
+        if (v != kNoIndex) is_used[v] = 1;
+      }
+    }
+    for (Index v = 0; v < is_used.size(); ++v) {
+      if (is_used[v] == 0) edits_.removed_vertices.push_back({op_, v});
+    }
+  }
+
+  /// Turns the normals of vertices of which every face was turned.
+  void turn_normals() {
+    if (soup_.corner_normals.empty()) return;
+    enum : std::uint8_t { Unused, Turned, Other };
+    std::vector<std::uint8_t> state(soup_.n_vertices(), Unused);
+    std::vector<Index> normal(soup_.n_vertices(), kNoIndex);
+    for (const CombinedFace& face : solid_.faces) {
+      if (!is_of_source(face)) continue;
+      const Triangle& t = soup_.triangles[face.origin];
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (!face.is_turned) state[t[k]] = Other;
+        if (state[t[k]] == Unused) state[t[k]] = Turned;
+        normal[t[k]] = soup_.corner_normals[face.origin][k];
+      }
+    }
+    for (Index v = 0; v < state.size(); ++v) {
+      if (state[v] != Turned || normal[v] == kNoIndex) continue;
+      edits_.changed_normals.push_back({op_, v, -soup_.normals[normal[v]]});
+    }
+  }
+
+  const Soup& soup_;
+  const CombinedSolid& solid_;
+  std::vector<std::uint8_t> stays_;
+  /// By vertex that was made: its number among those that are added.
+  std::vector<Index> added_;
+  Index model_ = 0;
+  Index op_ = 0;
+  Edits edits_;
+};
+
+/// Numbers the records 1, 2, ..., n where the format has numbers.
+void number_from_one(TrackedMesh& mesh) {
+  if (mesh.soup.format != Format::Mesh) return;
+  mesh.soup.vertex_ids = {};
+  mesh.soup.face_ids = {};
+}
+
+/// Makes a key of a second tracked mesh, which tracks the first one's soup, one of the first.
+///
+/// @param keys     By element of the soup of the first: its key there.
+/// @param n_known  How many keys the first one has given.
+Index outer_key(Index key, const std::vector<Index>& keys, std::size_t n_known) {
+  return key < keys.size() ? keys[key] : static_cast<Index>(n_known + (key - keys.size()));
+}
+
+/// Tracks back to what the first one tracks.
+TrackedMesh composed(const TrackedMesh& first, TrackedMesh second) {
+  const std::size_t n_vertices = first.n_input_vertices + first.vertex_origins.size();
+  const std::size_t n_faces = first.n_input_faces + first.face_origins.size();
+  for (Index& key : second.vertex_keys) key = outer_key(key, first.vertex_keys, n_vertices);
+  for (Index& key : second.face_keys) key = outer_key(key, first.face_keys, n_faces);
+  std::vector<Index> vertex_origins = first.vertex_origins;
+  for (const Index origin : second.vertex_origins) {
+    const Index key = origin == kNoIndex ? kNoIndex : first.vertex_keys[origin];
+    const bool is_of_input = key < first.n_input_vertices;
+    vertex_origins.push_back(
+        is_of_input || key == kNoIndex ? key : first.vertex_origins[key - first.n_input_vertices]);
+  }
+  std::vector<Index> face_origins = first.face_origins;
+  for (const Index origin : second.face_origins) {
+    face_origins.push_back(origin == kNoIndex ? kNoIndex : first.origin_of_face(origin));
+  }
+  second.vertex_origins = std::move(vertex_origins);
+  second.face_origins = std::move(face_origins);
+  second.n_input_vertices = first.n_input_vertices;
+  second.n_input_faces = first.n_input_faces;
+  return second;
+}
+
+}  // namespace
+
+TrackedMesh track_combined(const Soup& source, const CombinedSolid& solid) {
+  TrackedMesh tracked = track_mesh(source);
+  tracked = apply_edits(tracked, CombinedEdits(source, solid).make());
+  number_from_one(tracked);
+  return tracked;
+}
+
+bool is_unchanged(const Soup& source, const CombinedSolid& solid) {
+  if (solid.faces.size() != source.n_faces()) return false;
+  // The faces are in order of their origins.
+  for (Index f = 0; f < source.n_faces(); ++f) {
+    const CombinedFace& face = solid.faces[f];
+    if (face.origin != f || face.corners != source.triangles[f]) return false;
+    for (const Index v : face.corners) {
+      if (solid.positions[v] != source.positions[v]) return false;
+    }
+  }
+  return true;
+}
+
+PartedMesh part_combined(TrackedMesh combined, double max_deviation) {
+  if (build(combined.soup).side.non_manifold_vertices.empty()) return {std::move(combined)};
+  RepairOptions options;
+  options.fixes = {DefectCode::NonManifold};
+  options.max_deviation = {max_deviation, Deviation::Unit::Length};
+  RepairResult result = fix_defects(combined.soup, options);
+  PartedMesh parted{composed(combined, std::move(result.meshes.front().tracked)), true,
+                    result.deviation};
+  number_from_one(parted.mesh);
+  return parted;
+}
+
+}  // namespace meshalyzer

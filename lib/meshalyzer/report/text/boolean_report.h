@@ -1,0 +1,12 @@
+#pragma once
+
+#include "meshalyzer/report/boolean_report.h"
+
+#include <string>
+
+namespace meshalyzer {
+
+/// The report of a boolean operation for people: a `name: value` a line.
+[[nodiscard]] std::string text_report(const BooleanReport& report);
+
+}  // namespace meshalyzer

@@ -1,0 +1,102 @@
+#include "meshalyzer/repair/combine/track_combined.h"
+
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace meshalyzer {
+namespace {
+
+/// A first mesh without a second one.
+struct Difference {
+  Difference(const Soup& a, const Soup& b)
+      : meshes{a, b},
+        all(concatenate(meshes)),
+        solid(combine_solids(operands_of(all, meshes), difference_rule())) {}
+
+  std::vector<Soup> meshes;
+  Soup all;
+  CombinedSolid solid;
+};
+
+TEST(TrackCombined, FaceThatStaysIsThatOfTheInput) {
+  const Difference cut(shapes::cube(3), shapes::cube(1, {1, 1, 1}));
+  const TrackedMesh tracked = track_combined(cut.all, cut.solid);
+  ASSERT_EQ(tracked.soup.n_faces(), 24U);
+  for (Index f = 0; f < 24; ++f) EXPECT_EQ(tracked.face_keys[f], f);
+  // The wall of the cavity is the second cube, turned over.
+  EXPECT_EQ(tracked.soup.triangles[12][1], cut.all.triangles[12][2]);
+}
+
+TEST(TrackCombined, WallsCountAsPatchesWhereTheFirstMeshAloneIsEdited) {
+  const Difference cut(shapes::cube(3), shapes::cube(1, {1, 1, 1}));
+  const TrackedMesh tracked = track_combined(cut.meshes.front(), cut.solid);
+  ASSERT_EQ(tracked.soup.n_faces(), 24U);
+  EXPECT_EQ(tracked.n_input_faces, 12U);
+  for (Index f = 0; f < 24; ++f) {
+    EXPECT_EQ(tracked.origin_of_face(f), f < 12 ? f : kNoIndex);
+  }
+}
+
+TEST(TrackCombined, PartOfAFaceIsMadeOfIt) {
+  const Difference cut(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
+  const TrackedMesh tracked = track_combined(cut.all, cut.solid);
+  for (Index f = 0; f < tracked.soup.n_faces(); ++f) {
+    EXPECT_LT(tracked.origin_of_face(f), cut.all.n_faces());
+  }
+  // Of ids 1, 2, ..., n.
+  EXPECT_TRUE(tracked.soup.vertex_ids.named.empty());
+  EXPECT_EQ(tracked.soup.vertex_ids.first, 1);
+}
+
+TEST(TrackCombined, NormalsOfWhatIsTurnedOverAreTurned) {
+  Soup hole = shapes::cube(1, {1, 1, 1});
+  for (const Vec3& p : hole.positions) hole.normals.push_back(p - Vec3(1.5, 1.5, 1.5));
+  hole.corner_normals = hole.triangles;
+  const Difference cut(shapes::cube(3), hole);
+  const TrackedMesh tracked = track_combined(cut.all, cut.solid);
+  for (Index f = 12; f < 24; ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& at = tracked.soup.positions[tracked.soup.triangles[f][k]];
+      const Index normal = tracked.soup.corner_normals[f][k];
+      EXPECT_LT(tracked.soup.normals[normal].dot(at - Vec3(1.5, 1.5, 1.5)), 0.0);
+    }
+  }
+}
+
+TEST(IsUnchanged, OnlyWhereEveryFaceStays) {
+  const Difference apart(shapes::cube(), shapes::cube(1, {5, 0, 0}));
+  EXPECT_TRUE(is_unchanged(apart.meshes.front(), apart.solid));
+  EXPECT_FALSE(is_unchanged(apart.all, apart.solid));
+  const Difference cut(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
+  EXPECT_FALSE(is_unchanged(cut.meshes.front(), cut.solid));
+}
+
+TEST(PartCombined, CubesThatShareAnEdgeArePartedAndTrackedToTheInput) {
+  const std::vector<Soup> meshes{shapes::cube(), shapes::cube(1, {1, 1, 0})};
+  const Soup all = concatenate(meshes);
+  const CombinedSolid solid = combine_solids(operands_of(all, meshes), union_rule());
+  const PartedMesh parted = part_combined(track_combined(all, solid), 1e-3);
+  EXPECT_TRUE(parted.is_parted);
+  EXPECT_GT(parted.largest_move, 0.0);
+  EXPECT_LT(parted.largest_move, 1e-14);
+  EXPECT_EQ(parted.mesh.soup.n_vertices(), 16U);
+  EXPECT_EQ(parted.mesh.n_input_faces, 24U);
+  std::set<Index> origins;
+  for (Index f = 0; f < 24; ++f) origins.insert(parted.mesh.origin_of_face(f));
+  EXPECT_EQ(origins.size(), 24U);
+  EXPECT_EQ(*origins.rbegin(), 23U);
+}
+
+TEST(PartCombined, ManifoldMeshStays) {
+  const Difference cut(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
+  const TrackedMesh tracked = track_combined(cut.all, cut.solid);
+  const PartedMesh parted = part_combined(tracked, 1e-3);
+  EXPECT_FALSE(parted.is_parted);
+  EXPECT_EQ(parted.mesh.soup.positions, tracked.soup.positions);
+}
+
+}  // namespace
+}  // namespace meshalyzer
