@@ -1,3 +1,4 @@
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/repair/cut/internal/cut_edits.h"
 #include "meshalyzer/repair/cut/internal/cut_surface.h"
 #include "meshalyzer/repair/holes/internal/crossing_patches.h"
@@ -11,8 +12,11 @@
 namespace meshalyzer {
 namespace {
 
-/// Cutting takes about two kilobytes a pair.
-constexpr std::size_t kMostPairsCut = 2'000'000;
+/// Beside as many as there are faces: a pair takes about half a millisecond in all, and two
+/// kilobytes.
+constexpr std::size_t kMorePairsCut = 100'000;
+/// So often, at most, may cuts meet each other: beyond that there are millions of pieces.
+constexpr double kMostCrossings = 1e7;
 /// Pockets are forgotten where they have at most this share of the area of what stays.
 constexpr double kLargestForgotten = 0.25;
 
@@ -23,6 +27,35 @@ PassResult refuse_all(const IntersectingPair& first, const std::string& reason) 
   return result;
 }
 
+/// An upper bound of how often cuts meet: the cut between two faces is met by faces that intersect
+/// both.
+double most_crossings(const Soup& soup, const std::vector<IntersectingPair>& pairs) {
+  std::vector<double> n_partners(soup.n_faces(), 0.0);
+  for (const IntersectingPair& pair : pairs) {
+    ++n_partners[pair.face_a];
+    ++n_partners[pair.face_b];
+  }
+  double sum = 0.0;
+  for (const IntersectingPair& pair : pairs) {
+    sum += std::min(n_partners[pair.face_a], n_partners[pair.face_b]);
+  }
+  return sum;
+}
+
+/// Why cutting would take too long; empty where it would not.
+std::string reason_against(const PreparedMesh& mesh) {
+  const auto& pairs = mesh.intersecting_pairs();
+  const std::size_t most = kMorePairsCut + mesh.soup().n_faces();
+  if (pairs.size() > most) {
+    return grouped(pairs.size()) + " pairs of faces intersect, and no more than " + grouped(most) +
+           " are cut";
+  }
+  if (most_crossings(mesh.soup(), pairs) > kMostCrossings) {
+    return "so many faces intersect each other at one place that cutting them would take too long";
+  }
+  return "";
+}
+
 }  // namespace
 
 PassResult cut_intersections(const PassInput& input, const CutOptions& options) {
@@ -30,10 +63,8 @@ PassResult cut_intersections(const PassInput& input, const CutOptions& options) 
   const auto first = std::find_if(pairs.begin(), pairs.end(), [](const IntersectingPair& pair) {
     return pair.kind != ContactKind::Unwelded;
   });
-  if (pairs.size() > kMostPairsCut) {
-    return refuse_all(pairs.front(), std::to_string(pairs.size()) +
-                                         " pairs of faces intersect, and no more than " +
-                                         std::to_string(kMostPairsCut) + " are cut");
+  if (const std::string reason = reason_against(input.mesh); !reason.empty()) {
+    return refuse_all(pairs.front(), reason);
   }
   if (input.limits.groups == Groups::Faces) {
     if (first == pairs.end()) return {};

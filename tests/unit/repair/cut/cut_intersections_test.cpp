@@ -113,6 +113,21 @@ TEST(CutIntersections, SheetsThatCrossAreLeftAndNamed) {
   EXPECT_EQ(run.refused[0].code, DefectCode::SelfIntersection);
 }
 
+TEST(CutIntersections, SoManyFacesThroughOnePlaceAreNotCut) {
+  // 300 faces round the origin: each of 44,850 cuts is met by up to 298 others.
+  Soup soup;
+  for (int i = 0; i < 300; ++i) {
+    const Eigen::AngleAxisd turn(0.021 * i, Vec3(1.0, 0.3 * i, 0.07 * i * i).normalized());
+    Soup face = shapes::make({{2, 0, 0}, {-1, 1.7, 0}, {-1, -1.7, 0}}, {{0, 1, 2}});
+    for (Vec3& p : face.positions) p = turn * p + Vec3(0, 0, 1e-4 * i);
+    soup = shapes::merged(std::move(soup), face);
+  }
+  const PassRun run = cut_all(soup);
+  ASSERT_EQ(run.refused.size(), 1U);
+  EXPECT_NE(run.refused.front().reason.find("would take too long"), std::string::npos);
+  EXPECT_EQ(run.tracked.soup.n_faces(), 300U);
+}
+
 TEST(CutIntersections, CrossingPartsWithAHoleLoseOnlyWhatIsInside) {
   // The hole is in a corner that the other cube is far from.
   const std::vector<Index> hole{0};

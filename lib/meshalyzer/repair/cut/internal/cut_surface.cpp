@@ -94,11 +94,12 @@ class CuttingRounds {
     }
     cut_once(cut, tree, pairs);
     ++round_;
-    return true;
+    return result_.unfinished.empty();
   }
 
   void cut_once(const CutMesh& cut, const FaceTree& tree, const Pairs& pairs) {
     const Arrangement arrangement = arrange(soup_, pairs);
+    if (is_to_stop()) return give_up(pairs);
     const Cells cells = find_cells(soup_, arrangement);
     const std::vector<PieceFate> fates =
         select_pieces({soup_, cut, tree, arrangement, cells},

@@ -4,6 +4,8 @@
 #include "meshalyzer/spatial/align_faces.h"
 #include "meshalyzer/spatial/triangle_contact.h"
 
+#include <algorithm>
+
 namespace meshalyzer {
 
 // What an operation may not do, part one: bring faces into contact. Passes that check their
@@ -15,12 +17,23 @@ struct PlacedFace {
   Corners corners;
 };
 
+/// Tells whether the boxes of two faces have no point in common.
+[[nodiscard]] inline bool are_boxes_apart(const Corners& a, const Corners& b) {
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const auto of_a = std::minmax({a[0][k], a[1][k], a[2][k]});
+    const auto of_b = std::minmax({b[0][k], b[1][k], b[2][k]});
+    if (of_a.second < of_b.first || of_b.second < of_a.first) return true;
+  }
+  return false;
+}
+
 /// Tells whether two faces share a point that is not part of their common corners. The answer is
 /// exact.
 ///
 /// @param same  Whether two vertices, by number, count as one.
 template <typename Same>
 [[nodiscard]] bool are_in_contact(const PlacedFace& a, const PlacedFace& b, Same&& same) {
+  if (are_boxes_apart(a.corners, b.corners)) return false;
   const Triangle corners{0, 1, 2};
   const auto [p, q, n_common] = align_faces(
       corners, corners, [&](Index i, Index j) { return same(a.vertices[i], b.vertices[j]); });

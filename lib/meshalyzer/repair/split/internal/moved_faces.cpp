@@ -63,12 +63,18 @@ Move::Move(const MovedMesh& mesh, std::span<const Index> vertices, std::span<con
            double reach)
     : mesh_(mesh), vertices_(vertices), faces_(faces), reach_(reach) {
   const std::size_t max_pairs = kFreePairs + faces.size() * faces.size();
+  Box3 around;
+  for (const Index face : faces_) around.extend(box_of(face));
+  const std::vector<Index> others = mesh_.faces_near(grown(around, reach));
+  std::vector<Box3> boxes(others.size());
+  std::transform(others.begin(), others.end(), boxes.begin(),
+                 [&](Index face) { return box_of(face); });
   for (const Index face : faces_) {
-    Box3 box;
-    for (const Vec3& corner : mesh_.corners(mesh_.triangle(face))) box.extend(corner);
-    for (const Index other : mesh_.faces_near(grown(box, reach))) {
-      const bool moves_too = std::binary_search(faces_.begin(), faces_.end(), other);
-      if (!moves_too || other > face) pairs_.push_back({face, other});
+    const Box3 box = grown(box_of(face), reach);
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      if (!box.intersects(boxes[i])) continue;
+      const bool moves_too = std::binary_search(faces_.begin(), faces_.end(), others[i]);
+      if (!moves_too || others[i] > face) pairs_.push_back({face, others[i]});
     }
     is_crowded_ = pairs_.size() > max_pairs;
     if (is_crowded_) return;
@@ -94,6 +100,12 @@ bool Move::is_accepted(const Vec3& to) {
     }
   }
   return true;
+}
+
+Box3 Move::box_of(Index face) const {
+  Box3 box;
+  for (const Vec3& corner : mesh_.corners(mesh_.triangle(face))) box.extend(corner);
+  return box;
 }
 
 bool Move::is_moving(Index vertex) const {
