@@ -7,9 +7,11 @@
 #include "meshalyzer/boolean/part_from.h"
 #include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/io/read.h"
+#include "meshalyzer/mesh/build.h"
 #include "meshalyzer/repair/combine/track_combined.h"
 #include "meshalyzer/report/json/boolean_report.h"
 #include "meshalyzer/report/text/boolean_report.h"
+#include "meshalyzer/spatial/mutual_intersection.h"
 #include "operand_files.h"
 #include "output.h"
 #include "same_file.h"
@@ -136,29 +138,41 @@ class CombinationRun {
     add_operands({soups.front(), std::vector<Index>(soups.front().n_faces(), 0), 1}, solid);
     if (solid.outcome == CombineOutcome::Done) move_off(i, operands, solid);
     if (const std::optional<Soup> disk = add_result({solid, all, {source(i)}, true}, path)) {
+      check_apart(i, *disk);
       finals_[i] = *disk;
     }
   }
 
+  /// The meshes before the one in hand that are near it, as they came out.
+  [[nodiscard]] Soup others_nearby() const {
+    std::vector<Soup> others;
+    for (const std::size_t i : nearby_) others.push_back(finals_[i]);
+    return concatenate(others);
+  }
+
+  /// Tells where a mesh, as it is on disk, meets one before it.
+  void check_apart(std::size_t i, const Soup& disk) {
+    const CutMesh mesh = build(disk);
+    const CutMesh others = build(others_nearby());
+    const std::size_t n = find_intersections(mesh, FaceTree(mesh), others, FaceTree(others)).size();
+    if (n == 0) return;
+    report_.notes.push_back(operands_.files[i]->path() + ": " + std::to_string(n) +
+                            " pairs of faces still meet a mesh before it: no step within the "
+                            "maximum deviation was found that parts them");
+    be_at_least(ExitCode::NotGood);
+  }
+
   /// Moves what is left of file i off the meshes before it.
   void move_off(std::size_t i, const Operands& operands, CombinedSolid& solid) {
-    std::vector<Soup> others;
-    for (const std::size_t j : nearby_) others.push_back(finals_[j]);
-    const PartedVertices moved = part_from(solid, operands, concatenate(others),
-                                           combine_options(operands.soup).max_deviation);
-    const std::string name = operands_.files[i]->path();
-    if (moved.n_pairs_left != 0) {
-      report_.notes.push_back(name + ": " + std::to_string(moved.n_pairs_left) +
-                              " pairs of faces still touch a mesh before it: no step within the "
-                              "maximum deviation was found that parts them");
-      be_at_least(ExitCode::NotGood);
-    }
+    const PartedVertices moved =
+        part_from(solid, operands, others_nearby(), combine_options(operands.soup).max_deviation);
     if (moved.vertices.empty()) return;
     for (std::size_t k = 0; k < moved.vertices.size(); ++k) {
       solid.positions[moved.vertices[k]] = moved.positions[k];
     }
     solid.largest_move += moved.largest_move;
-    report_.notes.push_back(name + ": " + std::to_string(moved.vertices.size()) +
+    report_.notes.push_back(operands_.files[i]->path() + ": " +
+                            std::to_string(moved.vertices.size()) +
                             " vertices were moved off the meshes before it");
   }
 

@@ -68,13 +68,33 @@ bool encloses_nothing(const PreparedMesh& mesh) {
                       [](const SignedVolume& volume) { return volume.sign > 0; });
 }
 
+/// #components: 1 for those that intersect another one.
+std::vector<std::uint8_t> which_meet_others(const PreparedMesh& mesh) {
+  const Components& components = mesh.components();
+  const auto of = [&](Index face) { return components.of_face[mesh.cut().side.mesh_face(face)]; };
+  std::vector<std::uint8_t> meets(components.count, 0);
+  for (const IntersectingPair& pair : mesh.intersecting_pairs()) {
+    if (of(pair.face_a) != of(pair.face_b)) meets[of(pair.face_a)] = meets[of(pair.face_b)] = 1;
+  }
+  return meets;
+}
+
+/// Whether a shell is inside out. One that crosses others takes away from what they enclose.
+bool has_inward_shell(const PreparedMesh& mesh) {
+  const std::vector<Shell>& shells = mesh.shells();
+  const auto is_inward = [](const Shell& shell) { return shell.outward == false; };
+  if (std::none_of(shells.begin(), shells.end(), is_inward)) return false;
+  const std::vector<std::uint8_t> meets = which_meet_others(mesh);
+  for (std::size_t i = 0; i < shells.size(); ++i) {
+    if (is_inward(shells[i]) && meets[i] == 0) return true;
+  }
+  return false;
+}
+
 std::string fault_of_shells(const Soup& soup) {
   const PreparedMesh mesh(soup);
-  const std::vector<Shell>& shells = mesh.shells();
-  const auto inward = std::find_if(shells.begin(), shells.end(),
-                                   [](const Shell& shell) { return shell.outward == false; });
-  if (inward != shells.end()) {
-    return shells.size() == 1 ? "it is inside out" : "one of its components is inside out";
+  if (has_inward_shell(mesh)) {
+    return mesh.shells().size() == 1 ? "it is inside out" : "one of its components is inside out";
   }
   return encloses_nothing(mesh) ? "it encloses nothing, or is inside out" : "";
 }

@@ -10,7 +10,8 @@ namespace meshalyzer {
 /// edges have one face only". Empty where it does.
 ///
 /// A solid has faces, whose corners are all defined; these cross every edge equally often in both
-/// directions, and no shell is inside out. It may intersect itself, and need not be manifold.
+/// directions, and no shell is inside out but one that crosses others, which takes away from what
+/// they enclose. It may intersect itself, and need not be manifold.
 ///
 /// @complexity O(#F log #F), and as PreparedMesh::shells() where there are several components.
 [[nodiscard]] std::string find_solid_fault(const Soup& soup);

@@ -39,6 +39,12 @@ TEST(FindSolidFault, ShellThatIsInsideOutIsNamed) {
             "it encloses nothing, or is inside out");
 }
 
+TEST(FindSolidFault, ShellInsideOutThatCrossesAnotherTakesAwayFromIt) {
+  EXPECT_EQ(find_solid_fault(
+                shapes::merged(shapes::cube(2), shapes::flipped(shapes::cube(2, {1, 1, 1})))),
+            "");
+}
+
 TEST(FindSolidFault, NothingEnclosedIsNoSolid) {
   EXPECT_EQ(find_solid_fault(Soup()), "it has no faces");
   EXPECT_EQ(find_solid_fault(shapes::pillow()), "it encloses nothing, or is inside out");
