@@ -14,6 +14,7 @@
 #include "meshalyzer/spatial/mutual_intersection.h"
 #include "operand_files.h"
 #include "output.h"
+#include "page.h"
 #include "same_file.h"
 #include "stop_request.h"
 #include "tell.h"
@@ -104,7 +105,16 @@ class CombinationRun {
     add_operands(operands, solid);
     Result result{solid, all, {}, is_one || options_.operation == BooleanOperation::Difference};
     for (std::size_t i = 0; i < n_files(); ++i) result.sources.push_back(source(i));
-    add_result(result, options_.output);
+    const std::optional<Soup> disk = add_result(result, options_.output);
+    if (disk && options_.html) write_page_of(*disk);
+  }
+
+  /// Writes the page of what is wrong with the result.
+  void write_page_of(const Soup& disk) const {
+    const PreparedMesh mesh(disk);
+    const MeshName name = name_of(disk, report_.outputs.back().path);
+    const DefectReport found = find_defects(mesh, {.codes = DefectCodes::all()});
+    write_page(*options_.html, {mesh, name, found, options_.repair.fixes});
   }
 
   /// Each file takes those before it away from its own solid.

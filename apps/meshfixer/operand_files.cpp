@@ -34,13 +34,16 @@ void check_targets(const Options& options, const std::vector<std::string>& paths
   if (is_one_file && known.contain(*options.output)) {
     throw UsageError("OUT is an input, which never changes");
   }
-  if (!options.json || options.json->is_stdout()) return;
-  if (known.contain(options.json->file)) {
-    throw UsageError("the FILE of --json is an input, which never changes");
-  }
-  if (is_one_file && is_same_file(*options.output, options.json->file)) {
-    throw UsageError("the FILE of --json is OUT");
-  }
+  const auto check = [&](const std::string& file, const std::string& option) {
+    if (known.contain(file)) {
+      throw UsageError("the FILE of " + option + " is an input, which never changes");
+    }
+    if (is_one_file && is_same_file(*options.output, file)) {
+      throw UsageError("the FILE of " + option + " is OUT");
+    }
+  };
+  if (options.json && !options.json->is_stdout()) check(options.json->file, "--json");
+  if (options.html) check(*options.html, "--html");
 }
 
 }  // namespace

@@ -221,8 +221,7 @@ std::string repair_option(const Said& said, const Options& options) {
       {repair.borders == Borders::Intended, "--keep-borders"},
       {repair.groups == Groups::Faces, "--by-group"},
       {said.names_holes, "--fill-holes, --fill-at or --fill-shape"},
-      {options.ndjson.has_value(), "--ndjson"},
-      {options.html.has_value(), "--html"}};
+      {options.ndjson.has_value(), "--ndjson"}};
   for (const auto& [is_asked, name] : asked) {
     if (is_asked) return name;
   }
@@ -243,6 +242,7 @@ void check_combination(const Said& said, const Options& options) {
   if (is_in_order && options.output && options.target != Options::Target::Folder) {
     throw UsageError("--subtract-in-order writes a file for each input: name a folder as OUT");
   }
+  if (is_in_order && options.html) throw UsageError("--html makes a page of one mesh");
   if (!is_in_order && options.target == Options::Target::Folder) {
     throw UsageError("the inputs become one mesh: name OUT as one mesh file");
   }

@@ -390,6 +390,17 @@ std::vector<Soup> subtracted_in_order(const std::vector<Soup>& meshes) {
   return results;
 }
 
+void expect_disjoint(const std::vector<Soup>& meshes) {
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const CutMesh cut = build(meshes[i]);
+    const FaceTree tree(cut);
+    for (std::size_t j = 0; j < i; ++j) {
+      const CutMesh other = build(meshes[j]);
+      EXPECT_TRUE(find_intersections(cut, tree, other, FaceTree(other)).empty()) << i << ' ' << j;
+    }
+  }
+}
+
 TEST(BooleanLaws, SolidsSubtractedInOrderAreDisjointAndTogetherTheirUnion) {
   std::vector<Soup> meshes;
   for (int i = 0; i < 7; ++i) {
@@ -402,15 +413,48 @@ TEST(BooleanLaws, SolidsSubtractedInOrderAreDisjointAndTogetherTheirUnion) {
   for (std::size_t i = 0; i < results.size(); ++i) {
     EXPECT_EQ(verdict_on(results[i]), "good") << i;
     sum += volume_of(results[i]);
-    const CutMesh cut = build(results[i]);
-    const FaceTree tree(cut);
-    for (std::size_t j = 0; j < i; ++j) {
-      const CutMesh other = build(results[j]);
-      EXPECT_TRUE(find_intersections(cut, tree, other, FaceTree(other)).empty()) << i << ' ' << j;
-    }
   }
+  expect_disjoint(results);
   EXPECT_EQ(places_of(results[0]), places_of(meshes[0]));
   EXPECT_NEAR(sum, volume_of(combined(meshes, union_rule())), 1e-7);
+}
+
+/// Every mesh of the corpus' set, moved towards the first one by a share of the distance.
+std::vector<Soup> neuropil(double share) {
+  std::vector<Soup> meshes;
+  std::vector<std::string> paths;
+  const std::filesystem::path folder = std::filesystem::path(MESHALYZER_CORPUS) / "neuropil_set";
+  if (!std::filesystem::exists(folder)) return {};
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    paths.push_back(entry.path().string());
+  }
+  std::sort(paths.begin(), paths.end());
+  Vec3 first = Vec3::Zero();
+  for (const std::string& path : paths) {
+    Soup mesh = read_mesh(path);
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& p : mesh.positions) middle += p / static_cast<double>(mesh.n_vertices());
+    if (meshes.empty()) first = middle;
+    meshes.push_back(shapes::translated(std::move(mesh), share * (first - middle)));
+  }
+  return meshes;
+}
+
+TEST(BooleanLaws, NeuropilIsMadeDisjointInOrder) {
+  const std::vector<Soup> apart = neuropil(0.0);
+  if (apart.empty()) GTEST_SKIP() << "no corpus at " << MESHALYZER_CORPUS;
+  // It is disjoint as it is, and stays.
+  const std::vector<Soup> same = subtracted_in_order(apart);
+  for (std::size_t i = 0; i < apart.size(); ++i) EXPECT_EQ(places_of(same[i]), places_of(apart[i]));
+  for (const double share : {0.7, 0.9}) {
+    const std::vector<Soup> results = subtracted_in_order(neuropil(share));
+    for (const Soup& result : results) {
+      // One may be inside of those before it.
+      if (result.triangles.empty()) continue;
+      EXPECT_EQ(verdict_on(result), "good") << share;
+    }
+    expect_disjoint(results);
+  }
 }
 
 TEST(BooleanLaws, CubesThatOnlyTouchArePartedByAFewUnitsInTheLastPlace) {

@@ -5,6 +5,7 @@
 #include "meshalyzer/topology/components.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <numeric>
 
@@ -68,14 +69,30 @@ class Concatenation {
   Soup all_;
 };
 
-/// #components: the component that each is a part of the solid of. A cavity's wall points into it,
-/// so that its volume is negative.
-std::vector<Index> find_owners(const std::vector<Shell>& shells) {
+/// #components: the component that each is a part of the solid of, itself mostly.
+///
+/// A cavity's wall points into it, so that its volume is negative. One that crosses others encloses
+/// nothing itself, and is a part of the first that it crosses.
+std::vector<Index> find_owners(const PreparedMesh& mesh) {
+  const std::vector<Shell>& shells = mesh.shells();
   std::vector<Index> owners(shells.size());
   std::iota(owners.begin(), owners.end(), Index{0});
-  for (std::size_t i = 0; i < shells.size(); ++i) {
+  const auto is_inward = [&](Index i) { return shells[i].outward == false; };
+  bool is_any_inward = false;
+  for (Index i = 0; i < owners.size(); ++i) {
     const bool is_cavity = shells[i].outward == true && shells[i].volume.value_or(0.0) < 0.0;
     if (is_cavity && shells[i].inside != kNoIndex) owners[i] = shells[i].inside;
+    is_any_inward = is_any_inward || is_inward(i);
+  }
+  if (!is_any_inward) return owners;
+  const auto component_of = [&](Index face) {
+    return mesh.components().of_face[mesh.cut().side.mesh_face(face)];
+  };
+  for (const IntersectingPair& pair : mesh.intersecting_pairs()) {
+    const Index a = component_of(pair.face_a);
+    const Index b = component_of(pair.face_b);
+    if (is_inward(a) && owners[a] == a && !is_inward(b)) owners[a] = owners[b];
+    if (is_inward(b) && owners[b] == b && !is_inward(a)) owners[b] = owners[a];
   }
   return owners;
 }
@@ -100,7 +117,7 @@ Operands operands_of(const Soup& soup) {
   const PreparedMesh mesh(soup);
   const std::vector<Index> component_of =
       components_of_file_faces(mesh.cut(), mesh.components(), soup.n_faces());
-  const std::vector<Index> owners = find_owners(mesh.shells());
+  const std::vector<Index> owners = find_owners(mesh);
   std::vector<Index> number(owners.size(), kNoIndex);
   Operands operands{soup, std::vector<Index>(soup.n_faces(), 0), 0};
   // The wall of a cavity may come before that of its solid.
@@ -117,16 +134,21 @@ Operands operands_of(const Soup& soup) {
 
 std::vector<double> volumes_of(const Operands& operands) {
   const Soup& soup = operands.soup;
-  Box3 box;
-  for (const Vec3& p : soup.positions) box.extend(p);
-  // About a point near the mesh, so that one far from the origin keeps its digits.
-  const Vec3 centre = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
+  std::vector<Box3> boxes(operands.count);
+  const auto for_each_face = [&](const auto& body) {
+    for (Index f = 0; f < soup.n_faces(); ++f) {
+      if (is_in_complex(soup.triangles[f])) body(operands.of_face[f], corners_of(soup, f));
+    }
+  };
+  for_each_face([&](Index operand, const std::array<Vec3, 3>& corners) {
+    for (const Vec3& p : corners) boxes[operand].extend(p);
+  });
+  // Each about a point near it, so that one far from the origin keeps its digits.
   std::vector<CompensatedSum> sums(operands.count);
-  for (Index f = 0; f < soup.n_faces(); ++f) {
-    if (!is_in_complex(soup.triangles[f])) continue;
-    const auto [a, b, c] = corners_of(soup, f);
-    sums[operands.of_face[f]].add((a - centre).dot((b - centre).cross(c - centre)));
-  }
+  for_each_face([&](Index operand, const std::array<Vec3, 3>& corners) {
+    const Vec3 centre = boxes[operand].center();
+    sums[operand].add((corners[0] - centre).dot((corners[1] - centre).cross(corners[2] - centre)));
+  });
   std::vector<double> volumes;
   for (const CompensatedSum& sum : sums) volumes.push_back(sum.value() / 6.0);
   return volumes;

@@ -26,7 +26,7 @@ struct Operands {
 [[nodiscard]] Operands operands_of(const Soup& all, std::span<const Soup> meshes);
 
 /// The solids of one mesh, each an operand, in order of their lowest faces: its components, but a
-/// shell that is the wall of a cavity belongs to the solid that it is a cavity of.
+/// shell that is the wall of a cavity belongs to the solid that it is a cavity of, or crosses.
 ///
 /// @complexity  As PreparedMesh::shells().
 [[nodiscard]] Operands operands_of(const Soup& soup);

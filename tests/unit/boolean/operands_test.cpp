@@ -66,5 +66,25 @@ TEST(OperandsOf, WallOfACavityBelongsToItsSolid) {
   EXPECT_EQ(operands_of(full).count, 2U);
 }
 
+TEST(OperandsOf, WallOfACavityThatBreaksThroughBelongsToTheSolidThatItCrosses) {
+  const Soup alone = shapes::cube(1, {9, 0, 0});
+  const Soup cavity = shapes::flipped(shapes::cube(1, {2.5, 1, 1}));
+  const Soup all = shapes::merged(shapes::merged(alone, cavity), shapes::cube(3));
+  const Operands operands = operands_of(all);
+  EXPECT_EQ(operands.count, 2U);
+  EXPECT_NE(operands.of_face[12], operands.of_face[0]);
+  EXPECT_EQ(operands.of_face[12], operands.of_face[24]);
+}
+
+TEST(VolumesOf, EachOperandHasItsOwnWhereverItIs) {
+  const std::vector<Soup> meshes{shapes::cube(2, {1e8, 0, 0}),
+                                 shapes::nested_cubes(shapes::InnerShell::Cavity)};
+  const Soup all = concatenate(meshes);
+  const std::vector<double> volumes = volumes_of(operands_of(all, meshes));
+  ASSERT_EQ(volumes.size(), 2U);
+  EXPECT_NEAR(volumes[0], 8.0, 1e-6);
+  EXPECT_NEAR(volumes[1], 26.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace meshalyzer
