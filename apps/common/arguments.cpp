@@ -35,6 +35,22 @@ double to_length(const std::string& text, const std::string& option) {
   return value;
 }
 
+std::size_t to_count(const std::string& text, const std::string& option) {
+  const std::optional<std::int64_t> count = parse_integer(text);
+  if (!count || *count < 0) {
+    throw UsageError(option + " needs a whole number, 0 or more, not '" + text + "'");
+  }
+  return static_cast<std::size_t>(*count);
+}
+
+double to_seconds(const std::string& text, const std::string& option) {
+  const double seconds = to_real(text, option);
+  if (!(seconds >= 0.0)) {
+    throw UsageError(option + " needs a number of seconds, 0 or more, not '" + text + "'");
+  }
+  return seconds;
+}
+
 std::uint64_t to_ratio(const std::string& text, const std::string& option) {
   const std::optional<std::int64_t> value = parse_integer(text);
   if (!value || *value < 1) {

@@ -26,6 +26,14 @@ namespace meshalyzer {
 /// @throws UsageError if the text is no such number.
 [[nodiscard]] std::size_t to_thread_count(const std::string& text, const std::string& option);
 
+/// How many of something, 0 or more.
+/// @throws UsageError if the text is no such number.
+[[nodiscard]] std::size_t to_count(const std::string& text, const std::string& option);
+
+/// Seconds, 0 or more.
+/// @throws UsageError if the text is no such number.
+[[nodiscard]] double to_seconds(const std::string& text, const std::string& option);
+
 /// How many times something, at least once.
 /// @throws UsageError if the text is no such number.
 [[nodiscard]] std::uint64_t to_ratio(const std::string& text, const std::string& option);

@@ -100,6 +100,15 @@ void declare_journal(OptionTable& table, Options& options) {
                "makes the report of the whole");
 }
 
+void declare_bounds(OptionTable& table, Options& options) {
+  table.option("--max-list N", into(options.mesh.max_list, to_count),
+               "lists of intersecting pairs hold at most N, those of the lowest faces (" +
+                   std::to_string(options.mesh.max_list) + "); 0: all. Counts stay complete");
+  table.option("--time-limit S", into(options.time_limit, to_seconds),
+               "searches for intersecting pairs end S seconds after the start: then there are \"at "
+               "least\" as many as were found, and the mesh is not good");
+}
+
 void declare_work(OptionTable& table, Options& options) {
   table.option("--memory-limit SIZE", into(options.memory_limit, to_bytes),
                "stay below it (500M, 4G) where the largest few meshes allow it; the default is "
@@ -148,6 +157,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   table.group("How it is told");
   declare_reports(table, options);
   declare_journal(table, options);
+  declare_bounds(table, options);
   declare_work(table, options);
   command.answer = table.parse(argc, argv);
   if (!command.answer) {

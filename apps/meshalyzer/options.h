@@ -40,6 +40,8 @@ struct Options : ReportOptions {
   /// Mesh files, folders, or "-"; at least one. Of merge: journals.
   std::vector<std::string> paths;
   MeshRequest mesh;
+  /// In seconds.
+  std::optional<double> time_limit;
   AskedOfSet asked;
   SeparationOptions separation;
   /// --force

@@ -83,8 +83,11 @@ void Pictures::on_mesh(Index number, const Analysis& mesh) {
 
 void Pictures::wait(Index number, const Analysis& mesh) {
   Waiting waiting{mesh, std::nullopt};
-  // What a journal knows has no file with it, and its pairs are by other records.
-  if (mesh.soup) {
+  // What a journal knows has no file with it, and its pairs are by other records. Where a list is
+  // cut, more is to be known than it says: the page searches again.
+  const Characteristics& c = mesh.characteristics;
+  const bool is_cut = mesh.offenders.intersecting_pairs.size() < c.intersecting_pairs;
+  if (mesh.soup && (!is_cut || c.is_search_stopped)) {
     waiting.pairs = std::move(waiting.analysis.offenders.intersecting_pairs);
   }
   waiting.analysis.offenders = first_offenders(mesh.offenders);
@@ -117,6 +120,7 @@ void Pictures::read_and_draw(Index number, const Waiting& waiting,
                              const ObjectSeparation* separation) {
   const Soup soup = read_mesh(run_.inputs.files[number]);
   PreparedMesh mesh(soup);
+  mesh.limit_intersecting_pairs(pair_limits(run_.request.mesh, {}));
   if (waiting.pairs) {
     mesh.set_intersecting_pairs(*waiting.pairs);
   }

@@ -22,6 +22,7 @@ Request request_of(const Options& options, bool is_set) {
   request.mesh = options.mesh;
   request.list_offenders = options.offenders != OffenderStyle::None;
   request.is_set = is_set;
+  request.time_limit = options.time_limit;
   if (is_set) {
     request.between = questions_of(options);
   }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "interrupt.h"
+#include "meshalyzer/base/deadline.h"
 
-#include <chrono>
 #include <optional>
 #include <string>
 
@@ -13,7 +13,7 @@ namespace meshalyzer::fixer {
 class StopRequest {
  public:
   /// @param time_limit  In seconds from now.
-  explicit StopRequest(std::optional<double> time_limit);
+  explicit StopRequest(std::optional<double> time_limit) : deadline_(time_limit) {}
 
   [[nodiscard]] bool is_made() const;
 
@@ -21,10 +21,8 @@ class StopRequest {
   [[nodiscard]] static std::string note();
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   InterruptGuard guard_;
-  std::optional<Clock::time_point> deadline_;
+  Deadline deadline_;
 };
 
 }  // namespace meshalyzer::fixer

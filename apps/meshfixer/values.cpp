@@ -104,14 +104,6 @@ double to_foldover_angle(const std::string& text, const std::string& option) {
   return degrees;
 }
 
-double to_seconds(const std::string& text, const std::string& option) {
-  const double seconds = to_real(text, option);
-  if (!(seconds >= 0.0)) {
-    throw UsageError(option + " needs a number of seconds, 0 or more, not '" + text + "'");
-  }
-  return seconds;
-}
-
 std::string to_page(const std::string& text, const std::string& option) {
   static_cast<void>(require_ending(text, option, {".html", ".htm"}));
   return text;

@@ -27,8 +27,6 @@ struct CodeList {
 [[nodiscard]] Deviation to_deviation(const std::string& text, const std::string& option);
 /// Degrees, 0 to 180.
 [[nodiscard]] double to_foldover_angle(const std::string& text, const std::string& option);
-/// Seconds, 0 or more.
-[[nodiscard]] double to_seconds(const std::string& text, const std::string& option);
 /// The file of a page.
 [[nodiscard]] std::string to_page(const std::string& text, const std::string& option);
 /// The file of a mesh, with the ending of a known format, or "-", or the name of a folder.

@@ -221,6 +221,20 @@ void add_shards(Soup& soup, std::size_t faces) {
   }
 }
 
+void add_tangle(Soup& soup, std::size_t faces) {
+  std::mt19937 random(1);
+  const auto coordinate = [&] { return static_cast<double>(random()) / 0x1p32; };
+  for (std::size_t i = 0; i < faces; ++i) {
+    const auto first = static_cast<Index>(soup.n_vertices());
+    for (int corner = 0; corner < 3; ++corner) {
+      const double x = coordinate();
+      const double y = coordinate();
+      soup.positions.emplace_back(x, y, coordinate());
+    }
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+}
+
 /// Any order of n things, the same each time. Not std::shuffle, which differs between libraries.
 std::vector<Index> shuffled_numbers(std::size_t n, std::mt19937& random) {
   std::vector<Index> numbers(n);
@@ -272,6 +286,8 @@ Soup big_mesh(std::string_view kind, std::size_t faces) {
     add_onion(soup, faces);
   } else if (kind == "shards") {
     add_shards(soup, faces);
+  } else if (kind == "tangle") {
+    add_tangle(soup, faces);
   } else {
     throw InvalidArgument("no such mesh: " + std::string(kind));
   }

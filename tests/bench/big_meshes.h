@@ -23,6 +23,7 @@ namespace meshalyzer::bench {
 /// - `fan`: a double cone, so that two vertices have half of all faces each
 /// - `damaged`: `wavy` with a thousand scattered defects, see damaged()
 /// - `shards`: triangles without common vertices, touching nothing
+/// - `tangle`: random triangles in a cube, of which more than a quarter of all pairs cross
 /// - `shuffled`: `wavy` with its vertices and faces in no order, so that neighbours lie far apart
 /// in memory
 ///

@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
     const auto faces = argc == 4 ? meshalyzer::parse_integer(argv[2]) : std::nullopt;
     if (!faces || *faces < 1) {
       std::cerr << "usage: make_mesh wavy|shuffled|damaged|flat|subdivided|cad|slivers|crossing|fan"
-                   "|onion|shards FACES FILE\n";
+                   "|onion|shards|tangle FACES FILE\n";
       return 2;
     }
     meshalyzer::write_mesh(meshalyzer::bench::big_mesh(argv[1], static_cast<std::size_t>(*faces)),

@@ -359,6 +359,19 @@ Soup shuffled_faces(Soup soup, std::uint32_t seed) {
   return soup;
 }
 
+Soup tangle(std::size_t n) {
+  std::mt19937 random(1);
+  const auto coordinate = [&] { return static_cast<double>(random()) / 0x1p32; };
+  Soup soup;
+  for (std::size_t v = 0; v < 3 * n; ++v) {
+    const double x = coordinate();
+    const double y = coordinate();
+    soup.positions.emplace_back(x, y, coordinate());
+    if (v % 3 == 2) soup.triangles.push_back({index(v - 2), index(v - 1), index(v)});
+  }
+  return soup;
+}
+
 std::vector<Index> permutation(std::size_t n, std::uint32_t seed) {
   // By hand: the standard's shuffle and distributions differ from library to library.
   std::mt19937 random(seed);

@@ -45,12 +45,6 @@ ColourChoice to_colour_choice(const std::string& text, const std::string& option
   return ColourChoice::OnTerminal;
 }
 
-std::size_t to_count(const std::string& text, const std::string& option) {
-  const std::optional<std::int64_t> count = parse_integer(text);
-  if (!count || *count < 0) refuse_value(option, "a whole number, 0 or more", text);
-  return static_cast<std::size_t>(*count);
-}
-
 OptionTable::Take append_to(std::vector<std::string>& list) {
   return [&list](const std::string& text, const std::string&) { list.push_back(text); };
 }

@@ -14,7 +14,6 @@ namespace meshalyzer {
 [[nodiscard]] std::string to_profile_name(const std::string& text, const std::string& option);
 [[nodiscard]] CheckFormat to_check_format(const std::string& text, const std::string& option);
 [[nodiscard]] ColourChoice to_colour_choice(const std::string& text, const std::string& option);
-[[nodiscard]] std::size_t to_count(const std::string& text, const std::string& option);
 
 /// Appends the value to a list.
 [[nodiscard]] OptionTable::Take append_to(std::vector<std::string>& list);

@@ -78,6 +78,9 @@ struct Characteristics : ElementMeasures<Statistics> {
   std::size_t intersecting_pairs = 0;
   std::size_t unwelded_pairs = 0;
   std::size_t intersecting_faces = 0;
+  /// Tells that the search for intersecting pairs ended at its time limit: there are at least so
+  /// many, and nothing is known of the rest.
+  bool is_search_stopped = false;
   /// Empty (isEmpty()) where no face is in the complex.
   Box3 bounding_box;
   /// Infinite where it is too large for a double.

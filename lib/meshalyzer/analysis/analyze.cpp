@@ -43,24 +43,15 @@ void box_components(const std::vector<Box3>& boxes, Analysis& analysis) {
 }
 
 void count_pairs(const PreparedMesh& mesh, Analysis& analysis) {
-  const SideTable& side = mesh.cut().side;
-  std::vector<std::uint8_t> intersects(side.faces.size(), 0);
-  const auto meet = [&](Index file_face) {
-    const std::size_t mesh_face = side.mesh_face(file_face);
-    intersects[mesh_face] = 1;
-    return mesh.components().of_face[mesh_face];
-  };
-  const std::vector<IntersectingPair>& pairs = mesh.intersecting_pairs();
-  for (const IntersectingPair& pair : pairs) {
-    const Index a = meet(pair.face_a);
-    const Index b = meet(pair.face_b);
-    ++analysis.components[a].intersecting_pairs;
-    analysis.components[b].intersecting_pairs += a == b ? 0 : 1;
-    analysis.characteristics.unwelded_pairs += pair.kind == ContactKind::Unwelded ? 1 : 0;
+  const IntersectionCounts& counts = mesh.intersection_counts();
+  Characteristics& c = analysis.characteristics;
+  c.intersecting_pairs = counts.kinds.total();
+  c.unwelded_pairs = counts.kinds.of(ContactKind::Unwelded);
+  c.intersecting_faces = static_cast<std::size_t>(
+      std::count(counts.intersects.begin(), counts.intersects.end(), std::uint8_t{1}));
+  for (std::size_t i = 0; i < analysis.components.size(); ++i) {
+    analysis.components[i].intersecting_pairs = counts.of_component[i];
   }
-  analysis.characteristics.intersecting_pairs = pairs.size();
-  analysis.characteristics.intersecting_faces =
-      static_cast<std::size_t>(std::count(intersects.begin(), intersects.end(), 1));
 }
 
 /// Says of every closed, manifold, consistent component whether it points outward, its volume, and
@@ -92,6 +83,11 @@ void conclude(const AnalysisOptions& options, bool is_orientable, Analysis& anal
 
 }  // namespace
 
+PairLimits pair_limits(const MeshRequest& request, std::function<bool()> wants_to_stop) {
+  return {.max_listed = request.max_list == 0 ? kAllPairs : request.max_list,
+          .wants_to_stop = std::move(wants_to_stop)};
+}
+
 Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options) {
   const auto phase = [&](std::string_view name) {
     if (options.on_phase) {
@@ -111,9 +107,11 @@ Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options) {
   phase("half-edges");
   auto file = std::make_shared<Soup>(std::move(soup));
   const auto mesh = std::make_shared<PreparedMesh>(file);
+  mesh->limit_intersecting_pairs(pair_limits(options, options.wants_to_stop));
   phase("topology");
-  const ComplexTopology topology = analyze_topology(*mesh, analysis.offenders);
-  analysis.components = analyze_components(topology.counts);
+  ComplexTopology topology = analyze_topology(*mesh, analysis.offenders);
+  // A million components are a million counts, which nobody else needs.
+  analysis.components = analyze_components(std::exchange(topology.counts, {}));
   count_elements(*file, topology, analysis);
   keep_what_reports_need(std::exchange(file, nullptr), options, *mesh, analysis);
 
@@ -134,6 +132,7 @@ Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options) {
   }
   phase("solids");
   describe_shells(mesh->shells(), analysis.components);
+  analysis.characteristics.is_search_stopped = mesh->was_intersection_search_stopped();
   conclude(options, topology.orientable, analysis);
   if (options.keep_mesh) {
     analysis.mesh = mesh;

@@ -2,7 +2,10 @@
 
 #include "meshalyzer/analysis/analysis.h"
 #include "meshalyzer/base/progress.h"
+#include "meshalyzer/spatial/pair_limits.h"
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -49,6 +52,8 @@ struct MeshRequest {
   bool judge_fitness = false;
   /// Measure the curvature, spread over this area.
   std::optional<VertexArea> curvature;
+  /// Lists of intersecting pairs hold at most so many: those of the lowest faces. 0: all.
+  std::size_t max_list = 1'000'000;
 
   friend bool operator==(const MeshRequest&, const MeshRequest&) = default;
 };
@@ -62,7 +67,14 @@ struct AnalysisOptions : MeshRequest {
   /// Keep the file and what was built for it in the result, for finding defects and for pictures.
   bool keep_mesh = false;
   PhaseListener on_phase;
+  /// Asked now and then, by any thread: the search for intersecting pairs ends when it returns
+  /// true.
+  std::function<bool()> wants_to_stop;
 };
+
+/// Returns the limits of a search for the pairs that a request asks for.
+[[nodiscard]] PairLimits pair_limits(const MeshRequest& request,
+                                     std::function<bool()> wants_to_stop);
 
 /// Analyses one mesh.
 ///

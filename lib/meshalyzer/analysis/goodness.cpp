@@ -49,11 +49,21 @@ void judge_measures(const Characteristics& c, const GoodnessThresholds& threshol
   }
 }
 
+void forbid_pairs(const Characteristics& c, Reasons& reasons) {
+  const std::string pairs = "intersecting pairs of faces";
+  if (c.is_search_stopped) {
+    reasons.add(pairs + ": at least " + grouped(c.intersecting_pairs) +
+                ", the search ended at its time limit");
+  } else {
+    reasons.forbid(c.intersecting_pairs, pairs);
+  }
+}
+
 void require_fitness(const Analysis& analysis, Reasons& reasons) {
   reasons.require(analysis.attributes.closed, "closed");
   reasons.require(analysis.attributes.manifold, "manifold");
   reasons.require(analysis.attributes.outward, "outward");
-  reasons.forbid(analysis.characteristics.intersecting_pairs, "intersecting pairs of faces");
+  forbid_pairs(analysis.characteristics, reasons);
   reasons.forbid(analysis.integrity.orphan_vertices, "orphan vertices");
   reasons.forbid(analysis.integrity.missing_vertices, "missing vertices");
   reasons.forbid(analysis.integrity.degenerate_faces, "degenerate faces");

@@ -48,6 +48,7 @@ struct Offenders {
   std::vector<Index> non_manifold_vertices;
   /// The members of non_manifold_vertices that are on no non-manifold edge.
   std::vector<Index> pinched_vertices;
+  /// The first of Characteristics::intersecting_pairs: at most MeshRequest::max_list.
   std::vector<IntersectingPair> intersecting_pairs;
   std::vector<Index> orphan_vertices;
   /// Ids, not record indices: these have no record.

@@ -38,6 +38,9 @@ class Lazy {
     return *value_;
   }
 
+  /// Whether the value has been made.
+  [[nodiscard]] bool is_made() const { return once_.is_done(); }
+
   /// Takes the value away, which must not be asked for again.
   [[nodiscard]] T take() { return std::move(*value_); }
 

@@ -141,7 +141,7 @@ class Findings {
 
 FileFindings check_mesh(Soup soup, std::string path, const CheckCriteria& criteria) {
   PreparedMesh mesh(std::make_shared<const Soup>(std::move(soup)));
-  mesh.limit_intersecting_pairs(criteria.max_pairs);
+  mesh.limit_intersecting_pairs({.max_found = criteria.max_pairs, .wants_to_stop = {}});
   FileFindings file;
   file.path = std::move(path);
   file.format = mesh.soup().format;

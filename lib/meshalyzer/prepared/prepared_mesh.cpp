@@ -2,8 +2,11 @@
 
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/geometry/extent.h"
+#include "meshalyzer/prepared/internal/intersection_counter.h"
+#include "meshalyzer/spatial/pair_collector.h"
 #include "meshalyzer/spatial/self_intersection.h"
 
+#include <span>
 #include <utility>
 
 namespace meshalyzer {
@@ -13,6 +16,25 @@ namespace {
 std::shared_ptr<const Soup> borrow(const Soup& soup) {
   return {std::shared_ptr<const Soup>(), &soup};
 }
+
+/// Two listeners as one: each hears everything.
+class TwoListeners : public PairListener {
+ public:
+  TwoListeners(PairListener& first, PairListener& second) : first_(first), second_(second) {}
+
+  void on_pairs(std::span<const IntersectingPair> pairs) override {
+    first_.on_pairs(pairs);
+    second_.on_pairs(pairs);
+  }
+  void on_product(const PairProduct& product) override {
+    first_.on_product(product);
+    second_.on_product(product);
+  }
+
+ private:
+  PairListener& first_;
+  PairListener& second_;
+};
 
 }  // namespace
 
@@ -42,7 +64,7 @@ const std::vector<Box3>& PreparedMesh::component_boxes() const {
 }
 
 const std::vector<IntersectingPair>& PreparedMesh::intersecting_pairs() const& {
-  return pairs_.get([this] { return find_self_intersections(cut_, tree(), max_pairs_); });
+  return pairs_.get([this] { return search_intersecting_pairs(); });
 }
 
 std::vector<IntersectingPair> PreparedMesh::intersecting_pairs() && {
@@ -52,6 +74,44 @@ std::vector<IntersectingPair> PreparedMesh::intersecting_pairs() && {
 
 void PreparedMesh::set_intersecting_pairs(std::vector<IntersectingPair> pairs) {
   static_cast<void>(pairs_.get([&] { return std::move(pairs); }));
+}
+
+const IntersectionCounts& PreparedMesh::intersection_counts() const {
+  const std::vector<IntersectingPair>& pairs = intersecting_pairs();
+  return intersection_counts_.get([&] {
+    return count_intersecting_pairs([&](PairListener& counter) {
+      counter.on_pairs(pairs);
+      return true;  // nobody told the search to stop
+    });
+  });
+}
+
+/// Searches the pairs. Where not all are listed, they are counted as they are found.
+std::vector<IntersectingPair> PreparedMesh::search_intersecting_pairs() const {
+  const bool are_all_listed = limits_.max_listed >= limits_.max_found && !limits_.wants_to_stop;
+  if (are_all_listed) return find_self_intersections(cut_, tree(), limits_.max_found);
+  PairCollector collector(limits_.max_listed);
+  static_cast<void>(intersection_counts_.get([&] {
+    return count_intersecting_pairs([&](PairListener& counter) {
+      TwoListeners both(collector, counter);
+      return visit_self_intersections(cut_, tree(), limits_, both);
+    });
+  }));
+  return collector.take().listed;
+}
+
+/// @param visit  Hands on all pairs, and returns whether it came to its end.
+IntersectionCounts PreparedMesh::count_intersecting_pairs(
+    const std::function<bool(PairListener&)>& visit) const {
+  const std::vector<std::uint8_t> is_shell = which_are_shells(cut_, components());
+  IntersectionCounter counter({.side = cut_.side,
+                               .components = components(),
+                               .is_shell = is_shell,
+                               .boxes = component_boxes()});
+  const bool was_stopped = !visit(counter);
+  IntersectionCounts counts = counter.take();
+  counts.was_stopped = was_stopped;
+  return counts;
 }
 
 const std::vector<Shell>& PreparedMesh::shells() const {

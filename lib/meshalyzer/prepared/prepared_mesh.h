@@ -2,17 +2,21 @@
 
 #include "meshalyzer/base/lazy.h"
 #include "meshalyzer/mesh/build.h"
+#include "meshalyzer/prepared/intersection_counts.h"
 #include "meshalyzer/prepared/shells.h"
 #include "meshalyzer/spatial/face_tree.h"
 #include "meshalyzer/spatial/intersecting_pair.h"
-#include "meshalyzer/spatial/self_intersection.h"
+#include "meshalyzer/spatial/pair_limits.h"
 #include "meshalyzer/topology/components.h"
 
-#include <cstddef>
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
+
+class PairListener;
 
 /// A mesh with what questions about it need, each built once: whoever asks the same mesh several
 /// things hands the same PreparedMesh on. (JTS and GEOS call a geometry with such indices a
@@ -59,7 +63,8 @@ class PreparedMesh {
   /// @complexity O(#F) time.
   [[nodiscard]] const std::vector<Box3>& component_boxes() const;
 
-  /// The pairs of faces that intersect: see find_self_intersections(). Asks for the tree.
+  /// The pairs of faces that intersect: see find_self_intersections(), or the first of them where
+  /// limit_intersecting_pairs() says so. Asks for the tree.
   ///
   /// @complexity O(#F log #F + candidates) time.
   [[nodiscard]] const std::vector<IntersectingPair>& intersecting_pairs() const&;
@@ -72,13 +77,25 @@ class PreparedMesh {
   /// @param pairs  What find_self_intersections() would return.
   void set_intersecting_pairs(std::vector<IntersectingPair> pairs);
 
-  /// Has the search for intersecting pairs end when it has found so many, for one who need not know
-  /// them all. Must be called before anybody asks for them.
-  void limit_intersecting_pairs(std::size_t max_pairs) { max_pairs_ = max_pairs; }
+  /// Has the search for intersecting pairs end early, or list only some of what it finds, for one
+  /// who need not know them all. Must be called before anybody asks for them.
+  void limit_intersecting_pairs(PairLimits limits) { limits_ = std::move(limits); }
 
-  /// Tells whether the search for intersecting pairs ended before it had found all. Asks for them.
+  /// Tells whether the search for intersecting pairs ended because it had found enough. Asks for
+  /// them.
   [[nodiscard]] bool are_intersecting_pairs_cut() const {
-    return intersecting_pairs().size() >= max_pairs_;
+    return intersecting_pairs().size() >= limits_.max_found;
+  }
+
+  /// Counts the intersecting pairs, those that are not listed too. Asks for them and for the
+  /// components.
+  ///
+  /// @complexity O(pairs) time beside that of the search; memory does not grow with their number.
+  [[nodiscard]] const IntersectionCounts& intersection_counts() const;
+
+  /// Tells whether a search for intersecting pairs was told to stop before its end; searches none.
+  [[nodiscard]] bool was_intersection_search_stopped() const {
+    return intersection_counts_.is_made() && intersection_counts().was_stopped;
   }
 
   /// Returns what each component is as the wall of a solid: see find_shells(). Builds the tree and
@@ -87,13 +104,18 @@ class PreparedMesh {
   [[nodiscard]] const std::vector<Shell>& shells() const;
 
  private:
+  [[nodiscard]] std::vector<IntersectingPair> search_intersecting_pairs() const;
+  [[nodiscard]] IntersectionCounts count_intersecting_pairs(
+      const std::function<bool(PairListener&)>& visit) const;
+
   std::shared_ptr<const Soup> soup_;
   CutMesh cut_;
   mutable Lazy<FaceTree> tree_;
   mutable Lazy<Components> components_;
   mutable Lazy<std::vector<Box3>> component_boxes_;
-  std::size_t max_pairs_ = kAllPairs;
+  PairLimits limits_;
   mutable Lazy<std::vector<IntersectingPair>> pairs_;
+  mutable Lazy<IntersectionCounts> intersection_counts_;
   mutable Lazy<std::vector<Shell>> shells_;
 };
 

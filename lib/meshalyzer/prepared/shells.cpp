@@ -7,42 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <tuple>
 
 namespace meshalyzer {
 namespace {
-
-/// Leaves each pair of components once, ascending; it crosses if any did.
-void merge_contacts(std::vector<PartContact>& contacts) {
-  const auto key = [](const PartContact& c) { return std::tuple(c.a, c.b, !c.crosses); };
-  std::sort(contacts.begin(), contacts.end(),
-            [&](const PartContact& x, const PartContact& y) { return key(x) < key(y); });
-  const auto same_parts = [](const PartContact& x, const PartContact& y) {
-    return x.a == y.a && x.b == y.b;
-  };
-  contacts.erase(std::unique(contacts.begin(), contacts.end(), same_parts), contacts.end());
-}
-
-/// The pairs of components that intersect, each once, ascending.
-std::vector<PartContact> find_contacts(const CutMesh& cut, const Components& components,
-                                       std::span<const IntersectingPair> pairs) {
-  std::vector<PartContact> contacts;
-  // Merged now and then, so that memory follows the pairs of components, not those of faces.
-  std::size_t enough = std::size_t{1} << 16;
-  for (const IntersectingPair& pair : pairs) {
-    const Index a = components.of_face[cut.side.mesh_face(pair.face_a)];
-    const Index b = components.of_face[cut.side.mesh_face(pair.face_b)];
-    if (a != b) {
-      contacts.push_back({std::min(a, b), std::max(a, b), pair.kind == ContactKind::Crossing});
-    }
-    if (contacts.size() == enough) {
-      merge_contacts(contacts);
-      enough = std::max(enough, 2 * contacts.size());
-    }
-  }
-  merge_contacts(contacts);
-  return contacts;
-}
 
 /// #mesh faces: the component of each face; kNoIndex where that is no shell.
 std::vector<Index> shell_of_face(const Components& components,
@@ -54,17 +21,18 @@ std::vector<Index> shell_of_face(const Components& components,
   return of_face;
 }
 
-Nesting nesting_of_components(const PreparedMesh& mesh, std::span<const std::uint8_t> is_shell) {
+/// How the components lie within each other; nothing where not enough is known of what intersects.
+std::optional<Nesting> nesting_of_components(const PreparedMesh& mesh,
+                                             std::span<const std::uint8_t> is_shell) {
   const Components& components = mesh.components();
   if (components.count == 1) {
-    return {.depth = {0}, .inside = {kNoIndex}};  // needs no tree
+    return Nesting{.depth = {0}, .inside = {kNoIndex}};  // needs no tree
   }
-  const std::vector<PartContact> contacts =
-      find_contacts(mesh.cut(), components, mesh.intersecting_pairs());
+  if (mesh.intersection_counts().was_stopped) return std::nullopt;
   return find_nesting(mesh.tree(),
                       {.parts = {.of_face = components.of_face, .count = components.count},
                        .is_closed = is_shell,
-                       .contacts = contacts});
+                       .contacts = mesh.intersection_counts().contacts});
 }
 
 }  // namespace
@@ -79,14 +47,14 @@ std::vector<Shell> find_shells(const PreparedMesh& mesh) {
   const std::vector<Index> of_face = shell_of_face(components, is_shell);
   const std::vector<SignedVolume> volumes = signed_volumes(
       mesh.cut().mesh, {.of_face = of_face, .count = components.count}, mesh.component_boxes());
-  const Nesting nesting = nesting_of_components(mesh, is_shell);
+  const std::optional<Nesting> nesting = nesting_of_components(mesh, is_shell);
   for (std::size_t c = 0; c < components.count; ++c) {
-    shells[c].inside = nesting.inside[c];
+    if (nesting) shells[c].inside = nesting->inside[c];
     if (is_shell[c] != 0 && std::isfinite(volumes[c].value)) {
       shells[c].volume = volumes[c].value;
     }
-    if (is_shell[c] != 0 && volumes[c].sign != 0) {
-      shells[c].outward = (volumes[c].sign > 0) == (nesting.depth[c] % 2 == 0);
+    if (nesting && is_shell[c] != 0 && volumes[c].sign != 0) {
+      shells[c].outward = (volumes[c].sign > 0) == (nesting->depth[c] % 2 == 0);
     }
   }
   return shells;

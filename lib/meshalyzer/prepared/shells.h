@@ -34,7 +34,8 @@ struct Shell {
                                                          const Components& components);
 
 /// Finds the volume of each component, whether it points outward, and which shell directly encloses
-/// it; directions and enclosures are exact. Components that cross do not enclose each other.
+/// it; directions and enclosures are exact. Components that cross do not enclose each other. Where
+/// the search for intersecting pairs was told to stop, nothing is known but the volumes.
 ///
 /// PreparedMesh::shells() keeps what this returns.
 ///

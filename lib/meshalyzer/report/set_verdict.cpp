@@ -16,8 +16,15 @@ void append_counted(std::vector<std::string>& reasons, std::size_t n, std::strin
 }  // namespace
 
 void append_reasons_between(const SetIntersections& found, std::vector<std::string>& reasons) {
-  append_counted(reasons, found.pairs.size(), "pair of faces of different meshes intersects",
-                 "pairs of faces of different meshes intersect");
+  if (found.is_search_stopped) {
+    reasons.push_back("at least " +
+                      counted(found.n_pairs(), "pair of faces of different meshes intersects",
+                              "pairs of faces of different meshes intersect") +
+                      ", the search ended at its time limit");
+  } else {
+    append_counted(reasons, found.n_pairs(), "pair of faces of different meshes intersects",
+                   "pairs of faces of different meshes intersect");
+  }
   append_counted(reasons, found.contained.size(), "mesh is inside another one",
                  "meshes are inside another one");
   append_counted(reasons, found.partly_contained.size(), "mesh is partly inside another one",

@@ -6,7 +6,9 @@ namespace meshalyzer {
 
 bool analyze_files(const std::vector<std::string>& paths, const SetOptions& options,
                    RunListener& listener) {
-  const bool is_whole = FileRun(paths, options, listener).run([](Index, const FileResult&) {});
+  const Deadline deadline(options.request.time_limit);
+  const bool is_whole =
+      FileRun(paths, options, listener, deadline).run([](Index, const FileResult&) {});
   return is_whole && options.shard.count == 1;
 }
 

@@ -34,11 +34,17 @@ FileResult unreadable(std::string why) {
 
 }  // namespace
 
+std::function<bool()> end_of_search(const Request& request, const Deadline& deadline) {
+  if (!request.time_limit) return {};
+  return [&deadline] { return deadline.is_over(); };
+}
+
 FileRun::FileRun(const std::vector<std::string>& paths, const SetOptions& options,
-                 RunListener& listener)
+                 RunListener& listener, const Deadline& deadline)
     : paths_(paths),
       options_(options),
       listener_(listener),
+      deadline_(deadline),
       progress_{.stage = RunProgress::Stage::Files, .total = paths.size()} {}
 
 bool FileRun::run(const std::function<void(Index, const FileResult&)>& take) {
@@ -92,8 +98,12 @@ FileResult FileRun::look_at_own(Index number) const {
 }
 
 Analysis FileRun::analysis_of(Index number) const {
-  AnalysisOptions options{
-      options_.request.mesh, wants_values(), options_.keep_soup, options_.keep_mesh, {}};
+  AnalysisOptions options{options_.request.mesh,
+                          wants_values(),
+                          options_.keep_soup,
+                          options_.keep_mesh,
+                          {},
+                          end_of_search(options_.request, deadline_)};
   options.judge_fitness =
       options.judge_fitness || (looks_between() && options_.request.between.separation);
   return analyze(read_mesh(paths_[number]), paths_[number], options);

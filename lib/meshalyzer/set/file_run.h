@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/analysis/analysis.h"
+#include "meshalyzer/base/deadline.h"
 #include "meshalyzer/base/types.h"
 #include "meshalyzer/set/run_listener.h"
 #include "meshalyzer/set/set_options.h"
@@ -25,12 +26,20 @@ struct FileResult {
   std::size_t n_faces = 0;
 };
 
+/// Returns what ends searches for intersecting pairs; nothing where the request has no time limit.
+///
+/// @param deadline  Must outlive what is returned.
+[[nodiscard]] std::function<bool()> end_of_search(const Request& request, const Deadline& deadline);
+
 /// Looks at files one by one: a few at a time as memory allows, big ones in parallel inside. Where
 /// they are a set, each is made ready for what is to be found between them.
 class FileRun {
  public:
   /// All must outlive this.
-  FileRun(const std::vector<std::string>& paths, const SetOptions& options, RunListener& listener);
+  ///
+  /// @param deadline  The end of searches for intersecting pairs.
+  FileRun(const std::vector<std::string>& paths, const SetOptions& options, RunListener& listener,
+          const Deadline& deadline);
 
   /// Tells the listener of each file, in order.
   ///
@@ -50,6 +59,7 @@ class FileRun {
   const std::vector<std::string>& paths_;
   const SetOptions& options_;
   RunListener& listener_;
+  const Deadline& deadline_;
   RunProgress progress_;
 };
 

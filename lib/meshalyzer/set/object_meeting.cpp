@@ -2,7 +2,7 @@
 
 #include "meshalyzer/spatial/mutual_intersection.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -50,17 +50,24 @@ Inclusion inclusion_touching(const SetObject& inner, const SetObject& outer) {
 
 }  // namespace
 
-ObjectMeeting find_meeting(const SetObject& first, const SetObject& second) {
+ObjectMeeting find_meeting(const SetObject& first, const SetObject& second,
+                           const PairLimits& limits) {
   ObjectMeeting meeting;
   if (!first.box().intersects(second.box())) {
     return meeting;
   }
-  meeting.pairs = find_intersections(first.cut(), first.tree(), second.cut(), second.tree());
-  if (meeting.pairs.empty()) {
+  FoundPairs found =
+      count_intersections(first.cut(), first.tree(), second.cut(), second.tree(), limits);
+  meeting.pairs = std::move(found.listed);
+  meeting.counts = found.counts;
+  meeting.is_search_stopped = !found.is_complete;
+  if (meeting.is_search_stopped) {
+    return meeting;
+  }
+  if (meeting.counts.total() == 0) {
     meeting.first_in_second = inclusion_apart(first, second);
     meeting.second_in_first = inclusion_apart(second, first);
-  } else if (std::none_of(meeting.pairs.begin(), meeting.pairs.end(),
-                          [](const auto& pair) { return pair.kind == ContactKind::Crossing; })) {
+  } else if (meeting.counts.of(ContactKind::Crossing) == 0) {
     meeting.first_in_second = inclusion_touching(first, second);
     meeting.second_in_first = inclusion_touching(second, first);
   }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "meshalyzer/set/set_object.h"
-#include "meshalyzer/spatial/intersecting_pair.h"
+#include "meshalyzer/spatial/pair_limits.h"
 
 #include <cstdint>
 #include <vector>
@@ -18,9 +18,13 @@ enum class Inclusion : std::uint8_t {
 
 /// How two objects lie to each other.
 struct ObjectMeeting {
-  /// All pairs of faces that share a point; face_a is a file face of the first object, face_b one
-  /// of the second. Ascending.
+  /// The pairs of faces that share a point, at most PairLimits::max_listed; face_a is a file face
+  /// of the first object, face_b one of the second. Ascending.
   std::vector<IntersectingPair> pairs;
+  /// The number of all of them, listed or not.
+  ContactCounts counts;
+  /// Whether the search was told to stop before its end.
+  bool is_search_stopped = false;
   Inclusion first_in_second = Inclusion::None;
   Inclusion second_in_first = Inclusion::None;
 };
@@ -30,7 +34,10 @@ struct ObjectMeeting {
 /// Where faces cross, neither includes the other. Where they only touch, an object is included when
 /// all its vertices that are not on the other's surface are inside, and there are such.
 ///
+/// @param limits  How many pairs are listed, and when the search ends; then nothing is known of
+/// inclusions.
 /// @complexity O(faces whose boxes meet the other object); where they touch also a ray a vertex.
-[[nodiscard]] ObjectMeeting find_meeting(const SetObject& first, const SetObject& second);
+[[nodiscard]] ObjectMeeting find_meeting(const SetObject& first, const SetObject& second,
+                                         const PairLimits& limits = {});
 
 }  // namespace meshalyzer

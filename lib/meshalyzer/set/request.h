@@ -25,7 +25,8 @@ struct SetQuestions {
 };
 
 /// Says what a run finds out about meshes and between them: everything that decides what is found,
-/// nothing about how it is told. Runs with equal requests find the same in the same files.
+/// nothing about how it is told. Runs with equal requests find the same in the same files, but for
+/// what a time limit leaves out.
 struct Request {
   /// What to find out about each mesh.
   MeshRequest mesh;
@@ -35,6 +36,9 @@ struct Request {
   bool is_set = false;
   /// Between the meshes of a set.
   SetQuestions between;
+  /// Searches for intersecting pairs end so many seconds after the run began, with what they have
+  /// found by then.
+  std::optional<double> time_limit;
 
   friend bool operator==(const Request&, const Request&) = default;
 };

@@ -43,6 +43,7 @@ inline constexpr auto kRequestFields<MeshRequest> = std::tuple{
     RequestField{"exact_coincidence", &MeshRequest::exact_coincidence},
     RequestField{"judge_fitness", &MeshRequest::judge_fitness},
     RequestField{"curvature", &MeshRequest::curvature},
+    RequestField{"max_list", &MeshRequest::max_list},
 };
 
 template <>
@@ -66,6 +67,7 @@ inline constexpr auto kRequestFields<Request> = std::tuple{
     RequestField{"list_offenders", &Request::list_offenders},
     RequestField{"is_set", &Request::is_set},
     RequestField{"between", &Request::between},
+    RequestField{"time_limit", &Request::time_limit},
 };
 
 template <typename Part>

@@ -26,6 +26,13 @@ struct SetPair {
   friend bool operator==(const SetPair&, const SetPair&) = default;
 };
 
+/// Two meshes of which faces share a point, and how many pairs of these; mesh_a < mesh_b.
+struct MeshMeeting {
+  Index mesh_a = 0;
+  Index mesh_b = 0;
+  ContactCounts pairs;
+};
+
 /// A mesh inside another one, where no faces of theirs cross.
 struct ContainedMesh {
   Index inner = 0;
@@ -36,13 +43,30 @@ struct ContainedMesh {
 
 /// The intersections between the meshes of a set ("Sets" in doc/definitions.md).
 struct SetIntersections {
-  /// The pairs of faces, ascending by meshes, then faces.
+  /// The pairs of faces, ascending by meshes, then faces: the first ones, at most
+  /// MeshRequest::max_list.
   std::vector<SetPair> pairs;
   /// The meshes that are inside others, ascending.
   std::vector<ContainedMesh> contained;
   /// The meshes of which only some components are inside others, ascending.
   std::vector<ContainedMesh> partly_contained;
+  /// The pairs that the list leaves out, ascending by meshes; empty where it holds all.
+  std::vector<MeshMeeting> unlisted = {};
+  /// Tells that the search ended at its time limit: there are at least so many pairs, and meshes
+  /// inside others.
+  bool is_search_stopped = false;
+
+  /// Returns the number of all pairs of faces, listed or not.
+  [[nodiscard]] std::size_t n_pairs() const {
+    std::size_t n = pairs.size();
+    for (const MeshMeeting& meeting : unlisted) n += meeting.pairs.total();
+    return n;
+  }
 };
+
+/// Returns the pairs of meshes that intersect, ascending, with the number of all pairs of their
+/// faces, listed or not.
+[[nodiscard]] std::vector<MeshMeeting> meetings_of(const SetIntersections& found);
 
 /// Describes the separation distances of vertices.
 inline constexpr Quantity kSeparationDistance{

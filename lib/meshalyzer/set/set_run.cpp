@@ -1,5 +1,6 @@
 #include "meshalyzer/set/set_run.h"
 
+#include "meshalyzer/base/deadline.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/parallel_in_order.h"
@@ -7,6 +8,7 @@
 #include "meshalyzer/set/file_run.h"
 #include "meshalyzer/set/file_stamp.h"
 #include "meshalyzer/set/measure_separation.h"
+#include "meshalyzer/set/meetings.h"
 #include "meshalyzer/set/object_meeting.h"
 #include "meshalyzer/set/set_files.h"
 #include "meshalyzer/set/set_totals.h"
@@ -26,12 +28,22 @@ struct Numbered {
 };
 
 /// @param meeting  Of `a` and `b`, in this order; a.number < b.number.
-void add_meeting(const ObjectMeeting& meeting, const Numbered& a, const Numbered& b,
-                 SetIntersections& found) {
+SetIntersections intersections_of(const ObjectMeeting& meeting, const Numbered& a,
+                                  const Numbered& b) {
+  SetIntersections found;
   for (const IntersectingPair& pair : meeting.pairs) {
     found.pairs.push_back({a.number, a.object.face_ids().of(pair.face_a), b.number,
                            b.object.face_ids().of(pair.face_b), pair.kind});
   }
+  if (meeting.pairs.size() < meeting.counts.total()) {
+    MeshMeeting& unlisted = found.unlisted.emplace_back(MeshMeeting{a.number, b.number, {}});
+    ContactCounts listed;
+    listed.add(meeting.pairs);
+    for (const ContactKind kind : kContactKinds) {
+      unlisted.pairs.add(kind, meeting.counts.of(kind) - listed.of(kind));
+    }
+  }
+  found.is_search_stopped = meeting.is_search_stopped;
   const auto add = [&](Inclusion inclusion, ContainedMesh contained) {
     if (inclusion != Inclusion::None) {
       (inclusion == Inclusion::Wholly ? found.contained : found.partly_contained)
@@ -40,6 +52,7 @@ void add_meeting(const ObjectMeeting& meeting, const Numbered& a, const Numbered
   };
   add(meeting.first_in_second, {a.number, b.number});
   add(meeting.second_in_first, {b.number, a.number});
+  return found;
 }
 
 class SetRun {
@@ -55,7 +68,7 @@ class SetRun {
   }
 
   std::optional<SetAnalysis> run() {
-    FileRun files(paths_, options_, listener_);
+    FileRun files(paths_, options_, listener_, deadline_);
     is_stopped_ = !files.run([this](Index number, const FileResult& file) { take(number, file); });
     if (!is_stopped_) {
       look_between();
@@ -150,16 +163,25 @@ class SetRun {
   }
 
   [[nodiscard]] SetIntersections intersect_from(Index owner, ObjectCache& objects) const {
+    const std::size_t max_list = options_.request.mesh.max_list;
+    const PairLimits limits =
+        pair_limits(options_.request.mesh, end_of_search(options_.request, deadline_));
     SetIntersections found;
     for (const Index other : box_tree_->meeting(boxes_[owner])) {
       if (rank_[other] > rank_[owner]) {
+        if (limits.wants_to_stop && limits.wants_to_stop()) {
+          found.is_search_stopped = true;
+          break;
+        }
         const auto [a, b] = std::minmax(owner, other);
         const auto first = objects.get(a);
         const auto second = objects.get(b);
-        add_meeting(find_meeting(*first, *second), {a, *first}, {b, *second}, found);
+        append_intersections(
+            intersections_of(find_meeting(*first, *second, limits), {a, *first}, {b, *second}),
+            max_list, found);
       }
     }
-    return in_order(std::move(found));
+    return in_order(std::move(found), max_list);
   }
 
   Next tell(const ObjectFindings& findings) {
@@ -174,6 +196,7 @@ class SetRun {
   const std::vector<std::string>& paths_;
   const SetOptions options_;
   RunListener& listener_;
+  const Deadline deadline_{options_.request.time_limit};
   SetTotals totals_;
   std::vector<FileStamp> stamps_;
   /// The boxes by number; empty for files that cannot be read or have no face.

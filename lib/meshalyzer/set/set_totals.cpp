@@ -1,25 +1,16 @@
 #include "meshalyzer/set/set_totals.h"
 
 #include "meshalyzer/analysis/goodness.h"
+#include "meshalyzer/set/meetings.h"
 #include "meshalyzer/set/set_counts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <tuple>
 #include <utility>
 
 namespace meshalyzer {
 namespace {
-
-template <typename T>
-void append(std::vector<T>& to, const std::vector<T>& from) {
-  to.insert(to.end(), from.begin(), from.end());
-}
-
-auto order_of(const SetPair& pair) {
-  return std::tuple(pair.mesh_a, pair.mesh_b, pair.face_a, pair.face_b);
-}
 
 std::string and_more(std::size_t n) {
   if (n == 0) {
@@ -29,14 +20,6 @@ std::string and_more(std::size_t n) {
 }
 
 }  // namespace
-
-SetIntersections in_order(SetIntersections found) {
-  std::sort(found.pairs.begin(), found.pairs.end(),
-            [](const SetPair& a, const SetPair& b) { return order_of(a) < order_of(b); });
-  std::sort(found.contained.begin(), found.contained.end());
-  std::sort(found.partly_contained.begin(), found.partly_contained.end());
-  return found;
-}
 
 SetTotals::SetTotals(std::vector<std::string> names, const SetOptions& options)
     : options_(options) {
@@ -90,9 +73,8 @@ std::string SetTotals::why_no_separation() const {
 
 void SetTotals::add_findings(const ObjectFindings& findings) {
   if (findings.intersections) {
-    append(set_.intersections->pairs, findings.intersections->pairs);
-    append(set_.intersections->contained, findings.intersections->contained);
-    append(set_.intersections->partly_contained, findings.intersections->partly_contained);
+    append_intersections(*findings.intersections, options_.request.mesh.max_list,
+                         *set_.intersections);
   }
   if (findings.separation) {
     add_separation(findings.owner, *findings.separation);
@@ -144,7 +126,7 @@ SetAnalysis SetTotals::finish() {
     set_.statistics = summarize_measures();
   }
   if (set_.intersections) {
-    set_.intersections = in_order(std::move(*set_.intersections));
+    set_.intersections = in_order(std::move(*set_.intersections), options_.request.mesh.max_list);
   }
   if (options_.request.between.separation) {
     finish_separation();

@@ -11,9 +11,6 @@
 
 namespace meshalyzer {
 
-/// Returns the intersections sorted as SetIntersections promises.
-[[nodiscard]] SetIntersections in_order(SetIntersections found);
-
 /// Adds up what is found of the meshes of a set, one after the other, in memory that does not grow
 /// with their faces.
 class SetTotals {

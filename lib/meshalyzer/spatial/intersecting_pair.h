@@ -2,7 +2,11 @@
 
 #include "meshalyzer/base/types.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <span>
 #include <string_view>
 
 namespace meshalyzer {
@@ -29,6 +33,11 @@ enum class ContactKind : std::uint8_t {
 /// "duplicate", "unwelded", "fold-over", "coplanar-overlap", "crossing", "touching".
 [[nodiscard]] std::string_view contact_name(ContactKind kind);
 
+/// All kinds, in their order.
+inline constexpr std::array kContactKinds{ContactKind::Duplicate, ContactKind::Unwelded,
+                                          ContactKind::FoldOver,  ContactKind::CoplanarOverlap,
+                                          ContactKind::Crossing,  ContactKind::Touching};
+
 /// Two intersecting faces, by index of their records: of one file, face_a < face_b, or of two
 /// files, face_a of the first and face_b of the second.
 struct IntersectingPair {
@@ -37,6 +46,30 @@ struct IntersectingPair {
   ContactKind kind = ContactKind::Touching;
 
   friend bool operator==(const IntersectingPair&, const IntersectingPair&) = default;
+};
+
+/// How many pairs there are of each kind of contact.
+class ContactCounts {
+ public:
+  [[nodiscard]] std::size_t of(ContactKind kind) const {
+    return counts_[static_cast<std::size_t>(kind)];
+  }
+  [[nodiscard]] std::size_t total() const {
+    return std::accumulate(counts_.begin(), counts_.end(), std::size_t{0});
+  }
+
+  void add(ContactKind kind, std::size_t n) { counts_[static_cast<std::size_t>(kind)] += n; }
+  void add(std::span<const IntersectingPair> pairs) {
+    for (const IntersectingPair& pair : pairs) add(pair.kind, 1);
+  }
+  void add(const ContactCounts& other) {
+    for (const ContactKind kind : kContactKinds) add(kind, other.of(kind));
+  }
+
+  friend bool operator==(const ContactCounts&, const ContactCounts&) = default;
+
+ private:
+  std::array<std::size_t, kContactKinds.size()> counts_{};
 };
 
 }  // namespace meshalyzer

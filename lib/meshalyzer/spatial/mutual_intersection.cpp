@@ -2,19 +2,20 @@
 
 #include "meshalyzer/spatial/align_faces.h"
 #include "meshalyzer/spatial/box_meetings.h"
-#include "meshalyzer/spatial/join_pairs.h"
+#include "meshalyzer/spatial/pair_collector.h"
 #include "meshalyzer/spatial/triangle_contact.h"
 
 #include <algorithm>
 #include <optional>
-#include <tuple>
-#include <utility>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
 
 using Next = BoxMeetings::Next;
-using Pairs = std::vector<IntersectingPair>;
+
+/// Pairs that a task keeps before it hands them on; there may be very many tasks.
+constexpr std::size_t kPairsKept = 256;
 
 Corners corners_of(const FaceTree& tree, std::size_t slot) {
   const Triangle& t = tree.triangle(slot);
@@ -51,17 +52,26 @@ bool share_point(const Corners& p, const Corners& q) {
 
 std::vector<IntersectingPair> find_intersections(const CutMesh& a, const FaceTree& tree_a,
                                                  const CutMesh& b, const FaceTree& tree_b) {
+  return count_intersections(a, tree_a, b, tree_b, PairLimits()).listed;
+}
+
+FoundPairs count_intersections(const CutMesh& a, const FaceTree& tree_a, const CutMesh& b,
+                               const FaceTree& tree_b, const PairLimits& limits) {
   const BoxMeetings meetings(tree_a, tree_b);
-  std::vector<Pairs> parts(meetings.n_chunks());
-  meetings.run([&](std::size_t chunk, std::size_t f, std::size_t g) {
+  PairCollector collector(limits.max_listed);
+  std::vector<PairBuffer> buffers(meetings.n_chunks(), PairBuffer(collector, kPairsKept));
+  const Next end = meetings.run([&](std::size_t chunk, std::size_t f, std::size_t g) {
     if (const auto kind = find_kind(corners_of(tree_a, f), corners_of(tree_b, g))) {
-      parts[chunk].push_back({.face_a = a.side.faces[tree_a.mesh_face(f)],
-                              .face_b = b.side.faces[tree_b.mesh_face(g)],
-                              .kind = *kind});
+      buffers[chunk].push({.face_a = a.side.faces[tree_a.mesh_face(f)],
+                           .face_b = b.side.faces[tree_b.mesh_face(g)],
+                           .kind = *kind});
     }
-    return Next::GoOn;
+    return limits.wants_to_stop && limits.wants_to_stop() ? Next::Stop : Next::GoOn;
   });
-  return join_pairs(std::move(parts));
+  for (PairBuffer& buffer : buffers) buffer.flush();
+  FoundPairs found = collector.take();
+  found.is_complete = end == Next::GoOn;
+  return found;
 }
 
 bool do_intersect(const FaceTree& a, const FaceTree& b) {

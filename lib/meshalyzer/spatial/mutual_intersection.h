@@ -2,6 +2,7 @@
 
 #include "meshalyzer/spatial/face_tree.h"
 #include "meshalyzer/spatial/intersecting_pair.h"
+#include "meshalyzer/spatial/pair_limits.h"
 
 #include <vector>
 
@@ -24,6 +25,14 @@ namespace meshalyzer {
                                                                const FaceTree& tree_a,
                                                                const CutMesh& b,
                                                                const FaceTree& tree_b);
+
+/// Counts the pairs that find_intersections() finds, and lists the first of them.
+///
+/// @param limits  max_found is not asked.
+/// @return        The same for any number of threads, where the search goes to its end.
+[[nodiscard]] FoundPairs count_intersections(const CutMesh& a, const FaceTree& tree_a,
+                                             const CutMesh& b, const FaceTree& tree_b,
+                                             const PairLimits& limits);
 
 /// Whether any two faces, one of each mesh, share a point. Surfaces alone count: a mesh wholly
 /// inside another does not meet it.

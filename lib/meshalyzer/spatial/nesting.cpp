@@ -31,16 +31,21 @@ SlotsByPart group_slots(const FaceTree& tree, const FaceParts& parts) {
   return groups;
 }
 
-/// The boxes of the closed parts; empty ones for the others.
-std::vector<Box3> closed_boxes(const FaceTree& tree, const NestingInput& input) {
-  std::vector<Box3> boxes(input.parts.count);
+std::vector<Box3> boxes_of_parts(const FaceTree& tree, const FaceParts& parts) {
+  std::vector<Box3> boxes(parts.count);
   for (std::size_t slot = 0; slot < tree.n_faces(); ++slot) {
-    const Index part = input.parts.of_face[tree.mesh_face(slot)];
-    if (input.is_closed[part] != 0) {
-      for (const Index v : tree.triangle(slot)) {
-        boxes[part].extend(tree.point(v));
-      }
+    Box3& box = boxes[parts.of_face[tree.mesh_face(slot)]];
+    for (const Index v : tree.triangle(slot)) {
+      box.extend(tree.point(v));
     }
+  }
+  return boxes;
+}
+
+/// The boxes of the closed parts; empty ones for the others.
+std::vector<Box3> closed_only(std::vector<Box3> boxes, std::span<const std::uint8_t> is_closed) {
+  for (std::size_t part = 0; part < boxes.size(); ++part) {
+    if (is_closed[part] == 0) boxes[part].setEmpty();
   }
   return boxes;
 }
@@ -62,8 +67,8 @@ class Nester {
       : tree_(tree),
         input_(input),
         slots_(group_slots(tree, input.parts)),
-        boxes_(closed_boxes(tree, input)),
-        box_tree_(boxes_),
+        boxes_(boxes_of_parts(tree, input.parts)),
+        box_tree_(closed_only(boxes_, input.is_closed)),
         contacts_(input.parts.count) {
     for (const PartContact& contact : input.contacts) {
       contacts_[contact.a].push_back({contact.b, contact.crosses});
@@ -75,7 +80,8 @@ class Nester {
   [[nodiscard]] std::vector<Index> enclosers(Index part) const {
     const Vec3& first = tree_.point(tree_.triangle(slots_.slots[slots_.begin[part]])[0]);
     std::vector<Index> near = box_tree_.meeting(Box3(first));
-    std::erase(near, part);
+    std::erase_if(
+        near, [&](Index other) { return other == part || !boxes_[other].contains(boxes_[part]); });
     if (near.empty()) {
       return {};  // in a crowd of separate parts the usual case: no ray need run through all of it
     }

@@ -24,7 +24,8 @@ struct NestingInput {
   FaceParts parts;
   /// #parts: 1 for the closed ones, which alone can enclose others.
   std::span<const std::uint8_t> is_closed;
-  /// All pairs of parts that touch or cross, ascending by (a, b), each once.
+  /// The pairs of parts that touch or cross, ascending by (a, b), each once; those where no closed
+  /// part's box contains that of the other may be left out.
   std::span<const PartContact> contacts;
 };
 

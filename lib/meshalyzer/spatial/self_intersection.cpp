@@ -1,5 +1,6 @@
 #include "meshalyzer/spatial/self_intersection.h"
 
+#include "meshalyzer/spatial/pair_collector.h"
 #include "meshalyzer/spatial/proven_stars.h"
 #include "meshalyzer/spatial/self_intersection_search.h"
 
@@ -9,18 +10,25 @@ namespace meshalyzer {
 
 std::vector<IntersectingPair> find_self_intersections(const CutMesh& cut, const FaceTree& tree,
                                                       std::size_t max_pairs) {
-  if (tree.n_faces() == 0) {
-    return {};
-  }
+  PairCollector collector(max_pairs);
+  visit_self_intersections(cut, tree, {.max_found = max_pairs, .wants_to_stop = {}}, collector);
+  return collector.take().listed;
+}
+
+bool visit_self_intersections(const CutMesh& cut, const FaceTree& tree, const PairLimits& limits,
+                              PairListener& listener) {
+  if (tree.n_faces() == 0) return true;
   const SlabTree slabs(tree);
   const FanTree fans(tree);
   const std::vector<std::uint8_t> proven = prove_stars(cut);
+  const FaceGroups groups(cut, tree);
   return search_self_intersections({.cut = cut,
                                     .tree = tree,
                                     .slabs = slabs,
                                     .fans = fans,
                                     .proven = proven,
-                                    .max_pairs = max_pairs});
+                                    .groups = groups.size() == 0 ? nullptr : &groups},
+                                   limits, listener);
 }
 
 }  // namespace meshalyzer

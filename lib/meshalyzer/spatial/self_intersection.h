@@ -2,15 +2,13 @@
 
 #include "meshalyzer/spatial/face_tree.h"
 #include "meshalyzer/spatial/intersecting_pair.h"
+#include "meshalyzer/spatial/pair_limits.h"
+#include "meshalyzer/spatial/pair_listener.h"
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace meshalyzer {
-
-/// The limit of a search that finds all pairs.
-inline constexpr std::size_t kAllPairs = std::numeric_limits<std::size_t>::max();
 
 /// Finds all pairs of faces of one mesh that intersect ("Intersecting faces" in
 /// doc/definitions.md), each with its kind.
@@ -26,5 +24,12 @@ inline constexpr std::size_t kAllPairs = std::numeric_limits<std::size_t>::max()
 /// @complexity  O(#F log #F + candidates), where a candidate is a pair of faces whose boxes meet.
 [[nodiscard]] std::vector<IntersectingPair> find_self_intersections(
     const CutMesh& cut, const FaceTree& tree, std::size_t max_pairs = kAllPairs);
+
+/// Hands on the pairs that find_self_intersections() finds, and keeps none.
+///
+/// @param limits  Whether and when the search ends early; nothing is listed here.
+/// @return        Whether the search went to its end.
+bool visit_self_intersections(const CutMesh& cut, const FaceTree& tree, const PairLimits& limits,
+                              PairListener& listener);
 
 }  // namespace meshalyzer

@@ -3,15 +3,15 @@
 #include "meshalyzer/base/eight_lanes.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/spatial/align_faces.h"
-#include "meshalyzer/spatial/join_pairs.h"
+#include "meshalyzer/spatial/pair_collector.h"
 #include "meshalyzer/spatial/separating_directions.h"
 #include "meshalyzer/spatial/triangle_contact.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <optional>
-#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -21,6 +21,9 @@ constexpr std::size_t kLeavesPerChunk = 64;
 
 /// Leaves after which a search that may end early looks whether it has found enough.
 constexpr std::size_t kLeavesPerRound = 64 * kLeavesPerChunk;
+
+/// Pairs that a task keeps before it hands them on.
+constexpr std::size_t kPairsAtOnce = 4096;
 
 /// From this number of faces of a leaf on that have partners in another leaf it pays to look for
 /// directions that separate them.
@@ -64,12 +67,16 @@ std::optional<ContactKind> find_kind(const FaceTree& tree, const Triangle& p, co
   return is_unwelded ? ContactKind::Unwelded : kind;
 }
 
-using Pairs = std::vector<IntersectingPair>;
 using Scene = SelfIntersectionScene;
+
+/// Returns the lanes of a leaf whose faces others stand for.
+unsigned left_out(const Scene& scene, std::size_t leaf) {
+  return scene.groups == nullptr ? 0U : scene.groups->left_out(leaf);
+}
 
 /// Returns the lanes of a leaf whose faces are wanted.
 unsigned wanted_lanes(const Scene& scene, std::size_t leaf) {
-  return scene.wanted.empty() ? 0xFFU : scene.wanted[leaf];
+  return scene.wanted.empty() ? 0xFFU & ~left_out(scene, leaf) : scene.wanted[leaf];
 }
 
 /// The box of the wanted faces of a leaf.
@@ -104,7 +111,7 @@ EightFaces proven_vertices(const Scene& scene, std::size_t leaf) {
 /// before are left out: they have found the pair themselves.
 class PartnerSearch {
  public:
-  PartnerSearch(const Scene& scene, std::size_t leaf, Pairs& found)
+  PartnerSearch(const Scene& scene, std::size_t leaf, PairBuffer& found)
       : scene_(scene),
         tree_(scene.tree),
         found_(found),
@@ -165,7 +172,8 @@ class PartnerSearch {
     int n_meeting = 0;
     for (unsigned lanes = wanted_ & mine.meeting(box); lanes != 0; lanes &= lanes - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
-      unsigned bits = theirs.meeting(mine.box(i)) & ~done_lanes(other, i);
+      unsigned bits =
+          theirs.meeting(mine.box(i)) & ~(done_lanes(other, i) | left_out(scene_, other));
       if (bits != 0) {
         bits &= ~settled_lanes(other, i);
       }
@@ -222,16 +230,27 @@ class PartnerSearch {
 
   void meet_face(std::size_t a, std::size_t b) {
     const std::optional<ContactKind> kind = find_kind(tree_, tree_.triangle(a), tree_.triangle(b));
-    if (kind) {
-      const Index f = scene_.cut.side.faces[tree_.mesh_face(a)];
-      const Index g = scene_.cut.side.faces[tree_.mesh_face(b)];
-      found_.push_back({.face_a = std::min(f, g), .face_b = std::max(f, g), .kind = *kind});
+    if (!kind) return;
+    const Index f = scene_.cut.side.faces[tree_.mesh_face(a)];
+    const Index g = scene_.cut.side.faces[tree_.mesh_face(b)];
+    const PairProduct all{faces_at(a, f), faces_at(b, g), *kind};
+    if (all.n_pairs() > 1) {
+      found_.push(all);
+    } else {
+      found_.push({.face_a = std::min(f, g), .face_b = std::max(f, g), .kind = *kind});
     }
+  }
+
+  /// The faces that the one at a slot stands for: mostly itself alone.
+  std::span<const Index> faces_at(std::size_t slot, const Index& file_face) const {
+    const std::span<const Index> group =
+        scene_.groups == nullptr ? std::span<const Index>() : scene_.groups->faces_at(slot);
+    return group.empty() ? std::span(&file_face, 1) : group;
   }
 
   const Scene& scene_;
   const FaceTree& tree_;
-  Pairs& found_;
+  PairBuffer& found_;
   std::size_t leaf_;
   unsigned wanted_;
   /// Leaves before it need no look.
@@ -245,42 +264,79 @@ class PartnerSearch {
   std::array<std::optional<SeparatingDirections>, 8> directions_;
 };
 
-/// The pairs of a chunk of leaves, in the order of the leaves: all, or at least max_pairs.
-Pairs search_leaves(const Scene& scene, Chunk leaves) {
-  Pairs pairs;
-  for (std::size_t leaf = leaves.begin; leaf < leaves.end && pairs.size() < scene.max_pairs;
-       ++leaf) {
-    if (wanted_lanes(scene, leaf) != 0) {
-      PartnerSearch(scene, leaf, pairs).run();
+/// A search by all threads that may end early.
+class BoundedSearch {
+ public:
+  BoundedSearch(const Scene& scene, const PairLimits& limits, PairListener& listener)
+      : scene_(scene), limits_(limits), listener_(listener) {}
+
+  /// Returns whether all leaves were searched.
+  bool run() {
+    const std::size_t n_leaves = scene_.tree.n_leaves();
+    // Whether enough is found is asked between rounds, so that it does not depend on the threads.
+    const std::size_t per_round = limits_.max_found == kAllPairs ? n_leaves : kLeavesPerRound;
+    if (scene_.groups != nullptr) pair_up_groups();
+    std::size_t first = 0;
+    for (; first < n_leaves && n_found_ < limits_.max_found && !is_stopped_; first += per_round) {
+      parallel_chunks(std::min(per_round, n_leaves - first), kLeavesPerChunk, [&](Chunk chunk) {
+        n_found_ += search(first + chunk.begin, first + chunk.end);
+      });
     }
+    return first >= n_leaves && !is_ended_;
   }
-  return pairs;
-}
+
+ private:
+  /// Searches a chunk of leaves until it has found enough by itself; returns how many.
+  std::size_t search(std::size_t begin, std::size_t end) {
+    PairBuffer found(listener_, kPairsAtOnce);
+    for (std::size_t leaf = begin; leaf < end; ++leaf) {
+      if (found.n_pushed() >= limits_.max_found || wants_to_stop()) {
+        is_ended_ = true;
+        break;
+      }
+      if (wanted_lanes(scene_, leaf) != 0) PartnerSearch(scene_, leaf, found).run();
+    }
+    found.flush();
+    return found.n_pushed();
+  }
+
+  /// Hands on the pairs within the groups.
+  void pair_up_groups() {
+    PairBuffer found(listener_, kPairsAtOnce);
+    for (std::size_t i = 0; i < scene_.groups->size(); ++i) {
+      const auto [a, b] = scene_.groups->two_slots(i);
+      const auto kind = find_kind(scene_.tree, scene_.tree.triangle(a), scene_.tree.triangle(b));
+      const std::span<const Index> faces = scene_.groups->faces(i);
+      if (kind) found.push(PairProduct{faces, faces, *kind});
+    }
+    n_found_ += found.n_pushed();
+  }
+
+  bool wants_to_stop() {
+    if (!is_stopped_ && limits_.wants_to_stop && limits_.wants_to_stop()) is_stopped_ = true;
+    return is_stopped_;
+  }
+
+  const Scene& scene_;
+  const PairLimits& limits_;
+  PairListener& listener_;
+  std::atomic<std::size_t> n_found_ = 0;
+  std::atomic<bool> is_stopped_ = false;
+  /// Whether leaves were left out.
+  std::atomic<bool> is_ended_ = false;
+};
 
 }  // namespace
 
 std::vector<IntersectingPair> search_self_intersections(const SelfIntersectionScene& scene) {
-  const std::size_t n_leaves = scene.tree.n_leaves();
-  // Whether enough is found is asked between rounds, so that it does not depend on the threads.
-  const std::size_t leaves_per_round = scene.max_pairs == kAllPairs ? n_leaves : kLeavesPerRound;
-  std::vector<Pairs> parts;
-  std::size_t n_found = 0;
-  for (std::size_t first = 0; first < n_leaves && n_found < scene.max_pairs;
-       first += leaves_per_round) {
-    const std::size_t n = std::min(leaves_per_round, n_leaves - first);
-    const std::size_t n_before = parts.size();
-    parts.resize(n_before + n_chunks(n, kLeavesPerChunk));
-    parallel_chunks(n, kLeavesPerChunk, [&](Chunk chunk) {
-      parts[n_before + chunk.number] =
-          search_leaves(scene, {first + chunk.begin, first + chunk.end, chunk.number});
-    });
-    for (std::size_t i = n_before; i < parts.size(); ++i) n_found += parts[i].size();
-  }
-  Pairs pairs = join_pairs(std::move(parts));
-  if (pairs.size() > scene.max_pairs) {
-    pairs.erase(pairs.begin() + static_cast<std::ptrdiff_t>(scene.max_pairs), pairs.end());
-  }
-  return pairs;
+  PairCollector collector(kAllPairs);
+  search_self_intersections(scene, PairLimits(), collector);
+  return collector.take().listed;
+}
+
+bool search_self_intersections(const SelfIntersectionScene& scene, const PairLimits& limits,
+                               PairListener& listener) {
+  return BoundedSearch(scene, limits, listener).run();
 }
 
 }  // namespace meshalyzer

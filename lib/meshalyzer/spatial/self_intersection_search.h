@@ -1,10 +1,11 @@
 #pragma once
 
 #include "meshalyzer/mesh/side_table.h"
+#include "meshalyzer/spatial/face_groups.h"
 #include "meshalyzer/spatial/face_tree.h"
 #include "meshalyzer/spatial/fan_tree.h"
-#include "meshalyzer/spatial/intersecting_pair.h"
-#include "meshalyzer/spatial/self_intersection.h"
+#include "meshalyzer/spatial/pair_limits.h"
+#include "meshalyzer/spatial/pair_listener.h"
 #include "meshalyzer/spatial/slab_tree.h"
 
 #include <cstdint>
@@ -26,14 +27,22 @@ struct SelfIntersectionScene {
   /// Non-zero for each file vertex whose faces surely share no more than they must (see
   /// prove_stars()); empty where nothing is known.
   std::span<const std::uint8_t> proven = {};
-  /// The search ends when it has found so many.
-  std::size_t max_pairs = kAllPairs;
+  /// Faces that others stand for; null where all are searched. Not with `wanted`.
+  const FaceGroups* groups = nullptr;
 };
 
 /// Finds the pairs with at least one wanted face, each once, with its kind.
 ///
-/// @return  By file face, ascending, never more than max_pairs; the same for any number of threads.
+/// @return  By file face, ascending; the same for any number of threads.
 [[nodiscard]] std::vector<IntersectingPair> search_self_intersections(
     const SelfIntersectionScene& scene);
+
+/// Hands on the pairs that search_self_intersections() finds. Which pairs these are is the same for
+/// any number of threads, unless the search was told to stop.
+///
+/// @param limits  Where max_found ends the search, it finds that many or a few more.
+/// @return        Whether the search went to its end.
+bool search_self_intersections(const SelfIntersectionScene& scene, const PairLimits& limits,
+                               PairListener& listener);
 
 }  // namespace meshalyzer

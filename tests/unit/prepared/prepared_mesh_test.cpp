@@ -83,6 +83,76 @@ TEST(PreparedMesh, PairsCanBeTakenAwayAtTheEnd) {
   EXPECT_FALSE(taken.empty());
 }
 
+/// What the pairs of a mesh say in numbers, by a loop over all of them.
+IntersectionCounts counted(const PreparedMesh& mesh, const std::vector<IntersectingPair>& pairs) {
+  IntersectionCounts counts;
+  counts.kinds.add(pairs);
+  counts.intersects.resize(mesh.cut().side.faces.size(), 0);
+  counts.of_component.resize(mesh.components().count, 0);
+  for (const IntersectingPair& pair : pairs) {
+    const std::size_t f = mesh.cut().side.mesh_face(pair.face_a);
+    const std::size_t g = mesh.cut().side.mesh_face(pair.face_b);
+    counts.intersects[f] = counts.intersects[g] = 1;
+    std::set<Index> of{mesh.components().of_face[f], mesh.components().of_face[g]};
+    for (const Index component : of) ++counts.of_component[component];
+  }
+  return counts;
+}
+
+void expect_same_counts(const PreparedMesh& mesh, const IntersectionCounts& expected) {
+  const IntersectionCounts& counts = mesh.intersection_counts();
+  EXPECT_EQ(counts.kinds, expected.kinds);
+  EXPECT_EQ(counts.intersects, expected.intersects);
+  EXPECT_EQ(counts.of_component, expected.of_component);
+  EXPECT_FALSE(counts.was_stopped);
+}
+
+/// Faces with the same three vertices, in the way of other meshes, and loose ones at their place.
+Soup pile() {
+  Soup soup = shapes::make({{0, 0, 0.3}, {1, 0, 0.3}, {0, 1, 0.3}}, {});
+  for (int i = 0; i < 40; ++i) soup.triangles.push_back({0, 1, 2});
+  const Soup loose = shapes::make({{0, 0, 0.3}, {1, 0, 0.3}, {0, 1, 0.3}}, {{0, 1, 2}});
+  for (int i = 0; i < 40; ++i) soup = shapes::merged(soup, loose);
+  return soup;
+}
+
+TEST(PreparedMesh, CountsPairsThatItDoesNotList) {
+  // Loose triangles, two cubes that cross, one that touches nothing and one that encloses it.
+  Soup soup = shapes::merged(shapes::tangle(150), crossing_cubes());
+  soup = shapes::merged(soup,
+                        shapes::merged(shapes::cube(1.0, {9, 9, 9}), shapes::cube(3.0, {8, 8, 8})));
+  soup = shapes::merged(soup, pile());
+  const PreparedMesh whole(soup);
+  const std::vector<IntersectingPair> all = whole.intersecting_pairs();
+  const IntersectionCounts expected = counted(whole, all);
+  expect_same_counts(whole, expected);
+  for (const std::size_t n_threads : {1, 2, 5}) {
+    const ThreadLimit limit(n_threads);
+    for (const std::size_t max_listed : {1, 17, 1000}) {
+      PreparedMesh mesh(soup);
+      mesh.limit_intersecting_pairs({.max_listed = max_listed, .wants_to_stop = {}});
+      expect_same_counts(mesh, expected);
+      EXPECT_EQ(mesh.intersecting_pairs(),
+                std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(max_listed)));
+      for (std::size_t c = 0; c < whole.shells().size(); ++c) {
+        EXPECT_EQ(mesh.shells()[c].outward, whole.shells()[c].outward);
+        EXPECT_EQ(mesh.shells()[c].inside, whole.shells()[c].inside);
+      }
+    }
+  }
+}
+
+TEST(PreparedMesh, SearchThatIsToldToStopKnowsNoShellsOfSeveralComponents) {
+  const Soup soup = crossing_cubes();
+  PreparedMesh mesh(soup);
+  mesh.limit_intersecting_pairs({.wants_to_stop = [] { return true; }});
+  EXPECT_FALSE(mesh.was_intersection_search_stopped());  // nobody has searched
+  EXPECT_TRUE(mesh.intersecting_pairs().empty());
+  EXPECT_TRUE(mesh.was_intersection_search_stopped());
+  EXPECT_EQ(mesh.shells().at(0).outward, std::nullopt);
+  EXPECT_EQ(mesh.shells().at(0).volume, 1.0);
+}
+
 TEST(PreparedMesh, MeshWithoutFacesHasNoParts) {
   const Soup soup;
   const PreparedMesh mesh(soup);

@@ -348,5 +348,33 @@ TEST(DoIntersect, OneContactAmongManyFacesIsFound) {
   EXPECT_FALSE(intersect(ground, shapes::translated(above, {0, 0, lifted})));
 }
 
+TEST(CountIntersections, CountsAllAndListsTheFirst) {
+  const Mesh a(shapes::tangle(120));
+  const Mesh b(shapes::translated(shapes::tangle(90), {0.1, 0.2, 0.05}));
+  const Pairs all = find_intersections(a.cut, a.tree, b.cut, b.tree);
+  ContactCounts counts;
+  counts.add(all);
+  ASSERT_GT(all.size(), 1000U);
+  for (const std::size_t n_threads : {1, 2, 5}) {
+    const ThreadLimit limit(n_threads);
+    for (const std::size_t max_listed : {0, 1, 50, 1000}) {
+      const FoundPairs found = count_intersections(a.cut, a.tree, b.cut, b.tree,
+                                                   {.max_listed = max_listed, .wants_to_stop = {}});
+      EXPECT_EQ(found.listed, Pairs(all.begin(), all.begin() + static_cast<int>(max_listed)));
+      EXPECT_EQ(found.counts, counts);
+      EXPECT_TRUE(found.is_complete);
+    }
+  }
+}
+
+TEST(CountIntersections, EndsWhenItIsToldToStop) {
+  const Mesh a(shapes::tangle(400));
+  const Mesh b(shapes::translated(shapes::tangle(300), {0.1, 0.2, 0.05}));
+  const FoundPairs found =
+      count_intersections(a.cut, a.tree, b.cut, b.tree, {.wants_to_stop = [] { return true; }});
+  EXPECT_FALSE(found.is_complete);
+  EXPECT_LT(found.counts.total(), find_intersections(a.cut, a.tree, b.cut, b.tree).size());
+}
+
 }  // namespace
 }  // namespace meshalyzer

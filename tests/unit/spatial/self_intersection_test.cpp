@@ -2,6 +2,8 @@
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/build.h"
+#include "meshalyzer/spatial/face_groups.h"
+#include "meshalyzer/spatial/pair_collector.h"
 #include "support/effort.h"
 #include "support/exact_oracle.h"
 #include "support/shapes.h"
@@ -10,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -319,6 +322,98 @@ TEST(FindSelfIntersections, SearchThatEndsEarlyFindsTheSameForAnyNumberOfThreads
   EXPECT_EQ(some.size(), 20U);
   EXPECT_EQ(listed(some), listed(some_with(4)));
   EXPECT_EQ(listed(find_self_intersections(cut, tree, all.size() + 1)), listed(all));
+}
+
+/// Adds faces at the places of a triangle: with its three vertices, or each with vertices of its
+/// own.
+void add_copies(Soup& soup, const Corners& corners, std::size_t n, bool have_own_vertices) {
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i == 0 || have_own_vertices) {
+      soup.positions.insert(soup.positions.end(), corners.begin(), corners.end());
+    }
+    const auto first = static_cast<Index>(soup.n_vertices() - 3);
+    // Each begins with another corner, and every other one is turned.
+    const Index a = first + static_cast<Index>(i % 3);
+    const Index b = first + static_cast<Index>((i + 1) % 3);
+    const Index c = first + static_cast<Index>((i + 2) % 3);
+    soup.triangles.push_back(i % 2 == 0 ? Triangle{a, b, c} : Triangle{a, c, b});
+  }
+}
+
+/// Faces that are crowded at a few places: equal ones, of no area, at one point; among others.
+Soup piles() {
+  const Vec3 o(0.5, 0.5, 0.5);
+  Soup soup = shapes::tangle(12);
+  add_copies(soup, {o, o, o}, 40, true);
+  add_copies(soup, {o, o, o}, 33, false);
+  add_copies(soup, {Vec3(0, 0, 0), o, Vec3(1, 1, 1)}, 29, true);
+  add_copies(soup, {Vec3(0, 0, 0.5), Vec3(1, 0, 0.5), Vec3(0.5, 1, 0.5)}, 31, true);
+  add_copies(soup, {Vec3(0, 0, 0.5), Vec3(1, 0, 0.5), Vec3(0.5, 1, 0.5)}, 27, false);
+  add_copies(soup, {Vec3(0.5, 0, 0), Vec3(0.5, 1, 0), Vec3(0.5, 0.5, 1)}, 5, true);
+  // A surface that has collapsed into a point: its faces have vertices in common.
+  Soup collapsed = shapes::grid(4, 4);
+  for (Vec3& p : collapsed.positions) p = o;
+  soup = shapes::merged(soup, collapsed);
+  // A face that hangs on the vertices of a pile.
+  soup.positions.emplace_back(2, 2, 2);
+  soup.triangles.push_back({36, 37, static_cast<Index>(soup.n_vertices() - 1)});
+  return soup;
+}
+
+TEST(FindSelfIntersections, PilesOfEqualFacesEqualBruteForce) {
+  for (const std::uint32_t seed : {1U, 2U, 3U}) {
+    const Soup soup = shapes::shuffled_faces(piles(), seed);
+    const Pairs expected = brute_force(soup);
+    EXPECT_EQ(listed(self_intersections(soup)), listed(expected));
+    const CutMesh cut = build(soup);
+    const FaceTree tree(cut);
+    EXPECT_GE(FaceGroups(cut, tree).size(), 4U);
+    ASSERT_GT(expected.size(), 5000U);
+    for (const std::size_t max_listed : {0, 1, 100, 5000}) {
+      PairCollector collector(max_listed);
+      EXPECT_TRUE(visit_self_intersections(cut, tree, PairLimits(), collector));
+      const FoundPairs found = collector.take();
+      EXPECT_EQ(found.counts.total(), expected.size());
+      EXPECT_EQ(listed(found.listed),
+                listed(Pairs(expected.begin(), expected.begin() + static_cast<int>(max_listed))));
+    }
+  }
+}
+
+TEST(FindSelfIntersections, HugePilesAreCountedNotSearched) {
+  Soup soup;
+  add_copies(soup, {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}, 30000, true);
+  add_copies(soup, {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()}, 30000, false);
+  const CutMesh cut = build(soup);
+  PairCollector collector(10);
+  EXPECT_TRUE(visit_self_intersections(cut, FaceTree(cut), PairLimits(), collector));
+  const FoundPairs found = collector.take();
+  constexpr std::size_t kWithin = std::size_t{30000} * 29999 / 2;
+  EXPECT_EQ(found.counts.of(ContactKind::Duplicate), kWithin);
+  EXPECT_EQ(found.counts.total(), 2 * kWithin + std::size_t{30000} * 30000);
+  EXPECT_EQ(found.listed.front().face_b, 1U);
+  EXPECT_EQ(found.listed.back().face_b, 10U);
+}
+
+TEST(VisitSelfIntersections, HandsOnEachPairOnce) {
+  const Soup soup = shapes::tangle(300);
+  const CutMesh cut = build(soup);
+  const FaceTree tree(cut);
+  PairCollector collector(kAllPairs);
+  EXPECT_TRUE(visit_self_intersections(cut, tree, PairLimits(), collector));
+  EXPECT_EQ(listed(collector.take().listed), listed(brute_force(soup)));
+}
+
+TEST(VisitSelfIntersections, EndsWhenItIsToldToStop) {
+  const CutMesh cut = build(shapes::tangle(2000));
+  const FaceTree tree(cut);
+  std::atomic<int> n_asked = 0;
+  const PairLimits limits{.wants_to_stop = [&] { return ++n_asked == 20; }};
+  PairCollector collector(kAllPairs);
+  EXPECT_FALSE(visit_self_intersections(cut, tree, limits, collector));
+  const std::size_t n_found = collector.take().counts.total();
+  EXPECT_GT(n_found, 0U);
+  EXPECT_LT(n_found, find_self_intersections(cut, tree).size());
 }
 
 }  // namespace

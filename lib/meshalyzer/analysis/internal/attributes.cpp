@@ -39,6 +39,9 @@ Answer answer_outward(const Analysis& analysis, const Attributes& attributes) {
   if (const std::string reason = reason_of_no_solid(attributes); !reason.empty()) {
     return none<Answer>(reason);
   }
+  if (analysis.characteristics.is_search_stopped && analysis.components.size() > 1) {
+    return none<Answer>("the search for intersecting pairs ended at its time limit");
+  }
   bool outward = true;
   std::size_t undecided = 0;
   for (const ComponentAnalysis& c : analysis.components) {
@@ -90,7 +93,7 @@ void count_elements(const Soup& soup, const ComplexTopology& topology, Analysis&
   c.vertices = soup.n_vertices();
   c.faces = soup.n_faces();
   c.edges = topology.n_edges;
-  c.components = topology.counts.size();
+  c.components = analysis.components.size();
   c.edge_components = topology.n_edge_components;
   c.boundaries = topology.n_boundaries;
   c.border_edges = offenders.border_edges.size();

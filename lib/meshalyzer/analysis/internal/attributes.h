@@ -12,7 +12,9 @@ namespace meshalyzer {
 [[nodiscard]] std::vector<ComponentAnalysis> analyze_components(
     std::span<const ComponentCounts> counts);
 
-/// The counts of Characteristics that follow from topology and integrity.
+/// Fills in the counts of Characteristics that follow from topology and integrity.
+///
+/// @param analysis  Knows its components and offenders.
 void count_elements(const Soup& soup, const ComplexTopology& topology, Analysis& analysis);
 
 /// The five attributes of the mesh, from what is counted and decided of its components.

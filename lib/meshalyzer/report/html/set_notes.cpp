@@ -15,15 +15,9 @@ using Others = std::vector<std::vector<Index>>;
 
 Others meeting(const SetAnalysis& set) {
   Others others(set.names.size());
-  const SetPair* last = nullptr;
-  // Pairs of the same two meshes follow each other.
-  for (const SetPair& pair : set.intersections->pairs) {
-    const bool is_known =
-        last != nullptr && last->mesh_a == pair.mesh_a && last->mesh_b == pair.mesh_b;
-    last = &pair;
-    if (is_known) continue;
-    others[pair.mesh_a].push_back(pair.mesh_b);
-    others[pair.mesh_b].push_back(pair.mesh_a);
+  for (const MeshMeeting& meeting : meetings_of(*set.intersections)) {
+    others[meeting.mesh_a].push_back(meeting.mesh_b);
+    others[meeting.mesh_b].push_back(meeting.mesh_a);
   }
   return others;
 }

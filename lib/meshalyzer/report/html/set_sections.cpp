@@ -26,7 +26,7 @@ void append_meetings_section(HtmlWriter& html, const SetAnalysis& set) {
   ReportRows rows;
   append_meeting_counts(rows, set);
   append_rows(html, rows);
-  if (set.intersections->pairs.empty()) return;
+  if (set.intersections->n_pairs() == 0) return;
   html.element("h3", "Pairs of meshes that intersect");
   append_text_table(html, meetings_table(set), TableOrder::ByColumn);
 }

@@ -28,8 +28,8 @@ void write_head(JsonWriter& json, const LineHead& head, LineHead::Kind kind) {
 std::vector<Index> meshes_in(const ObjectFindings& findings) {
   std::vector<Index> meshes{findings.owner};
   if (findings.intersections) {
-    for (const SetPair& pair : findings.intersections->pairs) {
-      meshes.insert(meshes.end(), {pair.mesh_a, pair.mesh_b});
+    for (const MeshMeeting& meeting : meetings_of(*findings.intersections)) {
+      meshes.insert(meshes.end(), {meeting.mesh_a, meeting.mesh_b});
     }
     for (const auto* list :
          {&findings.intersections->contained, &findings.intersections->partly_contained}) {
@@ -103,6 +103,7 @@ std::string between_line(const LineHead& head, const ObjectFindings& findings,
   FindingsWriter rows(json, names, [] {});
   write_member(json, "intersecting_pairs", findings.intersections,
                [&](const SetIntersections& found) { rows.pairs(found.pairs); });
+  if (findings.intersections) rows.bounds(*findings.intersections);
   write_member(json, "contained", findings.intersections,
                [&](const SetIntersections& found) { rows.contained(found.contained); });
   write_member(json, "partly_contained", findings.intersections,

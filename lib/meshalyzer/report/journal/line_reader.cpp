@@ -32,6 +32,7 @@ class FindingsReader {
  private:
   [[nodiscard]] Index mesh(const JsonNode& name) const;
   [[nodiscard]] std::vector<SetPair> pairs(const JsonNode& list) const;
+  [[nodiscard]] std::vector<MeshMeeting> meetings(const JsonNode& list) const;
   [[nodiscard]] std::vector<ContainedMesh> contained(const JsonNode& list) const;
   void read_closest(JsonElements row, ObjectSeparation& separation) const;
 
@@ -79,6 +80,19 @@ std::vector<SetPair> FindingsReader::pairs(const JsonNode& list) const {
   return pairs;
 }
 
+std::vector<MeshMeeting> FindingsReader::meetings(const JsonNode& list) const {
+  std::vector<MeshMeeting> meetings;
+  for (JsonElements rows = list.elements(); !rows.at_end();) {
+    JsonElements parts = rows.next().elements();
+    MeshMeeting& meeting = meetings.emplace_back();
+    meeting.mesh_a = mesh(parts.next());
+    meeting.mesh_b = mesh(parts.next());
+    for (const ContactKind kind : kContactKinds) meeting.pairs.add(kind, parts.next().count());
+    parts.expect_end();
+  }
+  return meetings;
+}
+
 std::vector<ContainedMesh> FindingsReader::contained(const JsonNode& list) const {
   std::vector<ContainedMesh> meshes;
   for (JsonElements rows = list.elements(); !rows.at_end();) {
@@ -96,9 +110,13 @@ std::optional<SetIntersections> FindingsReader::intersections() const {
   if (list.is_null()) {
     return std::nullopt;
   }
-  return SetIntersections{.pairs = pairs(list),
-                          .contained = contained(line_.member("contained")),
-                          .partly_contained = contained(line_.member("partly_contained"))};
+  SetIntersections found{.pairs = pairs(list),
+                         .contained = contained(line_.member("contained")),
+                         .partly_contained = contained(line_.member("partly_contained")),
+                         .unlisted = {},
+                         .is_search_stopped = line_.find("at_least").has_value()};
+  if (const auto unlisted = line_.find("unlisted")) found.unlisted = meetings(*unlisted);
+  return found;
 }
 
 void expect_null(const JsonNode& node) {

@@ -30,6 +30,9 @@ void write_scalar(JsonWriter& json, bool truth) {
 void write_scalar(JsonWriter& json, double real) {
   std::isfinite(real) ? json.value(real) : json.value(std::string_view(shortest(real)));
 }
+void write_scalar(JsonWriter& json, std::size_t count) {
+  json.value(count);
+}
 void write_scalar(JsonWriter& json, Scope scope) {
   json.value(scope_name(scope));
 }
@@ -108,6 +111,7 @@ class RequestReader {
   void read_scalar(const std::string& key, VertexArea& read) const {
     read = named(key, vertex_area(members_.get<std::string>(key)));
   }
+  void read_scalar(const std::string& key, std::size_t& read) const { read = members_.count(key); }
   void read_scalar(const std::string& key, double& read) const {
     const HeadMembers::Value& value = *members_.find(key);
     if (const std::int64_t* integer = std::get_if<std::int64_t>(&value)) {

@@ -36,6 +36,21 @@ void FindingsWriter::pairs(std::span<const SetPair> pairs) {
   json_.end_array();
 }
 
+void FindingsWriter::bounds(const SetIntersections& found) {
+  if (found.is_search_stopped) json_.member("at_least", true);
+  if (found.unlisted.empty()) return;
+  json_.key("unlisted");
+  json_.begin_array();
+  for (const MeshMeeting& meeting : found.unlisted) {
+    json_.begin_array(JsonLayout::Row);
+    name(meeting.mesh_a);
+    name(meeting.mesh_b);
+    for (const ContactKind kind : kContactKinds) json_.value(meeting.pairs.of(kind));
+    end_row();
+  }
+  json_.end_array();
+}
+
 void FindingsWriter::contained(std::span<const ContainedMesh> meshes) {
   json_.begin_array();
   for (const ContainedMesh& mesh : meshes) {

@@ -23,6 +23,9 @@ class FindingsWriter {
 
   /// A list of rows `["a.mesh", f, "b.mesh", g, "kind"]`, as a value.
   void pairs(std::span<const SetPair> pairs);
+  /// The members that tell of a list of pairs that is cut, "unlisted", and of a search that ended
+  /// at its time limit, "at_least".
+  void bounds(const SetIntersections& found);
   /// A list of rows `["inner.mesh", "outer.mesh"]`, as a value.
   void contained(std::span<const ContainedMesh> meshes);
   /// A list of rows `[vertex, distance, "b.mesh", face, [x, y, z]]`, as a value; all but the vertex

@@ -16,6 +16,8 @@
 namespace meshalyzer {
 namespace {
 
+constexpr std::string_view kAtLeastKey = "intersecting_pairs_at_least";
+
 /// Writes the first break in the numbering and the torn lines, which a report has even without the
 /// other offenders.
 void write_first_breaks(JsonWriter& json, const Offenders& offenders) {
@@ -117,6 +119,7 @@ void write_characteristics(JsonWriter& json, const Analysis& analysis) {
   const Known known = known_of(analysis);
   json.begin_object();
   write_fields(json, c, kCharacteristicFields, known);
+  if (c.is_search_stopped) json.member(kAtLeastKey, true);
   write_measures(json, analysis.has_characteristics ? &c : nullptr);
   if (analysis.curvature) {
     write_curvature(json, *analysis.curvature);
@@ -132,12 +135,18 @@ void read_characteristics(const JsonNode& object, Analysis& analysis) {
     ElementMeasures<Statistics>& measures = analysis.characteristics;
     read_measures(object, measures);
   }
+  analysis.characteristics.is_search_stopped = object.find(kAtLeastKey).has_value();
   analysis.curvature = read_curvature(object);
 }
 
 void define_characteristics(SchemaDefinitions& schema) {
   SchemaObject object{.description = "what was counted and measured"};
   append_members(object.members, Characteristics(), kCharacteristicFields);
+  object.members.push_back(
+      {std::string(kAtLeastKey),
+       "only where the search for intersecting pairs ended at its time limit: there are at least "
+       "so many pairs and faces",
+       std::string(schema_type::kTruth), SchemaMember::Presence::Sometimes});
   append_measures(object.members, "statistics", SchemaMember::Presence::Always);
   append_curvature_members(object.members);
   object.members.push_back(non_finite_member());

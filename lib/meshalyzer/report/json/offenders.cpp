@@ -185,6 +185,15 @@ void write_asked_lists(JsonWriter& json, const Analysis& analysis) {
   });
 }
 
+constexpr std::string_view kUnlistedPairsKey = "intersecting_pairs_unlisted";
+
+void write_unlisted_pairs(JsonWriter& json, const Analysis& analysis) {
+  const std::size_t n_listed = analysis.offenders.intersecting_pairs.size();
+  if (const std::size_t n = analysis.characteristics.intersecting_pairs; n > n_listed) {
+    json.member(kUnlistedPairsKey, n - n_listed);
+  }
+}
+
 // What the lists are called in the schema.
 constexpr std::string_view type_name(const std::vector<std::int64_t>& /*list*/) {
   return "ids";
@@ -245,6 +254,7 @@ void write_offenders(JsonWriter& json, const Analysis& analysis, JsonOffenders o
     // A list that nobody computed must not look like one without elements.
     if (analysis.has_characteristics) {
       write_lists(json, analysis, kMeasuredLists);
+      write_unlisted_pairs(json, analysis);
     }
   }
   write_asked_lists(json, analysis);
@@ -274,6 +284,10 @@ void define_offenders(SchemaDefinitions& schema) {
                               .type = schema_reference(type_name(none.*row.member)),
                               .presence = SchemaMember::Presence::Sometimes});
   });
+  object.members.push_back({.key = std::string(kUnlistedPairsKey),
+                            .description = "how many pairs the list leaves out, where it is cut",
+                            .type = std::string(schema_type::kCount),
+                            .presence = SchemaMember::Presence::Sometimes});
   schema.define("offenders", object);
 }
 

@@ -72,13 +72,18 @@ void write_intersections(JsonWriter& json, const SetAnalysis& set,
     return;
   }
   FindingsWriter rows(json, set.names, on_row);
-  json.member("intersecting_pair_count", set.intersections->pairs.size());
+  const std::size_t n_pairs = set.intersections->n_pairs();
+  json.member("intersecting_pair_count", n_pairs);
+  if (set.intersections->is_search_stopped) json.member("intersecting_pairs_at_least", true);
   json.key("contained");
   rows.contained(set.intersections->contained);
   json.key("partly_contained");
   rows.contained(set.intersections->partly_contained);
   json.key("intersecting_pairs");
   rows.pairs(set.intersections->pairs);
+  if (const std::size_t n_listed = set.intersections->pairs.size(); n_listed < n_pairs) {
+    json.member("intersecting_pairs_unlisted", n_pairs - n_listed);
+  }
 }
 
 void write_options(JsonWriter& json, const SeparationOptions& options) {
@@ -177,10 +182,15 @@ Members total_members() {
 Members intersection_members() {
   return {{"intersecting_pair_count", "null where intersections were not asked for",
            std::string(schema_type::kCountOrNull)},
+          {"intersecting_pairs_at_least",
+           "only where the search ended at its time limit: there are at least so many",
+           std::string(schema_type::kTruth), SchemaMember::Presence::Sometimes},
           {"contained", "meshes inside another one", schema_reference("contained")},
           {"partly_contained", "meshes some components of which are inside another one",
            schema_reference("contained")},
-          {"intersecting_pairs", "", schema_reference("set_pairs")}};
+          {"intersecting_pairs", "", schema_reference("set_pairs")},
+          {"intersecting_pairs_unlisted", "how many pairs the list leaves out, where it is cut",
+           std::string(schema_type::kCount), SchemaMember::Presence::Sometimes}};
 }
 
 Members separation_members() {

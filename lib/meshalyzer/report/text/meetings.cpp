@@ -1,40 +1,20 @@
 #include "meshalyzer/report/text/meetings.h"
 
+#include "meshalyzer/report/text/offenders.h"
+
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 #include <iterator>
-#include <span>
 #include <vector>
 
 namespace meshalyzer {
 namespace {
 
-constexpr std::array kKinds{ContactKind::Duplicate, ContactKind::Unwelded,
-                            ContactKind::FoldOver,  ContactKind::CoplanarOverlap,
-                            ContactKind::Crossing,  ContactKind::Touching};
-
-/// The pairs of faces of two meshes.
-using Meeting = std::span<const SetPair>;
-
-bool are_of_same_meshes(const SetPair& a, const SetPair& b) {
-  return a.mesh_a == b.mesh_a && a.mesh_b == b.mesh_b;
-}
-
-std::vector<Meeting> meetings_of(const std::vector<SetPair>& pairs) {
-  std::vector<Meeting> meetings;
-  for (auto first = pairs.begin(); first != pairs.end();) {
-    const auto last = std::find_if_not(
-        first, pairs.end(), [&](const SetPair& pair) { return are_of_same_meshes(*first, pair); });
-    meetings.emplace_back(first, last);
-    first = last;
-  }
-  return meetings;
-}
-
-std::size_t count_of(Meeting pairs, ContactKind kind) {
-  return static_cast<std::size_t>(std::count_if(
-      pairs.begin(), pairs.end(), [&](const SetPair& pair) { return pair.kind == kind; }));
+/// The number of all pairs of faces, by kind.
+ContactCounts count_all(const std::vector<MeshMeeting>& meetings) {
+  ContactCounts counts;
+  for (const MeshMeeting& meeting : meetings) counts.add(meeting.pairs);
+  return counts;
 }
 
 void append_pairs(std::string& text, const SetAnalysis& set) {
@@ -52,18 +32,20 @@ TextTable meetings_table(const SetAnalysis& set) {
     return table;
   }
   // A column for each kind that occurs.
+  const std::vector<MeshMeeting> meetings = meetings_of(*set.intersections);
+  const ContactCounts all = count_all(meetings);
   std::vector<ContactKind> kinds;
-  std::copy_if(kKinds.begin(), kKinds.end(), std::back_inserter(kinds),
-               [&](ContactKind kind) { return count_of(set.intersections->pairs, kind) > 0; });
+  std::copy_if(kContactKinds.begin(), kContactKinds.end(), std::back_inserter(kinds),
+               [&](ContactKind kind) { return all.of(kind) > 0; });
   for (const ContactKind kind : kinds) {
     table.rows.front().emplace_back(contact_name(kind));
   }
-  for (const Meeting& pairs : meetings_of(set.intersections->pairs)) {
+  for (const MeshMeeting& meeting : meetings) {
     std::vector<std::string>& row = table.rows.emplace_back();
-    row = {set.names[pairs.front().mesh_a], set.names[pairs.front().mesh_b],
-           std::to_string(pairs.size())};
+    row = {set.names[meeting.mesh_a], set.names[meeting.mesh_b],
+           std::to_string(meeting.pairs.total())};
     for (const ContactKind kind : kinds) {
-      row.push_back(std::to_string(count_of(pairs, kind)));
+      row.push_back(std::to_string(meeting.pairs.of(kind)));
     }
   }
   return table;
@@ -74,8 +56,13 @@ void append_meeting_counts(LineSink& lines, const SetAnalysis& set) {
     return;
   }
   const SetIntersections& found = *set.intersections;
-  lines.line("intersecting pairs between meshes", found.pairs.size());
-  lines.line("pairs of meshes that intersect", meetings_of(found.pairs).size());
+  if (found.is_search_stopped) {
+    lines.line("intersecting pairs between meshes",
+               fmt::format("at least {} (the search ended at its time limit)", found.n_pairs()));
+  } else {
+    lines.line("intersecting pairs between meshes", found.n_pairs());
+  }
+  lines.line("pairs of meshes that intersect", meetings_of(found).size());
   lines.line("contained meshes", found.contained.size());
   lines.line("partly contained meshes", found.partly_contained.size());
   for (const ContainedMesh& mesh : found.contained) {
@@ -93,14 +80,15 @@ void append_meetings(TextLines& lines, const SetAnalysis& set, OffenderStyle sty
   }
   lines.heading("INTERSECTIONS BETWEEN MESHES");
   append_meeting_counts(lines, set);
-  const std::vector<SetPair>& pairs = set.intersections->pairs;
-  if (pairs.empty()) {
+  const SetIntersections& found = *set.intersections;
+  if (found.n_pairs() == 0) {
     return;
   }
   lines.line("pairs of meshes that intersect, one a row", "all");
   append_table(lines.text(), meetings_table(set));
   if (style != OffenderStyle::None) {
-    lines.line("offending intersecting pairs between meshes", pairs.size());
+    lines.line("offending intersecting pairs between meshes",
+               list_head(found.n_pairs(), found.pairs.size()));
     append_pairs(lines.text(), set);
   }
 }

@@ -4,6 +4,7 @@
 #include "meshalyzer/analysis/offender_lists.h"
 #include "meshalyzer/base/numbers.h"
 
+#include <fmt/format.h>
 #include <string_view>
 
 namespace meshalyzer {
@@ -147,7 +148,8 @@ void OffenderLines::list(const Row<std::vector<IntersectingPair>>& row,
   if (pairs.empty()) {
     return;
   }
-  head_of_found(row.info, pairs.size());
+  lines_.line(std::string("offending ").append(row.info.label),
+              list_head(analysis_.characteristics.intersecting_pairs, pairs.size()));
   for (const IntersectingPair& pair : pairs) {
     if (points_) {
       points_of_face(pair.face_a);
@@ -221,6 +223,11 @@ void append_found(OffenderLines& lines, const Analysis& analysis) {
 }
 
 }  // namespace
+
+std::string list_head(std::size_t n, std::size_t n_listed) {
+  return n > n_listed ? fmt::format("{}, of which the first {} are listed", n, n_listed)
+                      : std::to_string(n_listed);
+}
 
 std::string numbering_text(const NumberingBreak& place) {
   std::string text;

@@ -6,6 +6,9 @@
 
 namespace meshalyzer {
 
+/// Says how many elements there are, and where a list leaves some out, how many it holds.
+[[nodiscard]] std::string list_head(std::size_t n, std::size_t n_listed);
+
 /// Appends the section OFFENDING ELEMENTS: each list that is not empty, headed by its name and
 /// length.
 ///

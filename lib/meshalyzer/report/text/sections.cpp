@@ -47,11 +47,20 @@ void append_integrity_field(LineSink& lines, const FieldRow<Integrity, bool>& ro
                        : analysis.offenders.face_numbering);
 }
 
+std::string pairs_text(const Characteristics& c) {
+  return c.is_search_stopped
+             ? fmt::format(
+                   "at least {} (of these unwelded: {}; the search ended at its time limit)",
+                   c.intersecting_pairs, c.unwelded_pairs)
+             : fmt::format("{} (of these unwelded: {})", c.intersecting_pairs, c.unwelded_pairs);
+}
+
 void append_count(LineSink& lines, const FieldRow<Characteristics, std::size_t>& row,
                   const Characteristics& c) {
   if (row.member == &Characteristics::intersecting_pairs) {
-    lines.line(row.info.label,
-               fmt::format("{} (of these unwelded: {})", c.intersecting_pairs, c.unwelded_pairs));
+    lines.line(row.info.label, pairs_text(c));
+  } else if (row.member == &Characteristics::intersecting_faces && c.is_search_stopped) {
+    lines.line(row.info.label, fmt::format("at least {}", c.intersecting_faces));
   } else if (!row.info.label.empty()) {
     lines.line(row.info.label, c.*row.member);
   }

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/set/request_fields.h"
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <utility>
@@ -18,6 +19,9 @@ struct Change {
 
 inline void make_other(bool& truth) {
   truth = !truth;
+}
+inline void make_other(std::size_t& count) {
+  ++count;
 }
 inline void make_other(double& real) {
   real += 0.1;

@@ -1,0 +1,178 @@
+#include "meshalyzer/prepared/internal/intersection_counter.h"
+
+#include "meshalyzer/base/sort_unique.h"
+
+#include <algorithm>
+#include <atomic>
+#include <tuple>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// The fewest contacts that are worth merging.
+constexpr std::size_t kFewContacts = std::size_t{1} << 16;
+
+/// Leaves each pair of components once, ascending; it crosses if any did.
+void merge_contacts(std::vector<PartContact>& contacts) {
+  const auto key = [](const PartContact& c) { return std::tuple(c.a, c.b, !c.crosses); };
+  std::sort(contacts.begin(), contacts.end(),
+            [&](const PartContact& x, const PartContact& y) { return key(x) < key(y); });
+  const auto same_parts = [](const PartContact& x, const PartContact& y) {
+    return x.a == y.a && x.b == y.b;
+  };
+  contacts.erase(std::unique(contacts.begin(), contacts.end(), same_parts), contacts.end());
+}
+
+/// The mesh face that is a face of the file. Where no face was rejected, nothing is searched.
+std::size_t mesh_face_of(const SideTable& side, Index file_face) {
+  const bool is_same = file_face < side.faces.size() && side.faces[file_face] == file_face;
+  return is_same ? file_face : side.mesh_face(file_face);
+}
+
+/// Adds up what follows each other in one component, so that threads seldom write the same number.
+class ComponentTally {
+ public:
+  explicit ComponentTally(std::vector<std::size_t>& totals) : totals_(totals) {}
+  ComponentTally(const ComponentTally&) = delete;
+  ComponentTally& operator=(const ComponentTally&) = delete;
+  ~ComponentTally() { flush(); }
+
+  void add(Index component) {
+    if (component != component_) flush();
+    component_ = component;
+    ++n_;
+  }
+
+ private:
+  void flush() {
+    if (n_ != 0) {
+      std::atomic_ref(totals_[component_]).fetch_add(n_, std::memory_order_relaxed);
+    }
+    n_ = 0;
+  }
+
+  std::vector<std::size_t>& totals_;
+  Index component_ = kNoIndex;
+  std::size_t n_ = 0;
+};
+
+}  // namespace
+
+IntersectionCounter::IntersectionCounter(const Parts& parts)
+    : parts_(parts), enough_contacts_(kFewContacts) {
+  counts_.intersects.resize(parts.side.faces.size(), 0);
+  counts_.of_component.resize(parts.components.count, 0);
+}
+
+void IntersectionCounter::on_pairs(std::span<const IntersectingPair> pairs) {
+  ContactCounts kinds;
+  kinds.add(pairs);
+  std::vector<PartContact> contacts;
+  ComponentTally tally_a(counts_.of_component);
+  ComponentTally tally_b(counts_.of_component);
+  for (const IntersectingPair& pair : pairs) {
+    const Index a = meet(pair.face_a);
+    const Index b = meet(pair.face_b);
+    tally_a.add(a);
+    if (a == b) continue;
+    tally_b.add(b);
+    if (may_enclose(a, b) || may_enclose(b, a)) {
+      contacts.push_back({std::min(a, b), std::max(a, b), pair.kind == ContactKind::Crossing});
+    }
+  }
+  const std::lock_guard lock(mutex_);
+  counts_.kinds.add(kinds);
+  add_contacts(contacts);
+}
+
+void IntersectionCounter::on_product(const PairProduct& product) {
+  std::vector<Index> a = meet(product.a);
+  std::vector<Index> b = product.is_within_one() ? a : meet(product.b);
+  count_by_component(product, a, b);
+  sort_unique(a);
+  sort_unique(b);
+  const std::vector<PartContact> contacts = contacts_between(a, b, product.kind);
+  const std::lock_guard lock(mutex_);
+  counts_.kinds.add(product.kind, product.n_pairs());
+  add_contacts(contacts);
+}
+
+/// @param a  The components of the faces of product.a, ascending; b likewise.
+void IntersectionCounter::count_by_component(const PairProduct& product, std::span<const Index> a,
+                                             std::span<const Index> b) {
+  const auto n_within = [](std::size_t n) { return n * (n - 1) / 2; };
+  const auto n_with = [&](Index component) {
+    const auto [first_a, last_a] = std::equal_range(a.begin(), a.end(), component);
+    const auto [first_b, last_b] = std::equal_range(b.begin(), b.end(), component);
+    const std::size_t others_a = a.size() - static_cast<std::size_t>(last_a - first_a);
+    const std::size_t others_b = b.size() - static_cast<std::size_t>(last_b - first_b);
+    return product.n_pairs() - (product.is_within_one() ? n_within(others_a) : others_a * others_b);
+  };
+  std::vector<Index> components(a.begin(), a.end());
+  components.insert(components.end(), b.begin(), b.end());
+  sort_unique(components);
+  for (const Index component : components) {
+    std::atomic_ref(counts_.of_component[component])
+        .fetch_add(n_with(component), std::memory_order_relaxed);
+  }
+}
+
+/// The contacts where each component of one list meets each of the other. Faces that one stands for
+/// are of no shell, so that one of the lists is short where the other has shells.
+std::vector<PartContact> IntersectionCounter::contacts_between(std::span<const Index> a,
+                                                               std::span<const Index> b,
+                                                               ContactKind kind) const {
+  const auto has_shell = [&](std::span<const Index> list) {
+    return std::any_of(list.begin(), list.end(), [&](Index c) { return parts_.is_shell[c] != 0; });
+  };
+  std::vector<PartContact> contacts;
+  if (!has_shell(a) && !has_shell(b)) return contacts;
+  for (const Index first : a) {
+    for (const Index second : b) {
+      if (first != second && (may_enclose(first, second) || may_enclose(second, first))) {
+        contacts.push_back(
+            {std::min(first, second), std::max(first, second), kind == ContactKind::Crossing});
+      }
+    }
+  }
+  return contacts;
+}
+
+/// Marks faces, and returns the component of each, ascending.
+std::vector<Index> IntersectionCounter::meet(std::span<const Index> file_faces) {
+  std::vector<Index> components;
+  components.reserve(file_faces.size());
+  for (const Index face : file_faces) components.push_back(meet(face));
+  std::sort(components.begin(), components.end());
+  return components;
+}
+
+/// Marks a face, and returns its component.
+Index IntersectionCounter::meet(Index file_face) {
+  const std::size_t face = mesh_face_of(parts_.side, file_face);
+  std::atomic_ref(counts_.intersects[face]).store(1, std::memory_order_relaxed);
+  return parts_.components.of_face[face];
+}
+
+/// Whether a component is a shell whose box holds another component: only then does it matter to
+/// their nesting that they touch.
+bool IntersectionCounter::may_enclose(Index outer, Index inner) const {
+  return parts_.is_shell[outer] != 0 && parts_.boxes[outer].contains(parts_.boxes[inner]);
+}
+
+void IntersectionCounter::add_contacts(std::span<const PartContact> contacts) {
+  counts_.contacts.insert(counts_.contacts.end(), contacts.begin(), contacts.end());
+  // Merged now and then, so that memory follows the pairs of components, not those of faces.
+  if (counts_.contacts.size() >= enough_contacts_) {
+    merge_contacts(counts_.contacts);
+    enough_contacts_ = std::max(kFewContacts, 2 * counts_.contacts.size());
+  }
+}
+
+IntersectionCounts IntersectionCounter::take() {
+  merge_contacts(counts_.contacts);
+  return std::move(counts_);
+}
+
+}  // namespace meshalyzer

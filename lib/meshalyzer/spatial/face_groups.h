@@ -1,0 +1,58 @@
+#pragma once
+
+#include "meshalyzer/mesh/side_table.h"
+#include "meshalyzer/spatial/face_tree.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// Very many faces at one place, in groups that intersect the same other faces in the same way: one
+/// face stands for its group, so that pairs can be counted instead of searched one by one.
+///
+/// A group is of faces with the same three vertices, or of faces at the same three places each of
+/// which shares no vertex with any other face.
+class FaceGroups {
+ public:
+  /// @complexity O(#F) time where there are none: only faces that have one box with another of
+  /// their leaf are looked into.
+  FaceGroups(const CutMesh& cut, const FaceTree& tree);
+
+  /// The groups: file faces, ascending.
+  [[nodiscard]] std::size_t size() const { return groups_.size(); }
+  [[nodiscard]] std::span<const Index> faces(std::size_t group) const {
+    return groups_[group].faces;
+  }
+  /// The slots of two faces of a group, the first of which stands for it.
+  [[nodiscard]] std::array<std::size_t, 2> two_slots(std::size_t group) const {
+    return groups_[group].slots;
+  }
+
+  /// The faces that the face at a slot stands for, itself included; empty where it is in no group.
+  /// Not for those that are left out.
+  [[nodiscard]] std::span<const Index> faces_at(std::size_t slot) const;
+
+  /// The lanes of a leaf whose faces others stand for.
+  [[nodiscard]] unsigned left_out(std::size_t leaf) const {
+    return left_out_.empty() ? 0U : left_out_[leaf];
+  }
+
+ private:
+  struct Group {
+    std::array<std::size_t, 2> slots;
+    std::vector<Index> faces;
+  };
+
+  void add(const CutMesh& cut, const FaceTree& tree, std::span<const Index> slots);
+
+  /// Ascending by first slot.
+  std::vector<Group> groups_;
+  /// #leaves: lanes as bits; empty where there are no groups.
+  std::vector<std::uint8_t> left_out_;
+};
+
+}  // namespace meshalyzer
