@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/base/types.h"
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/exact/predicates.h"
 
 #include <array>
@@ -76,6 +76,11 @@ struct Arrangement {
   [[nodiscard]] std::span<const Index> pieces_of(Index face) const {
     return std::span(piece_of).subspan(piece_begin[face],
                                        piece_begin[face + 1] - piece_begin[face]);
+  }
+  /// Returns the corners of a piece, by their nearest doubles.
+  [[nodiscard]] Corners corners_of(std::size_t piece) const {
+    const auto& [a, b, c] = pieces[piece];
+    return {positions[a], positions[b], positions[c]};
   }
   /// How often the faces cover a piece, those of its orientation counted positive, the others
   /// negative.

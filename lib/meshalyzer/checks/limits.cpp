@@ -60,7 +60,7 @@ Violations faces_beyond(const CutMesh& cut, const std::vector<double>& values, c
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!bound.is_passed_by(values[i])) continue;
     const FaceHandle face(static_cast<int>(i));
-    const std::array<Vec3, 3> corners = face_corners(cut.mesh, face);
+    const Corners corners = face_corners(cut.mesh, face);
     found.push_back({.vertices = {},
                      .faces = {cut.side.face(face)},
                      .position = corners[0] / 3 + corners[1] / 3 + corners[2] / 3,

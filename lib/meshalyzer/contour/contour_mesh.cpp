@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/contour/bisection_grid.h"
 #include "meshalyzer/contour/internal/surface_parts.h"
 #include "meshalyzer/contour/mesh_region.h"
@@ -72,8 +73,7 @@ std::vector<std::uint8_t> find_creases(const Target& target) {
   std::vector<std::uint8_t> result(target.soup.n_faces());
   const TriMesh& mesh = target.cut.mesh;
   const auto normal = [&](FaceHandle f) {
-    const auto [a, b, c] = corners_of(target.soup, target.cut.side.face(f));
-    return Vec3((b - a).cross(c - a)).stableNormalized();
+    return normal_of(corners_of(target.soup, target.cut.side.face(f))).stableNormalized();
   };
   const auto mark = [&](HalfedgeHandle h) {
     if (mesh.is_boundary(h)) return;

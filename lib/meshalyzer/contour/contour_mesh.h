@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/mesh/soup.h"
 
 #include <array>
@@ -24,7 +25,7 @@ struct ContouredMesh {
   Soup soup;
   /// Faces of the mesh, or pieces of them, that do not bound the solid: walls inside it, and sheets
   /// outside.
-  std::vector<std::array<Vec3, 3>> walls;
+  std::vector<Corners> walls;
   /// How far the surfaces are apart, at the points that were looked at.
   double deviation = 0.0;
   /// Whether that is within the limit. Where not, the grid would have needed more tetrahedra.

@@ -1,5 +1,6 @@
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/sum.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/internal/places.h"
@@ -75,9 +76,9 @@ class Regions {
     std::vector<std::array<Side, 2>> sides(patches_.count);
     for (const FaceHandle f : cut_.mesh.all_faces()) {
       const Index p = patches_.of_face[static_cast<std::size_t>(f.idx())];
-      const std::array<Vec3, 3> t = face_corners(cut_.mesh, f);
+      const Corners t = face_corners(cut_.mesh, f);
       Side& side = sides[region_[p]][side_[p]];
-      side.area.add((t[1] - t[0]).cross(t[2] - t[0]).norm());
+      side.area.add(normal_of(t).norm());
       ++side.n_faces;
     }
     turned_side_.resize(patches_.count);

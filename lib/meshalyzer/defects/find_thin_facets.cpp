@@ -14,8 +14,6 @@
 namespace meshalyzer {
 namespace {
 
-using Places = std::array<Vec3, 3>;
-
 /// Measures a length; it neither overflows early nor loses digits to underflow.
 double length_between(const Vec3& from, const Vec3& to) {
   const Vec3 difference = to - from;
@@ -24,7 +22,7 @@ double length_between(const Vec3& from, const Vec3& to) {
 }
 
 /// Returns the lengths of the edges from corner k to corner k + 1.
-std::array<double, 3> edge_lengths(const Places& p) {
+std::array<double, 3> edge_lengths(const Corners& p) {
   return {length_between(p[0], p[1]), length_between(p[1], p[2]), length_between(p[2], p[0])};
 }
 
@@ -33,7 +31,7 @@ Vec3 difference_in_units(const Vec3& from, const Vec3& to, double unit) {
 }
 
 /// Returns twice the area in units of the longest edge.
-double altitude_in_units(const Places& p, double longest) {
+double altitude_in_units(const Corners& p, double longest) {
   const double unit = std::min(longest, std::numeric_limits<double>::max());
   const Vec3 u = difference_in_units(p[0], p[1], unit);
   const Vec3 v = difference_in_units(p[0], p[2], unit);
@@ -42,12 +40,12 @@ double altitude_in_units(const Places& p, double longest) {
 
 /// Returns the shortest altitude, that on the longest edge. It is 0 exactly where the corners are
 /// collinear.
-double shortest_altitude(const Places& p, double longest) {
+double shortest_altitude(const Corners& p, double longest) {
   // Squares of lengths in this range neither overflow nor underflow.
   const bool is_usual = longest > 1e-100 && longest < 1e100;
   if (are_collinear(p[0], p[1], p[2])) return 0.0;
-  const double altitude = is_usual ? accurate_normal(p[0], p[1], p[2]).stableNorm() / longest
-                                   : altitude_in_units(p, longest);
+  const double altitude =
+      is_usual ? accurate_normal(p).stableNorm() / longest : altitude_in_units(p, longest);
   return std::max(altitude, std::numeric_limits<double>::denorm_min());
 }
 
@@ -60,7 +58,7 @@ class Glance {
 
   /// Tells whether for sure no edge and no altitude is 0 or below the tolerance. The answer is no
   /// for a face that names a vertex twice.
-  [[nodiscard]] bool is_surely_thick(const Places& p) const {
+  [[nodiscard]] bool is_surely_thick(const Corners& p) const {
     const Vec3 u = p[1] - p[0];
     const Vec3 v = p[2] - p[0];
     const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
@@ -86,7 +84,7 @@ class ThinFacetFinder {
     for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
       const Triangle& t = soup_.triangles[f];
       if (std::find(t.begin(), t.end(), kNoIndex) != t.end()) continue;
-      const Places p{soup_.positions[t[0]], soup_.positions[t[1]], soup_.positions[t[2]]};
+      const Corners p{soup_.positions[t[0]], soup_.positions[t[1]], soup_.positions[t[2]]};
       if (!glance_.is_surely_thick(p)) look_closely(static_cast<Index>(f), p, found);
     }
     return found;
@@ -95,7 +93,7 @@ class ThinFacetFinder {
  private:
   [[nodiscard]] bool is_short(double length) const { return length < tolerance_ || length == 0.0; }
 
-  void look_closely(Index face, const Places& p, std::vector<Defect>& found) const {
+  void look_closely(Index face, const Corners& p, std::vector<Defect>& found) const {
     const std::array<double, 3> lengths = edge_lengths(p);
     const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
     if (is_short(*shortest)) {

@@ -36,4 +36,12 @@ Vec3 accurate_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   return {component(b, c, a, 0), component(b, c, a, 1), component(b, c, a, 2)};
 }
 
+Vec3 accurate_normal(const Corners& t, std::size_t apex) {
+  return accurate_normal(t[apex], t[(apex + 1) % 3], t[(apex + 2) % 3]);
+}
+
+Vec3 unit_normal(const Corners& t) {
+  return accurate_normal(t).stableNormalized();
+}
+
 }  // namespace meshalyzer

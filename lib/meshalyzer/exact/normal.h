@@ -1,6 +1,8 @@
 #pragma once
 
-#include "meshalyzer/base/types.h"
+#include "meshalyzer/base/corners.h"
+
+#include <cstddef>
 
 namespace meshalyzer {
 
@@ -11,5 +13,12 @@ namespace meshalyzer {
 /// Zero exactly when the points are collinear, or when the result underflows. Overflows to infinity
 /// where the true value does.
 [[nodiscard]] Vec3 accurate_normal(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// The same for a triangle, evaluated from one of its corners: least is lost seen from the one
+/// opposite to the longest edge, where the differences are shortest.
+[[nodiscard]] Vec3 accurate_normal(const Corners& t, std::size_t apex = 0);
+
+/// The unit vector along accurate_normal(); zero where the corners are collinear.
+[[nodiscard]] Vec3 unit_normal(const Corners& t);
 
 }  // namespace meshalyzer

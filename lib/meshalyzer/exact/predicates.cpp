@@ -1,5 +1,8 @@
 #include "meshalyzer/exact/predicates.h"
 
+#include "meshalyzer/base/triangle.h"
+#include "meshalyzer/exact/plane_view.h"
+
 #include <CGAL/Mpzf.h>
 #include <algorithm>
 #include <array>
@@ -127,10 +130,8 @@ bool are_collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 std::optional<Axis> projection_axis(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 normal = (b - a).cross(c - a);
-  Eigen::Index best = 0;
-  normal.cwiseAbs().maxCoeff(&best);
-  for (Eigen::Index i = 0; i < 3; ++i) {
+  const auto best = static_cast<int>(longest_axis(normal_of(a, b, c)));
+  for (int i = 0; i < 3; ++i) {
     const auto axis = static_cast<Axis>((best + i) % 3);
     if (orient2d(axis, a, b, c) != 0) {
       return axis;

@@ -16,7 +16,7 @@ struct Sides {
   std::array<double, 3> opposite2{};
 };
 
-Sides sides_of(const std::array<Vec3, 3>& corner) {
+Sides sides_of(const Corners& corner) {
   Sides sides;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3& next = corner[(i + 1) % 3];

@@ -17,7 +17,7 @@ struct PlaneFace {
   Vec3 v = Vec3::Zero();
 };
 
-PlaneFace lay_down(const std::array<Vec3, 3>& p, const FaceShape& shape) {
+PlaneFace lay_down(const Corners& p, const FaceShape& shape) {
   const std::array length2{(p[1] - p[0]).squaredNorm(), (p[2] - p[1]).squaredNorm(),
                            (p[0] - p[2]).squaredNorm()};
   const auto i =

@@ -11,16 +11,9 @@
 namespace meshalyzer {
 namespace {
 
-/// Angle between two directions, 0 ... 180 degrees, accurate at both ends.
-double angle_between_degrees(const Vec3& a, const Vec3& b) {
-  const Vec3 u = a.stableNormalized();
-  const Vec3 v = b.stableNormalized();
-  return std::atan2(u.cross(v).norm(), u.dot(v)) * (180.0 / std::numbers::pi);
-}
-
 /// Tells whether c and d, which lie in the plane of a and b, are on different sides of the line a
 /// b.
-bool on_different_sides(const std::array<Vec3, 3>& abc, const Vec3& d) {
+bool on_different_sides(const Corners& abc, const Vec3& d) {
   const Axis axis = *projection_axis(abc[0], abc[1], abc[2]);
   return orient2d(axis, abc[0], abc[1], abc[2]) * orient2d(axis, abc[0], abc[1], d) < 0;
 }
@@ -37,6 +30,12 @@ bool has_angle(const TriMesh& mesh, EdgeHandle e, std::span<const std::uint8_t> 
 }
 
 }  // namespace
+
+double angle_between_degrees(const Vec3& a, const Vec3& b) {
+  const Vec3 u = a.stableNormalized();
+  const Vec3 v = b.stableNormalized();
+  return std::atan2(u.cross(v).norm(), u.dot(v)) * (180.0 / std::numbers::pi);
+}
 
 std::vector<double> edge_lengths(const TriMesh& mesh, std::span<const HalfedgeHandle> edges) {
   std::vector<double> lengths(edges.size());

@@ -22,6 +22,9 @@ struct EdgeAngles {
   std::vector<double> degrees;
 };
 
+/// Returns the angle between two directions, 0 ... 180 degrees, accurate at both ends.
+[[nodiscard]] double angle_between_degrees(const Vec3& a, const Vec3& b);
+
 /// Returns the angle at the edge of a half-edge, from its face round to the other one, on the side
 /// that their normals point to. It is 0 ... 360 degrees: 180 where the faces are flat, 270 at the
 /// edges of an outward cube, 90 where two walls meet ("edge angle" in doc/definitions.md).

@@ -18,7 +18,7 @@ struct Term {
   double magnitude;
 };
 
-Term term(const std::array<Vec3, 3>& p, const Vec3& origin) {
+Term term(const Corners& p, const Vec3& origin) {
   const Vec3 a = p[0] - origin;
   const Vec3 b = p[1] - origin;
   const Vec3 c = p[2] - origin;
@@ -69,7 +69,7 @@ void settle_exactly(const TriMesh& mesh, const FaceParts& parts,
   for (const FaceHandle f : mesh.faces()) {
     const Index part = parts.of_face[static_cast<std::size_t>(f.idx())];
     if (part != kNoIndex && volumes[part].sign == 0) {
-      const std::array<Vec3, 3> p = face_corners(mesh, f);
+      const Corners p = face_corners(mesh, f);
       exact[part].add(p[0], p[1], p[2]);
     }
   }

@@ -1,6 +1,7 @@
 #include "meshalyzer/geometry/face_measures.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/exact/predicates.h"
 
@@ -13,8 +14,6 @@
 namespace meshalyzer {
 namespace {
 
-using Corners = std::array<Vec3, 3>;
-
 /// The figures of a face that has an area.
 struct Figures {
   double area;
@@ -23,7 +22,7 @@ struct Figures {
 };
 
 double twice_area_seen_from(const Corners& p, std::size_t apex) {
-  return accurate_normal(p[apex], p[(apex + 1) % 3], p[(apex + 2) % 3]).stableNorm();
+  return accurate_normal(p, apex).stableNorm();
 }
 
 double angle_degrees(double sine, double cosine) {
@@ -42,10 +41,7 @@ double rescaled_angle(const Corners& p, std::size_t corner) {
     largest = std::max(largest, point.lpNorm<Eigen::Infinity>());
   }
   const int exponent = std::ilogb(largest);
-  Corners scaled;
-  for (std::size_t i = 0; i < 3; ++i) {
-    scaled[i] = p[i].unaryExpr([&](double x) { return std::scalbn(x, -exponent); });
-  }
+  const Corners scaled = times_power_of_two(p, -exponent);
   return angle_degrees(twice_area_seen_from(scaled, corner), dot_product_at(scaled, corner));
 }
 
@@ -59,10 +55,8 @@ double corner_angle(const Corners& p, std::size_t corner, double twice_area) {
 }
 
 Figures measure(const Corners& p) {
-  std::array<double, 3> opposite;
-  for (std::size_t i = 0; i < 3; ++i) {
-    opposite[i] = (p[(i + 2) % 3] - p[(i + 1) % 3]).stableNorm();
-  }
+  const std::array<double, 3> side = side_lengths(p);
+  const std::array<double, 3> opposite{side[1], side[2], side[0]};
   // Seen from the corner opposite to the longest edge the differences are shortest, so least is
   // lost.
   const auto apex = static_cast<std::size_t>(std::max_element(opposite.begin(), opposite.end()) -
@@ -79,7 +73,7 @@ Figures measure(const Corners& p) {
 
 }  // namespace
 
-std::array<Vec3, 3> face_corners(const TriMesh& mesh, FaceHandle face) {
+Corners face_corners(const TriMesh& mesh, FaceHandle face) {
   const HalfedgeHandle h = mesh.halfedge_handle(face);
   const HalfedgeHandle next = mesh.next_halfedge_handle(h);
   return {mesh.point(mesh.to_vertex_handle(h)), mesh.point(mesh.to_vertex_handle(next)),
@@ -95,7 +89,7 @@ FaceMeasures measure_faces(const TriMesh& mesh) {
   parallel_chunks(mesh.n_faces(), [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       const FaceHandle face(static_cast<int>(i));
-      const std::array<Vec3, 3> p = face_corners(mesh, face);
+      const Corners p = face_corners(mesh, face);
       if (are_collinear(p[0], p[1], p[2])) {
         measures.area[i] = 0.0;
         measures.aspect_ratio[i] = std::numeric_limits<double>::infinity();

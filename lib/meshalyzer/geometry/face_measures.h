@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/mesh/side_table.h"
 
 #include <vector>
@@ -7,7 +8,7 @@
 namespace meshalyzer {
 
 /// The corners of a mesh face, counter-clockwise seen from the side its normal points to.
-[[nodiscard]] std::array<Vec3, 3> face_corners(const TriMesh& mesh, FaceHandle face);
+[[nodiscard]] Corners face_corners(const TriMesh& mesh, FaceHandle face);
 
 /// The measures of each face.
 struct FaceMeasures {

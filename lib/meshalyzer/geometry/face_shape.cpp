@@ -1,6 +1,7 @@
 #include "meshalyzer/geometry/face_shape.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/geometry/face_measures.h"
 
@@ -13,7 +14,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 /// Returns the vectors from each corner to the next.
-std::array<Vec3, 3> edges_of(const std::array<Vec3, 3>& corner) {
+std::array<Vec3, 3> edges_of(const Corners& corner) {
   return {corner[1] - corner[0], corner[2] - corner[1], corner[0] - corner[2]};
 }
 
@@ -42,8 +43,7 @@ FaceShape measure(const ScaledFace& face) {
   // Seen from the corner opposite to the longest edge the differences are shortest, so least is
   // lost.
   const std::size_t apex = (longest + 2) % 3;
-  const Vec3 normal =
-      accurate_normal(face.corner[apex], face.corner[(apex + 1) % 3], face.corner[(apex + 2) % 3]);
+  const Vec3 normal = accurate_normal(face.corner, apex);
   const double twice_area = normal.stableNorm();
   FaceShape shape{.exponent = face.exponent};
   if (twice_area == 0.0) {
@@ -68,9 +68,7 @@ ScaledFace scaled_face(const TriMesh& mesh, FaceHandle handle) {
   const bool is_usual = size > 0x1p-200 && size < 0x1p200;
   if (!is_usual && size != 0.0) {
     face.exponent = std::isfinite(size) ? std::ilogb(size) : 1023;
-    for (Vec3& corner : p) {
-      corner = corner.unaryExpr([&](double x) { return std::ldexp(x, -face.exponent); }).eval();
-    }
+    p = times_power_of_two(p, -face.exponent);
   }
   return face;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/mesh/tri_mesh.h"
 
 #include <array>
@@ -14,7 +15,7 @@ namespace meshalyzer {
 
 /// A face at a size near 1, where products of its lengths neither overflow nor vanish.
 struct ScaledFace {
-  std::array<Vec3, 3> corner;
+  Corners corner;
   /// The corners are in units of 2^exponent; 0 at all sizes but extreme ones.
   int exponent = 0;
 };

@@ -1,5 +1,7 @@
 #include "meshalyzer/spatial/triangle_contact.h"
 
+#include "meshalyzer/base/triangle.h"
+#include "meshalyzer/exact/plane_view.h"
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/spatial/degenerate_contact.h"
 
@@ -230,13 +232,6 @@ bool edges_apart(Axis axis, const Corners& p, const Corners& q) {
   return false;
 }
 
-/// The axis nearest to the normal of p, as well as rounding lets one see.
-Axis best_axis(const Corners& p) {
-  Eigen::Index axis = 0;
-  (p[1] - p[0]).cross(p[2] - p[0]).cwiseAbs().maxCoeff(&axis);
-  return static_cast<Axis>(axis);
-}
-
 /// Whether the box of the edge opposite to the first corner of p stays off the box of q.
 bool opposite_edge_is_apart(const Corners& p, const Corners& q) {
   for (Eigen::Index k = 0; k < 3; ++k) {
@@ -279,7 +274,7 @@ bool are_clearly_apart(const Corners& p, const Corners& q, Common common) {
   if (surely_beside(p, q, n_common) || (common != Common::Edge && surely_beside(q, p, n_common))) {
     return true;
   }
-  const Axis axis = best_axis(p);
+  const Axis axis = longest_axis(normal_of(p));
   switch (common) {
     case Common::Nothing:
       return edges_apart(axis, p, q) || edges_apart(axis, q, p);

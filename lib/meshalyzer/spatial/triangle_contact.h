@@ -1,14 +1,11 @@
 #pragma once
 
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/spatial/intersecting_pair.h"
 
-#include <array>
 #include <optional>
 
 namespace meshalyzer {
-
-/// The corners of a triangle in space, possibly of zero area.
-using Corners = std::array<Vec3, 3>;
 
 /// How much two faces have in common by id.
 enum class Common : std::uint8_t { Nothing, Vertex, Edge, All };

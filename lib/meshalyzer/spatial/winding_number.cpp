@@ -1,6 +1,7 @@
 #include "meshalyzer/spatial/winding_number.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/spatial/box_tree.h"
 #include "meshalyzer/spatial/tree_width.h"
 #include "meshalyzer/spatial/unit_scale.h"
@@ -42,7 +43,7 @@ double share_of_directions(const Corners& t, const Vec3& point, double near) {
   // Summed so that exchanging b and c changes no bit.
   const double cosine = x * (y * z) + (a.dot(b) * z + a.dot(c) * y) + b.dot(c) * x;
   if (cosine <= 0.0) {
-    const double normal = (t[1] - t[0]).cross(t[2] - t[0]).norm();
+    const double normal = normal_of(t).norm();
     if (std::abs(sine) <= near * normal + kRounding * (x * (y * z))) {
       return 0.0;
     }
@@ -81,7 +82,7 @@ Dipole dipole_of(std::span<const Corners> triangles) {
   Dipole dipole;
   double weight = 0.0;
   for (const Corners& t : triangles) {
-    const Vec3 area = (t[1] - t[0]).cross(t[2] - t[0]) / 2.0;
+    const Vec3 area = normal_of(t) / 2.0;
     dipole.area += area;
     dipole.centre += area.norm() * middle_of(t);
     weight += area.norm();
@@ -92,7 +93,7 @@ Dipole dipole_of(std::span<const Corners> triangles) {
   dipole.centre /= weight;
   double radius_squared = 0.0;
   for (const Corners& t : triangles) {
-    const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]) / 2.0;
+    const Vec3 n = normal_of(t) / 2.0;
     const Vec3 d = middle_of(t) - dipole.centre;
     dipole.diagonal += d.cwiseProduct(n);
     dipole.mixed += Vec3(d.y() * n.z() + d.z() * n.y(), d.z() * n.x() + d.x() * n.z(),

@@ -1,14 +1,13 @@
 #include "meshalyzer/contour/internal/surface_parts.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/triangle.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace meshalyzer {
 namespace {
-
-using Corners3 = std::array<Vec3, 3>;
 
 /// Looks at one face.
 class FaceDivision {
@@ -19,14 +18,14 @@ class FaceDivision {
 
   /// Halves a face along its longest edges until its pieces are small enough, and tells which
   /// separate.
-  void divide(const Corners3& face, bool may_change_inside, unsigned creases,
+  void divide(const Corners& face, bool may_change_inside, unsigned creases,
               SurfaceParts& parts) const {
     const std::size_t n_before = parts.separating.size();
-    std::vector<Corners3> open{face};
+    std::vector<Corners> open{face};
     while (!open.empty()) {
-      const Corners3 t = open.back();
+      const Corners t = open.back();
       open.pop_back();
-      const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
+      const Vec3 middle = centroid_of(t);
       const std::size_t longest = longest_edge(t);
       const double length = (t[(longest + 1) % 3] - t[longest]).norm();
       if (length > resolution_.spacing ||
@@ -48,7 +47,7 @@ class FaceDivision {
   }
 
  private:
-  static std::size_t longest_edge(const Corners3& t) {
+  static std::size_t longest_edge(const Corners& t) {
     const std::array<double, 3> squares{(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(),
                                         (t[0] - t[2]).squaredNorm()};
     return static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) -
@@ -60,7 +59,7 @@ class FaceDivision {
   }
 
   /// Whether one part of a piece separates and another does not, as far as four points tell.
-  [[nodiscard]] bool changes_inside(const Corners3& t, const Vec3& middle) const {
+  [[nodiscard]] bool changes_inside(const Corners& t, const Vec3& middle) const {
     constexpr double kInwards = 1.0 / 64.0;
     const bool at_middle = separates(middle);
     return std::any_of(t.begin(), t.end(), [&](const Vec3& corner) {
@@ -69,7 +68,7 @@ class FaceDivision {
   }
 
   /// Adds points along creases, which middles leave out.
-  void add_crease_points(const Corners3& t, bool may_change_inside, unsigned creases,
+  void add_crease_points(const Corners& t, bool may_change_inside, unsigned creases,
                          SurfaceParts& parts) const {
     for (std::size_t i = 0; i < 3; ++i) {
       if ((creases >> i & 1U) == 0) continue;
@@ -96,8 +95,8 @@ SurfaceParts divide_surface(const Soup& soup, const Region& region, const FaceHi
   parallel_chunks(soup.n_faces(), kFaces, [&](Chunk chunk) {
     for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
       if (!is_in_complex(soup.triangles[f])) continue;
-      const Corners3 face = corners_of(soup, static_cast<Index>(f));
-      const Vec3 normal = (face[1] - face[0]).cross(face[2] - face[0]);
+      const Corners face = corners_of(soup, static_cast<Index>(f));
+      const Vec3 normal = normal_of(face);
       const double length = normal.norm();
       if (!(length > 0.0)) continue;
       FaceDivision(region, resolution, normal / length)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/contour/march_tetrahedra.h"
 #include "meshalyzer/mesh/soup.h"
 
@@ -15,7 +16,7 @@ struct SurfaceParts {
   std::vector<Vec3> separating;
   /// The parts that do not, because they lie in the midst of the region or outside: faces, or
   /// pieces of faces.
-  std::vector<std::array<Vec3, 3>> walls;
+  std::vector<Corners> walls;
 };
 
 /// How closely divide_surface() looks.

@@ -21,10 +21,6 @@ double rounding_of(const Box3& box) {
   return 0x1p-46 * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
 }
 
-Vec3 unit_normal(const Corners& t) {
-  return accurate_normal(t[0], t[1], t[2]).stableNormalized();
-}
-
 Vec3 middle(const Polygon& polygon) {
   Vec3 sum = Vec3::Zero();
   // Divided first, so that nothing overflows.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/spatial/closest_point.h"
 

@@ -10,7 +10,7 @@ using Relation = ElementOrigin::Relation;
 
 /// The weights of the corners at the point of a triangle that is nearest to a place (Ericson,
 /// Real-Time Collision Detection, 5.1.5).
-std::array<double, 3> nearest_weights(const Vec3& p, const std::array<Vec3, 3>& t) {
+std::array<double, 3> nearest_weights(const Vec3& p, const Corners& t) {
   const Vec3 ab = t[1] - t[0];
   const Vec3 ac = t[2] - t[0];
   const std::array<double, 3> along_ab = {ab.dot(p - t[0]), ab.dot(p - t[1]), ab.dot(p - t[2])};
@@ -136,8 +136,7 @@ Blend single_blend(Index item) {
   return blend;
 }
 
-Blend blend_at(const Vec3& place, const std::array<Vec3, 3>& corners,
-               const std::array<Index, 3>& items) {
+Blend blend_at(const Vec3& place, const Corners& corners, const std::array<Index, 3>& items) {
   const std::array<double, 3> weights = nearest_weights(place, corners);
   Blend blend;
   std::size_t n = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/io/rewrite/edited_mesh.h"
 #include "meshalyzer/io/rewrite/face_plan.h"
 
@@ -38,7 +39,7 @@ struct Blend {
 /// How much each corner of a triangle weighs at the point of it that is nearest to a place.
 /// @param items  What stands at the corners.
 /// @return       Corners that weigh nothing are left out.
-[[nodiscard]] Blend blend_at(const Vec3& place, const std::array<Vec3, 3>& corners,
+[[nodiscard]] Blend blend_at(const Vec3& place, const Corners& corners,
                              const std::array<Index, 3>& items);
 
 /// The triangle of the source that a face is or was made of; kNoIndex in a hole patch.

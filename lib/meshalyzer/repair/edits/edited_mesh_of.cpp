@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/edits/edited_mesh_of.h"
 
 #include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/mesh/vertex_faces.h"
 #include "meshalyzer/spatial/triangle_distance.h"
 
@@ -121,8 +122,8 @@ class FacesBelow {
   /// rounding.
   [[nodiscard]] bool is_nearer(Index face, Index candidate, Index other) const {
     if (contains(input_.triangles[candidate], kNoIndex)) return false;
-    const std::array<Vec3, 3> corners = corners_of(tracked_.soup, face);
-    const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    const Corners corners = corners_of(tracked_.soup, face);
+    const Vec3 middle = centroid_of(corners);
     constexpr double kBeyondRounding = 1e-9;
     const double slack = kBeyondRounding * (corners[1] - corners[0]).norm();
     return closest_on_triangle(corners_of(input_, candidate), middle).distance + slack <

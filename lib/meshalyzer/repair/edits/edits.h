@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/base/types.h"
+#include "meshalyzer/base/corners.h"
 
 #include <array>
 #include <cstddef>
@@ -72,7 +72,7 @@ struct Edits {
   /// not count it as lost.
   struct InteriorWall {
     Index op;
-    std::array<Vec3, 3> corners;
+    Corners corners;
     /// The face that it is a part of; kNoIndex: of none that there is.
     Index part_of = kNoIndex;
   };

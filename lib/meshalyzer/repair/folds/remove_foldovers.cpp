@@ -1,5 +1,6 @@
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/defects/finders.h"
+#include "meshalyzer/exact/normal.h"
 #include "meshalyzer/repair/folds/internal/candidate_faces.h"
 #include "meshalyzer/repair/folds/internal/face_disc.h"
 #include "meshalyzer/repair/folds/internal/fold_outline.h"
@@ -263,7 +264,7 @@ std::optional<double> FoldoverRemover::try_move(const FaceDisc& disc,
     for (std::size_t i = 0; i < 3; ++i) {
       if (after.vertices[i] == move.vertex) after.corners[i] = move.to;
     }
-    const double turn = unit_normal(before).dot(unit_normal(after));
+    const double turn = unit_normal(before.corners).dot(unit_normal(after.corners));
     if (!(is_turned_over_[f] != 0 ? turn < 0.0 : turn > 0.0)) return std::nullopt;
     faces.push_back(after);
   }

@@ -1,3 +1,4 @@
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/contour/contour_mesh.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/repair/passes.h"
@@ -67,8 +68,8 @@ class Replacing {
 
  private:
   /// The face of the whole mesh that is nearest to the middle of a new one.
-  [[nodiscard]] Index nearest(const std::array<Vec3, 3>& t) {
-    const auto found = closest_.find({.point = (t[0] + t[1] + t[2]) / 3.0, .hint = hint_});
+  [[nodiscard]] Index nearest(const Corners& t) {
+    const auto found = closest_.find({.point = centroid_of(t), .hint = hint_});
     if (!found) return solid_.faces.front();
     hint_ = found->slot;
     return solid_.faces[cut_.side.faces[found->mesh_face]];

@@ -76,10 +76,10 @@ TEST(CutEars, ATriangleIsItself) {
 }
 
 TEST(ShapeQuality, OfAnEquilateralTriangleIsLargest) {
-  EXPECT_NEAR(shape_quality({0, 0, 0}, {1, 0, 0}, {0.5, std::sqrt(0.75), 0}), std::sqrt(0.75),
-              1e-15);
-  EXPECT_EQ(shape_quality({0, 0, 0}, {1, 0, 0}, {2, 0, 0}), 0.0);
-  EXPECT_EQ(shape_quality({1, 1, 1}, {1, 1, 1}, {1, 1, 1}), 0.0);
+  EXPECT_NEAR(shape_quality({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, std::sqrt(0.75), 0)}),
+              std::sqrt(0.75), 1e-15);
+  EXPECT_EQ(shape_quality({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0)}), 0.0);
+  EXPECT_EQ(shape_quality({Vec3(1, 1, 1), Vec3(1, 1, 1), Vec3(1, 1, 1)}), 0.0);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "meshalyzer/arrangement/round_vertices.h"
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/self_intersection.h"
@@ -155,10 +156,7 @@ class CuttingRounds {
     double kept = 0.0;
     for (std::size_t i = 0; i < fates.size(); ++i) {
       if (fates[i] != PieceFate::Exterior && !stays(fates[i])) continue;
-      const Triangle& t = arrangement.pieces[i];
-      const std::vector<Vec3>& at = arrangement.positions;
-      const double area = (at[t[1]] - at[t[0]]).cross(at[t[2]] - at[t[0]]).norm();
-      (stays(fates[i]) ? kept : pockets) += area;
+      (stays(fates[i]) ? kept : pockets) += normal_of(arrangement.corners_of(i)).norm();
     }
     return kept > 0.0 ? pockets / kept : 1.0;
   }
@@ -204,9 +202,7 @@ class CuttingRounds {
   }
 
   void add_wall(Index face, const Arrangement& arrangement, std::size_t piece) {
-    const Triangle& t = arrangement.pieces[piece];
-    const std::vector<Vec3>& at = arrangement.positions;
-    result_.walls.push_back({origins_[face], {at[t[0]], at[t[1]], at[t[2]]}});
+    result_.walls.push_back({origins_[face], arrangement.corners_of(piece)});
   }
 
   void give_up(const Pairs& pairs) {

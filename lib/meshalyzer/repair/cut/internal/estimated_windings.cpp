@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/cut/internal/estimated_windings.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/spatial/winding_number.h"
 
 #include <algorithm>
@@ -24,16 +25,11 @@ constexpr double kNearWhole = 0.15;
 /// What is estimated beside one piece.
 struct Sample {
   Index piece = kNoIndex;
+  /// Twice the area that it stands for.
   double area = 0.0;
   /// The winding number in front of the piece.
   double front = 0.0;
 };
-
-double area_of(const Arrangement& arrangement, Index piece) {
-  const Triangle& t = arrangement.pieces[piece];
-  const Vec3& p = arrangement.positions[t[0]];
-  return (arrangement.positions[t[1]] - p).cross(arrangement.positions[t[2]] - p).norm();
-}
 
 /// Pieces that have the same cells on both sides, by component and these cells.
 using Patches = std::map<std::array<Index, 3>, std::vector<Sample>>;
@@ -44,7 +40,7 @@ Patches find_patches(const ArrangedSoup& a, std::span<const std::uint8_t> wanted
     const Index component = a.cells.component_of[piece];
     if (wanted[component] == 0) continue;
     patches[{component, a.cells.front(piece), a.cells.behind(piece)}].push_back(
-        {.piece = piece, .area = area_of(a.arrangement, piece)});
+        {.piece = piece, .area = normal_of(a.arrangement.corners_of(piece)).norm()});
   }
   return patches;
 }
@@ -100,13 +96,9 @@ void estimate(const ArrangedSoup& a, const WindingNumbers& windings, std::vector
   parallel_chunks(samples.size(), 256, [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       Sample& sample = samples[i];
-      const Triangle& t = a.arrangement.pieces[sample.piece];
-      const Vec3& p = a.arrangement.positions[t[0]];
-      const Vec3& q = a.arrangement.positions[t[1]];
-      const Vec3& r = a.arrangement.positions[t[2]];
       // On the piece itself it is half-way between those on both sides.
-      sample.front =
-          windings.at((p + q + r) / 3.0) - 0.5 * a.arrangement.multiplicity(sample.piece);
+      sample.front = windings.at(centroid_of(a.arrangement.corners_of(sample.piece))) -
+                     0.5 * a.arrangement.multiplicity(sample.piece);
     }
   });
 }

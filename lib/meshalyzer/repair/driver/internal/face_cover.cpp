@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/driver/internal/face_cover.h"
 
 #include "meshalyzer/base/lexicographic.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/repair/driver/internal/face_distance.h"
 #include "meshalyzer/spatial/closest_point.h"
 
@@ -15,10 +16,6 @@ namespace meshalyzer {
 namespace {
 
 using Segment = std::array<Vec3, 2>;
-
-Vec3 normal_of(const Corners& t) {
-  return (t[1] - t[0]).cross(t[2] - t[0]);
-}
 
 /// A triangle's inscribed circle.
 struct Incircle {
@@ -161,7 +158,7 @@ double distance_from_edge(const Segment& segment, const Corners& face) {
 bool contains(const Corners& t, const Vec3& point, const Vec3& direction) {
   const double side = normal_of(t).dot(direction) < 0.0 ? -1.0 : 1.0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 normal = (t[(i + 1) % 3] - t[i]).cross(point - t[i]);
+    const Vec3 normal = normal_of(t[i], t[(i + 1) % 3], point);
     if (side * normal.dot(direction) < 0.0) return false;
   }
   return true;

@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/facets/internal/facet_shape.h"
 
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/exact/normal.h"
 
 #include <algorithm>
@@ -8,26 +9,18 @@
 namespace meshalyzer {
 namespace {
 
-std::array<double, 3> edge_lengths(const Corners& p) {
-  return {(p[1] - p[0]).stableNorm(), (p[2] - p[1]).stableNorm(), (p[0] - p[2]).stableNorm()};
-}
-
 FacetShape measure_of_usual_size(const Corners& p) {
   FacetShape shape;
-  shape.lengths = edge_lengths(p);
+  shape.lengths = side_lengths(p);
   const std::size_t longest = shape.longest_edge();
   // Seen from the corner opposite to the longest edge the differences are shortest.
-  const Vec3 normal = accurate_normal(p[(longest + 2) % 3], p[longest], p[(longest + 1) % 3]);
+  const Vec3 normal = accurate_normal(p, (longest + 2) % 3);
   const double twice_area = normal.norm();
   if (twice_area > 0.0) {
     shape.altitude = twice_area / shape.lengths[longest];
     shape.normal = normal / twice_area;
   }
   return shape;
-}
-
-Vec3 times_power_of_two(const Vec3& p, int exponent) {
-  return {std::ldexp(p[0], exponent), std::ldexp(p[1], exponent), std::ldexp(p[2], exponent)};
 }
 
 }  // namespace
@@ -43,15 +36,13 @@ std::size_t FacetShape::shortest_edge() const {
 }
 
 FacetShape measure_facet(const Corners& p) {
-  const std::array<double, 3> lengths = edge_lengths(p);
+  const std::array<double, 3> lengths = side_lengths(p);
   const double longest = *std::max_element(lengths.begin(), lengths.end());
   if ((longest > 1e-100 && longest < 1e100) || longest == 0.0) return measure_of_usual_size(p);
   // Scaling by a power of two rounds nothing here: no coordinate that counts is much smaller than
   // the longest edge, nor, being a double, much larger than it.
   const int exponent = std::isfinite(longest) ? std::ilogb(longest) : 1023;
-  Corners scaled;
-  for (std::size_t k = 0; k < 3; ++k) scaled[k] = times_power_of_two(p[k], -exponent);
-  FacetShape shape = measure_of_usual_size(scaled);
+  FacetShape shape = measure_of_usual_size(times_power_of_two(p, -exponent));
   for (double& length : shape.lengths) length = std::ldexp(length, exponent);
   shape.altitude = std::ldexp(shape.altitude, exponent);
   return shape;

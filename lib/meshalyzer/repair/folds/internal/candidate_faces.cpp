@@ -1,11 +1,11 @@
 #include "meshalyzer/repair/folds/internal/candidate_faces.h"
 
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/exact/normal.h"
+#include "meshalyzer/geometry/edge_measures.h"
 #include "meshalyzer/repair/folds/internal/fold_outline.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace meshalyzer {
@@ -15,17 +15,13 @@ namespace {
 bool is_folded(const PlacedFace& a, const PlacedFace& b, double max_angle) {
   // Below this the angle between rounded normals cannot be told from 0.
   constexpr double kLeastAngle = 1e-6;
-  const Vec3 u = unit_normal(a);
-  const Vec3 v = unit_normal(b);
-  const double between = std::atan2(u.cross(v).norm(), u.dot(v)) * (180.0 / std::numbers::pi);
+  const double between =
+      angle_between_degrees(accurate_normal(a.corners), accurate_normal(b.corners));
   return !(180.0 - between > std::max(max_angle, kLeastAngle));
 }
 
 bool is_flat(const PlacedFace& face, double degeneracy) {
-  const Corners& t = face.corners;
-  const double longest = std::max(
-      {(t[1] - t[0]).stableNorm(), (t[2] - t[1]).stableNorm(), (t[0] - t[2]).stableNorm()});
-  return !(accurate_normal(t[0], t[1], t[2]).stableNorm() > degeneracy * longest);
+  return !(accurate_normal(face.corners).stableNorm() > degeneracy * longest_side(face.corners));
 }
 
 bool is_clean_pair(const PlacedFace& a, const PlacedFace& b, double max_angle) {
@@ -34,10 +30,6 @@ bool is_clean_pair(const PlacedFace& a, const PlacedFace& b, double max_angle) {
 }
 
 }  // namespace
-
-Vec3 unit_normal(const PlacedFace& face) {
-  return accurate_normal(face.corners[0], face.corners[1], face.corners[2]).stableNormalized();
-}
 
 std::optional<double> quality_of(const CandidateFaces& candidate) {
   double worst = 1.0;
@@ -52,7 +44,7 @@ std::optional<double> quality_of(const CandidateFaces& candidate) {
         !std::all_of(candidate.around.begin(), candidate.around.end(), is_clean)) {
       return std::nullopt;
     }
-    worst = std::min(worst, shape_quality(face.corners[0], face.corners[1], face.corners[2]));
+    worst = std::min(worst, shape_quality(face.corners));
   }
   return worst;
 }

@@ -21,9 +21,6 @@ struct CandidateFaces {
   double degeneracy = 0.0;
 };
 
-/// Returns the unit normal of a face; zero where it has no area.
-[[nodiscard]] Vec3 unit_normal(const PlacedFace& face);
-
 /// Returns how well the worst of the faces is shaped (see shape_quality()); nothing where one is
 /// too flat, is folded onto a neighbour, or touches another.
 ///

@@ -1,7 +1,8 @@
 #include "meshalyzer/repair/folds/internal/fold_outline.h"
 
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/exact/normal.h"
-#include "meshalyzer/exact/predicates.h"
+#include "meshalyzer/exact/plane_view.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -83,10 +84,8 @@ class OutlineCutter {
       : points_(outline), may_join_(may_join), left_(outline.size()) {
     for (std::size_t i = 0; i < left_.size(); ++i) left_[i] = static_cast<Index>(i);
     const Vec3 normal = normal_of(outline);
-    Eigen::Index longest = 0;
-    normal.cwiseAbs().maxCoeff(&longest);
-    axis_ = static_cast<Axis>(longest);
-    turn_ = normal[longest] > 0.0 ? 1 : -1;
+    view_.dropped = longest_axis(normal);
+    view_.sense = normal[static_cast<Eigen::Index>(view_.dropped)] > 0.0 ? 1 : -1;
   }
 
   std::vector<Triangle> run() {
@@ -106,17 +105,16 @@ class OutlineCutter {
     const std::size_t n = left_.size();
     return {left_[(i + n - 1) % n], left_[i], left_[(i + 1) % n]};
   }
-  /// Tells whether a, b, c turn left.
-  [[nodiscard]] Sign turn(Index a, Index b, Index c) const {
-    return turn_ * orient2d(axis_, points_[a], points_[b], points_[c]);
+  [[nodiscard]] Corners corners_of(const Triangle& t) const {
+    return {points_[t[0]], points_[t[1]], points_[t[2]]};
   }
 
   [[nodiscard]] bool is_ear(const Triangle& t) const {
-    if (turn(t[0], t[1], t[2]) <= 0) return false;
+    const Corners corners = corners_of(t);
+    if (view_.turn(corners[0], corners[1], corners[2]) <= 0) return false;
     if (left_.size() > 3 && !may_join_(t[0], t[2])) return false;
     return std::none_of(left_.begin(), left_.end(), [&](Index p) {
-      return p != t[0] && p != t[1] && p != t[2] && turn(t[0], t[1], p) >= 0 &&
-             turn(t[1], t[2], p) >= 0 && turn(t[2], t[0], p) >= 0;
+      return p != t[0] && p != t[1] && p != t[2] && view_.covers(corners, points_[p]);
     });
   }
 
@@ -126,7 +124,7 @@ class OutlineCutter {
     for (std::size_t i = 0; i < left_.size(); ++i) {
       const Triangle t = triangle_at(i);
       if (!is_ear(t)) continue;
-      const double quality = shape_quality(points_[t[0]], points_[t[1]], points_[t[2]]);
+      const double quality = shape_quality(corners_of(t));
       if (quality <= best_quality) continue;
       best = i;
       best_quality = quality;
@@ -138,8 +136,7 @@ class OutlineCutter {
   const MayJoin& may_join_;
   /// What is left of the outline.
   std::vector<Index> left_;
-  Axis axis_ = Axis::Z;
-  Sign turn_ = 1;
+  PlaneView view_;
 };
 
 }  // namespace
@@ -164,11 +161,10 @@ std::vector<Triangle> cut_ears(std::span<const Vec3> outline, const MayJoin& may
   return OutlineCutter(outline, may_join).run();
 }
 
-double shape_quality(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double longest =
-      std::max({(b - a).stableNorm(), (c - b).stableNorm(), (a - c).stableNorm()});
+double shape_quality(const Corners& t) {
+  const double longest = longest_side(t);
   if (!(longest > 0.0)) return 0.0;
-  return accurate_normal(a, b, c).stableNorm() / longest / longest;
+  return accurate_normal(t).stableNorm() / longest / longest;
 }
 
 }  // namespace meshalyzer

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/base/types.h"
+#include "meshalyzer/base/corners.h"
 
 #include <functional>
 #include <optional>
@@ -34,6 +34,6 @@ using MayJoin = std::function<bool(Index, Index)>;
                                              const MayJoin& may_join);
 
 /// Returns the shortest altitude of a triangle over its longest edge, 0 ... sqrt(3) / 2.
-[[nodiscard]] double shape_quality(const Vec3& a, const Vec3& b, const Vec3& c);
+[[nodiscard]] double shape_quality(const Corners& t);
 
 }  // namespace meshalyzer

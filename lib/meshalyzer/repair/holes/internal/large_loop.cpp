@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/holes/internal/large_loop.h"
 
-#include "meshalyzer/exact/predicates.h"
+#include "meshalyzer/base/triangle.h"
+#include "meshalyzer/exact/plane_view.h"
 #include "meshalyzer/repair/holes/internal/corner_grid.h"
 #include "meshalyzer/repair/holes/internal/triangulate_loop.h"
 
@@ -33,22 +34,15 @@ struct Ear {
   }
 };
 
-/// The side from which a loop is seen best.
-struct View {
-  Axis dropped = Axis::Z;
-  /// The orientation of the loop in that projection: 1 counter-clockwise, -1 clockwise.
-  Sign sense = 1;
-};
-
-View choose_view(const std::vector<Vec3>& points) {
+/// Returns the view in which a loop is seen best.
+PlaneView choose_view(const std::vector<Vec3>& points) {
   // Relative to one of the points, so that a loop far from the origin keeps its digits.
   Vec3 area = Vec3::Zero();
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    area += (points[i] - points[0]).cross(points[i + 1] - points[0]);
+    area += normal_of(points[0], points[i], points[i + 1]);
   }
-  Eigen::Index axis = 0;
-  area.cwiseAbs().maxCoeff(&axis);
-  return {static_cast<Axis>(axis), area[axis] < 0.0 ? -1 : 1};
+  const Axis axis = longest_axis(area);
+  return {axis, area[static_cast<Eigen::Index>(axis)] < 0.0 ? -1 : 1};
 }
 
 /// Cuts ears off a loop.
@@ -149,31 +143,30 @@ class EarCutter {
             polygon_.vertices[ear.after]};
   }
 
+  [[nodiscard]] Corners places_of(const Ear& ear) const {
+    return {polygon_.points[ear.before], polygon_.points[ear.tip], polygon_.points[ear.after]};
+  }
+
   [[nodiscard]] bool is_allowed(const Ear& ear) const {
     const Triangle t = corners_of(ear);
     return rules_.allows_chord(t[0], t[2]) && rules_.allows_triangle(t);
   }
 
-  /// Returns the turn from a to b to c, seen so that the loop runs counter-clockwise.
-  [[nodiscard]] Sign turn(Index a, Index b, Index c) const {
-    return view_.sense *
-           orient2d(view_.dropped, polygon_.points[a], polygon_.points[b], polygon_.points[c]);
-  }
-
   [[nodiscard]] bool meets(Demand demand, const Ear& ear, const CornerGrid& grid) const {
     if (demand == Demand::Nothing) return true;
-    if (turn(ear.before, ear.tip, ear.after) <= 0) return false;
+    const Corners t = places_of(ear);
+    if (view_.turn(t[0], t[1], t[2]) <= 0) return false;
     return demand == Demand::Convex || is_empty(ear, grid);
   }
 
   /// Tells whether no other corner of what is left lies in the ear.
   [[nodiscard]] bool is_empty(const Ear& ear, const CornerGrid& grid) const {
+    const Corners places = places_of(ear);
     Eigen::AlignedBox2d box(flat_[ear.tip]);
     box.extend(flat_[ear.before]).extend(flat_[ear.after]);
     return !grid.any_near({flat_[ear.tip], flat_[ear.before], flat_[ear.after]}, [&](Index i) {
       return is_left_[i] != 0 && box.contains(flat_[i]) && !is_at_corner(ear, i) &&
-             turn(ear.before, ear.tip, i) >= 0 && turn(ear.tip, ear.after, i) >= 0 &&
-             turn(ear.after, ear.before, i) >= 0;
+             view_.covers(places, polygon_.points[i]);
     });
   }
 
@@ -195,7 +188,7 @@ class EarCutter {
 
   const LoopPolygon& polygon_;
   const LoopRules& rules_;
-  View view_;
+  PlaneView view_;
   /// Indexed by corner: of the face beyond the edge to the next corner left.
   std::vector<Vec3> normals_;
   std::size_t n_left_;

@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/holes/internal/loop_polygon.h"
 
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/topology/edges.h"
@@ -21,10 +22,6 @@ constexpr double kObliquity = 1e-7;
 /// collinear for all that floating point can tell.
 constexpr double kDoubtfulRatio = 1e-12;
 
-Vec3 scaled(const Vec3& p, int exponent) {
-  return {std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent)};
-}
-
 /// Returns the exponent of the power of two that brings the largest coordinate to about 1.
 int scale_of(const Soup& soup, const HoleLoop& loop) {
   double largest = 0.0;
@@ -34,8 +31,8 @@ int scale_of(const Soup& soup, const HoleLoop& loop) {
   return largest > 0.0 ? -std::ilogb(largest) : 0;
 }
 
-/// Returns the unit normal, zero where there is none.
-Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+/// Returns the unit normal; zero where there is none, or it overflows.
+Vec3 finite_unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 normal = accurate_normal(a, b, c);
   const double length = normal.stableNorm();
   if (!(length > 0.0) || !std::isfinite(length)) return Vec3::Zero();
@@ -53,14 +50,16 @@ LoopPolygon make_polygon(const PreparedMesh& mesh, const HoleLoop& loop, double 
                       .normals = std::vector<Vec3>(loop.size(), Vec3::Zero()),
                       .thin = std::ldexp(degeneracy, exponent)};
   polygon.points.reserve(loop.size());
-  for (const Index v : loop.vertices) polygon.points.push_back(scaled(soup.positions[v], exponent));
+  for (const Index v : loop.vertices) {
+    polygon.points.push_back(times_power_of_two(soup.positions[v], exponent));
+  }
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const HalfedgeHandle h = loop.halfedges[i];
     if (!h.is_valid()) continue;
     const Index apex = file_ends(cut, cut.mesh.next_halfedge_handle(h))[1];
     const Vec3& next = polygon.points[i + 1 < loop.size() ? i + 1 : 0];
-    polygon.normals[i] =
-        unit_normal(next, polygon.points[i], scaled(soup.positions[apex], exponent));
+    polygon.normals[i] = finite_unit_normal(next, polygon.points[i],
+                                            times_power_of_two(soup.positions[apex], exponent));
   }
   return polygon;
 }
@@ -91,7 +90,7 @@ CandidateTriangle measure_candidate(const Vec3& a, const Vec3& b, const Vec3& c,
   const double bc = (c - b).squaredNorm();
   const double ca = (a - c).squaredNorm();
   const double longest = std::max({ab, bc, ca});
-  const Vec3 normal = (b - a).cross(c - a);
+  const Vec3 normal = normal_of(a, b, c);
   const double twice_area = normal.norm();
   CandidateTriangle triangle;
   triangle.cost = 0.5 * twice_area + kObliquity * (ab + bc + ca);
@@ -100,7 +99,7 @@ CandidateTriangle measure_candidate(const Vec3& a, const Vec3& b, const Vec3& c,
       triangle.fault = TriangleFault::Collinear;
       return triangle;
     }
-    triangle.normal = unit_normal(a, b, c);
+    triangle.normal = finite_unit_normal(a, b, c);
   } else {
     triangle.normal = normal / twice_area;
   }

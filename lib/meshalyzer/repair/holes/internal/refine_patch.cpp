@@ -1,5 +1,7 @@
 #include "meshalyzer/repair/holes/internal/refine_patch.h"
 
+#include "meshalyzer/base/triangle.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,10 +34,6 @@ double area_of(const TriMesh& mesh) {
   double area = 0.0;
   for (const FaceHandle f : mesh.faces()) area += mesh.calc_face_area(f);
   return area;
-}
-
-Vec3 area_vector(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return (b - a).cross(c - a);
 }
 
 /// The four corners of the two triangles at an edge: its ends, then those opposite, the first on
@@ -164,9 +162,9 @@ class Refiner {
     const Vec3& b = mesh_.point(d.b);
     const Vec3& left = mesh_.point(d.left);
     const Vec3& right = mesh_.point(d.right);
-    const Vec3 before = area_vector(a, b, left) + area_vector(b, a, right);
-    return area_vector(right, left, a).dot(before) > 0.0 &&
-           area_vector(left, right, b).dot(before) > 0.0;
+    const Vec3 before = normal_of(a, b, left) + normal_of(b, a, right);
+    return normal_of(right, left, a).dot(before) > 0.0 &&
+           normal_of(left, right, b).dot(before) > 0.0;
   }
 
   /// Tells whether the mesh has the edge that a flip would make.

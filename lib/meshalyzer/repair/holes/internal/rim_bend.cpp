@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/holes/internal/rim_bend.h"
 
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/geometry/face_measures.h"
 #include "meshalyzer/repair/holes/internal/patch_edges.h"
 
@@ -34,19 +35,11 @@ struct RimEdge {
   }
 };
 
-Vec3 unit_normal(const std::array<Vec3, 3>& t) {
-  return (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized();
-}
-
-Vec3 barycentre_of(const std::array<Vec3, 3>& t) {
-  return (t[0] + t[1] + t[2]) / 3.0;
-}
-
 Vec3 position_of(const Soup& soup, const Patch& patch, Index v) {
   return v < soup.n_vertices() ? soup.positions[v] : patch.added[v - soup.n_vertices()];
 }
 
-std::array<Vec3, 3> corners_of(const Soup& soup, const Patch& patch, const Triangle& t) {
+Corners corners_of(const Soup& soup, const Patch& patch, const Triangle& t) {
   return {position_of(soup, patch, t[0]), position_of(soup, patch, t[1]),
           position_of(soup, patch, t[2])};
 }
@@ -63,8 +56,9 @@ std::vector<RimEdge> rim_edges(const PreparedMesh& mesh, const HoleLoop& loop, c
     RimEdge edge{.beyond = cut.mesh.face_handle(loop.halfedges[i])};
     const Vec3 along = soup.positions[loop.next(i)] - soup.positions[loop.vertices[i]];
     edge.length = along.stableNorm();
-    edge.normal_beyond = unit_normal(face_corners(cut.mesh, edge.beyond));
-    edge.normal_of_patch = unit_normal(corners_of(soup, patch, patch.triangles[face]));
+    edge.normal_beyond = normal_of(face_corners(cut.mesh, edge.beyond)).stableNormalized();
+    edge.normal_of_patch =
+        normal_of(corners_of(soup, patch, patch.triangles[face])).stableNormalized();
     edge.inward = edge.normal_beyond.cross(along).stableNormalized();
     if (!edge.inward.isZero(0.0) && !edge.normal_of_patch.isZero(0.0)) rim.push_back(edge);
   }
@@ -75,15 +69,15 @@ std::vector<RimEdge> rim_edges(const PreparedMesh& mesh, const HoleLoop& loop, c
 /// the turns of the normals of the faces round the one beyond fit best. Faces beyond a crease do
 /// not count.
 double curvature_across(const TriMesh& mesh, const RimEdge& edge) {
-  const Vec3 middle = barycentre_of(face_corners(mesh, edge.beyond));
+  const Vec3 middle = centroid_of(face_corners(mesh, edge.beyond));
   double products = 0.0;
   double squares = 0.0;
   for (const VertexHandle v : mesh.fv_range(edge.beyond)) {
     for (const FaceHandle f : mesh.vf_range(v)) {
-      const std::array<Vec3, 3> corners = face_corners(mesh, f);
-      const Vec3 normal = unit_normal(corners);
+      const Corners corners = face_corners(mesh, f);
+      const Vec3 normal = normal_of(corners).stableNormalized();
       if (normal.dot(edge.normal_beyond) < kCosineOfCrease) continue;
-      const double distance = (middle - barycentre_of(corners)).dot(edge.inward);
+      const double distance = (middle - centroid_of(corners)).dot(edge.inward);
       products += distance * (edge.normal_beyond - normal).dot(edge.inward);
       squares += distance * distance;
     }
@@ -94,8 +88,7 @@ double curvature_across(const TriMesh& mesh, const RimEdge& edge) {
 double area_of(const Soup& soup, const Patch& patch) {
   double area = 0.0;
   for (const Triangle& t : patch.triangles) {
-    const std::array<Vec3, 3> c = corners_of(soup, patch, t);
-    area += 0.5 * (c[1] - c[0]).cross(c[2] - c[0]).stableNorm();
+    area += 0.5 * normal_of(corners_of(soup, patch, t)).stableNorm();
   }
   return area;
 }

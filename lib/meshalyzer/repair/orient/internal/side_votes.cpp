@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/orient/internal/side_votes.h"
 
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/spatial/unit_scale.h"
 
 #include <cmath>
@@ -22,8 +23,8 @@ std::vector<double> areas_of(std::span<const Corners> triangles) {
   const UnitScale scale(triangles);
   std::vector<double> areas(triangles.size());
   for (std::size_t i = 0; i < areas.size(); ++i) {
-    const Vec3 a = scale(triangles[i][0]);
-    areas[i] = (scale(triangles[i][1]) - a).cross(scale(triangles[i][2]) - a).norm();
+    const auto& [a, b, c] = triangles[i];
+    areas[i] = normal_of(scale(a), scale(b), scale(c)).norm();
   }
   return areas;
 }

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "meshalyzer/base/corners.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace meshalyzer {
+
+/// Returns the normal (b - a) x (c - a) of a triangle, twice its area long, in floating point;
+/// where the triangle may be a sliver, accurate_normal() has more correct digits.
+[[nodiscard]] inline Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return (b - a).cross(c - a);
+}
+
+[[nodiscard]] inline Vec3 normal_of(const Corners& t) {
+  return normal_of(t[0], t[1], t[2]);
+}
+
+/// Returns the centroid of a triangle whose coordinates are far from overflow.
+[[nodiscard]] inline Vec3 centroid_of(const Corners& t) {
+  return (t[0] + t[1] + t[2]) / 3.0;
+}
+
+/// Returns the lengths of the edges from corner k to corner k + 1; they overflow only where the
+/// true lengths do.
+[[nodiscard]] inline std::array<double, 3> side_lengths(const Corners& t) {
+  return {(t[1] - t[0]).stableNorm(), (t[2] - t[1]).stableNorm(), (t[0] - t[2]).stableNorm()};
+}
+
+[[nodiscard]] inline double longest_side(const Corners& t) {
+  const std::array<double, 3> lengths = side_lengths(t);
+  return std::max({lengths[0], lengths[1], lengths[2]});
+}
+
+/// Multiplies a point by a power of two, which rounds nothing but coordinates that underflow.
+[[nodiscard]] inline Vec3 times_power_of_two(const Vec3& p, int exponent) {
+  return {std::ldexp(p[0], exponent), std::ldexp(p[1], exponent), std::ldexp(p[2], exponent)};
+}
+
+[[nodiscard]] inline Corners times_power_of_two(const Corners& t, int exponent) {
+  return {times_power_of_two(t[0], exponent), times_power_of_two(t[1], exponent),
+          times_power_of_two(t[2], exponent)};
+}
+
+}  // namespace meshalyzer
