@@ -135,13 +135,13 @@ double settle_near_faces(Side& side, double bound) {
 class PartsOfFaces {
  public:
   PartsOfFaces(const TrackedMesh& tracked, std::span<const ChangedFace> of_repaired,
-               std::span<const GoneWall> walls) {
+               std::span<const InteriorWall> walls) {
     parts_.reserve(of_repaired.size() + walls.size());
     for (const ChangedFace& changed : of_repaired) {
       parts_.push_back(
           {tracked.origin_of_face(changed.face), corners_of(tracked.soup, changed.face)});
     }
-    for (const GoneWall& wall : walls) parts_.push_back({wall.origin, wall.corners});
+    for (const InteriorWall& wall : walls) parts_.push_back({wall.face, wall.corners});
     std::stable_sort(parts_.begin(), parts_.end(), ByOrigin());
   }
 
@@ -217,7 +217,7 @@ Corners sorted(Corners corners) {
 }
 
 /// Leaves out faces that are walls as a whole.
-void drop_walls(const Soup& input, std::span<const GoneWall> walls,
+void drop_walls(const Soup& input, std::span<const InteriorWall> walls,
                 std::vector<ChangedFace>& faces) {
   if (walls.empty()) return;
   const auto less = [](const Corners& a, const Corners& b) {
@@ -226,7 +226,7 @@ void drop_walls(const Soup& input, std::span<const GoneWall> walls,
   };
   std::vector<Corners> all(walls.size());
   std::transform(walls.begin(), walls.end(), all.begin(),
-                 [](const GoneWall& wall) { return sorted(wall.corners); });
+                 [](const InteriorWall& wall) { return sorted(wall.corners); });
   std::sort(all.begin(), all.end(), less);
   std::erase_if(faces, [&](const ChangedFace& changed) {
     return std::binary_search(all.begin(), all.end(), sorted(corners_of(input, changed.face)),
@@ -242,7 +242,7 @@ Box3 box_of(const Corners& corners) {
 
 /// What of the new surface, and of the walls, is near the faces of the old side. A wall may be a
 /// part of another face than the one that it is near to: an edge may have been flipped before.
-Soup surface_with_walls(const Side& old_side, std::span<const GoneWall> walls, double bound) {
+Soup surface_with_walls(const Side& old_side, std::span<const InteriorWall> walls, double bound) {
   Box3 near;
   for (const ChangedFace& changed : old_side.faces) {
     near.extend(box_of(corners_of(old_side.from, changed.face)));
@@ -256,7 +256,7 @@ Soup surface_with_walls(const Side& old_side, std::span<const GoneWall> walls, d
     if (!near.intersects(box_of(corners_of(old_side.to, face)))) continue;
     soup.triangles.push_back(old_side.to.triangles[face]);
   }
-  for (const GoneWall& wall : walls) {
+  for (const InteriorWall& wall : walls) {
     if (!near.intersects(box_of(wall.corners))) continue;
     const auto first = static_cast<Index>(soup.n_vertices());
     soup.positions.insert(soup.positions.end(), wall.corners.begin(), wall.corners.end());
@@ -267,7 +267,7 @@ Soup surface_with_walls(const Side& old_side, std::span<const GoneWall> walls, d
 
 /// Measures what of the input is far from the new surface again, from walls too.
 SideResult measure_with_walls(Side& old_side, const SideResult& without,
-                              std::span<const GoneWall> walls, double bound) {
+                              std::span<const InteriorWall> walls, double bound) {
   std::erase_if(old_side.faces, [&](const ChangedFace& changed) {
     return !std::binary_search(without.far.begin(), without.far.end(), changed.face);
   });
@@ -330,7 +330,7 @@ DeviationMeter::~DeviationMeter() = default;
 
 DeviationMeter::Result DeviationMeter::measure(const TrackedMesh& tracked, const FaceTree& tree,
                                                double bound,
-                                               std::span<const GoneWall> walls) const {
+                                               std::span<const InteriorWall> walls) const {
   Changes changes = find_changes(input_, tracked);
   drop_walls(input_, walls, changes.of_input);
   Side old_side{input_, tracked.soup, std::move(changes.of_input)};

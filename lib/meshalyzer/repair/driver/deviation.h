@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/repair/edits/edits.h"
 #include "meshalyzer/repair/edits/tracked_mesh.h"
 #include "meshalyzer/spatial/face_tree.h"
 #include "meshalyzer/spatial/triangle_contact.h"
@@ -10,13 +11,6 @@
 #include <vector>
 
 namespace meshalyzer {
-
-/// A part of an older surface that is gone and not missed: see Edits::InteriorWall.
-struct GoneWall {
-  Corners corners;
-  /// The face of the input that it was a part of; kNoIndex: of none.
-  Index origin = kNoIndex;
-};
 
 /// Measures how far repaired surfaces are from the input that they were made of.
 ///
@@ -64,11 +58,12 @@ class DeviationMeter {
   ///
   /// @param tree   Over the tracked mesh's faces.
   /// @param bound  Finite, at least 0.
-  /// @param walls  The input may be near to them instead of the new surface.
+  /// @param walls  The walls of the input that are gone: it may be near to them instead of the new
+  /// surface.
   /// @complexity   O(#F), and O(log #F) for each face that has changed. Where
   /// faces only moved by less than a thousandth of the bound, nothing else is looked at.
   [[nodiscard]] Result measure(const TrackedMesh& tracked, const FaceTree& tree, double bound,
-                               std::span<const GoneWall> walls = {}) const;
+                               std::span<const InteriorWall> walls = {}) const;
 
  private:
   struct Surface;

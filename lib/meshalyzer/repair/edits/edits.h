@@ -9,6 +9,15 @@
 
 namespace meshalyzer {
 
+/// A part of a face that goes and is not missed, because it is proved that it separates no inside
+/// from no outside, it has no area, or it is there as a part of another face: the deviation does
+/// not count it as lost.
+struct InteriorWall {
+  Corners corners;
+  /// The face that it is a part of, of the mesh in question; kNoIndex: of none that there is.
+  Index face = kNoIndex;
+};
+
 /// Changes of a mesh, as a pass proposes them: a list of operations, each a local change that is
 /// made as a whole or not at all.
 ///
@@ -67,14 +76,10 @@ struct Edits {
     std::int32_t id;
   };
 
-  /// A part of a face that goes and is not missed, because it is proved that it separates no inside
-  /// from no outside, it has no area, or it is there as a part of another face: the deviation does
-  /// not count it as lost.
-  struct InteriorWall {
+  /// The wall counts as no longer there when the operation is made.
+  struct RemovedWall {
     Index op;
-    Corners corners;
-    /// The face that it is a part of; kNoIndex: of none that there is.
-    Index part_of = kNoIndex;
+    InteriorWall wall;
   };
 
   std::size_t n_operations = 0;
@@ -87,7 +92,7 @@ struct Edits {
   std::vector<ChangedNormal> changed_normals;
   std::vector<ChangedId> changed_vertex_ids;
   std::vector<ChangedId> changed_face_ids;
-  std::vector<InteriorWall> interior_walls;
+  std::vector<RemovedWall> interior_walls;
 
   [[nodiscard]] bool empty() const { return n_operations == 0; }
   /// Begins the next operation, and gives its number.

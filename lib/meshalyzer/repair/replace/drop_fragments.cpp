@@ -128,7 +128,7 @@ PassResult drop_fragments(const PassInput& input, Fragments which) {
     for (const Index f : faces.of(i)) {
       const Index face = input.mesh.cut().side.faces[f];
       result.edits.removed_faces.push_back({op, face});
-      result.edits.interior_walls.push_back({op, corners_of(input.tracked.soup, face)});
+      result.edits.interior_walls.push_back({op, {corners_of(input.tracked.soup, face)}});
     }
   }
   return result;

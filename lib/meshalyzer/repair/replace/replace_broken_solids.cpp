@@ -63,7 +63,7 @@ class Replacing {
       for (Index& corner : t) corner += n_vertices_;
       edits_.added_faces.push_back({op, t, nearest(corners_of(made.soup, face))});
     }
-    for (const auto& wall : made.walls) edits_.interior_walls.push_back({op, wall});
+    for (const auto& wall : made.walls) edits_.interior_walls.push_back({op, {wall}});
   }
 
  private:

@@ -200,7 +200,7 @@ class CutEdits {
     for (const InteriorWall& wall : surface_.walls) {
       const Index op = operations_[parts_.find(wall.face)];
       const Index face = wall.face < soup_.n_faces() ? wall.face : kNoIndex;
-      if (op != kNoIndex) result_.edits.interior_walls.push_back({op, wall.corners, face});
+      if (op != kNoIndex) result_.edits.interior_walls.push_back({op, {wall.corners, face}});
     }
   }
 

@@ -202,7 +202,7 @@ class CuttingRounds {
   }
 
   void add_wall(Index face, const Arrangement& arrangement, std::size_t piece) {
-    result_.walls.push_back({origins_[face], arrangement.corners_of(piece)});
+    result_.walls.push_back({arrangement.corners_of(piece), origins_[face]});
   }
 
   void give_up(const Pairs& pairs) {

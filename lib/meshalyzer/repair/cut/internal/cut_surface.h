@@ -12,13 +12,6 @@
 
 namespace meshalyzer {
 
-/// A part of a face that is gone and need not be missed: it separates no inside from no outside,
-/// has no area, or is there as a part of another face.
-struct InteriorWall {
-  Index face = kNoIndex;
-  Corners corners;
-};
-
 /// A surface of which the intersecting faces were cut, by its positions and faces alone.
 struct CutSurface {
   /// Vertices of the input keep their numbers; those beyond are new.
@@ -26,6 +19,7 @@ struct CutSurface {
   std::vector<Triangle> triangles;
   /// #triangles: the face of the input that each is a part of; n_faces + i for patch face i.
   std::vector<Index> origins;
+  /// Those that are gone, with faces as `origins` names them.
   std::vector<InteriorWall> walls;
   /// The area of the pockets that went, relative to what stays.
   double pocket_share = 0.0;

@@ -37,7 +37,7 @@ struct AcceptanceRules {
   /// contact of faces that were cut apart and still coincide.
   DefectCodes may_create;
   /// See DeviationMeter::measure(); those that these operations take away are among them.
-  std::span<const GoneWall> walls = {};
+  std::span<const InteriorWall> walls = {};
 };
 
 struct Acceptance {

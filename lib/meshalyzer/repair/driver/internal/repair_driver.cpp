@@ -214,7 +214,7 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
     const AffectedElements affected =
         find_affected_elements(state_->tracked(), edits, SkippedOperations(skipped), tracked);
     auto after = std::make_unique<RepairState>(std::move(tracked), tolerances_, *state_, affected);
-    std::vector<GoneWall> walls = walls_with(edits, skipped);
+    std::vector<InteriorWall> walls = walls_with(edits, skipped);
     const AcceptanceRules rules{input_, *meter_, limits_.max_deviation, pass.may_create, walls};
     const Acceptance acceptance =
         check_acceptance(*state_, *after, affected, skipped.size(), rules);
@@ -270,13 +270,13 @@ std::vector<OperationSite> RepairDriver::sites(const Edits& edits) const {
   return sites;
 }
 
-std::vector<GoneWall> RepairDriver::walls_with(const Edits& edits,
-                                               std::span<const std::uint8_t> skipped) const {
-  std::vector<GoneWall> walls = walls_;
-  for (const Edits::InteriorWall& wall : edits.interior_walls) {
-    if (skipped[wall.op] != 0) continue;
+std::vector<InteriorWall> RepairDriver::walls_with(const Edits& edits,
+                                                   std::span<const std::uint8_t> skipped) const {
+  std::vector<InteriorWall> walls = walls_;
+  for (const auto& [op, wall] : edits.interior_walls) {
+    if (skipped[op] != 0) continue;
     const Index origin =
-        wall.part_of == kNoIndex ? kNoIndex : state_->tracked().origin_of_face(wall.part_of);
+        wall.face == kNoIndex ? kNoIndex : state_->tracked().origin_of_face(wall.face);
     walls.push_back({wall.corners, origin});
   }
   return walls;

@@ -110,7 +110,7 @@ class RepairDriver {
     TrackedMesh tracked;
     RepairLog log;
     double deviation = 0.0;
-    std::vector<GoneWall> walls;
+    std::vector<InteriorWall> walls;
   };
 
   void set_checkpoint();
@@ -135,8 +135,8 @@ class RepairDriver {
   void record_applied(const MadeOperations& made);
   [[nodiscard]] std::vector<OperationSite> sites(const Edits& edits) const;
   /// The walls that are gone after the operations that are not skipped.
-  [[nodiscard]] std::vector<GoneWall> walls_with(const Edits& edits,
-                                                 std::span<const std::uint8_t> skipped) const;
+  [[nodiscard]] std::vector<InteriorWall> walls_with(const Edits& edits,
+                                                     std::span<const std::uint8_t> skipped) const;
   /// Lets later edits lie on the hole patches that these edits have added.
   void include_patches(const Edits& edits);
   [[nodiscard]] std::vector<Signature> signatures(const Edits& edits) const;
@@ -149,7 +149,7 @@ class RepairDriver {
   FixedVertices fixed_;
   std::optional<DeviationMeter> meter_;
   /// What separated no inside from no outside and is gone.
-  std::vector<GoneWall> walls_;
+  std::vector<InteriorWall> walls_;
   std::unique_ptr<const RepairState> state_;
   double deviation_ = 0.0;
   RepairListener on_progress_;
