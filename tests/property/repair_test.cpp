@@ -116,10 +116,9 @@ TEST(RepairLaw, NoFacesIntersectThatDidNotBefore) {
 
 /// Tells whether a step was refused as too far from the input: from the output it may not be.
 bool is_at_the_bound(const RepairResult& result) {
-  return std::any_of(result.log.refusals.begin(), result.log.refusals.end(),
-                     [](const LoggedRefusal& refusal) {
-                       return refusal.reason.find("maximum deviation") != std::string::npos;
-                     });
+  return std::any_of(
+      result.log.refusals.begin(), result.log.refusals.end(),
+      [](const LoggedRefusal& refusal) { return refusal.rejection == Rejection::TooFar; });
 }
 
 TEST(RepairLaw, WildMeshesComeOutValidAndLoggedAndDone) {

@@ -3,6 +3,7 @@
 #include "meshalyzer/defects/defect.h"
 #include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
+#include "meshalyzer/repair/driver/rejection.h"
 #include "meshalyzer/repair/edits/edits.h"
 #include "meshalyzer/repair/edits/tracked_mesh.h"
 
@@ -67,6 +68,8 @@ struct Refusal {
   Index face = kNoIndex;
   /// "collapsing it would turn a neighbour over", ...
   std::string reason;
+  /// The rule of acceptance that no repair would have kept; None where it is something else.
+  Rejection rejection = Rejection::None;
 };
 
 /// What a pass proposes.

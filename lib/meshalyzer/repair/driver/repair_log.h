@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/defects/defect.h"
+#include "meshalyzer/repair/driver/rejection.h"
 
 #include <cstddef>
 #include <string>
@@ -49,6 +50,8 @@ struct LoggedRefusal {
   Index vertex = kNoIndex;
   Index face = kNoIndex;
   std::string reason;
+  /// The rule of acceptance that stands against a repair; None where it is something else.
+  Rejection rejection = Rejection::None;
 };
 
 /// All that a repair did and did not do.

@@ -69,7 +69,11 @@ class Mender {
       const Index face = defect.faces.front();
       const auto found = failed_.find(face);
       if (found == failed_.end() || !mesh_.is_thin(face)) continue;
-      refused.push_back({defect.code, kNoIndex, face, std::string(mend_reason(found->second))});
+      const bool is_too_far = found->second == MendOutcome::TooFar;
+      refused.push_back({.code = defect.code,
+                         .face = face,
+                         .reason = std::string(mend_reason(found->second)),
+                         .rejection = is_too_far ? Rejection::TooFar : Rejection::None});
     }
   }
 

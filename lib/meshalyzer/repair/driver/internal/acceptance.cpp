@@ -152,20 +152,6 @@ class AcceptanceCheck {
 
 }  // namespace
 
-std::string_view rejection_reason(Rejection rejection) {
-  switch (rejection) {
-    case Rejection::None:
-      return "";
-    case Rejection::TooFar:
-      return "undone: it would move the surface farther than the maximum deviation";
-    case Rejection::Intersects:
-      return "undone: it would make faces intersect";
-    case Rejection::MoreDefects:
-      return "undone: it would make more defects than it mends";
-  }
-  return "";
-}
-
 bool Acceptance::all_accepted() const {
   return std::all_of(rejections.begin(), rejections.end(),
                      [](Rejection rejection) { return rejection == Rejection::None; });

@@ -3,29 +3,13 @@
 #include "meshalyzer/defects/defect.h"
 #include "meshalyzer/repair/driver/deviation.h"
 #include "meshalyzer/repair/driver/internal/repair_state.h"
+#include "meshalyzer/repair/driver/rejection.h"
 #include "meshalyzer/repair/edits/edits.h"
 
-#include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace meshalyzer {
-
-/// Why an operation is rejected.
-enum class Rejection : std::uint8_t {
-  None,
-  /// The surface would deviate from the input by more than the maximum.
-  TooFar,
-  /// Faces would intersect that did not intersect before, and no other faces of the operation did
-  /// instead of them.
-  Intersects,
-  /// It would create more defective elements of a kind than it removes.
-  MoreDefects,
-};
-
-/// Returns the sentence for logs: "undone: it would ...".
-[[nodiscard]] std::string_view rejection_reason(Rejection rejection);
 
 /// What the changes of one pass are checked against. This holds references only.
 struct AcceptanceRules {

@@ -28,8 +28,6 @@ constexpr std::size_t kMaxWork = 20'000'000;
 /// After so many stages what was banned stays undone.
 constexpr std::size_t kMaxStages = 10;
 
-constexpr const char* kEndsWorse = "undone: in the end the mesh would be worse for it";
-
 }  // namespace
 
 RepairDriver::RepairDriver(Soup input, const Tolerances& tolerances, RepairLimits limits,
@@ -204,7 +202,7 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
   for (std::size_t op = 0; op < skipped.size(); ++op) {
     const bool is_banned = banned_.contains(pass.name, site[op]);
     if (is_banned && rejected.insert(signature[op]).second) {
-      log_rejection(pass, signature[op], kEndsWorse);
+      log_rejection(pass, signature[op], Rejection::EndsWorse);
     }
     skipped[op] = rejected.contains(signature[op]);
   }
@@ -232,7 +230,7 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
       if (skipped[op] != 0 || acceptance.rejections[op] == Rejection::None) continue;
       skipped[op] = 1;
       rejected.insert(signature[op]);
-      log_rejection(pass, signature[op], rejection_reason(acceptance.rejections[op]));
+      log_rejection(pass, signature[op], acceptance.rejections[op]);
     }
   }
   return false;
@@ -320,11 +318,12 @@ void RepairDriver::log_refusals(const PlannedPass& pass, const std::vector<Refus
     logged.vertex = refusal.vertex == kNoIndex ? kNoIndex : tracked.vertex_keys[refusal.vertex];
     logged.face = refusal.face == kNoIndex ? kNoIndex : tracked.face_keys[refusal.face];
     logged.reason = refusal.reason;
+    logged.rejection = refusal.rejection;
   }
 }
 
 void RepairDriver::log_rejection(const PlannedPass& pass, const Signature& signature,
-                                 std::string_view reason) {
+                                 Rejection rejection) {
   LoggedRefusal& logged = log_.refusals.emplace_back();
   logged.pass = pass.name;
   logged.code = pass.code;
@@ -333,7 +332,8 @@ void RepairDriver::log_rejection(const PlannedPass& pass, const Signature& signa
   } else if (!signature.empty()) {
     logged.face = signature.front();
   }
-  logged.reason = reason;
+  logged.reason = rejection_reason(rejection);
+  logged.rejection = rejection;
 }
 
 }  // namespace meshalyzer

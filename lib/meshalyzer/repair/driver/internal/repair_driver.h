@@ -141,7 +141,7 @@ class RepairDriver {
   void include_patches(const Edits& edits);
   [[nodiscard]] std::vector<Signature> signatures(const Edits& edits) const;
   void log_refusals(const PlannedPass& pass, const std::vector<Refusal>& refused);
-  void log_rejection(const PlannedPass& pass, const Signature& signature, std::string_view reason);
+  void log_rejection(const PlannedPass& pass, const Signature& signature, Rejection rejection);
 
   Soup input_;
   Tolerances tolerances_;

@@ -1,0 +1,21 @@
+#include "meshalyzer/repair/driver/rejection.h"
+
+namespace meshalyzer {
+
+std::string_view rejection_reason(Rejection rejection) {
+  switch (rejection) {
+    case Rejection::None:
+      return "";
+    case Rejection::TooFar:
+      return "undone: it would move the surface farther than the maximum deviation";
+    case Rejection::Intersects:
+      return "undone: it would make faces intersect";
+    case Rejection::MoreDefects:
+      return "undone: it would make more defects than it mends";
+    case Rejection::EndsWorse:
+      return "undone: in the end the mesh would be worse for it";
+  }
+  return "";
+}
+
+}  // namespace meshalyzer
