@@ -56,16 +56,6 @@ Index side_before(const EdgeUse& use) {
   return 2 * use.piece + (use.direction > 0 ? 1 : 0);
 }
 
-/// Numbers sets 0, 1, ... in order of their lowest elements.
-std::size_t number_sets(DisjointSets& sets, std::vector<Index>& number_of) {
-  Index count = 0;
-  for (Index i = 0; i < number_of.size(); ++i) {
-    const Index root = sets.find(i);
-    number_of[i] = root == i ? count++ : number_of[root];
-  }
-  return count;
-}
-
 }  // namespace
 
 CellPieces::CellPieces(const Cells& cells) : pieces_(cells.of_side.size()) {
@@ -96,11 +86,13 @@ Cells find_cells(const Soup& soup, const Arrangement& arrangement) {
     }
     if (balance != 0) unbalanced.push_back(uses[0].piece);
   });
+  DisjointSets::Numbers cell = sides.number_all();
+  DisjointSets::Numbers component = pieces.number_all();
   Cells cells;
-  cells.of_side.resize(2 * n);
-  cells.count = number_sets(sides, cells.of_side);
-  cells.component_of.resize(n);
-  cells.n_components = number_sets(pieces, cells.component_of);
+  cells.of_side = std::move(cell.of);
+  cells.count = cell.count;
+  cells.component_of = std::move(component.of);
+  cells.n_components = component.count;
   cells.is_closed.assign(cells.n_components, 1);
   for (const Index piece : unbalanced) cells.is_closed[cells.component_of[piece]] = 0;
   return cells;

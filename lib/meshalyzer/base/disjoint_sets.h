@@ -34,8 +34,24 @@ class DisjointSets {
     if (b < a) parent_[a] = b;
   }
 
-  /// An element of the same set: `i` itself where it is the lowest, else a lower one.
-  [[nodiscard]] Index parent(Index i) const { return parent_[i]; }
+  [[nodiscard]] bool is_lowest(Index i) const { return parent_[i] == i; }
+
+  /// Each set by its number.
+  struct Numbers {
+    /// #elements: the number of the set that each is in, 0 ... count - 1.
+    std::vector<Index> of;
+    std::size_t count = 0;
+  };
+  /// Numbers the sets in the order of their lowest elements.
+  [[nodiscard]] Numbers number_all() const {
+    Numbers numbers{.of = std::vector<Index>(parent_.size())};
+    for (std::size_t i = 0; i < parent_.size(); ++i) {
+      // A parent is lower than its child, so it has its number already.
+      numbers.of[i] =
+          parent_[i] == i ? static_cast<Index>(numbers.count++) : numbers.of[parent_[i]];
+    }
+    return numbers;
+  }
 
  private:
   std::vector<Index> parent_;

@@ -53,21 +53,17 @@ std::vector<Defect> find_self_intersection_patches(const PreparedMesh& mesh) {
   const std::vector<IntersectingPair>& pairs = mesh.intersecting_pairs();
   if (pairs.empty()) return {};
   const std::vector<Index> faces = faces_of(pairs);
-  DisjointSets sets = join(mesh.soup(), faces, pairs);
+  const std::vector<Index> patch = join(mesh.soup(), faces, pairs).number_all().of;
   std::vector<Defect> defects;
-  std::vector<Index> number(faces.size(), kNoIndex);
-  for (Index i = 0; i < faces.size(); ++i) {
-    const Index root = sets.find(i);
-    if (root == i) {
-      number[i] = static_cast<Index>(defects.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (patch[i] == defects.size()) {
       Defect& defect = defects.emplace_back(make_defect(DefectCode::SelfIntersection));
       defect.positions = middle_of_face(mesh.soup(), faces[i]);
     }
-    defects[number[root]].faces.push_back(faces[i]);
+    defects[patch[i]].faces.push_back(faces[i]);
   }
   for (const IntersectingPair& pair : pairs) {
-    const Index root = sets.find(static_cast<Index>(place_in(faces, pair.face_a)));
-    defects[number[root]].pairs.push_back(pair);
+    defects[patch[place_in(faces, pair.face_a)]].pairs.push_back(pair);
   }
   for (Defect& defect : defects) defect.value = static_cast<double>(defect.pairs.size());
   return defects;

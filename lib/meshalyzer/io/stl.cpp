@@ -3,7 +3,7 @@
 #include "meshalyzer/base/bytes.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/numbers.h"
-#include "meshalyzer/io/point_table.h"
+#include "meshalyzer/base/point_table.h"
 #include "meshalyzer/io/print_record.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/stl_layout.h"

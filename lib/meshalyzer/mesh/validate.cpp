@@ -90,7 +90,7 @@ class CornerSets {
     std::vector<Index> n(soup_.n_vertices(), 0);
     for (Index corner = 0; corner < 3 * soup_.n_faces(); ++corner) {
       const Triangle& t = soup_.triangles[corner / 3];
-      if (is_in_complex(t) && sets_.parent(corner) == corner) ++n[t[corner % 3]];
+      if (is_in_complex(t) && sets_.is_lowest(corner)) ++n[t[corner % 3]];
     }
     return n;
   }

@@ -3,6 +3,8 @@
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/topology/edges.h"
 
+#include <utility>
+
 namespace meshalyzer {
 namespace {
 
@@ -30,16 +32,9 @@ void join_through_cuts(const TriMesh& mesh, const CutEdges& edges, DisjointSets&
   }
 }
 
-Components number_sets(const DisjointSets& faces, std::size_t n_faces) {
-  Components components;
-  components.of_face.resize(n_faces);
-  for (Index f = 0; f < n_faces; ++f) {
-    // A parent is lower than its child, so it has its number already.
-    const Index parent = faces.parent(f);
-    components.of_face[f] =
-        parent == f ? static_cast<Index>(components.count++) : components.of_face[parent];
-  }
-  return components;
+Components number_components(const DisjointSets& faces) {
+  DisjointSets::Numbers number = faces.number_all();
+  return {number.count, std::move(number.of)};
 }
 
 }  // namespace
@@ -67,11 +62,11 @@ Components find_edge_components(const CutMesh& cut) {
   DisjointSets faces = join_through_inner_edges(cut.mesh);
   join_through_cuts(cut.mesh, cut.side.flipped_edges, faces);
   join_through_cuts(cut.mesh, cut.side.non_manifold_edges, faces);
-  return number_sets(faces, cut.mesh.n_faces());
+  return number_components(faces);
 }
 
 Components find_oriented_regions(const CutMesh& cut) {
-  return number_sets(join_through_inner_edges(cut.mesh), cut.mesh.n_faces());
+  return number_components(join_through_inner_edges(cut.mesh));
 }
 
 std::vector<Index> components_of_file_faces(const CutMesh& cut, const Components& components,

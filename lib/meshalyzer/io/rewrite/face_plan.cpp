@@ -212,6 +212,15 @@ bool keeps_order(const FacePlan& plan) {
   return std::is_sorted(plan.file_faces.begin(), plan.file_faces.end());
 }
 
+RewrittenFile rewritten_file(ByteEdits& edits, const FacePlan& plan) {
+  RewrittenFile file;
+  file.bytes = edits.apply();
+  if (!keeps_order(plan)) file.file_faces = plan.file_faces;
+  file.lost = {{AttributeKind::Polygons, plan.n_split_polygons}};
+  file.lost_records = edits.lost();
+  return file;
+}
+
 std::vector<Index> new_vertices(const EditedMesh& mesh) {
   std::vector<Index> numbers(mesh.source.n_vertices(), kNoIndex);
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {

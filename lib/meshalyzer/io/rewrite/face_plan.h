@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/io/rewrite/byte_edits.h"
 #include "meshalyzer/io/rewrite/edited_mesh.h"
 
 #include <cstddef>
@@ -86,6 +87,9 @@ struct FacePlan {
 
 /// Whether a plan leaves the faces in the order of the edited mesh.
 [[nodiscard]] bool keeps_order(const FacePlan& plan);
+
+/// Applies edits that follow a plan, and tells what the file is that comes of them.
+[[nodiscard]] RewrittenFile rewritten_file(ByteEdits& edits, const FacePlan& plan);
 
 /// By vertex of the source: which one of the edited mesh it is; kNoIndex where it was dropped.
 [[nodiscard]] std::vector<Index> new_vertices(const EditedMesh& mesh);

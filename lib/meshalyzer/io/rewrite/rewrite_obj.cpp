@@ -45,14 +45,7 @@ class ObjRewriter {
     insert_behind(records_.vertices, added_vertices());
     insert_behind(records_.texture_points, lines_of("vt", attributes_.new_texture_points()));
     insert_behind(records_.normals, lines_of("vn", attributes_.new_normals()));
-    RewrittenFile file;
-    file.bytes = edits_.apply();
-    if (!keeps_order(plan_)) {
-      file.file_faces = plan_.file_faces;
-    }
-    file.lost = {{AttributeKind::Polygons, plan_.n_split_polygons}};
-    file.lost_records = edits_.lost();
-    return file;
+    return rewritten_file(edits_, plan_);
   }
 
  private:

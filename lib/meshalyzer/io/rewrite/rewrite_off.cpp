@@ -33,14 +33,7 @@ class OffRewriter {
     }
     edits_.insert_lines_behind(last_of(records_.vertices), added_vertices());
     write_faces();
-    RewrittenFile file;
-    file.bytes = edits_.apply();
-    if (!keeps_order(plan_)) {
-      file.file_faces = plan_.file_faces;
-    }
-    file.lost = {{AttributeKind::Polygons, plan_.n_split_polygons}};
-    file.lost_records = edits_.lost();
-    return file;
+    return rewritten_file(edits_, plan_);
   }
 
  private:

@@ -95,14 +95,7 @@ class PlyRewriter {
         edit_element(e);
       }
     }
-    RewrittenFile file;
-    file.bytes = edits_.apply();
-    if (!keeps_order(plan_)) {
-      file.file_faces = plan_.file_faces;
-    }
-    file.lost = {{AttributeKind::Polygons, plan_.n_split_polygons}};
-    file.lost_records = edits_.lost();
-    return file;
+    return rewritten_file(edits_, plan_);
   }
 
  private:

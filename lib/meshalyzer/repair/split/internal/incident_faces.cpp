@@ -78,14 +78,7 @@ std::vector<Index> find_fans_at(const Soup& soup, const IncidentFaces& incident,
     join_edge({first, last}, join, joined);
     first = last;
   }
-  // A set is named by its lowest element, so that fans are numbered as they are met.
-  std::vector<Index> fans(incident.faces(entry).size());
-  Index n_fans = 0;
-  for (Index place = 0; place < fans.size(); ++place) {
-    const Index root = joined.find(place);
-    fans[place] = root == place ? n_fans++ : fans[root];
-  }
-  return fans;
+  return joined.number_all().of;
 }
 
 }  // namespace meshalyzer

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -14,7 +15,7 @@ Index face_of(const CutMesh& cut, HalfedgeHandle h) {
 }
 
 /// #mesh faces: components numbered in order of their lowest faces.
-std::vector<Index> number_components(const CutMesh& cut, const std::vector<EdgeKind>& kinds) {
+DisjointSets::Numbers number_components(const CutMesh& cut, const std::vector<EdgeKind>& kinds) {
   DisjointSets components(cut.mesh.n_faces());
   for (const EdgeHandle e : cut.mesh.edges()) {
     if (kinds[static_cast<std::size_t>(e.idx())] != EdgeKind::Inner) continue;
@@ -26,22 +27,16 @@ std::vector<Index> number_components(const CutMesh& cut, const std::vector<EdgeK
     const auto halfedges = flipped[i].halfedges;
     components.unite(face_of(cut, halfedges[0]), face_of(cut, halfedges[1]));
   }
-  std::vector<Index> of_face(cut.mesh.n_faces());
-  Index count = 0;
-  for (Index f = 0; f < of_face.size(); ++f) {
-    const Index root = components.find(f);
-    of_face[f] = root == f ? count++ : of_face[root];
-  }
-  return of_face;
+  return components.number_all();
 }
 
 }  // namespace
 
 ManifoldComponents find_manifold_components(const CutMesh& cut) {
   const std::vector<EdgeKind> kinds = classify_edges(cut);
-  ManifoldComponents components{.of_face = number_components(cut, kinds), .openness = {}};
-  const auto last = std::max_element(components.of_face.begin(), components.of_face.end());
-  const std::size_t count = last == components.of_face.end() ? 0 : *last + std::size_t{1};
+  DisjointSets::Numbers number = number_components(cut, kinds);
+  const std::size_t count = number.count;
+  ManifoldComponents components{.of_face = std::move(number.of), .openness = {}};
   std::vector<double> n_rim(count, 0.0);
   std::vector<double> n_border(count, 0.0);
   for (const EdgeHandle e : cut.mesh.edges()) {

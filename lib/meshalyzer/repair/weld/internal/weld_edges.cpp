@@ -1,10 +1,9 @@
 #include "meshalyzer/repair/weld/internal/weld_edges.h"
 
-#include "meshalyzer/base/hash.h"
+#include "meshalyzer/base/point_table.h"
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 
 namespace meshalyzer {
@@ -25,28 +24,6 @@ WeldEdge edge_of(const CutMesh& cut, HalfedgeHandle inner) {
           .third = cut.side.vertex(cut.mesh.to_vertex_handle(next)),
           .face = cut.side.face(cut.mesh.face_handle(inner))};
 }
-
-/// The lowest vertex at each place, in a table with open addressing.
-class PlaceTable {
- public:
-  PlaceTable(std::span<const Vec3> positions, std::size_t n_places)
-      : positions_(positions), slots_(std::bit_ceil(2 * n_places + 1), kNoIndex) {}
-
-  /// Returns the vertex that was the first to be asked for at this place.
-  [[nodiscard]] Index first_at_place_of(Index vertex) {
-    const Vec3& p = positions_[vertex];
-    std::size_t slot = hash_position(p) & (slots_.size() - 1);
-    while (slots_[slot] != kNoIndex && positions_[slots_[slot]] != p) {
-      slot = (slot + 1) & (slots_.size() - 1);
-    }
-    if (slots_[slot] == kNoIndex) slots_[slot] = vertex;
-    return slots_[slot];
-  }
-
- private:
-  std::span<const Vec3> positions_;
-  std::vector<Index> slots_;
-};
 
 }  // namespace
 
@@ -75,9 +52,9 @@ std::vector<Index> find_weld_places(std::span<const Vec3> positions,
       places[v] = v;
     }
   }
-  PlaceTable table(positions, n_ends);
+  PointTable table(n_ends);
   for (Index& place : places) {
-    if (place != kNoIndex) place = table.first_at_place_of(place);
+    if (place != kNoIndex) place = table.enter(positions, place);
   }
   return places;
 }

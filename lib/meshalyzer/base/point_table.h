@@ -3,19 +3,23 @@
 #include "meshalyzer/base/hash.h"
 #include "meshalyzer/base/types.h"
 
-#include <array>
+#include <bit>
 #include <cstddef>
-#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace meshalyzer {
 
-/// Numbers points by first appearance; points whose coordinates are equal are one (0.0 equals
-/// -0.0).
+/// Finds points of a list by their coordinates; points whose coordinates are equal are one (0.0
+/// equals -0.0).
 ///
 /// An open-addressing hash table of indices into the list of points, at most half full.
 class PointTable {
  public:
+  PointTable() = default;
+  /// Makes a table that need not grow for so many points.
+  explicit PointTable(std::size_t n_points) : slots_(std::bit_ceil(2 * n_points + 1), kNoIndex) {}
+
   /// Appends the point to `points` where it is new. `points` must be the same list at every call.
   /// @return its index.
   [[nodiscard]] Index insert(std::vector<Vec3>& points, const Vec3& point) {
@@ -30,8 +34,18 @@ class PointTable {
     return slots_[slot];
   }
 
+  /// Enters a point of the list, unless an equal one was entered before.
+  ///
+  /// @pre    The table was made for so many points.
+  /// @return The index of the equal point that was entered first.
+  [[nodiscard]] Index enter(std::span<const Vec3> points, Index point) {
+    const std::size_t slot = find_slot(points, points[point]);
+    if (slots_[slot] == kNoIndex) slots_[slot] = point;
+    return slots_[slot];
+  }
+
  private:
-  [[nodiscard]] std::size_t find_slot(const std::vector<Vec3>& points, const Vec3& point) const {
+  [[nodiscard]] std::size_t find_slot(std::span<const Vec3> points, const Vec3& point) const {
     const std::size_t mask = slots_.size() - 1;
     std::size_t slot = hash_position(point) & mask;
     while (slots_[slot] != kNoIndex && points[slots_[slot]] != point) {
