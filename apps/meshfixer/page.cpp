@@ -1,8 +1,6 @@
 #include "page.h"
 
 #include "meshalyzer/io/file.h"
-#include "meshalyzer/picture/scene.h"
-#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/report/html/page.h"
 
 #include <algorithm>
@@ -11,10 +9,6 @@
 
 namespace meshalyzer::fixer {
 namespace {
-
-Scene scene_of(const PreparedMesh& mesh, const DefectReport& defects) {
-  return make_scene({.mesh = mesh, .defects = &defects}, all_field_names());
-}
 
 void append_ids(const Ids& ids, std::size_t count, Ids& all) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -25,9 +19,9 @@ void append_ids(const Ids& ids, std::size_t count, Ids& all) {
 /// Records of one of several meshes as those of all in one.
 class Shift {
  public:
-  explicit Shift(const Soup& before)
-      : vertices_(static_cast<Index>(before.n_vertices())),
-        faces_(static_cast<Index>(before.n_faces())) {}
+  Shift(std::size_t n_vertices_before, std::size_t n_faces_before)
+      : vertices_(static_cast<Index>(n_vertices_before)),
+        faces_(static_cast<Index>(n_faces_before)) {}
 
   [[nodiscard]] Triangle operator()(Triangle triangle) const {
     for (Index& corner : triangle) corner += corner == kNoIndex ? 0 : vertices_;
@@ -52,58 +46,77 @@ class Shift {
 };
 
 /// Several meshes as one, to be drawn together.
-struct JoinedMesh {
-  Soup soup;
-  DefectReport report;
-  MeshName name;
-};
-
-JoinedMesh join(const std::vector<FinalMesh>& meshes, const std::vector<Soup>& soups) {
-  JoinedMesh all;
-  all.name = meshes.front().name;
-  all.name.vertex_ids.named.clear();
-  all.name.face_ids.named.clear();
-  all.report.tolerances = meshes.front().remaining.tolerances;
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    const Shift shift(all.soup);
-    const Soup& soup = soups[i];
-    all.soup.positions.insert(all.soup.positions.end(), soup.positions.begin(),
-                              soup.positions.end());
-    std::transform(soup.triangles.begin(), soup.triangles.end(),
-                   std::back_inserter(all.soup.triangles), shift);
-    append_ids(meshes[i].name.vertex_ids, soup.n_vertices(), all.name.vertex_ids);
-    append_ids(meshes[i].name.face_ids, soup.n_faces(), all.name.face_ids);
-    const DefectReport& report = meshes[i].remaining;
-    std::transform(report.defects.begin(), report.defects.end(),
-                   std::back_inserter(all.report.defects), shift);
-    for (std::size_t code = 0; code < kDefectCodes; ++code) {
-      all.report.counts[code] += report.counts[code];
-    }
+Soup join(const std::vector<FinalSoup>& finals) {
+  Soup all;
+  for (const FinalSoup& mesh : finals) {
+    const Soup& soup = *mesh.soup;
+    const Shift shift(all.n_vertices(), all.n_faces());
+    all.positions.insert(all.positions.end(), soup.positions.begin(), soup.positions.end());
+    std::transform(soup.triangles.begin(), soup.triangles.end(), std::back_inserter(all.triangles),
+                   shift);
   }
-  std::stable_sort(all.report.defects.begin(), all.report.defects.end(),
-                   [](const Defect& a, const Defect& b) { return a.code < b.code; });
-  all.soup.vertex_ids = all.name.vertex_ids;
-  all.soup.face_ids = all.name.face_ids;
-  all.name.n_vertices = all.soup.n_vertices();
-  all.name.n_faces = all.soup.n_faces();
   return all;
 }
 
+/// What is said of several meshes that are drawn as one.
+struct JoinedReport {
+  DefectReport defects;
+  MeshName name;
+};
+
+JoinedReport join(const std::vector<FinalMesh>& meshes) {
+  JoinedReport all;
+  if (meshes.empty()) return all;
+  const MeshName& first = meshes.front().name;
+  all.name.path = first.path;
+  all.name.format = first.format;
+  all.name.vertex_ids.first = first.vertex_ids.first;
+  all.name.face_ids.first = first.face_ids.first;
+  all.defects.tolerances = meshes.front().remaining.tolerances;
+  for (const auto& [name, report, vertex_records, face_records] : meshes) {
+    const Shift shift(all.name.n_vertices, all.name.n_faces);
+    append_ids(name.vertex_ids, name.n_vertices, all.name.vertex_ids);
+    append_ids(name.face_ids, name.n_faces, all.name.face_ids);
+    all.name.n_vertices += name.n_vertices;
+    all.name.n_faces += name.n_faces;
+    std::transform(report.defects.begin(), report.defects.end(),
+                   std::back_inserter(all.defects.defects), shift);
+    for (std::size_t code = 0; code < kDefectCodes; ++code) {
+      all.defects.counts[code] += report.counts[code];
+    }
+  }
+  std::stable_sort(all.defects.defects.begin(), all.defects.defects.end(),
+                   [](const Defect& a, const Defect& b) { return a.code < b.code; });
+  return all;
+}
+
+/// Draws what came out; a single mesh by what is prepared for it already.
+Scene draw(const std::vector<FinalSoup>& finals, const DefectReport& defects) {
+  if (finals.size() == 1 && finals.front().prepared) {
+    return scene_of(*finals.front().prepared, defects);
+  }
+  const Soup all = join(finals);
+  return scene_of(PreparedMesh(all), defects);
+}
+
 }  // namespace
+
+Scene scene_of(const PreparedMesh& mesh, const DefectReport& defects) {
+  return make_scene({.mesh = mesh, .defects = &defects}, all_field_names());
+}
 
 void write_page(const std::string& file, const FoundPage& found) {
   const Scene scene = scene_of(found.mesh, found.report);
   replace_file(file, html_report({found.name, found.report, scene}, found.asked));
 }
 
-void write_page(const std::string& file, const RepairReport& report, const Soup& input,
-                const std::vector<Soup>& finals) {
-  const Scene before = scene_of(PreparedMesh(input), report.result.before);
-  const JoinedMesh all = report.meshes.empty() ? JoinedMesh{} : join(report.meshes, finals);
-  const Scene after = scene_of(PreparedMesh(all.soup), all.report);
+void write_page(const std::string& file, const RepairReport& report, const Scene& before,
+                const std::vector<FinalSoup>& finals) {
+  const JoinedReport all = join(report.meshes);
+  const Scene after = draw(finals, all.defects);
   replace_file(file, html_report(RepairPage{report,
                                             {report.input, report.result.before, before},
-                                            {all.name, all.report, after}}));
+                                            {all.name, all.defects, after}}));
 }
 
 }  // namespace meshalyzer::fixer

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "meshalyzer/defects/find_defects.h"
+#include "meshalyzer/picture/scene.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/report/repair_report.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,11 +24,21 @@ struct FoundPage {
 /// @throws IoError if the file cannot be written.
 void write_page(const std::string& file, const FoundPage& found);
 
+/// Decides what a page draws of a mesh and its defects.
+[[nodiscard]] Scene scene_of(const PreparedMesh& mesh, const DefectReport& defects);
+
+/// A mesh that came out of a repair, as it is on disk.
+struct FinalSoup {
+  std::shared_ptr<const Soup> soup;
+  /// Prepared from the same vertices and triangles; null where nobody has needed that yet.
+  std::shared_ptr<const PreparedMesh> prepared;
+};
+
 /// Writes the page of a repair.
-/// @param input   What was read.
-/// @param finals  The meshes of the report, as they are.
+/// @param before  What was read.
+/// @param finals  The meshes of the report.
 /// @throws IoError if the file cannot be written.
-void write_page(const std::string& file, const RepairReport& report, const Soup& input,
-                const std::vector<Soup>& finals);
+void write_page(const std::string& file, const RepairReport& report, const Scene& before,
+                const std::vector<FinalSoup>& finals);
 
 }  // namespace meshalyzer::fixer

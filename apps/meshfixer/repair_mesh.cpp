@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -60,18 +61,21 @@ DefectOptions final_search(const Options& options, const Tolerances& used) {
 /// order of its faces.
 ///
 /// @param face_records  As Output::face_records.
-DefectReport remaining_on_disk(const RepairedMesh& mesh, const Soup& disk,
-                               const std::vector<Index>& face_records,
-                               const DefectOptions& search) {
+/// @param final_soup    Gets what is prepared for the mesh on disk, as far as anything is.
+DefectReport remaining_on_disk(const RepairedMesh& mesh, const std::vector<Index>& face_records,
+                               const DefectOptions& search, FinalSoup& final_soup) {
+  const Soup& disk = *final_soup.soup;
+  const bool is_same = is_same_mesh(disk, mesh.tracked.soup);
+  if (is_same) final_soup.prepared = mesh.prepared;
   if (mesh.remaining.total() == 0 && is_same_but_for_order(disk, mesh.tracked.soup, face_records)) {
     return mesh.remaining;
   }
   const bool has_numbers = disk.format == Format::Mesh;
-  if (is_same_mesh(disk, mesh.tracked.soup) &&
-      has_numbers == (mesh.tracked.soup.format == Format::Mesh)) {
+  if (is_same && has_numbers == (mesh.tracked.soup.format == Format::Mesh)) {
     return mesh.remaining;
   }
-  return find_defects(disk, search);
+  final_soup.prepared = std::make_shared<const PreparedMesh>(final_soup.soup);
+  return find_defects(*final_soup.prepared, search);
 }
 
 /// Whether a result is the input as it was read.
@@ -156,17 +160,22 @@ Soup put(const Job& job, const Output& output, bool is_changed, const std::strin
   return write_output(output, path);
 }
 
+/// A mesh of which nothing is on disk.
+FinalSoup unwritten(const RepairedMesh& mesh) {
+  return {std::make_shared<const Soup>(mesh.tracked.soup), mesh.prepared};
+}
+
 /// Whether the meshes that come out are looked at once more.
 bool keeps_meshes(const Options& options) {
   return options.html || options.repair.guarantee;
 }
 
 /// Writes the meshes of a result, reads them back, and adds what they are to the report.
-/// @return The meshes of the report as they are, where there will be a page of them.
-std::vector<Soup> write_all(const Job& job, const std::vector<std::string>& paths,
-                            RepairReport& report) {
+/// @return The meshes of the report as they are, where they are looked at once more.
+std::vector<FinalSoup> write_all(const Job& job, const std::vector<std::string>& paths,
+                                 RepairReport& report) {
   const Options& options = job.options;
-  std::vector<Soup> finals;
+  std::vector<FinalSoup> finals;
   std::vector<Loss> losses;
   const DefectOptions search = final_search(options, report.result.before.tolerances);
   const bool is_changed = !is_unchanged(report);
@@ -175,16 +184,16 @@ std::vector<Soup> write_all(const Job& job, const std::vector<std::string>& path
     if (!has_content(mesh.tracked.soup, paths[i])) {
       report.notes.push_back(kNothingLeft);
       report.meshes.push_back({name_of(mesh.tracked.soup, ""), mesh.remaining});
-      if (keeps_meshes(options)) finals.push_back(mesh.tracked.soup);
+      if (keeps_meshes(options)) finals.push_back(unwritten(mesh));
       continue;
     }
     Output output = make_output(mesh.tracked, is_changed, paths[i], job.source);
-    Soup disk = put(job, output, is_changed, paths[i]);
+    FinalSoup disk{std::make_shared<const Soup>(put(job, output, is_changed, paths[i])), nullptr};
     if (!output.note.empty()) report.notes.push_back(output.note);
     losses.push_back(std::move(output.loss));
-    report.meshes.push_back({name_of(disk, options.writes_to_stdout() ? "-" : paths[i]),
-                             remaining_on_disk(mesh, disk, output.face_records, search),
-                             vertex_records(mesh.tracked.soup, disk, output.face_records),
+    report.meshes.push_back({name_of(*disk.soup, options.writes_to_stdout() ? "-" : paths[i]),
+                             remaining_on_disk(mesh, output.face_records, search, disk),
+                             vertex_records(mesh.tracked.soup, *disk.soup, output.face_records),
                              std::move(output.face_records)});
     if (keeps_meshes(options)) finals.push_back(std::move(disk));
   }
@@ -210,17 +219,17 @@ bool refuses_loss(const Job& job, const std::vector<std::string>& paths, RepairR
 }
 
 /// The same for what is not to be written.
-std::vector<Soup> take_unwritten(const Options& options, RepairReport& report) {
-  std::vector<Soup> finals;
+std::vector<FinalSoup> take_unwritten(const Options& options, RepairReport& report) {
+  std::vector<FinalSoup> finals;
   for (const RepairedMesh& mesh : report.result.meshes) {
     report.meshes.push_back({name_of(mesh.tracked.soup, ""), mesh.remaining});
-    if (keeps_meshes(options)) finals.push_back(mesh.tracked.soup);
+    if (keeps_meshes(options)) finals.push_back(unwritten(mesh));
   }
   return finals;
 }
 
 /// Adds what came out to the report, and writes it where it is to be written.
-std::vector<Soup> take_or_write(const Job& job, RepairReport& report) {
+std::vector<FinalSoup> take_or_write(const Job& job, RepairReport& report) {
   if (job.options.output) {
     const std::vector<std::string> paths = output_paths(job, report);
     if (!refuses_loss(job, paths, report)) return write_all(job, paths, report);
@@ -229,13 +238,13 @@ std::vector<Soup> take_or_write(const Job& job, RepairReport& report) {
 }
 
 /// Whether all meshes are good, as the analysis of what is on disk says; notes why not.
-bool are_good(const std::vector<Soup>& finals, RepairReport& report) {
+bool are_good(const std::vector<FinalSoup>& finals, RepairReport& report) {
   bool is_good = true;
   AnalysisOptions options;
   options.scope = Scope::AttributesOnly;
   options.judge_fitness = true;
   for (std::size_t i = 0; i < finals.size(); ++i) {
-    const Analysis analysis = analyze(finals[i], report.meshes[i].name.path, options);
+    const Analysis analysis = analyze(*finals[i].soup, report.meshes[i].name.path, options);
     if (analysis.fitness && analysis.fitness->good) continue;
     is_good = false;
     if (analysis.fitness) report.notes.push_back("verdict: " + verdict_text(*analysis.fitness));
@@ -277,14 +286,21 @@ ExitCode repair_mesh(const Options& options, Soup soup, const InputFile& file, S
     repair.written_as =
         options.target == Options::Target::InPlace ? soup.format : format_of_name(*options.output);
   }
-  const bool is_needed = options.html || options.output;
-  const Soup before = is_needed ? soup : Soup();
+  Scene before;
+  if (options.html) {
+    repair.keep_prepared = true;
+    repair.on_input = [&](const PreparedMesh& mesh, const DefectReport& defects) {
+      before = scene_of(mesh, defects);
+    };
+  }
+  const Soup input_soup = options.output ? soup : Soup();
   const RepairResult result = fix_defects(std::move(soup), repair);
   progress.clear();
   RepairReport report{input, result, repair.fixes, {}, {}};
   report.notes = result.notes;
   if (result.is_stopped) report.notes.push_back(StopRequest::note());
-  const std::vector<Soup> finals = take_or_write({options, {file, before}, streams}, report);
+  const std::vector<FinalSoup> finals =
+      take_or_write({options, {file, input_soup}, streams}, report);
   const bool is_as_guaranteed = !options.repair.guarantee || are_good(finals, report);
   if (options.html) write_page(*options.html, report, before, finals);
   const ExitCode told = tell(report);

@@ -30,8 +30,15 @@ std::vector<RepairedMesh> finished_meshes(RepairDriver& driver, const RepairOpti
   const DefectOptions find{.codes = DefectCodes::all(),
                            .tolerances = as_options(tolerances),
                            .max_defects = options.max_defects};
+  const bool is_separated = options.fixes.contains(DefectCode::Disjoint);
+  const bool is_renumbered = options.fixes.contains(DefectCode::Numbering);
+  if (!is_separated && !is_renumbered) {
+    return {{.tracked = driver.tracked(),
+             .remaining = find_defects(driver.mesh(), find),
+             .prepared = options.keep_prepared ? driver.shared_mesh() : nullptr}};
+  }
   std::vector<TrackedMesh> tracked_meshes;
-  if (options.fixes.contains(DefectCode::Disjoint)) {
+  if (is_separated) {
     tracked_meshes = separate(driver.tracked());
   } else {
     tracked_meshes.push_back(driver.tracked());
@@ -39,8 +46,7 @@ std::vector<RepairedMesh> finished_meshes(RepairDriver& driver, const RepairOpti
   std::vector<RepairedMesh> meshes;
   for (TrackedMesh& tracked : tracked_meshes) {
     RepairedMesh& mesh = meshes.emplace_back();
-    mesh.tracked = options.fixes.contains(DefectCode::Numbering) ? renumbered(tracked, tolerances)
-                                                                 : std::move(tracked);
+    mesh.tracked = is_renumbered ? renumbered(tracked, tolerances) : std::move(tracked);
     mesh.remaining = find_defects(mesh.tracked.soup, find);
   }
   return meshes;
@@ -111,6 +117,7 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   result.before = find_defects(driver.mesh(), {.codes = DefectCodes::all(),
                                                .tolerances = options.tolerances,
                                                .max_defects = options.max_defects});
+  if (options.on_input) options.on_input(driver.mesh(), result.before);
   driver.run_plan(plan_passes(options, tolerances), options);
   if (options.guarantee) result.notes = guarantee_goodness(driver, options, tolerances);
   if (options.keep_largest != 0) {

@@ -6,6 +6,7 @@
 #include "meshalyzer/repair/driver/repair_log.h"
 #include "meshalyzer/repair/edits/tracked_mesh.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct RepairedMesh {
   TrackedMesh tracked;
   /// The defects that it still has.
   DefectReport remaining;
+  /// What is prepared for the mesh, where RepairOptions::keep_prepared asks for it and the mesh is
+  /// the one that the passes have left, neither separated nor renumbered; else null.
+  std::shared_ptr<const PreparedMesh> prepared;
 };
 
 struct RepairResult {

@@ -73,6 +73,11 @@ struct RepairOptions {
   /// result is compared with the input as that file holds them.
   std::optional<Format> written_as;
   RepairListener on_progress;
+  /// Hears of the input and its defects, with all that is prepared for it, before it is repaired.
+  /// May be empty.
+  std::function<void(const PreparedMesh&, const DefectReport&)> on_input;
+  /// Whether RepairedMesh::prepared is kept.
+  bool keep_prepared = false;
   /// Asked before each attempt of a pass; once it says yes the repair ends with what it has by
   /// then. May be empty. Called from the thread that called the library.
   std::function<bool()> wants_to_stop;

@@ -37,7 +37,7 @@ RepairDriver::RepairDriver(Soup input, const Tolerances& tolerances, RepairLimit
       limits_(std::move(limits)),
       fixed_(std::move(fixed)),
       meter_(std::in_place, input_),
-      state_(std::make_unique<RepairState>(track_mesh(input_), tolerances_)) {}
+      state_(std::make_shared<RepairState>(track_mesh(input_), tolerances_)) {}
 
 void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOptions& options) {
   on_progress_ = options.on_progress;
@@ -119,13 +119,13 @@ void RepairDriver::ban(const DefectInventory& before, const DefectInventory& aft
 void RepairDriver::restart() {
   meter_.emplace(input_);
   if (checkpoint_) {
-    state_ = std::make_unique<RepairState>(checkpoint_->tracked, tolerances_);
+    state_ = std::make_shared<RepairState>(checkpoint_->tracked, tolerances_);
     meter_->include_patches(state_->tracked());
     log_ = checkpoint_->log;
     deviation_ = checkpoint_->deviation;
     walls_ = checkpoint_->walls;
   } else {
-    state_ = std::make_unique<RepairState>(track_mesh(input_), tolerances_);
+    state_ = std::make_shared<RepairState>(track_mesh(input_), tolerances_);
     log_ = {};
     deviation_ = 0.0;
     walls_.clear();
@@ -166,7 +166,7 @@ void RepairDriver::apply_unchecked(const PlannedPass& pass) {
   log_edits(std::string(pass.name), pass.code,
             {state_->tracked(), result.edits, {}, tracked, affected}, log_);
   walls_ = walls_with(result.edits, std::vector<std::uint8_t>(result.edits.n_operations, 0));
-  state_ = std::make_unique<RepairState>(std::move(tracked), tolerances_);
+  state_ = std::make_shared<RepairState>(std::move(tracked), tolerances_);
 }
 
 PassResult RepairDriver::propose(const PlannedPass& pass, OperationSize size) const {
@@ -211,7 +211,7 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
     TrackedMesh tracked = apply_edits(state_->tracked(), edits, skipped);
     const AffectedElements affected =
         find_affected_elements(state_->tracked(), edits, SkippedOperations(skipped), tracked);
-    auto after = std::make_unique<RepairState>(std::move(tracked), tolerances_, *state_, affected);
+    auto after = std::make_shared<RepairState>(std::move(tracked), tolerances_, *state_, affected);
     std::vector<InteriorWall> walls = walls_with(edits, skipped);
     const AcceptanceRules rules{input_, *meter_, limits_.max_deviation, pass.may_create, walls};
     const Acceptance acceptance =

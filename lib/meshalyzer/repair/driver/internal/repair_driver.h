@@ -39,6 +39,10 @@ class RepairDriver {
   /// Returns the mesh before all repairs.
   [[nodiscard]] const Soup& input() const { return input_; }
   [[nodiscard]] const PreparedMesh& mesh() const { return state_->mesh(); }
+  /// Returns the mesh for one who outlives this driver.
+  [[nodiscard]] std::shared_ptr<const PreparedMesh> shared_mesh() const {
+    return {state_, &state_->mesh()};
+  }
   /// Returns an upper bound of the distance between the input and the tracked mesh, hole patches
   /// left out.
   [[nodiscard]] double deviation() const { return deviation_; }
@@ -150,7 +154,7 @@ class RepairDriver {
   std::optional<DeviationMeter> meter_;
   /// What separated no inside from no outside and is gone.
   std::vector<InteriorWall> walls_;
-  std::unique_ptr<const RepairState> state_;
+  std::shared_ptr<const RepairState> state_;
   double deviation_ = 0.0;
   RepairListener on_progress_;
   std::function<bool()> wants_to_stop_;
