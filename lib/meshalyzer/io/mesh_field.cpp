@@ -1,10 +1,8 @@
 #include "meshalyzer/io/mesh_field.h"
 
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/io/field_formats.h"
 #include "meshalyzer/io/format_of.h"
-#include "meshalyzer/io/obj_field.h"
-#include "meshalyzer/io/ply_field.h"
-#include "meshalyzer/io/vtp_field.h"
 
 #include <algorithm>
 #include <cstddef>

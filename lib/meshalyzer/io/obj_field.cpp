@@ -1,6 +1,5 @@
-#include "meshalyzer/io/obj_field.h"
-
 #include "meshalyzer/base/numbers.h"
+#include "meshalyzer/io/field_formats.h"
 
 #include <algorithm>
 #include <array>

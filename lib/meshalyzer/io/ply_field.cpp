@@ -1,6 +1,5 @@
-#include "meshalyzer/io/ply_field.h"
-
 #include "meshalyzer/base/bytes.h"
+#include "meshalyzer/io/field_formats.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,6 @@
-#include "meshalyzer/io/vtp_field.h"
-
 #include "meshalyzer/base/base64.h"
 #include "meshalyzer/base/bytes.h"
+#include "meshalyzer/io/field_formats.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,5 @@
-#include "meshalyzer/io/obj_field.h"
-
 #include "field_sample.h"
+#include "meshalyzer/io/field_formats.h"
 #include "meshalyzer/io/obj.h"
 
 #include <gtest/gtest.h>

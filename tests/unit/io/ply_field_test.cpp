@@ -1,7 +1,6 @@
-#include "meshalyzer/io/ply_field.h"
-
 #include "field_sample.h"
 #include "meshalyzer/base/bytes.h"
+#include "meshalyzer/io/field_formats.h"
 #include "meshalyzer/io/ply.h"
 
 #include <gtest/gtest.h>

@@ -1,12 +1,7 @@
 #include "meshalyzer/io/rewrite/rewrite.h"
 
 #include "meshalyzer/io/format_of.h"
-#include "meshalyzer/io/rewrite/rewrite_inria.h"
-#include "meshalyzer/io/rewrite/rewrite_mesh_format.h"
-#include "meshalyzer/io/rewrite/rewrite_obj.h"
-#include "meshalyzer/io/rewrite/rewrite_off.h"
-#include "meshalyzer/io/rewrite/rewrite_ply.h"
-#include "meshalyzer/io/rewrite/rewrite_stl.h"
+#include "meshalyzer/io/rewrite/rewriters.h"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/rewrite/face_plan.h"
-#include "meshalyzer/io/rewrite/rewrite_stl.h"
+#include "meshalyzer/io/rewrite/rewriters.h"
 #include "meshalyzer/io/rewrite/text_lines.h"
 #include "meshalyzer/io/stl.h"
 

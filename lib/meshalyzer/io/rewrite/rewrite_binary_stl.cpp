@@ -1,6 +1,6 @@
 #include "meshalyzer/base/bytes.h"
 #include "meshalyzer/io/references.h"
-#include "meshalyzer/io/rewrite/rewrite_stl.h"
+#include "meshalyzer/io/rewrite/rewriters.h"
 #include "meshalyzer/io/stl.h"
 #include "meshalyzer/io/stl_layout.h"
 

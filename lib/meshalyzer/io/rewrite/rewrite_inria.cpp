@@ -1,10 +1,9 @@
-#include "meshalyzer/io/rewrite/rewrite_inria.h"
-
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/rewrite/blend.h"
 #include "meshalyzer/io/rewrite/face_plan.h"
 #include "meshalyzer/io/rewrite/inria_records.h"
+#include "meshalyzer/io/rewrite/rewriters.h"
 #include "meshalyzer/io/rewrite/text_lines.h"
 
 #include <algorithm>

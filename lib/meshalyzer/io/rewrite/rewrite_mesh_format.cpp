@@ -1,8 +1,7 @@
-#include "meshalyzer/io/rewrite/rewrite_mesh_format.h"
-
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/rewrite/face_plan.h"
+#include "meshalyzer/io/rewrite/rewriters.h"
 #include "meshalyzer/io/rewrite/text_lines.h"
 
 #include <cstddef>

@@ -1,9 +1,8 @@
-#include "meshalyzer/io/rewrite/rewrite_obj.h"
-
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/rewrite/blend.h"
 #include "meshalyzer/io/rewrite/obj_attributes.h"
+#include "meshalyzer/io/rewrite/rewriters.h"
 #include "meshalyzer/io/rewrite/text_lines.h"
 
 #include <algorithm>

@@ -1,10 +1,9 @@
-#include "meshalyzer/io/rewrite/rewrite_ply.h"
-
 #include "meshalyzer/io/ply_names.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/rewrite/blend.h"
 #include "meshalyzer/io/rewrite/ply_corner_lists.h"
 #include "meshalyzer/io/rewrite/ply_records.h"
+#include "meshalyzer/io/rewrite/rewriters.h"
 #include "meshalyzer/io/rewrite/text_lines.h"
 
 #include <algorithm>

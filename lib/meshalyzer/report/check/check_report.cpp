@@ -1,10 +1,6 @@
 #include "meshalyzer/report/check/check_report.h"
 
-#include "meshalyzer/report/check/github.h"
-#include "meshalyzer/report/check/json.h"
-#include "meshalyzer/report/check/junit.h"
-#include "meshalyzer/report/check/sarif.h"
-#include "meshalyzer/report/check/text.h"
+#include "meshalyzer/report/check/formats.h"
 
 #include <algorithm>
 #include <array>
@@ -40,19 +36,19 @@ std::unique_ptr<CheckReport> make_check_report(CheckFormat format, TextSink sink
                                                TextColour colour) {
   switch (format) {
     case CheckFormat::Json:
-      return std::make_unique<CheckJson>(std::move(sink));
+      return make_check_json(std::move(sink));
     case CheckFormat::Ndjson:
-      return std::make_unique<CheckNdjson>(std::move(sink));
+      return make_check_ndjson(std::move(sink));
     case CheckFormat::Sarif:
-      return std::make_unique<CheckSarif>(std::move(sink));
+      return make_check_sarif(std::move(sink));
     case CheckFormat::Junit:
-      return std::make_unique<CheckJunit>(std::move(sink));
+      return make_check_junit(std::move(sink));
     case CheckFormat::Github:
-      return std::make_unique<CheckGithub>(std::move(sink));
+      return make_check_github(std::move(sink));
     case CheckFormat::Text:
       break;
   }
-  return std::make_unique<CheckText>(std::move(sink), colour);
+  return make_check_text(std::move(sink), colour);
 }
 
 }  // namespace meshalyzer

@@ -1,8 +1,8 @@
-#include "meshalyzer/report/check/github.h"
-
+#include "meshalyzer/report/check/formats.h"
 #include "meshalyzer/report/check/lines.h"
 
 #include <fmt/format.h>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -32,7 +32,16 @@ std::string at_line(std::optional<std::size_t> line) {
   return line ? fmt::format(",line={}", *line) : "";
 }
 
-}  // namespace
+class CheckGithub : public CheckReport {
+ public:
+  explicit CheckGithub(TextSink sink) : sink_(std::move(sink)) {}
+
+  void add(const FileFindings& file) override;
+  void finish(const CheckTotals& totals, std::chrono::duration<double> elapsed) override;
+
+ private:
+  TextSink sink_;
+};
 
 void CheckGithub::add(const FileFindings& file) {
   if (!file.is_readable()) {
@@ -60,6 +69,12 @@ void CheckGithub::add(const FileFindings& file) {
 void CheckGithub::finish(const CheckTotals& totals, std::chrono::duration<double> /*elapsed*/) {
   sink_(fmt::format("::notice title=meshalyzer check::{} good, {} not good, {} unreadable\n",
                     totals.good, totals.not_good, totals.unreadable));
+}
+
+}  // namespace
+
+std::unique_ptr<CheckReport> make_check_github(TextSink sink) {
+  return std::make_unique<CheckGithub>(std::move(sink));
 }
 
 }  // namespace meshalyzer

@@ -1,9 +1,9 @@
-#include "meshalyzer/report/check/json.h"
-
 #include "meshalyzer/checks/selection.h"
+#include "meshalyzer/report/check/formats.h"
 #include "meshalyzer/report/json/bytes.h"
 #include "meshalyzer/report/json/format.h"
 #include "meshalyzer/report/json/schema_writer.h"
+#include "meshalyzer/report/json/writer.h"
 
 #include <string>
 #include <utility>
@@ -199,26 +199,28 @@ SchemaObject check_object() {
                       {"totals", "", schema_reference("totals")}}};
 }
 
-}  // namespace
+class CheckJson : public CheckReport {
+ public:
+  explicit CheckJson(TextSink sink);
 
-std::string check_json_schema() {
-  JsonWriter json;
-  json.begin_object();
-  json.member("$schema", std::string_view("https://json-schema.org/draft/2020-12/schema"));
-  json.member("title", kCheckSchema);
-  write_schema(json, check_object());
-  json.key("$defs");
-  json.begin_object();
-  SchemaDefinitions definitions(json);
-  define_file(definitions);
-  define_error(definitions);
-  define_count(definitions);
-  define_finding(definitions);
-  define_totals(definitions);
-  json.end_object();
-  json.end_object();
-  return json.take();
-}
+  void add(const FileFindings& file) override;
+  void finish(const CheckTotals& totals, std::chrono::duration<double> elapsed) override;
+
+ private:
+  TextSink sink_;
+  JsonWriter json_;
+};
+
+class CheckNdjson : public CheckReport {
+ public:
+  explicit CheckNdjson(TextSink sink) : sink_(std::move(sink)) {}
+
+  void add(const FileFindings& file) override;
+  void finish(const CheckTotals& totals, std::chrono::duration<double> elapsed) override;
+
+ private:
+  TextSink sink_;
+};
 
 CheckJson::CheckJson(TextSink sink) : sink_(std::move(sink)) {
   json_.begin_object();
@@ -256,6 +258,35 @@ void CheckNdjson::finish(const CheckTotals& totals, std::chrono::duration<double
   write_totals(json, totals);
   json.end_object();
   sink_(json.take());
+}
+
+}  // namespace
+
+std::unique_ptr<CheckReport> make_check_json(TextSink sink) {
+  return std::make_unique<CheckJson>(std::move(sink));
+}
+
+std::unique_ptr<CheckReport> make_check_ndjson(TextSink sink) {
+  return std::make_unique<CheckNdjson>(std::move(sink));
+}
+
+std::string check_json_schema() {
+  JsonWriter json;
+  json.begin_object();
+  json.member("$schema", std::string_view("https://json-schema.org/draft/2020-12/schema"));
+  json.member("title", kCheckSchema);
+  write_schema(json, check_object());
+  json.key("$defs");
+  json.begin_object();
+  SchemaDefinitions definitions(json);
+  define_file(definitions);
+  define_error(definitions);
+  define_count(definitions);
+  define_finding(definitions);
+  define_totals(definitions);
+  json.end_object();
+  json.end_object();
+  return json.take();
 }
 
 }  // namespace meshalyzer

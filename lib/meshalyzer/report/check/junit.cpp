@@ -1,10 +1,10 @@
-#include "meshalyzer/report/check/junit.h"
-
+#include "meshalyzer/report/check/formats.h"
 #include "meshalyzer/report/check/lines.h"
-#include "meshalyzer/report/check/text.h"
 #include "meshalyzer/report/html/writer.h"
 
 #include <fmt/format.h>
+#include <string>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -28,11 +28,21 @@ std::string summary_of(const FileFindings& file) {
 
 std::string lines_of(const FileFindings& file) {
   std::string lines;
-  CheckText([&](std::string_view text) { lines += text; }, TextColour::Never).add(file);
+  make_check_text([&](std::string_view text) { lines += text; }, TextColour::Never)->add(file);
   return lines;
 }
 
-}  // namespace
+class CheckJunit : public CheckReport {
+ public:
+  explicit CheckJunit(TextSink sink) : sink_(std::move(sink)) {}
+
+  void add(const FileFindings& file) override;
+  void finish(const CheckTotals& totals, std::chrono::duration<double> elapsed) override;
+
+ private:
+  TextSink sink_;
+  std::string cases_;
+};
 
 void CheckJunit::add(const FileFindings& file) {
   cases_ += fmt::format("    <testcase classname=\"meshalyzer.check\" name=\"{}\" time=\"0\"",
@@ -60,6 +70,12 @@ void CheckJunit::finish(const CheckTotals& totals, std::chrono::duration<double>
       fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites {0}>\n  <testsuite "
                   "{0}>\n{1}  </testsuite>\n</testsuites>\n",
                   numbers, cases_));
+}
+
+}  // namespace
+
+std::unique_ptr<CheckReport> make_check_junit(TextSink sink) {
+  return std::make_unique<CheckJunit>(std::move(sink));
 }
 
 }  // namespace meshalyzer

@@ -1,11 +1,13 @@
-#include "meshalyzer/report/check/sarif.h"
-
 #include "meshalyzer/checks/limits.h"
 #include "meshalyzer/defects/catalogue.h"
+#include "meshalyzer/report/check/formats.h"
 #include "meshalyzer/report/check/lines.h"
 #include "meshalyzer/report/html/writer.h"
+#include "meshalyzer/report/json/writer.h"
 
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -68,7 +70,27 @@ void write_result(JsonWriter& json, std::string_view code, Severity severity,
   write_text(json, "message", message);
 }
 
-}  // namespace
+class CheckSarif : public CheckReport {
+ public:
+  explicit CheckSarif(TextSink sink);
+
+  void add(const FileFindings& file) override;
+  void finish(const CheckTotals& totals, std::chrono::duration<double> elapsed) override;
+
+ private:
+  void write_notes();
+
+  TextSink sink_;
+  JsonWriter json_;
+  /// Addresses of all files, for "artifacts".
+  std::vector<std::string> addresses_;
+  struct Note {
+    std::string address;
+    std::string text;
+  };
+  /// What is said of files that is no finding, for "toolExecutionNotifications".
+  std::vector<Note> notes_;
+};
 
 CheckSarif::CheckSarif(TextSink sink) : sink_(std::move(sink)) {
   json_.begin_object();
@@ -155,6 +177,12 @@ void CheckSarif::finish(const CheckTotals& totals, std::chrono::duration<double>
   json_.end_array();
   json_.end_object();
   sink_(json_.take());
+}
+
+}  // namespace
+
+std::unique_ptr<CheckReport> make_check_sarif(TextSink sink) {
+  return std::make_unique<CheckSarif>(std::move(sink));
 }
 
 }  // namespace meshalyzer

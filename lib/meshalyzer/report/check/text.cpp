@@ -1,8 +1,9 @@
-#include "meshalyzer/report/check/text.h"
-
+#include "meshalyzer/report/check/formats.h"
 #include "meshalyzer/report/check/lines.h"
 
 #include <fmt/format.h>
+#include <string>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -12,7 +13,19 @@ std::string number_of(std::size_t n, std::string_view one) {
   return fmt::format("{} {}{}", grouped(n), one, n == 1 ? "" : "s");
 }
 
-}  // namespace
+class CheckText : public CheckReport {
+ public:
+  CheckText(TextSink sink, TextColour colour) : sink_(std::move(sink)), colour_(colour) {}
+
+  void add(const FileFindings& file) override;
+  void finish(const CheckTotals& totals, std::chrono::duration<double> elapsed) override;
+
+ private:
+  [[nodiscard]] std::string coloured(Severity severity, std::string_view text) const;
+
+  TextSink sink_;
+  TextColour colour_;
+};
 
 std::string CheckText::coloured(Severity severity, std::string_view text) const {
   if (colour_ == TextColour::Never) return std::string(text);
@@ -54,6 +67,12 @@ void CheckText::finish(const CheckTotals& totals, std::chrono::duration<double> 
   sink_(fmt::format("{} mesh{} in {:.1f} s: {}\n", grouped(totals.meshes),
                     totals.meshes == 1 ? "" : "es", elapsed.count(),
                     parts.empty() ? "nothing to check" : parts));
+}
+
+}  // namespace
+
+std::unique_ptr<CheckReport> make_check_text(TextSink sink, TextColour colour) {
+  return std::make_unique<CheckText>(std::move(sink), colour);
 }
 
 }  // namespace meshalyzer

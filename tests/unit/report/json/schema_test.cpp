@@ -1,6 +1,6 @@
 #include "meshalyzer/report/json/schema.h"
 
-#include "meshalyzer/report/check/json.h"
+#include "meshalyzer/report/check/formats.h"
 
 #include <gtest/gtest.h>
 
