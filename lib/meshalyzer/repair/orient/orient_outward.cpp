@@ -1,15 +1,239 @@
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/prepared/shells.h"
-#include "meshalyzer/repair/orient/internal/outward_votes.h"
 #include "meshalyzer/repair/orient/internal/side_votes.h"
 #include "meshalyzer/repair/passes.h"
+#include "meshalyzer/spatial/box_tree.h"
+#include "meshalyzer/spatial/ray_parity.h"
 #include "meshalyzer/topology/components.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
 namespace {
+
+/// The part that a region takes in a vote on which way regions point.
+enum class RegionRole : std::uint8_t {
+  /// It is closed, and which way it points is known otherwise.
+  Shell,
+  /// Its faces vote.
+  Voter,
+  /// The region takes no part.
+  None,
+};
+
+/// The input of vote_outward(). This holds references only.
+struct OutwardQuery {
+  const PreparedMesh& mesh;
+  /// The regions as find_oriented_regions() returns them.
+  const Components& regions;
+  /// #regions.
+  std::span<const RegionRole> roles;
+};
+
+/// A point is inside or outside where the winding number is no farther than this from a whole one.
+constexpr double kSure = 0.25;
+
+/// A region whose faces vote.
+struct Voter {
+  Index region = 0;
+  SideVotes votes;
+  std::vector<SurfaceSample> samples;
+  /// Null where the region bounds no solid, so that nothing is inside it.
+  std::unique_ptr<WindingNumbers> surface;
+  Box3 box;
+};
+
+Voter make_voter(Index region, std::vector<Corners> triangles) {
+  Voter voter{.region = region, .votes = {}, .samples = {}, .surface = nullptr, .box = {}};
+  for (const Corners& t : triangles) {
+    for (const Vec3& p : t) voter.box.extend(p);
+  }
+  voter.samples = sample_surface(triangles);
+  auto surface = std::make_unique<WindingNumbers>(std::move(triangles));
+  voter.votes = count_votes(*surface, voter.samples);
+  if (voter.votes.bounds_solid()) voter.surface = std::move(surface);
+  return voter;
+}
+
+std::vector<Voter> collect_voters(const OutwardQuery& query) {
+  std::vector<Voter> voters;
+  if (std::find(query.roles.begin(), query.roles.end(), RegionRole::Voter) == query.roles.end()) {
+    return voters;
+  }
+  for (Index region = 0; region < query.regions.count; ++region) {
+    if (query.roles[region] == RegionRole::Voter) {
+      voters.push_back({.region = region, .votes = {}, .samples = {}, .surface = {}, .box = {}});
+    }
+  }
+  const FacesByPart faces(query.regions.of_face, query.regions.count);
+  parallel_chunks(voters.size(), 1, [&](Chunk chunk) {
+    Voter& voter = voters[chunk.begin];
+    std::vector<Corners> triangles;
+    triangles.reserve(faces.of(voter.region).size());
+    for (const Index f : faces.of(voter.region)) {
+      triangles.push_back(corners_of(query.mesh.soup(), query.mesh.cut().side.faces[f]));
+    }
+    voter = make_voter(voter.region, std::move(triangles));
+  });
+  return voters;
+}
+
+/// A region that a point may be inside of.
+struct Around {
+  Index region = 0;
+  /// False: the point is on it, or as good as on it.
+  bool is_sure = false;
+};
+
+/// What may enclose a region: voters that bound a solid, and shells.
+class EncloserSearch {
+ public:
+  EncloserSearch(const OutwardQuery& query, std::span<const Voter> voters)
+      : tree_(query.mesh.tree()),
+        voters_(voters),
+        boxes_(boxes_of(voters)),
+        shells_(query.regions.of_face),
+        n_regions_(query.regions.count) {
+    for (Index& region : shells_) {
+      region = query.roles[region] == RegionRole::Shell ? region : kNoIndex;
+    }
+    has_shells_ = std::any_of(shells_.begin(), shells_.end(),
+                              [](Index region) { return region != kNoIndex; });
+  }
+
+  /// Returns the regions that a voter is inside of as far as its samples tell: some are, and none
+  /// is outside.
+  [[nodiscard]] std::vector<Index> enclosers(const Voter& voter) const {
+    std::vector<Around> candidates = around(voter, voter.samples.front().point);
+    for (std::size_t i = 1; i < voter.samples.size() && !candidates.empty(); ++i) {
+      keep_common(around(voter, voter.samples[i].point), candidates);
+    }
+    std::vector<Index> regions;
+    for (const Around& candidate : candidates) {
+      if (candidate.is_sure) regions.push_back(candidate.region);
+    }
+    return regions;
+  }
+
+ private:
+  static std::vector<Box3> boxes_of(std::span<const Voter> voters) {
+    std::vector<Box3> boxes(voters.size());
+    for (std::size_t i = 0; i < voters.size(); ++i) {
+      boxes[i] = voters[i].surface ? voters[i].box : Box3();
+    }
+    return boxes;
+  }
+
+  /// The regions that another point is not outside of, either; sure where any point was.
+  static void keep_common(const std::vector<Around>& others, std::vector<Around>& candidates) {
+    std::erase_if(candidates, [&](Around& candidate) {
+      const auto same = std::find_if(others.begin(), others.end(), [&](const Around& other) {
+        return other.region == candidate.region;
+      });
+      if (same == others.end()) return true;
+      candidate.is_sure = candidate.is_sure || same->is_sure;
+      return false;
+    });
+  }
+
+  [[nodiscard]] std::vector<Around> around(const Voter& voter, const Vec3& point) const {
+    std::vector<Around> found;
+    for (const Index i : boxes_.meeting(Box3(point))) {
+      const Voter& other = voters_[i];
+      if (&other == &voter) continue;
+      const double winding = std::abs(other.surface->at(point));
+      const bool is_sure = std::abs(winding - std::round(winding)) <= kSure;
+      if (!is_sure || std::lround(winding) % 2 == 1) {
+        found.push_back({other.region, is_sure});
+      }
+    }
+    if (has_shells_) add_shells(point, found);
+    return found;
+  }
+
+  void add_shells(const Vec3& point, std::vector<Around>& found) const {
+    const PointLocation place = locate(tree_, {.of_face = shells_, .count = n_regions_}, point);
+    for (const Index region : place.on) {
+      if (region != kNoIndex) {
+        found.push_back({region, false});
+      }
+    }
+    for (const Index region : place.odd) {
+      const bool is_on = std::binary_search(place.on.begin(), place.on.end(), region);
+      if (region != kNoIndex && !is_on) {
+        found.push_back({region, true});
+      }
+    }
+  }
+
+  const FaceTree& tree_;
+  std::span<const Voter> voters_;
+  BoxTree boxes_;
+  /// #mesh faces: the region of those that are in a shell, else kNoIndex.
+  std::vector<Index> shells_;
+  std::size_t n_regions_;
+  bool has_shells_ = false;
+};
+
+/// Patches that cross are not inside each other, however little crosses.
+void drop_crossing(const OutwardQuery& query, std::vector<std::vector<Index>>& enclosers) {
+  const SideTable& side = query.mesh.cut().side;
+  for (const IntersectingPair& pair : query.mesh.intersecting_pairs()) {
+    if (pair.kind == ContactKind::Crossing) {
+      const Index a = query.regions.of_face[side.mesh_face(pair.face_a)];
+      const Index b = query.regions.of_face[side.mesh_face(pair.face_b)];
+      std::erase(enclosers[a], b);
+      std::erase(enclosers[b], a);
+    }
+  }
+}
+
+/// Returns, by region, those that each voter with a clear vote is inside of.
+std::vector<std::vector<Index>> find_enclosers(const OutwardQuery& query,
+                                               const std::vector<Voter>& voters) {
+  const EncloserSearch search(query, voters);
+  std::vector<std::vector<Index>> enclosers(query.regions.count);
+  parallel_chunks(voters.size(), 16, [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      if (voters[i].votes.is_clear()) enclosers[voters[i].region] = search.enclosers(voters[i]);
+    }
+  });
+  if (std::any_of(enclosers.begin(), enclosers.end(), [](const auto& e) { return !e.empty(); })) {
+    drop_crossing(query, enclosers);
+  }
+  return enclosers;
+}
+
+/// Finds the regions that point the wrong way by winding numbers: those that bound a solid, and
+/// clearly have it on the wrong side.
+///
+/// Each region is judged by its own winding number alone, and how many others are round it does not
+/// depend on how they are oriented: so all may be turned at once, or some, and asked again nothing
+/// is turned. Inside an odd number of others, none of which it crosses, a region is the wall of a
+/// cavity.
+///
+/// @return #regions: 1 for those to be turned.
+std::vector<std::uint8_t> vote_outward(const OutwardQuery& query) {
+  std::vector<std::uint8_t> is_wrong(query.regions.count, 0);
+  const std::vector<Voter> voters = collect_voters(query);
+  if (voters.empty()) return is_wrong;
+  const std::vector<std::vector<Index>> enclosers = find_enclosers(query, voters);
+  for (const Voter& voter : voters) {
+    if (voter.votes.is_clear()) {
+      const bool is_cavity = enclosers[voter.region].size() % 2 == 1;
+      is_wrong[voter.region] = voter.votes.is_outward() == is_cavity ? 1 : 0;
+    }
+  }
+  return is_wrong;
+}
 
 /// Finds the regions that point the wrong way. A region with a flipped edge is left: the region
 /// beyond that edge would have to be turned with it.
