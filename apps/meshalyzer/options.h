@@ -37,7 +37,7 @@ struct FieldExport {
 
 /// A command line, understood. What is not on it is as it is here.
 struct Options : ReportOptions {
-  /// Mesh files, folders, or "-"; at least one. Of merge: journals.
+  /// Mesh files, folders, or "-"; at least one. The journals, where the command is merge.
   std::vector<std::string> paths;
   MeshRequest mesh;
   /// In seconds.

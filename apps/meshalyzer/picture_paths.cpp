@@ -106,7 +106,7 @@ PicturePaths picture_paths(const Options& options, const Inputs& inputs) {
   if (options.separation_ply) {
     const fs::path folder = *options.separation_ply;
     paths.separations = files_in(folder, file_names_of(inputs.files, ".ply"));
-    // As a file in it names it: `DIR/` is `DIR`.
+    // The folder as a file in it names it: `DIR/` is `DIR`.
     paths.folders.push_back((folder / "x").parent_path().string());
   }
   refuse_looked_at(paths.folders, options);

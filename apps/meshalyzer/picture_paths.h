@@ -25,8 +25,8 @@ struct PicturePaths {
   std::vector<std::string> links;
 };
 
-/// Names all pictures that a run writes. Of one mesh, a page or a field has the name that was
-/// given. Of several, pages are in a folder called as FILE without its ending and with `_pages`,
+/// Names all pictures that a run writes. For one mesh, a page or a field has the name that was
+/// given. For several, pages are in a folder called as FILE without its ending and with `_pages`,
 /// fields in one called as FILE without its ending; in them they are called as the last parts of
 /// the paths of the meshes with their own ending in place where these differ, else by the number of
 /// the mesh, `_` and its last part.

@@ -14,7 +14,7 @@ class InputFile {
   explicit InputFile(const std::string& path)
       : path_(path), content_(path), plain_(content_.bytes(), path) {}
 
-  /// As the user named it.
+  /// The path as the user named it.
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] std::string_view original() const { return content_.bytes(); }
   [[nodiscard]] const PlainContent& plain() const { return plain_; }

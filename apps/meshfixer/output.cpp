@@ -82,7 +82,7 @@ Output make_plain_output(const TrackedMesh& result, bool is_changed, const std::
   return file ? rewritten_output(std::move(*file), source) : new_file(mesh, format, source);
 }
 
-/// By kind: how many are lost in a part, but for records that another part may have.
+/// Counts by kind what is lost in a part, without records that another part may have.
 std::map<AttributeKind, std::size_t> lost_in_part(const Loss& part) {
   std::map<AttributeKind, std::size_t> counts;
   for (const AttributeCount& count : part.lost) counts[count.kind] += count.count;

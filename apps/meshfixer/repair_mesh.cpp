@@ -57,8 +57,8 @@ DefectOptions final_search(const Options& options, const Tolerances& used) {
 }
 
 /// Returns the defects that remain in the mesh on disk: those that the repair found, unless the
-/// file differs by a bit from the mesh in memory. Of a mesh without defects that is said in any
-/// order of its faces.
+/// file differs by a bit from the mesh in memory. Where the mesh has no defects, its faces may be
+/// in another order.
 ///
 /// @param face_records  As Output::face_records.
 /// @param final_soup    Gets what is prepared for the mesh on disk, as far as anything is.

@@ -35,7 +35,7 @@ std::optional<std::uint64_t> unit_of(std::string_view text) {
 std::uint64_t fraction_of(std::uint64_t unit, std::string_view digits) {
   const std::optional<double> fraction = parse_real("0." + std::string(digits) + "0");
   const double bytes = std::floor(fraction.value_or(0.0) * static_cast<double>(unit));
-  // So many nines that they read as 1 stay a fraction.
+  // A share with so many nines that it reads as 1 is a fraction all the same.
   return std::min(static_cast<std::uint64_t>(bytes), unit - 1);
 }
 
@@ -75,7 +75,7 @@ std::string memory_size_text(std::uint64_t bytes) {
   auto amount = static_cast<double>(bytes);
   std::size_t unit = 0;
   const auto tenths = [&] { return std::round(amount * 10); };
-  // By what will be printed: 1023.97 KB is "1 MB", not "1024 KB".
+  // What will be printed decides: 1023.97 KB is "1 MB", not "1024 KB".
   while (tenths() >= 10 * static_cast<double>(kUnitStep) && unit + 1 < kUnits.size()) {
     amount /= static_cast<double>(kUnitStep);
     ++unit;

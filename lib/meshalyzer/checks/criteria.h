@@ -14,7 +14,8 @@ struct CheckCriteria {
   DefectCodes codes;
   ToleranceOptions tolerances;
   Limits limits;
-  /// So many findings of a code are listed at most; 0 lists all. Counts are complete all the same.
+  /// At most this many findings of a code are listed; 0 lists all. Counts are complete all the
+  /// same.
   std::size_t max_listed = 5;
   /// A file has so many lines in a report at most: where it would have more, fewer of each code are
   /// listed. 0: no limit, as where somebody says how many of a code are to be listed.

@@ -8,7 +8,7 @@
 namespace meshalyzer {
 namespace {
 
-/// So many elements are named by their ids; of more only the first is.
+/// Up to this many elements are all named by their ids; of more only the first is.
 constexpr std::size_t kMaxNamed = 3;
 
 /// Names the elements of a defect by the ids of the file.

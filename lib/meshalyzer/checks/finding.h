@@ -42,7 +42,7 @@ struct FindingCount {
   Severity severity = Severity::Error;
   /// All that were found, whether they are listed or not.
   std::size_t count = 0;
-  /// Those of them that meshfixer mends.
+  /// How many of them meshfixer mends.
   std::size_t fixable = 0;
   /// There may be more, since the search ended early.
   bool is_at_least = false;
@@ -50,7 +50,7 @@ struct FindingCount {
 
 /// What a check says of one file.
 struct FileFindings {
-  /// As reports call the file.
+  /// The path by which reports call the file.
   std::string path;
   /// Says why the file cannot be read, without its name and the place; empty where it can.
   std::string trouble;

@@ -22,7 +22,7 @@ struct CheckSettings {
   std::optional<std::size_t> max_listed;
 };
 
-/// Makes criteria of layers of settings. Of what several layers say the last counts; the codes that
+/// Makes criteria of layers of settings. The last layer that says something counts; the codes that
 /// are ignored add up.
 ///
 /// @param layers  From the lowest to the highest; null ones say nothing.

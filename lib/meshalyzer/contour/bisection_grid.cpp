@@ -14,7 +14,7 @@ constexpr double kOriginSteps = BisectionGrid::kSize / 256.0;
 /// may have so many steps.
 constexpr double kMostSteps = 0x1p44;
 
-/// So many tetrahedra the cube consists of.
+/// The number of tetrahedra that the cube consists of.
 constexpr Index kRoots = 6;
 
 /// The place in a tetrahedron's corners of the second end of the edge that is bisected; the first

@@ -17,7 +17,7 @@ using LatticePoint = std::array<std::int32_t, 3>;
 /// it, so it may be oriented either way.
 struct GridTetrahedron {
   std::array<LatticePoint, 4> corners;
-  /// So many bisections made it of one of the six that the cube consists of.
+  /// How many bisections made it of one of the six that the cube consists of.
   std::uint32_t level = 0;
 };
 

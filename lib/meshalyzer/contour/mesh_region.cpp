@@ -13,7 +13,7 @@ namespace {
 
 /// From which winding number on a point belongs to the region.
 constexpr double kInside = 0.5;
-/// Beside a hole it lies no farther from that.
+/// Points whose winding numbers are nearer than this to kInside lie at a hole.
 constexpr double kMidway = 0.25;
 
 std::vector<Corners> faces_in_complex(const Soup& soup) {

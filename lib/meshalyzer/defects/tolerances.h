@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// The tolerances that a user may set. Those that are left out follow from the others. Lengths are
+/// The tolerances that a user may set. Tolerances left out follow from the others. Lengths are
 /// in the unit of the mesh, finite and not negative.
 struct ToleranceOptions {
   /// The value of the three lengths that are not set on their own; by default kDefaultTolerance

@@ -91,8 +91,8 @@ class CoincidenceSearch {
     cut_into_chains(points.subspan(begin), axis + 1);
   }
 
-  /// Whether no coordinate up to `low` is at the same place as one from `high` on. Those may have
-  /// larger magnitudes, hence a larger tolerance; but not by as much as a factor of 2.
+  /// Tells whether no coordinate up to `low` is at the same place as one from `high` on, which may
+  /// have larger magnitudes, hence a larger tolerance; but not by as much as a factor of 2.
   [[nodiscard]] bool is_apart(double low, double high) const {
     if (coincidence_ == Coincidence::Exact) return low != high;
     return high - low > 2 * tolerance(larger_magnitude(low, high));

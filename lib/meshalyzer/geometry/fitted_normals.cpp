@@ -25,8 +25,8 @@ constexpr std::size_t kSlopeY = 4;
 
 constexpr int kNoVertex = -1;
 
-/// The neighbours of a vertex, then kNoVertex; none where they are too many. As long as a cache
-/// line.
+/// The neighbours of a vertex, then kNoVertex; none where they are too many. The array is as long
+/// as a cache line.
 using Ring = std::array<int, kMostNeighbours>;
 
 Ring ring_of(const TriMesh& mesh, VertexHandle v) {

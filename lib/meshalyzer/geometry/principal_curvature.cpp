@@ -99,7 +99,7 @@ PrincipalCurvature diagonalised(const std::array<double, 3>& efg, const std::arr
   const double radius = std::hypot(half, f);
   PrincipalCurvature result{.k1 = mean + radius, .k2 = mean - radius};
   if (2 * radius > least) {
-    // Of the two ways to write the eigenvector the one that does not cancel.
+    // The eigenvector can be written in two ways; this one does not cancel.
     const Eigen::Vector2d d = half >= 0.0 ? Eigen::Vector2d(radius + half, f).stableNormalized()
                                           : Eigen::Vector2d(f, radius - half).stableNormalized();
     result.direction1 = (d.x() * uv[0] + d.y() * uv[1]).normalized();

@@ -53,7 +53,7 @@ void check_halfedges(const TriMesh& mesh, Complaints& complaints) {
       complaints.add(fmt::format("half-edge {}: it joins vertex {} to itself", h.idx(),
                                  mesh.to_vertex_handle(h).idx()));
     }
-    // As next and previous are inverse, this makes every border a closed loop.
+    // Next and previous are inverse, so this makes every border a closed loop.
     if (mesh.face_handle(next) != mesh.face_handle(h)) {
       complaints.add(fmt::format("half-edge {}: the next one has another face", h.idx()));
     }

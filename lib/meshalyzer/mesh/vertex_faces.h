@@ -37,7 +37,7 @@ class VertexFaces {
   }
 
  private:
-  /// By vertex: where its faces begin.
+  /// Where the faces of each vertex begin.
   std::vector<Index> begins_;
   std::vector<Index> faces_;
 };

@@ -40,9 +40,9 @@ struct RepairLimits {
 
 /// How much a pass puts into one operation.
 enum class OperationSize : std::uint8_t {
-  /// As much as belongs together.
+  /// All that belongs together.
   Normal,
-  /// As little as possible, because larger operations were rejected.
+  /// No more than is necessary, because larger operations were rejected.
   Smallest,
 };
 

@@ -33,7 +33,7 @@ struct FinalMesh {
   /// The record in the file of each vertex of the result's tracked mesh, kNoIndex where it has
   /// none; empty where they are the same.
   std::vector<Index> vertex_records = {};
-  /// By face of the tracked mesh: its record in the file. Empty where they are the same.
+  /// The record in the file of each face of the tracked mesh. Empty where they are the same.
   std::vector<Index> face_records = {};
 
   /// The id that the file gives to a face of the tracked mesh.

@@ -184,7 +184,7 @@ Nesting find_nesting(const FaceTree& tree, const NestingInput& input) {
     }
   });
   for (std::size_t part = 0; part < n; ++part) {
-    // Of the parts round this one, the innermost is itself inside the most.
+    // The innermost of the parts round this one is itself inside the most.
     const auto deepest =
         std::max_element(enclosers[part].begin(), enclosers[part].end(),
                          [&](Index a, Index b) { return nesting.depth[a] < nesting.depth[b]; });

@@ -107,8 +107,8 @@ EightFaces proven_vertices(const Scene& scene, std::size_t leaf) {
   return faces;
 }
 
-/// Looks for the partners of the wanted faces of one leaf. Those that are wanted too and come
-/// before are left out: they have found the pair themselves.
+/// Looks for the partners of the wanted faces of one leaf. Partners that are wanted too and
+/// come before are left out: they have found the pair themselves.
 class PartnerSearch {
  public:
   PartnerSearch(const Scene& scene, std::size_t leaf, PairBuffer& found)

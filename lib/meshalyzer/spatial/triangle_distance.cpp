@@ -222,7 +222,7 @@ Candidate on_plane(const View& view, const Cone& cone) {
 }
 
 /// The multiples of an edge, counted from its foot, at which its line goes through the double cone:
-/// the roots of a x^2 + 2 b x + c. Those that do not exist are NaN or infinite.
+/// the roots of a x^2 + 2 b x + c. Roots that do not exist are NaN or infinite.
 std::array<double, 2> crossings(const View& view, const Edge& edge, const Cone& cone) {
   // From the foot, which is perpendicular to the line, |offset|^2 has no mixed term: nothing
   // cancels where the line passes close to the apex.

@@ -21,16 +21,16 @@ using TexturePoint = std::array<double, 2>;
 struct MeshAttributes {
   /// Which triangles are one polygon.
   FaceRecords faces;
-  /// By vertex, and by face record; empty where none has one.
+  /// Colours by vertex, and by face record; empty where none has one.
   std::vector<std::optional<Rgba>> vertex_colours;
   std::vector<std::optional<Rgba>> face_colours;
-  /// By corner, see first_corner(); empty where none has one.
+  /// Texture points by corner, see first_corner(); empty where none has one.
   std::vector<std::optional<TexturePoint>> texture;
   /// How many of the file's texture coordinates these are.
   std::size_t n_texture_points = 0;
   /// The solids of an STL file that have a name.
   std::vector<Group> solids;
-  /// By vertex, and by face record, of a file of INRIA's format; empty where all are 0.
+  /// References by vertex, and by face record, in INRIA's format; empty where all are 0.
   std::vector<std::int32_t> vertex_references;
   std::vector<std::int32_t> face_references;
   /// The attribute words of a binary STL file, by face; empty where all are 0.

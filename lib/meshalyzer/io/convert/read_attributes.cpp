@@ -61,7 +61,7 @@ std::vector<Group> named_solids(std::string_view text) {
   bool has_name = false;
   TextScanner in(text);
   while (in.next_record()) {
-    // Of the keywords that begin a line, or stand where one could, each has its first letters.
+    // These first letters tell apart the keywords that begin a line, or stand where one could.
     const std::string_view word = in.word();
     if (word.size() == 5 && (word[0] == 's' || word[0] == 'S')) {
       solids.push_back({in.rest_of_record(), n_facets});

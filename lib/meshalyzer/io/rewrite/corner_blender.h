@@ -42,7 +42,7 @@ class CornerBlender {
   const EditedMesh& mesh_;
   const FaceRecords& records_;
   SaysSame says_same_;
-  /// Of the source; found when they are first needed.
+  /// The faces of the source by their vertices; found when they are first needed.
   std::unique_ptr<VertexFaces> faces_;
 };
 

@@ -26,12 +26,12 @@ struct ElementOrigin {
 
 /// A mesh that was made of a file's, and where its elements come from. Only refers to the meshes.
 struct EditedMesh {
-  /// As it was read.
+  /// The mesh as it was read.
   const Soup& source;
   /// What became of it. Elements that are records of the source stand in the order of the source,
   /// added vertices behind all others.
   const Soup& soup;
-  /// By vertex and by face of `soup`.
+  /// The origins by vertex and by face of `soup`.
   std::vector<ElementOrigin> vertices;
   std::vector<ElementOrigin> faces;
   /// Faces of the source of which something is left that lies on another face now, and counts as

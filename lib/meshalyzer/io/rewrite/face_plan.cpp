@@ -178,7 +178,7 @@ class FacePlanner {
 
   const EditedMesh& mesh_;
   const FaceRecords& records_;
-  /// By triangle of the source: the face that it is now.
+  /// The face that each triangle of the source is now.
   std::vector<Index> faces_;
   std::vector<Placed> placed_;
   Index n_numbered_ = 0;

@@ -11,9 +11,9 @@ namespace meshalyzer {
 
 /// The face records of a source. A polygon is one record and several triangles.
 struct FaceRecords {
-  /// By record: its first triangle; and behind the last record the number of triangles.
+  /// The first triangle of each record; and behind the last record the number of triangles.
   std::vector<Index> first_triangle;
-  /// By record: the last one of the run to which the same statements apply (materials, groups).
+  /// For each record, the last one of the run with the same statements (materials, groups).
   /// Empty where no statement applies to faces.
   std::vector<Index> run_ends;
 
@@ -57,14 +57,14 @@ struct FacePlan {
     /// A face of the edited mesh.
     Index face;
   };
-  /// By record of the source.
+  /// What becomes of each record of the source.
   std::vector<RecordFate> fates;
-  /// By triangle of the source: the face of the edited mesh that it is; kNoIndex where it was
+  /// The face of the edited mesh that each triangle of the source is; kNoIndex where it was
   /// dropped.
   std::vector<Index> faces;
   /// In the order of the file.
   std::vector<WrittenFace> written;
-  /// By face of the edited mesh: which face of the file it is.
+  /// Which face of the file each face of the edited mesh is.
   std::vector<Index> file_faces;
   /// How many records the file has.
   std::size_t n_records = 0;
@@ -91,7 +91,7 @@ struct FacePlan {
 /// Applies edits that follow a plan, and tells what the file is that comes of them.
 [[nodiscard]] RewrittenFile rewritten_file(ByteEdits& edits, const FacePlan& plan);
 
-/// By vertex of the source: which one of the edited mesh it is; kNoIndex where it was dropped.
+/// Returns which vertex of the edited mesh each one of the source is; kNoIndex if it was dropped.
 [[nodiscard]] std::vector<Index> new_vertices(const EditedMesh& mesh);
 
 }  // namespace meshalyzer

@@ -53,7 +53,7 @@ class PlyRecords {
 
   std::string_view content_;
   const PlyHeader& header_;
-  /// By element.
+  /// Where the records of each element begin.
   std::vector<std::vector<std::size_t>> begins_;
 };
 

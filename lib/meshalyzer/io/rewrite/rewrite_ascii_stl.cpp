@@ -41,7 +41,7 @@ StlRecords find_facets(std::string_view text, std::size_t n_facets) {
   TextScanner in(text);
   while (in.next_record()) {
     const std::size_t begin = text.size() - in.remaining();
-    // Of the keywords at this place only that of a facet has this letter.
+    // Only the keyword of a facet can begin with this letter here.
     const char letter = in.peek().front();
     if (letter == 'f' || letter == 'F') {
       records.facets.push_back(begin);

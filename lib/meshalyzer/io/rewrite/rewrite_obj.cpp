@@ -338,7 +338,7 @@ class ObjRewriter {
   const EditedMesh& mesh_;
   ObjRecords records_;
   FacePlan plan_;
-  /// By vertex record: which vertex it is now; kNoIndex where it was dropped.
+  /// Which vertex each vertex record is now; kNoIndex where it was dropped.
   std::vector<Index> numbers_;
   ObjAttributes attributes_;
   LineEdits edits_;

@@ -194,7 +194,7 @@ class OffRewriter {
   const EditedMesh& mesh_;
   OffRecords records_;
   FacePlan plan_;
-  /// By vertex record: which vertex it is now; kNoIndex where it was dropped.
+  /// Which vertex each vertex record is now; kNoIndex where it was dropped.
   std::vector<Index> numbers_;
   std::size_t n_vertex_numbers_;
   LineEdits edits_;

@@ -412,7 +412,7 @@ class PlyRewriter {
   FacePlan plan_;
   /// Nothing where there are no faces.
   std::optional<PlyCornerLists> lists_;
-  /// By vertex record: which vertex it is now; kNoIndex where it was dropped.
+  /// Which vertex each vertex record is now; kNoIndex where it was dropped.
   std::vector<Index> numbers_;
   bool has_normals_;
   bool is_widened_ = false;

@@ -20,7 +20,7 @@ struct LostRecord {
 /// The bytes of a file after edits.
 struct RewrittenFile {
   std::string bytes;
-  /// By face of the edited mesh: which face of the file it is; empty where they are the same.
+  /// Which face of the file each face of the edited mesh is; empty where they are the same.
   std::vector<Index> file_faces;
   /// What of the source is not in it, though no edit dropped it.
   std::vector<AttributeCount> lost;

@@ -95,7 +95,7 @@ struct Side {
 
 struct SideResult {
   double largest = 0.0;
-  /// Of the faces that are not far.
+  /// The largest distance of the faces that are not far.
   double largest_near = 0.0;
   /// Ascending.
   std::vector<Index> far;

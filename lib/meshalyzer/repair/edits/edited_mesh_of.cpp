@@ -82,7 +82,7 @@ class PatchNeighbours {
   DisjointSets patches_;
   /// A face of a patch at each edge that one has.
   std::unordered_map<std::uint64_t, Index> edges_;
-  /// By the lowest place of a patch.
+  /// The face beside each patch, by the lowest place of the patch.
   std::vector<Index> neighbours_;
 };
 
@@ -132,7 +132,7 @@ class FacesBelow {
 
   const TrackedMesh& tracked_;
   const Soup& input_;
-  /// Of the input; found when they are first needed.
+  /// The faces of the input by their vertices; found when they are first needed.
   std::unique_ptr<VertexFaces> faces_;
 };
 

@@ -6,7 +6,7 @@ namespace meshalyzer {
 
 PassResult orient_consistently(const PassInput& input) {
   PassResult result;
-  // Of two regions on a flipped edge only one is to be turned: each region may be, or not, on its
+  // Only one of two regions on a flipped edge is to be turned: each region may be, or not, on its
   // own.
   for (const Defect& region : find_flipped(input.mesh)) {
     if (!region.fixable) {

@@ -8,7 +8,7 @@
 namespace meshalyzer {
 
 /// Returns for each mesh what it has to do with the others of its set, in words: "intersects
-/// b.mesh, c.mesh", "inside b.mesh", "partly inside b.mesh". Of long lists only the first few are
+/// b.mesh, c.mesh", "inside b.mesh", "partly inside b.mesh". Only the first few of a long list are
 /// named.
 [[nodiscard]] std::vector<std::vector<std::string>> set_notes(const SetAnalysis& set);
 

@@ -12,7 +12,7 @@ enum class OffenderStyle {
   None,
   /// Offenders are named by their file ids.
   Ids,
-  /// As Ids, but vertices are written as DReAMM custom points, `x y z 1 0 0 1` a line.
+  /// Like Ids, but vertices are written as DReAMM custom points, `x y z 1 0 0 1` a line.
   CustomPoints,
 };
 

@@ -110,7 +110,7 @@ class CutEdits {
     find_lost_components();
   }
 
-  /// Of an open component, or beside a hole, the orientation is not sure enough to take all of it
+  /// The orientation of an open component, or beside a hole, is not sure enough to take all of it
   /// for walls within a solid: it may be a cavity.
   void find_lost_components() {
     const CutMesh& cut = input_.mesh.cut();
@@ -136,7 +136,7 @@ class CutEdits {
     }
   }
 
-  /// By the lowest face of each part: 1 where a patch belongs to it.
+  /// Marks the parts that a patch belongs to with 1, by their lowest faces.
   [[nodiscard]] std::vector<std::uint8_t> parts_with_patches() {
     std::vector<std::uint8_t> has_patch(obstacles_.size(), 0);
     for (std::size_t face = soup_.n_faces(); face < obstacles_.size(); ++face) {
@@ -209,7 +209,7 @@ class CutEdits {
   std::span<const Edits::AddedFace> patches_;
   const CutSurface& surface_;
   DisjointSets parts_;
-  /// By the lowest face of each part.
+  /// The obstacle of each part, by its lowest face.
   std::vector<Obstacle> obstacles_;
   std::vector<Index> operations_;
   std::vector<std::uint8_t> is_same_;

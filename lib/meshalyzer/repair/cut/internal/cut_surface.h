@@ -19,7 +19,7 @@ struct CutSurface {
   std::vector<Triangle> triangles;
   /// #triangles: the face of the input that each is a part of; n_faces + i for patch face i.
   std::vector<Index> origins;
-  /// Those that are gone, with faces as `origins` names them.
+  /// The walls that are gone, with faces as `origins` names them.
   std::vector<InteriorWall> walls;
   /// The area of the pockets that went, relative to what stays.
   double pocket_share = 0.0;

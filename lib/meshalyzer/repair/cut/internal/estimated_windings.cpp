@@ -13,13 +13,13 @@
 namespace meshalyzer {
 namespace {
 
-/// So many pieces are looked at of those that have the same cells on both sides: fewer where there
+/// How many pieces are looked at of those that have the same cells on both sides: fewer where there
 /// are so many such patches that all samples together would be more than kSamples.
 constexpr std::size_t kMostSamplesOfPatch = 64;
 constexpr std::size_t kLeastSamplesOfPatch = 4;
 constexpr std::size_t kSamples = 4096;
-/// A winding number is whole where it is no farther than this from one. Beside a sheet that another
-/// one crosses it comes as near as 1/4.
+/// A winding number is whole where it is no farther than this from one. It comes as near as 1/4
+/// beside a sheet that another one crosses.
 constexpr double kNearWhole = 0.15;
 
 /// What is estimated beside one piece.

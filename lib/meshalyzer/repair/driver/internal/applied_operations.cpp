@@ -143,7 +143,7 @@ void ban_responsible(const std::vector<AppliedOperation>& operations,
     if (blame == Blame::Last) keep_likeliest(operations, place.kind, responsible);
     const std::set<std::uint64_t> near = site_of(place, input, faces_at);
     for (const Index op : responsible) {
-      // Of a large operation only the part round the element is banned.
+      // Only the part round the element is banned of a large operation.
       OperationSite part;
       const OperationSite& site = operations[op].site;
       std::set_intersection(site.begin(), site.end(), near.begin(), near.end(),

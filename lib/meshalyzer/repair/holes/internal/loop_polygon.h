@@ -13,7 +13,7 @@ struct LoopPolygon {
   std::vector<Index> vertices = {};
   /// Their places, scaled by a power of two so that squares neither overflow nor vanish.
   std::vector<Vec3> points = {};
-  /// By edge, from corner i to the next: the unit normal of the face beyond; zero where there is
+  /// The unit normal of the face beyond each edge, from corner i to the next; zero where there is
   /// none, or none with an area.
   std::vector<Vec3> normals = {};
   /// An altitude below this makes a triangle thin. Scaled like the points.

@@ -120,7 +120,7 @@ std::vector<std::uint8_t> keep_apart(const PreparedMesh& mesh, std::span<const P
     const auto [first, second] = std::minmax(patch_of[pair.face_a], patch_of[pair.face_b]);
     if (first != second) clashes.push_back({second, first});
   }
-  // By the later patch: whether the earlier one is kept is known by then.
+  // Ordered by the later patch: whether the earlier one is kept is known by then.
   std::sort(clashes.begin(), clashes.end());
   for (const auto& [later, earlier] : clashes) {
     if (is_kept[earlier] != 0) is_kept[later] = 0;

@@ -196,7 +196,7 @@ class Thickening {
   /// Faces at borders, and the corner from which they go along.
   std::vector<std::pair<std::size_t, std::size_t>> borders_;
   std::vector<RimEnd> ends_;
-  /// Of corners of sides, see name().
+  /// The sets of corners of sides that are one vertex, see name().
   DisjointSets sets_;
   std::vector<Index> vertices_;
   ThickSurface surface_;

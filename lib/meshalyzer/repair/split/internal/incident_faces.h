@@ -49,7 +49,7 @@ struct Spoke {
 };
 
 /// Lists the sides of an entry's faces that end at its vertex, two for each face, ascending by
-/// their other ends, then by face. Those with the same other end are an edge of the complex.
+/// their other ends, then by face. Spokes with the same other end are an edge of the complex.
 [[nodiscard]] std::vector<Spoke> find_spokes(const Soup& soup, const IncidentFaces& incident,
                                              std::size_t entry);
 

@@ -33,7 +33,7 @@ NearPoints::NearPoints(std::span<const Vec3> positions, std::span<const Index> p
   const double finest = std::max(kFinestCell * largest_coordinate(positions, points),
                                  std::numeric_limits<double>::min());
   while (true) {
-    // So wide that what is within reach is in at most two cells along each axis.
+    // Cells are so wide that what is within reach is in at most two of them along each axis.
     width_ = std::max(2.01 * reach_, finest);
     sort_into_cells(points);
     if (!is_crowded() || width_ <= finest) return;

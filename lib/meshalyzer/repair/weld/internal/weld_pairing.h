@@ -25,12 +25,12 @@ struct Pairing {
   std::string_view refusal;
 };
 
-/// Returns pairs the border edges at one place.
+/// Pairs the border edges at one place.
 ///
 /// Two are joined, but for those of one direction whose faces lie on each other. More are joined as
 /// pair_round_edge() pairs their faces, where those that begin a solid alternate with those that
-/// end one; where they do not, none is joined. Of faces with the same corners that are oriented
-/// alike only the lowest counts, and those that are not are not joined.
+/// end one; where they do not, none is joined. Only the lowest of faces with the same corners
+/// and orientation counts, and such faces with opposite orientations are not joined.
 ///
 /// @param at_place  At least two, ascending by edge; the first one's run is Same.
 /// @param reach     How far apart ends at one place may be: pairs of more than two whose faces lie
