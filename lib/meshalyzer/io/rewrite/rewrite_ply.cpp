@@ -2,9 +2,9 @@
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/rewrite/blend.h"
 #include "meshalyzer/io/rewrite/ply_corner_lists.h"
+#include "meshalyzer/io/rewrite/ply_edits.h"
 #include "meshalyzer/io/rewrite/ply_records.h"
 #include "meshalyzer/io/rewrite/rewriters.h"
-#include "meshalyzer/io/rewrite/text_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -26,40 +26,6 @@ std::size_t find_element(const PlyHeader& header, std::string_view name) {
                    [&](const PlyElement& element) { return element.name == name; }) -
       header.elements.begin());
 }
-
-/// The content under edits. Records of text are lines.
-class PlyEdits : public LineEdits {
- public:
-  PlyEdits(std::string_view content, bool is_ascii) : LineEdits(content), is_ascii_(is_ascii) {}
-
-  /// @param bytes  Whole records, as ended() makes them; empty to drop the record.
-  void replace_record(std::string_view record, std::string bytes) {
-    if (is_ascii_) {
-      replace_lines(record, std::move(bytes));
-    } else {
-      replace(offset_of(record), offset_of(record) + record.size(), std::move(bytes));
-    }
-  }
-  void insert_records_behind(std::string_view record, std::string bytes) {
-    if (is_ascii_) {
-      insert_lines_behind(record, std::move(bytes));
-    } else {
-      insert(offset_of(record) + record.size(), std::move(bytes));
-    }
-  }
-  /// A record of these fields.
-  [[nodiscard]] std::string joined(const std::vector<std::string>& fields) const {
-    std::string record;
-    for (const std::string& field : fields) {
-      record += record.empty() || !is_ascii_ ? "" : " ";
-      record += field;
-    }
-    return is_ascii_ ? record + line_end() : record;
-  }
-
- private:
-  bool is_ascii_;
-};
 
 class PlyRewriter {
  public:
@@ -98,8 +64,6 @@ class PlyRewriter {
   }
 
  private:
-  using Fields = std::vector<std::string>;
-
   [[nodiscard]] const std::vector<PlyProperty>& properties(std::size_t element) const {
     return header_.elements[element].properties;
   }
@@ -200,15 +164,15 @@ class PlyRewriter {
   }
 
   [[nodiscard]] std::string added_vertex(std::size_t v, const Blend& blend) const {
-    Fields fields;
+    PlyFields fields;
     for (std::size_t p = 0; p < vertex_properties_.size(); ++p) {
       const PlyProperty& property = vertex_properties_[p];
       if (const std::optional<double> own = own_number(mesh_.soup, v, property)) {
         fields.push_back(records_.text(*own, property.type));
       } else if (blend.is_empty()) {
         append_nothing(property, fields);
-      } else if (property.list_size_type || is_wide_integer(property.type)) {
-        append_copy(records_.read(vertex_, blend.main_item()).fields[p], fields);
+      } else if (property.list_size_type || has_no_mean(property.type)) {
+        append_field(records_.read(vertex_, blend.main_item()).fields[p], fields);
       } else {
         const auto number = [&](Index item) {
           return records_.number(records_.read(vertex_, item).fields[p].items[0], property.type);
@@ -219,18 +183,8 @@ class PlyRewriter {
     return edits_.joined(fields);
   }
 
-  /// Bytes are colours; wider whole numbers are names of something, of which there is no mean.
-  static bool is_wide_integer(PlyType type) { return is_integer(type) && size_of(type) > 1; }
-
-  static void append_copy(const PlyField& field, Fields& fields) {
-    if (!field.size.empty()) {
-      fields.emplace_back(field.size);
-    }
-    fields.insert(fields.end(), field.items.begin(), field.items.end());
-  }
-
   /// Appends an empty list, or 0.
-  void append_nothing(const PlyProperty& property, Fields& fields) const {
+  void append_nothing(const PlyProperty& property, PlyFields& fields) const {
     fields.push_back(records_.text(0.0, property.list_size_type.value_or(property.type)));
   }
 
@@ -322,7 +276,7 @@ class PlyRewriter {
       model = records_.read(face_, face_records_.record_of(origin.record));
     }
     const bool is_patch = origin.relation == ElementOrigin::Relation::Beside;
-    Fields fields;
+    PlyFields fields;
     for (std::size_t p = 0; p < properties(face_).size(); ++p) {
       const PlyProperty& property = properties(face_)[p];
       if (p == corners_) {
@@ -332,20 +286,20 @@ class PlyRewriter {
       } else if (lists_->has_list(*model, p)) {
         append_corner_list(face, p, fields);
       } else {
-        append_copy(model->fields[p], fields);
+        append_field(model->fields[p], fields);
       }
     }
     return edits_.joined(fields);
   }
 
-  void append_corners(Index face, Fields& fields) const {
+  void append_corners(Index face, PlyFields& fields) const {
     fields.push_back(records_.text(3.0, *properties(face_)[corners_].list_size_type));
     for (const Index corner : mesh_.soup.triangles[face]) {
       fields.push_back(index_text(corner));
     }
   }
 
-  void append_corner_list(Index face, std::size_t p, Fields& fields) {
+  void append_corner_list(Index face, std::size_t p, PlyFields& fields) {
     fields.push_back(records_.text(6.0, *properties(face_)[p].list_size_type));
     for (std::size_t k = 0; k < 3; ++k) {
       for (const std::string& number : lists_->numbers(lists_->blend({face, k}), p)) {
