@@ -1,6 +1,6 @@
 #include "meshalyzer/boolean/solid_fault.h"
 
-#include "meshalyzer/geometry/extent.h"
+#include "meshalyzer/geometry/volume.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 
 #include <algorithm>

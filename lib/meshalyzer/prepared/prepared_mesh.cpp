@@ -1,7 +1,7 @@
 #include "meshalyzer/prepared/prepared_mesh.h"
 
 #include "meshalyzer/base/error.h"
-#include "meshalyzer/geometry/extent.h"
+#include "meshalyzer/geometry/volume.h"
 #include "meshalyzer/prepared/internal/intersection_counter.h"
 #include "meshalyzer/spatial/pair_collector.h"
 #include "meshalyzer/spatial/self_intersection.h"

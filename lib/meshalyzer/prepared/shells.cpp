@@ -1,6 +1,6 @@
 #include "meshalyzer/prepared/shells.h"
 
-#include "meshalyzer/geometry/extent.h"
+#include "meshalyzer/geometry/volume.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/spatial/nesting.h"
 

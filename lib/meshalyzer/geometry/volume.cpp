@@ -1,4 +1,4 @@
-#include "meshalyzer/geometry/extent.h"
+#include "meshalyzer/geometry/volume.h"
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/sum.h"

@@ -1,4 +1,4 @@
-#include "meshalyzer/geometry/extent.h"
+#include "meshalyzer/geometry/volume.h"
 
 #include "meshalyzer/mesh/build.h"
 #include "support/shape_figures.h"
