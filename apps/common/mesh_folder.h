@@ -14,7 +14,7 @@ struct MeshFolder {
   std::string trouble;
 };
 
-/// Whether a path is a folder.
+/// Tells whether a path is a folder.
 [[nodiscard]] bool is_folder(const std::string& path);
 
 [[nodiscard]] MeshFolder list_mesh_folder(const std::string& folder);

@@ -13,7 +13,7 @@ struct ReportTarget {
   [[nodiscard]] bool is_stdout() const { return file == "-"; }
 };
 
-/// Whether there is a report, and it goes to standard output.
+/// Tells whether there is a report, and it goes to standard output.
 [[nodiscard]] inline bool is_stdout(const std::optional<ReportTarget>& target) {
   return target && target->is_stdout();
 }

@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// Whether two paths name one file, be it there or not.
+/// Tells whether two paths name one file, be it there or not.
 [[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
 
 /// Files that are there, by what they are and not by what they are called.
@@ -17,7 +17,7 @@ class KnownFiles {
   /// @param paths  Those of which there is no file do not count.
   explicit KnownFiles(const std::vector<std::string>& paths);
 
-  /// Whether a path names one of them, by whatever way.
+  /// Tells whether a path names one of them, by whatever way.
   [[nodiscard]] bool contain(const std::string& path) const;
 
  private:

@@ -40,7 +40,7 @@ void check_meshes(const Options& options) {
   }
 }
 
-/// Whether the distances between the meshes of a set are asked for.
+/// Tells whether the distances between the meshes of a set are asked for.
 bool measures_separation(const Options& options) {
   return options.asked.separation ||
          (!options.asked.any() && !attributes_only(options) && !options.mesh.goodness);

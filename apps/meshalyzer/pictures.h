@@ -13,11 +13,11 @@
 
 namespace meshalyzer {
 
-/// Whether any pictures are asked for.
+/// Tells whether any pictures are asked for.
 [[nodiscard]] bool draws_pictures(const Options& options);
 
-/// Whether the meshes of a run are drawn as soon as they are analysed, so that what was built for
-/// the analysis should be kept until then (SetOptions::keep_mesh).
+/// Tells whether the meshes of a run are drawn as soon as they are analysed, so that what was built
+/// for the analysis should be kept until then (SetOptions::keep_mesh).
 [[nodiscard]] bool draws_at_once(const Run& run);
 
 /// Writes the pictures of a run as its findings come: a page a mesh and their index (--html), a

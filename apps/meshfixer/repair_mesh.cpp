@@ -26,13 +26,13 @@ namespace {
 
 constexpr const char* kNothingLeft = "nothing is left that the format can hold";
 
-/// Whether two soups are the same records, but for how the file says them.
+/// Tells whether two soups are the same records, but for how the file says them.
 bool is_same_mesh(const Soup& a, const Soup& b) {
   return a.positions == b.positions && a.triangles == b.triangles && a.normals == b.normals &&
          a.corner_normals == b.corner_normals && a.torn_lines.size() == b.torn_lines.size();
 }
 
-/// Whether two soups are the same but for the order of their faces.
+/// Tells whether two soups are the same but for the order of their faces.
 /// @param faces  By face of `b`: which face of `a` it is; empty where they are the same.
 bool is_same_but_for_order(const Soup& a, const Soup& b, const std::vector<Index>& faces) {
   if (a.positions != b.positions || a.normals != b.normals || a.n_faces() != b.n_faces() ||
@@ -78,7 +78,7 @@ DefectReport remaining_on_disk(const RepairedMesh& mesh, const std::vector<Index
   return find_defects(*final_soup.prepared, search);
 }
 
-/// Whether a result is the input as it was read.
+/// Tells whether a result is the input as it was read.
 bool is_unchanged(const RepairReport& report) {
   if (report.result.meshes.size() != 1 || !report.result.log.steps.empty()) return false;
   const Soup& soup = report.result.meshes.front().tracked.soup;
@@ -165,7 +165,7 @@ FinalSoup unwritten(const RepairedMesh& mesh) {
   return {std::make_shared<const Soup>(mesh.tracked.soup), mesh.prepared};
 }
 
-/// Whether the meshes that come out are looked at once more.
+/// Tells whether the meshes that come out are looked at once more.
 bool keeps_meshes(const Options& options) {
   return options.html || options.repair.guarantee;
 }
@@ -237,7 +237,7 @@ std::vector<FinalSoup> take_or_write(const Job& job, RepairReport& report) {
   return take_unwritten(job.options, report);
 }
 
-/// Whether all meshes are good, as the analysis of what is on disk says; notes why not.
+/// Tells whether all meshes are good, as the analysis of what is on disk says; notes why not.
 bool are_good(const std::vector<FinalSoup>& finals, RepairReport& report) {
   bool is_good = true;
   AnalysisOptions options;

@@ -82,8 +82,8 @@ struct Arrangement {
     const auto& [a, b, c] = pieces[piece];
     return {positions[a], positions[b], positions[c]};
   }
-  /// How often the faces cover a piece, those of its orientation counted positive, the others
-  /// negative.
+  /// Returns how often the faces cover a piece, those of its orientation counted positive, the
+  /// others negative.
   [[nodiscard]] int multiplicity(std::size_t piece) const;
 };
 

@@ -135,7 +135,7 @@ class Meeting {
     }
   }
 
-  /// Whether the ends of an edge lie on different sides of a line, neither of them on it.
+  /// Tells whether the ends of an edge lie on different sides of a line, neither of them on it.
   [[nodiscard]] bool separates(Axis axis, const VertexPair& line, const VertexPair& edge) const {
     const auto side = [&](Index x) {
       return x == line[0] || x == line[1] ? 0 : orient2d(axis, at(line[0]), at(line[1]), at(x));

@@ -25,10 +25,10 @@ struct FaceSimplex {
 /// @param face  In the complex.
 [[nodiscard]] FaceSimplex face_simplex(const Soup& soup, Index face);
 
-/// Whether x lies on the closed segment between two vertices, which are at different places.
+/// Tells whether x lies on the closed segment between two vertices, which are at different places.
 [[nodiscard]] bool is_on_segment(const Soup& soup, const VertexPair& ends, Index x);
 
-/// Whether a vertex lies in the closed simplex.
+/// Tells whether a vertex lies in the closed simplex.
 [[nodiscard]] bool contains(const Soup& soup, const FaceSimplex& simplex, Index x);
 
 /// Tells on which side of a triangle's plane a vertex lies, as orient3d() does.

@@ -54,7 +54,7 @@ class Flips {
     return is_in_circle({a, b, c}, d) && t_.turn(a, d, c) > 0 && t_.turn(d, b, c) > 0;
   }
 
-  /// Whether d lies clearly inside the circle through a triangle's corners.
+  /// Tells whether d lies clearly inside the circle through a triangle's corners.
   [[nodiscard]] bool is_in_circle(const std::array<Index, 3>& triangle, Index d) const {
     double determinant = 0.0;
     double magnitude = 0.0;

@@ -41,7 +41,8 @@ class SegmentInsertion {
  private:
   [[nodiscard]] Sign side(Index vertex) const { return t_.turn(from_, to_, vertex); }
 
-  /// Whether a vertex on the line of the segment lies ahead. Along a line, vertices are in order.
+  /// Tells whether a vertex on the line of the segment lies ahead. Along a line, vertices are in
+  /// order.
   [[nodiscard]] bool is_ahead(Index vertex) const { return (vertex > from_) == (to_ > from_); }
 
   /// Takes one of the two edges that leave the vertex in the triangle of h, where it lies along the

@@ -33,7 +33,7 @@ std::uint64_t smallest_limit(const Path& root, Path group, const char* file) {
   return limit;
 }
 
-/// Whether "memory" is one of the words between the commas.
+/// Tells whether "memory" is one of the words between the commas.
 bool has_memory(std::string_view controllers) {
   std::string list = ",";
   list.append(controllers).append(",");

@@ -21,8 +21,8 @@ struct MeshFiles {
 [[nodiscard]] MeshFiles find_mesh_files(const std::vector<std::string>& paths,
                                         const std::vector<std::string>& excluded);
 
-/// Whether a path fits a pattern of the shell. A pattern without a slash is for the last part of
-/// the path, one with a slash for all of it; `*` and `?` stand for no slash.
+/// Tells whether a path fits a pattern of the shell. A pattern without a slash is for the last part
+/// of the path, one with a slash for all of it; `*` and `?` stand for no slash.
 [[nodiscard]] bool matches_glob(std::string_view pattern, std::string_view path);
 
 }  // namespace meshalyzer

@@ -14,7 +14,7 @@ inline constexpr std::string_view kAllCodes = "all";
 /// The names of all defect codes and limits.
 [[nodiscard]] std::vector<std::string_view> all_check_codes();
 
-/// Whether a name is that of a defect code or of a limit, or kAllCodes.
+/// Tells whether a name is that of a defect code or of a limit, or kAllCodes.
 [[nodiscard]] bool is_check_code(std::string_view name);
 
 /// The code that a mistyped name most likely means; empty where none is near.

@@ -64,7 +64,7 @@ inline constexpr std::string_view kSettingsFileName = ".meshalyzer.toml";
 /// A path relative to the folder of a settings file.
 [[nodiscard]] std::string path_within(const SettingsFile& file, const std::string& path);
 
-/// Whether a settings file leaves a file out.
+/// Tells whether a settings file leaves a file out.
 [[nodiscard]] bool is_excluded(const SettingsFile& file, const std::string& path);
 
 /// The criteria for one file: those of the settings file, of its sections that the file fits, and

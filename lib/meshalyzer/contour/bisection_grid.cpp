@@ -89,7 +89,7 @@ double half_of(const GridTetrahedron& t, const Place& p) {
   return first > 0.0 ? at : -at;
 }
 
-/// Whether a point of the cube lies in one of the six tetrahedra of the cube.
+/// Tells whether a point of the cube lies in one of the six tetrahedra of the cube.
 bool is_in_root(const GridTetrahedron& t, const Place& p) {
   const Place a = place_of(t.corners[0]);
   const Place b = place_of(t.corners[1]);

@@ -16,7 +16,7 @@ class Region {
   Region(const Region&) = delete;
   Region& operator=(const Region&) = delete;
 
-  /// Whether a point belongs to it. Called from several threads.
+  /// Tells whether a point belongs to it. Called from several threads.
   [[nodiscard]] virtual bool contains(const Vec3& point) const = 0;
 
   /// Where a segment leaves the region, as a share of its length. Called from several threads.

@@ -20,9 +20,9 @@ class MeshRegion : public Region {
 
   [[nodiscard]] bool contains(const Vec3& point) const override;
 
-  /// Whether the boundary of the region may lie at a point although the mesh has no face there: a
-  /// closed mesh goes round every point a whole number of times, so there is a hole to be spanned
-  /// where the number lies midway between whole ones.
+  /// Tells whether the boundary of the region may lie at a point although the mesh has no face
+  /// there: a closed mesh goes round every point a whole number of times, so there is a hole to be
+  /// spanned where the number lies midway between whole ones.
   [[nodiscard]] bool spans_hole_at(const Vec3& point) const;
 
   /// Where the surface is met between the two points, or, where it is met several times, the first

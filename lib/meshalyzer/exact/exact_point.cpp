@@ -43,8 +43,8 @@ bool is_odd(double x) {
   return (std::bit_cast<std::uint64_t>(x) & 1U) != 0;
 }
 
-/// Whether a / b lies nearer to `next` than to its neighbour `value`, or half-way and `next` is the
-/// even one. `towards` is the sign of next - value.
+/// Tells whether a / b lies nearer to `next` than to its neighbour `value`, or half-way and `next`
+/// is the even one. `towards` is the sign of next - value.
 bool is_nearer(const Exact& a, const Exact& b, std::pair<double, double> value_next, Sign towards) {
   const auto [value, next] = value_next;
   const Sign beyond = (a + a - (Exact(value) + Exact(next)) * b).sign() * towards;

@@ -117,8 +117,8 @@ class Fit {
     return true;
   }
 
-  /// Whether there are more points than unknowns, and these lie so near to the quadric that its
-  /// slopes are known.
+  /// Tells whether there are more points than unknowns, and these lie so near to the quadric that
+  /// its slopes are known.
   [[nodiscard]] bool is_sure() const {
     if (n_ <= kUnknowns) return false;
     const double y = 1.0 / matrix_[kSlopeY][kSlopeY];

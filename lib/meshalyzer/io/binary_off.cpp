@@ -118,7 +118,7 @@ class BinaryOffParser {
     return static_cast<Index>(value);
   }
 
-  /// How many records follow; refuses a count that the rest of the file cannot hold.
+  /// Returns how many records follow; refuses a count that the rest of the file cannot hold.
   /// @param bytes_each  The least number of bytes that one takes.
   [[nodiscard]] std::size_t count(std::size_t bytes_each, const std::string& what) {
     const std::size_t offset = at_;

@@ -14,7 +14,7 @@ bool is_printable(char c) {
   return c >= ' ' && c <= '~';
 }
 
-/// Whether a token is an integer that is merely too long for 64 bits.
+/// Tells whether a token is an integer that is merely too long for 64 bits.
 bool is_all_digits(std::string_view token) {
   if (!token.empty() && (token.front() == '-' || token.front() == '+')) {
     token.remove_prefix(1);

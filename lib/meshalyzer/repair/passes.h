@@ -121,9 +121,8 @@ struct CutOptions {
 /// Which fragments are dropped: open parts that bound no solid, see bounds_solid().
 enum class Fragments : std::uint8_t {
   /// Parts that hung, in the original mesh, on a surface that bounds a solid, and have a small
-  /// share
-  /// of its area: fins, faces that hang in a hole, and what is left of walls; and parts of which
-  /// only hole patches are left.
+  /// share of its area: fins, faces that hang in a hole, and what is left of walls; and parts of
+  /// which only hole patches are left.
   Debris,
   /// Parts with a small share of the area of the mesh.
   Small,

@@ -25,7 +25,7 @@ inline constexpr std::array kFigures{
                               &Summary::total},
 };
 
-/// Whether people are told a figure of a quantity.
+/// Tells whether people are told a figure of a quantity.
 [[nodiscard]] constexpr bool is_shown(const FieldRow<Summary, double>& figure,
                                       const Quantity& quantity) {
   return figure.member != &Summary::total || quantity.total == Quantity::Total::Show;

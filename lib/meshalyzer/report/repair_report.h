@@ -58,10 +58,10 @@ struct RepairReport {
   std::vector<AttributeCount> lost = {};
 };
 
-/// How many of the defects of a mesh are of the codes that count.
+/// Returns how many of the defects of a mesh are of the codes that count.
 [[nodiscard]] std::size_t n_asked(const DefectReport& report, const DefectCodes& asked);
 
-/// How many of the defects that were to be fixed are left.
+/// Returns how many of the defects that were to be fixed are left.
 [[nodiscard]] std::size_t n_remaining(const RepairReport& report);
 
 }  // namespace meshalyzer

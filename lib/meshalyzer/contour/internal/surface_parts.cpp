@@ -58,7 +58,7 @@ class FaceDivision {
     return region_.contains(p + step_) != region_.contains(p - step_);
   }
 
-  /// Whether one part of a piece separates and another does not, as far as four points tell.
+  /// Tells whether one part of a piece separates and another does not, as far as four points tell.
   [[nodiscard]] bool changes_inside(const Corners& t, const Vec3& middle) const {
     constexpr double kInwards = 1.0 / 64.0;
     const bool at_middle = separates(middle);

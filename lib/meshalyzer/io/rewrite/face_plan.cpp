@@ -64,7 +64,7 @@ class FacePlanner {
     return RecordFate::Turned;
   }
 
-  /// Whether some triangles still go round one corner, each from where the last one ends.
+  /// Tells whether some triangles still go round one corner, each from where the last one ends.
   [[nodiscard]] bool is_fan(Index begin, Index end) const {
     const Triangle& first = mesh_.source.triangles[begin];
     if (first[1] == first[2] && source_corners(faces_[begin]) != first) {

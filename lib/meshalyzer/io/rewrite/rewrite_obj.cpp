@@ -260,7 +260,7 @@ class ObjRewriter {
     return text;
   }
 
-  /// How many records stand before a statement now.
+  /// Returns how many records stand before a statement now.
   [[nodiscard]] ObjCounts new_counts(const ObjCounts& old) const {
     ObjCounts counts = old;
     counts.vertices = 0;

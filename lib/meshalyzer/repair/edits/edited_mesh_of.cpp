@@ -118,7 +118,7 @@ class FacesBelow {
     return std::find(triangle.begin(), triangle.end(), vertex) != triangle.end();
   }
 
-  /// Whether the middle of a face is nearer to one face of the input than to another, beyond
+  /// Tells whether the middle of a face is nearer to one face of the input than to another, beyond
   /// rounding.
   [[nodiscard]] bool is_nearer(Index face, Index candidate, Index other) const {
     if (contains(input_.triangles[candidate], kNoIndex)) return false;

@@ -17,7 +17,7 @@ namespace meshalyzer {
 /// What is wrong, and what mends it in brackets.
 [[nodiscard]] std::string message_of(const Finding& finding);
 
-/// How many findings of a code are not listed.
+/// Returns how many findings of a code are not listed.
 [[nodiscard]] std::size_t n_left_out(const FileFindings& file, const FindingCount& found);
 
 /// "... and 35 more", "... and at least 35 more".

@@ -33,7 +33,7 @@ struct PageHeader {
 /// The last part of a path.
 [[nodiscard]] std::string file_name(const std::string& path);
 
-/// How many there are of each code, of those that count, in words: "hole: 2".
+/// Returns how many there are of each code, of those that count, in words: "hole: 2".
 [[nodiscard]] std::vector<std::string> counts_of_codes(
     const std::function<std::size_t(DefectCode)>& count, const DefectCodes& asked);
 

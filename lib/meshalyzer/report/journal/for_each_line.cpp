@@ -8,7 +8,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Whether the bytes behind the last line feed can be what a kill left of a line. What is no
+/// Tells whether the bytes behind the last line feed can be what a kill left of a line. What is no
 /// journal at all must not be taken for one, for it would be written over.
 bool is_torn_line(std::string_view rest) {
   constexpr std::string_view kBegin = "{\"number\": ";

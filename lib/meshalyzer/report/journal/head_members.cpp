@@ -52,7 +52,7 @@ class HeadParser {
     return false;
   }
 
-  /// Whether the parser came to a member behind the path.
+  /// Tells whether the parser came to a member behind the path.
   [[nodiscard]] bool is_whole() const { return is_whole_; }
   [[nodiscard]] Members take() { return std::move(members_); }
 

@@ -38,7 +38,7 @@ class HeadMembers {
   /// An integer that is not negative.
   [[nodiscard]] std::uint64_t count(const std::string& key) const;
 
-  /// How many members there are in an object, and in objects in it.
+  /// Returns how many members there are in an object, and in objects in it.
   [[nodiscard]] std::size_t n_in(const std::string& key) const;
 
   /// Throws InvalidArgument: the member is missing or wrong.

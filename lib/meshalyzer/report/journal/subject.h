@@ -14,7 +14,7 @@ struct JournalSubject {
 
   /// The head of a line of a file.
   [[nodiscard]] LineHead head(LineHead::Kind kind, Index number) const;
-  /// Whether the lines list the offending elements.
+  /// Tells whether the lines list the offending elements.
   [[nodiscard]] JsonOffenders offenders() const;
 };
 

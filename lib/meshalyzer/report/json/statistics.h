@@ -25,10 +25,10 @@ void write_measures(JsonWriter& json, const ElementMeasures<Statistics>* measure
 /// Writes the summaries of the same, a line each.
 void write_measures(JsonWriter& json, const ElementMeasures<Summary>& measures);
 
-/// Whether an object has what write_measures() writes, as nulls too.
+/// Tells whether an object has what write_measures() writes, as nulls too.
 [[nodiscard]] bool has_measures(const JsonNode& object);
 
-/// Whether write_measures() wrote nulls into an object.
+/// Tells whether write_measures() wrote nulls into an object.
 [[nodiscard]] bool has_null_measures(const JsonNode& object);
 
 /// Reads what write_measures() wrote into an object.

@@ -5,7 +5,7 @@
 namespace meshalyzer {
 namespace {
 
-/// How many vertices have no curvature for a reason; nothing where none has it.
+/// Returns how many vertices have no curvature for a reason; nothing where none has it.
 void append_without(LineSink& lines, const CurvatureStatistics& curvature, CurvatureState state,
                     std::string_view name) {
   const std::size_t count = curvature.vertices[static_cast<std::size_t>(state)];

@@ -12,7 +12,7 @@ namespace meshalyzer {
 /// How many items of a list a person is shown who has not asked for all.
 inline constexpr std::size_t kShortList = 12;
 
-/// How many of n items are shown.
+/// Returns how many of n items are shown.
 [[nodiscard]] constexpr std::size_t n_shown(std::size_t n, ListLength lists) {
   return lists == ListLength::Full || n <= kShortList ? n : kShortList;
 }

@@ -12,7 +12,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Whether a mesh is good but for the numbers of its records.
+/// Tells whether a mesh is good but for the numbers of its records.
 bool is_good(const DefectInventory& found) {
   const auto yes = [&](Attribute attribute) {
     return found.is_yes[static_cast<std::size_t>(attribute)];
@@ -49,7 +49,7 @@ class Guarantee {
     return meshalyzer::is_good(list_defective_in_file(state, tolerances_, check_));
   }
 
-  /// Whether all of the mesh is one broken solid, so that nothing is left to try.
+  /// Tells whether all of the mesh is one broken solid, so that nothing is left to try.
   [[nodiscard]] bool is_all_broken() const {
     const std::vector<BrokenSolid> solids = find_broken_solids(driver_.mesh());
     return solids.size() == 1 &&
