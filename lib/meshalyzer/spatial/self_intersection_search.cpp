@@ -23,7 +23,7 @@ constexpr std::size_t kLeavesPerChunk = 64;
 constexpr std::size_t kLeavesPerRound = 64 * kLeavesPerChunk;
 
 /// Pairs that a task keeps before it hands them on.
-constexpr std::size_t kPairsAtOnce = 4096;
+constexpr std::size_t kPairsInBuffer = 4096;
 
 /// From this number of faces of a leaf on that have partners in another leaf it pays to look for
 /// directions that separate them.
@@ -288,7 +288,7 @@ class BoundedSearch {
  private:
   /// Searches a chunk of leaves until it has found enough by itself; returns how many.
   std::size_t search(std::size_t begin, std::size_t end) {
-    PairBuffer found(listener_, kPairsAtOnce);
+    PairBuffer found(listener_, kPairsInBuffer);
     for (std::size_t leaf = begin; leaf < end; ++leaf) {
       if (found.n_pushed() >= limits_.max_found || wants_to_stop()) {
         is_ended_ = true;
@@ -302,7 +302,7 @@ class BoundedSearch {
 
   /// Hands on the pairs within the groups.
   void pair_up_groups() {
-    PairBuffer found(listener_, kPairsAtOnce);
+    PairBuffer found(listener_, kPairsInBuffer);
     for (std::size_t i = 0; i < scene_.groups->size(); ++i) {
       const auto [a, b] = scene_.groups->two_slots(i);
       const auto kind = find_kind(scene_.tree, scene_.tree.triangle(a), scene_.tree.triangle(b));

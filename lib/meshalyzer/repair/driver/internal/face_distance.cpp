@@ -38,10 +38,6 @@ Vec3 between(const Vec3& a, const Vec3& b, double at) {
   return (1.0 - at) * a + at * b;
 }
 
-Vec3 centroid_of(const Corners& t) {
-  return t[0] / 3 + t[1] / 3 + t[2] / 3;
-}
-
 double distance_to(const Corners& t, const Vec3& p) {
   return closest_on_triangle(t, p).distance;
 }
@@ -122,7 +118,8 @@ bool SurfaceDistance::is_precise(const Estimate& known) const {
 SurfaceDistance::Estimate SurfaceDistance::estimate(const Piece& piece) {
   const Corners& t = piece.corners;
   const auto& d = piece.distances;
-  const Vec3 middle = centroid_of(t);
+  // Divided before it is added, so that nothing overflows.
+  const Vec3 middle = t[0] / 3 + t[1] / 3 + t[2] / 3;
   const SurfacePoint at_middle = closest(middle);
   Estimate known;
   known.lower = std::max({d[0], d[1], d[2], at_middle.distance});

@@ -13,7 +13,7 @@ namespace {
 using Vec2 = Eigen::Vector2d;
 
 /// Returns the unit vector along the area that an outline encloses; zero where it encloses none.
-Vec3 normal_of(std::span<const Vec3> outline) {
+Vec3 normal_of_outline(std::span<const Vec3> outline) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 2; i < outline.size(); ++i) {
     sum += accurate_normal(outline[0], outline[i - 1], outline[i]);
@@ -66,7 +66,7 @@ struct Plane {
 };
 
 std::optional<Plane> plane_of(std::span<const Vec3> outline) {
-  const Vec3 normal = normal_of(outline);
+  const Vec3 normal = normal_of_outline(outline);
   Plane plane{Vec3::Zero(), 0.0, normal.unitOrthogonal(), Vec3::Zero()};
   plane.v = normal.cross(plane.u);
   for (const Vec3& p : outline) plane.origin += p / static_cast<double>(outline.size());
@@ -83,7 +83,7 @@ class OutlineCutter {
   OutlineCutter(std::span<const Vec3> outline, const MayJoin& may_join)
       : points_(outline), may_join_(may_join), left_(outline.size()) {
     for (std::size_t i = 0; i < left_.size(); ++i) left_[i] = static_cast<Index>(i);
-    const Vec3 normal = normal_of(outline);
+    const Vec3 normal = normal_of_outline(outline);
     view_.dropped = longest_axis(normal);
     view_.sense = normal[static_cast<Eigen::Index>(view_.dropped)] > 0.0 ? 1 : -1;
   }
