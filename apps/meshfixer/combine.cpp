@@ -15,10 +15,8 @@
 #include "operand_files.h"
 #include "output.h"
 #include "page.h"
-#include "same_file.h"
 #include "stop_request.h"
 #include "tell.h"
-#include "usage_error.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -330,32 +328,6 @@ class CombinationRun {
   ExitCode gravest_ = ExitCode::Done;
 };
 
-void make_folder(const Options& options, const OperandFiles& operands) {
-  if (options.target != Options::Target::Folder) return;
-  std::vector<std::string> names;
-  for (const auto& file : operands.files) {
-    if (file->path() == "-") throw UsageError("standard input has no name to be written by");
-    names.push_back(std::filesystem::path(file->path()).filename().string());
-  }
-  std::sort(names.begin(), names.end());
-  const auto twice = std::adjacent_find(names.begin(), names.end());
-  if (twice != names.end()) {
-    throw UsageError("two inputs are called " + *twice + ", and would be written to one file");
-  }
-  std::vector<std::string> inputs;
-  for (const auto& file : operands.files) inputs.push_back(file->path());
-  const KnownFiles known(inputs);
-  for (const std::string& name : names) {
-    const std::string path = (std::filesystem::path(*options.output) / name).string();
-    if (known.contain(path)) {
-      throw UsageError(path + " would be written, but it is an input, which never changes");
-    }
-  }
-  std::error_code error;
-  std::filesystem::create_directories(*options.output, error);
-  if (error) throw IoError(*options.output, {}, "cannot be made a folder: " + error.message());
-}
-
 }  // namespace
 
 ExitCode combine(const Options& options, Streams streams) {
@@ -365,7 +337,7 @@ ExitCode combine(const Options& options, Streams streams) {
     streams.err << faults << std::flush;
     return ExitCode::NotGood;
   }
-  make_folder(options, operands);
+  make_output_folder(options, operands);
   return CombinationRun(options, operands, streams).run();
 }
 

@@ -7,6 +7,7 @@
 #include "same_file.h"
 #include "usage_error.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -67,6 +68,32 @@ std::string solid_faults(const OperandFiles& operands) {
     text += operands.files[i]->path() + ": bounds no solid: " + fault + "; repair it first\n";
   }
   return text;
+}
+
+void make_output_folder(const Options& options, const OperandFiles& operands) {
+  if (options.target != Options::Target::Folder) return;
+  std::vector<std::string> names;
+  for (const auto& file : operands.files) {
+    if (file->path() == "-") throw UsageError("standard input has no name to be written by");
+    names.push_back(std::filesystem::path(file->path()).filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  const auto twice = std::adjacent_find(names.begin(), names.end());
+  if (twice != names.end()) {
+    throw UsageError("two inputs are called " + *twice + ", and would be written to one file");
+  }
+  std::vector<std::string> inputs;
+  for (const auto& file : operands.files) inputs.push_back(file->path());
+  const KnownFiles known(inputs);
+  for (const std::string& name : names) {
+    const std::string path = (std::filesystem::path(*options.output) / name).string();
+    if (known.contain(path)) {
+      throw UsageError(path + " would be written, but it is an input, which never changes");
+    }
+  }
+  std::error_code error;
+  std::filesystem::create_directories(*options.output, error);
+  if (error) throw IoError(*options.output, {}, "cannot be made a folder: " + error.message());
 }
 
 }  // namespace meshalyzer::fixer

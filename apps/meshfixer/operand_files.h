@@ -26,4 +26,10 @@ struct OperandFiles {
 /// Says of each file that bounds no solid why, and what to do; empty where all do.
 [[nodiscard]] std::string solid_faults(const OperandFiles& operands);
 
+/// Makes the folder that a file for each input goes to, where OUT is one.
+///
+/// @throws UsageError  where an input, or two outputs, would be written at one place.
+/// @throws IoError     where it cannot be made.
+void make_output_folder(const Options& options, const OperandFiles& operands);
+
 }  // namespace meshalyzer::fixer
