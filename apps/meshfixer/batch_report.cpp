@@ -93,11 +93,16 @@ void BatchReport::say(const std::string& text) {
 
 std::string BatchReport::table() const {
   std::string text = "\nDEFECTS BEFORE AND AFTER\n";
+  std::size_t n_before = 0;
+  std::size_t n_after = 0;
   for (const DefectCode code : all_defect_codes()) {
     const auto i = static_cast<std::size_t>(code);
+    n_before += before_[i];
+    n_after += after_[i];
     if (before_[i] + after_[i] == 0) continue;
     text += std::string(defect_name(code)) + ": " + arrow(before_[i], after_[i]) + '\n';
   }
+  text += "defects: " + arrow(n_before, n_after) + '\n';
   text += "\nFILES\n";
   text += "files: " + std::to_string(n_files_) + '\n';
   text += "changed: " + std::to_string(n_changed_) + '\n';

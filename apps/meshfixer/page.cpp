@@ -2,6 +2,7 @@
 
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/report/html/page.h"
+#include "meshalyzer/report/html/repair_changes.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -91,11 +92,10 @@ JoinedReport join(const std::vector<FinalMesh>& meshes) {
 }
 
 /// Draws what came out; a single mesh by what is prepared for it already.
-Scene draw(const std::vector<FinalSoup>& finals, const DefectReport& defects) {
+Scene draw(const std::vector<FinalSoup>& finals, const Soup& all, const DefectReport& defects) {
   if (finals.size() == 1 && finals.front().prepared) {
     return scene_of(*finals.front().prepared, defects);
   }
-  const Soup all = join(finals);
   return scene_of(PreparedMesh(all), defects);
 }
 
@@ -110,13 +110,19 @@ void write_page(const std::string& file, const FoundPage& found) {
   replace_file(file, html_report({found.name, found.report, scene}, found.asked));
 }
 
-void write_page(const std::string& file, const RepairReport& report, const Scene& before,
+void write_page(const std::string& file, const RepairReport& report, DrawnInput before,
                 const std::vector<FinalSoup>& finals) {
   const JoinedReport all = join(report.meshes);
-  const Scene after = draw(finals, all.defects);
-  replace_file(file, html_report(RepairPage{report,
-                                            {report.input, report.result.before, before},
-                                            {all.name, all.defects, after}}));
+  const Soup joined = finals.size() == 1 ? Soup() : join(finals);
+  const Soup& soup = finals.size() == 1 ? *finals.front().soup : joined;
+  Scene after = draw(finals, soup, all.defects);
+  const RepairChanges changes = find_changes(report, before.soup, soup);
+  light_changes(before.scene, before.soup, changes.before.places);
+  light_changes(after, soup, changes.after.places);
+  const PageMesh shown_before{report.input, report.result.before, before.scene,
+                              changes.before.changes};
+  const PageMesh shown_after{all.name, all.defects, after, changes.after.changes};
+  replace_file(file, html_report(RepairPage{report, shown_before, shown_after}));
 }
 
 }  // namespace meshalyzer::fixer

@@ -34,11 +34,16 @@ struct FinalSoup {
   std::shared_ptr<const PreparedMesh> prepared;
 };
 
+/// What was read, and what is drawn of it.
+struct DrawnInput {
+  const Soup& soup;
+  Scene scene;
+};
+
 /// Writes the page of a repair.
-/// @param before  What was read.
 /// @param finals  The meshes of the report.
 /// @throws IoError if the file cannot be written.
-void write_page(const std::string& file, const RepairReport& report, const Scene& before,
+void write_page(const std::string& file, const RepairReport& report, DrawnInput before,
                 const std::vector<FinalSoup>& finals);
 
 }  // namespace meshalyzer::fixer

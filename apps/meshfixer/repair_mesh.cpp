@@ -293,7 +293,7 @@ ExitCode repair_mesh(const Options& options, Soup soup, const InputFile& file, S
       before = scene_of(mesh, defects);
     };
   }
-  const Soup input_soup = options.output ? soup : Soup();
+  const Soup input_soup = options.output || options.html ? soup : Soup();
   const RepairResult result = fix_defects(std::move(soup), repair);
   progress.clear();
   RepairReport report{input, result, repair.fixes, {}, {}};
@@ -302,7 +302,7 @@ ExitCode repair_mesh(const Options& options, Soup soup, const InputFile& file, S
   const std::vector<FinalSoup> finals =
       take_or_write({options, {file, input_soup}, streams}, report);
   const bool is_as_guaranteed = !options.repair.guarantee || are_good(finals, report);
-  if (options.html) write_page(*options.html, report, before, finals);
+  if (options.html) write_page(*options.html, report, {input_soup, std::move(before)}, finals);
   const ExitCode told = tell(report);
   if (told != ExitCode::Done) return told;
   const ExitCode code = verdict(options, report, streams);

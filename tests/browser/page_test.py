@@ -71,6 +71,17 @@ class Page(PageCase):
         self.session.run("meshView.select(0, 0)")
         self.assertEqual(self.session.run("return meshView.selected()"), {"scene": 0, "highlight": 0})
 
+    def test_a_change_is_seen_where_it_was_and_what_came_of_it(self):
+        self.open(self.pages.repair("crossing_cubes.mesh"))
+        for scene in (0, 1):
+            self.session.click(f"#changes button[data-scene='{scene}']")
+            chosen = self.session.run("return meshView.selected()")
+            self.assertEqual(chosen["scene"], scene)
+            change = self.data["scenes"][scene]["highlights"][chosen["highlight"]]
+            self.assertEqual(change["code"], "cut intersections")
+            self.assertIn(change["text"], self.session.run("return document.getElementById('chosen-text').textContent"))
+        self.assertIn("a seam of 14 edges", change["text"])
+
     def test_an_index_leads_to_the_pages_and_back(self):
         index = self.pages.index("clash", "-i", "-s")
         self.open_plain(index)

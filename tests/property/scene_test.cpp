@@ -61,9 +61,9 @@ void expect_fields(const Scene& scene) {
 void expect_highlights(const Scene& scene, const DefectReport& report, const SceneLimits& limits) {
   std::size_t last = 0;
   for (const Highlight& highlight : scene.highlights) {
-    EXPECT_TRUE(&highlight == &scene.highlights.front() || highlight.defect > last);
-    last = highlight.defect;
-    ASSERT_LT(highlight.defect, report.defects.size());
+    EXPECT_TRUE(&highlight == &scene.highlights.front() || highlight.number > last);
+    last = highlight.number;
+    ASSERT_LT(highlight.number, report.defects.size());
     for (const std::uint32_t f : highlight.faces) EXPECT_LT(f, scene.detail.n_faces());
     EXPECT_LE(highlight.faces.size(), limits.max_elements_of_a_defect);
     expect_finite(highlight.segments);

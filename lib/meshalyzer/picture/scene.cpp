@@ -127,8 +127,7 @@ class SceneMaker {
   void light_defects() {
     if (lit_.all().empty()) return;
     const EdgeLengths lengths(soup(), frame_, faces_);
-    scene_.highlights =
-        make_highlights({soup(), report_, frame_, lengths, scene_.detail}, lit_.all());
+    scene_.highlights = make_highlights({soup(), frame_, lengths, scene_.detail}, lit_.all());
   }
 
   void note_surface() {
@@ -201,6 +200,16 @@ class SceneMaker {
 Scene make_scene(const FieldSource& source, const std::vector<FieldName>& names,
                  const SceneLimits& limits) {
   return SceneMaker(source, limits).make(names);
+}
+
+void light_changes(Scene& scene, const Soup& soup, std::span<const ChangedPlace> changes,
+                   const SceneLimits& limits) {
+  if (changes.empty()) return;
+  const std::vector<Index> faces = drawable_faces(soup);
+  const DrawingFrame frame(box_of(soup, faces));
+  const EdgeLengths lengths(soup, frame, faces);
+  scene.changes =
+      make_highlights({soup, frame, lengths, scene.detail}, lit_changes(changes, limits));
 }
 
 }  // namespace meshalyzer

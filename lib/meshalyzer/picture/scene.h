@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,10 +44,11 @@ struct DrawnField {
   double max = 0.0;
 };
 
-/// The elements that light up when a defect is chosen. Coordinates are relative to Scene::centre.
+/// The elements that light up when a defect, or a change, is chosen. Coordinates are relative to
+/// Scene::centre.
 struct Highlight {
-  /// The place of the defect in DefectReport::defects.
-  std::size_t defect = 0;
+  /// The place of the defect in DefectReport::defects, or of the change in the list.
+  std::size_t number = 0;
   /// Faces of Scene::detail.
   std::vector<std::uint32_t> faces;
   /// Six coordinates for each segment.
@@ -56,7 +58,7 @@ struct Highlight {
   /// The centre and radius of what the viewer moves to; radius > 0.
   std::array<float, 3> focus{};
   float radius = 1.0F;
-  /// Tells whether more elements belong to the defect than are lit up.
+  /// Tells whether more elements belong to it than are lit up.
   bool is_cut = false;
 };
 
@@ -85,7 +87,10 @@ struct Scene {
   /// The rest of the mesh, decimated; empty where detail is all.
   DrawnSurface context;
   std::vector<DrawnField> fields;
+  /// Those of defects.
   std::vector<Highlight> highlights;
+  /// Those of changes, in their order: see light_changes().
+  std::vector<Highlight> changes;
   SceneLines lines;
   /// The number of faces of the file that can be drawn: all corners are there and finite.
   std::size_t n_faces = 0;
@@ -126,5 +131,18 @@ struct SceneLimits {
 /// @complexity    O(#V + #F) and the size of the defects.
 [[nodiscard]] Scene make_scene(const FieldSource& source, const std::vector<FieldName>& names,
                                const SceneLimits& limits = {});
+
+/// A place of a mesh that a repair has changed: faces of the soup, and edges by their vertices.
+struct ChangedPlace {
+  std::vector<Index> faces;
+  std::vector<std::array<Index, 2>> edges;
+};
+
+/// Lights up the places that were changed, as far as their faces are drawn in detail.
+///
+/// @param scene  Of the soup; gets Scene::changes.
+/// @complexity   O(#V + #F) and the size of the changes.
+void light_changes(Scene& scene, const Soup& soup, std::span<const ChangedPlace> changes,
+                   const SceneLimits& limits = {});
 
 }  // namespace meshalyzer

@@ -26,7 +26,7 @@ std::vector<Highlight> highlights_of(const Soup& soup, const DefectOptions& opti
   const std::vector<Vec3> normals(soup.n_vertices(), Vec3::Zero());
   const DrawnSurface detail =
       draw_surface(soup, frame, triangles_of(soup, in_detail.value_or(faces)), normals);
-  return make_highlights({soup, report, frame, lengths, detail}, lit.all());
+  return make_highlights({soup, frame, lengths, detail}, lit.all());
 }
 
 /// The largest distance from the focus of what is lit up.

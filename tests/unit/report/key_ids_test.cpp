@@ -75,7 +75,7 @@ TEST(KeyIds, OfSeveralMeshesTheRightOneIsNamed) {
   first.face_keys = {0};
   second.vertex_keys = {3, 4};
   second.face_keys = {2, 3};
-  result.meshes.push_back({second, {}});
+  result.meshes.push_back({second, {}, nullptr});
   RepairReport report = sample_report(result);
   report.meshes.push_back(report.meshes[0]);
   const KeyIds ids(report);

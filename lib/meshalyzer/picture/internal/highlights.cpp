@@ -22,20 +22,12 @@ std::vector<std::uint32_t> places_in(const DrawnSurface& surface, std::size_t n_
   return places;
 }
 
-/// Tells whether faces are too thin to be seen as faces.
-bool is_thin(DefectCode code) {
-  return code == DefectCode::FlatFacet || code == DefectCode::DegenerateFacet;
-}
-
-/// Makes the highlight of one defect.
+/// Makes the highlight of one defect, or change.
 class Lighting {
  public:
   Lighting(const LitPlace& place, std::span<const std::uint32_t> drawn_face, const LitDefect& lit)
-      : place_(place),
-        drawn_face_(drawn_face),
-        lit_(lit),
-        defect_(place.report.defects[lit.number]) {
-    highlight_.defect = lit.number;
+      : place_(place), drawn_face_(drawn_face), lit_(lit) {
+    highlight_.number = lit.number;
     highlight_.is_cut = lit.is_cut;
   }
 
@@ -44,7 +36,7 @@ class Lighting {
     for (const auto& [a, b] : lit_.edges) light_edge(a, b);
     for (const IntersectingPair& pair : lit_.pairs) light_contact(pair);
     for (const Index v : lit_.vertices) light_vertex(v);
-    if (box_.isEmpty() || is_thin(defect_.code)) light_positions();
+    if (box_.isEmpty() || lit_.is_thin) light_positions();
     set_view();
     return std::move(highlight_);
   }
@@ -62,7 +54,7 @@ class Lighting {
     } else {
       highlight_.faces.push_back(drawn_face_[face]);
     }
-    if (!is_thin(defect_.code)) return;
+    if (!lit_.is_thin) return;
     for (std::size_t i = 0; i < 3; ++i) add_segment(drawn(t[i]), drawn(t[(i + 1) % 3]));
   }
 
@@ -92,7 +84,7 @@ class Lighting {
   }
 
   void light_positions() {
-    for (const Vec3& position : defect_.positions) {
+    for (const Vec3& position : lit_.positions) {
       if (position.allFinite()) add_point(place_.frame(position));
     }
   }
@@ -139,7 +131,6 @@ class Lighting {
   const LitPlace& place_;
   std::span<const std::uint32_t> drawn_face_;
   const LitDefect& lit_;
-  const Defect& defect_;
   Highlight highlight_;
   /// The box of what is lit up, in drawn coordinates.
   Box3 box_;
@@ -150,8 +141,8 @@ class Lighting {
 }  // namespace
 
 std::vector<Highlight> make_highlights(const LitPlace& place, std::span<const LitDefect> lit) {
-  const std::vector<std::uint32_t> drawn_face =
-      places_in(place.detail, lit.empty() ? 0 : place.soup.n_faces());
+  if (lit.empty()) return {};
+  const std::vector<std::uint32_t> drawn_face = places_in(place.detail, place.soup.n_faces());
   std::vector<Highlight> highlights;
   highlights.reserve(lit.size());
   for (const LitDefect& one : lit) highlights.push_back(Lighting(place, drawn_face, one).make());

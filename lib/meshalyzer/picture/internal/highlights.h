@@ -1,6 +1,5 @@
 #pragma once
 
-#include "meshalyzer/defects/find_defects.h"
 #include "meshalyzer/picture/internal/drawing_frame.h"
 #include "meshalyzer/picture/internal/edge_lengths.h"
 #include "meshalyzer/picture/internal/lit_defects.h"
@@ -11,18 +10,17 @@
 
 namespace meshalyzer {
 
-/// The scene in which defects are lit up. The caller keeps the data.
+/// The scene in which defects and changes are lit up. The caller keeps the data.
 struct LitPlace {
   const Soup& soup;
-  const DefectReport& report;
   const DrawingFrame& frame;
   const EdgeLengths& lengths;
   const DrawnSurface& detail;
 };
 
-/// Lights up each defect: its faces as far as they are in detail; as segments its edges, the
-/// contact of its intersecting pairs, and the outlines of faces that are too thin to be seen; as
-/// points its vertices, pairs that touch at a point and, where there is nothing else to be seen,
+/// Lights up each defect or change: its faces as far as they are in detail; as segments its edges,
+/// the contact of its intersecting pairs, and the outlines of faces that are too thin to be seen;
+/// as points its vertices, pairs that touch at a point and, where there is nothing else to be seen,
 /// its positions.
 ///
 /// The viewer sees a margin of a few edge lengths round it.

@@ -8,6 +8,11 @@
 namespace meshalyzer {
 namespace {
 
+/// Tells whether faces are too thin to be seen as faces.
+bool is_thin(DefectCode code) {
+  return code == DefectCode::FlatFacet || code == DefectCode::DegenerateFacet;
+}
+
 /// Returns the first defects of each code.
 std::vector<LitDefect> first_of_each_code(const DefectReport& report, std::size_t max) {
   std::array<std::size_t, kDefectCodes> taken{};
@@ -21,6 +26,8 @@ std::vector<LitDefect> first_of_each_code(const DefectReport& report, std::size_
     one.edges = defect.edges;
     one.pairs = defect.pairs;
     one.vertices = defect.vertices;
+    one.positions = defect.positions;
+    one.is_thin = is_thin(defect.code);
   }
   return lit;
 }
@@ -91,6 +98,15 @@ void cut_to(LitDefect& lit, std::size_t max) {
   cut(lit.vertices);
 }
 
+/// Cuts all to the same size, so that together they are not too large.
+void cut_to_limits(std::vector<LitDefect>& all, const SceneLimits& limits) {
+  std::vector<std::size_t> sizes;
+  for (const LitDefect& lit : all) sizes.push_back(size_of(lit));
+  const std::size_t share =
+      fair_share(sizes, limits.max_elements_of_a_defect, limits.max_elements_of_all);
+  for (LitDefect& lit : all) cut_to(lit, share);
+}
+
 /// Adds one element of each list of a defect to the seeds.
 void add_seeds(const Soup& soup, const LitDefect& lit, std::size_t place, Seeds& seeds) {
   if (place < lit.faces.size() && is_drawable(soup, lit.faces[place])) {
@@ -121,15 +137,26 @@ std::size_t fair_share(std::span<const std::size_t> sizes, std::size_t max_each,
   return low;
 }
 
+std::vector<LitDefect> lit_changes(std::span<const ChangedPlace> changes,
+                                   const SceneLimits& limits) {
+  std::vector<LitDefect> lit;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    lit.push_back({.number = i,
+                   .faces = changes[i].faces,
+                   .edges = changes[i].edges,
+                   .pairs = {},
+                   .vertices = {},
+                   .positions = {}});
+  }
+  cut_to_limits(lit, limits);
+  return lit;
+}
+
 LitDefects::LitDefects(const PreparedMesh& mesh, const DefectReport& report,
                        const SceneLimits& limits)
     : report_(report), lit_(first_of_each_code(report, limits.max_defects_of_a_code)) {
   components_ = expand_components(mesh, report, lit_, limits.max_elements_of_a_defect);
-  std::vector<std::size_t> sizes;
-  for (const LitDefect& lit : lit_) sizes.push_back(size_of(lit));
-  const std::size_t share =
-      fair_share(sizes, limits.max_elements_of_a_defect, limits.max_elements_of_all);
-  for (LitDefect& lit : lit_) cut_to(lit, share);
+  cut_to_limits(lit_, limits);
 }
 
 Seeds LitDefects::seeds(const Soup& soup) const {

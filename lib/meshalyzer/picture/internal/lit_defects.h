@@ -12,16 +12,20 @@
 
 namespace meshalyzer {
 
-/// The elements of a defect that are lit up: the first ones. Others keep the data.
+/// The elements of a defect, or of a change, that are lit up: the first ones. Others keep the data.
 struct LitDefect {
-  /// The place of the defect in DefectReport::defects.
+  /// The place of the defect in DefectReport::defects, or of the change in its list.
   std::size_t number = 0;
   /// All faces of the component where the defect is a whole component (disjoint, inward).
   std::span<const Index> faces;
   std::span<const std::array<Index, 2>> edges;
   std::span<const IntersectingPair> pairs;
   std::span<const Index> vertices;
-  /// Tells whether the defect has more elements.
+  /// What is lit up where nothing else can be seen.
+  std::span<const Vec3> positions;
+  /// Tells whether the faces are too thin to be seen as faces.
+  bool is_thin = false;
+  /// Tells whether there are more elements.
   bool is_cut = false;
 };
 
@@ -31,6 +35,10 @@ struct LitDefect {
 /// @complexity O(#sizes log max_each).
 [[nodiscard]] std::size_t fair_share(std::span<const std::size_t> sizes, std::size_t max_each,
                                      std::size_t total);
+
+/// Chooses the elements of changes that are lit up; the changes must outlive them.
+[[nodiscard]] std::vector<LitDefect> lit_changes(std::span<const ChangedPlace> changes,
+                                                 const SceneLimits& limits);
 
 /// Chooses the defects of a report that are lit up. The mesh and the report must outlive it.
 class LitDefects {

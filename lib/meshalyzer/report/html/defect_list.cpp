@@ -25,13 +25,23 @@ void append_parts(HtmlWriter& html, std::string_view text) {
   html.element("span", {{"class", "measured"}}, text.substr(end + kSeparator.size()));
 }
 
+/// Opens the button that a highlight of a scene is chosen by.
+HtmlElement highlight_button(HtmlWriter& html, std::size_t scene, std::size_t highlight) {
+  return {html,
+          "button",
+          {{"type", "button"},
+           {"class", "defect"},
+           {"data-scene", std::to_string(scene)},
+           {"data-highlight", std::to_string(highlight)}}};
+}
+
 /// The defects of one mesh of the page.
 class DefectList {
  public:
   DefectList(const PageMesh& mesh, std::size_t scene)
-      : mesh_(mesh), scene_(std::to_string(scene)), highlights_(mesh.defects.defects.size()) {
+      : mesh_(mesh), scene_(scene), highlights_(mesh.defects.defects.size()) {
     for (std::size_t i = 0; i < mesh.scene.highlights.size(); ++i) {
-      highlights_[mesh.scene.highlights[i].defect] = i;
+      highlights_[mesh.scene.highlights[i].number] = i;
     }
   }
 
@@ -100,21 +110,57 @@ class DefectList {
       append_parts(html, text);
       return;
     }
-    const HtmlElement button(html, "button",
-                             {{"type", "button"},
-                              {"class", "defect"},
-                              {"data-scene", scene_},
-                              {"data-highlight", std::to_string(*highlights_[i])}});
+    const HtmlElement button = highlight_button(html, scene_, *highlights_[i]);
     append_parts(html, text);
   }
 
   const PageMesh& mesh_;
-  std::string scene_;
+  std::size_t scene_;
   /// The place of each defect among the highlights of the scene.
   std::vector<std::optional<std::size_t>> highlights_;
 };
 
+/// Appends the changes of one mesh of the page, by pass.
+void append_changes(HtmlWriter& html, const PageMesh& mesh, std::size_t scene) {
+  const std::span<const PageChange> changes = mesh.changes;
+  for (std::size_t i = 0; i < changes.size();) {
+    const auto end = std::find_if(changes.begin() + static_cast<std::ptrdiff_t>(i), changes.end(),
+                                  [&](const PageChange& c) { return c.pass != changes[i].pass; });
+    const auto n = static_cast<std::size_t>(end - changes.begin()) - i;
+    const HtmlElement details(html, "details", {{"class", "code"}, {"open", ""}});
+    {
+      const HtmlElement summary(html, "summary");
+      html.element("code", changes[i].pass);
+      html.text(" ");
+      html.element("span", {{"class", "count"}}, std::to_string(n));
+    }
+    const HtmlElement list(html, "ol");
+    for (const std::size_t last = i + n; i < last; ++i) {
+      const HtmlElement item(html, "li");
+      const HtmlElement button = highlight_button(html, scene, mesh.scene.highlights.size() + i);
+      html.element("span", {{"class", "elements"}}, changes[i].text);
+    }
+  }
+}
+
 }  // namespace
+
+void append_changes_section(HtmlWriter& html, std::span<const TitledMesh> meshes) {
+  if (std::all_of(meshes.begin(), meshes.end(),
+                  [](const TitledMesh& mesh) { return mesh.mesh.changes.empty(); })) {
+    return;
+  }
+  const HtmlSection section(html, "changes", "Changes");
+  html.element(
+      "p", {{"class", "hint"}},
+      "Press one to see where it is: before, what was dropped, cut or changed; after, what "
+      "came of it, and the seams along which faces meet that lay apart.");
+  for (std::size_t scene = 0; scene < meshes.size(); ++scene) {
+    if (meshes[scene].mesh.changes.empty()) continue;
+    html.element("h3", meshes[scene].title);
+    append_changes(html, meshes[scene].mesh, scene);
+  }
+}
 
 void append_defects_section(HtmlWriter& html, std::span<const TitledMesh> meshes) {
   const HtmlSection section(html, "defects", "Defects");

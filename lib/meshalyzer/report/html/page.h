@@ -9,16 +9,27 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace meshalyzer {
+
+/// What a page says of a change of a repair.
+struct PageChange {
+  /// "cut intersections", ...
+  std::string pass;
+  /// "faces 3 4 7 dropped", ...
+  std::string text;
+};
 
 /// A mesh as a page shows it. Only referred to.
 struct PageMesh {
   const MeshName& name;
   const DefectReport& defects;
   const Scene& scene;
+  /// Of each of the scene's changes.
+  std::span<const PageChange> changes = {};
 };
 
 /// The page of one mesh. Only referred to.

@@ -127,6 +127,7 @@ std::string html_report(const RepairPage& page) {
     append_counts_section(html, page.report);
     append_repair_section(html, page.report);
     append_refusals_section(html, page.report);
+    append_changes_section(html, drawn);
     append_defects_section(html, drawn);
   });
 }

@@ -199,12 +199,12 @@ void write_lines(ScriptJson& json, const SceneLines& lines) {
   json.writer().end_object();
 }
 
-void write_highlight(ScriptJson& json, const Highlight& highlight, const PageMesh& mesh) {
+void write_highlight(ScriptJson& json, const Highlight& highlight, std::string_view name,
+                     std::string_view text) {
   JsonWriter& writer = json.writer();
-  const Defect& defect = mesh.defects.defects[highlight.defect];
   writer.begin_object();
-  writer.member("code", defect_name(defect.code));
-  writer.member("text", std::string_view(listed_defect_text(defect, mesh.name)));
+  writer.member("code", name);
+  writer.member("text", text);
   write_numbers(json, "faces", highlight.faces);
   write_numbers(json, "segments", highlight.segments);
   write_numbers(json, "points", highlight.points);
@@ -212,6 +212,22 @@ void write_highlight(ScriptJson& json, const Highlight& highlight, const PageMes
   writer.member("radius", static_cast<double>(highlight.radius));
   writer.member("cut", highlight.is_cut);
   writer.end_object();
+}
+
+/// Those of the defects, and then those of the changes.
+void write_highlights(ScriptJson& json, const PageMesh& mesh) {
+  json.writer().key("highlights");
+  json.writer().begin_array();
+  for (const Highlight& highlight : mesh.scene.highlights) {
+    const Defect& defect = mesh.defects.defects[highlight.number];
+    write_highlight(json, highlight, defect_name(defect.code),
+                    listed_defect_text(defect, mesh.name));
+  }
+  for (const Highlight& highlight : mesh.scene.changes) {
+    const PageChange& change = mesh.changes[highlight.number];
+    write_highlight(json, highlight, change.pass, change.text);
+  }
+  json.writer().end_array();
 }
 
 void write_strings(JsonWriter& json, std::string_view name, const std::vector<std::string>& texts) {
@@ -245,10 +261,8 @@ void write_scene(ScriptJson& json, const TitledMesh& titled) {
   for (const DrawnField& field : scene.fields) write_field(json, field, has_context);
   writer.end_array();
   write_lines(json, scene.lines);
-  writer.key("highlights");
-  writer.begin_array();
-  for (const Highlight& highlight : scene.highlights) write_highlight(json, highlight, titled.mesh);
-  writer.end_array();
+  writer.member("defects", scene.highlights.size());
+  write_highlights(json, titled.mesh);
   writer.end_object();
 }
 

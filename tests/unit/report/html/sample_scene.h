@@ -27,7 +27,7 @@ inline Scene sample_scene() {
                    .scale = {Palette::Diverging, -1.0, 1.0},
                    .min = -1.5,
                    .max = 2.0}};
-  scene.highlights = {{.defect = 0,
+  scene.highlights = {{.number = 0,
                        .faces = {1},
                        .segments = {0.0F, 0.0F, 0.0F, 1.0F, 1.0F, 1.0F},
                        .points = {0.5F, 0.5F, 0.5F},

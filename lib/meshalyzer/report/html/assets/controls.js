@@ -157,7 +157,7 @@
       if (isInCanvas && canvasKeys[event.key]) {
         canvasKeys[event.key](viewer.camera, event.shiftKey);
         event.preventDefault();
-      } else if (letterKeys[event.key] && event.target.closest("#view, #defects") && !isTyped(event)) {
+      } else if (letterKeys[event.key] && event.target.closest("#view, #changes, #defects") && !isTyped(event)) {
         letterKeys[event.key](viewer);
         event.preventDefault();
       }

@@ -121,6 +121,7 @@
       unit: unit,
       notes: raw.notes || [],
       decimated: raw.decimated || 0,
+      defects: raw.defects || 0,
       detail: surfaces.detail,
       context: surfaces.context,
       fields: raw.fields.map((field) => new Field(field, surfaces)),

@@ -18,7 +18,7 @@
 
     disable() {
       this.buttons.forEach((button) => { button.disabled = true; });
-      document.querySelectorAll("#defects .hint").forEach((hint) => { hint.hidden = true; });
+      document.querySelectorAll(".hint").forEach((hint) => { hint.hidden = true; });
     }
 
     buttonOf(sceneIndex, highlightIndex) {

@@ -78,7 +78,7 @@
     // Where something is wrong, that is what is to be seen first.
     firstField() {
       const field = this.scene.fields.find((candidate) => candidate.name === "defect");
-      return field && this.scene.highlights.length > 0 ? "defect" : "";
+      return field && this.scene.defects > 0 ? "defect" : "";
     }
 
     removeScene() {
