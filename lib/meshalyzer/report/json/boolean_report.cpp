@@ -1,6 +1,7 @@
 #include "meshalyzer/report/json/boolean_report.h"
 
 #include "meshalyzer/report/json/bytes.h"
+#include "meshalyzer/report/json/lost.h"
 #include "meshalyzer/report/json/writer.h"
 
 namespace meshalyzer {
@@ -37,12 +38,6 @@ void write_notes(JsonWriter& json, const BooleanReport& report) {
   json.begin_array();
   for (const std::string& note : report.notes) json.value(note);
   json.end_array();
-  json.key("lost");
-  json.begin_object(JsonLayout::Row);
-  for (const AttributeCount& count : report.lost) {
-    json.member(attribute_key(count.kind), count.count);
-  }
-  json.end_object();
 }
 
 }  // namespace
@@ -63,6 +58,7 @@ std::string json_report(const BooleanReport& report) {
   for (const BooleanOutput& output : report.outputs) write_output(json, output);
   json.end_array();
   write_notes(json, report);
+  write_lost(json, report.lost);
   json.end_object();
   return json.take();
 }

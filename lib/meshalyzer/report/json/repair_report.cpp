@@ -3,6 +3,7 @@
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/report/json/bytes.h"
 #include "meshalyzer/report/json/format.h"
+#include "meshalyzer/report/json/lost.h"
 #include "meshalyzer/report/json/point.h"
 #include "meshalyzer/report/json/writer.h"
 #include "meshalyzer/report/key_ids.h"
@@ -249,13 +250,6 @@ void write_rises(JsonWriter& json, const std::vector<CountRise>& rises) {
   json.end_array();
 }
 
-void write_lost(JsonWriter& json, const RepairReport& report) {
-  json.key("lost");
-  json.begin_object(JsonLayout::Row);
-  for (const AttributeCount& lost : report.lost) json.member(attribute_key(lost.kind), lost.count);
-  json.end_object();
-}
-
 void write_meshes(JsonWriter& json, const RepairReport& report) {
   const std::vector<std::uint8_t> is_changed = changed_faces(report);
   json.key("meshes");
@@ -310,7 +304,7 @@ std::string json_report(const RepairReport& report) {
   json.begin_array();
   for (const std::string& note : report.notes) json.value(std::string_view(note));
   json.end_array();
-  write_lost(json, report);
+  write_lost(json, report.lost);
   write_meshes(json, report);
   write_log(json, report);
   json.end_object();

@@ -77,13 +77,18 @@ std::vector<CountedEdge> sum_of_boundaries(std::span<const Corners> parts, const
   return edges;
 }
 
+/// Sorts points and leaves out those at the place of another.
+void sort_unique_points(std::vector<Vec3>& points) {
+  std::sort(points.begin(), points.end(), lexicographically_less);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+}
+
 /// Makes one corner of those that are nearer to each other than the slack.
 /// @return How far corners moved.
 double merge_corners(std::vector<Corners>& parts, double slack) {
   std::vector<Vec3> points;
   for (const Corners& part : parts) points.insert(points.end(), part.begin(), part.end());
-  std::sort(points.begin(), points.end(), lexicographically_less);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sort_unique_points(points);
   std::vector<std::size_t> stands_for(points.size());
   double moved = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -114,8 +119,7 @@ double split_at_corners(std::vector<CountedEdge>& edges, double slack) {
   for (const CountedEdge& edge : edges) {
     points.insert(points.end(), edge.ends.begin(), edge.ends.end());
   }
-  std::sort(points.begin(), points.end(), lexicographically_less);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sort_unique_points(points);
   double moved = 0.0;
   std::vector<CountedEdge> split;
   std::vector<std::pair<double, std::size_t>> on_edge;
