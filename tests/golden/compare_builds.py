@@ -4,7 +4,11 @@
 usage: compare_builds.py OLD NEW [--without NAME]... [--damaged N] [FOLDER...]
   OLD, NEW         folders that hold meshalyzer and meshfixer, e.g. build/release/apps
   --without NAME   a statistic that only NEW reports, such as corner_angle: it is taken out before comparing
-  --damaged N      also repairs N meshes, made from those of the folders by damaging records at random
+  --damaged N      also repairs N meshes, made from those of the folders by damaging records at random, a folder of many
+                   in each run
+  --only-damaged   compares nothing but these repairs
+  --max-bytes B    damages only meshes of at most B bytes; the default is 60,000
+  --seed S         of what is damaged; the same seed makes the same meshes
   FOLDER           what the programs are run on; the default is meshes and ../shared/corpus
 
 Every file is analysed and repaired in several ways, every folder as a set; compared are exit status, standard output
@@ -45,7 +49,8 @@ OF_FOLDER = [
     ('meshalyzer', ['-v', '@IN@']),
     ('meshalyzer', ['-a', '--json', '@IN@']),
 ]
-OF_DAMAGED = [('meshfixer', ['@IN@', '-o', '@OUT@/fixed@ENDING@', '--json=@OUT@/report.json'])]
+OF_DAMAGED = [('meshfixer', ['@IN@', '-o', '@OUT@/fixed', '--json=@OUT@/report.json'])]
+DAMAGED_AT_ONCE = 100
 
 
 class Stripper:
@@ -101,7 +106,7 @@ def compare(task):
     before = outcome(old, program, arguments, stripper)
     after = outcome(new, program, arguments, stripper)
     differing = sorted(name for name in before.keys() | after.keys() if before.get(name) != after.get(name))
-    return program, arguments, differing
+    return program, arguments, len(before), differing
 
 
 def damage(text, generator):
@@ -123,9 +128,9 @@ def damage(text, generator):
     return ''.join(lines)
 
 
-def damaged_meshes(n, files, folder, seed=1):
+def damaged_meshes(n, files, folder, seed=1, max_bytes=60_000):
     texts = [(path, path.read_text()) for path in files
-             if path.suffix in ('.mesh', '.obj', '.off') and 0 < path.stat().st_size < 60_000]
+             if path.suffix in ('.mesh', '.obj', '.off') and 0 < path.stat().st_size < max_bytes]
     generator = random.Random(seed)
     made = []
     for i in range(n):
@@ -134,6 +139,16 @@ def damaged_meshes(n, files, folder, seed=1):
         target.write_text(damage(text, generator))
         made.append(target)
     return made
+
+
+def damaged_folders(arguments, files, scratch):
+    """Makes the damaged meshes, a folder of some at a time; the seed of each folder follows from its number."""
+    for first in range(0, arguments.damaged, DAMAGED_AT_ONCE):
+        folder = scratch / f'damaged_{first}'
+        folder.mkdir()
+        damaged_meshes(min(DAMAGED_AT_ONCE, arguments.damaged - first), files, folder, f'{arguments.seed} {first}',
+                       arguments.max_bytes)
+        yield folder
 
 
 def calls(commands, path):
@@ -145,12 +160,13 @@ def tasks(arguments, scratch):
     folders = [pathlib.Path(os.path.relpath(f, ROOT)) for f in arguments.folders] or [
         pathlib.Path('meshes'), pathlib.Path('../shared/corpus')]
     files = sorted(p for f in folders for p in (ROOT / f).rglob('*') if p.suffix.lower() in ENDINGS and p.is_file())
-    for path in files:
-        yield from calls(OF_FILE, pathlib.Path(os.path.relpath(path, ROOT)))
-    for folder in sorted({path.parent for path in files}):
-        yield from calls(OF_FOLDER, pathlib.Path(os.path.relpath(folder, ROOT)))
-    for path in damaged_meshes(arguments.damaged, files, scratch):
-        yield from calls(OF_DAMAGED, path)
+    if not arguments.only_damaged:
+        for path in files:
+            yield from calls(OF_FILE, pathlib.Path(os.path.relpath(path, ROOT)))
+        for folder in sorted({path.parent for path in files}):
+            yield from calls(OF_FOLDER, pathlib.Path(os.path.relpath(folder, ROOT)))
+    for folder in damaged_folders(arguments, files, scratch):
+        yield from calls(OF_DAMAGED, folder)
 
 
 def main():
@@ -160,22 +176,26 @@ def main():
     parser.add_argument('folders', nargs='*', metavar='FOLDER')
     parser.add_argument('--without', action='append', default=[], metavar='NAME')
     parser.add_argument('--damaged', type=int, default=0, metavar='N')
+    parser.add_argument('--only-damaged', action='store_true')
+    parser.add_argument('--max-bytes', type=int, default=60_000, metavar='B')
+    parser.add_argument('--seed', type=int, default=1, metavar='S')
     arguments = parser.parse_intermixed_args()
     stripper = Stripper(arguments.without)
     scratch = pathlib.Path(tempfile.mkdtemp())
-    n_runs = n_differing = 0
+    n_runs = n_compared = n_differing = 0
     try:
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             work = ((arguments.old.resolve(), arguments.new.resolve(), *task, stripper)
                     for task in tasks(arguments, scratch))
-            for program, call, differing in pool.map(compare, work):
+            for program, call, n_outputs, differing in pool.map(compare, work):
                 n_runs += 1
+                n_compared += n_outputs
                 if differing:
                     n_differing += 1
                     print(program, ' '.join(call), 'differs:', ', '.join(differing))
     finally:
         shutil.rmtree(scratch)
-    print(f'{n_runs} runs, {n_differing} differ')
+    print(f'{n_runs} runs with {n_compared} outputs, {n_differing} runs differ')
     return 1 if n_differing else 0
 
 
