@@ -13,7 +13,7 @@ namespace meshalyzer {
 // What the values of options of both programs are read with: our own parsers, so that no locale
 // reads numbers.
 
-/// The text without the sign that the parser leaves in the value of `-g=...`.
+/// Returns the text without the sign that the parser leaves in the value of `-g=...`.
 [[nodiscard]] std::string_view without_sign(std::string_view text);
 
 /// @throws UsageError if the text is no number.
@@ -38,12 +38,12 @@ namespace meshalyzer {
 /// @throws UsageError if the text is no such number.
 [[nodiscard]] std::uint64_t to_ratio(const std::string& text, const std::string& option);
 
-/// The question whether a mistyped name means the nearest of some: "; did you mean 'hole'?"; empty
-/// where none is near.
+/// Returns the question whether a mistyped name means the nearest of some: "; did you mean
+/// 'hole'?"; empty where none is near.
 [[nodiscard]] std::string did_you_mean(std::string_view mistyped,
                                        std::span<const std::string_view> names);
 
-/// The names of some values, "a, b, c".
+/// Returns the names of some values, "a, b, c".
 template <typename Values, typename Name>
 std::string names_of(const Values& values, const Name& name) {
   std::string text;

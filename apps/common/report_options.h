@@ -10,12 +10,12 @@
 
 namespace meshalyzer {
 
-/// How both programs go about their work and tell of it.
+/// Tells how both programs go about their work and tell of it.
 struct ReportOptions {
   std::optional<ReportTarget> json;
   /// 0: as many as the machine has cores.
   std::size_t threads = 0;
-  /// How many times its size a gzipped file may take.
+  /// Tells how many times its size a gzipped file may take.
   std::uint64_t max_unpack_ratio = kDefaultUnpackRatio;
   enum class Progress : std::uint8_t { OnTerminal, Never };
   Progress progress = Progress::OnTerminal;

@@ -46,7 +46,7 @@ bool measures_separation(const Options& options) {
          (!options.asked.any() && !attributes_only(options) && !options.mesh.goodness);
 }
 
-/// An option that is of no use where no distances are measured.
+/// Returns an option that is of no use where no distances are measured.
 std::string_view needs_separation(const Options& options) {
   return options.separation.search_radius                      ? "--search-radius"
          : options.separation.search_cone_degrees              ? "--search-cone"

@@ -15,15 +15,15 @@ struct Inputs {
   std::vector<std::string> files;
   /// The names of the meshes where a report tells of several, see set_names().
   std::vector<std::string> names;
-  /// Whether all files together are a set.
+  /// Tells whether all files together are a set.
   bool is_set = false;
   /// The paths that could not be listed or held no mesh, with the reason, a line each.
   std::vector<std::string> troubles;
 };
 
-/// The mesh files that a command line means, and whether they are a set: those of a folder are, and
-/// several files where somebody asks for what is between them. A file named twice is one mesh of a
-/// set.
+/// Returns the mesh files that a command line means, and whether they are a set: those of a folder
+/// are, and several files where somebody asks for what is between them. A file named twice is one
+/// mesh of a set.
 /// @throws UsageError where what is asked for cannot be told of them.
 [[nodiscard]] Inputs inputs_of(const Options& options);
 

@@ -63,7 +63,7 @@ struct Options : ReportOptions {
   /// Bytes.
   std::uint64_t memory_limit = physical_memory() / 2;
 
-  /// Whether what is told of a mesh shows places, for which its file is needed.
+  /// Tells whether what is told of a mesh shows places, for which its file is needed.
   [[nodiscard]] bool shows_places() const {
     return offenders == OffenderStyle::CustomPoints || html || field_export.file;
   }

@@ -35,7 +35,7 @@ std::vector<std::string> file_names_of(const std::vector<std::string>& paths,
   return names;
 }
 
-/// A file a mesh in a folder.
+/// Returns a file a mesh in a folder.
 std::vector<std::string> files_in(const fs::path& folder, const std::vector<std::string>& names) {
   std::vector<std::string> files;
   std::transform(names.begin(), names.end(), std::back_inserter(files),

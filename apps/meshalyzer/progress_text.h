@@ -7,8 +7,8 @@
 
 namespace meshalyzer {
 
-/// A line of how far a run has come: a bar, files, faces, rate and the time left, at most 79
-/// columns.
+/// Returns a line of how far a run has come: a bar, files, faces, rate and the time left, at most
+/// 79 columns.
 ///
 /// @param elapsed  Since the stage began.
 [[nodiscard]] std::string progress_text(const RunProgress& progress,

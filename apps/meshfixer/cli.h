@@ -4,7 +4,7 @@
 
 namespace meshalyzer::fixer {
 
-/// The whole program, without global state, so that a test can call it.
+/// Runs the whole program, without global state, so that a test can call it.
 ///
 /// @return an ExitCode as int. The report goes to `out`, everything else to `err`.
 [[nodiscard]] int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err);

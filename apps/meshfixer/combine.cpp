@@ -151,7 +151,7 @@ class CombinationRun {
     }
   }
 
-  /// The meshes before the one in hand that are near it, as they came out.
+  /// Returns the meshes before the one in hand that are near it, as they came out.
   [[nodiscard]] Soup others_nearby() const {
     std::vector<Soup> others;
     for (const std::size_t i : nearby_) others.push_back(finals_[i]);
@@ -294,7 +294,7 @@ class CombinationRun {
     return disk;
   }
 
-  /// The format of standard output is that of the first input.
+  /// Returns the format of standard output is that of the first input.
   [[nodiscard]] std::string name_of_stdout() const {
     const Format format = operands_.soups.front().format;
     return "standard output." +

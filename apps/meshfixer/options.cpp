@@ -17,7 +17,7 @@ struct Said {
   bool find = false, dry_run = false;
   std::optional<CodeList> fix, no_fix;
   bool renumber = false, drop_orphans = false, separate = false;
-  /// Whether holes are asked for by name, beside --fix.
+  /// Tells whether holes are asked for by name, beside --fix.
   bool names_holes = false;
   std::vector<BooleanOperation> operations;
 };

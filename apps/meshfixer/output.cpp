@@ -27,7 +27,7 @@ Format output_format(const std::string& path, const Source& source) {
   return format == Format::Mesh && source.soup.format == Format::Inria ? Format::Inria : format;
 }
 
-/// Whether 32-bit floats hold all coordinates.
+/// Tells whether 32-bit floats hold all coordinates.
 bool fits_floats(const Soup& soup) {
   return std::all_of(soup.positions.begin(), soup.positions.end(), [](const Vec3& p) {
     return std::all_of(p.begin(), p.end(),
@@ -35,7 +35,7 @@ bool fits_floats(const Soup& soup) {
   });
 }
 
-/// The result as a new file, with what its format can hold.
+/// Returns the result as a new file, with what its format can hold.
 Output new_file(const EditedMesh& mesh, Format format, const Source& source) {
   Output output;
   Encoding encoding = Encoding::Text;
@@ -59,7 +59,7 @@ Output new_file(const EditedMesh& mesh, Format format, const Source& source) {
   return output;
 }
 
-/// The bytes of a source, edited.
+/// Returns the bytes of a source, edited.
 Output rewritten_output(RewrittenFile file, const Source& source) {
   Output output;
   output.bytes = std::string(source.file.plain().mark()) + file.bytes;
@@ -68,7 +68,7 @@ Output rewritten_output(RewrittenFile file, const Source& source) {
   return output;
 }
 
-/// The file of a result before it is packed.
+/// Returns the file of a result before it is packed.
 Output make_plain_output(const TrackedMesh& result, bool is_changed, const std::string& path,
                          const Source& source) {
   const Format format = output_format(path, source);

@@ -24,7 +24,7 @@ struct Source {
 /// What of a source is not in a file.
 struct Loss {
   std::vector<AttributeCount> lost;
-  /// Which of that are records whose elements are not in it.
+  /// Tells which of that are records whose elements are not in it.
   std::vector<LostRecord> records;
 };
 
@@ -38,7 +38,8 @@ struct Output {
   std::string note;
 };
 
-/// The path of one of several outputs: "a.mesh" becomes "a_2.mesh", "a.obj.gz" "a_2.obj.gz".
+/// Returns the path of one of several outputs: "a.mesh" becomes "a_2.mesh", "a.obj.gz"
+/// "a_2.obj.gz".
 [[nodiscard]] std::string numbered_path(const std::string& path, std::size_t number);
 
 /// Makes the file of a result in the format of a path's ending (INRIA's .mesh where the source was
@@ -66,8 +67,8 @@ struct Output {
 /// @throws IoError  where it cannot be written or read back.
 [[nodiscard]] Soup write_output(const Output& output, const std::string& path);
 
-/// Whether there is anything to write: the ending of a path may be that of a format that holds
-/// faces only (STL).
+/// Tells whether there is anything to write: the ending of a path may be that of a format that
+/// holds faces only (STL).
 [[nodiscard]] bool has_content(const Soup& soup, const std::string& path);
 
 /// Returns the record on disk of each vertex that was written, kNoIndex where it has none; empty

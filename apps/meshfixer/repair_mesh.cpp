@@ -96,7 +96,7 @@ struct Job {
   Streams streams;
 };
 
-/// The paths of the meshes of a result, none of which is the input.
+/// Returns the paths of the meshes of a result, none of which is the input.
 std::vector<std::string> output_paths(const Job& job, const RepairReport& report) {
   const Options& options = job.options;
   // The format of standard output is that of the input.
@@ -160,7 +160,7 @@ Soup put(const Job& job, const Output& output, bool is_changed, const std::strin
   return write_output(output, path);
 }
 
-/// A mesh of which nothing is on disk.
+/// Reports a mesh of which nothing is on disk.
 FinalSoup unwritten(const RepairedMesh& mesh) {
   return {std::make_shared<const Soup>(mesh.tracked.soup), mesh.prepared};
 }
@@ -218,7 +218,7 @@ bool refuses_loss(const Job& job, const std::vector<std::string>& paths, RepairR
   return !report.lost.empty();
 }
 
-/// The same for what is not to be written.
+/// Returns the same for what is not to be written.
 std::vector<FinalSoup> take_unwritten(const Options& options, RepairReport& report) {
   std::vector<FinalSoup> finals;
   for (const RepairedMesh& mesh : report.result.meshes) {

@@ -23,15 +23,15 @@ struct CodeList {
 /// "X,Y,Z".
 [[nodiscard]] Vec3 to_point(const std::string& text, const std::string& option);
 [[nodiscard]] FillShape to_fill_shape(const std::string& text, const std::string& option);
-/// A length, or a share of the diagonal as in "0.1%".
+/// Returns a length, or a share of the diagonal as in "0.1%".
 [[nodiscard]] Deviation to_deviation(const std::string& text, const std::string& option);
 /// Degrees, 0 to 180.
 [[nodiscard]] double to_foldover_angle(const std::string& text, const std::string& option);
-/// The file of a page.
+/// Returns the file of a page.
 [[nodiscard]] std::string to_page(const std::string& text, const std::string& option);
-/// The file of a mesh, with the ending of a known format, or "-", or the name of a folder.
+/// Returns the file of a mesh, with the ending of a known format, or "-", or the name of a folder.
 [[nodiscard]] std::string to_output(const std::string& text, const std::string& option);
-/// Whether an output is a folder by its name: it ends with a slash, or has no ending.
+/// Tells whether an output is a folder by its name: it ends with a slash, or has no ending.
 [[nodiscard]] bool is_folder_name(const std::string& text);
 
 }  // namespace meshalyzer::fixer

@@ -37,7 +37,7 @@ struct CheckCommand {
   ColourChoice colour = ColourChoice::OnTerminal;
   /// 0: as many as the machine has cores.
   std::size_t threads = 0;
-  /// How many times its size a gzipped file may take.
+  /// Tells how many times its size a gzipped file may take.
   std::uint64_t max_unpack_ratio = kDefaultUnpackRatio;
   /// Bytes.
   std::uint64_t memory_limit = physical_memory() / 2;

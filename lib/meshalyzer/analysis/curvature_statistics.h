@@ -14,7 +14,7 @@ namespace meshalyzer {
 /// Why there may be no value of a curvature.
 inline constexpr std::string_view kWhyNoCurvature = "no vertex inside a surface that has one";
 
-/// How a surface bends, over the vertices where it has a curvature (CurvatureState::Defined).
+/// Tells how a surface bends, over the vertices where it has a curvature (CurvatureState::Defined).
 struct CurvatureStatistics {
   /// The area round a vertex that the curvature is spread over.
   VertexArea area = VertexArea::Mixed;

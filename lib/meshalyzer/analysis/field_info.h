@@ -49,7 +49,7 @@ struct Quantity {
   /// is one.
   std::string_view if_none;
   enum class Total { Omit, Show };
-  /// Whether the sum of all values means something to people.
+  /// Tells whether the sum of all values means something to people.
   Total total = Total::Omit;
 };
 

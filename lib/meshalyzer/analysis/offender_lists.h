@@ -113,7 +113,7 @@ inline constexpr std::tuple kAskedLists{
                     &Offenders::large_aspect_ratios},
 };
 
-/// Whether a list of kAskedLists was asked for.
+/// Tells whether a list of kAskedLists was asked for.
 [[nodiscard]] constexpr bool has_asked_lists(const Offenders& all) {
   return std::apply([&](const auto&... row) { return ((all.*row.member).has_value() || ...); },
                     kAskedLists);

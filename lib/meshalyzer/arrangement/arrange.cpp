@@ -56,7 +56,7 @@ NamedPoints name_contacts(const Soup& soup, std::span<const FaceSimplex> simplic
   return {soup, std::move(names)};
 }
 
-/// The crossings in each cluster.
+/// Returns the crossings in each cluster.
 std::vector<std::vector<PointName>> find_crossings(std::span<const FaceSimplex> simplices,
                                                    std::span<const FaceCluster> clusters,
                                                    const NamedPoints& points) {

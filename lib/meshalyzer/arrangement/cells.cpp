@@ -48,7 +48,7 @@ class RadialOrder {
   const Arrangement& arrangement_;
 };
 
-/// The side of a piece that one comes to next, counter-clockwise round its edge.
+/// Returns the side of a piece that one comes to next, counter-clockwise round its edge.
 Index side_after(const EdgeUse& use) {
   return 2 * use.piece + (use.direction > 0 ? 0 : 1);
 }

@@ -31,11 +31,11 @@ struct FaceCluster {
   std::vector<ClusterSegment> segments;
 };
 
-/// The simplices of the faces of these pairs, ascending by face.
+/// Returns the simplices of the faces of these pairs, ascending by face.
 [[nodiscard]] std::vector<FaceSimplex> simplices_of(const Soup& soup,
                                                     std::span<const IntersectingPair> pairs);
 
-/// The number of the simplex of a face, which must have one.
+/// Returns the number of the simplex of a face, which must have one.
 [[nodiscard]] Index simplex_number(std::span<const FaceSimplex> simplices, Index face);
 
 /// Groups the triangles among the faces, with all that lies in them.

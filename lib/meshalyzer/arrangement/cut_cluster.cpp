@@ -51,7 +51,7 @@ class ClusterCut {
     if (local_.size() >= kManyPoints) flip_edges(t_);
   }
 
-  /// The triangulation's number of a point of contacts.
+  /// Returns the triangulation's number of a point of contacts.
   [[nodiscard]] Index local(Index point) const {
     const Index node = scene_.nodes.of_first[point];
     return static_cast<Index>(std::lower_bound(local_.begin(), local_.end(), node) -

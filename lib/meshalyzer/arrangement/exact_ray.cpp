@@ -91,7 +91,7 @@ ExactPoint place_of(const ArrangedSoup& arranged, Index vertex) {
                     : arranged.arrangement.exact.made(vertex - n);
 }
 
-/// A point inside a piece: the corners' mean by these weights.
+/// Returns a point inside a piece: the corners' mean by these weights.
 ExactPoint inner_point(const ArrangedSoup& arranged, Index piece,
                        const std::array<int, 3>& weights) {
   const Triangle& t = arranged.arrangement.pieces[piece];

@@ -7,7 +7,7 @@
 namespace meshalyzer {
 namespace {
 
-/// How two faces lie to each other.
+/// Tells how two faces lie to each other.
 enum class Position : std::uint8_t {
   /// Two triangles in different planes, or a triangle and a segment not in its plane.
   Askew,

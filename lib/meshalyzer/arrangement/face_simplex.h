@@ -18,7 +18,7 @@ struct FaceSimplex {
   VertexPair ends{};
 
   [[nodiscard]] bool is_triangle() const { return dimension == 2; }
-  /// The edges of a triangle, the one of a segment, none of a point.
+  /// Returns the edges of a triangle, the one of a segment, none of a point.
   [[nodiscard]] std::vector<VertexPair> edges() const;
 };
 

@@ -4,21 +4,21 @@
 
 namespace meshalyzer {
 
-/// The faces of the complex that have no area. Ascending.
+/// Returns the faces of the complex that have no area. Ascending.
 [[nodiscard]] std::vector<Index> find_flat_faces(const Soup& soup);
 
-/// The edges of these faces, the lower vertex first. Ascending, each once.
+/// Returns the edges of these faces, the lower vertex first. Ascending, each once.
 [[nodiscard]] std::vector<VertexPair> edges_of_faces(const Soup& soup,
                                                      std::span<const Index> faces);
 
-/// The nodes inside the edges of those faces of no area that take part in contacts.
+/// Returns the nodes inside the edges of those faces of no area that take part in contacts.
 [[nodiscard]] std::vector<EdgeNode> find_edge_nodes(std::span<const FaceSimplex> simplices,
                                                     const FaceContacts& contacts,
                                                     const NamedPoints& points, const Nodes& nodes);
 
-/// A face of no area, as the closed walk along its border: its corners, and what has come to lie
-/// between them. Stretches that are walked forth and back at once are gone; so often nothing is
-/// left. Its triangles fill what is, so that the edges of its neighbours still fit.
+/// Returns a face of no area, as the closed walk along its border: its corners, and what has come
+/// to lie between them. Stretches that are walked forth and back at once are gone; so often nothing
+/// is left. Its triangles fill what is, so that the edges of its neighbours still fit.
 ///
 /// @param walk  Vertices.
 /// @return      Triangles, of no area.

@@ -103,7 +103,7 @@ class SegmentInsertion {
     std::sort(border_.begin(), border_.end());
   }
 
-  /// The twin of a half-edge, if it stays.
+  /// Returns the twin of a half-edge, if it stays.
   [[nodiscard]] Index outer(Index h) const {
     const Index twin = t_.twin[h];
     const bool stays =

@@ -17,7 +17,7 @@ class NamedPoints {
   [[nodiscard]] std::size_t size() const { return names_.size(); }
   /// Returns the names, ascending.
   [[nodiscard]] const std::vector<PointName>& names() const { return names_; }
-  /// The number of a name, which must be one of those given.
+  /// Returns the number of a name, which must be one of those given.
   [[nodiscard]] Index find(const PointName& name) const;
   [[nodiscard]] const ExactPoint& operator[](Index i) const { return points_[i]; }
 

@@ -43,7 +43,7 @@ class CoverSearch {
     }
   }
 
-  /// The faces that cover what is on the other side of an edge.
+  /// Returns the faces that cover what is on the other side of an edge.
   Index across(Index h, Index set) {
     const auto [low, high] = std::minmax({t_.origin[h], t_.target(h)});
     const std::array<Index, 2> ends{low, high};

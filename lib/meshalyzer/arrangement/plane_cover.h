@@ -22,7 +22,7 @@ struct BorderEdge {
 struct PlaneCover {
   /// #triangles: which of `sets` is of each.
   std::vector<Index> set_of;
-  /// The different sets of faces, each ascending.
+  /// Returns the different sets of faces, each ascending.
   std::vector<std::vector<Index>> sets;
 
   [[nodiscard]] std::span<const Index> of(std::size_t triangle) const {

@@ -15,8 +15,8 @@ using VertexPair = std::array<Index, 2>;
 /// Tells which lines and planes meet in a point.
 enum class PointKind : std::uint8_t { Vertex, LineAndPlane, TwoLines, ThreePlanes };
 
-/// How a point of an arrangement is made of the input's vertices and faces, never of other such
-/// points. One point may have several names; a name stands for one point.
+/// Tells how a point of an arrangement is made of the input's vertices and faces, never of other
+/// such points. One point may have several names; a name stands for one point.
 struct PointName {
   PointKind kind = PointKind::Vertex;
   /// TwoLines: along which axis the lines are seen.

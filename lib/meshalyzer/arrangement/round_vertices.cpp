@@ -12,9 +12,9 @@
 namespace meshalyzer {
 namespace {
 
-/// How fine the grid of each round is: its spacing is the extent divided by two to this power. In
-/// the first rounds the nearest doubles will do; then the points that were made are rounded, and
-/// in the end all vertices of faces that intersect.
+/// Tells how fine the grid of each round is: its spacing is the extent divided by two to this
+/// power. In the first rounds the nearest doubles will do; then the points that were made are
+/// rounded, and in the end all vertices of faces that intersect.
 constexpr std::array<int, kRoundingRounds> kGridBits{0,  0,  24, 24, 24, 24, 24,
                                                      24, 20, 20, 20, 17, 17, 17};
 constexpr std::size_t kFirstSnappedRound = 2;
@@ -28,7 +28,7 @@ struct PositionHash {
 
 using VertexAt = std::unordered_map<Vec3, Index, PositionHash>;
 
-/// The vertices of the pieces of cut faces. Ascending.
+/// Returns the vertices of the pieces of cut faces. Ascending.
 std::vector<Index> vertices_of_cut_faces(const Arrangement& arrangement) {
   std::vector<Index> vertices;
   for (const Index face : arrangement.cut_faces) {

@@ -15,7 +15,7 @@ struct RoundedVertices {
   std::vector<Index> stands_for;
 };
 
-/// How vertices are rounded in one round of cutting.
+/// Tells how vertices are rounded in one round of cutting.
 struct Rounding {
   /// The distance of the grid's planes; 0 where the nearest doubles will do.
   double spacing = 0.0;
@@ -23,7 +23,7 @@ struct Rounding {
   Index first_to_snap = 0;
 };
 
-/// How often a soup is cut and rounded at most.
+/// Tells how often a soup is cut and rounded at most.
 inline constexpr std::size_t kRoundingRounds = 14;
 
 /// What the grids of the rounds depend on.
@@ -32,7 +32,7 @@ struct RoundingLimits {
   double extent = 0.0;
   /// Vertices move by a share of it at most.
   double max_deviation = 0.0;
-  /// How many vertices the soup had before all rounds.
+  /// Tells how many vertices the soup had before all rounds.
   Index n_input_vertices = 0;
 };
 

@@ -29,7 +29,7 @@ struct Triangulation {
 
   [[nodiscard]] std::size_t n_triangles() const { return origin.size() / 3; }
   [[nodiscard]] Index target(Index h) const { return origin[next(h)]; }
-  /// The turn at three vertices in the projection: 1 to the left, -1 to the right.
+  /// Returns the turn at three vertices in the projection: 1 to the left, -1 to the right.
   [[nodiscard]] Sign turn(Index a, Index b, Index c) const {
     return orient2d(dropped, *points[a], *points[b], *points[c]);
   }

@@ -4,7 +4,7 @@
 
 namespace meshalyzer {
 
-/// How often closed components go round cells: exact winding numbers.
+/// Tells how often closed components go round cells: exact winding numbers.
 struct Windings {
   /// #cells: how often its own component goes round each cell; 0 in components that are not closed
   /// or were not asked for.

@@ -9,7 +9,7 @@
 
 namespace meshalyzer {
 
-/// The number of type T that stands at `at` in the given byte order.
+/// Returns the number of type T that stands at `at` in the given byte order.
 template <typename T>
 [[nodiscard]] T load(const char* at, std::endian order) {
   std::array<char, sizeof(T)> bytes;

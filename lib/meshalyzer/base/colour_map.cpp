@@ -94,7 +94,8 @@ Colour hot(double t) {
   return {to_byte(t / 0.375), to_byte((t - 0.375) / 0.375), to_byte((t - 0.75) / 0.25)};
 }
 
-/// The full colour of a hue, 0 ... 1: red, yellow, green, cyan, blue, magenta and red again.
+/// Returns the full colour of a hue, 0 ... 1: red, yellow, green, cyan, blue, magenta and red
+/// again.
 Colour full_colour(double hue) {
   return {to_byte(std::abs(6.0 * hue - 3.0) - 1.0), to_byte(2.0 - std::abs(6.0 * hue - 2.0)),
           to_byte(2.0 - std::abs(6.0 * hue - 4.0))};

@@ -37,10 +37,10 @@ enum class Palette : std::uint8_t {
 
 /// "viridis", "diverging", "jet", "hot".
 [[nodiscard]] std::string_view palette_name(Palette palette);
-/// The palette of a name; nothing where there is none of that name.
+/// Returns the palette of a name; nothing where there is none of that name.
 [[nodiscard]] std::optional<Palette> palette_of(std::string_view name);
 
-/// The colour at a place in a palette.
+/// Returns the colour at a place in a palette.
 /// @param t  0 is its beginning, 1 its end; what is beyond has the colour of the end that is
 ///           nearer, NaN kNoValueColour.
 [[nodiscard]] Colour colour_of(Palette palette, double t);
@@ -51,7 +51,7 @@ inline constexpr std::size_t kDistinctCategories = 15;
 /// The colours of categories repeat after so many; until then no two are the same.
 inline constexpr std::size_t kCategoryColours = 256;
 
-/// The colour of the k-th of several things that have no order; never kNoValueColour.
+/// Returns the colour of the k-th of several things that have no order; never kNoValueColour.
 [[nodiscard]] Colour category_colour(std::size_t k);
 
 /// Colours for the values of a field.
@@ -66,11 +66,11 @@ struct ColourScale {
   [[nodiscard]] Colour colour_of(double value) const;
 };
 
-/// The smallest and the largest of the finite values; nothing where none is.
+/// Returns the smallest and the largest of the finite values; nothing where none is.
 [[nodiscard]] std::optional<std::pair<double, double>> finite_range(std::span<const double> values);
 
-/// The scale that shows a field best: where values of both signs occur white is 0 and a length in
-/// blue is the same as in red; else from the smallest to the largest value.
+/// Returns the scale that shows a field best: where values of both signs occur white is 0 and a
+/// length in blue is the same as in red; else from the smallest to the largest value.
 /// @param values  Those that are not finite do not matter; 0 ... 0 where none is.
 [[nodiscard]] ColourScale scale_for(std::span<const double> values);
 

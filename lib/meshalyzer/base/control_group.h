@@ -14,9 +14,9 @@ struct ControlGroupPlaces {
   std::string root = "/sys/fs/cgroup";
 };
 
-/// The smallest memory limit, in bytes, of the control groups that this process is in and of the
-/// groups around these, both of version 1 and 2; nothing where none is set. What cannot be read
-/// sets none.
+/// Returns the smallest memory limit, in bytes, of the control groups that this process is in and
+/// of the groups around these, both of version 1 and 2; nothing where none is set. What cannot be
+/// read sets none.
 [[nodiscard]] std::optional<std::uint64_t> control_group_memory(const ControlGroupPlaces& places);
 
 }  // namespace meshalyzer

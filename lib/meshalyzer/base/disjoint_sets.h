@@ -18,7 +18,7 @@ class DisjointSets {
     std::iota(parent_.begin(), parent_.end(), Index{0});
   }
 
-  /// The lowest element of the set that `i` is in.
+  /// Returns the lowest element of the set that `i` is in.
   [[nodiscard]] Index find(Index i) {
     while (parent_[i] != i) {
       parent_[i] = parent_[parent_[i]];

@@ -11,7 +11,7 @@ namespace meshalyzer {
 /// Runs a function for the first thread that comes; all others wait until it is done.
 class RunOnce {
  public:
-  /// Whether the function has been run.
+  /// Tells whether the function has been run.
   [[nodiscard]] bool is_done() const { return is_done_.load(std::memory_order_acquire); }
 
   /// Runs the function unless one has been run. It may use parallel loops, also where the caller is
@@ -38,7 +38,7 @@ class Lazy {
     return *value_;
   }
 
-  /// Whether the value has been made.
+  /// Tells whether the value has been made.
   [[nodiscard]] bool is_made() const { return once_.is_done(); }
 
   /// Takes the value away, which must not be asked for again.

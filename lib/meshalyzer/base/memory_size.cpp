@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<std::string_view, 5> kUnits = {"B", "KB", "MB", "GB", "TB"};
 constexpr std::uint64_t kUnitStep = 1024;
 
-/// The factor that what stands behind a number means; nothing where it means none.
+/// Returns the factor that what stands behind a number means; nothing where it means none.
 std::optional<std::uint64_t> unit_of(std::string_view text) {
   if (text.empty() || text == "B") {
     return 1;

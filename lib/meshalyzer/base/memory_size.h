@@ -15,12 +15,12 @@ namespace meshalyzer {
 /// @return Bytes; nothing for any other text, for less than one byte and for what does not fit.
 [[nodiscard]] std::optional<std::uint64_t> parse_memory_size(std::string_view text);
 
-/// An amount of memory for people, to one decimal at most: `812 B`, `1.5 GB`. Units are powers of
-/// 1024.
+/// Returns an amount of memory for people, to one decimal at most: `812 B`, `1.5 GB`. Units are
+/// powers of 1024.
 [[nodiscard]] std::string memory_size_text(std::uint64_t bytes);
 
-/// The memory that this process can have, in bytes: that of the machine, or less where its control
-/// group (a container, a batch job) is given less.
+/// Returns the memory that this process can have, in bytes: that of the machine, or less where its
+/// control group (a container, a batch job) is given less.
 [[nodiscard]] std::uint64_t physical_memory();
 
 }  // namespace meshalyzer

@@ -8,7 +8,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The edit distance (Levenshtein 1966), row by row (Wagner and Fischer 1974).
+/// Returns the edit distance (Levenshtein 1966), row by row (Wagner and Fischer 1974).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

@@ -20,8 +20,8 @@ std::string_view without_plus(std::string_view token) {
   return token;
 }
 
-/// The value of a well-formed number that from_chars calls out of range: an infinity or a zero,
-/// by where its first digit that is not 0 stands.
+/// Returns the value of a well-formed number that from_chars calls out of range: an infinity or a
+/// zero, by where its first digit that is not 0 stands.
 double out_of_range(std::string_view token) {
   const bool negative = token.front() == '-';
   const std::size_t exponent_at = std::min(token.find_first_of("eE"), token.size());

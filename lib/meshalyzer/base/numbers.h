@@ -7,8 +7,8 @@
 
 namespace meshalyzer {
 
-/// The shortest decimal text that reads back as the same double; no locale. 6 is "6", never "6.0".
-/// Infinities and NaN are "inf", "-inf", "nan".
+/// Returns the shortest decimal text that reads back as the same double; no locale. 6 is "6", never
+/// "6.0". Infinities and NaN are "inf", "-inf", "nan".
 [[nodiscard]] std::string shortest(double value);
 
 /// Appends shortest(value) to `text` without a temporary.

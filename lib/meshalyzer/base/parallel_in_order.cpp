@@ -13,7 +13,7 @@ class Line {
  public:
   Line(std::size_t n, std::size_t at_once) : end_(n), failures_(at_once) {}
 
-  /// The next item to make; nothing where no more is wanted.
+  /// Returns the next item to make; nothing where no more is wanted.
   std::optional<std::size_t> begin_next() {
     return is_wanted(next_) ? std::optional(next_++) : std::nullopt;
   }

@@ -54,7 +54,7 @@ constexpr unsigned kKeyBits = 64;
 constexpr unsigned kDigitBits = 16;
 constexpr std::uint64_t kSignBit = std::uint64_t{1} << (kKeyBits - 1);
 
-/// The bits of a double in an order that is that of the values; -0 before 0.
+/// Returns the bits of a double in an order that is that of the values; -0 before 0.
 std::uint64_t key_of(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   return (bits & kSignBit) != 0 ? ~bits : bits | kSignBit;
@@ -71,13 +71,13 @@ struct Bucket {
   std::size_t size = 0;
   std::size_t rank = 0;
 
-  /// The first bits of a key, as many as the prefix has.
+  /// Returns the first bits of a key, as many as the prefix has.
   [[nodiscard]] std::uint64_t head(std::uint64_t key) const {
     return n_bits == 0 ? 0 : key >> (kKeyBits - n_bits);
   }
 };
 
-/// The part of a bucket, one digit further, that holds the value looked for.
+/// Returns the part of a bucket, one digit further, that holds the value looked for.
 template <typename ForEachBlock>
 Bucket narrowed(const Bucket& bucket, const ForEachBlock& for_each_block) {
   std::vector<std::size_t> counts(std::size_t{1} << kDigitBits);
@@ -103,8 +103,8 @@ struct Neighbours {
   double next = 0.0;
 };
 
-/// The value looked for in a bucket, and the next one in ascending order, which may lie beyond the
-/// bucket; infinity where it is the last.
+/// Returns the value looked for in a bucket, and the next one in ascending order, which may lie
+/// beyond the bucket; infinity where it is the last.
 template <typename ForEachBlock>
 Neighbours value_and_next(const Bucket& bucket, const ForEachBlock& for_each_block) {
   const bool are_all_equal = bucket.n_bits == kKeyBits;

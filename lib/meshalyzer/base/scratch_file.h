@@ -21,7 +21,7 @@ class ScratchFile {
   /// @throws IoError if that fails; the file then holds what it held.
   void append(std::span<const double> values);
 
-  /// The `n` values from number `first` on, from 0: they must be there.
+  /// Returns the `n` values from number `first` on, from 0: they must be there.
   /// @throws IoError if that fails.
   [[nodiscard]] std::vector<double> read(std::size_t first, std::size_t n) const;
 

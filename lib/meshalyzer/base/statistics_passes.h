@@ -55,8 +55,8 @@ class SpreadPass {
   return (count - 1) / 2;
 }
 
-/// The median by the two middle values: the same value twice where the count is odd. Never -0,
-/// which selection cannot tell from 0.
+/// Returns the median by the two middle values: the same value twice where the count is odd. Never
+/// -0, which selection cannot tell from 0.
 [[nodiscard]] double median_of_middle(double lower, double upper);
 
 }  // namespace meshalyzer

@@ -16,7 +16,7 @@
 namespace meshalyzer {
 namespace {
 
-/// How many pairs all rounds may cut, beside this multiple of those of the first.
+/// Tells how many pairs all rounds may cut, beside this multiple of those of the first.
 constexpr std::size_t kMorePairsInRounds = 1000;
 constexpr std::size_t kTimesFirstRound = 2;
 
@@ -170,7 +170,7 @@ class Combination {
   /// By face of the soup; without corners.
   std::vector<CombinedFace> origins_;
   std::vector<Index> operand_of_;
-  /// Which faces the last round has made. Ascending.
+  /// Tells which faces the last round has made. Ascending.
   std::vector<Index> new_faces_;
   CombinedSolid result_;
 };

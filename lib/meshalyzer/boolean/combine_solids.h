@@ -23,7 +23,7 @@ struct CombineOptions {
   std::function<bool()> wants_to_stop = {};
 };
 
-/// How a boolean operation has ended.
+/// Tells how a boolean operation has ended.
 enum class CombineOutcome : std::uint8_t {
   /// The exact search finds no faces of the result that intersect.
   Done,
@@ -40,9 +40,9 @@ struct CombinedFace {
   Triangle corners{kNoIndex, kNoIndex, kNoIndex};
   /// The face of the soup that it is, or is a part of.
   Index origin = kNoIndex;
-  /// Whether it looks the other way than that face.
+  /// Tells whether it looks the other way than that face.
   bool is_turned = false;
-  /// Whether faces of several operands cover it.
+  /// Tells whether faces of several operands cover it.
   bool is_common = false;
 };
 
@@ -54,7 +54,7 @@ struct CombinedSolid {
   /// In order of their origins. A face that was not cut has its corners in their order, but for
   /// being turned. Empty where nothing is inside.
   std::vector<CombinedFace> faces;
-  /// How many pairs of faces of the operands intersect, of one operand or of two.
+  /// Tells how many pairs of faces of the operands intersect, of one operand or of two.
   std::size_t n_pairs = 0;
   /// An upper bound of how far rounding has moved any vertex.
   double largest_move = 0.0;
@@ -78,7 +78,7 @@ struct CombinedSolid {
 [[nodiscard]] CombinedSolid combine_solids(const Operands& operands, const InsideRule& rule,
                                            const CombineOptions& options = {});
 
-/// The mesh that a boolean operation has made, without vertices that no face uses.
+/// Returns the mesh that a boolean operation has made, without vertices that no face uses.
 [[nodiscard]] Soup as_soup(const CombinedSolid& solid);
 
 }  // namespace meshalyzer

@@ -22,16 +22,17 @@ struct Operands {
 /// belong to none are in one without a name.
 [[nodiscard]] Soup concatenate(std::span<const Soup> meshes);
 
-/// The meshes of a soup that concatenate() has made, each an operand.
+/// Returns the meshes of a soup that concatenate() has made, each an operand.
 [[nodiscard]] Operands operands_of(const Soup& all, std::span<const Soup> meshes);
 
-/// The solids of one mesh, each an operand, in order of their lowest faces: its components, but a
-/// shell that is the wall of a cavity belongs to the solid that it is a cavity of, or crosses.
+/// Returns the solids of one mesh, each an operand, in order of their lowest faces: its components,
+/// but a shell that is the wall of a cavity belongs to the solid that it is a cavity of, or
+/// crosses.
 ///
 /// @complexity  As PreparedMesh::shells().
 [[nodiscard]] Operands operands_of(const Soup& soup);
 
-/// The volume that each operand encloses: what it goes round n times counts n times.
+/// Returns the volume that each operand encloses: what it goes round n times counts n times.
 ///
 /// @complexity O(#F).
 [[nodiscard]] std::vector<double> volumes_of(const Operands& operands);

@@ -20,13 +20,13 @@ constexpr double kStepGrowth = 4.0;
 constexpr int kMostRounds = 24;
 /// A vertex is on a face that is within so many first steps.
 constexpr double kNearSteps = 8.0;
-/// How closely the direction that is best before several faces is approached.
+/// Tells how closely the direction that is best before several faces is approached.
 constexpr int kDirectionSteps = 64;
 /// Directions that leave a face more slowly than this are as good as none.
 constexpr double kLeastClearance = 1e-3;
 
-/// The point nearest to the origin in the hull of unit normals, nearly: before each of their planes
-/// by the square of its length.
+/// Returns the point nearest to the origin in the hull of unit normals, nearly: before each of
+/// their planes by the square of its length.
 Vec3 least_point(const std::vector<Vec3>& normals) {
   Vec3 point = Vec3::Zero();
   for (const Vec3& normal : normals) point += normal / static_cast<double>(normals.size());

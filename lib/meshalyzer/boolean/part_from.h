@@ -12,9 +12,9 @@ struct PartedVertices {
   /// The vertices of the result that have moved, ascending, and where they are now.
   std::vector<Index> vertices;
   std::vector<Vec3> positions;
-  /// How far any of them has moved.
+  /// Tells how far any of them has moved.
   double largest_move = 0.0;
-  /// How many pairs of faces, one of the result and one of the others, still have a point in
+  /// Tells how many pairs of faces, one of the result and one of the others, still have a point in
   /// common.
   std::size_t n_pairs_left = 0;
 };

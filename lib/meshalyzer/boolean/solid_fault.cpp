@@ -59,7 +59,7 @@ std::string fault_of_edges(const UnevenEdges& edges) {
   return {};
 }
 
-/// Whether a component that is no shell, but closed, encloses anything.
+/// Tells whether a component that is no shell, but closed, encloses anything.
 bool encloses_nothing(const PreparedMesh& mesh) {
   const Components& components = mesh.components();
   const std::vector<SignedVolume> volumes = signed_volumes(
@@ -79,7 +79,7 @@ std::vector<std::uint8_t> which_meet_others(const PreparedMesh& mesh) {
   return meets;
 }
 
-/// Whether a shell is inside out. One that crosses others takes away from what they enclose.
+/// Tells whether a shell is inside out. One that crosses others takes away from what they enclose.
 bool has_inward_shell(const PreparedMesh& mesh) {
   const std::vector<Shell>& shells = mesh.shells();
   const auto is_inward = [](const Shell& shell) { return shell.outward == false; };

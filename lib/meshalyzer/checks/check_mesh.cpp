@@ -13,7 +13,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The ids of the first few records of a list.
+/// Returns the ids of the first few records of a list.
 std::vector<std::int64_t> first_ids(const std::vector<Index>& records, const Ids& ids) {
   std::vector<std::int64_t> first;
   for (const Index record : records) {
@@ -23,7 +23,7 @@ std::vector<std::int64_t> first_ids(const std::vector<Index>& records, const Ids
   return first;
 }
 
-/// The vertices of a defect: those it lists, else the ends of its edges.
+/// Returns the vertices of a defect: those it lists, else the ends of its edges.
 std::vector<Index> vertices_of(const Defect& defect) {
   std::vector<Index> vertices = defect.vertices;
   for (const auto& edge : defect.edges) {

@@ -13,10 +13,11 @@ namespace meshalyzer {
 /// them.
 [[nodiscard]] std::string defect_sentence(const Defect& defect, const Soup& soup);
 
-/// The line of the record that the sentence names first; nothing where the file has no lines.
+/// Returns the line of the record that the sentence names first; nothing where the file has no
+/// lines.
 [[nodiscard]] std::optional<std::size_t> defect_line(const Defect& defect, const Soup& soup);
 
-/// The line of a record; nothing where the file has no lines.
+/// Returns the line of a record; nothing where the file has no lines.
 ///
 /// @param lines  Soup::vertex_lines or Soup::face_lines.
 [[nodiscard]] std::optional<std::size_t> record_line(const std::vector<std::uint32_t>& lines,

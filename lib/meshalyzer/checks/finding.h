@@ -36,13 +36,13 @@ struct Finding {
   std::optional<double> limit;
 };
 
-/// How often something was found.
+/// Tells how often something was found.
 struct FindingCount {
   std::string_view code;
   Severity severity = Severity::Error;
   /// All that were found, whether they are listed or not.
   std::size_t count = 0;
-  /// How many of them meshfixer mends.
+  /// Tells how many of them meshfixer mends.
   std::size_t fixable = 0;
   /// There may be more, since the search ended early.
   bool is_at_least = false;

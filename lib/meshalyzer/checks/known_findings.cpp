@@ -30,7 +30,7 @@ void uncount(const Finding& finding, std::vector<FindingCount>& counts) {
   if (found->count == 0) counts.erase(found);
 }
 
-/// The lines of a file of which so many findings of a code are listed.
+/// Returns the lines of a file of which so many findings of a code are listed.
 std::size_t n_lines(const FileFindings& file, std::size_t max_listed) {
   std::size_t lines = 0;
   for (const FindingCount& found : file.counts) {

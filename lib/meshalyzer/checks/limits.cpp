@@ -39,7 +39,7 @@ constexpr bool is_in_order() {
 }
 static_assert(is_in_order());
 
-/// Which values are beyond a limit.
+/// Tells which values are beyond a limit.
 class Bound {
  public:
   Bound(LimitKind kind, double limit) : sense_(limit_info(kind).sense), limit_(limit) {}

@@ -28,7 +28,7 @@ enum class LimitKind : std::uint8_t {
 
 inline constexpr std::size_t kLimitKinds = 9;
 
-/// Which values pass a limit.
+/// Tells which values pass a limit.
 enum class LimitSense : std::uint8_t { AtLeast, AtMost };
 
 /// Describes a limit for users.
@@ -52,7 +52,7 @@ struct LimitInfo {
 /// The row of one limit.
 [[nodiscard]] const LimitInfo& limit_info(LimitKind kind);
 
-/// The limit that has a name; nothing where none has it.
+/// Returns the limit that has a name; nothing where none has it.
 [[nodiscard]] std::optional<LimitKind> limit_kind(std::string_view name);
 
 /// The limits that a mesh is held to.

@@ -12,7 +12,7 @@ bool has(const std::vector<std::string>& names, std::string_view name) {
                      [&](const std::string& each) { return each == name || each == kAllCodes; });
 }
 
-/// The names that lists of codes may have.
+/// Returns the names that lists of codes may have.
 std::vector<std::string_view> selectable_names() {
   std::vector<std::string_view> names = all_check_codes();
   names.insert(names.begin(), kAllCodes);

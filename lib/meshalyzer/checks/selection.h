@@ -11,13 +11,13 @@ namespace meshalyzer {
 /// Stands for all codes in a list of codes.
 inline constexpr std::string_view kAllCodes = "all";
 
-/// The names of all defect codes and limits.
+/// Returns the names of all defect codes and limits.
 [[nodiscard]] std::vector<std::string_view> all_check_codes();
 
 /// Tells whether a name is that of a defect code or of a limit, or kAllCodes.
 [[nodiscard]] bool is_check_code(std::string_view name);
 
-/// The code that a mistyped name most likely means; empty where none is near.
+/// Returns the code that a mistyped name most likely means; empty where none is near.
 [[nodiscard]] std::string nearest_check_code(std::string_view name);
 
 /// Narrows or widens criteria by names of codes.

@@ -61,14 +61,14 @@ inline constexpr std::string_view kSettingsFileName = ".meshalyzer.toml";
 /// there is none.
 [[nodiscard]] std::string find_settings_file(const std::string& mesh_path);
 
-/// A path relative to the folder of a settings file.
+/// Returns a path relative to the folder of a settings file.
 [[nodiscard]] std::string path_within(const SettingsFile& file, const std::string& path);
 
 /// Tells whether a settings file leaves a file out.
 [[nodiscard]] bool is_excluded(const SettingsFile& file, const std::string& path);
 
-/// The criteria for one file: those of the settings file, of its sections that the file fits, and
-/// of the command line.
+/// Returns the criteria for one file: those of the settings file, of its sections that the file
+/// fits, and of the command line.
 ///
 /// @param file  Null where there is none.
 [[nodiscard]] CheckCriteria criteria_for(const std::string& path, const SettingsFile* file,

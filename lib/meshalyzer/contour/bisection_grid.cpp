@@ -17,8 +17,8 @@ constexpr double kMostSteps = 0x1p44;
 /// The number of tetrahedra that the cube consists of.
 constexpr Index kRoots = 6;
 
-/// The place in a tetrahedron's corners of the second end of the edge that is bisected; the first
-/// is corner 0.
+/// Returns the place in a tetrahedron's corners of the second end of the edge that is bisected; the
+/// first is corner 0.
 std::size_t second_end(const GridTetrahedron& t) {
   return 3 - t.level % 3;
 }
@@ -29,7 +29,7 @@ LatticePoint middle(const GridTetrahedron& t) {
   return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
 }
 
-/// The two halves of a tetrahedron; the first holds its corner 0.
+/// Returns the two halves of a tetrahedron; the first holds its corner 0.
 std::array<GridTetrahedron, 2> halves_of(const GridTetrahedron& t) {
   const std::size_t k = second_end(t);
   GridTetrahedron first{t.corners, t.level + 1};
@@ -40,8 +40,8 @@ std::array<GridTetrahedron, 2> halves_of(const GridTetrahedron& t) {
   return {first, second};
 }
 
-/// The six tetrahedra of the cube, one for each order in which a path along its edges takes the
-/// axes.
+/// Returns the six tetrahedra of the cube, one for each order in which a path along its edges takes
+/// the axes.
 std::array<GridTetrahedron, kRoots> roots() {
   std::array<GridTetrahedron, kRoots> result;
   std::array<std::size_t, 3> axes{0, 1, 2};

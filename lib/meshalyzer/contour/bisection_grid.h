@@ -17,7 +17,7 @@ using LatticePoint = std::array<std::int32_t, 3>;
 /// it, so it may be oriented either way.
 struct GridTetrahedron {
   std::array<LatticePoint, 4> corners;
-  /// How many bisections made it of one of the six that the cube consists of.
+  /// Tells how many bisections made it of one of the six that the cube consists of.
   std::uint32_t level = 0;
 };
 
@@ -43,11 +43,11 @@ class BisectionGrid {
   /// bits left for its size, so that steps could not be told apart.
   explicit BisectionGrid(const Box3& box);
 
-  /// The length of a step: a power of two.
+  /// Returns the length of a step: a power of two.
   [[nodiscard]] double step() const { return step_; }
   /// The place of the lattice point 0, 0, 0: a whole multiple of `kSize` / 256 steps.
   [[nodiscard]] const Vec3& origin() const { return origin_; }
-  /// The place of a lattice point, exactly.
+  /// Returns the place of a lattice point, exactly.
   [[nodiscard]] Vec3 place(const LatticePoint& point) const;
 
   /// A tetrahedron that is or was one of the grid, by its number.
@@ -62,17 +62,17 @@ class BisectionGrid {
   /// @complexity        O(level) on average.
   void bisect(Index number);
 
-  /// The numbers of the two parts of a tetrahedron that has been bisected; nothing where it is
-  /// whole.
+  /// Returns the numbers of the two parts of a tetrahedron that has been bisected; nothing where it
+  /// is whole.
   [[nodiscard]] std::optional<std::array<Index, 2>> halves(Index number) const;
 
-  /// The number of the tetrahedron that holds a point; of several the first.
+  /// Returns the number of the tetrahedron that holds a point; of several the first.
   ///
   /// @param place  In the cube.
   /// @complexity   O(level).
   [[nodiscard]] Index leaf_at(const Vec3& place) const;
 
-  /// The numbers of all tetrahedra that are whole, in an order in space.
+  /// Returns the numbers of all tetrahedra that are whole, in an order in space.
   [[nodiscard]] std::vector<Index> leaves() const;
 
  private:
@@ -96,7 +96,7 @@ class BisectionGrid {
          static_cast<std::uint64_t>(p[0]);
 }
 
-/// The point that packed() has made a number of.
+/// Returns the point that packed() has made a number of.
 [[nodiscard]] constexpr LatticePoint unpacked(std::uint64_t number) {
   constexpr std::uint64_t kMask = (1U << 21U) - 1;
   return {static_cast<std::int32_t>(number & kMask),

@@ -57,7 +57,7 @@ std::vector<std::uint8_t> intersecting_faces(const Target& target) {
   return result;
 }
 
-/// The length of the edges of the faces that are marked.
+/// Returns the length of the edges of the faces that are marked.
 double length_round(const Soup& soup, const std::vector<std::uint8_t>& faces) {
   double sum = 0.0;
   for (Index f = 0; f < soup.n_faces(); ++f) {
@@ -104,7 +104,7 @@ Soup soup_of(const Contour& contour) {
   return soup;
 }
 
-/// The distances of points from a surface; infinite where there is none.
+/// Returns the distances of points from a surface; infinite where there is none.
 std::vector<double> distances(const std::vector<Vec3>& points, const ClosestPoints& surface) {
   std::vector<double> result(points.size(), std::numeric_limits<double>::infinity());
   parallel_chunks(points.size(), [&](Chunk chunk) {
@@ -119,7 +119,7 @@ std::vector<double> distances(const std::vector<Vec3>& points, const ClosestPoin
   return result;
 }
 
-/// The corners and the middle of each triangle of a contour.
+/// Returns the corners and the middle of each triangle of a contour.
 std::vector<Vec3> points_of(const Contour& contour) {
   std::vector<Vec3> points;
   points.reserve(4 * contour.triangles.size());

@@ -26,9 +26,9 @@ struct ContouredMesh {
   /// Faces of the mesh, or pieces of them, that do not bound the solid: walls inside it, and sheets
   /// outside.
   std::vector<Corners> walls;
-  /// How far the surfaces are apart, at the points that were looked at.
+  /// Tells how far the surfaces are apart, at the points that were looked at.
   double deviation = 0.0;
-  /// Whether that is within the limit. Where not, the grid would have needed more tetrahedra.
+  /// Tells whether that is within the limit. Where not, the grid would have needed more tetrahedra.
   bool is_within = false;
 };
 

@@ -38,8 +38,8 @@ struct LabelledTetrahedron {
   std::array<Index, 4> vertices{};
   int n_inside = 0;
 
-  /// The edges that the contour crosses, in order round its polygon as seen from outside the
-  /// region.
+  /// Returns the edges that the contour crosses, in order round its polygon as seen from outside
+  /// the region.
   [[nodiscard]] std::array<CrossedEdge, 4> polygon() const {
     const auto& [a, b, c, d] = vertices;
     switch (n_inside) {
@@ -112,8 +112,8 @@ Vec3 vertex_on(const BisectionGrid& grid, const GridLabels& labels, const Region
   return grid.origin() + grid.step() * steps;
 }
 
-/// The two triangles of a quadrangle, cut along its shorter diagonal; corners are positions in the
-/// polygon.
+/// Returns the two triangles of a quadrangle, cut along its shorter diagonal; corners are positions
+/// in the polygon.
 std::array<std::array<std::size_t, 3>, 2> halves(const std::array<Vec3, 4>& corners) {
   if ((corners[0] - corners[2]).squaredNorm() <= (corners[1] - corners[3]).squaredNorm()) {
     return {{{0, 1, 2}, {0, 2, 3}}};

@@ -26,7 +26,7 @@ class Region {
   [[nodiscard]] virtual double crossing(const Vec3& inside, const Vec3& outside) const = 0;
 };
 
-/// Which vertices of a grid lie in a region.
+/// Tells which vertices of a grid lie in a region.
 struct GridLabels {
   /// The vertices of the grid, packed(); ascending.
   std::vector<std::uint64_t> vertices;

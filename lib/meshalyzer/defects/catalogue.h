@@ -7,7 +7,7 @@
 
 namespace meshalyzer {
 
-/// How a measured value is told: "height 0.1", "1 face", "2 faces".
+/// Tells how a measured value is told: "height 0.1", "1 face", "2 faces".
 struct MeasuredWords {
   std::string_view before = "measured";
   std::string_view one = {};

@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// How thoroughly check() checks; doc/defects.md has a table of the levels.
+/// Tells how thoroughly check() checks; doc/defects.md has a table of the levels.
 enum class CheckLevel : std::uint8_t {
   /// Every mesh is valid.
   None,

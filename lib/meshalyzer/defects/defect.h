@@ -68,7 +68,7 @@ class DefectCodes {
   std::bitset<kDefectCodes> bits_;
 };
 
-/// How bad a defect is.
+/// Tells how bad a defect is.
 enum class Severity : std::uint8_t {
   /// The mesh bounds no solid, or a program that trusts it may fail.
   Error,

@@ -34,7 +34,7 @@ struct DefectReport {
   [[nodiscard]] std::size_t count(DefectCode code) const {
     return counts[static_cast<std::size_t>(code)];
   }
-  /// The number of all defects, whether they are listed or not.
+  /// Returns the number of all defects, whether they are listed or not.
   [[nodiscard]] std::size_t total() const;
   /// Tells whether there are more defects than are listed.
   [[nodiscard]] bool is_cut() const { return total() > defects.size(); }

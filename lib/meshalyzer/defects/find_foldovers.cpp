@@ -93,7 +93,7 @@ struct Patch {
   std::vector<Index> neighbours;
   /// The folds towards its neighbours.
   std::vector<HalfedgeHandle> folds;
-  /// How far it is from its neighbours, where it lies on them.
+  /// Tells how far it is from its neighbours, where it lies on them.
   std::optional<double> distance;
 };
 

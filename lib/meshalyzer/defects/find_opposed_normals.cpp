@@ -23,7 +23,7 @@ struct GivenNormal {
   friend auto operator<=>(const GivenNormal&, const GivenNormal&) = default;
 };
 
-/// How a face stands to a normal at one of its vertices.
+/// Tells how a face stands to a normal at one of its vertices.
 enum class Say : std::uint8_t {
   /// The face has no area, or is not in the complex.
   None,

@@ -51,7 +51,7 @@ bool is_nearer(const Exact& a, const Exact& b, std::pair<double, double> value_n
   return beyond > 0 || (beyond == 0 && is_odd(value));
 }
 
-/// The double nearest to a / b, b > 0. Begins near it and goes on from one to the next.
+/// Returns the double nearest to a / b, b > 0. Begins near it and goes on from one to the next.
 Rounded nearest(const Exact& a, const Exact& b) {
   Rounded result{.value = quotient(a, b)};
   for (;;) {
@@ -104,7 +104,8 @@ Sign exact_orient2d(std::size_t i, std::size_t j, const std::array<const ExactPo
       .sign();
 }
 
-/// The sign of (b - a) x (c - a) in the coordinates i and j, where floating point is sure of it.
+/// Returns the sign of (b - a) x (c - a) in the coordinates i and j, where floating point is sure
+/// of it.
 std::optional<Sign> filtered(Eigen::Index i, Eigen::Index j,
                              const std::array<const ExactPoint*, 3>& p) {
   const Difference ux = difference(*p[1], *p[0], i);
@@ -124,7 +125,7 @@ std::optional<Sign> filtered(Eigen::Index i, Eigen::Index j,
   return std::nullopt;
 }
 
-/// The sign of (b - a) x (c - a) . (d - a), where floating point is sure of it.
+/// Returns the sign of (b - a) x (c - a) . (d - a), where floating point is sure of it.
 std::optional<Sign> filtered_orient3d(const Vec3& a, const Vec3& b, const Vec3& c,
                                       const ExactPoint& d) {
   const Vec3 u = b - a;

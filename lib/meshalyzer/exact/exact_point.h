@@ -21,14 +21,15 @@ struct ExactPoint {
   /// exactly where rounding changed nothing.
   Vec3 rest = Vec3::Zero();
 
-  /// Whether the coordinates are doubles.
+  /// Tells whether the coordinates are doubles.
   [[nodiscard]] bool is_rounded() const { return rest.isZero(0.0); }
 };
 
 /// @param point  Finite.
 [[nodiscard]] ExactPoint exact_point(const Vec3& point);
 
-/// The point with the given coordinates, rounded; the denominator may be of either sign, not zero.
+/// Returns the point with the given coordinates, rounded; the denominator may be of either sign,
+/// not zero.
 ///
 /// The coordinates must be within the range of doubles.
 [[nodiscard]] ExactPoint exact_point(std::array<CGAL::Mpzf, 3> numerator, CGAL::Mpzf denominator);

@@ -24,8 +24,8 @@ ExactVec3 normal(const PlanePoints& plane) {
   return cross(difference(plane[1], plane[0]), difference(plane[2], plane[0]));
 }
 
-/// The point p + t (q - p) where a linear function, of which the values at p and q are known,
-/// vanishes.
+/// Returns the point p + t (q - p) where a linear function, of which the values at p and q are
+/// known, vanishes.
 ExactPoint zero_on_line(const LinePoints& line, const Exact& at_p, const Exact& at_q) {
   Exact denominator = at_p - at_q;
   ExactVec3 numerator = difference(line[1], line[0]);

@@ -12,7 +12,7 @@ namespace meshalyzer {
   return static_cast<Axis>(axis);
 }
 
-/// How a plane figure is projected to be seen counter-clockwise. Decisions are exact.
+/// Tells how a plane figure is projected to be seen counter-clockwise. Decisions are exact.
 struct PlaneView {
   Axis dropped = Axis::Z;
   /// The orientation of the figure in the projection: 1 counter-clockwise, -1 clockwise.

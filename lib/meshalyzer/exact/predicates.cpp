@@ -32,7 +32,7 @@ double largest(double a, double b, double c) {
   return std::max(largest(a, b), std::abs(c));
 }
 
-/// The sign of a determinant known but for rounding, where it is known for sure.
+/// Returns the sign of a determinant known but for rounding, where it is known for sure.
 /// @param scales_min, scales_max  Smallest and largest of the largest entries of each coordinate.
 std::optional<Sign> filtered(double determinant, double bound, double scales_min,
                              double scales_max) {

@@ -38,11 +38,11 @@ enum class Axis : std::uint8_t { X = 0, Y = 1, Z = 2 };
 [[nodiscard]] std::optional<Sign> orient2d_if_sure(Axis dropped, const Vec3& a, const Vec3& b,
                                                    const Vec3& c);
 
-/// Whether three points lie on one line, exactly: a triangle of zero area.
+/// Tells whether three points lie on one line, exactly: a triangle of zero area.
 [[nodiscard]] bool are_collinear(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// An axis along which the triangle projects to non-zero area, the one that shows it best if the
-/// filter can tell.
+/// Returns an axis along which the triangle projects to non-zero area, the one that shows it best
+/// if the filter can tell.
 /// @return nothing exactly when the points are collinear.
 [[nodiscard]] std::optional<Axis> projection_axis(const Vec3& a, const Vec3& b, const Vec3& c);
 

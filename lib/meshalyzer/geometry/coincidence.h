@@ -16,7 +16,7 @@ enum class Coincidence : std::uint8_t {
   Exact,
 };
 
-/// Whether two positions are at the same place. Symmetric and reflexive; with
+/// Tells whether two positions are at the same place. Symmetric and reflexive; with
 /// Coincidence::Tolerant not transitive.
 ///
 /// @param a, b  Finite.

@@ -10,7 +10,8 @@ namespace meshalyzer {
 
 // Private to the geometry module.
 
-/// How much of a face's area each of its corners has; 1 in all, but 3 for VertexArea::OneRing.
+/// Tells how much of a face's area each of its corners has; 1 in all, but 3 for
+/// VertexArea::OneRing.
 using CornerShares = std::array<double, 3>;
 
 /// Divides all faces among their corners.

@@ -20,7 +20,7 @@ VertexHandle handle(std::size_t v) {
   return VertexHandle(static_cast<int>(v));
 }
 
-/// The file's vertices at the two ends of an edge.
+/// Returns the file's vertices at the two ends of an edge.
 std::array<Index, 2> ends(const CutMesh& cut, HalfedgeHandle h) {
   return {cut.side.vertex(cut.mesh.from_vertex_handle(h)),
           cut.side.vertex(cut.mesh.to_vertex_handle(h))};

@@ -27,10 +27,10 @@ enum class VertexArea : std::uint8_t {
 
 /// "mixed", "voronoi", "barycentric", "one-ring".
 [[nodiscard]] std::string_view area_name(VertexArea area);
-/// The area of a name; nothing where there is none of that name.
+/// Returns the area of a name; nothing where there is none of that name.
 [[nodiscard]] std::optional<VertexArea> vertex_area(std::string_view name);
 
-/// Whether a surface has a curvature at a vertex.
+/// Tells whether a surface has a curvature at a vertex.
 enum class CurvatureState : std::uint8_t {
   /// The vertex has a curvature.
   Defined,

@@ -18,8 +18,8 @@ struct CurvatureTensor {
   }
 };
 
-/// The second fundamental form of a face, times the area of the face: so it is finite however thin
-/// the face is.
+/// Returns the second fundamental form of a face, times the area of the face: so it is finite
+/// however thin the face is.
 ///
 /// @param shape    Of the face; its area must not be zero.
 /// @param normals  At its corners, of length 1.

@@ -7,7 +7,7 @@
 
 namespace meshalyzer {
 
-/// The corners of a mesh face, counter-clockwise seen from the side its normal points to.
+/// Returns the corners of a mesh face, counter-clockwise seen from the side its normal points to.
 [[nodiscard]] Corners face_corners(const TriMesh& mesh, FaceHandle face);
 
 /// The measures of each face.

@@ -18,7 +18,7 @@ std::array<Vec3, 3> edges_of(const Corners& corner) {
   return {corner[1] - corner[0], corner[2] - corner[1], corner[0] - corner[2]};
 }
 
-/// The limit of the angles of a face that has no area left.
+/// Returns the limit of the angles of a face that has no area left.
 std::array<double, 3> flat_angles(const std::array<Vec3, 3>& edge, std::size_t longest) {
   if (edge[longest].isZero(0.0)) {
     return {kPi / 3, kPi / 3, kPi / 3};

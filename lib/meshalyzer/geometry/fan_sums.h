@@ -26,7 +26,7 @@ struct FanSums {
   /// underflow.
   Vec3 sphere_normal = Vec3::Zero();
 
-  /// Whether the faces have a side in common; not where they lie back to back.
+  /// Tells whether the faces have a side in common; not where they lie back to back.
   [[nodiscard]] bool has_normal() const { return normal.norm() > kNormalsCancel * angle; }
 };
 

@@ -127,7 +127,7 @@ class Fit {
     return variance * (x * x + y * y) < kUnsure * kUnsure;
   }
 
-  /// The slopes along x and y.
+  /// Returns the slopes along x and y.
   [[nodiscard]] Eigen::Vector2d slopes() const {
     const double y = right_[kSlopeY] / matrix_[kSlopeY][kSlopeY];
     return {(right_[kSlopeX] - matrix_[kSlopeY][kSlopeX] * y) / matrix_[kSlopeX][kSlopeX], y};

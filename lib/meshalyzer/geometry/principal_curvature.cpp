@@ -81,14 +81,15 @@ std::array<Vec3, 2> tangents(const Vec3& n) {
           Vec3(b, sign + n.y() * n.y() * a, -n.y())};
 }
 
-/// A tangent of the unit normal `from`, turned the shortest way with it to the unit normal `to`.
+/// Returns a tangent of the unit normal `from`, turned the shortest way with it to the unit normal
+/// `to`.
 Vec3 turned(const Vec3& tangent, const Vec3& from, const Vec3& to) {
   const double cosine = from.dot(to);
   return cosine > -1.0 ? Vec3(tangent - tangent.dot(to) / (1.0 + cosine) * (from + to))
                        : Vec3(-tangent);
 }
 
-/// The eigenvalues and eigenvectors of [e f; f g] in the axes u and v.
+/// Returns the eigenvalues and eigenvectors of [e f; f g] in the axes u and v.
 ///
 /// @param least  Directions of curvatures that differ by no more than this are not told apart.
 PrincipalCurvature diagonalised(const std::array<double, 3>& efg, const std::array<Vec3, 2>& uv,

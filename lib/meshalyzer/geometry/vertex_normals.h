@@ -19,8 +19,8 @@ enum class NormalWeight : std::uint8_t {
   Angle,
 };
 
-/// The normals of the file's vertices: the weighted sum of the unit normals of the faces round
-/// each, made of length 1.
+/// Returns the normals of the file's vertices: the weighted sum of the unit normals of the faces
+/// round each, made of length 1.
 ///
 /// Where the file's complex is cut open, the copies of a vertex count together. Faces of zero area
 /// count for nothing.

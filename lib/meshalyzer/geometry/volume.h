@@ -9,7 +9,7 @@
 
 namespace meshalyzer {
 
-/// The boxes of the vertices that the faces of each part use.
+/// Returns the boxes of the vertices that the faces of each part use.
 ///
 /// @return One a part; empty boxes for parts without faces.
 [[nodiscard]] std::vector<Box3> bounding_boxes(const TriMesh& mesh, const FaceParts& parts);
@@ -22,7 +22,7 @@ struct SignedVolume {
   Sign sign = 0;
 };
 
-/// The signed volume of each part: the sum of det(a, b, c) / 6 over its faces.
+/// Returns the signed volume of each part: the sum of det(a, b, c) / 6 over its faces.
 ///
 /// It is the enclosed volume only for a closed, consistently oriented part; for another it depends
 /// on where the origin lies. Summed about the centre of the part's box, so that a mesh far from the

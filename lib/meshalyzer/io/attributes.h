@@ -29,7 +29,7 @@ enum class AttributeKind : std::uint8_t {
   Comments,
 };
 
-/// How many of a kind there are: of numbers how many vertices, faces or corners have them; of
+/// Tells how many of a kind there are: of numbers how many vertices, faces or corners have them; of
 /// materials and groups how many names; of others how many records.
 struct AttributeCount {
   AttributeKind kind = AttributeKind::Comments;
@@ -39,10 +39,10 @@ struct AttributeCount {
 /// What a person calls so many of a kind: "1 material", "33963 texture coordinates".
 [[nodiscard]] std::string attribute_text(const AttributeCount& count);
 
-/// The name of a kind in the keys of JSON: "texture_coordinates".
+/// Returns the name of a kind in the keys of JSON: "texture_coordinates".
 [[nodiscard]] std::string_view attribute_key(AttributeKind kind);
 
-/// The counts of a list that are not zero, ascending by kind, each kind once.
+/// Returns the counts of a list that are not zero, ascending by kind, each kind once.
 [[nodiscard]] std::vector<AttributeCount> summed(std::vector<AttributeCount> counts);
 
 }  // namespace meshalyzer

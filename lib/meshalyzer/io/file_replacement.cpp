@@ -23,7 +23,7 @@ std::optional<struct stat> status_of(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 ? std::optional(status) : std::nullopt;
 }
 
-/// The file that a path names, behind symbolic links.
+/// Returns the file that a path names, behind symbolic links.
 std::string target_of(const std::string& path) {
   std::error_code unresolvable;
   const std::filesystem::path resolved = std::filesystem::weakly_canonical(path, unresolvable);

@@ -7,32 +7,32 @@
 
 namespace meshalyzer {
 
-/// Whether a file name ends in this, in any case of letters.
+/// Tells whether a file name ends in this, in any case of letters.
 /// @param ending  In lower case.
 [[nodiscard]] bool has_ending(std::string_view name, std::string_view ending);
 
 /// The endings of mesh files, as a refusal names them.
 inline constexpr const char* kMeshEndings = ".mesh .obj .off .stl .ply, each also with .gz";
 
-/// Whether the name is that of a gzipped file.
+/// Tells whether the name is that of a gzipped file.
 [[nodiscard]] bool is_gzip_name(std::string_view name);
 
-/// The format that the ending of a file name stands for, in any case of letters, whether `.gz`
-/// stands behind it or not; `.mesh` is Format::Mesh.
+/// Returns the format that the ending of a file name stands for, in any case of letters, whether
+/// `.gz` stands behind it or not; `.mesh` is Format::Mesh.
 [[nodiscard]] std::optional<Format> format_of_name(std::string_view name);
 
-/// The format that a file's content looks like: its first word, or a binary STL's size.
+/// Returns the format that a file's content looks like: its first word, or a binary STL's size.
 [[nodiscard]] std::optional<Format> format_of_content(std::string_view content);
 
-/// The format of a file: that of its name, unless the content is unmistakably of another one; where
-/// the name says none, what the content looks like.
+/// Returns the format of a file: that of its name, unless the content is unmistakably of another
+/// one; where the name says none, what the content looks like.
 [[nodiscard]] std::optional<Format> format_of(std::string_view content, std::string_view name);
 
-/// Whether the content of a file of this format, which must be sound, is in the format's binary
-/// encoding.
+/// Tells whether the content of a file of this format, which must be sound, is in the format's
+/// binary encoding.
 [[nodiscard]] bool is_binary(std::string_view content, Format format);
 
-/// Whether a file of this name may be of this format: `.mesh` stands for two.
+/// Tells whether a file of this name may be of this format: `.mesh` stands for two.
 [[nodiscard]] bool is_named_as(std::string_view name, Format format);
 
 }  // namespace meshalyzer

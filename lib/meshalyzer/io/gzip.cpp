@@ -21,7 +21,7 @@ constexpr int kGzipWindow = 15 + 16;
 
 std::atomic<std::uint64_t> unpack_ratio{kDefaultUnpackRatio};
 
-/// The bytes as zlib takes them: it does not write to its input, though it does not say so.
+/// Returns the bytes as zlib takes them: it does not write to its input, though it does not say so.
 Bytef* bytes_of(const char* at) {
   return reinterpret_cast<Bytef*>(const_cast<char*>(at));
 }

@@ -6,8 +6,8 @@
 
 namespace meshalyzer {
 
-/// How many times its size a gzipped file may take where nobody says otherwise: enough for any
-/// text, not for a bomb.
+/// Tells how many times its size a gzipped file may take where nobody says otherwise: enough for
+/// any text, not for a bomb.
 inline constexpr std::uint64_t kDefaultUnpackRatio = 1000;
 
 /// Sets how many times its size a gzipped file may take, while it lives. One at a time.
@@ -19,7 +19,7 @@ class UnpackLimit {
   UnpackLimit& operator=(const UnpackLimit&) = delete;
 };
 
-/// Whether the content begins as gzipped content does.
+/// Tells whether the content begins as gzipped content does.
 [[nodiscard]] bool is_gzip(std::string_view content);
 
 /// Unpacks gzipped content, all members of it. Nothing is kept until all of it has proved to be

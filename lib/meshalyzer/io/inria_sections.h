@@ -15,7 +15,7 @@ struct InriaSection {
   std::string_view keyword;
   std::size_t numbers_a_record;
   InriaNames names;
-  /// How many numbers of a record, the first ones, are such names.
+  /// Tells how many numbers of a record, the first ones, are such names.
   std::size_t n_names;
 };
 

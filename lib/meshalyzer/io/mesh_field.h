@@ -50,13 +50,13 @@ enum class FieldFormat : std::uint8_t {
   Vtp,
 };
 
-/// The format that the ending of a file name stands for, in any case of letters: `.ply`, `.obj` or
-/// `.vtp`.
+/// Returns the format that the ending of a file name stands for, in any case of letters: `.ply`,
+/// `.obj` or `.vtp`.
 [[nodiscard]] std::optional<FieldFormat> field_format_of_name(std::string_view name);
 
-/// The content of a file of a mesh and a field on it. Vertices, faces and their values stand in
-/// their order, and all numbers but OBJ's colours, which viewers round to the same byte, read back
-/// to the last bit.
+/// Returns the content of a file of a mesh and a field on it. Vertices, faces and their values
+/// stand in their order, and all numbers but OBJ's colours, which viewers round to the same byte,
+/// read back to the last bit.
 ///
 /// @throws InvalidArgument where values and colours are not as many as the elements they are of, or
 ///         a corner is no vertex.

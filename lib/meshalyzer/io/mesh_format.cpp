@@ -69,7 +69,7 @@ Part parse_part(std::string_view text) {
   return part;
 }
 
-/// The offset of the first line that begins at `offset` or after it.
+/// Returns the offset of the first line that begins at `offset` or after it.
 std::size_t line_begin_from(std::string_view text, std::size_t offset) {
   if (offset == 0 || offset >= text.size()) {
     return std::min(offset, text.size());

@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// How a long text is cut for parsing in parallel.
+/// Tells how a long text is cut for parsing in parallel.
 struct MeshFormatOptions {
   /// Bytes a part, to the next line end. Does not change any result.
   std::size_t bytes_per_part = std::size_t{1} << 20U;

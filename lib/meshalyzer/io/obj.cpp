@@ -140,7 +140,7 @@ void print_face(std::string& text, const Soup& soup, std::size_t face) {
   text += '\n';
 }
 
-/// A name on one line.
+/// Returns a name on one line.
 std::string one_line(std::string name) {
   std::replace(name.begin(), name.end(), '\n', ' ');
   return name;

@@ -18,7 +18,7 @@ namespace meshalyzer {
 /// @throws InvalidArgument if a face has a corner without a vertex.
 [[nodiscard]] std::string print_obj(const Soup& soup);
 
-/// Whether a statement of OBJ begins with this word.
+/// Tells whether a statement of OBJ begins with this word.
 [[nodiscard]] bool is_obj_keyword(std::string_view word);
 
 }  // namespace meshalyzer

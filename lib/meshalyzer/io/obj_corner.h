@@ -13,7 +13,7 @@
 
 namespace meshalyzer {
 
-/// How many records of each kind stand before a statement.
+/// Tells how many records of each kind stand before a statement.
 struct ObjCounts {
   std::size_t vertices = 0;
   std::size_t texture_points = 0;

@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The intensities 0 ... 1 of the 256 steps of a channel, in four digits.
+/// Returns the intensities 0 ... 1 of the 256 steps of a channel, in four digits.
 ///
 /// Rounded up, so that the step is the same for who multiplies by 255 and rounds, or cuts off.
 std::array<std::string, 256> make_intensities() {

@@ -13,14 +13,14 @@ struct OffLayout {
   bool texture = false;
 };
 
-/// Whether the word is OFF with any of its prefixes, those that are not read included.
+/// Tells whether the word is OFF with any of its prefixes, those that are not read included.
 [[nodiscard]] bool is_off_keyword(std::string_view word);
 
 /// Understands a keyword.
 /// @param in  Faults where it is that of a file in other than three dimensions.
 [[nodiscard]] OffLayout parse_off_keyword(std::string_view keyword, const TextScanner& in);
 
-/// Whether the first line of the content is the keyword and the word BINARY.
+/// Tells whether the first line of the content is the keyword and the word BINARY.
 [[nodiscard]] bool is_binary_off(std::string_view content);
 
 }  // namespace meshalyzer

@@ -20,7 +20,7 @@ namespace meshalyzer {
 /// @throws InvalidArgument if a face has a corner without a vertex.
 [[nodiscard]] std::string print_ascii_ply(const Soup& soup);
 
-/// The same in little-endian binary.
+/// Returns the same in little-endian binary.
 [[nodiscard]] std::string print_binary_ply(const Soup& soup);
 
 }  // namespace meshalyzer

@@ -45,10 +45,10 @@ struct PlyHeader {
   std::size_t n_bytes = 0;
 };
 
-/// Whether the records of this element are faces or strips of faces.
+/// Tells whether the records of this element are faces or strips of faces.
 [[nodiscard]] bool has_corners(const PlyElement& element);
 
-/// Whether this property of a face or strip is the list of its corners.
+/// Tells whether this property of a face or strip is the list of its corners.
 [[nodiscard]] bool is_corner_list(const PlyProperty& property);
 
 /// @throws TextFault with the first faulty line.

@@ -27,13 +27,13 @@ template <std::size_t N>
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Whether a property of a vertex or face is part of a colour.
+/// Tells whether a property of a vertex or face is part of a colour.
 [[nodiscard]] inline bool is_ply_colour(std::string_view name) {
   return std::any_of(kPlyColourNames.begin(), kPlyColourNames.end(),
                      [&](const auto& names) { return is_one_of(name, names); });
 }
 
-/// Whether a property of a vertex or face is part of its texture coordinates.
+/// Tells whether a property of a vertex or face is part of its texture coordinates.
 [[nodiscard]] inline bool is_ply_texture(std::string_view name) {
   return is_one_of(name, kPlyCornerTexture) ||
          std::any_of(kPlyVertexTexture.begin(), kPlyVertexTexture.end(), [&](const auto& names) {

@@ -26,11 +26,11 @@ class AsciiPlySource {
   /// 1-based line of the record.
   [[nodiscard]] std::size_t line() const { return in_.line(); }
 
-  /// A finite number.
+  /// Returns a finite number.
   [[nodiscard]] double real(PlyType /*type*/) { return in_.real(); }
-  /// A vertex index.
+  /// Returns a vertex index.
   [[nodiscard]] Index index(PlyType /*type*/) { return in_.index(0); }
-  /// A vertex index, or kNoIndex for the -1 that ends a strip.
+  /// Returns a vertex index, or kNoIndex for the -1 that ends a strip.
   [[nodiscard]] Index index_of_strip(PlyType type);
   [[nodiscard]] std::size_t list_size(const PlyProperty& /*list*/) {
     return in_.count(2, "list items");
@@ -72,11 +72,11 @@ class BinaryPlySource {
   [[noreturn]] void fault_at(std::size_t offset, const std::string& what) const;
   /// The next bytes; faults where the file ends within them.
   const char* take(std::size_t n);
-  /// The next number, whatever its type: a double holds each exactly.
+  /// Returns the next number, whatever its type: a double holds each exactly.
   double number(PlyType type);
-  /// The next number, of an integer type.
+  /// Returns the next number, of an integer type.
   std::int64_t integer(PlyType type);
-  /// The vertex index that was read at an offset; faults where it is none.
+  /// Returns the vertex index that was read at an offset; faults where it is none.
   [[nodiscard]] Index checked_index(std::int64_t value, std::size_t offset) const;
 
   std::string_view content_;

@@ -20,8 +20,8 @@ namespace meshalyzer {
 /// @complexity O(bytes) time and memory, whatever a header claims.
 [[nodiscard]] Soup read_mesh(const std::string& path);
 
-/// The same for content already in memory; `name` stands in messages and decides the format as a
-/// path would.
+/// Returns the same for content already in memory; `name` stands in messages and decides the format
+/// as a path would.
 [[nodiscard]] Soup parse_mesh(std::string_view content, const std::string& name);
 
 }  // namespace meshalyzer

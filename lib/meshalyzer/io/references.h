@@ -8,7 +8,8 @@
 
 namespace meshalyzer {
 
-/// The ids of records in file order, without a list where they are first, first + 1, first + 2, ...
+/// Returns the ids of records in file order, without a list where they are first, first + 1, first
+/// + 2, ...
 [[nodiscard]] Ids compact_ids(std::vector<std::int32_t> ids);
 
 /// Turns the vertex ids that soup.triangles hold into record indices, the first record of an id
@@ -30,7 +31,7 @@ void append_fan(std::vector<Triangle>& triangles, const std::vector<Index>& corn
 /// Appends a face record to the soup: triangles and, where `line` is not 0, their lines.
 void append_polygon(Soup& soup, const std::vector<Index>& corners, std::size_t line);
 
-/// Whether the soup has one normal a vertex, used by every corner at it.
+/// Tells whether the soup has one normal a vertex, used by every corner at it.
 [[nodiscard]] bool has_vertex_normals(const Soup& soup);
 
 /// Makes the normals, one a vertex, those of the corners. Call after the indices are resolved.

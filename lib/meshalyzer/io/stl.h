@@ -26,10 +26,10 @@ namespace meshalyzer {
 /// floats.
 [[nodiscard]] std::string print_binary_stl(const Soup& soup);
 
-/// The unit normal of a face; zero where it has no area, or none that doubles can tell.
+/// Returns the unit normal of a face; zero where it has no area, or none that doubles can tell.
 [[nodiscard]] Vec3 unit_normal(const Soup& soup, const Triangle& triangle);
 
-/// Whether the size is 84 + 50 n bytes, n being the 32-bit number at byte 80.
+/// Tells whether the size is 84 + 50 n bytes, n being the 32-bit number at byte 80.
 [[nodiscard]] bool is_binary_stl(std::string_view content);
 
 }  // namespace meshalyzer

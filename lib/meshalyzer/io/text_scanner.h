@@ -40,7 +40,7 @@ template <typename Parse>
 /// printable as \xNN.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// Whether a backslash at the end of a line joins the next line to it.
+/// Tells whether a backslash at the end of a line joins the next line to it.
 enum class Continuation { None, Backslash };
 
 /// Walks a text token by token and counts its lines.
@@ -83,7 +83,7 @@ class TextScanner {
   /// next_record() where the format wants one: faults with "the file ends before WHAT".
   void require_record(std::string_view what);
 
-  /// Whether nothing but a comment is left on the line.
+  /// Tells whether nothing but a comment is left on the line.
   [[nodiscard]] bool at_record_end() {
     skip_blanks();
     return at_ == end_ || *at_ == '\n' || *at_ == '#';
@@ -96,7 +96,7 @@ class TextScanner {
     }
   }
 
-  /// The next token of the line; empty where the line has none.
+  /// Returns the next token of the line; empty where the line has none.
   [[nodiscard]] std::string_view word() {
     skip_blanks();
     const char* begin = at_;
@@ -106,7 +106,7 @@ class TextScanner {
     return {begin, static_cast<std::size_t>(at_ - begin)};
   }
 
-  /// The next token, left unread.
+  /// Returns the next token, left unread.
   [[nodiscard]] std::string_view peek() {
     const std::string_view token = word();
     at_ -= token.size();

@@ -21,7 +21,7 @@ enum class Encoding { Text, Binary };
 ///         no such encoding (Binary: STL and PLY only), or a face has a corner without a vertex.
 void write_mesh(const Soup& soup, const std::string& path, Encoding encoding = Encoding::Text);
 
-/// The bytes that write_mesh() would write.
+/// Returns the bytes that write_mesh() would write.
 [[nodiscard]] std::string print_mesh(const Soup& soup, Format format,
                                      Encoding encoding = Encoding::Text);
 

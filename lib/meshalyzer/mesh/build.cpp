@@ -28,7 +28,7 @@ void check_corners(const Soup& soup) {
   }
 }
 
-/// A side table that knows which faces the mesh holds, and nothing else yet.
+/// Returns a side table that knows which faces the mesh holds, and nothing else yet.
 SideTable sort_out_faces(const Soup& soup) {
   SideTable side;
   side.n_file_vertices = soup.n_vertices();

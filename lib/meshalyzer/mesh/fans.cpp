@@ -39,7 +39,7 @@ std::vector<Index> find_first_corners(const Complex& complex) {
   return first;
 }
 
-/// The vertices that have corners outside the fan of their first one, ascending.
+/// Returns the vertices that have corners outside the fan of their first one, ascending.
 std::vector<Index> find_split_vertices(const Complex& complex, const EdgePairs& pairs,
                                        std::span<const Index> first_corner) {
   std::vector<Index> n_unseen(complex.n_vertices, 0);
@@ -68,7 +68,7 @@ std::vector<Index> find_split_vertices(const Complex& complex, const EdgePairs& 
   return split;
 }
 
-/// The corners at each of some vertices (ascending), one list a vertex, ascending.
+/// Returns the corners at each of some vertices (ascending), one list a vertex, ascending.
 CornerLists collect_corners(const Complex& complex, std::span<const Index> vertices) {
   // Where the list of each vertex grows; counted two lists up so that filling moves every begin
   // into place.
@@ -115,7 +115,7 @@ class SplitVertices {
     join_at(next_corner(side), next_corner(other_side));
   }
 
-  /// The vertices that still have more than one fan, ascending.
+  /// Returns the vertices that still have more than one fan, ascending.
   [[nodiscard]] std::vector<Index> non_manifold_vertices() const {
     std::vector<Index> result;
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
@@ -178,7 +178,7 @@ class SplitVertices {
   CornerLists copied_corners_;
 };
 
-/// The vertices whose faces are not one fan when flipped edges join them too.
+/// Returns the vertices whose faces are not one fan when flipped edges join them too.
 ///
 /// The ends of non-manifold edges are among them: three or more sides end at such an edge, and a
 /// fan has but two ends.

@@ -67,7 +67,7 @@ class OneRingIterator {
   }
 
  private:
-  /// The next outgoing half-edge; invalid at the end.
+  /// Returns the next outgoing half-edge; invalid at the end.
   [[nodiscard]] HalfedgeHandle following() const {
     if (mesh_->is_boundary(current_)) {
       return HalfedgeHandle();
@@ -107,7 +107,8 @@ class OneRing {
   OneRingIterator<Element> begin_;
 };
 
-/// The half-edges that leave a vertex, counter-clockwise seen from the side its normals point to.
+/// Returns the half-edges that leave a vertex, counter-clockwise seen from the side its normals
+/// point to.
 ///
 /// Inside a surface of n faces round the vertex: n half-edges, from any one on. On a border: n + 1,
 /// from the clockwise-most edge to the last, whose half-edge is the only one without a face. At an
@@ -122,13 +123,13 @@ class OneRing {
   return {mesh, v};
 }
 
-/// The neighbours of a vertex: the far ends of one_ring_halfedges(), in the same order.
+/// Returns the neighbours of a vertex: the far ends of one_ring_halfedges(), in the same order.
 [[nodiscard]] inline OneRing<VertexHandle> one_ring_vertices(const TriMesh& mesh, VertexHandle v) {
   return {mesh, v};
 }
 
-/// The faces round a vertex: those on the left of one_ring_halfedges(), in the same order; n also
-/// on a border.
+/// Returns the faces round a vertex: those on the left of one_ring_halfedges(), in the same order;
+/// n also on a border.
 [[nodiscard]] inline OneRing<FaceHandle> one_ring_faces(const TriMesh& mesh, VertexHandle v) {
   return {mesh, v};
 }

@@ -51,14 +51,15 @@ struct SideTable {
   /// they are oriented), the ends of non-manifold edges included. Ascending.
   std::vector<Index> non_manifold_vertices;
 
-  /// The file's vertex that a mesh vertex is, or is a copy of.
+  /// Returns the file's vertex that a mesh vertex is, or is a copy of.
   [[nodiscard]] Index vertex(VertexHandle v) const {
     const auto i = static_cast<Index>(v.idx());
     return i < n_file_vertices ? i : copies[i - n_file_vertices];
   }
-  /// The file's face that a mesh face is.
+  /// Returns the file's face that a mesh face is.
   [[nodiscard]] Index face(FaceHandle f) const { return faces[static_cast<std::size_t>(f.idx())]; }
-  /// The index of the mesh face that is this face of the file, which must not be a rejected one.
+  /// Returns the index of the mesh face that is this face of the file, which must not be a rejected
+  /// one.
   [[nodiscard]] std::size_t mesh_face(Index file_face) const {
     return static_cast<std::size_t>(std::lower_bound(faces.begin(), faces.end(), file_face) -
                                     faces.begin());

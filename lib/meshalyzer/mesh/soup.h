@@ -13,7 +13,7 @@ namespace meshalyzer {
 /// The format that a file was read as.
 enum class Format { Mesh, Inria, Obj, Off, Stl, Ply };
 
-/// The lower-case name that reports use: "mesh", "inria", "obj", "off", "stl", "ply".
+/// Returns the lower-case name that reports use: "mesh", "inria", "obj", "off", "stl", "ply".
 [[nodiscard]] std::string_view format_name(Format format);
 
 /// The file's ids of its vertices or faces, by record.
@@ -88,16 +88,17 @@ struct Soup {
   [[nodiscard]] std::size_t n_faces() const { return triangles.size(); }
 };
 
-/// The places of the corners of a face, in the order of the file; all of them must be defined.
+/// Returns the places of the corners of a face, in the order of the file; all of them must be
+/// defined.
 [[nodiscard]] std::array<Vec3, 3> corners_of(const Soup& soup, Index face);
 
-/// The group that a face belongs to, by index; kNoIndex where it belongs to none.
+/// Returns the group that a face belongs to, by index; kNoIndex where it belongs to none.
 ///
 /// @complexity O(log #groups).
 [[nodiscard]] Index group_of(const Soup& soup, Index face);
 
-/// Whether a face names all three vertices, all defined, all different: only such faces are in the
-/// complex.
+/// Tells whether a face names all three vertices, all defined, all different: only such faces are
+/// in the complex.
 [[nodiscard]] constexpr bool is_in_complex(const Triangle& t) {
   return t[0] != kNoIndex && t[1] != kNoIndex && t[2] != kNoIndex && t[0] != t[1] && t[1] != t[2] &&
          t[2] != t[0];

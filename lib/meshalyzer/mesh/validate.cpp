@@ -241,7 +241,8 @@ class Comparison {
            std::is_sorted(edges.begin.begin(), edges.begin.end());
   }
 
-  /// The mesh's half-edge of a side, found by its vertices; invalid where its face has none such.
+  /// Returns the mesh's half-edge of a side, found by its vertices; invalid where its face has none
+  /// such.
   [[nodiscard]] HalfedgeHandle halfedge_of(const Side& side) const {
     const auto place =
         std::lower_bound(side_.faces.begin(), side_.faces.end(), side.face) - side_.faces.begin();

@@ -42,7 +42,7 @@ inline constexpr std::size_t kFieldNames = 10;
 /// The elements of which a field has values.
 enum class FieldPlace : std::uint8_t { Vertices, Faces };
 
-/// How a field's values are to be shown.
+/// Tells how a field's values are to be shown.
 enum class FieldKind : std::uint8_t {
   /// Sizes, none of them negative, are shown along a sequential palette.
   Magnitude,

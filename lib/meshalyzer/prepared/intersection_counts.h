@@ -19,8 +19,8 @@ struct IntersectionCounts {
   std::vector<std::size_t> of_component;
   /// The pairs of components that intersect, as find_nesting() needs them.
   std::vector<PartContact> contacts;
-  /// Whether the search was told to stop (PairLimits::wants_to_stop) before its end: then these are
-  /// the least that there can be.
+  /// Tells whether the search was told to stop (PairLimits::wants_to_stop) before its end: then
+  /// these are the least that there can be.
   bool was_stopped = false;
 };
 

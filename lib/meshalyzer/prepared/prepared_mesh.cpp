@@ -12,7 +12,7 @@
 namespace meshalyzer {
 namespace {
 
-/// A pointer to what somebody else owns.
+/// Returns a pointer to what somebody else owns.
 std::shared_ptr<const Soup> borrow(const Soup& soup) {
   return {std::shared_ptr<const Soup>(), &soup};
 }

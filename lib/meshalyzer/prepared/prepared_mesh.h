@@ -68,7 +68,7 @@ class PreparedMesh {
   ///
   /// @complexity O(#F log #F + candidates) time.
   [[nodiscard]] const std::vector<IntersectingPair>& intersecting_pairs() const&;
-  /// The same for one who needs nothing else any more.
+  /// Returns the same for one who needs nothing else any more.
   [[nodiscard]] std::vector<IntersectingPair> intersecting_pairs() &&;
 
   /// Says what the pairs are where they are known already, so that nobody searches them. Must be

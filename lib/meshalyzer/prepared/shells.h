@@ -17,9 +17,9 @@ struct Shell {
   /// The signed volume; absent where the component is no shell, or the volume is too large for a
   /// double.
   std::optional<double> volume;
-  /// Whether it points away from the solid: its volume is positive and an even number of shells
-  /// enclose it, or negative and an odd number do. Nothing where it is no shell or encloses no
-  /// volume.
+  /// Tells whether it points away from the solid: its volume is positive and an even number of
+  /// shells enclose it, or negative and an odd number do. Nothing where it is no shell or encloses
+  /// no volume.
   std::optional<bool> outward;
   /// The shell that directly encloses the component; kNoIndex where none does.
   Index inside = kNoIndex;

@@ -38,7 +38,7 @@ struct RepairLimits {
   }
 };
 
-/// How much a pass puts into one operation.
+/// Tells how much a pass puts into one operation.
 enum class OperationSize : std::uint8_t {
   /// All that belongs together.
   Normal,

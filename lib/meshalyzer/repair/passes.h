@@ -67,7 +67,7 @@ namespace meshalyzer {
 /// weighted by angle.
 [[nodiscard]] PassResult renew_normals(const PassInput& input);
 
-/// How a hole is filled.
+/// Tells how a hole is filled.
 enum class FillShape : std::uint8_t {
   /// Smooth where the hole has more than a few edges and the surface round it bends towards it;
   /// Linear where it is flat, or ends at a crease.
@@ -79,7 +79,7 @@ enum class FillShape : std::uint8_t {
   Smooth,
 };
 
-/// Which open parts get their holes filled.
+/// Tells which open parts get their holes filled.
 enum class FillSheets : std::uint8_t {
   /// Only parts that bound a solid: at least half of their surface separates inside from outside.
   No,
@@ -118,7 +118,7 @@ struct CutOptions {
 /// record defines are left. It must run once only: a second run turns the faces back.
 [[nodiscard]] PassResult flip_all(const PassInput& input);
 
-/// Which fragments are dropped: open parts that bound no solid, see bounds_solid().
+/// Tells which fragments are dropped: open parts that bound no solid, see bounds_solid().
 enum class Fragments : std::uint8_t {
   /// Parts that hung, in the original mesh, on a surface that bounds a solid, and have a small
   /// share of its area: fins, faces that hang in a hole, and what is left of walls; and parts of
@@ -144,7 +144,7 @@ struct ReplaceOptions {
   /// Only what is broken, or all of the mesh.
   enum class Scope : std::uint8_t { Broken, Whole };
   Scope scope = Scope::Broken;
-  /// Whether parts that bound no solid may be lost in it.
+  /// Tells whether parts that bound no solid may be lost in it.
   enum class Sheets : std::uint8_t { Kept, Dropped };
   Sheets sheets = Sheets::Kept;
   /// Between the new surface and what it replaces.
@@ -154,7 +154,7 @@ struct ReplaceOptions {
 /// What replace_broken_solids() proposes.
 struct Replacement {
   PassResult result;
-  /// How far the new surface and what it replaces are apart at most, where they were sampled.
+  /// Tells how far the new surface and what it replaces are apart at most, where they were sampled.
   double deviation = 0.0;
 };
 

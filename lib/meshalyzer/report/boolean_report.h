@@ -58,7 +58,7 @@ struct BooleanOutput {
 struct BooleanReport {
   BooleanOperation operation = BooleanOperation::Union;
   std::vector<BooleanOperand> operands;
-  /// How many pairs of faces of the operands intersect.
+  /// Tells how many pairs of faces of the operands intersect.
   std::size_t n_pairs = 0;
   /// One, or one an operand.
   std::vector<BooleanOutput> outputs;

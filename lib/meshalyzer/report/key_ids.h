@@ -17,7 +17,7 @@ class KeyIds {
   explicit KeyIds(const RepairReport& report);
   explicit KeyIds(RepairReport&&) = delete;
 
-  /// The ids of a list of keys, without those that were added and are gone again.
+  /// Returns the ids of a list of keys, without those that were added and are gone again.
   [[nodiscard]] std::vector<std::int64_t> vertices(const std::vector<Index>& keys) const;
   [[nodiscard]] std::vector<std::int64_t> faces(const std::vector<Index>& keys) const;
 

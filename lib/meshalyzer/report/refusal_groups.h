@@ -23,7 +23,7 @@ struct RefusalGroup {
   std::vector<std::int64_t> faces = {};
 };
 
-/// The refusals of a repair by mesh, pass, code and reason, in the order of the log.
+/// Returns the refusals of a repair by mesh, pass, code and reason, in the order of the log.
 [[nodiscard]] std::vector<RefusalGroup> group_refusals(const RepairReport& report,
                                                        const KeyIds& ids);
 

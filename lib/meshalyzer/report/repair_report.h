@@ -36,7 +36,7 @@ struct FinalMesh {
   /// The record in the file of each face of the tracked mesh. Empty where they are the same.
   std::vector<Index> face_records = {};
 
-  /// The id that the file gives to a face of the tracked mesh.
+  /// Returns the id that the file gives to a face of the tracked mesh.
   [[nodiscard]] std::int64_t face_id(Index face) const {
     return name.face_ids.of(face_records.empty() ? face : face_records[face]);
   }

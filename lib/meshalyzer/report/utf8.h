@@ -18,7 +18,7 @@ inline constexpr std::string_view kReplacementCharacter = "\xEF\xBF\xBD";
 /// Any bytes as text: each byte becomes the character of the same number (Latin-1).
 [[nodiscard]] std::string latin1_to_utf8(std::string_view bytes);
 
-/// The bytes that latin1_to_utf8() made the text of.
+/// Returns the bytes that latin1_to_utf8() made the text of.
 /// @return nothing where the text is not UTF-8 or has a character beyond U+00FF.
 [[nodiscard]] std::optional<std::string> utf8_to_latin1(std::string_view text);
 

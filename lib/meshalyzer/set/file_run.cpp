@@ -109,7 +109,8 @@ Analysis FileRun::analysis_of(Index number) const {
   return analyze(read_mesh(paths_[number]), paths_[number], options);
 }
 
-/// The statistics of the set are of no use to a shard, nor where only attributes are asked for.
+/// Returns the statistics of the set are of no use to a shard, nor where only attributes are asked
+/// for.
 bool FileRun::wants_values() const {
   return options_.request.is_set && options_.request.between.statistics &&
          options_.shard.count == 1 && options_.request.mesh.scope == Scope::Everything;

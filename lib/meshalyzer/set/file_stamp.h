@@ -14,7 +14,7 @@ struct FileStamp {
   friend bool operator==(const FileStamp&, const FileStamp&) = default;
 };
 
-/// The stamp of a file as it is now; all 0 where it cannot be looked at.
+/// Returns the stamp of a file as it is now; all 0 where it cannot be looked at.
 [[nodiscard]] FileStamp stamp_of(const std::string& path);
 
 }  // namespace meshalyzer

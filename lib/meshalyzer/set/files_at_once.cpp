@@ -17,7 +17,8 @@ namespace {
 /// About the bytes of memory that the analysis of a file takes for each byte of it.
 constexpr std::uint64_t kMemoryPerFileByte = 12;
 
-/// The bytes of a file, of a gzipped one about those that it takes: its last four bytes say so.
+/// Returns the bytes of a file, of a gzipped one about those that it takes: its last four bytes say
+/// so.
 std::uint64_t content_bytes(const std::string& path) {
   const std::uint64_t bytes = stamp_of(path).bytes;
   std::array<char, sizeof(std::uint32_t)> size{};

@@ -33,7 +33,8 @@ struct Best {
   std::int64_t face = 0;
 };
 
-/// The file vertices that faces use, in the order of the tree: neighbours mostly follow each other.
+/// Returns the file vertices that faces use, in the order of the tree: neighbours mostly follow
+/// each other.
 std::vector<Index> vertices_along(const SetObject& object) {
   std::vector<std::uint8_t> is_met(object.cut().side.n_file_vertices, 0);
   std::vector<Index> vertices;
@@ -48,8 +49,8 @@ std::vector<Index> vertices_along(const SetObject& object) {
   return vertices;
 }
 
-/// Whether something in a box may yet undercut a distance, or equal it; a little is granted to
-/// rounding on either side.
+/// Tells whether something in a box may yet undercut a distance, or equal it; a little is granted
+/// to rounding on either side.
 ///
 /// That little is enough: closest_on_triangle() may be off by more, for faces that reach far beyond
 /// their closest point, but not where that is as near as their box.
@@ -58,8 +59,8 @@ bool may_undercut(double distance_of_box, double distance) {
   return !(distance_of_box * kGrant > distance);
 }
 
-/// Whether a box may hold anything of a cone with its apex at `apex`: false only where it lies
-/// behind the apex, or its bounding sphere beside the cone.
+/// Tells whether a box may hold anything of a cone with its apex at `apex`: false only where it
+/// lies behind the apex, or its bounding sphere beside the cone.
 bool may_hold(const Box3& box, const Vec3& apex, const Cone& cone) {
   constexpr double kGrant = 1e-9;
   const Vec3 to_middle = (box.min() / 2 + box.max() / 2) - apex;

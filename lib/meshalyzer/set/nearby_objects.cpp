@@ -14,7 +14,7 @@ Box3 middle_of(const Box3& box) {
   return Box3(Vec3(box.min() / 2 + box.max() / 2));
 }
 
-/// A box that holds all within `reach` of another one, whatever the rounding.
+/// Returns a box that holds all within `reach` of another one, whatever the rounding.
 Box3 grown(const Box3& box, double reach) {
   constexpr double kRounding = 1e-15;
   const Vec3 grow =

@@ -25,12 +25,12 @@ class ObjectCache {
   /// throws.
   ObjectCache(std::size_t n_objects, std::uint64_t byte_limit, Load load);
 
-  /// The object, which stays valid as long as the pointer is held.
+  /// Returns the object, which stays valid as long as the pointer is held.
   [[nodiscard]] std::shared_ptr<const SetObject> get(std::size_t object);
 
   /// How often an object was loaded.
   [[nodiscard]] std::size_t n_loads() const;
-  /// The most bytes that were held at a time.
+  /// Returns the most bytes that were held at a time.
   [[nodiscard]] std::uint64_t peak_bytes() const;
 
  private:

@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// How much of an object lies inside another one, where their faces do not cross.
+/// Tells how much of an object lies inside another one, where their faces do not cross.
 enum class Inclusion : std::uint8_t {
   None,
   /// Some of its components, but not all.
@@ -16,14 +16,14 @@ enum class Inclusion : std::uint8_t {
   Wholly,
 };
 
-/// How two objects lie to each other.
+/// Tells how two objects lie to each other.
 struct ObjectMeeting {
   /// The pairs of faces that share a point, at most PairLimits::max_listed; face_a is a file face
   /// of the first object, face_b one of the second. Ascending.
   std::vector<IntersectingPair> pairs;
   /// The number of all of them, listed or not.
   ContactCounts counts;
-  /// Whether the search was told to stop before its end.
+  /// Tells whether the search was told to stop before its end.
   bool is_search_stopped = false;
   Inclusion first_in_second = Inclusion::None;
   Inclusion second_in_first = Inclusion::None;

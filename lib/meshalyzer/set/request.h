@@ -11,14 +11,14 @@ namespace meshalyzer {
 struct SetQuestions {
   /// Asks which faces of different meshes share a point, and which meshes are inside others.
   bool intersections = false;
-  /// How far each vertex is from the closest other mesh.
+  /// Tells how far each vertex is from the closest other mesh.
   std::optional<SeparationOptions> separation = std::nullopt;
   /// The statistics over the faces, edges and vertices of all meshes.
   bool statistics = true;
   /// Measure separation although a mesh is not good.
   bool force = false;
 
-  /// Whether any of it is about what lies between the meshes.
+  /// Tells whether any of it is about what lies between the meshes.
   [[nodiscard]] bool is_between() const { return intersections || separation; }
 
   friend bool operator==(const SetQuestions&, const SetQuestions&) = default;

@@ -74,7 +74,7 @@ template <typename Part>
 inline constexpr std::size_t kRequestFieldCount =
     std::tuple_size_v<std::remove_const_t<decltype(kRequestFields<Part>)>>;
 
-/// Whether a type is a part of a request, with members of its own.
+/// Tells whether a type is a part of a request, with members of its own.
 template <typename T>
 concept RequestPart = kRequestFieldCount<T>
 != 0;

@@ -9,7 +9,7 @@
 
 namespace meshalyzer {
 
-/// How far a run has come.
+/// Tells how far a run has come.
 struct RunProgress {
   enum class Stage : std::uint8_t { Files, Between };
   Stage stage = Stage::Files;

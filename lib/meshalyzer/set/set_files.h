@@ -21,8 +21,8 @@ struct SetFiles {
   std::string fingerprint;
 };
 
-/// The files as they are now. A file that may not be read has a stamp of 0, since leave to do so
-/// changes neither its size nor its time.
+/// Returns the files as they are now. A file that may not be read has a stamp of 0, since leave to
+/// do so changes neither its size nor its time.
 [[nodiscard]] SetFiles stamped(const std::vector<std::string>& paths);
 
 /// @throws IoError where a file is not there any more, or is not what it was.

@@ -23,7 +23,7 @@ struct SolidParts {
 /// The place of a point with regard to a solid.
 enum class Side : std::uint8_t { Outside, Inside, OnSurface };
 
-/// Whether an object is to be asked for closest points, which takes memory of its own.
+/// Tells whether an object is to be asked for closest points, which takes memory of its own.
 enum class ClosestUse : std::uint8_t { Never, Prepared };
 
 /// One mesh of a set, ready for questions about what is near it. Its tree and its components are
@@ -44,7 +44,7 @@ class SetObject : public PreparedMesh {
   /// Returns the box of the vertices that faces use; it is empty where there is no face.
   [[nodiscard]] const Box3& box() const { return box_; }
 
-  /// Whether any of its components encloses anything.
+  /// Tells whether any of its components encloses anything.
   [[nodiscard]] bool is_solid() const { return solids_.count != 0; }
   /// Tells where a point lies with regard to the components that enclose something. The answer is
   /// exact: a ray from a point inside meets their faces an odd number of times, so that a cavity is

@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// How to analyse files, as a set or each for itself.
+/// Tells how to analyse files, as a set or each for itself.
 struct SetOptions {
   Request request;
   /// Keep the files in the analyses, for reports that show places.

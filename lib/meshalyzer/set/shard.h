@@ -13,7 +13,7 @@ struct Shard {
   std::size_t number = 0;
   std::size_t count = 1;
 
-  /// Whether the work on a single file is this shard's: files are dealt out in turn.
+  /// Tells whether the work on a single file is this shard's: files are dealt out in turn.
   [[nodiscard]] bool owns_file(std::size_t file) const { return file % count == number; }
 };
 

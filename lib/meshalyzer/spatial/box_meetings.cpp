@@ -27,7 +27,7 @@ constexpr float kRelativeRounding = 0x1p-20F;
 /// Corners farther out than this are not held against slabs.
 constexpr float kFarthestForSlabs = 0x1p+20F;
 
-/// The place of a point in the coordinates of a tree that is not its own: monotone in each
+/// Returns the place of a point in the coordinates of a tree that is not its own: monotone in each
 /// coordinate, like FaceTree::map(), so boxes that meet in space meet there.
 ///
 /// Finite however far the point is from that tree, because differences of infinities would tell
@@ -41,7 +41,7 @@ std::array<float, 3> map_foreign(const FaceTree& tree, const Vec3& point) {
   return place;
 }
 
-/// The leaves of `tree` whose boxes meet the box of all faces of `other`, ascending.
+/// Returns the leaves of `tree` whose boxes meet the box of all faces of `other`, ascending.
 std::vector<Index> leaves_near(const FaceTree& tree, const FaceTree& other) {
   if (tree.n_faces() == 0 || other.n_faces() == 0) {
     return {};
@@ -73,7 +73,7 @@ struct Visit {
   std::size_t leaf;
 };
 
-/// The corners of the leaf's faces in the coordinates of the inner tree.
+/// Returns the corners of the leaf's faces in the coordinates of the inner tree.
 LeafCorners corners_of_leaf(const Visit& visit) {
   LeafCorners corners(visit.outer, visit.leaf);
   const std::size_t last = visit.outer.n_faces() - 1;
@@ -87,7 +87,7 @@ LeafCorners corners_of_leaf(const Visit& visit) {
   return corners;
 }
 
-/// The boxes of those faces.
+/// Returns the boxes of those faces.
 EightBoxes boxes_of_leaf(const Visit& visit) {
   EightBoxes boxes = EightBoxes::empty();
   const std::size_t n = std::min<std::size_t>(8, visit.outer.n_faces() - 8 * visit.leaf);
@@ -232,7 +232,8 @@ void BoxMeetings::swap_roles(std::vector<Index> leaves) {
   leaves_ = std::move(leaves);
 }
 
-/// Whether the leaves, by a sample of them, meet so many faces that slabs may be worth making.
+/// Tells whether the leaves, by a sample of them, meet so many faces that slabs may be worth
+/// making.
 bool BoxMeetings::is_laborious() const {
   if (leaves_.empty()) {
     return false;

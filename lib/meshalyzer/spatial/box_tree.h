@@ -19,7 +19,7 @@ class BoxTree {
   /// The boxes by number, in an order in which neighbours in space mostly follow each other.
   [[nodiscard]] const std::vector<Index>& order() const { return order_; }
 
-  /// The boxes that share a point with a given one, ascending.
+  /// Returns the boxes that share a point with a given one, ascending.
   ///
   /// @complexity O(log n + found) for boxes that are spread out.
   [[nodiscard]] std::vector<Index> meeting(const Box3& box) const;

@@ -185,7 +185,8 @@ class Search {
     }
   }
 
-  /// Whether a plane along the side of the cone has all of it on one side and the box on the other.
+  /// Tells whether a plane along the side of the cone has all of it on one side and the box on the
+  /// other.
   [[nodiscard]] bool is_outside(const Cone& cone, const TreeBox& box) const {
     Vec3 middle;
     Vec3 half;

@@ -52,7 +52,7 @@ class ClosestPoints {
   /// @complexity  O(#F) time; 36 bytes a face.
   explicit ClosestPoints(const FaceTree& tree);
 
-  /// The closest point of the mesh.
+  /// Returns the closest point of the mesh.
   ///
   /// The same bits as closest_on_triangle() of every face give: the smallest of these distances,
   /// and of several faces at this distance the first. Safe to call from several threads.

@@ -34,7 +34,7 @@ bool is_on(const CollinearHull& s, const Vec3& x) {
   return are_collinear(s.u, s.v, x) && is_within(s, x);
 }
 
-/// Whether b and c lie in the same direction from a, none of them at a itself.
+/// Tells whether b and c lie in the same direction from a, none of them at a itself.
 bool same_direction(const Vec3& a, const Vec3& b, const Vec3& c) {
   if (a == b || a == c || !are_collinear(a, b, c)) {
     return false;
@@ -81,8 +81,8 @@ PlanarTriangle planar(const Corners& t) {
                                               : PlanarTriangle{{t[0], t[2], t[1]}, axis};
 }
 
-/// Whether a segment in the plane of t meets it: no edge of t, nor the segment itself, separates
-/// the two.
+/// Tells whether a segment in the plane of t meets it: no edge of t, nor the segment itself,
+/// separates the two.
 bool meets_in_plane(const PlanarTriangle& t, const CollinearHull& s) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3& a = t.corners[i];

@@ -33,7 +33,7 @@ double largest(const Vec3& v) {
   return std::max({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
 }
 
-/// The direction that the faces face on the whole, in whole numbers.
+/// Returns the direction that the faces face on the whole, in whole numbers.
 std::optional<Vec3> facing_direction(const Star& star) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < star.n_faces(); ++i) {
@@ -69,7 +69,7 @@ bool all_surely_face(const Star& star, const Vec3& direction) {
   return true;
 }
 
-/// How often the arms, in their order, change from one side of a plane through the hub to the
+/// Tells how often the arms, in their order, change from one side of a plane through the hub to the
 /// other.
 struct Crossings {
   int up = 0;

@@ -24,8 +24,8 @@ struct Star {
   }
 };
 
-/// Whether a quick test proves that no two faces of a star share more than the hub, or the one edge
-/// between neighbours. False says nothing.
+/// Tells whether a quick test proves that no two faces of a star share more than the hub, or the
+/// one edge between neighbours. False says nothing.
 ///
 /// Proves the stars of nearly all vertices of a surface. Where all faces surely face one direction,
 /// each covers a sector of the plane below it, and the sectors follow each other round the hub. So

@@ -28,8 +28,8 @@ unsigned lanes_like(const EightBoxes& boxes, std::size_t i) {
   return alike;
 }
 
-/// The slots of faces that have one box with another of their leaf: nearly all those of a crowd at
-/// one place, which the tree cannot tell apart.
+/// Returns the slots of faces that have one box with another of their leaf: nearly all those of a
+/// crowd at one place, which the tree cannot tell apart.
 std::vector<Index> slots_with_twins(const FaceTree& tree) {
   std::vector<Index> slots;
   for (std::size_t leaf = 0; leaf < tree.n_faces() / kTreeWidth; ++leaf) {
@@ -46,7 +46,7 @@ std::vector<Index> slots_with_twins(const FaceTree& tree) {
 
 using Place = std::tuple<double, double, double>;
 
-/// The places of a face's corners, ascending.
+/// Returns the places of a face's corners, ascending.
 std::array<Place, 3> places_of(const FaceTree& tree, const Triangle& t) {
   std::array<Place, 3> places;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -22,21 +22,21 @@ class FaceGroups {
   /// their leaf are looked into.
   FaceGroups(const CutMesh& cut, const FaceTree& tree);
 
-  /// The groups: file faces, ascending.
+  /// Returns the groups: file faces, ascending.
   [[nodiscard]] std::size_t size() const { return groups_.size(); }
   [[nodiscard]] std::span<const Index> faces(std::size_t group) const {
     return groups_[group].faces;
   }
-  /// The slots of two faces of a group, the first of which stands for it.
+  /// Returns the slots of two faces of a group, the first of which stands for it.
   [[nodiscard]] std::array<std::size_t, 2> two_slots(std::size_t group) const {
     return groups_[group].slots;
   }
 
-  /// The faces that the face at a slot stands for, itself included; empty where it is in no group.
-  /// Not for those that are left out.
+  /// Returns the faces that the face at a slot stands for, itself included; empty where it is in no
+  /// group. Not for those that are left out.
   [[nodiscard]] std::span<const Index> faces_at(std::size_t slot) const;
 
-  /// The lanes of a leaf whose faces others stand for.
+  /// Returns the lanes of a leaf whose faces others stand for.
   [[nodiscard]] unsigned left_out(std::size_t leaf) const {
     return left_out_.empty() ? 0U : left_out_[leaf];
   }

@@ -56,7 +56,7 @@ void split(std::span<Item> items) {
   }
 }
 
-/// A tree without faces has one leaf too.
+/// Returns a tree without faces has one leaf too.
 std::size_t n_leaves_of(std::size_t n_faces) {
   return std::max<std::size_t>(1, (n_faces + kTreeWidth - 1) / kTreeWidth);
 }

@@ -15,7 +15,7 @@ struct TreeBox {
   std::array<float, 3> low;
   std::array<float, 3> high;
 
-  /// The box that holds all of `boxes`.
+  /// Returns the box that holds all of `boxes`.
   [[nodiscard]] static TreeBox around(const EightBoxes& boxes);
 };
 
@@ -79,7 +79,7 @@ class FaceTree {
   /// of the mesh.
   [[nodiscard]] const Vec3& centre() const { return centre_; }
   [[nodiscard]] double scale() const { return scale_; }
-  /// The place of a point in the coordinates of the boxes: monotone in each coordinate.
+  /// Returns the place of a point in the coordinates of the boxes: monotone in each coordinate.
   [[nodiscard]] std::array<float, 3> map(const Vec3& point) const;
 
  private:

@@ -33,7 +33,7 @@ bool names(const Triangle& t, Index v) {
   return t[0] == v || t[1] == v || t[2] == v;
 }
 
-/// The fan of the faces of one leaf.
+/// Returns the fan of the faces of one leaf.
 Fan fan_of_leaf(const FaceTree& tree, std::size_t begin, std::size_t end) {
   Fan fan;
   for (const Index candidate : tree.triangle(begin)) {

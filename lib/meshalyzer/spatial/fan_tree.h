@@ -27,7 +27,8 @@ class FanTree {
   /// Returns the fan of all faces below FaceTree::node(level, i).
   [[nodiscard]] const Fan& fan(std::size_t level, std::size_t i) const { return levels_[level][i]; }
 
-  /// Whether no face of one node meets a face of the other but at the hub that all of them share.
+  /// Tells whether no face of one node meets a face of the other but at the hub that all of them
+  /// share.
   ///
   /// Faces with an edge in common are never called apart: its other end is on the rim of both.
   [[nodiscard]] static bool meet_at_hub_only(const Fan& a, const TreeBox& box_a, const Fan& b,

@@ -48,7 +48,7 @@ struct IntersectingPair {
   friend bool operator==(const IntersectingPair&, const IntersectingPair&) = default;
 };
 
-/// How many pairs there are of each kind of contact.
+/// Tells how many pairs there are of each kind of contact.
 class ContactCounts {
  public:
   [[nodiscard]] std::size_t of(ContactKind kind) const {

@@ -34,8 +34,8 @@ namespace meshalyzer {
                                              const CutMesh& b, const FaceTree& tree_b,
                                              const PairLimits& limits);
 
-/// Whether any two faces, one of each mesh, share a point. Surfaces alone count: a mesh wholly
-/// inside another does not meet it.
+/// Tells whether any two faces, one of each mesh, share a point. Surfaces alone count: a mesh
+/// wholly inside another does not meet it.
 ///
 /// @complexity  That of find_intersections() at most, but stops at the first pair found.
 [[nodiscard]] bool do_intersect(const FaceTree& a, const FaceTree& b);

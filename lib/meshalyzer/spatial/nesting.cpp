@@ -42,7 +42,7 @@ std::vector<Box3> boxes_of_parts(const FaceTree& tree, const FaceParts& parts) {
   return boxes;
 }
 
-/// The boxes of the closed parts; empty ones for the others.
+/// Returns the boxes of the closed parts; empty ones for the others.
 std::vector<Box3> closed_only(std::vector<Box3> boxes, std::span<const std::uint8_t> is_closed) {
   for (std::size_t part = 0; part < boxes.size(); ++part) {
     if (is_closed[part] == 0) boxes[part].setEmpty();
@@ -76,7 +76,7 @@ class Nester {
     }
   }
 
-  /// The closed parts that enclose a part, ascending.
+  /// Returns the closed parts that enclose a part, ascending.
   [[nodiscard]] std::vector<Index> enclosers(Index part) const {
     const Vec3& first = tree_.point(tree_.triangle(slots_.slots[slots_.begin[part]])[0]);
     std::vector<Index> near = box_tree_.meeting(Box3(first));
@@ -105,7 +105,7 @@ class Nester {
 
   [[nodiscard]] bool is_closed(Index part) const { return input_.is_closed[part] != 0; }
 
-  /// A ray that tells of these parts need go no farther.
+  /// Returns a ray that tells of these parts need go no farther.
   [[nodiscard]] double far_x(const std::vector<Index>& parts) const {
     double far = -std::numeric_limits<double>::infinity();
     for (const Index part : parts) {

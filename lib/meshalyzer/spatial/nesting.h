@@ -13,8 +13,8 @@ namespace meshalyzer {
 struct PartContact {
   Index a = 0;
   Index b = 0;
-  /// Whether some pair of their faces crosses (ContactKind::Crossing): then neither can enclose the
-  /// other.
+  /// Tells whether some pair of their faces crosses (ContactKind::Crossing): then neither can
+  /// enclose the other.
   bool crosses = false;
 };
 
@@ -29,7 +29,7 @@ struct NestingInput {
   std::span<const PartContact> contacts;
 };
 
-/// How the parts of a mesh lie within each other.
+/// Tells how the parts of a mesh lie within each other.
 struct Nesting {
   /// #parts: by how many closed parts each is enclosed.
   std::vector<Index> depth;

@@ -12,8 +12,8 @@ namespace meshalyzer {
 /// As many pairs as there are.
 inline constexpr std::size_t kAllPairs = std::numeric_limits<std::size_t>::max();
 
-/// How far a search for intersecting pairs goes, and how many of those it finds it lists. Memory
-/// follows the list, not what is found.
+/// Tells how far a search for intersecting pairs goes, and how many of those it finds it lists.
+/// Memory follows the list, not what is found.
 struct PairLimits {
   /// The search ends when it has found so many.
   std::size_t max_found = kAllPairs;
@@ -29,7 +29,7 @@ struct FoundPairs {
   std::vector<IntersectingPair> listed;
   /// All that were found, listed or not.
   ContactCounts counts;
-  /// Whether the search went to its end, so that these are all there are.
+  /// Tells whether the search went to its end, so that these are all there are.
   bool is_complete = true;
 };
 

@@ -27,7 +27,7 @@ Sign displaced_side(const Vec3& u, const Vec3& v, const Vec3& point) {
   return sign_of_difference(v.y(), u.y());
 }
 
-/// Whether the ray meets a triangle that the point does not lie on.
+/// Tells whether the ray meets a triangle that the point does not lie on.
 bool is_met(const Corners& t, const Vec3& point) {
   const Sign turn = displaced_side(t[0], t[1], point);
   if (turn == 0 || displaced_side(t[1], t[2], point) != turn ||

@@ -38,16 +38,16 @@ std::optional<ContactKind> contact_of(const FaceTree& tree, const AlignedFaces<I
                       static_cast<Common>(pair.n_common));
 }
 
-/// Whether no two corners of a face are at one place.
+/// Tells whether no two corners of a face are at one place.
 bool has_three_places(const FaceTree& tree, const Triangle& t) {
   const Corners c = corners_of(tree, t);
   return c[0] != c[1] && c[1] != c[2] && c[2] != c[0];
 }
 
-/// Whether two faces touch by being next to each other along a seam that was never welded, which
-/// is asked first because it is cheaper than the kind of contact: they have a corner in common by
-/// place that they have not by id, and share nothing else when vertices at identical places count
-/// as one.
+/// Tells whether two faces touch by being next to each other along a seam that was never welded,
+/// which is asked first because it is cheaper than the kind of contact: they have a corner in
+/// common by place that they have not by id, and share nothing else when vertices at identical
+/// places count as one.
 bool are_unwelded_neighbours(const FaceTree& tree, const AlignedFaces<Index>& by_id,
                              const AlignedFaces<Index>& by_place) {
   return by_place.n_common > by_id.n_common && by_id.n_common < 2 &&
@@ -79,7 +79,7 @@ unsigned wanted_lanes(const Scene& scene, std::size_t leaf) {
   return scene.wanted.empty() ? 0xFFU & ~left_out(scene, leaf) : scene.wanted[leaf];
 }
 
-/// The box of the wanted faces of a leaf.
+/// Returns the box of the wanted faces of a leaf.
 TreeBox box_of_wanted(const Scene& scene, std::size_t leaf) {
   const EightBoxes& all = scene.tree.node(0, leaf);
   EightBoxes boxes = EightBoxes::empty();
@@ -93,8 +93,8 @@ TreeBox box_of_wanted(const Scene& scene, std::size_t leaf) {
   return TreeBox::around(boxes);
 }
 
-/// The vertices of a leaf's faces that are proven, kNoIndex for the others: whoever has one of them
-/// in common with the face needs no test.
+/// Returns the vertices of a leaf's faces that are proven, kNoIndex for the others: whoever has one
+/// of them in common with the face needs no test.
 EightFaces proven_vertices(const Scene& scene, std::size_t leaf) {
   EightFaces faces = scene.tree.leaf_faces(leaf);
   for (auto& corner : faces.corners) {
@@ -151,8 +151,8 @@ class PartnerSearch {
     }
   }
 
-  /// Whether boxes serve a node badly, but its slabs or its fan tell that none of its faces meets
-  /// the leaf's.
+  /// Tells whether boxes serve a node badly, but its slabs or its fan tell that none of its faces
+  /// meets the leaf's.
   bool is_excluded(std::size_t level, std::size_t i, const TreeBox& box) const {
     const Slabs& slabs = scene_.slabs.slabs(level, i);
     if (slabs.is_useful && slabs.exclude(*corners_)) {
@@ -241,7 +241,7 @@ class PartnerSearch {
     }
   }
 
-  /// The faces that the one at a slot stands for: mostly itself alone.
+  /// Returns the faces that the one at a slot stands for: mostly itself alone.
   std::span<const Index> faces_at(std::size_t slot, const Index& file_face) const {
     const std::span<const Index> group =
         scene_.groups == nullptr ? std::span<const Index>() : scene_.groups->faces_at(slot);
@@ -322,7 +322,7 @@ class BoundedSearch {
   PairListener& listener_;
   std::atomic<std::size_t> n_found_ = 0;
   std::atomic<bool> is_stopped_ = false;
-  /// Whether leaves were left out.
+  /// Tells whether leaves were left out.
   std::atomic<bool> is_ended_ = false;
 };
 

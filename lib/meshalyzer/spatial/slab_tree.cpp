@@ -21,7 +21,7 @@ Vec3f mapped(const FaceTree& tree, Index v) {
   return {p[0], p[1], p[2]};
 }
 
-/// The corners of a range of slots, one after the other.
+/// Returns the corners of a range of slots, one after the other.
 std::vector<Vec3f> corners_of(const FaceTree& tree, std::size_t begin, std::size_t end) {
   std::vector<Vec3f> corners;
   corners.reserve(3 * (end - begin));
@@ -33,8 +33,8 @@ std::vector<Vec3f> corners_of(const FaceTree& tree, std::size_t begin, std::size
   return corners;
 }
 
-/// The way the longest edges of the faces run on the whole; zero where the faces are not long and
-/// thin.
+/// Returns the way the longest edges of the faces run on the whole; zero where the faces are not
+/// long and thin.
 Vec3f common_direction(std::span<const Vec3f> corners) {
   Vec3f sum = Vec3f::Zero();
   float lengths_squared = 0.0F;
@@ -52,7 +52,7 @@ Vec3f common_direction(std::span<const Vec3f> corners) {
   return lengths_squared > kThin * areas ? Vec3f(sum.normalized()) : Vec3f::Zero();
 }
 
-/// The normal of the faces on the whole, made perpendicular to `along`.
+/// Returns the normal of the faces on the whole, made perpendicular to `along`.
 Vec3f common_normal(std::span<const Vec3f> corners, const Vec3f& along) {
   Vec3f sum = Vec3f::Zero();
   for (std::size_t i = 0; i < corners.size(); i += 3) {

@@ -26,12 +26,12 @@ struct Slabs {
   /// Low and high along each, widened by more than any rounding.
   std::array<float, 2> low{};
   std::array<float, 2> high{};
-  /// Whether the bundle is much thinner than its axis-aligned box: only then are the slabs worth a
-  /// question.
+  /// Tells whether the bundle is much thinner than its axis-aligned box: only then are the slabs
+  /// worth a question.
   bool is_useful = false;
 
-  /// Whether the corners surely lie all on one side of one of the slabs, so that no face of the
-  /// leaf meets the bundle.
+  /// Tells whether the corners surely lie all on one side of one of the slabs, so that no face of
+  /// the leaf meets the bundle.
   [[nodiscard]] bool exclude(const LeafCorners& corners) const;
 };
 
@@ -47,7 +47,7 @@ class SlabTree {
   [[nodiscard]] const Slabs& slabs(std::size_t level, std::size_t i) const {
     return levels_[level][i];
   }
-  /// Whether any node has slabs worth a question.
+  /// Tells whether any node has slabs worth a question.
   [[nodiscard]] bool has_useful() const { return has_useful_; }
 
  private:

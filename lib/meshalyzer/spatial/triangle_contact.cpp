@@ -53,8 +53,8 @@ Planar planar_relation(Axis axis, const Corners& p, const Corners& q) {
   return std::min(separation(axis, p, q), separation(axis, q, p));
 }
 
-/// Whether x, seen from a, lies in the closed angle from b round to c (counter-clockwise, below 180
-/// degrees).
+/// Tells whether x, seen from a, lies in the closed angle from b round to c (counter-clockwise,
+/// below 180 degrees).
 bool in_angle(Axis axis, const Vec3& a, const std::pair<Vec3, Vec3>& arms, const Vec3& x) {
   return orient2d(axis, a, arms.first, x) >= 0 && orient2d(axis, a, x, arms.second) >= 0;
 }
@@ -188,15 +188,15 @@ std::optional<ContactKind> contact_beyond_edge(const Corners& p, const Corners& 
   return same_side ? std::optional(ContactKind::FoldOver) : std::nullopt;
 }
 
-/// Whether the projections along `axis` are surely apart but for the common edge.
+/// Tells whether the projections along `axis` are surely apart but for the common edge.
 bool folds_apart(Axis axis, const Corners& p, const Corners& q) {
   const auto s = orient2d_if_sure(axis, p[0], p[1], p[2]);
   const auto t = orient2d_if_sure(axis, p[0], p[1], q[2]);
   return s && t && *s * *t < 0;
 }
 
-/// Whether a line through the corner q[0] == p[0] along an edge of p has p surely on one side and
-/// q's other corners surely on the other, in the projection along `axis`.
+/// Tells whether a line through the corner q[0] == p[0] along an edge of p has p surely on one side
+/// and q's other corners surely on the other, in the projection along `axis`.
 bool wedges_apart(Axis axis, const Corners& p, const Corners& q) {
   const auto turn = orient2d_if_sure(axis, p[0], p[1], p[2]);
   if (!turn || *turn == 0) {
@@ -213,8 +213,8 @@ bool wedges_apart(Axis axis, const Corners& p, const Corners& q) {
   return false;
 }
 
-/// Whether a line along an edge of p surely has all of q on its outer side, in the projection along
-/// `axis`.
+/// Tells whether a line along an edge of p surely has all of q on its outer side, in the projection
+/// along `axis`.
 bool edges_apart(Axis axis, const Corners& p, const Corners& q) {
   const auto turn = orient2d_if_sure(axis, p[0], p[1], p[2]);
   if (!turn || *turn == 0) {
@@ -232,7 +232,7 @@ bool edges_apart(Axis axis, const Corners& p, const Corners& q) {
   return false;
 }
 
-/// Whether the box of the edge opposite to the first corner of p stays off the box of q.
+/// Tells whether the box of the edge opposite to the first corner of p stays off the box of q.
 bool opposite_edge_is_apart(const Corners& p, const Corners& q) {
   for (Eigen::Index k = 0; k < 3; ++k) {
     const auto [low, high] = std::minmax(p[1][k], p[2][k]);
@@ -244,7 +244,8 @@ bool opposite_edge_is_apart(const Corners& p, const Corners& q) {
   return false;
 }
 
-/// Whether the corners of q from `first` on lie surely and strictly on one side of the plane of p.
+/// Tells whether the corners of q from `first` on lie surely and strictly on one side of the plane
+/// of p.
 bool surely_beside(const Corners& p, const Corners& q, std::size_t first) {
   const auto side = orient3d_if_sure(p[0], p[1], p[2], q[first]);
   if (!side || *side == 0) {

@@ -7,10 +7,11 @@
 
 namespace meshalyzer {
 
-/// How much two faces have in common by id.
+/// Tells how much two faces have in common by id.
 enum class Common : std::uint8_t { Nothing, Vertex, Edge, All };
 
-/// Whether two closed triangles share a point that is not on what they have in common, and how.
+/// Tells whether two closed triangles share a point that is not on what they have in common, and
+/// how.
 ///
 /// Exact: it agrees with the evaluation over the reals for all finite doubles. A triangle of zero
 /// area counts as the segment or point that it is.
@@ -22,7 +23,7 @@ enum class Common : std::uint8_t { Nothing, Vertex, Edge, All };
 [[nodiscard]] std::optional<ContactKind> find_contact(const Corners& p, const Corners& q,
                                                       Common common);
 
-/// Whether a quick test proves that find_contact() has nothing to find. False says nothing.
+/// Tells whether a quick test proves that find_contact() has nothing to find. False says nothing.
 ///
 /// Decides most neighbours of a mesh with two signs, without ever going exact: triangles that lie
 /// on one side of each other's plane, or whose projections along an axis meet in nothing but the

@@ -111,7 +111,7 @@ class View {
     return edge;
   }
 
-  /// The point at a multiple of the edge.
+  /// Returns the point at a multiple of the edge.
   [[nodiscard]] Candidate on_edge(const Edge& edge, double at) const {
     const Vec3 step = at * edge.along;
     const Vec3 offset = corner_[edge.from] + step;
@@ -186,7 +186,7 @@ bool is_in(const Cone& cone, const Vec3& offset) {
   return offset.dot(cone.axis) >= cone.cos_half_angle * offset.norm();
 }
 
-/// The direction in a cone that is nearest to one of length 1 outside it.
+/// Returns the direction in a cone that is nearest to one of length 1 outside it.
 std::optional<Vec3> nearest_side(const Cone& cone, const Vec3& direction) {
   const double along = direction.dot(cone.axis);
   const Vec3 across = direction - along * cone.axis;
@@ -201,8 +201,8 @@ std::optional<Vec3> nearest_side(const Cone& cone, const Vec3& direction) {
   return cone.cos_half_angle * cone.axis + (sine / length) * across;
 }
 
-/// The closest point of plane and cone, which lies on the side of the cone that leans most to the
-/// plane; if it is in the triangle.
+/// Returns the closest point of plane and cone, which lies on the side of the cone that leans most
+/// to the plane; if it is in the triangle.
 Candidate on_plane(const View& view, const Cone& cone) {
   Candidate none;
   if (view.squared_normal() == 0.0 || view.height() == 0.0) {
@@ -221,8 +221,8 @@ Candidate on_plane(const View& view, const Cone& cone) {
   return point ? Candidate{*point, offset, offset.squaredNorm()} : none;
 }
 
-/// The multiples of an edge, counted from its foot, at which its line goes through the double cone:
-/// the roots of a x^2 + 2 b x + c. Roots that do not exist are NaN or infinite.
+/// Returns the multiples of an edge, counted from its foot, at which its line goes through the
+/// double cone: the roots of a x^2 + 2 b x + c. Roots that do not exist are NaN or infinite.
 std::array<double, 2> crossings(const View& view, const Edge& edge, const Cone& cone) {
   // From the foot, which is perpendicular to the line, |offset|^2 has no mixed term: nothing
   // cancels where the line passes close to the apex.
@@ -237,7 +237,7 @@ std::array<double, 2> crossings(const View& view, const Edge& edge, const Cone& 
   return {sum / a, c / sum};
 }
 
-/// The closest point of edge and cone, other than the ends.
+/// Returns the closest point of edge and cone, other than the ends.
 Candidate on_edge(const View& view, std::size_t i, const Cone& cone) {
   const Edge edge = view.edge(i);
   Candidate best = view.on_edge(edge, std::clamp(edge.foot, 0.0, 1.0));
@@ -276,7 +276,8 @@ Candidate closest(const View& view, const Cone& cone) {
   return best;
 }
 
-/// Whether products of four lengths and squares of their quotients neither overflow nor underflow.
+/// Tells whether products of four lengths and squares of their quotients neither overflow nor
+/// underflow.
 bool is_in_range(const View& view) {
   return view.squared_size() > 1e-100 && view.squared_size() < 1e120;
 }

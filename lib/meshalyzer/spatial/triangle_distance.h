@@ -23,7 +23,7 @@ struct Cone {
   double cos_half_angle = 0.0;
 };
 
-/// The point of a triangle that is closest to `p`.
+/// Returns the point of a triangle that is closest to `p`.
 ///
 /// With u = 2^-53 and m the distance from `p` to the farthest corner, the distance is off by some
 /// u m at most, for any shape: slivers keep their digits, and a triangle of zero area counts as the
@@ -34,7 +34,7 @@ struct Cone {
 /// in, but for its last digits.
 [[nodiscard]] TrianglePoint closest_on_triangle(const Corners& t, const Vec3& p);
 
-/// The closest of those points of a triangle that lie in a cone with its apex at `p`.
+/// Returns the closest of those points of a triangle that lie in a cone with its apex at `p`.
 ///
 /// The apex is in the cone: on the triangle its distance is 0. Points on the cone's side count as
 /// in it, as far as rounding can tell.

@@ -141,7 +141,7 @@ struct WindingNumbers::Tree {
     }
   }
 
-  /// The dipoles of so many triangles each.
+  /// Returns the dipoles of so many triangles each.
   [[nodiscard]] std::vector<Dipole> level_of(std::size_t length) const {
     std::vector<Dipole> level(n_chunks(triangles.size(), length));
     const std::size_t nodes_per_task = std::max<std::size_t>(1, kChunkLength / length);

@@ -60,8 +60,8 @@ class BorderWalk {
     return static_cast<std::size_t>(cut_.mesh.edge_handle(h).idx());
   }
 
-  /// The other border edge of the fan that a border edge begins at one of its ends, and which of
-  /// its ends is in that fan; nothing where a non-manifold edge ends the fan.
+  /// Returns the other border edge of the fan that a border edge begins at one of its ends, and
+  /// which of its ends is in that fan; nothing where a non-manifold edge ends the fan.
   [[nodiscard]] std::optional<EdgeEnd> across_fan(EdgeEnd at) const {
     const TriMesh& mesh = cut_.mesh;
     for (;;) {
@@ -94,7 +94,7 @@ class BorderWalk {
   std::vector<std::uint8_t> visited_;
 };
 
-/// The boundary that an unvisited border edge is on.
+/// Returns the boundary that an unvisited border edge is on.
 BoundaryLoop trace(BorderWalk& border, HalfedgeHandle lowest) {
   BoundaryLoop onwards = border.walk({lowest, End::To});
   if (onwards.shape == BoundaryShape::Loop) return onwards;

@@ -7,7 +7,7 @@
 
 namespace meshalyzer {
 
-/// How a boundary ends.
+/// Tells how a boundary ends.
 enum class BoundaryShape : std::uint8_t {
   /// The boundary comes back to its first edge.
   Loop,

@@ -37,7 +37,7 @@ struct ComponentCounts {
   std::size_t non_manifold_edges = 0;
   std::size_t non_manifold_vertices = 0;
   std::size_t flipped_edges = 0;
-  /// Whether the faces of each of its edge components can be given a consistent orientation.
+  /// Tells whether the faces of each of its edge components can be given a consistent orientation.
   bool orientable = true;
 };
 

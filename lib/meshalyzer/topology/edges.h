@@ -39,7 +39,7 @@ enum class EdgeKind : std::uint8_t {
 /// @complexity O(#V + #E).
 [[nodiscard]] std::vector<Index> vertex_valences(const CutMesh& cut);
 
-/// The file vertices that a half-edge runs from and to, in this order.
+/// Returns the file vertices that a half-edge runs from and to, in this order.
 [[nodiscard]] std::array<Index, 2> file_ends(const CutMesh& cut, HalfedgeHandle halfedge);
 
 }  // namespace meshalyzer

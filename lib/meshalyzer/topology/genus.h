@@ -15,7 +15,8 @@ struct EulerCounts {
   std::size_t boundaries = 0;
 };
 
-/// The genus of one component: the number of its handles, by V - E + F = 2 - 2 genus - boundaries.
+/// Returns the genus of one component: the number of its handles, by V - E + F = 2 - 2 genus -
+/// boundaries.
 ///
 /// It means handles only where the component is manifold and orientable; that is for the caller to
 /// know. The sum over several components is not what the formula gives for their total counts.

@@ -8,9 +8,10 @@
 
 namespace meshalyzer {
 
-/// Whether faces can be turned so that no two-face edge is crossed twice in the same direction.
+/// Tells whether faces can be turned so that no two-face edge is crossed twice in the same
+/// direction.
 struct Orientability {
-  /// Whether all components can; true for an empty mesh.
+  /// Tells whether all components can; true for an empty mesh.
   bool orientable = true;
   /// #edge components: 1 where its faces can be given a consistent orientation, else 0.
   std::vector<std::uint8_t> of_component;

@@ -17,12 +17,12 @@ namespace meshalyzer {
 /// @param analysis  Knows its components and offenders.
 void count_elements(const Soup& soup, const ComplexTopology& topology, Analysis& analysis);
 
-/// The five attributes of the mesh, from what is counted and decided of its components.
+/// Returns the five attributes of the mesh, from what is counted and decided of its components.
 ///
 /// @param orientable  Whether its faces can be given a consistent orientation.
 [[nodiscard]] Attributes answer_attributes(const Analysis& analysis, bool orientable);
 
-/// The volume of the mesh: that of its components added up, where it bounds a solid.
+/// Returns the volume of the mesh: that of its components added up, where it bounds a solid.
 [[nodiscard]] Measure<double> total_volume(const Analysis& analysis);
 
 /// Adds up the genus of the components, unless orphan vertices forbid it ("Characteristics: counts"

@@ -20,7 +20,7 @@ Index file_face(const CutMesh& cut, HalfedgeHandle h) {
   return cut.side.face(cut.mesh.face_handle(h));
 }
 
-/// The half-edges of the cut edge between two file vertices; empty where the list has none.
+/// Returns the half-edges of the cut edge between two file vertices; empty where the list has none.
 std::span<const HalfedgeHandle> find_cut_edge(const CutMesh& cut, const CutEdges& edges,
                                               const Ends& ends) {
   std::size_t low = 0;

@@ -17,10 +17,10 @@ namespace meshalyzer {
 [[nodiscard]] EdgeList list_edges(const CutMesh& cut, std::span<const HalfedgeHandle> edges,
                                   std::span<const double> values = {});
 
-/// The same for edges that the side table lists.
+/// Returns the same for edges that the side table lists.
 [[nodiscard]] EdgeList list_cut_edges(const CutMesh& cut, const CutEdges& edges);
 
-/// The edges whose value satisfies a condition.
+/// Returns the edges whose value satisfies a condition.
 [[nodiscard]] EdgeList list_edges_if(const CutMesh& cut, std::span<const HalfedgeHandle> edges,
                                      std::span<const double> values,
                                      const std::function<bool(double)>& condition);

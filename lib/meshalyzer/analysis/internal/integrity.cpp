@@ -35,7 +35,7 @@ std::vector<Index> find_orphans(const Soup& soup, std::span<const Index> repeate
   return orphans;
 }
 
-/// A face that names one vertex more than once; ids that no record defines count by id.
+/// Returns a face that names one vertex more than once; ids that no record defines count by id.
 bool names_a_vertex_twice(const Triangle& t, const std::array<std::int64_t, 3>& missing) {
   const auto same = [&](std::size_t i, std::size_t j) {
     return t[i] == t[j] && (t[i] != kNoIndex || missing[i] == missing[j]);

@@ -9,7 +9,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The first face of those that cover a piece that faces the way it does in the end.
+/// Returns the first face of those that cover a piece that faces the way it does in the end.
 Index face_that_faces(std::span<const PieceSource> sources, bool is_turned) {
   const Sign wanted = is_turned ? -1 : 1;
   for (const PieceSource& source : sources) {

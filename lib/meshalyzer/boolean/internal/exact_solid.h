@@ -18,7 +18,7 @@ struct BoundaryPiece {
   /// The face of the soup that it is a part of; of several that cover it the first that faces the
   /// same way.
   Index face = kNoIndex;
-  /// Whether the solid is in front of the piece, so that it must be turned over.
+  /// Tells whether the solid is in front of the piece, so that it must be turned over.
   bool is_turned = false;
 };
 

@@ -10,7 +10,7 @@
 
 namespace meshalyzer {
 
-/// Which parts of a surface separate a region from the rest of space.
+/// Tells which parts of a surface separate a region from the rest of space.
 struct SurfaceParts {
   /// Points all over the parts that do.
   std::vector<Vec3> separating;
@@ -19,7 +19,7 @@ struct SurfaceParts {
   std::vector<Corners> walls;
 };
 
-/// How closely divide_surface() looks.
+/// Tells how closely divide_surface() looks.
 struct PartsResolution {
   /// Neighbouring points are at most about this far apart.
   double spacing = 0.0;

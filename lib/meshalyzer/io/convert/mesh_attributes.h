@@ -19,14 +19,14 @@ using TexturePoint = std::array<double, 2>;
 /// What a file says of a mesh beside positions, triangles and normals, as far as several formats
 /// can say it.
 struct MeshAttributes {
-  /// Which triangles are one polygon.
+  /// Tells which triangles are one polygon.
   FaceRecords faces;
   /// Colours by vertex, and by face record; empty where none has one.
   std::vector<std::optional<Rgba>> vertex_colours;
   std::vector<std::optional<Rgba>> face_colours;
   /// Texture points by corner, see first_corner(); empty where none has one.
   std::vector<std::optional<TexturePoint>> texture;
-  /// How many of the file's texture coordinates these are.
+  /// Tells how many of the file's texture coordinates these are.
   std::size_t n_texture_points = 0;
   /// The solids of an STL file that have a name.
   std::vector<Group> solids;
@@ -40,14 +40,14 @@ struct MeshAttributes {
   std::vector<std::string> comments;
 };
 
-/// The place of a record's first corner among those of all records, of which each has at least
-/// three.
+/// Returns the place of a record's first corner among those of all records, of which each has at
+/// least three.
 [[nodiscard]] inline std::size_t first_corner(const FaceRecords& faces, Index record) {
   return faces.first_triangle[record] + 2 * std::size_t{record};
 }
 
-/// The vertices at the corners of a record, in the order of the file; those of a record of fewer
-/// than three corners are those of its triangle.
+/// Returns the vertices at the corners of a record, in the order of the file; those of a record of
+/// fewer than three corners are those of its triangle.
 [[nodiscard]] std::vector<Index> corners_of(const FaceRecords& faces, const Soup& soup,
                                             Index record);
 

@@ -15,15 +15,15 @@ namespace meshalyzer {
 [[nodiscard]] std::string print_ply_with(const MeshAttributes& attributes, const Soup& soup,
                                          Encoding encoding);
 
-/// The texture coordinates of each vertex, where no vertex has different ones at its corners, and
-/// every face has some; else nothing.
+/// Returns the texture coordinates of each vertex, where no vertex has different ones at its
+/// corners, and every face has some; else nothing.
 [[nodiscard]] std::vector<TexturePoint> texture_of_vertices(const MeshAttributes& attributes,
                                                             const Soup& soup);
 
-/// Whether bytes can say these colours, but for what three decimals leave open.
+/// Tells whether bytes can say these colours, but for what three decimals leave open.
 [[nodiscard]] bool are_bytes(const std::vector<std::optional<Rgba>>& colours);
 
-/// Whether any of these colours lets light through.
+/// Tells whether any of these colours lets light through.
 [[nodiscard]] bool have_opacity(const std::vector<std::optional<Rgba>>& colours);
 
 }  // namespace meshalyzer

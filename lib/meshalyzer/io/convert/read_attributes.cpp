@@ -19,7 +19,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The number that a record ends with; 0 where it is none.
+/// Returns the number that a record ends with; 0 where it is none.
 std::int32_t reference_of(std::string_view record) {
   const std::int64_t number = parse_integer(inria_numbers(record).back()).value_or(0);
   return std::in_range<std::int32_t>(number) ? static_cast<std::int32_t>(number) : 0;
@@ -54,7 +54,7 @@ MeshAttributes read_inria_attributes(std::string_view text) {
   return attributes;
 }
 
-/// The solids of an ASCII STL file, where any has a name.
+/// Returns the solids of an ASCII STL file, where any has a name.
 std::vector<Group> named_solids(std::string_view text) {
   std::vector<Group> solids;
   Index n_facets = 0;
@@ -122,7 +122,7 @@ MeshAttributes read_by_format(const Soup& soup, std::string_view bytes) {
   return attributes;
 }
 
-/// The comments and notes in the header of a PLY file.
+/// Returns the comments and notes in the header of a PLY file.
 std::vector<std::string> ply_comments(std::string_view content) {
   std::vector<std::string> comments;
   TextScanner in(content.substr(0, parse_ply_header(content).n_bytes));
@@ -139,7 +139,7 @@ std::vector<std::string> ply_comments(std::string_view content) {
   return comments;
 }
 
-/// The comments before an offset of a text.
+/// Returns the comments before an offset of a text.
 std::vector<std::string> comments_before(std::string_view text, std::size_t end) {
   std::vector<std::string> comments;
   for (std::size_t at = 0; at < end;) {

@@ -12,7 +12,7 @@ namespace meshalyzer {
 /// @complexity O(bytes).
 [[nodiscard]] MeshAttributes read_attributes(const Soup& soup, std::string_view bytes);
 
-/// The same of a file of one format, without its comments.
+/// Returns the same of a file of one format, without its comments.
 [[nodiscard]] MeshAttributes read_obj_attributes(std::string_view text);
 [[nodiscard]] MeshAttributes read_off_attributes(const Soup& soup, std::string_view text);
 [[nodiscard]] MeshAttributes read_ply_attributes(const Soup& soup, std::string_view content);

@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The number that a colour of this type counts to.
+/// Returns the number that a colour of this type counts to.
 double full_intensity(PlyType type) {
   if (!is_integer(type)) {
     return 1.0;

@@ -114,7 +114,7 @@ std::string print_with(const MeshAttributes& attributes, const Soup& soup, Forma
   }
 }
 
-/// The mesh as it was read becomes a file of the other format first, and that is edited.
+/// Returns the mesh as it was read becomes a file of the other format first, and that is edited.
 RewrittenFile rewrite_converted(const EditedMesh& mesh, const MeshAttributes& attributes,
                                 Format format, Encoding encoding) {
   const std::string converted = print_with(attributes, mesh.source, format, encoding);

@@ -8,8 +8,8 @@ namespace {
 
 using Relation = ElementOrigin::Relation;
 
-/// The weights of the corners at the point of a triangle that is nearest to a place (Ericson,
-/// Real-Time Collision Detection, 5.1.5).
+/// Returns the weights of the corners at the point of a triangle that is nearest to a place
+/// (Ericson, Real-Time Collision Detection, 5.1.5).
 std::array<double, 3> nearest_weights(const Vec3& p, const Corners& t) {
   const Vec3 ab = t[1] - t[0];
   const Vec3 ac = t[2] - t[0];

@@ -17,12 +17,12 @@ struct Blend {
   std::array<double, 3> weights{};
 
   [[nodiscard]] bool is_empty() const { return items[0] == kNoIndex; }
-  /// Whether it is of one item alone, which is the first.
+  /// Tells whether it is of one item alone, which is the first.
   [[nodiscard]] bool is_single() const { return !is_empty() && items[1] == kNoIndex; }
-  /// The item that weighs most; the first of equal ones.
+  /// Returns the item that weighs most; the first of equal ones.
   [[nodiscard]] Index main_item() const;
 
-  /// The mean of a number that each item has.
+  /// Returns the mean of a number that each item has.
   template <typename NumberOf>
   [[nodiscard]] double mean(NumberOf number_of) const {
     double sum = 0.0;
@@ -42,7 +42,7 @@ struct Blend {
 [[nodiscard]] Blend blend_at(const Vec3& place, const Corners& corners,
                              const std::array<Index, 3>& items);
 
-/// The triangle of the source that a face is or was made of; kNoIndex in a hole patch.
+/// Returns the triangle of the source that a face is or was made of; kNoIndex in a hole patch.
 [[nodiscard]] Index model_of(const ElementOrigin& origin);
 
 /// Returns where each added vertex takes its attributes from, in their order: of the vertices of

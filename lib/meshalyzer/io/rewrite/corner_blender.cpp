@@ -6,7 +6,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The corner of a triangle that names a vertex.
+/// Returns the corner of a triangle that names a vertex.
 std::optional<Index> corner_at(const Soup& source, Index triangle, Index vertex) {
   const Triangle& t = source.triangles[triangle];
   for (std::size_t k = 0; k < 3; ++k) {

@@ -9,7 +9,7 @@
 
 namespace meshalyzer {
 
-/// A corner of a triangle of the source, as one number.
+/// Returns a corner of a triangle of the source, as one number.
 [[nodiscard]] inline Index corner_number(FanCorner corner) {
   return 3 * corner.triangle + static_cast<Index>(corner.corner);
 }
@@ -21,8 +21,8 @@ namespace meshalyzer {
 /// corners of the source, see corner_number().
 class CornerBlender {
  public:
-  /// Whether two corners of the source at one vertex have the same attributes: there is no seam
-  /// between their faces.
+  /// Tells whether two corners of the source at one vertex have the same attributes: there is no
+  /// seam between their faces.
   using SaysSame = std::function<bool(Index, Index)>;
 
   /// @param mesh, records  Must outlive the object.

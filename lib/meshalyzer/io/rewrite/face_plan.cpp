@@ -82,7 +82,7 @@ class FacePlanner {
     return true;
   }
 
-  /// The vertices of the source that a face names; kNoIndex for others.
+  /// Returns the vertices of the source that a face names; kNoIndex for others.
   [[nodiscard]] Triangle source_corners(Index face) const {
     Triangle corners = mesh_.soup.triangles[face];
     for (Index& corner : corners) {

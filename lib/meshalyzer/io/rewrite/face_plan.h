@@ -21,7 +21,7 @@ struct FaceRecords {
   [[nodiscard]] std::size_t n_triangles(Index record) const {
     return first_triangle[record + 1] - first_triangle[record];
   }
-  /// The record that a triangle of the source is of.
+  /// Returns the record that a triangle of the source is of.
   ///
   /// @complexity O(log #records).
   [[nodiscard]] Index record_of(Index triangle) const;
@@ -35,7 +35,7 @@ struct FanCorner {
 };
 [[nodiscard]] FanCorner fan_corner(const FaceRecords& records, Index record, std::size_t local);
 
-/// The corner of its record, counted in the order of the file, that a triangle's corner is.
+/// Returns the corner of its record, counted in the order of the file, that a triangle's corner is.
 [[nodiscard]] std::size_t local_corner(const FaceRecords& records, Index record, FanCorner corner);
 
 /// What becomes of a face record of the source.
@@ -48,7 +48,7 @@ enum class RecordFate : std::uint8_t {
   Dropped,
 };
 
-/// How the faces of an edited mesh stand in its file.
+/// Tells how the faces of an edited mesh stand in its file.
 struct FacePlan {
   /// A face that is written as a record of its own.
   struct WrittenFace {
@@ -64,11 +64,11 @@ struct FacePlan {
   std::vector<Index> faces;
   /// In the order of the file.
   std::vector<WrittenFace> written;
-  /// Which face of the file each face of the edited mesh is.
+  /// Tells which face of the file each face of the edited mesh is.
   std::vector<Index> file_faces;
-  /// How many records the file has.
+  /// Tells how many records the file has.
   std::size_t n_records = 0;
-  /// How many polygons are dropped of which something is left.
+  /// Tells how many polygons are dropped of which something is left.
   std::size_t n_split_polygons = 0;
 };
 
@@ -79,13 +79,13 @@ struct FacePlan {
 /// @complexity O(#F log #F).
 [[nodiscard]] FacePlan plan_faces(const EditedMesh& mesh, const FaceRecords& records);
 
-/// The vertex of the edited mesh at a corner of a triangle of the source that was kept.
+/// Returns the vertex of the edited mesh at a corner of a triangle of the source that was kept.
 [[nodiscard]] inline Index vertex_at(const EditedMesh& mesh, const FacePlan& plan,
                                      const FanCorner& corner) {
   return mesh.soup.triangles[plan.faces[corner.triangle]][corner.corner];
 }
 
-/// Whether a plan leaves the faces in the order of the edited mesh.
+/// Tells whether a plan leaves the faces in the order of the edited mesh.
 [[nodiscard]] bool keeps_order(const FacePlan& plan);
 
 /// Applies edits that follow a plan, and tells what the file is that comes of them.

@@ -23,7 +23,7 @@ struct InriaRecords {
 /// Finds the records of a text that parse_inria() reads.
 [[nodiscard]] InriaRecords find_inria_records(std::string_view text);
 
-/// The numbers of a record, which may go over several lines.
+/// Returns the numbers of a record, which may go over several lines.
 [[nodiscard]] std::vector<std::string_view> inria_numbers(std::string_view record);
 
 }  // namespace meshalyzer

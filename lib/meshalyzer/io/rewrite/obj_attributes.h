@@ -18,7 +18,7 @@ class ObjAttributes {
 
   /// What the corner of a face that is written anew names.
   [[nodiscard]] ObjCorner corner(FanCorner corner);
-  /// The normal of a corner.
+  /// Returns the normal of a corner.
   /// @param named  The record that this corner named in the source, kNoIndex where none.
   [[nodiscard]] Index normal(FanCorner corner, Index named);
 

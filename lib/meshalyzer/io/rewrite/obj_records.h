@@ -18,7 +18,7 @@ struct ObjRecords {
   /// `l` and `p`.
   std::vector<std::size_t> lines_and_points;
   FaceRecords face_records;
-  /// Whether any face counts back from the last record.
+  /// Tells whether any face counts back from the last record.
   bool has_relative_faces = false;
 
   /// How many records of each kind stand before a statement.

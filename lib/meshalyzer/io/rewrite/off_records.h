@@ -15,7 +15,7 @@ struct OffRecords {
   std::vector<std::size_t> vertices;
   std::vector<std::size_t> faces;
   FaceRecords face_records;
-  /// Whether vertices end with texture coordinates.
+  /// Tells whether vertices end with texture coordinates.
   bool has_texture = false;
 };
 

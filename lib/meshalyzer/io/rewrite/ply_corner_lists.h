@@ -26,17 +26,17 @@ class PlyCornerLists {
   PlyCornerLists(const EditedMesh& mesh, const PlyRecords& records, const PlyFaces& faces,
                  const FaceRecords& face_records);
 
-  /// Whether a property of a face record is such a list.
+  /// Tells whether a property of a face record is such a list.
   [[nodiscard]] bool has_list(const PlyRecord& record, std::size_t property) const;
 
   /// Returns what the corner of a face takes its numbers of: see CornerBlender.
   [[nodiscard]] Blend blend(FanCorner corner) { return blender_.blend(corner); }
 
-  /// The numbers of a blend of corners, as they stand in the file.
+  /// Returns the numbers of a blend of corners, as they stand in the file.
   [[nodiscard]] std::array<std::string, 2> numbers(const Blend& blend, std::size_t property) const;
 
  private:
-  /// The two numbers of a corner of the source; nothing where its record has none.
+  /// Returns the two numbers of a corner of the source; nothing where its record has none.
   [[nodiscard]] std::optional<std::array<std::string_view, 2>> items_of(Index corner,
                                                                         std::size_t property) const;
   [[nodiscard]] bool says_same(Index a, Index b) const;

@@ -37,11 +37,11 @@ class PlyRecords {
   }
   [[nodiscard]] PlyRecord read(std::size_t element, std::size_t record) const;
 
-  /// A number as it stands in the file.
+  /// Returns a number as it stands in the file.
   [[nodiscard]] double number(std::string_view item, PlyType type) const;
   [[nodiscard]] std::string text(double number, PlyType type) const;
 
-  /// Whether a number can stand in the file as one of this type without being changed.
+  /// Tells whether a number can stand in the file as one of this type without being changed.
   [[nodiscard]] bool fits(double number, PlyType type) const;
 
   [[nodiscard]] bool is_ascii() const { return header_.encoding == PlyEncoding::Ascii; }
@@ -57,13 +57,13 @@ class PlyRecords {
   std::vector<std::vector<std::size_t>> begins_;
 };
 
-/// The words of the line of the header that declares an element or, where one is named, a property
-/// of it.
+/// Returns the words of the line of the header that declares an element or, where one is named, a
+/// property of it.
 [[nodiscard]] std::vector<std::string_view> declaration_of(
     std::string_view content, const PlyElement& element,
     std::optional<std::string_view> property = std::nullopt);
 
-/// The property of an element that has this name; its number of properties where none has.
+/// Returns the property of an element that has this name; its number of properties where none has.
 [[nodiscard]] std::size_t find_property(const PlyElement& element, std::string_view name);
 
 }  // namespace meshalyzer

@@ -15,12 +15,12 @@ namespace {
 
 /// "facet normal X Y Z outer loop vertex X Y Z ... endloop endfacet".
 constexpr std::size_t kFacetWords = 21;
-/// Which of these words are numbers: of the normal, then of the corners.
+/// Tells which of these words are numbers: of the normal, then of the corners.
 constexpr std::array<std::size_t, 12> kNumberWords = {2, 3, 4, 8, 9, 10, 12, 13, 14, 16, 17, 18};
 
 using FacetWords = std::array<std::string_view, kFacetWords>;
 
-/// The words of the facet that the scanner stands before.
+/// Returns the words of the facet that the scanner stands before.
 FacetWords read_facet(TextScanner& in) {
   FacetWords words;
   for (std::string_view& word : words) {
@@ -100,7 +100,7 @@ class AsciiStlRewriter {
     return edits_.offset_of(words.back()) + words.back().size();
   }
 
-  /// The numbers of a facet as text, in the order of kNumberWords.
+  /// Returns the numbers of a facet as text, in the order of kNumberWords.
   [[nodiscard]] std::vector<std::string> numbers_of(Index face) const {
     std::vector<std::string> numbers;
     for (const double number : unit_normal(mesh_.soup, mesh_.soup.triangles[face])) {
@@ -154,7 +154,7 @@ class AsciiStlRewriter {
     return edits_.source().substr(blanks, begin - blanks);
   }
 
-  /// A face as the text of a facet, with other numbers.
+  /// Returns a face as the text of a facet, with other numbers.
   [[nodiscard]] std::string facet_like(Index record, Index face) const {
     const std::string_view text = edits_.source();
     const FacetWords model = words(record);

@@ -168,7 +168,7 @@ class InriaRewriter {
     return true;
   }
 
-  /// The records of faces that stand behind all triangles.
+  /// Returns the records of faces that stand behind all triangles.
   [[nodiscard]] std::string added_faces() {
     std::string lines;
     n_added_ = plan_.written.size();
@@ -294,7 +294,7 @@ class InriaRewriter {
   NewNumbers edges_;
   NewNumbers triangles_;
   NewNumbers quadrilaterals_;
-  /// How many triangles and quadrilaterals have been numbered.
+  /// Tells how many triangles and quadrilaterals have been numbered.
   std::array<Index, 2> n_faces_of_{};
   std::size_t n_added_ = 0;
   /// The sections of faces, and how many of their records stay.

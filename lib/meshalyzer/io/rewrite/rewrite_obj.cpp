@@ -13,7 +13,8 @@
 namespace meshalyzer {
 namespace {
 
-/// A new index in the words of an old one: counted from the first record, or back from the last.
+/// Returns a new index in the words of an old one: counted from the first record, or back from the
+/// last.
 std::string reference_text(std::string_view old, Index index, std::size_t n_so_far) {
   const std::int64_t number = old.front() == '-'
                                   ? std::int64_t{index} - static_cast<std::int64_t>(n_so_far)
@@ -239,7 +240,7 @@ class ObjRewriter {
     return attributes_.corner({face, corner.corner});
   }
 
-  /// A corner in the words of an old one.
+  /// Returns a corner in the words of an old one.
   [[nodiscard]] std::string corner_text(std::string_view old, const ObjCorner& now,
                                         const ObjCounts& counts) const {
     const std::size_t first_slash = std::min(old.find('/'), old.size());
@@ -304,7 +305,7 @@ class ObjRewriter {
     }
   }
 
-  /// The reader skips lines and points whatever they say.
+  /// Returns the reader skips lines and points whatever they say.
   [[nodiscard]] static std::optional<ObjCorner> corner_of(std::string_view word,
                                                           const ObjCounts& counts) {
     try {
@@ -338,7 +339,7 @@ class ObjRewriter {
   const EditedMesh& mesh_;
   ObjRecords records_;
   FacePlan plan_;
-  /// Which vertex each vertex record is now; kNoIndex where it was dropped.
+  /// Tells which vertex each vertex record is now; kNoIndex where it was dropped.
   std::vector<Index> numbers_;
   ObjAttributes attributes_;
   LineEdits edits_;

@@ -42,7 +42,7 @@ class OffRewriter {
     return words_at(edits_.source(), record, Continuation::None);
   }
 
-  /// The last of some records, or the counts where there is none.
+  /// Returns the last of some records, or the counts where there is none.
   [[nodiscard]] std::string_view last_of(const std::vector<std::size_t>& records) const {
     return records.empty() ? records_.n_faces : span_of(words(records.back()));
   }
@@ -138,7 +138,7 @@ class OffRewriter {
                                std::move(rest));
   }
 
-  /// The record that an added face has its colour of; empty in a hole patch.
+  /// Returns the record that an added face has its colour of; empty in a hole patch.
   [[nodiscard]] Words model_of(Index face) const {
     const ElementOrigin& origin = mesh_.faces[face];
     if (origin.relation != ElementOrigin::Relation::MadeOf) {
@@ -175,7 +175,8 @@ class OffRewriter {
     }
   }
 
-  /// The vertex at a corner of the source; the triangles of a turned polygon name it elsewhere.
+  /// Returns the vertex at a corner of the source; the triangles of a turned polygon name it
+  /// elsewhere.
   [[nodiscard]] Index vertex_now(const FanCorner& corner, bool is_turned) const {
     return is_turned ? numbers_[mesh_.source.triangles[corner.triangle][corner.corner]]
                      : vertex_at(mesh_, plan_, corner);
@@ -194,7 +195,7 @@ class OffRewriter {
   const EditedMesh& mesh_;
   OffRecords records_;
   FacePlan plan_;
-  /// Which vertex each vertex record is now; kNoIndex where it was dropped.
+  /// Tells which vertex each vertex record is now; kNoIndex where it was dropped.
   std::vector<Index> numbers_;
   std::size_t n_vertex_numbers_;
   LineEdits edits_;

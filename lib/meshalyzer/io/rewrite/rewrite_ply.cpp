@@ -111,7 +111,7 @@ class PlyRewriter {
     }
   }
 
-  /// The number of the soup that a property of a vertex is; nothing for other properties.
+  /// Returns the number of the soup that a property of a vertex is; nothing for other properties.
   [[nodiscard]] std::optional<double> own_number(const Soup& soup, std::size_t v,
                                                  const PlyProperty& property) const {
     const auto place = static_cast<std::size_t>(
@@ -268,7 +268,7 @@ class PlyRewriter {
     return false;
   }
 
-  /// A face as a record of its own.
+  /// Returns a face as a record of its own.
   [[nodiscard]] std::string face_record(Index face) {
     const ElementOrigin& origin = mesh_.faces[face];
     std::optional<PlyRecord> model;
@@ -366,7 +366,7 @@ class PlyRewriter {
   FacePlan plan_;
   /// Nothing where there are no faces.
   std::optional<PlyCornerLists> lists_;
-  /// Which vertex each vertex record is now; kNoIndex where it was dropped.
+  /// Tells which vertex each vertex record is now; kNoIndex where it was dropped.
   std::vector<Index> numbers_;
   bool has_normals_;
   bool is_widened_ = false;

@@ -20,12 +20,12 @@ struct LostRecord {
 /// The bytes of a file after edits.
 struct RewrittenFile {
   std::string bytes;
-  /// Which face of the file each face of the edited mesh is; empty where they are the same.
+  /// Tells which face of the file each face of the edited mesh is; empty where they are the same.
   std::vector<Index> file_faces;
   /// What of the source is not in it, though no edit dropped it.
   std::vector<AttributeCount> lost;
-  /// Which of that are records whose elements went. Where a mesh is written in parts, another part
-  /// may have them.
+  /// Tells which of that are records whose elements went. Where a mesh is written in parts, another
+  /// part may have them.
   std::vector<LostRecord> lost_records;
 };
 

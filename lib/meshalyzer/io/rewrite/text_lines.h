@@ -11,7 +11,7 @@
 
 namespace meshalyzer {
 
-/// The words of the record that begins at an offset of a text.
+/// Returns the words of the record that begins at an offset of a text.
 [[nodiscard]] std::vector<std::string_view> words_at(std::string_view text, std::size_t begin,
                                                      Continuation continuation);
 
@@ -46,7 +46,7 @@ class LineEdits : public ByteEdits {
   std::string line_end_;
 };
 
-/// The record of these words, as a view.
+/// Returns the record of these words, as a view.
 [[nodiscard]] std::string_view span_of(const std::vector<std::string_view>& words);
 
 }  // namespace meshalyzer

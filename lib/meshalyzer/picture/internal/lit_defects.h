@@ -47,11 +47,11 @@ class LitDefects {
   LitDefects(const LitDefects&) = delete;
   LitDefects& operator=(const LitDefects&) = delete;
 
-  /// The chosen defects, in the order of the report.
+  /// Returns the chosen defects, in the order of the report.
   [[nodiscard]] std::span<const LitDefect> all() const { return lit_; }
-  /// The places round which the mesh is drawn in detail: the first element of each defect, errors
-  /// before warnings, then the second of each, and so on, so that one long defect does not take all
-  /// the detail.
+  /// Returns the places round which the mesh is drawn in detail: the first element of each defect,
+  /// errors before warnings, then the second of each, and so on, so that one long defect does not
+  /// take all the detail.
   [[nodiscard]] Seeds seeds(const Soup& soup) const;
 
  private:

@@ -10,7 +10,7 @@
 
 namespace meshalyzer {
 
-/// How far faces are decimated. The caller keeps the data.
+/// Tells how far faces are decimated. The caller keeps the data.
 struct ClusterLimits {
   /// The largest number of faces that may be left; the result has not many fewer where the mesh
   /// allows.

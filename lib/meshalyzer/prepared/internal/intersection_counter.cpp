@@ -24,7 +24,8 @@ void merge_contacts(std::vector<PartContact>& contacts) {
   contacts.erase(std::unique(contacts.begin(), contacts.end(), same_parts), contacts.end());
 }
 
-/// The mesh face that is a face of the file. Where no face was rejected, nothing is searched.
+/// Returns the mesh face that is a face of the file. Where no face was rejected, nothing is
+/// searched.
 std::size_t mesh_face_of(const SideTable& side, Index file_face) {
   const bool is_same = file_face < side.faces.size() && side.faces[file_face] == file_face;
   return is_same ? file_face : side.mesh_face(file_face);
@@ -118,8 +119,8 @@ void IntersectionCounter::count_by_component(const PairProduct& product, std::sp
   }
 }
 
-/// The contacts where each component of one list meets each of the other. Faces that one stands for
-/// are of no shell, so that one of the lists is short where the other has shells.
+/// Returns the contacts where each component of one list meets each of the other. Faces that one
+/// stands for are of no shell, so that one of the lists is short where the other has shells.
 std::vector<PartContact> IntersectionCounter::contacts_between(std::span<const Index> a,
                                                                std::span<const Index> b,
                                                                ContactKind kind) const {
@@ -155,8 +156,8 @@ Index IntersectionCounter::meet(Index file_face) {
   return parts_.components.of_face[face];
 }
 
-/// Whether a component is a shell whose box holds another component: only then does it matter to
-/// their nesting that they touch.
+/// Tells whether a component is a shell whose box holds another component: only then does it matter
+/// to their nesting that they touch.
 bool IntersectionCounter::may_enclose(Index outer, Index inner) const {
   return parts_.is_shell[outer] != 0 && parts_.boxes[outer].contains(parts_.boxes[inner]);
 }

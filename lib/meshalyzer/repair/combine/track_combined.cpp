@@ -13,7 +13,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Whether two faces have the same corners in the same order, whichever comes first.
+/// Tells whether two faces have the same corners in the same order, whichever comes first.
 bool is_same_cycle(Triangle a, const Triangle& b) {
   for (int i = 0; i < 3; ++i) {
     if (a == b) return true;

@@ -15,7 +15,7 @@ namespace meshalyzer {
 ///                counts as patches of holes.
 [[nodiscard]] TrackedMesh track_combined(const Soup& source, const CombinedSolid& solid);
 
-/// Whether a boolean operation has left a mesh as it was: all of its faces, and no others.
+/// Tells whether a boolean operation has left a mesh as it was: all of its faces, and no others.
 ///
 /// @param source  As track_combined() takes it.
 [[nodiscard]] bool is_unchanged(const Soup& source, const CombinedSolid& solid);
@@ -23,7 +23,7 @@ namespace meshalyzer {
 /// What a boolean operation has made, parted where it touches itself.
 struct PartedMesh {
   TrackedMesh mesh;
-  /// Whether anything was done, and how far vertices have moved at most.
+  /// Tells whether anything was done, and how far vertices have moved at most.
   bool is_parted = false;
   double largest_move = 0.0;
 };

@@ -27,8 +27,8 @@ PassResult refuse_all(const IntersectingPair& first, const std::string& reason) 
   return result;
 }
 
-/// An upper bound of how often cuts meet: the cut between two faces is met by faces that intersect
-/// both.
+/// Returns an upper bound of how often cuts meet: the cut between two faces is met by faces that
+/// intersect both.
 double most_crossings(const Soup& soup, const std::vector<IntersectingPair>& pairs) {
   std::vector<double> n_partners(soup.n_faces(), 0.0);
   for (const IntersectingPair& pair : pairs) {

@@ -32,10 +32,10 @@ enum class Borders : std::uint8_t {
   Intended,
 };
 
-/// Whether all faces are turned over before anything else.
+/// Tells whether all faces are turned over before anything else.
 enum class Turn : std::uint8_t { Nothing, Everything };
 
-/// How far a repair is.
+/// Tells how far a repair is.
 struct RepairProgress {
   /// The pass that begins.
   std::string_view pass;
@@ -60,14 +60,14 @@ struct RepairOptions {
   Contact contact = Contact::Part;
   Borders borders = Borders::Holes;
   Groups groups = Groups::Names;
-  /// Whether the result is to be a solid: holes of sheets are filled too, and fragments that bound
-  /// none are dropped.
+  /// Tells whether the result is to be a solid: holes of sheets are filled too, and fragments that
+  /// bound none are dropped.
   bool solid = false;
-  /// Whether what is not good in the end is replaced, see guarantee_goodness().
+  /// Tells whether what is not good in the end is replaced, see guarantee_goodness().
   bool guarantee = false;
-  /// How many of the largest components are kept, whatever is lost; 0 keeps all.
+  /// Tells how many of the largest components are kept, whatever is lost; 0 keeps all.
   std::size_t keep_largest = 0;
-  /// How many remaining defects are listed at most; 0 lists all.
+  /// Tells how many remaining defects are listed at most; 0 lists all.
   std::size_t max_defects = 0;
   /// The format of the file that the result will be written to, by default that of the input: the
   /// result is compared with the input as that file holds them.
@@ -76,7 +76,7 @@ struct RepairOptions {
   /// Hears of the input and its defects, with all that is prepared for it, before it is repaired.
   /// May be empty.
   std::function<void(const PreparedMesh&, const DefectReport&)> on_input;
-  /// Whether RepairedMesh::prepared is kept.
+  /// Tells whether RepairedMesh::prepared is kept.
   bool keep_prepared = false;
   /// Asked before each attempt of a pass; once it says yes the repair ends with what it has by
   /// then. May be empty. Called from the thread that called the library.

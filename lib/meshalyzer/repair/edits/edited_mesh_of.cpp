@@ -78,7 +78,7 @@ class PatchNeighbours {
   const TrackedMesh& tracked_;
   /// The faces of all patches, ascending.
   std::vector<Index> faces_;
-  /// Which of them are joined through edges, by their places in that list.
+  /// Tells which of them are joined through edges, by their places in that list.
   DisjointSets patches_;
   /// A face of a patch at each edge that one has.
   std::unordered_map<std::uint64_t, Index> edges_;

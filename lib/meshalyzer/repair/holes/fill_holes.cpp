@@ -67,7 +67,7 @@ void add_patch(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patc
 /// More loops than this are not joined to one.
 constexpr std::size_t kMaxIslands = 64;
 
-/// Which loops may be filled; of the others some may still be joined to one that may.
+/// Tells which loops may be filled; of the others some may still be joined to one that may.
 struct Choice {
   std::vector<std::uint8_t> is_chosen;
   std::vector<std::uint8_t> may_join;

@@ -14,7 +14,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Which part each element goes to, the parts in their final order.
+/// Tells which part each element goes to, the parts in their final order.
 struct Parts {
   std::size_t count = 0;
   /// #F.

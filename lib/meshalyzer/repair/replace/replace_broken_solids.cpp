@@ -15,7 +15,7 @@ namespace {
 /// A replacement that takes more is not made: it would take more than some seconds.
 constexpr std::size_t kMaxTetrahedra = 500'000;
 
-/// The faces of a broken solid alone.
+/// Returns the faces of a broken solid alone.
 Soup soup_of(const Soup& all, const BrokenSolid& solid) {
   Soup soup;
   soup.positions = all.positions;
@@ -67,7 +67,7 @@ class Replacing {
   }
 
  private:
-  /// The face of the whole mesh that is nearest to the middle of a new one.
+  /// Returns the face of the whole mesh that is nearest to the middle of a new one.
   [[nodiscard]] Index nearest(const Corners& t) {
     const auto found = closest_.find({.point = centroid_of(t), .hint = hint_});
     if (!found) return solid_.faces.front();

@@ -27,7 +27,7 @@ std::vector<std::uint8_t> which_are_sheets(const PreparedMesh& mesh, const Compo
   return is_sheet;
 }
 
-/// The faces that have an area, of those with the same vertices the first.
+/// Returns the faces that have an area, of those with the same vertices the first.
 std::vector<Index> distinct_faces(const PassInput& input, std::span<const Index> mesh_faces) {
   std::vector<Index> faces;
   std::set<Triangle> known;

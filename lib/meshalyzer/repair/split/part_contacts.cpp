@@ -23,7 +23,7 @@ constexpr double kFineGrowth = 2.0;
 constexpr double kCoarseGrowth = 16.0;
 /// Neighbours are looked up within so many times the step.
 constexpr double kLookupReach = 256.0;
-/// How many units that touch at a place are compared; the one that needs the smallest step is
+/// Tells how many units that touch at a place are compared; the one that needs the smallest step is
 /// moved.
 constexpr std::size_t kUnitsAtOnce = 4;
 

@@ -21,10 +21,10 @@ enum class CheckFormat : std::uint8_t { Text, Json, Ndjson, Sarif, Junit, Github
 /// "text", "json", "ndjson", "sarif", "junit", "github".
 [[nodiscard]] std::string_view check_format_name(CheckFormat format);
 
-/// The format that has a name; nothing where none has it.
+/// Returns the format that has a name; nothing where none has it.
 [[nodiscard]] std::optional<CheckFormat> check_format(std::string_view name);
 
-/// Whether a text has colours, for a terminal.
+/// Tells whether a text has colours, for a terminal.
 enum class TextColour : std::uint8_t { Never, Always };
 
 /// Writes the report of a check piece by piece, file by file.
@@ -42,7 +42,7 @@ class CheckReport {
   virtual void finish(const CheckTotals& totals, std::chrono::duration<double> elapsed) = 0;
 };
 
-/// A report in a format.
+/// Returns a report in a format.
 ///
 /// @param sink    Takes the pieces of the text.
 /// @param colour  Of a text; the other formats have none.

@@ -16,21 +16,21 @@ namespace meshalyzer {
 /// One JSON object: all files, each with its findings, and the totals (doc/check.schema.json).
 [[nodiscard]] std::unique_ptr<CheckReport> make_check_json(TextSink sink);
 
-/// A line of JSON for each file, the same object as in make_check_json(), as soon as it is done;
-/// the last line holds the totals.
+/// Returns a line of JSON for each file, the same object as in make_check_json(), as soon as it is
+/// done; the last line holds the totals.
 [[nodiscard]] std::unique_ptr<CheckReport> make_check_ndjson(TextSink sink);
 
-/// The JSON Schema of make_check_json(): doc/check.schema.json. The lines of make_check_ndjson()
-/// are its "mesh".
+/// Returns the JSON Schema of make_check_json(): doc/check.schema.json. The lines of
+/// make_check_ndjson() are its "mesh".
 [[nodiscard]] std::string check_json_schema();
 
-/// A log in SARIF 2.1.0 (OASIS), which code hosts show beside the files. The rules are the defect
-/// codes, the limits, and one of files that cannot be read.
+/// Returns a log in SARIF 2.1.0 (OASIS), which code hosts show beside the files. The rules are the
+/// defect codes, the limits, and one of files that cannot be read.
 [[nodiscard]] std::unique_ptr<CheckReport> make_check_sarif(TextSink sink);
 
-/// A test suite in the XML of JUnit, which CI systems read: a case a file, which fails where the
-/// mesh is not good, and is in error where it cannot be read. The head counts all cases, so the
-/// report is written when all are known.
+/// Returns a test suite in the XML of JUnit, which CI systems read: a case a file, which fails
+/// where the mesh is not good, and is in error where it cannot be read. The head counts all cases,
+/// so the report is written when all are known.
 [[nodiscard]] std::unique_ptr<CheckReport> make_check_junit(TextSink sink);
 
 /// Workflow commands of GitHub Actions, which become annotations of the files; the totals are a

@@ -104,7 +104,7 @@ void write_head(JsonWriter& json) {
   json.member("version", std::string_view(MESHALYZER_VERSION));
 }
 
-/// The keywords of a list whose items are a definition.
+/// Returns the keywords of a list whose items are a definition.
 std::string list_of(std::string_view definition) {
   return R"("type": "array", "items": {)" + schema_reference(definition) + "}";
 }

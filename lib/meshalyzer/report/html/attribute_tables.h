@@ -15,7 +15,7 @@ void append_term(HtmlWriter& html, std::string_view term);
 /// Appends names and values, a row each.
 void append_rows(HtmlWriter& html, const ReportRows& rows);
 
-/// Whether a person may order the rows of a table.
+/// Tells whether a person may order the rows of a table.
 enum class TableOrder { Fixed, ByColumn };
 
 /// Appends a table with its titles: names, then numbers. Where it is wide it scrolls by itself.

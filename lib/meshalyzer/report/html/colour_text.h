@@ -10,7 +10,7 @@ namespace meshalyzer {
 /// "#rrggbb".
 [[nodiscard]] std::string colour_text(const Colour& colour);
 
-/// The colour of defects of a code, in lists and drawings: no two codes have the same.
+/// Returns the colour of defects of a code, in lists and drawings: no two codes have the same.
 [[nodiscard]] inline std::string colour_text(DefectCode code) {
   return colour_text(category_colour(static_cast<std::size_t>(code)));
 }

@@ -41,8 +41,8 @@ struct MeshPage {
   std::string index = {};
 };
 
-/// The report of a mesh as one HTML page that needs nothing beside it: the verdict, the 3D view,
-/// every defect in a list, the tables with definitions, histograms.
+/// Returns the report of a mesh as one HTML page that needs nothing beside it: the verdict, the 3D
+/// view, every defect in a list, the tables with definitions, histograms.
 /// @return UTF-8, the same for the same input.
 [[nodiscard]] std::string html_report(const MeshPage& page);
 
@@ -69,7 +69,7 @@ struct IndexRow {
 [[nodiscard]] IndexRow index_row(const Analysis& analysis, const DefectReport& defects,
                                  std::string name, std::string page);
 
-/// The index page of a set, with a link to the page of each mesh.
+/// Returns the index page of a set, with a link to the page of each mesh.
 /// @param set  Null where nothing was asked of the set as a whole.
 [[nodiscard]] std::string html_index(const std::vector<IndexRow>& rows, const SetAnalysis* set);
 
@@ -81,8 +81,8 @@ struct RepairPage {
   PageMesh after;
 };
 
-/// The report of a repair as one HTML page: what was wrong, what was done, what remains, the mesh
-/// before and after.
+/// Returns the report of a repair as one HTML page: what was wrong, what was done, what remains,
+/// the mesh before and after.
 [[nodiscard]] std::string html_report(const RepairPage& page);
 
 /// Returns the page that shows the defects of a mesh.

@@ -30,14 +30,14 @@ struct PageHeader {
   std::string facts;
 };
 
-/// The last part of a path.
+/// Returns the last part of a path.
 [[nodiscard]] std::string file_name(const std::string& path);
 
 /// Returns how many there are of each code, of those that count, in words: "hole: 2".
 [[nodiscard]] std::vector<std::string> counts_of_codes(
     const std::function<std::size_t(DefectCode)>& count, const DefectCodes& asked);
 
-/// A whole page: head, what it is of, the view, the content, scripts.
+/// Returns a whole page: head, what it is of, the view, the content, scripts.
 /// @param meshes   What is drawn; where there is none the page has no view.
 /// @param content  Appends the sections after the view.
 [[nodiscard]] std::string html_page(const PageHeader& header, std::span<const TitledMesh> meshes,

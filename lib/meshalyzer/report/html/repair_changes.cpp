@@ -107,7 +107,7 @@ class ChangeFinder {
     result_.after.places.push_back(std::move(place));
   }
 
-  /// The edges at which faces meet that were made of faces without a common edge.
+  /// Returns the edges at which faces meet that were made of faces without a common edge.
   [[nodiscard]] std::vector<std::array<Index, 2>> find_seam(const std::vector<Index>& keys) const {
     struct Side {
       std::array<Index, 2> edge;

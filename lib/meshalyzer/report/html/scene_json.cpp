@@ -136,7 +136,7 @@ void write_point(JsonWriter& json, std::string_view name, const Point& point) {
   json.end_array();
 }
 
-/// The ids as the file names them.
+/// Returns the ids as the file names them.
 std::vector<std::int32_t> ids_of(const Ids& ids, const std::vector<Index>& records) {
   std::vector<std::int32_t> named;
   named.reserve(records.size());

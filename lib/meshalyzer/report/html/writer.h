@@ -12,8 +12,8 @@ namespace meshalyzer {
 /// document may have them.
 void append_escaped_html(std::string& html, std::string_view text);
 
-/// The relative address of a file for `href`: bytes that mean something in an address, or that it
-/// may not have, are percent-encoded; '/' stays.
+/// Returns the relative address of a file for `href`: bytes that mean something in an address, or
+/// that it may not have, are percent-encoded; '/' stays.
 /// @param path  Relative, with '/' between folders.
 [[nodiscard]] std::string address_of(std::string_view path);
 

@@ -35,7 +35,7 @@ class HeadMembers {
     return std::get<T>(*value);
   }
 
-  /// An integer that is not negative.
+  /// Returns an integer that is not negative.
   [[nodiscard]] std::uint64_t count(const std::string& key) const;
 
   /// Returns how many members there are in an object, and in objects in it.

@@ -76,7 +76,7 @@ class KnownLines : public EarlierFindings {
   /// Returns what `read` makes of a line.
   template <typename Read>
   [[nodiscard]] auto understood(const Line& line, const Read& read) const;
-  /// A line with the head that it has now.
+  /// Returns a line with the head that it has now.
   [[nodiscard]] std::string anew(const Line& line) const;
   /// `FILE:LINE` of a line.
   [[nodiscard]] std::string place_of(const Line& line) const;

@@ -24,7 +24,7 @@ void write_head(JsonWriter& json, const LineHead& head, LineHead::Kind kind) {
   json.member("set", std::string_view(head.set));
 }
 
-/// The meshes that the rows name, each once, ascending.
+/// Returns the meshes that the rows name, each once, ascending.
 std::vector<Index> meshes_in(const ObjectFindings& findings) {
   std::vector<Index> meshes{findings.owner};
   if (findings.intersections) {

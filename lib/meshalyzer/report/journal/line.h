@@ -39,18 +39,18 @@ struct LineHead {
   friend bool operator==(const LineHead&, const LineHead&) = default;
 };
 
-/// A line of a journal: one JSON object, ended by a line feed. The head's members come first, then
-/// those of an element of "meshes" in the report: read_mesh_json() reads these.
+/// Returns a line of a journal: one JSON object, ended by a line feed. The head's members come
+/// first, then those of an element of "meshes" in the report: read_mesh_json() reads these.
 /// @param head  Its kind does not matter, nor does its path: that of the analysis is written.
 [[nodiscard]] std::string mesh_line(const LineHead& head, const Analysis& analysis,
                                     JsonOffenders offenders);
 
-/// A line that tells why a file could not be read ("error").
+/// Returns a line that tells why a file could not be read ("error").
 [[nodiscard]] std::string unreadable_line(const LineHead& head, std::string_view why);
 
-/// A line with what a mesh has to do with others: "name", "intersecting_pairs", "contained",
-/// "partly_contained" and "closest", rows as in the report; null where not asked for. "numbers"
-/// tells the numbers of the meshes that the rows name.
+/// Returns a line with what a mesh has to do with others: "name", "intersecting_pairs",
+/// "contained", "partly_contained" and "closest", rows as in the report; null where not asked for.
+/// "numbers" tells the numbers of the meshes that the rows name.
 /// @param head   Its number is that of the owner.
 /// @param names  Of the meshes of the set, by number.
 [[nodiscard]] std::string between_line(const LineHead& head, const ObjectFindings& findings,

@@ -12,7 +12,7 @@ struct JournalSubject {
   SetFiles files;
   Request request;
 
-  /// The head of a line of a file.
+  /// Returns the head of a line of a file.
   [[nodiscard]] LineHead head(LineHead::Kind kind, Index number) const;
   /// Tells whether the lines list the offending elements.
   [[nodiscard]] JsonOffenders offenders() const;

@@ -6,7 +6,7 @@
 
 namespace meshalyzer {
 
-/// The report of a boolean operation as JSON; see doc/booleans.md.
+/// Returns the report of a boolean operation as JSON; see doc/booleans.md.
 [[nodiscard]] std::string json_report(const BooleanReport& report);
 
 }  // namespace meshalyzer

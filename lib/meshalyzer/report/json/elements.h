@@ -9,7 +9,7 @@ namespace meshalyzer {
 
 // Elements of a mesh, by their ids in the file.
 
-/// The id of a record in its place, see index_records().
+/// Returns the id of a record in its place, see index_records().
 /// @throws InvalidArgument where it is none that a file can have.
 [[nodiscard]] Index read_id(const JsonNode& node);
 

@@ -48,7 +48,7 @@ void read_value(const JsonNode& object, std::string_view key, Measure<T>& measur
   read_value(object, key, measure.value);
 }
 
-/// The type of the values of a field in the schema, see schema_type.
+/// Returns the type of the values of a field in the schema, see schema_type.
 std::string type_of(const bool& value, Known known);
 std::string type_of(const std::size_t& value, Known known);
 std::string type_of(const double& value, Known known);
@@ -65,10 +65,10 @@ std::string type_of(const Measure<T>& measure, Known known) {
   return type_of(measure.value, known);
 }
 
-/// The definition of a field, and when it is null.
+/// Returns the definition of a field, and when it is null.
 [[nodiscard]] std::string description_of(const FieldInfo& info, Known known);
 
-/// The real of a field that may be infinite; 0 for all others.
+/// Returns the real of a field that may be infinite; 0 for all others.
 template <typename T>
 double real_of(const T& /*value*/) {
   return 0.0;

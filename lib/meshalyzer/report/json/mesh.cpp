@@ -197,7 +197,7 @@ std::optional<Goodness> read_fitness(const JsonNode& mesh, const Analysis& analy
   return fitness ? read_verdict(*fitness) : std::nullopt;
 }
 
-/// The members from "path" to "polygons".
+/// Returns the members from "path" to "polygons".
 std::vector<SchemaMember> file_members() {
   const std::string count(schema_type::kCount);
   std::vector<SchemaMember> members = path_members();

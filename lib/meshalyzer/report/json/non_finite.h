@@ -24,11 +24,12 @@ inline void write_non_finite(JsonWriter& json, std::initializer_list<NamedReal> 
   write_non_finite(json, std::span(reals.begin(), reals.end()));
 }
 
-/// A real that is a member of `object`, found in what write_non_finite() wrote where it is null.
+/// Returns a real that is a member of `object`, found in what write_non_finite() wrote where it is
+/// null.
 /// @return nothing where it is null and not there either.
 [[nodiscard]] std::optional<double> find_real(const JsonNode& object, std::string_view name);
 
-/// The same, where there must be a value.
+/// Returns the same, where there must be a value.
 [[nodiscard]] double read_real(const JsonNode& object, std::string_view name);
 
 /// Defines "non_finite", which write_non_finite() writes.

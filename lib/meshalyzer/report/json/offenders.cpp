@@ -47,8 +47,8 @@ void read_list(const JsonNode& node, std::vector<Index>& list) {
 
 // Edges, measured ones too.
 
-/// A measured value; the writer has null for an infinite one (NaN compares with no threshold, and
-/// nothing that is measured is negative).
+/// Returns a measured value; the writer has null for an infinite one (NaN compares with no
+/// threshold, and nothing that is measured is negative).
 double read_measured(const JsonNode& node) {
   return node.is_null() ? std::numeric_limits<double>::infinity() : node.real();
 }
@@ -217,7 +217,7 @@ constexpr std::string_view type_name(const std::optional<FaceList>& /*list*/) {
   return "measured_faces";
 }
 
-/// An array of rows of n places.
+/// Returns an array of rows of n places.
 std::string rows_type(std::size_t n, std::string_view places) {
   const std::string size = std::to_string(n);
   return R"("type": "array", "items": {"type": "array", "minItems": )" + size +

@@ -6,7 +6,7 @@
 
 namespace meshalyzer {
 
-/// An id, put where the index of its record will stand.
+/// Returns an id, put where the index of its record will stand.
 [[nodiscard]] constexpr Index id_in_place_of_record(std::int32_t id) {
   return static_cast<Index>(id);
 }

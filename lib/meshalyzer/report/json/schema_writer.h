@@ -47,7 +47,7 @@ struct SchemaObject {
   std::vector<SchemaMember> members = {};
   enum class Null { Never, Sometimes };
   Null null = Null::Never;
-  /// Whether it may have members that are not named: then more may be added later.
+  /// Tells whether it may have members that are not named: then more may be added later.
   enum class Others { Allowed, Forbidden };
   Others others = Others::Allowed;
 };

@@ -38,7 +38,7 @@ void read_measures(const JsonNode& object, ElementMeasures<Summary>& measures);
 /// Defines "statistics" and "summary", which write_statistics() and write_summary() write.
 void define_statistics(SchemaDefinitions& schema);
 
-/// The statistics of a quantity as a member.
+/// Returns the statistics of a quantity as a member.
 [[nodiscard]] SchemaMember statistics_member(const Quantity& quantity);
 
 /// Appends what the schema says of what write_measures() writes.

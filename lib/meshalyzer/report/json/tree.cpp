@@ -16,7 +16,7 @@ class JsonTreeBuilder {
 
   bool null() { return add(JsonTree::Kind::Null, 0); }
   bool boolean(bool truth) { return add(JsonTree::Kind::Truth, truth ? 1 : 0); }
-  /// The parser calls this with negative integers alone: 0 was written as -0, a real.
+  /// Returns the parser calls this with negative integers alone: 0 was written as -0, a real.
   bool number_integer(std::int64_t integer) {
     return integer == 0 ? add_real(-0.0)
                         : add(JsonTree::Kind::Integer, std::bit_cast<std::uint64_t>(integer));
@@ -26,8 +26,8 @@ class JsonTreeBuilder {
     return integer <= kMax ? add(JsonTree::Kind::Integer, integer)
                            : add_real(static_cast<double>(integer));
   }
-  /// The nearest double whatever the locale: the parser puts in the locale's decimal point before
-  /// it calls strtod, which rounds right.
+  /// Returns the nearest double whatever the locale: the parser puts in the locale's decimal point
+  /// before it calls strtod, which rounds right.
   bool number_float(double real, const std::string& /*token*/) { return add_real(real); }
   bool string(const std::string& text) { return add_text(text); }
   bool binary(const std::vector<std::uint8_t>& /*never in text*/) { return false; }

@@ -58,17 +58,17 @@ class JsonNode {
   [[nodiscard]] bool is_null() const;
   [[nodiscard]] bool truth() const;
   [[nodiscard]] std::int64_t integer() const;
-  /// An integer that is not negative.
+  /// Returns an integer that is not negative.
   [[nodiscard]] std::size_t count() const;
   /// Any number; the nearest double.
   [[nodiscard]] double real() const;
   [[nodiscard]] std::string_view text() const;
-  /// The members of an array.
+  /// Returns the members of an array.
   [[nodiscard]] JsonElements elements() const;
 
-  /// The value of a key of an object.
+  /// Returns the value of a key of an object.
   [[nodiscard]] JsonNode member(std::string_view key) const;
-  /// The same, where the key may be missing.
+  /// Returns the same, where the key may be missing.
   [[nodiscard]] std::optional<JsonNode> find(std::string_view key) const;
 
   /// Throws InvalidArgument: the place of this value, and what is wrong with it.

@@ -10,7 +10,7 @@
 
 namespace meshalyzer {
 
-/// How the members of a JSON object or array are laid out.
+/// Tells how the members of a JSON object or array are laid out.
 enum class JsonLayout {
   /// One a line, indented: for what a person looks through and a diff compares.
   Lines,
@@ -68,11 +68,12 @@ class JsonWriter {
   /// Length of the text that is there to be drained.
   [[nodiscard]] std::size_t pending() const { return text_.size(); }
 
-  /// The text since the beginning or the last drain(), wherever the writer is in it; writing goes
-  /// on. So a text of any length needs little memory.
+  /// Returns the text since the beginning or the last drain(), wherever the writer is in it;
+  /// writing goes on. So a text of any length needs little memory.
   [[nodiscard]] std::string drain();
 
-  /// The rest of the text, ended by a line feed; leaves the writer empty, ready for another text.
+  /// Returns the rest of the text, ended by a line feed; leaves the writer empty, ready for another
+  /// text.
   [[nodiscard]] std::string take();
 
  private:

@@ -6,7 +6,7 @@
 
 namespace meshalyzer {
 
-/// The report of a boolean operation for people: a `name: value` a line.
+/// Returns the report of a boolean operation for people: a `name: value` a line.
 [[nodiscard]] std::string text_report(const BooleanReport& report);
 
 }  // namespace meshalyzer

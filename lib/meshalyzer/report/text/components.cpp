@@ -36,7 +36,7 @@ struct ComponentColumn {
   std::string (*cell)(const Analysis& analysis, std::size_t number);
 };
 
-/// The column of what is known of a component by itself.
+/// Returns the column of what is known of a component by itself.
 template <auto Member>
 constexpr ComponentColumn column(std::string_view title) {
   return {title, [](const Analysis& analysis, std::size_t number) {

@@ -8,10 +8,10 @@
 
 namespace meshalyzer {
 
-/// How many components the text report shows; JSON has them all.
+/// Tells how many components the text report shows; JSON has them all.
 inline constexpr std::size_t kMaxComponentRows = 20;
 
-/// The first n components, a row each.
+/// Returns the first n components, a row each.
 [[nodiscard]] TextTable components_table(const Analysis& analysis, std::size_t n);
 
 /// Appends a table of the first components, a row each; nothing where there are fewer than two.

@@ -7,15 +7,15 @@
 
 namespace meshalyzer {
 
-/// How long the lists of elements in a text may be.
+/// Tells how long the lists of elements in a text may be.
 enum class ListLength {
   /// The first few, and how many there are beyond.
   Short,
   Full,
 };
 
-/// The report of what is wrong with a mesh, for people: what was looked for, the count of each
-/// code, and a line a defect.
+/// Returns the report of what is wrong with a mesh, for people: what was looked for, the count of
+/// each code, and a line a defect.
 ///
 /// @param asked  The codes that count; others are listed too, and said to be not asked for.
 [[nodiscard]] std::string text_report(const MeshName& mesh, const DefectReport& report,

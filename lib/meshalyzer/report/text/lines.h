@@ -10,7 +10,7 @@
 
 namespace meshalyzer {
 
-/// A real for people: ten significant digits at most, no locale, no "-0".
+/// Returns a real for people: ten significant digits at most, no locale, no "-0".
 [[nodiscard]] std::string readable(double value);
 
 /// Returns the text in place of a value that is not defined, with the reason where there is one.
@@ -53,7 +53,7 @@ class TextLines : public LineSink {
   /// Begins a section; a blank line stands before each but the first.
   void heading(std::string_view title);
 
-  /// The text so far, for what is written in another form; keep it ending in a line feed.
+  /// Returns the text so far, for what is written in another form; keep it ending in a line feed.
   [[nodiscard]] std::string& text() { return text_; }
 
  private:

@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The number of all pairs of faces, by kind.
+/// Returns the number of all pairs of faces, by kind.
 ContactCounts count_all(const std::vector<MeshMeeting>& meetings) {
   ContactCounts counts;
   for (const MeshMeeting& meeting : meetings) counts.add(meeting.pairs);

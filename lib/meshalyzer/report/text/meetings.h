@@ -7,8 +7,8 @@
 
 namespace meshalyzer {
 
-/// The pairs of meshes that intersect, a row each; only the titles where there are none, and for a
-/// set that was not asked about it.
+/// Returns the pairs of meshes that intersect, a row each; only the titles where there are none,
+/// and for a set that was not asked about it.
 [[nodiscard]] TextTable meetings_table(const SetAnalysis& set);
 
 /// Appends how many there are, and which meshes are inside others; nothing where that was not asked

@@ -6,7 +6,7 @@
 
 namespace meshalyzer {
 
-/// How offending elements are named in the text report.
+/// Tells how offending elements are named in the text report.
 enum class OffenderStyle {
   /// Offenders are counted, not named.
   None,
@@ -16,7 +16,7 @@ enum class OffenderStyle {
   CustomPoints,
 };
 
-/// The report of one mesh for people: three sections, one `name: value` a line.
+/// Returns the report of one mesh for people: three sections, one `name: value` a line.
 [[nodiscard]] std::string text_report(const Analysis& analysis, OffenderStyle offenders);
 
 }  // namespace meshalyzer

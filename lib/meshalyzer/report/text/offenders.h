@@ -18,7 +18,7 @@ namespace meshalyzer {
 /// Analysis::soup; without it it is Ids.
 void append_offenders(TextLines& lines, const Analysis& analysis, OffenderStyle style);
 
-/// The ids round a break of the numbering, the offender in brackets: `1 2 [4] 5 6`.
+/// Returns the ids round a break of the numbering, the offender in brackets: `1 2 [4] 5 6`.
 [[nodiscard]] std::string numbering_text(const NumberingBreak& place);
 
 }  // namespace meshalyzer

@@ -29,7 +29,7 @@ void append_outcome(LineSink& lines, const RepairReport& report);
 /// Appends the places that a pass left, with the reason.
 void append_refusal(LineSink& lines, const RefusalGroup& group, ListLength lists);
 
-/// The path of one of several meshes, or, where none was written, its number.
+/// Returns the path of one of several meshes, or, where none was written, its number.
 [[nodiscard]] std::string mesh_text(const RepairReport& report, std::size_t mesh);
 
 }  // namespace meshalyzer

@@ -7,8 +7,8 @@
 
 namespace meshalyzer {
 
-/// The report of a repair for people: what came out, defects before and after by code, what was
-/// done, pass by pass, and what remains, with reasons.
+/// Returns the report of a repair for people: what came out, defects before and after by code, what
+/// was done, pass by pass, and what remains, with reasons.
 ///
 /// What was done is told by the ids of the input, but of the output for what was added; what
 /// remains by those of the output.

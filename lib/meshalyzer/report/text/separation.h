@@ -13,7 +13,7 @@ void append_separation_options(LineSink& lines, const SetSeparation& separation)
 /// Appends how many vertices are inside another mesh, and how many have no closest point.
 void append_separation_counts(LineSink& lines, const SetSeparation& separation);
 
-/// The figures of each mesh, a row each.
+/// Returns the figures of each mesh, a row each.
 /// @param set  With separation distances.
 [[nodiscard]] TextTable separation_table(const SetAnalysis& set);
 

@@ -7,8 +7,8 @@
 
 namespace meshalyzer {
 
-/// The report of a set for people, in the manner of that of a mesh: its totals, then how its meshes
-/// intersect and how far they are apart, where that was asked for.
+/// Returns the report of a set for people, in the manner of that of a mesh: its totals, then how
+/// its meshes intersect and how far they are apart, where that was asked for.
 ///
 /// @param offenders  Unless None each intersecting pair of faces of different meshes is named;
 ///                   CustomPoints is the same as Ids.

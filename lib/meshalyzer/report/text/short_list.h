@@ -9,7 +9,7 @@
 
 namespace meshalyzer {
 
-/// How many items of a list a person is shown who has not asked for all.
+/// Tells how many items of a list a person is shown who has not asked for all.
 inline constexpr std::size_t kShortList = 12;
 
 /// Returns how many of n items are shown.

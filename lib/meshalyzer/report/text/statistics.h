@@ -9,7 +9,7 @@
 
 namespace meshalyzer {
 
-/// The edges of the bins with as few digits, from four, as keep neighbours apart.
+/// Returns the edges of the bins with as few digits, from four, as keep neighbours apart.
 [[nodiscard]] std::array<std::string, Histogram::kBins + 1> edge_texts(const Histogram& histogram);
 
 /// Appends the figures of a quantity, one a line, and its histogram as rows of two bins.

@@ -16,7 +16,7 @@ constexpr std::size_t kMinWidth = 8;
 constexpr std::size_t kMaxWidth = 40;
 constexpr std::string_view kNone = "-";
 
-/// The characters of a name, control characters replaced: these would break the line.
+/// Returns the characters of a name, control characters replaced: these would break the line.
 std::vector<std::string> characters_of(std::string_view name) {
   std::vector<std::string> characters;
   for (std::size_t i = 0; i < name.size();) {
@@ -47,7 +47,7 @@ std::string fitted_name(std::string_view name, std::size_t width) {
   return text + std::string(width - std::min(width, n_characters(text)), ' ');
 }
 
-/// A number that is too long for its column is shown with fewer digits.
+/// Returns a number that is too long for its column is shown with fewer digits.
 std::string fitted(std::size_t count, std::size_t width) {
   std::string text = std::to_string(count);
   for (int digits = 2; text.size() > width && digits >= 0; --digits) {
@@ -64,7 +64,7 @@ std::string fitted(double value, std::size_t width) {
   return text;
 }
 
-/// A number that only whole analyses have.
+/// Returns a number that only whole analyses have.
 template <typename T>
 std::string measured(const Analysis& analysis, T value, std::size_t width) {
   return analysis.has_characteristics ? fitted(value, width) : std::string(kNone);
@@ -77,7 +77,7 @@ struct SummaryColumn {
   std::string (*cell)(const Analysis& analysis, std::size_t width) = nullptr;
 };
 
-/// The column of an attribute.
+/// Returns the column of an attribute.
 template <auto Member>
 constexpr SummaryColumn attribute(std::string_view title) {
   return {title, title.size(), [](const Analysis& analysis, std::size_t /*width*/) {

@@ -17,7 +17,7 @@
 namespace meshalyzer {
 namespace {
 
-/// How many pairs all rounds may cut, beside this multiple of those of the first.
+/// Tells how many pairs all rounds may cut, beside this multiple of those of the first.
 constexpr std::size_t kMorePairs = 1000;
 constexpr std::size_t kTimesFirstPairs = 2;
 
@@ -224,7 +224,7 @@ class CuttingRounds {
   /// What is cut in this round: positions and faces alone.
   Soup soup_;
   std::vector<Index> origins_;
-  /// Which faces the last round has made. Ascending.
+  /// Tells which faces the last round has made. Ascending.
   std::vector<Index> new_faces_;
   CutSurface result_;
 };

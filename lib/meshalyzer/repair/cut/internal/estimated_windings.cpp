@@ -13,8 +13,8 @@
 namespace meshalyzer {
 namespace {
 
-/// How many pieces are looked at of those that have the same cells on both sides: fewer where there
-/// are so many such patches that all samples together would be more than kSamples.
+/// Tells how many pieces are looked at of those that have the same cells on both sides: fewer where
+/// there are so many such patches that all samples together would be more than kSamples.
 constexpr std::size_t kMostSamplesOfPatch = 64;
 constexpr std::size_t kLeastSamplesOfPatch = 4;
 constexpr std::size_t kSamples = 4096;

@@ -9,7 +9,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The code of the defects that a pass has to be allowed for it to create such an element.
+/// Returns the code of the defects that a pass has to be allowed for it to create such an element.
 DefectCode code_of(CountedDefect kind) {
   switch (kind) {
     case CountedDefect::NonManifoldEdges:

@@ -42,7 +42,7 @@ class BannedOperations {
   std::set<std::string_view> passes_;
 };
 
-/// Which of the operations round a defective element are held responsible for it.
+/// Tells which of the operations round a defective element are held responsible for it.
 enum class Blame : std::uint8_t {
   /// The last one, of a pass that may create such an element where there is one.
   Last,

@@ -52,7 +52,8 @@ struct DefectInventory {
   }
 };
 
-/// Whether faces that touch at copies of a vertex, which welding would join, count as intersecting.
+/// Tells whether faces that touch at copies of a vertex, which welding would join, count as
+/// intersecting.
 enum class UnweldedPairs : std::uint8_t { Count, Ignore };
 
 /// Returns what identifies a vertex in the input: its key there, that of the vertex that it is a

@@ -63,7 +63,8 @@ void add_up(std::vector<CountedEdge>& edges) {
   });
 }
 
-/// The edges that the boundaries of the parts, each turned to the side of the normal, add up to.
+/// Returns the edges that the boundaries of the parts, each turned to the side of the normal, add
+/// up to.
 std::vector<CountedEdge> sum_of_boundaries(std::span<const Corners> parts, const Vec3& normal) {
   std::vector<CountedEdge> edges;
   edges.reserve(3 * parts.size());
@@ -172,7 +173,7 @@ bool contains(const Corners& t, const Vec3& point, const Vec3& direction) {
 
 std::optional<double> distance_from_parts(const Corners& face, std::span<const Corners> parts,
                                           double slack) {
-  /// How much larger the incircle must be than the parts are inaccurate.
+  /// Tells how much larger the incircle must be than the parts are inaccurate.
   constexpr double kMargin = 4.0;
   /// So many edges are not compared with each other.
   constexpr std::size_t kMostSplitEdges = 1000;

@@ -15,7 +15,7 @@ namespace meshalyzer {
 /// triangle a corner is farthest.
 [[nodiscard]] double largest_distance(const Corners& from, const Corners& to);
 
-/// How far the points of a triangle are from a surface.
+/// Tells how far the points of a triangle are from a surface.
 struct FaceDistance {
   /// An upper bound of the distance of its farthest point.
   double largest = 0.0;
@@ -51,7 +51,7 @@ class SurfaceDistance {
     Corners corners;
     /// The distances of the corners from the surface.
     std::array<double, 3> distances{};
-    /// How often it was cut.
+    /// Tells how often it was cut.
     std::uint32_t depth = 0;
   };
   /// A face of the surface that may be near to all of a piece, and how far its corners are from it.

@@ -9,7 +9,7 @@
 
 namespace meshalyzer {
 
-/// Whether a file can hold two vertices at one point.
+/// Tells whether a file can hold two vertices at one point.
 enum class EqualPoints : std::uint8_t {
   Stay,
   /// They are one vertex in the file: STL names no vertices.

@@ -9,7 +9,7 @@
 
 namespace meshalyzer {
 
-/// How often a pass is run.
+/// Tells how often a pass is run.
 enum class Repeat : std::uint8_t {
   /// The pass runs until it proposes nothing more, and again when others have changed something.
   UntilDone,

@@ -18,8 +18,8 @@ constexpr std::size_t kMaxRounds = 20;
 constexpr std::size_t kMaxRuns = 200;
 /// Rejected operations are removed from a list so many times before all of it is dropped.
 constexpr std::size_t kMaxTrials = 10;
-/// How often the operations that have most likely made a mesh worse are banned, then all that may
-/// have, and then pass after pass.
+/// Tells how often the operations that have most likely made a mesh worse are banned, then all that
+/// may have, and then pass after pass.
 constexpr std::size_t kAttemptsByLast = 6;
 constexpr std::size_t kAttemptsByAll = 10;
 /// Where more faces and intersecting pairs than this have been looked at in vain, nothing is tried

@@ -71,7 +71,7 @@ class RepairDriver {
     PlannedPass change;
     /// The passes that run afterwards, as those of run_plan() do.
     std::vector<PlannedPass> plan;
-    /// Whether the mesh that comes of it is kept.
+    /// Tells whether the mesh that comes of it is kept.
     std::function<bool(const RepairState&)> is_wanted;
   };
 
@@ -138,7 +138,7 @@ class RepairDriver {
   void restart();
   void record_applied(const MadeOperations& made);
   [[nodiscard]] std::vector<OperationSite> sites(const Edits& edits) const;
-  /// The walls that are gone after the operations that are not skipped.
+  /// Returns the walls that are gone after the operations that are not skipped.
   [[nodiscard]] std::vector<InteriorWall> walls_with(const Edits& edits,
                                                      std::span<const std::uint8_t> skipped) const;
   /// Lets later edits lie on the hole patches that these edits have added.

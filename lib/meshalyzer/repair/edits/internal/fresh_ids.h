@@ -11,8 +11,8 @@
 
 namespace meshalyzer {
 
-/// Which records there are after edits: of each the old one it is, or a number from n_old on for a
-/// new one.
+/// Tells which records there are after edits: of each the old one it is, or a number from n_old on
+/// for a new one.
 struct EditedRecords {
   std::span<const Index> sources;
   std::size_t n_old = 0;

@@ -59,7 +59,7 @@ enum class MendOutcome : std::uint8_t {
 struct MendAttempt {
   MendOutcome outcome = MendOutcome::Hopeless;
   MendStep step = {};
-  /// How far the surface would be from what it was, about.
+  /// Tells how far the surface would be from what it was, about.
   double deviation = 0.0;
 
   [[nodiscard]] bool is_possible() const { return outcome == MendOutcome::Possible; }

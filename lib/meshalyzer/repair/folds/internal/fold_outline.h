@@ -20,7 +20,7 @@ namespace meshalyzer {
 /// @complexity     O(n^2).
 [[nodiscard]] std::optional<Vec3> middle_of_kernel(std::span<const Vec3> outline);
 
-/// Whether two vertices of the outline, by number, may get an edge.
+/// Tells whether two vertices of the outline, by number, may get an edge.
 using MayJoin = std::function<bool(Index, Index)>;
 
 /// Triangulates an outline by cutting off ears (Meisters 1975, "Polygons have ears"), of those that

@@ -13,8 +13,8 @@
 namespace meshalyzer {
 namespace {
 
-/// How much longer the square of a thin ear's chord counts: it is cut later, but not so late that
-/// others grow across the loop meanwhile.
+/// Tells how much longer the square of a thin ear's chord counts: it is cut later, but not so late
+/// that others grow across the loop meanwhile.
 constexpr double kThinFactor = 16.0;
 
 /// What an ear must be like to be cut; each demands less than the one before.

@@ -8,7 +8,7 @@
 namespace meshalyzer {
 namespace {
 
-/// How good a triangulation is: the less the better, the first figures first.
+/// Tells how good a triangulation is: the less the better, the first figures first.
 struct Weight {
   std::uint32_t n_collinear = 0;
   std::uint32_t n_thin = 0;

@@ -11,7 +11,7 @@ namespace meshalyzer {
 struct BrokenSolid {
   /// Its faces, by index into the soup, ascending.
   std::vector<Index> faces;
-  /// Whether each of its components bounds a solid, see bounds_solid(), and whether any does.
+  /// Tells whether each of its components bounds a solid, see bounds_solid(), and whether any does.
   bool all_bound_solid = true;
   bool any_bounds_solid = false;
 };

@@ -110,9 +110,9 @@ SinglePairings pair_each(const PreparedMesh& mesh, const EdgeIncidences& inciden
   return result;
 }
 
-/// How edges follow each other: for each incidence, what it goes on as beyond the lower (0) and the
-/// higher (1) end of its edge; kNoIndex where the chain ends. All incidences of an edge go on, or
-/// none.
+/// Tells how edges follow each other: for each incidence, what it goes on as beyond the lower (0)
+/// and the higher (1) end of its edge; kNoIndex where the chain ends. All incidences of an edge go
+/// on, or none.
 using Continuations = std::array<std::vector<Index>, 2>;
 
 /// An incidence at a vertex, and the fan on whose rim it is.

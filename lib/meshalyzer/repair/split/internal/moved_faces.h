@@ -30,7 +30,7 @@ class MovedMesh {
  private:
   const PreparedMesh& mesh_;
   std::vector<Vec3> positions_;
-  /// How far any vertex has been moved along an axis.
+  /// Tells how far any vertex has been moved along an axis.
   double reach_ = 0.0;
 };
 

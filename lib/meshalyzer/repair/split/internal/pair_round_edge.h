@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// Which way a face crosses an edge from a to b.
+/// Tells which way a face crosses an edge from a to b.
 enum class Crossing : std::uint8_t {
   /// a comes before b in its corners.
   Along,
@@ -26,7 +26,7 @@ struct FaceAtEdge {
   double openness = 0.0;
 };
 
-/// How the faces at an edge go on across it.
+/// Tells how the faces at an edge go on across it.
 struct EdgePairing {
   /// #faces: the one that each is joined to; kNoIndex: none, it ends there.
   std::vector<Index> partner;

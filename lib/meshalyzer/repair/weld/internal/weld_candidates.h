@@ -95,7 +95,7 @@ struct NearEdges {
 struct WeldCandidates {
   /// The pairs in ascending order, the lower edge first, each once.
   std::vector<WeldJoin> joins;
-  /// How far apart ends may be.
+  /// Tells how far apart ends may be.
   double reach = 0.0;
 };
 

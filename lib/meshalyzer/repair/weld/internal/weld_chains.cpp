@@ -42,7 +42,7 @@ class ChainWalk {
   }
 
  private:
-  /// Whether all is looked at as it is, or as if all edges ran the other way.
+  /// Tells whether all is looked at as it is, or as if all edges ran the other way.
   enum class Way : std::uint8_t { AsIs, Reversed };
 
   /// Returns a chain is followed from the end of the edge, unless many more edges are there than at

@@ -18,7 +18,7 @@ struct WeldChain {
   std::vector<Index> vertices;
   /// The face of its first edge.
   Index face = 0;
-  /// How far from the edge they may be.
+  /// Tells how far from the edge they may be.
   double reach = 0.0;
 };
 

@@ -19,7 +19,7 @@ struct WeldEdge {
   Index face = 0;
 };
 
-/// How two edges that are to become one run.
+/// Tells how two edges that are to become one run.
 enum class EdgeRun : std::uint8_t {
   /// Against each other, as the faces of a consistent mesh do.
   Opposite,

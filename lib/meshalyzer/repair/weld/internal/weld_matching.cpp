@@ -183,7 +183,7 @@ class Matching {
   /// A candidate as things are; the best one is the least.
   struct Offer {
     EdgeRun run = EdgeRun::Opposite;
-    /// How many of the two pairs of ends are not joined yet: a slit closes from its tips.
+    /// Tells how many of the two pairs of ends are not joined yet: a slit closes from its tips.
     std::uint8_t n_apart = 0;
     double distance = 0.0;
     Index candidate = 0;

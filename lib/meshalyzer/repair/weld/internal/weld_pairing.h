@@ -17,7 +17,7 @@ struct EdgeAtPlace {
   EdgeRun run = EdgeRun::Same;
 };
 
-/// Which edges to join, and why others are not.
+/// Tells which edges to join, and why others are not.
 struct Pairing {
   /// Their distances are for the caller to tell.
   std::vector<WeldJoin> joins;

@@ -58,7 +58,7 @@ struct FaceSplit {
   std::vector<Triangle> parts;
 };
 
-/// How a crack is closed.
+/// Tells how a crack is closed.
 struct Closing {
   /// The pairs at both ends of the crack.
   std::array<JoinedPair, 2> ends;
