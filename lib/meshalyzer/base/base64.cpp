@@ -30,7 +30,7 @@ void append_base64(std::string& text, std::string_view bytes) {
   for (; !bytes.empty(); bytes.remove_prefix(std::min(bytes.size(), kBytesAGroup))) {
     const std::string_view group = bytes.substr(0, kBytesAGroup);
     const std::uint32_t number = number_of(group);
-    // A group of k bytes has k + 1 digits that say something.
+    // A group of k bytes needs k + 1 digits; the others are padding.
     for (std::size_t i = 0; i <= group.size(); ++i) {
       text[at + i] = kDigits[number >> (18 - 6 * i) & 63U];
     }

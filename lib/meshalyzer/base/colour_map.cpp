@@ -10,8 +10,8 @@ namespace {
 /// Coefficients of a Chebyshev series over t = 0 ... 1.
 using Series = std::array<double, 13>;
 
-/// A fit of ours to viridis (Smith and van der Walt, CC0), each channel within 0.35 of 255 steps:
-/// with the rounding to a byte no colour is off by more than one step.
+/// Approximates viridis (Smith and van der Walt, CC0) by our own fit, each channel within 0.35 of
+/// 255 steps: after rounding to a byte no colour is off by more than one step.
 constexpr Series kViridisRed{0.40869, 0.29833, 0.25500,  0.08023,  -0.03316, -0.01968, -0.00175,
                              0.00658, 0.00210, -0.00359, -0.00161, 0.00250,  0.00085};
 constexpr Series kViridisGreen{0.51873, 0.45465,  -0.05736, -0.00486, -0.00848, 0.00075, 0.00212,
@@ -22,10 +22,11 @@ constexpr Series kViridisBlue{0.37589, -0.14674, -0.17065, 0.02113,  0.01486,  0
 /// The names of the palettes, in the order of Palette.
 constexpr std::array<std::string_view, 4> kPaletteNames{"viridis", "diverging", "jet", "hot"};
 
-/// Found by us: any two of them, and each of them and white, black, or a grey of ours, are at least
-/// 0.15 apart in Oklab (Ottosson 2020), 0.08 as eyes without red or green cones see them, and 0.07
-/// without blue ones (Machado, Oliveira and Fernandes 2009, "A physiologically-based model for
-/// simulation of color vision deficiency"). Each is as far as may be from those before it.
+/// Any two of these colours, and each of them and white, black, or a grey of the pages, are at
+/// least 0.15 apart in Oklab (Ottosson 2020), 0.08 as eyes without red or green cones see them, and
+/// 0.07 without blue ones (Machado, Oliveira and Fernandes 2009, "A physiologically-based model for
+/// simulation of color vision deficiency"). They were found by a search of ours: each is as far as
+/// possible from those before it.
 constexpr std::array<Colour, kDistinctCategories> kDistinct{{{0, 105, 150},
                                                              {240, 15, 15},
                                                              {0, 195, 120},
@@ -47,7 +48,7 @@ constexpr Colour kColdest{33, 80, 170};
 constexpr Colour kWhite{255, 255, 255};
 constexpr Colour kHottest{178, 30, 45};
 
-/// Clenshaw's recurrence.
+/// Evaluates the series by Clenshaw's recurrence.
 double evaluate(const Series& series, double t) {
   const double x = 2.0 * t - 1.0;
   double next = 0.0;
@@ -94,15 +95,15 @@ Colour hot(double t) {
   return {to_byte(t / 0.375), to_byte((t - 0.375) / 0.375), to_byte((t - 0.75) / 0.25)};
 }
 
-/// Returns the full colour of a hue, 0 ... 1: red, yellow, green, cyan, blue, magenta and red
-/// again.
+/// Returns the saturated colour of a hue from 0 to 1: red, yellow, green, cyan, blue, magenta and
+/// red again.
 Colour full_colour(double hue) {
   return {to_byte(std::abs(6.0 * hue - 3.0) - 1.0), to_byte(2.0 - std::abs(6.0 * hue - 2.0)),
           to_byte(2.0 - std::abs(6.0 * hue - 4.0))};
 }
 
-/// Hues a golden section of the circle apart, so that they spread evenly however many there are;
-/// pale, full and deep ones in turn.
+/// Returns a colour whose hue is a golden section of the circle away from the previous one, so that
+/// hues spread evenly however many there are; pale, saturated and dark colours alternate.
 Colour further_colour(std::size_t k) {
   constexpr double kGoldenSection = 0.6180339887498949;
   const double turns = kGoldenSection * static_cast<double>(k);
@@ -147,7 +148,7 @@ Colour category_colour(std::size_t k) {
 }
 
 Colour ColourScale::colour_of(double value) const {
-  // Halves, as the whole of the range may be too large for a double.
+  // Halves are subtracted, because max - min may overflow.
   const double range = max / 2.0 - min / 2.0;
   const double place = value / 2.0 - min / 2.0;
   const double t = range > 0.0 ? place / range : std::isnan(value) ? value : 0.5;

@@ -15,7 +15,7 @@ using Path = std::filesystem::path;
 
 constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
-/// Returns the number that a file consists of; kNoLimit where it has none ("max").
+/// Returns the number that is the content of a file, or kNoLimit when it holds no number ("max").
 std::uint64_t limit_in(const Path& file) {
   std::string word;
   std::ifstream(file) >> word;
@@ -24,7 +24,7 @@ std::uint64_t limit_in(const Path& file) {
 }
 
 /// Returns the smallest limit of a group and those around it. Inside a container the group's own
-/// path may not be there, and the limit be that of the root.
+/// path may not exist; the limit then stands at the root.
 std::uint64_t smallest_limit(const Path& root, Path group, const char* file) {
   std::uint64_t limit = limit_in(root / file);
   for (; group.has_relative_path(); group = group.parent_path()) {

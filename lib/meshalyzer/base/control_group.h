@@ -15,8 +15,8 @@ struct ControlGroupPlaces {
 };
 
 /// Returns the smallest memory limit, in bytes, of the control groups that this process is in and
-/// of the groups around these, both of version 1 and 2; nothing where none is set. What cannot be
-/// read sets none.
+/// of their parent groups, of version 1 and 2, or nothing when none is set. A file that cannot be
+/// read sets no limit.
 [[nodiscard]] std::optional<std::uint64_t> control_group_memory(const ControlGroupPlaces& places);
 
 }  // namespace meshalyzer

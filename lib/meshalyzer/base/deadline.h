@@ -6,13 +6,13 @@
 
 namespace meshalyzer {
 
-/// The end of the time that work may take.
+/// The point in time at which work must stop.
 class Deadline {
  public:
-  /// @param seconds  From now; without them it is never over.
+  /// @param seconds  Time from now; without a value the deadline never comes.
   explicit Deadline(std::optional<double> seconds) {
     if (!seconds) return;
-    // A century is as good as no limit, and no clock overflows.
+    // A century is as good as no limit and overflows no clock.
     constexpr double kLongest = 3e9;
     const std::chrono::duration<double> length(std::min(*seconds, kLongest));
     end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(length);

@@ -16,7 +16,7 @@ class Descriptor {
 
   [[nodiscard]] int get() const { return fd_; }
   [[nodiscard]] bool is_open() const { return fd_ >= 0; }
-  /// Closes now, where a failure still can be told.
+  /// Closes the descriptor now, while a failure can still be reported.
   /// @return false with errno set if that fails.
   [[nodiscard]] bool close();
 

@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// Sets of the numbers 0 ... n - 1, each named by its lowest element.
+/// Disjoint sets (union-find) of the numbers 0 ... n - 1, each named by its lowest element.
 ///
 /// The higher root is hung below the lower one and paths are halved: amortised O(log n) a call, and
 /// near constant where neighbours have near numbers, as in mesh files.
@@ -36,9 +36,9 @@ class DisjointSets {
 
   [[nodiscard]] bool is_lowest(Index i) const { return parent_[i] == i; }
 
-  /// Each set by its number.
+  /// The number of each set.
   struct Numbers {
-    /// #elements: the number of the set that each is in, 0 ... count - 1.
+    /// #elements entries: the number of the set that contains each, 0 ... count - 1.
     std::vector<Index> of;
     std::size_t count = 0;
   };

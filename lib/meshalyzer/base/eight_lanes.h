@@ -87,7 +87,7 @@ using EightIds = EightNumbers<std::uint32_t>;
 #ifdef __SSE2__
 namespace sse2 {
 
-/// Eight truth values: all bits of a lane, or none.
+/// Eight truth values; all bits of a lane are set, or none.
 struct EightFlags {
   __m128 low;
   __m128 high;

@@ -6,7 +6,8 @@
 
 namespace meshalyzer {
 
-/// Base of everything the library throws. Mesh defects are never thrown: they are returned.
+/// The base class of all exceptions of the library. Mesh defects are never thrown: they are
+/// returned.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -5,8 +5,8 @@
 
 namespace meshalyzer {
 
-/// Returns a whole number for people, its digits in groups of three: "16,937,291". Programs read
-/// numbers without groups.
+/// Formats a whole number for people, with its digits in groups of three: "16,937,291". Output for
+/// programs has no groups.
 [[nodiscard]] inline std::string grouped(std::size_t number) {
   constexpr std::size_t kGroup = 3;
   std::string digits = std::to_string(number);

@@ -7,8 +7,8 @@ namespace meshalyzer {
 void RunOnce::run(const std::function<void()>& function) {
   const std::lock_guard lock(mutex_);
   if (is_done_.load(std::memory_order_relaxed)) return;
-  // Without this a thread that waits for the end of a loop in `function` might take up a task that
-  // asks for what is being made, and wait for itself.
+  // Without isolation a thread that waits for the end of a loop in `function` might take a task
+  // that asks for the same value, and wait for itself.
   tbb::this_task_arena::isolate(function);
   is_done_.store(true, std::memory_order_release);
 }

@@ -8,16 +8,16 @@
 
 namespace meshalyzer {
 
-/// Runs a function for the first thread that comes; all others wait until it is done.
+/// Runs a function once, for the first thread that asks; all others wait until it is done.
 class RunOnce {
  public:
   /// Tells whether the function has been run.
   [[nodiscard]] bool is_done() const { return is_done_.load(std::memory_order_acquire); }
 
-  /// Runs the function unless one has been run. It may use parallel loops, also where the caller is
-  /// in one itself: a thread that waits for them never takes up work that came from outside.
+  /// Runs the function unless one has run already. It may use parallel loops even when the caller
+  /// is inside one: a thread that waits for them never takes work from outside.
   ///
-  /// What the function throws, this throws; then the next thread that comes runs its own.
+  /// An exception of the function is rethrown here; the next thread that asks then runs its own.
   void run(const std::function<void()>& function);
 
  private:
@@ -25,13 +25,13 @@ class RunOnce {
   std::atomic<bool> is_done_ = false;
 };
 
-/// A value that is made when it is first asked for, by any of several threads.
+/// A value that is computed when any of several threads first asks for it.
 template <typename T>
 class Lazy {
  public:
-  /// The value.
+  /// Returns the value.
   ///
-  /// @param make  Returns the value; it is only called where there is none yet.
+  /// @param make  Computes the value; it is called only when there is none yet.
   template <typename Make>
   const T& get(const Make& make) {
     if (!once_.is_done()) once_.run([&] { value_.emplace(make()); });
@@ -41,7 +41,7 @@ class Lazy {
   /// Tells whether the value has been made.
   [[nodiscard]] bool is_made() const { return once_.is_done(); }
 
-  /// Takes the value away, which must not be asked for again.
+  /// Moves the value out; it must not be asked for again.
   [[nodiscard]] T take() { return std::move(*value_); }
 
  private:

@@ -6,7 +6,7 @@
 
 namespace meshalyzer {
 
-/// Orders points by x, then by y, then by z. Points along a line come in an order along it.
+/// Orders points by x, then by y, then by z. Collinear points are thereby ordered along their line.
 [[nodiscard]] inline bool lexicographically_less(const Vec3& a, const Vec3& b) {
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }

@@ -10,15 +10,15 @@ inline constexpr bool kIsOptional = false;
 template <typename T>
 inline constexpr bool kIsOptional<std::optional<T>> = true;
 
-/// Stands for a value of any type in a question to the compiler. Optionals are made of what they
-/// hold: else there would be two ways to make one.
+/// Converts to any type in an unevaluated expression. Optionals are excluded: they convert from
+/// their content, so there would be two ways to make one.
 struct AnyValue {
   template <typename T>
   requires(!kIsOptional<T>) operator T() const;
 };
 
-/// The number of members of an aggregate without bases: as many values as can initialize it. With
-/// it a list of all members can be held to be whole.
+/// Counts the members of an aggregate without bases: the number of values that can initialize it. A
+/// static_assert with it proves that a list of all members is complete.
 template <typename T, typename... Values>
 consteval std::size_t member_count(Values... values) {
   if constexpr (requires { T{values..., AnyValue{}}; }) {

@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<std::string_view, 5> kUnits = {"B", "KB", "MB", "GB", "TB"};
 constexpr std::uint64_t kUnitStep = 1024;
 
-/// Returns the factor that what stands behind a number means; nothing where it means none.
+/// Returns the factor that the unit after a number stands for, or nothing when it is no unit.
 std::optional<std::uint64_t> unit_of(std::string_view text) {
   if (text.empty() || text == "B") {
     return 1;
@@ -31,11 +31,11 @@ std::optional<std::uint64_t> unit_of(std::string_view text) {
   return std::uint64_t{1} << (10 * power);
 }
 
-/// 0.`digits` of a unit in whole bytes; `digits` may be empty.
+/// Returns the whole bytes in the decimal fraction 0.`digits` of a unit; `digits` may be empty.
 std::uint64_t fraction_of(std::uint64_t unit, std::string_view digits) {
   const std::optional<double> fraction = parse_real("0." + std::string(digits) + "0");
   const double bytes = std::floor(fraction.value_or(0.0) * static_cast<double>(unit));
-  // A share with so many nines that it reads as 1 is a fraction all the same.
+  // A fraction with so many nines that it reads as 1 is still below 1.
   return std::min(static_cast<std::uint64_t>(bytes), unit - 1);
 }
 
@@ -63,7 +63,7 @@ std::optional<std::uint64_t> parse_memory_size(std::string_view text) {
     text.remove_prefix(1 + fraction_digits.size());
   }
   const std::optional<std::uint64_t> unit = unit_of(text);
-  // Units are powers of two: where the whole ones fit, a fraction of one more does.
+  // Units are powers of two: where the whole units fit, one more fraction of a unit fits too.
   if (!unit || whole > std::numeric_limits<std::uint64_t>::max() / *unit) {
     return std::nullopt;
   }
@@ -75,7 +75,7 @@ std::string memory_size_text(std::uint64_t bytes) {
   auto amount = static_cast<double>(bytes);
   std::size_t unit = 0;
   const auto tenths = [&] { return std::round(amount * 10); };
-  // What will be printed decides: 1023.97 KB is "1 MB", not "1024 KB".
+  // The rounded figure decides the unit: 1023.97 KB is "1 MB", not "1024 KB".
   while (tenths() >= 10 * static_cast<double>(kUnitStep) && unit + 1 < kUnits.size()) {
     amount /= static_cast<double>(kUnitStep);
     ++unit;

@@ -5,9 +5,9 @@
 
 namespace meshalyzer {
 
-/// Returns the name that a mistyped one most likely means: the one that the fewest insertions,
-/// deletions and replacements of letters make of it, no more than a third of its letters; of
-/// several the first. Empty where none is so near.
+/// Returns the name that a mistyped one most likely means: the first of those with the smallest
+/// edit distance, which may be at most a third of its letters. The result is empty where no name is
+/// that close.
 [[nodiscard]] std::string_view nearest_name(std::string_view mistyped,
                                             std::span<const std::string_view> names);
 

@@ -12,7 +12,7 @@ namespace {
 /// Stands for any exponent beyond the length of a text.
 constexpr std::int64_t kHugeExponent = std::int64_t{1} << 60;
 
-/// from_chars takes no leading '+'; strtod and every mesh format do.
+/// Strips a leading '+', which std::from_chars rejects; strtod and every mesh format accept it.
 std::string_view without_plus(std::string_view token) {
   if (token.size() > 1 && token.front() == '+' && token[1] != '-' && token[1] != '+') {
     token.remove_prefix(1);
@@ -20,8 +20,8 @@ std::string_view without_plus(std::string_view token) {
   return token;
 }
 
-/// Returns the value of a well-formed number that from_chars calls out of range: an infinity or a
-/// zero, by where its first digit that is not 0 stands.
+/// Returns the value of a well-formed number that std::from_chars reports as out of range: an
+/// infinity or a zero, depending on where its first non-zero digit stands.
 double out_of_range(std::string_view token) {
   const bool negative = token.front() == '-';
   const std::size_t exponent_at = std::min(token.find_first_of("eE"), token.size());

@@ -8,17 +8,17 @@
 
 namespace meshalyzer {
 
-/// A half-open range of indices, and which chunk of the whole it is.
+/// A half-open range of indices, and the number of this chunk within the whole.
 struct Chunk {
   std::size_t begin = 0;
   std::size_t end = 0;
   std::size_t number = 0;
 };
 
-/// Default chunk length of parallel_chunks(): long enough to hide the cost of a task.
+/// The default chunk length of parallel_chunks(), long enough to hide the cost of a task.
 inline constexpr std::size_t kChunkLength = 8192;
 
-/// Number of chunks that parallel_chunks() makes of `n` items.
+/// Returns the number of chunks that parallel_chunks() makes of `n` items.
 [[nodiscard]] constexpr std::size_t n_chunks(std::size_t n, std::size_t length = kChunkLength) {
   return (n + length - 1) / length;
 }
@@ -47,8 +47,7 @@ template <typename T, typename Body>
 /// Runs the given functions, possibly at the same time, and returns when all are done.
 void parallel_invoke(const std::vector<std::function<void()>>& functions);
 
-/// Sorts by operator<, in parallel where it pays. The order of equal elements is not kept: compare
-/// fully.
+/// Sorts by operator<, in parallel where it pays. The sort is not stable.
 void parallel_sort(std::vector<std::uint64_t>& keys);
 
 /// Returns the largest number of threads that may work in parallel here.

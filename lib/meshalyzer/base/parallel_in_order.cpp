@@ -13,7 +13,7 @@ class Line {
  public:
   Line(std::size_t n, std::size_t at_once) : end_(n), failures_(at_once) {}
 
-  /// Returns the next item to make; nothing where no more is wanted.
+  /// Returns the next item to make, or nothing when no more are wanted.
   std::optional<std::size_t> begin_next() {
     return is_wanted(next_) ? std::optional(next_++) : std::nullopt;
   }
@@ -62,10 +62,11 @@ class Line {
     }
   }
 
-  /// Items from here on are not wanted any more; only ever lowered.
+  /// Items from this one on are no longer wanted; the number only ever falls.
   std::atomic<std::size_t> end_;
   std::size_t next_ = 0;
-  /// Exceptions of make, kept until the item's turn so that always the first in order is told.
+  /// The exceptions of `make`, kept until the item's turn, so that always the first one in order is
+  /// thrown.
   std::vector<std::exception_ptr> failures_;
   std::exception_ptr failure_;
 };

@@ -10,13 +10,13 @@
 
 namespace meshalyzer {
 
-/// Tells what happens after an item has been used.
+/// Decides what happens after an item has been used.
 enum class Next { GoOn, Stop };
 
-/// parallel_in_order() for a caller that keeps what is made itself: `make(i)` leaves item i where
-/// `use(i)` finds it. An item is on its way from the beginning of its make to the end of its use:
-/// these are never more than `at_once`, which must not be 0, and always consecutive, so that i %
-/// at_once is a place that no other item needs.
+/// Does the work of parallel_in_order() for a caller that stores the items itself: `make(i)` leaves
+/// item i where `use(i)` finds it. An item is in flight from the beginning of its make to the end
+/// of its use. The items in flight are consecutive and never more than `at_once`, which must not be
+/// 0, so that no two of them have the same i % at_once.
 void run_in_order(std::size_t n, std::size_t at_once, const std::function<void(std::size_t)>& make,
                   const std::function<Next(std::size_t)>& use);
 
@@ -26,13 +26,13 @@ void run_in_order(std::size_t n, std::size_t at_once, const std::function<void(s
 ///
 /// Both may run parallel loops of their own: a thread that waits in one never begins another item.
 ///
-/// What is used, and what is thrown, do not depend on the number of threads. Once `use` has
-/// returned Next::Stop nothing more is used; items beyond may have been made, or have failed to be,
-/// and are dropped. An exception of make(i) is rethrown here when the items before i have been
-/// used; one of `use` stops as Next::Stop does and is rethrown.
+/// The items used and the exception thrown do not depend on the number of threads. After `use` has
+/// returned Next::Stop no further item is used; those already made, or failed, are dropped. An
+/// exception of make(i) is rethrown here once the items before i have been used; an exception of
+/// `use` stops like Next::Stop and is rethrown.
 ///
-/// @param at_once  So many items, at most, are being made, wait for their turn or are in use: the
-///                 bound of memory. 0 counts as 1.
+/// @param at_once  The largest number of items that are being made, wait or are in use, which
+///                 bounds the memory. 0 counts as 1.
 /// @param make     `T make(std::size_t i)`; T may be move-only. Must be safe to call from several
 ///                 threads at once.
 /// @param use      `Next use(std::size_t i, T made)`.

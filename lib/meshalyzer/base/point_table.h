@@ -10,18 +10,19 @@
 
 namespace meshalyzer {
 
-/// Finds points of a list by their coordinates; points whose coordinates are equal are one (0.0
-/// equals -0.0).
+/// Finds points of a list by their coordinates. Points with equal coordinates are the same point
+/// (0.0 equals -0.0).
 ///
-/// An open-addressing hash table of indices into the list of points, at most half full.
+/// The table is an open-addressing hash table of indices into the list of points, at most half
+/// full.
 class PointTable {
  public:
   PointTable() = default;
-  /// Makes a table that need not grow for so many points.
+  /// Makes a table that holds this many points without growing.
   explicit PointTable(std::size_t n_points) : slots_(std::bit_ceil(2 * n_points + 1), kNoIndex) {}
 
   /// Appends the point to `points` where it is new. `points` must be the same list at every call.
-  /// @return its index.
+  /// @return The index of the point.
   [[nodiscard]] Index insert(std::vector<Vec3>& points, const Vec3& point) {
     if (points.size() * 2 >= slots_.size()) {
       grow(points);
@@ -36,7 +37,7 @@ class PointTable {
 
   /// Enters a point of the list, unless an equal one was entered before.
   ///
-  /// @pre    The table was made for so many points.
+  /// @pre    The table was made for at least as many points as are entered.
   /// @return The index of the equal point that was entered first.
   [[nodiscard]] Index enter(std::span<const Vec3> points, Index point) {
     const std::size_t slot = find_slot(points, points[point]);
@@ -62,7 +63,7 @@ class PointTable {
     }
   }
 
-  /// A power of two of them; kNoIndex where free.
+  /// The slots, a power of two of them; kNoIndex marks a free one.
   std::vector<Index> slots_;
 };
 

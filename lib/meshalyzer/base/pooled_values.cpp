@@ -16,7 +16,7 @@ namespace meshalyzer {
 
 struct PooledValues::State {
   /// The number of values that the buffer can hold. It is a multiple of kChunkLength, so that the
-  /// passes need not know what was spilled.
+  /// sums do not depend on what was spilled to the file.
   std::size_t capacity = 0;
   std::size_t infinite = 0;
   std::optional<ScratchFile> file;
@@ -54,7 +54,7 @@ constexpr unsigned kKeyBits = 64;
 constexpr unsigned kDigitBits = 16;
 constexpr std::uint64_t kSignBit = std::uint64_t{1} << (kKeyBits - 1);
 
-/// Returns the bits of a double in an order that is that of the values; -0 before 0.
+/// Maps a double to an integer key whose order is that of the values, with -0 before 0.
 std::uint64_t key_of(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   return (bits & kSignBit) != 0 ? ~bits : bits | kSignBit;
@@ -64,20 +64,21 @@ double value_of(std::uint64_t key) {
   return std::bit_cast<double>((key & kSignBit) != 0 ? key & ~kSignBit : ~key);
 }
 
-/// The values whose keys begin with certain bits, and which of them, from 0, is looked for.
+/// The values whose keys begin with certain bits, and the rank, from 0, of the value sought among
+/// them.
 struct Bucket {
   std::uint64_t prefix = 0;
   unsigned n_bits = 0;
   std::size_t size = 0;
   std::size_t rank = 0;
 
-  /// Returns the first bits of a key, as many as the prefix has.
+  /// Returns the leading bits of a key, as many as the prefix has.
   [[nodiscard]] std::uint64_t head(std::uint64_t key) const {
     return n_bits == 0 ? 0 : key >> (kKeyBits - n_bits);
   }
 };
 
-/// Returns the part of a bucket, one digit further, that holds the value looked for.
+/// Returns the part of a bucket, one digit further, that holds the value sought.
 template <typename ForEachBlock>
 Bucket narrowed(const Bucket& bucket, const ForEachBlock& for_each_block) {
   std::vector<std::size_t> counts(std::size_t{1} << kDigitBits);
@@ -103,8 +104,8 @@ struct Neighbours {
   double next = 0.0;
 };
 
-/// Returns the value looked for in a bucket, and the next one in ascending order, which may lie
-/// beyond the bucket; infinity where it is the last.
+/// Returns the value sought in a bucket and the next larger one, which may lie beyond the bucket
+/// and is infinite when the value is the last.
 template <typename ForEachBlock>
 Neighbours value_and_next(const Bucket& bucket, const ForEachBlock& for_each_block) {
   const bool are_all_equal = bucket.n_bits == kKeyBits;
@@ -131,8 +132,8 @@ Neighbours value_and_next(const Bucket& bucket, const ForEachBlock& for_each_blo
   return {*found, is_next_inside ? *std::min_element(found + 1, members.end()) : beyond};
 }
 
-/// Selects by the digits of the keys until what is left fits into memory.
-/// @param capacity  So many values may be held at a time.
+/// Selects by the digits of the keys until the remaining values fit into memory.
+/// @param capacity  The number of values that may be held at a time.
 template <typename ForEachBlock>
 double median_of(std::size_t count, std::size_t capacity, const ForEachBlock& for_each_block) {
   Bucket bucket{.size = count, .rank = lower_middle(count)};

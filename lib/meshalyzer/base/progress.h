@@ -5,8 +5,8 @@
 
 namespace meshalyzer {
 
-/// Told the name of each phase as it begins. May be empty. Called from the thread that called the
-/// library.
+/// Receives the name of each phase as it begins, on the thread that called the library. It may be
+/// empty.
 using PhaseListener = std::function<void(std::string_view phase)>;
 
 }  // namespace meshalyzer

@@ -34,7 +34,7 @@ off_t place_of(std::size_t value) {
 ScratchFile::ScratchFile() : folder_(temporary_folder()), file_(open_unnamed(folder_)) {}
 
 void ScratchFile::append(std::span<const double> values) {
-  // To the end of what counts: a write that failed may have left some bytes beyond.
+  // Seek to the end of the valid data: a failed write may have left some bytes after it.
   const std::string_view bytes(reinterpret_cast<const char*>(values.data()), values.size_bytes());
   if (::lseek(file_.get(), place_of(size_), SEEK_SET) < 0 || !write_all(file_, bytes)) {
     throw_errno(folder_, "a temporary file cannot be written");
@@ -52,7 +52,7 @@ std::vector<double> ScratchFile::read(std::size_t first, std::size_t n) const {
     if (got > 0) {
       done += static_cast<std::size_t>(got);
     } else if (got == 0 || errno != EINTR) {
-      errno = got == 0 ? EIO : errno;  // the end: someone has cut the file short
+      errno = got == 0 ? EIO : errno;  // at the end: another process has truncated the file
       throw_errno(folder_, "a temporary file cannot be read");
     }
   }

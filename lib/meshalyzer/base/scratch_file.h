@@ -9,7 +9,7 @@
 
 namespace meshalyzer {
 
-/// Doubles in a file without a name, which is gone when it is closed, however the program ends.
+/// Stores doubles in an unnamed file, which vanishes when it is closed, however the program ends.
 class ScratchFile {
  public:
   /// Makes the file in the folder that the environment variable TMPDIR names, or else in /tmp.
@@ -18,10 +18,10 @@ class ScratchFile {
 
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  /// @throws IoError if that fails; the file then holds what it held.
+  /// @throws IoError if that fails; the file then keeps its former content.
   void append(std::span<const double> values);
 
-  /// Returns the `n` values from number `first` on, from 0: they must be there.
+  /// Returns the `n` values from number `first` on, counted from 0; they must exist.
   /// @throws IoError if that fails.
   [[nodiscard]] std::vector<double> read(std::size_t first, std::size_t n) const;
 

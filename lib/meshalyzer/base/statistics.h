@@ -6,7 +6,7 @@
 
 namespace meshalyzer {
 
-/// Equal-width bins from the smallest to the largest value.
+/// A histogram with bins of equal width from the smallest to the largest value.
 struct Histogram {
   static constexpr std::size_t kBins = 16;
   /// The edges of the bins, ascending. Bin i holds edges[i] <= value < edges[i + 1]; the last bin
@@ -17,9 +17,9 @@ struct Histogram {
 
 /// Summarises a set of real values in a few figures.
 struct Summary {
-  /// Finite values: the only ones that the figures below are of.
+  /// The number of finite values; the figures below describe only these.
   std::size_t count = 0;
-  /// Infinite values, counted apart and kept out of everything else.
+  /// The number of infinite values, which no other figure includes.
   std::size_t infinite = 0;
   double min = 0.0;
   double max = 0.0;
@@ -36,13 +36,14 @@ struct Statistics : Summary {
   Histogram histogram;
 };
 
-/// Summarises values. With count 0 every figure is 0 and means nothing.
+/// Summarises values. With count 0 every figure is 0 and has no meaning.
 ///
 /// Sums are compensated and their order depends on the number of values alone, so that the result
 /// is the same for any number of threads.
 ///
-/// @param values  Reordered: the median is found by selection in place. Must not hold NaN.
-/// @complexity    O(n) time, O(1) memory beside the input.
+/// @param values  The values, without NaN. They are reordered: the median is found by selection in
+///                place.
+/// @complexity    O(n) time, O(1) additional memory.
 [[nodiscard]] Statistics summarize(std::span<double> values);
 
 }  // namespace meshalyzer

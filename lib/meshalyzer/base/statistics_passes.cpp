@@ -14,7 +14,7 @@ using Edges = std::array<double, Histogram::kBins + 1>;
 
 Edges histogram_edges(double min, double max) {
   Edges edges{};
-  // Halves first: max - min may overflow where max / 2 - min / 2 does not.
+  // Halves are subtracted: max - min may overflow where max / 2 - min / 2 does not.
   const double half_width = max / 2 - min / 2;
   for (std::size_t i = 0; i < Histogram::kBins; ++i) {
     const double t = static_cast<double>(i) / Histogram::kBins;

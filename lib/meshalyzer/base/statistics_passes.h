@@ -9,16 +9,16 @@
 
 namespace meshalyzer {
 
-/// The first pass over finite values: how many they are, their bounds and their sum.
+/// The first pass over finite values, which finds their number, bounds and sum.
 ///
-/// The passes take the values in spans, one after the other. Where the spans end makes no
-/// difference to the last bit, as long as all but the last have a multiple of kChunkLength values.
+/// The passes take the values in spans, one after the other. The result is the same to the last bit
+/// wherever the spans end, as long as all but the last have a multiple of kChunkLength values.
 class ExtentPass {
  public:
   void add(std::span<const double> values);
 
   [[nodiscard]] std::size_t count() const { return count_; }
-  /// Returns the smallest value; infinity where there is none.
+  /// Returns the smallest value, or infinity when there is none.
   [[nodiscard]] double min() const { return min_; }
   [[nodiscard]] double max() const { return max_; }
   [[nodiscard]] double total() const { return total_.value(); }
@@ -31,15 +31,15 @@ class ExtentPass {
   CompensatedSum total_;
 };
 
-/// The second pass over the same values: how they spread.
+/// The second pass over the same values, which finds their variance and histogram.
 class SpreadPass {
  public:
-  /// @param extent  Of all the values; at least one.
+  /// @param extent  The result of the first pass over all the values, at least one.
   explicit SpreadPass(const ExtentPass& extent);
 
   void add(std::span<const double> values);
 
-  /// All figures but the median, which is 0, and the number of infinite values, too.
+  /// Returns all figures except the median and the number of infinite values, which are 0.
   [[nodiscard]] Statistics statistics() const;
 
  private:
@@ -55,8 +55,8 @@ class SpreadPass {
   return (count - 1) / 2;
 }
 
-/// Returns the median by the two middle values: the same value twice where the count is odd. Never
-/// -0, which selection cannot tell from 0.
+/// Returns the median from the two middle values, which are the same value where the count is odd.
+/// The result is never -0, which selection cannot distinguish from 0.
 [[nodiscard]] double median_of_middle(double lower, double upper);
 
 }  // namespace meshalyzer

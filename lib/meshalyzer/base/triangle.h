@@ -8,8 +8,8 @@
 
 namespace meshalyzer {
 
-/// Returns the normal (b - a) x (c - a) of a triangle, twice its area long, in floating point;
-/// where the triangle may be a sliver, accurate_normal() has more correct digits.
+/// Returns the normal (b - a) x (c - a) of a triangle in floating point; its length is twice the
+/// area. For a triangle that may be a sliver, accurate_normal() has more correct digits.
 [[nodiscard]] inline Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) {
   return (b - a).cross(c - a);
 }

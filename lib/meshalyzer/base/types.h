@@ -11,13 +11,13 @@ namespace meshalyzer {
 /// The one vector type of the library: positions and directions, in the file's own length unit.
 using Vec3 = Eigen::Vector3d;
 
-/// An axis-aligned box; empty when default-constructed (isEmpty()).
+/// An axis-aligned box, which is empty when default-constructed (isEmpty()).
 using Box3 = Eigen::AlignedBox3d;
 
-/// Index of a record (vertex or face) in file order, from 0. Not the file's id: see Ids.
+/// The index of a record (vertex or face) in file order, from 0. It is not the file's id: see Ids.
 using Index = std::uint32_t;
 
-/// "No such record".
+/// The index that means "no such record".
 inline constexpr Index kNoIndex = 0xFFFFFFFFU;
 
 /// Three vertex indices, in the order of the file.
