@@ -14,7 +14,7 @@ namespace {
 
 using Exact = CGAL::Mpzf;
 
-// Between these, a quotient of two doubles neither overflows nor loses bits.
+// Between these exponents a quotient of two doubles neither overflows nor loses bits.
 constexpr double kSmallestSafe = 0x1p-400;
 constexpr double kLargestSafe = 0x1p+400;
 
@@ -22,8 +22,8 @@ bool is_safe(double x) {
   return std::abs(x) > kSmallestSafe && std::abs(x) < kLargestSafe;
 }
 
-/// a / b with a relative error below 2^-50, or an absolute one of a few of the smallest doubles;
-/// never zero where a is not.
+/// Divides a by b with a relative error below 2^-50, or an absolute one of a few of the smallest
+/// doubles. The result is zero only where a is.
 double quotient(const Exact& a, const Exact& b) {
   if (a.is_zero()) return 0.0;
   const double x = a.to_double();
@@ -33,7 +33,7 @@ double quotient(const Exact& a, const Exact& b) {
   return q != 0.0 ? q : std::copysign(std::numeric_limits<double>::denorm_min(), a.sign());
 }
 
-/// A double, and how far it is from the number that it stands for.
+/// A rounded number and the distance to the exact one.
 struct Rounded {
   double value = 0.0;
   double rest = 0.0;
@@ -51,7 +51,8 @@ bool is_nearer(const Exact& a, const Exact& b, std::pair<double, double> value_n
   return beyond > 0 || (beyond == 0 && is_odd(value));
 }
 
-/// Returns the double nearest to a / b, b > 0. Begins near it and goes on from one to the next.
+/// Returns the double nearest to a / b, b > 0. The search begins near it and steps from one double
+/// to the next.
 Rounded nearest(const Exact& a, const Exact& b) {
   Rounded result{.value = quotient(a, b)};
   for (;;) {
@@ -61,7 +62,7 @@ Rounded nearest(const Exact& a, const Exact& b) {
     const double next =
         std::nextafter(result.value, towards * std::numeric_limits<double>::infinity());
     if (!std::isfinite(next)) return result;
-    // The rest is known so well that only the middle needs an exact look.
+    // The rest is known so well that only the tie in the middle needs an exact test.
     const double step = std::abs(next - result.value);
     if (std::abs(result.rest) < 0.499 * step && step > kSmallestSafe) return result;
     if (!is_nearer(a, b, {result.value, next}, towards)) return result;
@@ -69,13 +70,14 @@ Rounded nearest(const Exact& a, const Exact& b) {
   }
 }
 
-/// A difference of coordinates of two exact points, and a bound of its error.
+/// The difference of a coordinate of two exact points, and a bound of its error.
 struct Difference {
   double value = 0.0;
   double error = 0.0;
 };
 
-// Two roundings of the parts, one of their sum; a rest is off by less than 2^-50 of itself.
+// The bound covers two roundings of the parts and one of their sum; a rest is off by less than
+// 2^-50 of itself.
 Difference difference(const ExactPoint& p, const ExactPoint& q, Eigen::Index k) {
   const double coarse = p.rounded[k] - q.rounded[k];
   const double fine = p.rest[k] - q.rest[k];

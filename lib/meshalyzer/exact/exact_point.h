@@ -7,25 +7,25 @@
 
 namespace meshalyzer {
 
-/// A point of space, known exactly: a vertex of a mesh, or where lines and planes through vertices
-/// meet. Its coordinates are fractions of one denominator.
+/// A point with exact coordinates: a vertex of a mesh, or an intersection of lines and planes
+/// through vertices. Its coordinates are fractions with one denominator.
 struct ExactPoint {
   /// Coordinate k is numerator[k] / denominator.
   std::array<CGAL::Mpzf, 3> numerator;
   /// Positive.
   CGAL::Mpzf denominator;
-  /// The doubles nearest to the coordinates, to even where two are equally near: a function of the
-  /// point alone, not of how it was found.
+  /// The doubles nearest to the coordinates; ties go to even. They depend on the point alone, not
+  /// on how it was computed.
   Vec3 rounded = Vec3::Zero();
-  /// The difference between the exact point and `rounded`, with a relative error below 2^-50; zero
-  /// exactly where rounding changed nothing.
+  /// The difference between the exact point and `rounded`, with a relative error below 2^-50; it is
+  /// zero exactly when rounding changed nothing.
   Vec3 rest = Vec3::Zero();
 
   /// Tells whether the coordinates are doubles.
   [[nodiscard]] bool is_rounded() const { return rest.isZero(0.0); }
 };
 
-/// @param point  Finite.
+/// Returns a point with finite coordinates as an exact point.
 [[nodiscard]] ExactPoint exact_point(const Vec3& point);
 
 /// Returns the point with the given coordinates, rounded; the denominator may be of either sign,
@@ -38,11 +38,11 @@ struct ExactPoint {
 /// they are the same point, else 1.
 [[nodiscard]] Sign compare_lexicographically(const ExactPoint& a, const ExactPoint& b);
 
-/// orient2d() of exact points.
+/// Returns orient2d() of exact points.
 [[nodiscard]] Sign orient2d(Axis dropped, const ExactPoint& a, const ExactPoint& b,
                             const ExactPoint& c);
 
-/// orient3d() of three points that are doubles and one that need not be.
+/// Returns orient3d() of three points with double coordinates and one exact point.
 [[nodiscard]] Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const ExactPoint& d);
 
 }  // namespace meshalyzer

@@ -7,12 +7,12 @@
 namespace meshalyzer {
 namespace {
 
-// The determinant |direction, b-a, c-a| has 6 products of three entries. Each meets at most 7
-// roundings, of u = 2^-53: two differences, two products, a difference, two sums. The factor leaves
-// room for those of the bound itself.
+// The determinant |direction, b-a, c-a| has 6 products of three entries. Each undergoes at most 7
+// roundings, of u = 2^-53: two differences, two products, a difference, two sums. The factor also
+// covers the roundings of the bound itself.
 constexpr double kBound = 6 * 8 * 0x1p-53 * 1.01;
 
-// Within these magnitudes nothing overflows, and what underflows is far below the bound.
+// Within these magnitudes nothing overflows, and any underflow is far below the bound.
 constexpr double kSmallestMagnitude = 1e-270;
 constexpr double kLargestMagnitude = 1e290;
 

@@ -24,8 +24,8 @@ ExactVec3 normal(const PlanePoints& plane) {
   return cross(difference(plane[1], plane[0]), difference(plane[2], plane[0]));
 }
 
-/// Returns the point p + t (q - p) where a linear function, of which the values at p and q are
-/// known, vanishes.
+/// Returns the point p + t (q - p) at which the linear function with the given values at p and q is
+/// zero.
 ExactPoint zero_on_line(const LinePoints& line, const Exact& at_p, const Exact& at_q) {
   Exact denominator = at_p - at_q;
   ExactVec3 numerator = difference(line[1], line[0]);
@@ -59,7 +59,7 @@ ExactPoint meet(const PlanePoints& p, const PlanePoints& q, const PlanePoints& r
   const ExactVec3 n = normal(p);
   const ExactVec3 u = normal(q);
   const ExactVec3 v = normal(r);
-  // Seen from a point of p: n x = 0, u x = a, v x = b.
+  // Relative to a point of p, the intersection x satisfies n x = 0, u x = a, v x = b.
   const Vec3& origin = p[0];
   const Exact a = dot(u, difference(q[0], origin));
   const Exact b = dot(v, difference(r[0], origin));

@@ -25,7 +25,7 @@ Vec3 accurate_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a;
   const Vec3 v = c - a;
   Vec3 normal = u.cross(v);
-  // Each component is off by at most 4 u |u| |v| (in the largest norm), so it is good where the
+  // Each component is off by at most 4 u |u| |v| (in the largest norm), so it is accurate where the
   // normal is much longer.
   const double scale = u.cwiseAbs().maxCoeff() * v.cwiseAbs().maxCoeff();
   const double length = normal.cwiseAbs().maxCoeff();

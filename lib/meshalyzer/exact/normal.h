@@ -6,19 +6,19 @@
 
 namespace meshalyzer {
 
-/// Returns the vector (b - a) x (c - a), twice the area of the triangle long, with a relative error
-/// of its length below 1e-9 for any shape: slivers, for which the floating-point product has no
+/// Returns the vector (b - a) x (c - a), whose length is twice the area of the triangle, with a
+/// relative error below 1e-9 for any shape: slivers, for which the floating-point product has no
 /// correct digit, are evaluated exactly and rounded.
 ///
-/// Zero exactly when the points are collinear, or when the result underflows. Overflows to infinity
-/// where the true value does.
+/// It is zero exactly when the points are collinear or the result underflows, and infinite where
+/// the true value overflows.
 [[nodiscard]] Vec3 accurate_normal(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Returns the same for a triangle, evaluated from one of its corners: least is lost seen from the
-/// one opposite to the longest edge, where the differences are shortest.
+/// Returns the accurate normal of a triangle, evaluated from one of its corners. The corner
+/// opposite to the longest edge loses the least, because the differences are shortest there.
 [[nodiscard]] Vec3 accurate_normal(const Corners& t, std::size_t apex = 0);
 
-/// Returns the unit vector along accurate_normal(); zero where the corners are collinear.
+/// Returns the unit vector along accurate_normal(), or zero when the corners are collinear.
 [[nodiscard]] Vec3 unit_normal(const Corners& t);
 
 }  // namespace meshalyzer

@@ -5,14 +5,14 @@
 
 namespace meshalyzer {
 
-/// Returns the axis along which a plane figure with this normal is seen best.
+/// Returns the axis along which a plane figure with this normal projects to the largest area.
 [[nodiscard]] inline Axis longest_axis(const Vec3& normal) {
   Eigen::Index axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
   return static_cast<Axis>(axis);
 }
 
-/// Tells how a plane figure is projected to be seen counter-clockwise. Decisions are exact.
+/// A projection along an axis in which a plane figure is counter-clockwise. Decisions are exact.
 struct PlaneView {
   Axis dropped = Axis::Z;
   /// The orientation of the figure in the projection: 1 counter-clockwise, -1 clockwise.

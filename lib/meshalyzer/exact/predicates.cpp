@@ -12,10 +12,11 @@ namespace meshalyzer {
 namespace {
 
 // Static error bounds for determinants whose entries are differences of doubles, with u = 2^-53.
-// Every product of the expansion meets 4 roundings in two dimensions (two differences, a product, a
-// sum) and 8 in three (three differences, two products, a difference, two sums); there are 2 and 6
-// products, each at most the product of the largest entries of each coordinate. So the error is at
-// most 2 * 4u and 6 * 8u of that; the factors below leave room for its own rounding.
+// Every product of the expansion undergoes 4 roundings in two dimensions (two differences, a
+// product, a sum) and 8 in three (three differences, two products, a difference, two sums); there
+// are 2 and 6 products, each at most the product of the largest entries of each coordinate. So the
+// error is at most 2 * 4u and 6 * 8u of that; the factors below also cover the rounding of the
+// bound itself.
 constexpr double kUnit = 0x1p-53;
 constexpr double kBound2 = 2 * 4 * kUnit * 1.01;
 constexpr double kBound3 = 6 * 8 * kUnit * 1.01;
@@ -32,12 +33,13 @@ double largest(double a, double b, double c) {
   return std::max(largest(a, b), std::abs(c));
 }
 
-/// Returns the sign of a determinant known but for rounding, where it is known for sure.
-/// @param scales_min, scales_max  Smallest and largest of the largest entries of each coordinate.
+/// Returns the sign of a determinant with rounding errors where it is certain, else nothing.
+/// @param scales_min, scales_max  The smallest and the largest of the largest entries of each
+///     coordinate.
 std::optional<Sign> filtered(double determinant, double bound, double scales_min,
                              double scales_max) {
   if (scales_min == 0.0) {
-    return 0;  // one coordinate is the same for all points; differences that are zero are exactly
+    return 0;  // all points have one coordinate in common: a difference that is zero is exactly
                // zero
   }
   if (scales_min < kSmall || !(scales_max < kLarge)) {
