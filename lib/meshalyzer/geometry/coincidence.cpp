@@ -9,7 +9,7 @@
 namespace meshalyzer {
 namespace {
 
-/// How far apart coordinates may be of which the larger has this magnitude.
+/// Returns how far apart coordinates may be if the larger has this magnitude.
 double tolerance(double magnitude) {
   return 1e-10 * std::max(1.0, magnitude);
 }
@@ -18,19 +18,19 @@ double larger_magnitude(double a, double b) {
   return std::max(std::abs(a), std::abs(b));
 }
 
-/// A point by one of its coordinates.
+/// A point and one of its coordinates.
 struct KeyedPoint {
   double coordinate = 0.0;
   Index point = 0;
 };
 
-/// A point by the cell of a grid that it is in.
+/// A point and its cell of a grid.
 struct CelledPoint {
   std::array<std::int64_t, 3> cell{};
   Index point = 0;
 };
 
-/// Points in at most this number are compared each with each.
+/// At most this many points are compared each with each.
 constexpr std::size_t kFewPoints = 16;
 
 /// Grid cells are 0.9 tolerances wide, so that all points of one cell are at the same place. The
@@ -54,11 +54,11 @@ struct GridAxis {
   }
 };
 
-/// Marks the points that have another one at the same place.
+/// Marks the points that have another point at the same place.
 ///
 /// Points are sorted by x and cut into chains wherever neighbours are too far apart for any two
 /// points on either side to be at the same place; chains are cut by y in the same way, then by z.
-/// What is not apart by then is dense and goes through a grid.
+/// Chains that remain are dense and are searched with a grid.
 class CoincidenceSearch {
  public:
   CoincidenceSearch(std::span<const Vec3> positions, Coincidence coincidence)
@@ -91,8 +91,8 @@ class CoincidenceSearch {
     cut_into_chains(points.subspan(begin), axis + 1);
   }
 
-  /// Tells whether no coordinate up to `low` is at the same place as one from `high` on, which may
-  /// have larger magnitudes, hence a larger tolerance; but not by as much as a factor of 2.
+  /// Tells whether no coordinate up to `low` is at the same place as one from `high` on. The latter
+  /// may have larger magnitudes and hence a larger tolerance, but by less than a factor of 2.
   [[nodiscard]] bool is_apart(double low, double high) const {
     if (coincidence_ == Coincidence::Exact) return low != high;
     return high - low > 2 * tolerance(larger_magnitude(low, high));
@@ -153,9 +153,9 @@ class CoincidenceSearch {
     return grid;
   }
 
-  /// Compares points that are alone in their cells with those of the cells in reach that are so
-  /// many columns away. Both lists are in order of their cells, so one pass does; and as few cells
-  /// have a given cell in reach, no point is looked at more than 5 times in a pass.
+  /// Compares points that are alone in their cells with those of the cells in reach in a column at
+  /// the given distance. Both lists are ordered by cell, so one pass is enough; no point is visited
+  /// more than 5 times in a pass, because few cells have a given cell in reach.
   void compare_with_row(std::span<const CelledPoint> lone, std::span<const CelledPoint> grid,
                         const std::array<std::int64_t, 2>& column) {
     std::size_t first = 0;

@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// When two vertices count as being at the same place.
+/// The criterion by which two vertices are at the same place.
 enum class Coincidence : std::uint8_t {
   /// Every coordinate differs by at most 1e-10 max(1, |a|, |b|).
   Tolerant,
@@ -16,8 +16,8 @@ enum class Coincidence : std::uint8_t {
   Exact,
 };
 
-/// Tells whether two positions are at the same place. Symmetric and reflexive; with
-/// Coincidence::Tolerant not transitive.
+/// Tells whether two positions are at the same place. The relation is symmetric and reflexive; with
+/// Coincidence::Tolerant it is not transitive.
 ///
 /// @param a, b  Finite.
 [[nodiscard]] bool is_indistinguishable(const Vec3& a, const Vec3& b, Coincidence coincidence);
@@ -26,8 +26,8 @@ enum class Coincidence : std::uint8_t {
 ///
 /// @param positions  Finite; fewer than 2^31.
 /// @return           Their indices, ascending.
-/// @complexity       O(n log n) time wherever the points lie: also where they share coordinates by
-///                   the thousand, or are all within the tolerance. O(n) memory.
+/// @complexity       O(n log n) time for any distribution of the points, even if thousands share
+///                   coordinates or all are within the tolerance; O(n) memory.
 [[nodiscard]] std::vector<Index> find_indistinguishable_vertices(std::span<const Vec3> positions,
                                                                  Coincidence coincidence);
 

@@ -9,8 +9,7 @@ namespace {
 
 constexpr double kEighth = 0.125;
 
-/// The scalar products of the two sides at each corner, and the squared length of the side opposite
-/// to it.
+/// The scalar product of the two sides at each corner, and the squared length of the opposite side.
 struct Sides {
   std::array<double, 3> dot{};
   std::array<double, 3> opposite2{};

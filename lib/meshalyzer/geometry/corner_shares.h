@@ -10,13 +10,13 @@ namespace meshalyzer {
 
 // Private to the geometry module.
 
-/// Tells how much of a face's area each of its corners has; 1 in all, but 3 for
+/// The share of a face's area that each of its corners has. The sum is 1, but 3 for
 /// VertexArea::OneRing.
 using CornerShares = std::array<double, 3>;
 
-/// Divides all faces among their corners.
+/// Divides the area of all faces among their corners.
 ///
-/// @return     #mesh faces; of a face without area no corner has any.
+/// @return     #mesh faces: the shares, zero for a face without area.
 /// @complexity O(#F).
 [[nodiscard]] std::vector<CornerShares> corner_shares(const TriMesh& mesh,
                                                       const std::vector<FaceShape>& shapes,

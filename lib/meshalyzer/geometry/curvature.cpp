@@ -63,8 +63,8 @@ std::vector<CurvatureState> curvature_states(const CutMesh& cut) {
   return states;
 }
 
-/// Counts the edges at each of the file's vertices beyond as many as there are faces: 0 where they
-/// form closed fans, 1 for each open fan, less where fans have edges in common.
+/// Returns the number of edges minus the number of faces at each of the file's vertices: 0 for
+/// closed fans, 1 for each open fan, less if fans have edges in common.
 ///
 /// @return     #file vertices.
 /// @complexity O(#V).
@@ -111,13 +111,14 @@ void gather_copies(const SideTable& side, std::vector<FanSums>& sums) {
   }
 }
 
-/// Half of the cotangent vector over 2 A, on the side of the normal or not.
+/// Returns half the length of the cotangent vector over 2 A, with the sign of its direction against
+/// the normal.
 double mean_curvature(const FanSums& sums) {
   const double size = sums.cotangent.stableNorm() / sums.area / 4;
   return sums.cotangent.dot(sums.normal) < 0.0 ? -size : size;
 }
 
-/// Writes the figures of a vertex with one closed fan, or that there are none.
+/// Sets the figures of a vertex with one closed fan, or the state that says why there are none.
 void set_curvature(const FanSums& sums, const PrincipalCurvature& principal, std::size_t v,
                    Curvature& curvature) {
   const double gaussian = curvature.angle_defect[v] / sums.area;

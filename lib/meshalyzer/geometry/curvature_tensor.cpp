@@ -30,7 +30,8 @@ PlaneFace lay_down(const Corners& p, const FaceShape& shape) {
   return plane;
 }
 
-/// A second fundamental form in the axes u, v of a face: [e f; f g], g times the height.
+/// The second fundamental form [e f; f g] in the axes u, v of a face, with g multiplied by the
+/// height.
 struct Form {
   double e = 0.0;
   double f = 0.0;
@@ -76,8 +77,8 @@ CurvatureTensor fit_curvature(const ScaledFace& face, const FaceShape& shape,
   const Vec3& n1 = normals[(plane.origin + 1) % 3];
   const Vec3& n2 = normals[(plane.origin + 2) % 3];
   const Form form = fit(plane, {n1 - n0, n2 - n1, n0 - n2});
-  // Half the length is the area over length and height: what is left of e, f, g in units of
-  // 1 / length.
+  // Half the length is the area divided by length and height: the factor that remains of e, f, g in
+  // units of 1 / length.
   double unit = plane.length / 2;
   if (face.exponent != 0) unit = std::ldexp(unit, face.exponent);
   const double e = unit * form.e * plane.height;

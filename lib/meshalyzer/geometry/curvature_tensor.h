@@ -8,7 +8,7 @@ namespace meshalyzer {
 
 // Private to the geometry module.
 
-/// A symmetric 3 x 3 matrix that takes a direction in a face to how the normal turns along it.
+/// A symmetric 3 x 3 matrix that maps a direction in a face to the change of the normal along it.
 struct CurvatureTensor {
   double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
 
@@ -18,11 +18,11 @@ struct CurvatureTensor {
   }
 };
 
-/// Returns the second fundamental form of a face, times the area of the face: so it is finite
-/// however thin the face is.
+/// Returns the second fundamental form of a face multiplied by its area, so that it is finite for
+/// any thin face.
 ///
-/// @param shape    Of the face; its area must not be zero.
-/// @param normals  At its corners, of length 1.
+/// @param shape    The shape of the face; its area must not be zero.
+/// @param normals  The unit normals at its corners.
 [[nodiscard]] CurvatureTensor fit_curvature(const ScaledFace& face, const FaceShape& shape,
                                             const std::array<Vec3, 3>& normals);
 

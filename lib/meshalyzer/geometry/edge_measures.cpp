@@ -59,8 +59,8 @@ double edge_angle_degrees(const TriMesh& mesh, HalfedgeHandle halfedge) {
   if (side == 0) {
     return on_different_sides({a, b, c}, d) ? 180.0 : 0.0;
   }
-  // The second face lies below the first at a convex edge: there the angle outside is more than
-  // half a turn.
+  // The second face lies below the first at a convex edge, where the outer angle exceeds 180
+  // degrees.
   return 180.0 - side * angle_between_degrees(accurate_normal(a, b, c), accurate_normal(b, a, d));
 }
 

@@ -7,14 +7,14 @@
 
 namespace meshalyzer {
 
-/// Lengths of edges, in the mesh's unit.
+/// Returns the lengths of edges, in the mesh's unit.
 ///
-/// @param edges  Any half-edge of each, see complex_edges().
-/// @return       One a half-edge, in the same order.
+/// @param edges  One half-edge of each edge, see complex_edges().
+/// @return       The length for each half-edge, in the same order.
 [[nodiscard]] std::vector<double> edge_lengths(const TriMesh& mesh,
                                                std::span<const HalfedgeHandle> edges);
 
-/// Angles at the edges that have two consistently oriented faces of non-zero area.
+/// The angles at the edges that have two consistently oriented faces of non-zero area.
 struct EdgeAngles {
   /// One half-edge of each edge that has an angle, in order of the mesh's edges.
   std::vector<HalfedgeHandle> edges;
@@ -22,22 +22,23 @@ struct EdgeAngles {
   std::vector<double> degrees;
 };
 
-/// Returns the angle between two directions, 0 ... 180 degrees, accurate at both ends.
+/// Returns the angle between two directions, 0 ... 180 degrees, accurately at both ends of the
+/// range.
 [[nodiscard]] double angle_between_degrees(const Vec3& a, const Vec3& b);
 
 /// Returns the angle at the edge of a half-edge, from its face round to the other one, on the side
 /// that their normals point to. It is 0 ... 360 degrees: 180 where the faces are flat, 270 at the
 /// edges of an outward cube, 90 where two walls meet ("edge angle" in doc/definitions.md).
 ///
-/// The side of 180 degrees is decided exactly. Faces in one plane give exactly 180, or 0 where they
-/// are folded onto each other.
+/// Which side of 180 degrees the angle is on is decided exactly. Coplanar faces give exactly 180,
+/// or 0 if they are folded onto each other.
 ///
-/// @param halfedge  Both it and its opposite have a face of non-zero area.
+/// @param halfedge  A half-edge that has a face of non-zero area, as does its opposite.
 [[nodiscard]] double edge_angle_degrees(const TriMesh& mesh, HalfedgeHandle halfedge);
 
-/// Measures all edges that have an angle.
+/// Measures the angles at all edges that have one.
 ///
-/// @param zero_area  The mesh's faces of zero area, ascending: their edges have none.
+/// @param zero_area  The mesh's faces of zero area, ascending; their edges have no angle.
 /// @complexity       O(#E).
 [[nodiscard]] EdgeAngles measure_edge_angles(const TriMesh& mesh,
                                              std::span<const FaceHandle> zero_area);

@@ -57,13 +57,13 @@ double corner_angle(const Corners& p, std::size_t corner, double twice_area) {
 Figures measure(const Corners& p) {
   const std::array<double, 3> side = side_lengths(p);
   const std::array<double, 3> opposite{side[1], side[2], side[0]};
-  // Seen from the corner opposite to the longest edge the differences are shortest, so least is
-  // lost.
+  // The differences are shortest from the corner opposite to the longest edge, which loses the
+  // least.
   const auto apex = static_cast<std::size_t>(std::max_element(opposite.begin(), opposite.end()) -
                                              opposite.begin());
   const double twice_area = twice_area_seen_from(p, apex);
-  // Altitude on the longest edge = twice_area / longest; divided in two steps, so that nothing
-  // overflows early.
+  // The altitude on the longest edge is twice_area / longest; dividing in two steps avoids an early
+  // overflow.
   const double longest = opposite[apex];
   // The smallest angle is opposite to the shortest edge.
   const auto sharpest = static_cast<std::size_t>(

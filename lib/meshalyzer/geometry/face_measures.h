@@ -12,7 +12,7 @@ namespace meshalyzer {
 
 /// The measures of each face.
 struct FaceMeasures {
-  /// #mesh faces, in the mesh's unit squared.
+  /// #mesh faces: the area in the mesh's unit squared.
   std::vector<double> area;
   /// #mesh faces: longest edge over shortest altitude, at least 2 / sqrt(3); infinite for a face of
   /// zero area.
@@ -26,9 +26,9 @@ struct FaceMeasures {
 
 /// Measures the faces of a mesh.
 ///
-/// Slivers keep their digits: where floating point would lose them the area is evaluated exactly
-/// and then rounded. The figures do not depend on which corner of a face comes first, but for ties
-/// of edge length.
+/// Slivers keep their digits: where floating point would lose them, the area is evaluated exactly
+/// and then rounded. The figures do not depend on which corner of a face comes first, except for
+/// ties of edge lengths.
 ///
 /// @complexity O(#F).
 [[nodiscard]] FaceMeasures measure_faces(const TriMesh& mesh);

@@ -40,8 +40,8 @@ FaceShape measure(const ScaledFace& face) {
   for (std::size_t i = 1; i < 3; ++i) {
     if (edge[i].squaredNorm() > edge[longest].squaredNorm()) longest = i;
   }
-  // Seen from the corner opposite to the longest edge the differences are shortest, so least is
-  // lost.
+  // The differences are shortest from the corner opposite to the longest edge, which loses the
+  // least.
   const std::size_t apex = (longest + 2) % 3;
   const Vec3 normal = accurate_normal(face.corner, apex);
   const double twice_area = normal.stableNorm();

@@ -10,24 +10,24 @@
 
 namespace meshalyzer {
 
-// Private to the geometry module: what curvatures and normals at vertices need of each face. The
-// corners of a face are those of face_corners(), in its order.
+// The figures of each face that curvatures and normals at vertices need; private to the geometry
+// module. The corners of a face are those of face_corners(), in its order.
 
-/// A face at a size near 1, where products of its lengths neither overflow nor vanish.
+/// A face scaled to a size near 1, where products of its lengths neither overflow nor vanish.
 struct ScaledFace {
   Corners corner;
-  /// The corners are in units of 2^exponent; 0 at all sizes but extreme ones.
+  /// The corners are in units of 2^exponent; the exponent is 0 except for extreme sizes.
   int exponent = 0;
 };
 
 [[nodiscard]] ScaledFace scaled_face(const TriMesh& mesh, FaceHandle face);
 
-/// Directions, angles and size of a face.
+/// The normal, angles and area of a face.
 struct FaceShape {
   /// The unit normal; zero where the face has no area.
   Vec3 normal = Vec3::Zero();
-  /// Radians, at each corner; pi in all for any face, also where it is a line (0, 0, pi), two
-  /// points (0 at one, pi / 2 at the two that coincide) or one (pi / 3).
+  /// The angle at each corner in radians. The sum is pi for any face, also for a line (0, 0, pi),
+  /// for two points (0 at one, pi / 2 at the two that coincide) and for a single point (pi / 3).
   std::array<double, 3> angle{};
   /// The area in units of 4^exponent.
   double area = 0.0;
@@ -40,11 +40,11 @@ struct FaceShape {
   }
 };
 
-/// A sum of weighted unit normals that is this much shorter than the weights that went into it has
-/// no digits left: the faces cancel each other.
+/// A sum of weighted unit normals that is shorter than this share of the weights has no correct
+/// digits: the faces cancel each other.
 inline constexpr double kNormalsCancel = 1e-12;
 
-/// Measures all faces.
+/// Measures the shapes of all faces.
 ///
 /// @return     #mesh faces.
 /// @complexity O(#F).

@@ -22,8 +22,8 @@ FanSums sum_fan(const TriMesh& mesh, VertexHandle v, const std::vector<FaceShape
     const Vec3& previous = mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(h)));
     sums.angle += shape.angle[corner];
     sums.area += shares[face][corner] * area;
-    // A face's two cotangent terms at a corner are its opposite side, turned by a right angle in
-    // its plane: no cotangent is needed, and a sliver's does not drown the others.
+    // The two cotangent terms of a face at a corner are its opposite side, turned by a right angle
+    // in its plane. So no cotangent is computed, and that of a sliver does not swamp the others.
     sums.cotangent += shape.normal.cross(previous - next);
     sums.normal += shape.angle[corner] * shape.normal;
     sums.sphere_normal +=

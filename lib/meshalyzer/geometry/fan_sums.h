@@ -9,11 +9,11 @@ namespace meshalyzer {
 
 // Private to the geometry module.
 
-/// Sums over the faces round a vertex of the mesh.
+/// The sums over the faces round a vertex of the mesh.
 struct FanSums {
-  /// Radians.
+  /// The sum of the angles, in radians.
   double angle = 0.0;
-  /// The vertex's shares of the faces' areas.
+  /// The sum of the vertex's shares of the faces' areas.
   double area = 0.0;
   /// The sum of (cot alpha + cot beta) (p - q) over the neighbours q of p: 4 A H n, twice the
   /// gradient of the area.
@@ -26,13 +26,13 @@ struct FanSums {
   /// underflow.
   Vec3 sphere_normal = Vec3::Zero();
 
-  /// Tells whether the faces have a side in common; not where they lie back to back.
+  /// Tells whether the faces face a common side, which they do not if they lie back to back.
   [[nodiscard]] bool has_normal() const { return normal.norm() > kNormalsCancel * angle; }
 };
 
-/// Sums up round all vertices.
+/// Computes the sums at all vertices.
 ///
-/// @return     #mesh vertices; a copy of a vertex has the sums of its own fan.
+/// @return     #mesh vertices: the sums; a copy of a vertex has those of its own fan.
 /// @complexity O(#F).
 [[nodiscard]] std::vector<FanSums> sum_fans(const TriMesh& mesh,
                                             const std::vector<FaceShape>& shapes,

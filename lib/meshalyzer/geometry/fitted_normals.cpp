@@ -11,22 +11,21 @@ namespace meshalyzer {
 namespace {
 
 constexpr std::size_t kMostNeighbours = 16;
-/// Where the columns before it leave less than this share of a column of the fit unexplained, the
-/// rest is rounding.
+/// If the previous columns leave less than this share of a column of the fit unexplained, the rest
+/// is rounding error.
 constexpr double kWellPosed = 1e-9;
-/// A slope that the residuals leave so unsure, as a standard error, is no better than the normal
-/// that was given.
+/// A slope with at least this standard error is no better than the given normal.
 constexpr double kUnsure = 0.2;
 
-/// The unknowns in the order they are eliminated; of the last two the normal is made.
+/// The number of unknowns. They are eliminated in order; the last two give the normal.
 constexpr std::size_t kUnknowns = 5;
 constexpr std::size_t kSlopeX = 3;
 constexpr std::size_t kSlopeY = 4;
 
 constexpr int kNoVertex = -1;
 
-/// The neighbours of a vertex, then kNoVertex; none where they are too many. The array is as long
-/// as a cache line.
+/// The neighbours of a vertex, filled up with kNoVertex; empty if they are too many. The array has
+/// the length of a cache line.
 using Ring = std::array<int, kMostNeighbours>;
 
 Ring ring_of(const TriMesh& mesh, VertexHandle v) {
@@ -43,7 +42,7 @@ Ring ring_of(const TriMesh& mesh, VertexHandle v) {
   return ring;
 }
 
-/// The vertices within two edges of one, each once.
+/// The vertices within two edges of a vertex, each once.
 class TwoRing {
  public:
   TwoRing(const std::vector<Ring>& rings, int centre) {
@@ -64,8 +63,8 @@ class TwoRing {
   [[nodiscard]] const int* end() const { return members_.data() + n_; }
 
  private:
-  /// Adds a vertex unless it is a member already. There is no branch on whether it is new, since
-  /// half of them are.
+  /// Adds a vertex unless it is a member already. It does not branch on whether the vertex is new,
+  /// since half of them are.
   void add(int v) {
     std::size_t slot = static_cast<std::size_t>(v) % kSlots;
     while (slots_[slot] != kNoVertex && slots_[slot] != v) slot = (slot + 1) % kSlots;
@@ -75,11 +74,11 @@ class TwoRing {
   }
 
   static constexpr std::size_t kMost = 1 + kMostNeighbours * kMostNeighbours;
-  /// More than there can be members, so that a free one is always found.
+  /// The number of slots exceeds the number of members, so that a free one is always found.
   static constexpr std::size_t kSlots = 512;
   static_assert(kMost < kSlots);
 
-  /// One more than there can be, as add() writes before it knows.
+  /// One more than the number of members, because add() writes before it tests.
   std::array<int, kMost + 1> members_;
   std::size_t n_ = 0;
   std::array<int, kSlots> slots_;
@@ -100,7 +99,7 @@ class Fit {
 
   /// Brings the matrix to triangular form, by Cholesky.
   ///
-  /// @return  Whether it is well posed; only then there is a solution.
+  /// @return  True if the fit is well posed; only then is there a solution.
   [[nodiscard]] bool eliminate() {
     for (std::size_t i = 0; i < kUnknowns; ++i) {
       const double whole = matrix_[i][i];
@@ -117,8 +116,8 @@ class Fit {
     return true;
   }
 
-  /// Tells whether there are more points than unknowns, and these lie so near to the quadric that
-  /// its slopes are known.
+  /// Tells whether there are more points than unknowns, and these lie so close to the quadric that
+  /// its slopes are certain.
   [[nodiscard]] bool is_sure() const {
     if (n_ <= kUnknowns) return false;
     const double y = 1.0 / matrix_[kSlopeY][kSlopeY];
@@ -134,16 +133,15 @@ class Fit {
   }
 
  private:
-  /// The lower half.
+  /// The lower half of the matrix.
   std::array<std::array<double, kUnknowns>, kUnknowns> matrix_{};
   std::array<double, kUnknowns> right_{};
-  /// The weighted sum of squares, of the values at first, in the end of what the fit leaves of
-  /// them.
+  /// The weighted sum of squares: at first of the values, at the end of the residuals.
   double residual_ = 0.0;
   std::size_t n_ = 0;
 };
 
-/// The vertices and what is known about them, to which surfaces are fitted.
+/// The vertices to which surfaces are fitted, with their normals and neighbours.
 struct Vertices {
   const TriMesh& mesh;
   const std::vector<Vec3>& normals;
@@ -162,8 +160,8 @@ Vec3 fitted_normal(const Vertices& vertices, int v) {
   for (const int w : TwoRing(vertices.rings, v)) {
     const Vec3 p = vertices.point(w) - centre;
     const double square = p.squaredNorm();
-    // Where the surface has turned away, behind a sharp edge or a thin wall, it is no graph. A
-    // vertex without a normal sees no points at all.
+    // Points where the surface has turned away, behind a sharp edge or a thin wall, are skipped:
+    // there it is no graph. A vertex without a normal uses no points at all.
     if (!(vertices.normal(w).dot(normal) > 0.0) || square == 0.0) continue;
     const double x = p.dot(x_axis);
     const double y = p.dot(y_axis);

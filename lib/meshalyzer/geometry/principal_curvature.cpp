@@ -11,8 +11,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Where the two curvatures differ by less than this share of the curvature that turns the normal
-/// by one radian across the vertex, rounding decides their directions.
+/// If the two curvatures differ by less than this share of the curvature that turns the normal by
+/// one radian across the vertex, their directions are only rounding errors.
 constexpr double kCancelled = 1e-12;
 
 std::size_t index(FaceHandle face) {
@@ -24,7 +24,7 @@ Vec3 unit_or_zero(const Vec3& sum) {
   return length > 0.0 && std::isfinite(length) ? Vec3(sum / length) : Vec3(Vec3::Zero());
 }
 
-/// Zero where the faces cancel each other or have no area.
+/// Returns the unit normal, or zero if the faces cancel each other or have no area.
 Vec3 normal_of(const FanSums& sums) {
   if (!sums.has_normal()) return Vec3::Zero();
   const Vec3 normal = unit_or_zero(sums.sphere_normal);
@@ -41,7 +41,7 @@ std::vector<Vec3> normals_of(const std::vector<FanSums>& sums) {
   return normals;
 }
 
-/// Returns the normals at the corners of a face, with that of the face where a vertex has none.
+/// Returns the normals at the corners of a face; a vertex without one gets that of the face.
 std::array<Vec3, 3> corner_normals(const TriMesh& mesh, FaceHandle face, const Vec3& face_normal,
                                    const std::vector<Vec3>& normals) {
   const HalfedgeHandle last = mesh.halfedge_handle(face);
@@ -71,8 +71,8 @@ std::vector<CurvatureTensor> fit_faces(const TriMesh& mesh, const std::vector<Fa
   return tensors;
 }
 
-/// Two directions at right angles to each other and to a unit vector (Duff et al. 2017, "Building
-/// an orthonormal basis, revisited").
+/// Returns two unit vectors perpendicular to each other and to a unit vector (Duff et al. 2017,
+/// "Building an orthonormal basis, revisited").
 std::array<Vec3, 2> tangents(const Vec3& n) {
   const double sign = std::copysign(1.0, n.z());
   const double a = -1.0 / (sign + n.z());
@@ -91,7 +91,7 @@ Vec3 turned(const Vec3& tangent, const Vec3& from, const Vec3& to) {
 
 /// Returns the eigenvalues and eigenvectors of [e f; f g] in the axes u and v.
 ///
-/// @param least  Directions of curvatures that differ by no more than this are not told apart.
+/// @param least  Curvatures that differ by no more than this have no directions.
 PrincipalCurvature diagonalised(const std::array<double, 3>& efg, const std::array<Vec3, 2>& uv,
                                 double least) {
   const auto [e, f, g] = efg;
@@ -100,7 +100,7 @@ PrincipalCurvature diagonalised(const std::array<double, 3>& efg, const std::arr
   const double radius = std::hypot(half, f);
   PrincipalCurvature result{.k1 = mean + radius, .k2 = mean - radius};
   if (2 * radius > least) {
-    // The eigenvector can be written in two ways; this one does not cancel.
+    // Of the two formulas for the eigenvector this one has no cancellation.
     const Eigen::Vector2d d = half >= 0.0 ? Eigen::Vector2d(radius + half, f).stableNormalized()
                                           : Eigen::Vector2d(f, radius - half).stableNormalized();
     result.direction1 = (d.x() * uv[0] + d.y() * uv[1]).normalized();
@@ -109,7 +109,7 @@ PrincipalCurvature diagonalised(const std::array<double, 3>& efg, const std::arr
   return result;
 }
 
-/// The tensors of the faces, and what is needed to average them at the vertices.
+/// The tensors of the faces, and the data needed to average them at the vertices.
 struct Fitted {
   const TriMesh& mesh;
   const std::vector<FaceShape>& shapes;

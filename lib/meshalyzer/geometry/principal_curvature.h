@@ -19,21 +19,19 @@ struct PrincipalCurvature {
 };
 
 /// Estimates the principal curvatures at all vertices from how the normals turn along the faces'
-/// edges: of each face the second fundamental form that fits this best in the sense of least
-/// squares, averaged at the vertices by area (Rusinkiewicz 2004, "Estimating curvatures and their
-/// derivatives on triangle meshes").
+/// edges: the second fundamental form of each face is fitted by least squares and averaged at the
+/// vertices by area (Rusinkiewicz 2004, "Estimating curvatures and their derivatives on triangle
+/// meshes").
 ///
-/// The normals are fitted_normals() to FanSums::sphere_normal: averages of face normals are wrong
-/// by the order of an edge length on irregular meshes, and so their differences would not get
-/// better as a mesh gets finer. The curvatures of any mesh whose vertices lie on a sphere are
-/// exact.
+/// The normals are fitted_normals() with FanSums::sphere_normal as given normals. The curvatures of
+/// any mesh whose vertices lie on a sphere are exact.
 ///
-/// Faces without area count for nothing.
+/// Faces without area are ignored.
 ///
-/// @param sums   Their normals alone are used.
+/// @param sums   The sums at the vertices, of which only the normals are used.
 /// @param mixed  The shares of VertexArea::Mixed.
-/// @return       #mesh vertices, each from its own fan. Figures may be NaN or infinite where there
-/// is no area, no normal, or no double for them.
+/// @return       #mesh vertices: the curvatures, each from its own fan. They may be NaN or infinite
+///               where there is no area or no normal, or where they overflow.
 /// @complexity   O(#F).
 [[nodiscard]] std::vector<PrincipalCurvature> principal_curvatures(
     const TriMesh& mesh, const std::vector<FaceShape>& shapes, const std::vector<FanSums>& sums,

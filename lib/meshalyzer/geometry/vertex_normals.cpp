@@ -9,8 +9,8 @@
 namespace meshalyzer {
 namespace {
 
-/// A sum of weighted unit normals, and of their weights, in units of 4^exponent (areas alone have
-/// one).
+/// A sum of weighted unit normals, and of their weights, in units of 4^exponent, which is not 0
+/// only for areas.
 struct NormalSum {
   Vec3 normal = Vec3::Zero();
   double weight = 0.0;
@@ -51,7 +51,7 @@ NormalSum weighted(const FaceShape& face, std::size_t corner, NormalWeight weigh
           .exponent = weight == NormalWeight::Area ? face.exponent : 0};
 }
 
-/// Sums over the fan of a mesh vertex.
+/// Sums the normals over the fan of a mesh vertex.
 NormalSum sum_round(const TriMesh& mesh, VertexHandle v, const std::vector<FaceShape>& shapes,
                     NormalWeight weight) {
   NormalSum sum;

@@ -7,26 +7,26 @@
 
 namespace meshalyzer {
 
-/// Tells how the normals of the faces are weighted in the normal of a vertex.
+/// The weight of the normal of a face in that of a vertex.
 enum class NormalWeight : std::uint8_t {
-  /// The same for all: equation 1 of the laboratory report (Gouraud 1971).
+  /// All faces have the same weight (Gouraud 1971).
   Uniform,
-  /// Its area.
+  /// The weight is the area of the face.
   Area,
-  /// The angle it has at the vertex. This weight alone gives the same normal however a flat facet
-  /// is cut into triangles (Thürmer and Wüthrich 1998, "Computing vertex normals from polygonal
-  /// facets").
+  /// The weight is the angle of the face at the vertex. Only this weight gives the same normal
+  /// however a flat facet is triangulated (Thürmer and Wüthrich 1998, "Computing vertex normals
+  /// from polygonal facets").
   Angle,
 };
 
-/// Returns the normals of the file's vertices: the weighted sum of the unit normals of the faces
-/// round each, made of length 1.
+/// Returns the normals of the file's vertices: the normalised weighted sums of the unit normals of
+/// their faces.
 ///
-/// Where the file's complex is cut open, the copies of a vertex count together. Faces of zero area
-/// count for nothing.
+/// Copies of a vertex, where the complex was cut open, count together. Faces of zero area are
+/// ignored.
 ///
-/// @return #file vertices; zero where there is no normal: at a vertex without faces of non-zero
-/// area, and where the faces cancel each other to rounding.
+/// @return #file vertices: the normals, zero at a vertex without faces of non-zero area and where
+///         the faces cancel each other to rounding.
 /// @complexity O(#F).
 [[nodiscard]] std::vector<Vec3> vertex_normals(const CutMesh& cut,
                                                NormalWeight weight = NormalWeight::Angle);

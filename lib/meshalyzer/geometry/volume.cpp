@@ -11,8 +11,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Six times the volume of the tetrahedron of a face and the origin, and a bound for what its
-/// rounding is relative to.
+/// Six times the volume of the tetrahedron of a face and the origin, and a bound of the magnitude
+/// to which its rounding error is relative.
 struct Term {
   double value;
   double magnitude;
@@ -62,7 +62,7 @@ Sign sign_if_sure(const PartSum& sum) {
   return sure ? (sum.value.value() > 0 ? 1 : -1) : 0;
 }
 
-/// Settles the parts that sign_if_sure() left open.
+/// Decides the parts that sign_if_sure() left open, exactly.
 void settle_exactly(const TriMesh& mesh, const FaceParts& parts,
                     std::vector<SignedVolume>& volumes) {
   std::vector<ExactVolume> exact(parts.count);

@@ -11,25 +11,27 @@ namespace meshalyzer {
 
 /// Returns the boxes of the vertices that the faces of each part use.
 ///
-/// @return One a part; empty boxes for parts without faces.
+/// @return One box for each part, empty for a part without faces.
 [[nodiscard]] std::vector<Box3> bounding_boxes(const TriMesh& mesh, const FaceParts& parts);
 
-/// A volume by the divergence theorem.
+/// A volume computed by the divergence theorem.
 struct SignedVolume {
   /// The volume in the mesh's unit cubed; positive when the normals point outward.
   double value = 0.0;
-  /// The sign of the true value: exact for any input, also where `value` is but rounding noise.
+  /// The sign of the true value, which is exact for any input, even where `value` is only rounding
+  /// noise.
   Sign sign = 0;
 };
 
 /// Returns the signed volume of each part: the sum of det(a, b, c) / 6 over its faces.
 ///
-/// It is the enclosed volume only for a closed, consistently oriented part; for another it depends
-/// on where the origin lies. Summed about the centre of the part's box, so that a mesh far from the
-/// origin keeps its digits, and compensated.
+/// It is the enclosed volume only for a closed, consistently oriented part; for others it depends
+/// on the position of the origin. The sum is compensated and taken about the centre of the part's
+/// box, so that a mesh far from the origin keeps its digits.
 ///
-/// @param boxes  As bounding_boxes() returns them.
-/// @complexity   O(#F); exact arithmetic only for parts whose sign floating point cannot tell.
+/// @param boxes  The result of bounding_boxes().
+/// @complexity   O(#F); exact arithmetic is needed only for parts whose sign floating point cannot
+///               decide.
 [[nodiscard]] std::vector<SignedVolume> signed_volumes(const TriMesh& mesh, const FaceParts& parts,
                                                        std::span<const Box3> boxes);
 
