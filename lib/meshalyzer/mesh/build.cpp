@@ -28,7 +28,7 @@ void check_corners(const Soup& soup) {
   }
 }
 
-/// Returns a side table that knows which faces the mesh holds, and nothing else yet.
+/// Returns a side table that holds nothing yet but which faces the mesh will hold.
 SideTable sort_out_faces(const Soup& soup) {
   SideTable side;
   side.n_file_vertices = soup.n_vertices();
@@ -72,8 +72,8 @@ CutMesh build(const Soup& soup) {
   side.flipped_edges = cut_edges(std::move(pairs.flipped), edges);
   side.non_manifold_vertices = std::move(fans.non_manifold_vertices);
   side.copies = fans.copies;
-  // The mesh is made in its place: OpenMesh's meshes know no move, so that a named one would be
-  // copied.
+  // The mesh is constructed in place: OpenMesh's meshes have no move constructor, so that a named
+  // one would be copied.
   return {link_mesh(complex, soup.positions, edges, fans), std::move(side)};
 }
 

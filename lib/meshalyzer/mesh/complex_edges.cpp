@@ -9,7 +9,7 @@ std::size_t edge_of(HalfedgeHandle h) {
   return static_cast<std::size_t>(h.idx()) / 2;
 }
 
-/// Marks the mesh edges of each cut edge but the first.
+/// Marks all mesh edges of each cut edge except the first.
 void mark_repeated(const CutEdges& edges, std::vector<std::uint8_t>& repeated) {
   for (std::size_t i = 0; i < edges.size(); ++i) {
     for (const HalfedgeHandle h : edges[i].halfedges.subspan(1)) {

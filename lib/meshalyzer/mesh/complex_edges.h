@@ -6,11 +6,11 @@
 
 namespace meshalyzer {
 
-/// One half-edge for each edge of the file's complex, whatever the number of border edges it was
-/// cut into.
+/// Returns one half-edge for each edge of the file's complex, also for an edge that was cut into
+/// several border edges.
 ///
-/// @return     Half-edges that have a face, in order of the mesh's edges; of a cut edge the one of
-/// its lowest face.
+/// @return     Half-edges that have a face, in order of the mesh's edges; for a cut edge the
+///             half-edge of its lowest face.
 /// @complexity O(#E).
 [[nodiscard]] std::vector<HalfedgeHandle> complex_edges(const CutMesh& cut);
 

@@ -7,10 +7,10 @@
 
 namespace meshalyzer {
 
-// Private to the mesh module: the vocabulary in which build() is written.
+// The data types of build(), private to the mesh module.
 //
-// Corner 3 k + i is corner i of face k of the complex. It also stands for the side of the face that
-// leaves it, the directed edge from this corner's vertex to the next one's.
+// Corner 3 k + i is corner i of face k of the complex. It also names the side that begins at it:
+// the directed edge from the vertex of this corner to that of the next one.
 
 [[nodiscard]] constexpr Index next_corner(Index corner) {
   return corner % 3 == 2 ? corner - 2 : corner + 1;
@@ -33,7 +33,7 @@ struct Complex {
   [[nodiscard]] Index vertex(Index corner) const { return triangle(corner / 3)[corner % 3]; }
 };
 
-/// Lists of corners, flat.
+/// Several lists of corners in one array.
 struct CornerLists {
   /// #lists + 1: where each list begins in `corners`.
   std::vector<Index> begin{0};

@@ -12,8 +12,8 @@ namespace meshalyzer {
 namespace {
 
 /// A side as one key: its larger vertex (31 bits), its corner (32 bits), and whether it starts at
-/// the larger one. Sorting keys within the bucket of a smaller vertex groups them by edge, in order
-/// of their faces.
+/// the larger vertex. Sorting the keys in the bucket of a smaller vertex groups them by edge, in
+/// order of their faces.
 using SideKey = std::uint64_t;
 
 constexpr SideKey side_key(Index larger, Index corner, SideKey direction) {
@@ -29,11 +29,11 @@ constexpr bool same_direction(SideKey a, SideKey b) {
   return ((a ^ b) & 1U) == 0;
 }
 
-/// The sides of a complex in one bucket for each smaller vertex.
+/// The sides of a complex in buckets, one for each smaller vertex.
 struct SideBuckets {
   /// Bucket v is [begin[v], begin[v + 1]).
   std::vector<Index> begin;
-  /// #corners. Not a vector, which would write it all once more before it is filled.
+  /// #corners keys. A std::vector would initialise them before they are filled.
   std::unique_ptr<SideKey[]> keys;
 
   [[nodiscard]] std::span<SideKey> operator[](std::size_t v) const {
@@ -43,7 +43,7 @@ struct SideBuckets {
 
 SideBuckets bucket_sides(const Complex& complex) {
   SideBuckets buckets;
-  // Counted two places up, so that filling the buckets moves every begin to where it belongs.
+  // The counts stand two places up, so that filling the buckets moves every begin into its place.
   std::vector<Index>& begin = buckets.begin;
   begin.assign(complex.n_vertices + 2, 0);
   for (std::size_t face = 0; face < complex.faces.size(); ++face) {
@@ -70,7 +70,7 @@ SideBuckets bucket_sides(const Complex& complex) {
   return buckets;
 }
 
-/// Most buckets hold half a dozen keys: there the plain way is the quick one.
+/// Most buckets hold half a dozen keys, for which insertion sort is fastest.
 void sort_bucket(std::span<SideKey> keys) {
   constexpr std::size_t kFew = 24;
   if (keys.size() > kFew) {
@@ -85,7 +85,7 @@ void sort_bucket(std::span<SideKey> keys) {
   }
 }
 
-/// What one chunk of buckets finds besides the pairs themselves.
+/// The cut edges that one chunk of buckets finds.
 struct ChunkPairs {
   std::size_t n_pairs = 0;
   CornerLists non_manifold;

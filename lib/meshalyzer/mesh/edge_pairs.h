@@ -6,16 +6,17 @@
 
 namespace meshalyzer {
 
-/// Tells which sides of the faces of a complex are joined, and which edges are cut.
+/// The sides of the faces of a complex that are joined, and the edges that are cut.
 struct EdgePairs {
-  /// #corners: the side that crosses the same edge in the other direction, where the edge has
-  /// exactly these two; kNoIndex where it is a border or cut.
+  /// #corners: the side that crosses the same edge in the other direction, if the edge has exactly
+  /// these two; kNoIndex if the edge is a border or cut.
   std::vector<Index> opposite;
   std::size_t n_pairs = 0;
-  /// The sides at each edge with more than two faces. Edges in order of their two vertices, sides
-  /// ascending.
+  /// The sides at each edge with more than two faces, ascending; the edges in order of their two
+  /// vertices.
   CornerLists non_manifold;
-  /// The two sides at each edge that has just two, both in the same direction; same order.
+  /// The two sides at each edge that has exactly two, both in the same direction, in the same
+  /// order.
   CornerLists flipped;
 };
 
@@ -23,9 +24,8 @@ struct EdgePairs {
 /// them.
 ///
 /// @param complex  At most 2^31 vertices and 2^30 faces.
-/// @complexity O(#V + #F) but for sorting the sides within the bucket of each vertex; 26 bytes a
-/// face beside the
-///             result.
+/// @complexity O(#V + #F), apart from sorting the sides within the bucket of each vertex; 26 bytes
+///             per face of temporary memory.
 [[nodiscard]] EdgePairs pair_edges(const Complex& complex);
 
 }  // namespace meshalyzer

@@ -19,14 +19,14 @@ void walk_fan(std::span<const Index> opposite, Index start, Visit&& visit) {
     corner = opposite[previous_corner(corner)];
     if (corner == start) return;
   } while (corner != kNoIndex);
-  // The fan is open: what is left of it lies on the other side of where we began.
+  // The fan is open: the rest of it lies on the other side of the start.
   for (Index side = opposite[start]; side != kNoIndex; side = opposite[corner]) {
     corner = next_corner(side);
     visit(corner);
   }
 }
 
-/// #V: the lowest corner at each vertex, kNoIndex where there is none.
+/// Returns the lowest corner at each vertex, kNoIndex where there is none.
 std::vector<Index> find_first_corners(const Complex& complex) {
   std::vector<Index> first(complex.n_vertices, kNoIndex);
   auto corner = static_cast<Index>(complex.n_corners());
@@ -68,10 +68,11 @@ std::vector<Index> find_split_vertices(const Complex& complex, const EdgePairs& 
   return split;
 }
 
-/// Returns the corners at each of some vertices (ascending), one list a vertex, ascending.
+/// Returns the corners at each of the given vertices (ascending), one ascending list for each
+/// vertex.
 CornerLists collect_corners(const Complex& complex, std::span<const Index> vertices) {
-  // Where the list of each vertex grows; counted two lists up so that filling moves every begin
-  // into place.
+  // The end of each vertex's list while it is filled. The counts stand two lists up, so that
+  // filling moves every begin into its place.
   std::vector<Index> list_of(complex.n_vertices, kNoIndex);
   for (Index i = 0; i < vertices.size(); ++i) list_of[vertices[i]] = i;
   CornerLists lists;
@@ -91,7 +92,7 @@ CornerLists collect_corners(const Complex& complex, std::span<const Index> verti
   return lists;
 }
 
-/// The fans at the vertices that have more than one.
+/// The fans at the vertices that have several.
 class SplitVertices {
  public:
   SplitVertices(const Complex& complex, const EdgePairs& pairs, std::vector<Index> vertices)
@@ -109,7 +110,7 @@ class SplitVertices {
   [[nodiscard]] const std::vector<Index>& copies() const { return copies_; }
   [[nodiscard]] const CornerLists& copied_corners() const { return copied_corners_; }
 
-  /// Joins, for non_manifold_vertices() alone, the fans on the two sides of an edge.
+  /// Joins the fans on the two sides of an edge, only for non_manifold_vertices().
   void join_across(Index side, Index other_side) {
     join_at(side, other_side);
     join_at(next_corner(side), next_corner(other_side));
@@ -125,8 +126,8 @@ class SplitVertices {
   }
 
  private:
-  /// Numbers the fans of vertex i of the list and keeps all but the first; returns how many there
-  /// are.
+  /// Numbers the fans of vertex i of the list, stores all except the first, and returns their
+  /// number.
   Index find_fans_of(std::size_t i, std::span<const Index> opposite) {
     const Index n_before = n_fans_;
     for (std::size_t place = corners_.begin[i]; place < corners_.begin[i + 1]; ++place) {
@@ -171,7 +172,7 @@ class SplitVertices {
   /// The fan of each corner in `corners_`.
   std::vector<Index> fan_of_;
   Index n_fans_ = 0;
-  /// Fans at each vertex, those that join_across() joined counted as one.
+  /// The number of fans at each vertex; fans that join_across() joined count as one.
   std::vector<Index> n_joined_fans_;
   DisjointSets joined_fans_{0};
   std::vector<Index> copies_;

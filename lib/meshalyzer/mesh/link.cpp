@@ -98,7 +98,7 @@ EdgeNumbers number_edges(std::vector<Index> opposite) {
   for (Index side = 0; side < halfedge.size(); ++side) {
     const Index other = halfedge[side];
     if (other == kNoIndex) edges.border_edges.push_back(n_edges);
-    // A lower side has its number already; this one is the other half of that edge.
+    // The lower side of the edge has its number already; this one is the other half-edge.
     halfedge[side] = other < side ? halfedge[other] + 1 : 2 * n_edges++;
   }
   edges.n_edges = n_edges;

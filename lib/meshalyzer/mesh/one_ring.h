@@ -19,25 +19,25 @@ namespace meshalyzer {
 //      /       \  /       \        On a border the last outgoing half-edge has no face on its left,
 //     d ------- v -------- a       so nothing follows it; it is the one OpenMesh begins with at v.
 
-/// Goes round a vertex counter-clockwise; what it shows of each step (a vertex, a face or an
-/// outgoing half-edge) is the `Element`.
+/// Goes round a vertex counter-clockwise and gives an `Element` at each step: a vertex, a face or
+/// an outgoing half-edge.
 ///
-/// Holds two half-edges and the mesh, allocates nothing, and stays valid as long as the mesh's
-/// connectivity is not changed. Elements are handles, given by value.
+/// The iterator holds two half-edges and the mesh, allocates nothing, and stays valid as long as
+/// the connectivity of the mesh is not changed. Elements are handles, returned by value.
 template <typename Element>
 class OneRingIterator {
  public:
   using iterator_concept = std::forward_iterator_tag;
-  // A C++17 forward iterator would have to give references.
+  // A C++17 forward iterator would have to return references.
   using iterator_category = std::input_iterator_tag;
   using value_type = Element;
   using difference_type = std::ptrdiff_t;
   using pointer = void;
   using reference = Element;
 
-  /// The end of every ring.
+  /// Constructs the end of every ring.
   OneRingIterator() = default;
-  /// Points at the first half-edge of a ring, or at the end where there is none.
+  /// Starts at the first half-edge of a ring, or at the end if there is none.
   OneRingIterator(const TriMesh& mesh, HalfedgeHandle first)
       : mesh_(&mesh), first_(first), current_(first) {}
 
@@ -67,7 +67,7 @@ class OneRingIterator {
   }
 
  private:
-  /// Returns the next outgoing half-edge; invalid at the end.
+  /// Returns the next outgoing half-edge, or an invalid one at the end.
   [[nodiscard]] HalfedgeHandle following() const {
     if (mesh_->is_boundary(current_)) {
       return HalfedgeHandle();
@@ -83,8 +83,7 @@ class OneRingIterator {
   HalfedgeHandle current_;
 };
 
-/// The ring round a vertex, for range-for and whatever else takes a forward range; only refers to
-/// the mesh.
+/// The ring round a vertex as a forward range. It only refers to the mesh.
 template <typename Element>
 class OneRing {
  public:
@@ -95,8 +94,9 @@ class OneRing {
   [[nodiscard]] bool empty() const { return begin() == end(); }
 
  private:
-  /// Returns the half-edge with which the ring begins. Where the vertex lies on a border, its own
-  /// half-edge runs along it and is the last of the fan: a step over the gap leads to the first.
+  /// Returns the half-edge with which the ring begins. If the vertex lies on a border, its own
+  /// half-edge runs along the border and is the last of the fan; a step over the gap leads to the
+  /// first.
   static HalfedgeHandle first(const TriMesh& mesh, VertexHandle v) {
     const HalfedgeHandle h = mesh.halfedge_handle(v);
     return h.is_valid() && mesh.is_boundary(h)
@@ -110,13 +110,13 @@ class OneRing {
 /// Returns the half-edges that leave a vertex, counter-clockwise seen from the side its normals
 /// point to.
 ///
-/// Inside a surface of n faces round the vertex: n half-edges, from any one on. On a border: n + 1,
-/// from the clockwise-most edge to the last, whose half-edge is the only one without a face. At an
-/// isolated vertex: none.
+/// An inner vertex with n faces has n half-edges, beginning with any of them. A border vertex has n
+/// + 1, from the clockwise-most edge to the last, whose half-edge is the only one without a face.
+/// An isolated vertex has none.
 ///
 ///     for (const HalfedgeHandle h : one_ring_halfedges(mesh, v)) { ... }
 ///
-/// A mesh vertex has one fan: where a file's vertex has several, its copies have the others (see
+/// A mesh vertex has one fan: if a vertex of the file has several, its copies have the others (see
 /// SideTable).
 [[nodiscard]] inline OneRing<HalfedgeHandle> one_ring_halfedges(const TriMesh& mesh,
                                                                 VertexHandle v) {
@@ -128,8 +128,8 @@ class OneRing {
   return {mesh, v};
 }
 
-/// Returns the faces round a vertex: those on the left of one_ring_halfedges(), in the same order;
-/// n also on a border.
+/// Returns the n faces round a vertex: those on the left of one_ring_halfedges(), in the same
+/// order.
 [[nodiscard]] inline OneRing<FaceHandle> one_ring_faces(const TriMesh& mesh, VertexHandle v) {
   return {mesh, v};
 }

@@ -12,7 +12,7 @@ std::vector<Index> find_repeated_ids(const Ids& ids) {
   const std::vector<std::int32_t>& named = ids.named;
   const auto first = std::adjacent_find(named.begin(), named.end(), std::greater_equal<>());
   if (first == named.end()) return {};
-  // Id and record in one key.
+  // One key holds id and record.
   std::vector<std::uint64_t> keys(named.size());
   for (std::size_t i = 0; i < named.size(); ++i) {
     keys[i] = std::uint64_t{static_cast<std::uint32_t>(named[i])} << 32U | i;

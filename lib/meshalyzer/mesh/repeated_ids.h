@@ -6,10 +6,10 @@
 
 namespace meshalyzer {
 
-/// Finds the records whose id an earlier record has.
+/// Finds the records whose id already belongs to an earlier record.
 ///
-/// @return     Ascending; none where ids are not named one by one.
-/// @complexity O(n) where ids ascend, else O(n log n).
+/// @return     The records, ascending; none if the file does not name its ids.
+/// @complexity O(n) if ids ascend, else O(n log n).
 [[nodiscard]] std::vector<Index> find_repeated_ids(const Ids& ids);
 
 }  // namespace meshalyzer

@@ -15,7 +15,7 @@ struct CutEdge {
   std::span<const HalfedgeHandle> halfedges;
 };
 
-/// A list of cut edges, flat.
+/// A list of cut edges, stored in one array.
 struct CutEdges {
   /// #edges + 1: where each edge's half-edges begin in `halfedges`.
   std::vector<Index> begin{0};
@@ -27,36 +27,37 @@ struct CutEdges {
   }
 };
 
-/// Holds what a half-edge mesh cannot hold of a file's complex: how the pieces of the cut mesh
-/// belong together.
+/// Describes how the pieces of the cut mesh belong together, which the half-edge mesh cannot hold.
 ///
-/// Two mesh vertices are copies of one file vertex exactly when vertex() says so. Together with the
-/// mesh this is the file's complex, nothing more and nothing less: see unbuild() and validate().
+/// Two mesh vertices are copies of one file vertex exactly when vertex() is the same for both. Mesh
+/// and table together are the file's complex, nothing more and nothing less: see unbuild() and
+/// validate().
 struct SideTable {
-  /// Vertex records of the file: mesh vertices 0 ... n_file_vertices - 1 are these, in file order.
+  /// The number of vertex records of the file: mesh vertices 0 ... n_file_vertices - 1 are these,
+  /// in file order.
   std::size_t n_file_vertices = 0;
-  /// File vertex of mesh vertex n_file_vertices + i: the copies that cutting made, in order of
-  /// their file vertex.
+  /// The file vertex of mesh vertex n_file_vertices + i, for each copy that cutting made, in order
+  /// of their file vertices.
   std::vector<Index> copies;
-  /// #mesh faces: the file's face of each, ascending.
+  /// #mesh faces: the index of each in the file, ascending.
   std::vector<Index> faces;
-  /// Faces of the file that no half-edge mesh can hold: a vertex named twice, or never defined.
-  /// Ascending.
+  /// The faces of the file that no half-edge mesh can hold, because they name a vertex twice or an
+  /// undefined one. Ascending.
   std::vector<Index> rejected_faces;
   /// Edges with more than two faces, in order of their two file vertices (smaller first).
   CutEdges non_manifold_edges;
-  /// Edges with exactly two faces, both of which cross it in the same direction; same order.
+  /// Edges with exactly two faces, both of which cross it in the same direction, in the same order.
   CutEdges flipped_edges;
   /// File vertices whose faces are not one fan (faces joined through two-face edges, whichever way
   /// they are oriented), the ends of non-manifold edges included. Ascending.
   std::vector<Index> non_manifold_vertices;
 
-  /// Returns the file's vertex that a mesh vertex is, or is a copy of.
+  /// Returns the file vertex that a mesh vertex is, or is a copy of.
   [[nodiscard]] Index vertex(VertexHandle v) const {
     const auto i = static_cast<Index>(v.idx());
     return i < n_file_vertices ? i : copies[i - n_file_vertices];
   }
-  /// Returns the file's face that a mesh face is.
+  /// Returns the file face that a mesh face is.
   [[nodiscard]] Index face(FaceHandle f) const { return faces[static_cast<std::size_t>(f.idx())]; }
   /// Returns the index of the mesh face that is this face of the file, which must not be a rejected
   /// one.

@@ -28,7 +28,7 @@ std::array<Vec3, 3> corners_of(const Soup& soup, Index face) {
 }
 
 Index group_of(const Soup& soup, Index face) {
-  // Groups without faces begin where the next one does: the last that begins here counts.
+  // A group without faces begins where the next one does: the last group that begins here counts.
   const auto after =
       std::upper_bound(soup.groups.begin(), soup.groups.end(), face,
                        [](Index wanted, const Group& group) { return wanted < group.first_face; });

@@ -18,11 +18,11 @@ enum class Format { Mesh, Inria, Obj, Off, Stl, Ply };
 
 /// The file's ids of its vertices or faces, by record.
 ///
-/// Formats that number their records silently (all but `.mesh`) keep no list: the id of record i is
-/// first + i.
+/// Formats that number their records implicitly (all but `.mesh`) need no list: the id of record i
+/// is first + i.
 struct Ids {
   std::int32_t first = 1;
-  /// One id a record where the file names them, else empty.
+  /// One id for each record if the file names them, else empty.
   std::vector<std::int32_t> named;
 
   [[nodiscard]] std::int64_t of(Index record) const {
@@ -33,7 +33,7 @@ struct Ids {
 /// A corner of a face that names a vertex which no record defines.
 struct MissingReference {
   Index face = 0;
-  /// 0, 1 or 2: which corner of the triangle.
+  /// The number of the corner in the triangle: 0, 1 or 2.
   std::uint8_t corner = 0;
   /// The id that the file names.
   std::int64_t id = 0;
@@ -42,19 +42,19 @@ struct MissingReference {
 /// A named run of faces (OBJ `g` or `o`).
 struct Group {
   std::string name;
-  /// First face of the run; it ends where the next group's begins, or with the last face.
+  /// The first face of the run; the run ends where the next group begins, or with the last face.
   Index first_face = 0;
 };
 
-/// A mesh file, faithfully: every record in file order, nothing cleaned, merged, reordered or
-/// dropped.
+/// The faithful content of a mesh file: every record in file order, nothing cleaned, merged,
+/// reordered or dropped.
 ///
 /// STL is the one exception: it names no vertices, so its bit-identical points become one vertex,
 /// numbered by first appearance (0.0 and -0.0 are the same place); n_merged_points tells how many
 /// were merged.
 struct Soup {
   Format format = Format::Mesh;
-  /// #V positions, one a vertex record; all finite.
+  /// #V positions, one for each vertex record; all finite.
   std::vector<Vec3> positions;
   /// #F triangles as indices into `positions`; kNoIndex at a corner whose vertex no record defines.
   /// A polygon of k corners stands here as k - 2 triangles (fanned from its first corner); a
@@ -65,11 +65,11 @@ struct Soup {
   Ids face_ids;
   /// The references in face order, then corner order.
   std::vector<MissingReference> missing;
-  /// 1-based line of each record, where the file is text and read by lines; else empty.
+  /// The 1-based line of each record if the file is text and read by lines, else empty.
   std::vector<std::uint32_t> vertex_lines;
   std::vector<std::uint32_t> face_lines;
-  /// `.mesh` only: 1-based lines that begin with a number instead of Vertex or Face, the remains of
-  /// a torn record. They hold no record that could be read.
+  /// Only in `.mesh`: the 1-based lines that begin with a number instead of Vertex or Face. They
+  /// are remains of torn records and hold no record.
   std::vector<std::uint32_t> torn_lines;
   /// The groups in file order; empty where the file has none. Faces before the first group belong
   /// to none.
@@ -79,20 +79,20 @@ struct Soup {
   /// #F, indices into `normals` of each corner (kNoIndex: none); empty where the file gives no
   /// normals.
   std::vector<Triangle> corner_normals;
-  /// STL only: corners whose point had been met before.
+  /// Only in STL: the number of corners whose point had occurred before.
   std::size_t n_merged_points = 0;
-  /// Face records with more than three corners, each fanned into triangles.
+  /// The number of face records with more than three corners, each fanned into triangles.
   std::size_t n_polygons = 0;
 
   [[nodiscard]] std::size_t n_vertices() const { return positions.size(); }
   [[nodiscard]] std::size_t n_faces() const { return triangles.size(); }
 };
 
-/// Returns the places of the corners of a face, in the order of the file; all of them must be
+/// Returns the positions of the corners of a face, in the order of the file; all of them must be
 /// defined.
 [[nodiscard]] std::array<Vec3, 3> corners_of(const Soup& soup, Index face);
 
-/// Returns the group that a face belongs to, by index; kNoIndex where it belongs to none.
+/// Returns the index of the group that a face belongs to, or kNoIndex if it belongs to none.
 ///
 /// @complexity O(log #groups).
 [[nodiscard]] Index group_of(const Soup& soup, Index face);

@@ -2,8 +2,8 @@
 
 #include "meshalyzer/base/types.h"
 
-// PropertyT::push_back() adds an Eigen vector without initialising it, as Eigen means it; g++ 12
-// warns of it.
+// PropertyT::push_back() adds an Eigen vector without initialising it, which Eigen intends and g++
+// 12 warns about.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"

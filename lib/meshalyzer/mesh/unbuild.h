@@ -8,8 +8,8 @@ namespace meshalyzer {
 
 /// Glues a cut mesh together again: the triangles of the file's complex, by file vertex.
 ///
-/// @return #mesh faces triangles, in face order; each starts at an arbitrary corner but keeps its
-/// orientation.
+/// @return The triangles in face order; each starts at an arbitrary corner but keeps its
+///         orientation.
 /// @complexity O(#F).
 [[nodiscard]] std::vector<Triangle> unbuild(const CutMesh& cut);
 

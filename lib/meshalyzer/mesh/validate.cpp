@@ -18,7 +18,7 @@ struct Side {
   Index smaller = 0;
   Index larger = 0;
   Index face = 0;
-  /// 0, 1 or 2: the corner that the side leaves.
+  /// The number of the corner at which the side begins: 0, 1 or 2.
   Index corner = 0;
 
   friend auto operator<=>(const Side&, const Side&) = default;
@@ -30,7 +30,8 @@ bool starts_at_smaller(const Side& side, const Soup& soup) {
   return soup.triangles[side.face][side.corner] == side.smaller;
 }
 
-/// All sides of the complex, those of one edge together, in order of vertices, then of faces.
+/// Returns all sides of the complex, sorted by vertices, so that those of one edge are together,
+/// then by faces.
 std::vector<Side> sorted_sides(const Soup& soup) {
   std::vector<Side> sides;
   for (Index face = 0; face < soup.n_faces(); ++face) {
@@ -45,7 +46,7 @@ std::vector<Side> sorted_sides(const Soup& soup) {
   return sides;
 }
 
-/// The file's edges, one run of sides each, by what the mesh must make of them.
+/// The edges of the file, each a run of sides, by the kind that they must have in the mesh.
 struct Edges {
   std::vector<Edge> borders;
   std::vector<Edge> joined;
@@ -85,7 +86,7 @@ class CornerSets {
     sets_.unite(corner_at(edge[0], edge[0].smaller), corner_at(edge[1], edge[0].smaller));
     sets_.unite(corner_at(edge[0], edge[0].larger), corner_at(edge[1], edge[0].larger));
   }
-  /// #V: how many sets the corners at each vertex make.
+  /// Returns the number of sets that the corners at each vertex form.
   [[nodiscard]] std::vector<Index> sets_at_vertices() const {
     std::vector<Index> n(soup_.n_vertices(), 0);
     for (Index corner = 0; corner < 3 * soup_.n_faces(); ++corner) {
@@ -118,13 +119,13 @@ std::vector<Index> expected_non_manifold_vertices(const Soup& soup, const Edges&
   return vertices;
 }
 
-/// Holds a cut mesh against the soup that it should be of.
+/// Compares a cut mesh with the soup that it should represent.
 class Comparison {
  public:
   Comparison(const CutMesh& cut, const Soup& soup, Complaints& complaints)
       : mesh_(cut.mesh), side_(cut.side), cut_(cut), soup_(soup), complaints_(complaints) {}
 
-  /// Checks the sizes of all arrays. Where it finds a fault nothing else can be checked.
+  /// Checks the sizes of all arrays. If it finds a fault, nothing else can be checked.
   void check_sizes() {
     if (side_.n_file_vertices != soup_.n_vertices() ||
         mesh_.n_vertices() != soup_.n_vertices() + side_.copies.size()) {
@@ -193,7 +194,7 @@ class Comparison {
     }
   }
 
-  /// The mesh joins the faces of the edges that it can, and of no others.
+  /// Checks that the mesh joins the faces at exactly those edges where it can.
   void check_edges(const Edges& edges) {
     for (const Edge edge : edges.joined) {
       const HalfedgeHandle opposite = mesh_.opposite_halfedge_handle(halfedge_of(edge[0]));
@@ -241,8 +242,8 @@ class Comparison {
            std::is_sorted(edges.begin.begin(), edges.begin.end());
   }
 
-  /// Returns the mesh's half-edge of a side, found by its vertices; invalid where its face has none
-  /// such.
+  /// Returns the mesh's half-edge of a side, found by its vertices, or an invalid one if its face
+  /// has no such half-edge.
   [[nodiscard]] HalfedgeHandle halfedge_of(const Side& side) const {
     const auto place =
         std::lower_bound(side_.faces.begin(), side_.faces.end(), side.face) - side_.faces.begin();

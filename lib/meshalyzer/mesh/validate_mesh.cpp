@@ -53,7 +53,7 @@ void check_halfedges(const TriMesh& mesh, Complaints& complaints) {
       complaints.add(fmt::format("half-edge {}: it joins vertex {} to itself", h.idx(),
                                  mesh.to_vertex_handle(h).idx()));
     }
-    // Next and previous are inverse, so this makes every border a closed loop.
+    // Next and previous are inverse, so it follows that every border is a closed loop.
     if (mesh.face_handle(next) != mesh.face_handle(h)) {
       complaints.add(fmt::format("half-edge {}: the next one has another face", h.idx()));
     }
@@ -79,7 +79,7 @@ void check_faces(const TriMesh& mesh, Complaints& complaints) {
   }
 }
 
-/// The outgoing half-edges of each vertex as the half-edges themselves tell them.
+/// The outgoing half-edges of each vertex, collected from the half-edges themselves.
 struct Outgoing {
   std::vector<Index> n;
   std::vector<Index> n_border;

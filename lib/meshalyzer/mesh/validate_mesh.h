@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// Sentences about what is wrong; those beyond the limit are dropped.
+/// A list of sentences about faults; those beyond the limit are dropped.
 class Complaints {
  public:
   explicit Complaints(std::size_t max) : max_(max) {}
@@ -25,10 +25,9 @@ class Complaints {
   std::vector<std::string> sentences_;
 };
 
-/// Checks the invariants of a half-edge mesh of triangles, whatever it is the mesh of: see
-/// validate().
+/// Checks the invariants of a half-edge mesh of triangles that validate() lists.
 ///
-/// Safe on any content: handles out of range are said, and nothing further is then looked at.
+/// It is safe on any content: handles out of range are reported, and the check then ends.
 ///
 /// @complexity O(#V + #H).
 void validate_mesh(const TriMesh& mesh, Complaints& complaints);

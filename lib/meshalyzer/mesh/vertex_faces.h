@@ -31,19 +31,20 @@ class VertexFaces {
     for_each_corner([&](Index vertex, Index face) { faces_[begins_[vertex + 1]++] = face; });
   }
 
-  /// Ascending; a face stands there once for each of its corners at the vertex.
+  /// Returns the faces at a vertex, ascending; a face occurs once for each of its corners at the
+  /// vertex.
   [[nodiscard]] std::span<const Index> at(Index vertex) const {
     return std::span(faces_).subspan(begins_[vertex], begins_[vertex + 1] - begins_[vertex]);
   }
 
  private:
-  /// Where the faces of each vertex begin.
+  /// The position where the faces of each vertex begin.
   std::vector<Index> begins_;
   std::vector<Index> faces_;
 };
 
-/// Calls `use` with the faces of a soup that name a vertex and two of a triangle; with some of them
-/// twice.
+/// Calls `use` with the faces of a soup that name `vertex` and at least two vertices of `triangle`;
+/// with some of them twice.
 ///
 /// @complexity O(the faces at the vertex, or at two corners of the triangle, whichever are fewer).
 template <typename Use>
