@@ -9,7 +9,8 @@ namespace meshalyzer {
 namespace {
 
 struct BorderEdge {
-  /// Smaller file vertex in the upper half, larger in the lower. No two border edges are the same.
+  /// The smaller file vertex in the upper half, the larger in the lower. No two border edges are
+  /// equal.
   std::uint64_t ends = 0;
   HalfedgeHandle halfedge;
 };

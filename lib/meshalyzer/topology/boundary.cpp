@@ -10,20 +10,20 @@
 namespace meshalyzer {
 namespace {
 
-/// Names an end of a half-edge.
+/// The two ends of a half-edge.
 enum class End : std::uint8_t { From, To };
 
 End other(End end) {
   return end == End::From ? End::To : End::From;
 }
 
-/// One end of a border edge, by its inner half-edge.
+/// One end of a border edge, which its inner half-edge names.
 struct EdgeEnd {
   HalfedgeHandle halfedge;
   End end = End::To;
 };
 
-/// Goes from border edge to border edge through the fans between them.
+/// Walks from border edge to border edge through the fans between them.
 class BorderWalk {
  public:
   explicit BorderWalk(const CutMesh& cut)
@@ -40,8 +40,8 @@ class BorderWalk {
 
   [[nodiscard]] bool is_visited(HalfedgeHandle h) const { return visited_[edge(h)] != 0; }
 
-  /// Walks from an end of a border edge on, until round a loop or to the end of a chain, and marks
-  /// the edges as visited. Begins with the edge itself.
+  /// Walks on from an end of a border edge until a loop is closed or a chain ends, and marks the
+  /// edges as visited. The walk begins with the edge itself.
   [[nodiscard]] BoundaryLoop walk(EdgeEnd start) {
     BoundaryLoop loop;
     std::optional<EdgeEnd> at = start;
@@ -60,12 +60,13 @@ class BorderWalk {
     return static_cast<std::size_t>(cut_.mesh.edge_handle(h).idx());
   }
 
-  /// Returns the other border edge of the fan that a border edge begins at one of its ends, and
-  /// which of its ends is in that fan; nothing where a non-manifold edge ends the fan.
+  /// Returns the border edge at the other side of the fan that begins with a border edge at one of
+  /// its ends, and which of its own ends lies there; nothing where a non-manifold edge ends the
+  /// fan.
   [[nodiscard]] std::optional<EdgeEnd> across_fan(EdgeEnd at) const {
     const TriMesh& mesh = cut_.mesh;
     for (;;) {
-      // The other edge at the same vertex of the same face.
+      // Continue with the other edge of the same face at the same vertex.
       at.halfedge = at.end == End::To ? mesh.next_halfedge_handle(at.halfedge)
                                       : mesh.prev_halfedge_handle(at.halfedge);
       at.end = other(at.end);
@@ -98,7 +99,7 @@ class BorderWalk {
 BoundaryLoop trace(BorderWalk& border, HalfedgeHandle lowest) {
   BoundaryLoop onwards = border.walk({lowest, End::To});
   if (onwards.shape == BoundaryShape::Loop) return onwards;
-  // The walk began in the middle of a chain: put what lies before it in front.
+  // The walk began in the middle of a chain: put the edges before it in front.
   BoundaryLoop chain = border.walk({lowest, End::From});
   std::reverse(chain.halfedges.begin(), chain.halfedges.end());
   chain.halfedges.insert(chain.halfedges.end(), onwards.halfedges.begin() + 1,

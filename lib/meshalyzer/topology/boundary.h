@@ -7,7 +7,7 @@
 
 namespace meshalyzer {
 
-/// Tells how a boundary ends.
+/// The two shapes of a boundary.
 enum class BoundaryShape : std::uint8_t {
   /// The boundary comes back to its first edge.
   Loop,
@@ -15,12 +15,12 @@ enum class BoundaryShape : std::uint8_t {
   Chain,
 };
 
-/// One boundary of the complex: border edges, each followed by the next one of the same fan.
+/// One boundary of the complex: a sequence of border edges, each followed by the next one of the
+/// same fan.
 struct BoundaryLoop {
-  /// Inner half-edges of the border edges in walking order. The walk runs along the half-edge of
-  /// its lowest border edge; where it hops across flipped edges the faces beside it are turned, and
-  /// so half-edges of the loop may run against the walk. A loop begins with its lowest border edge,
-  /// a chain with one of its ends.
+  /// The inner half-edges of the border edges in walking order. The walk runs along the half-edge
+  /// of its lowest border edge; beyond flipped edges the faces are turned, so that half-edges may
+  /// run against the walk. A loop begins with its lowest border edge, a chain with one of its ends.
   std::vector<HalfedgeHandle> halfedges;
   BoundaryShape shape = BoundaryShape::Loop;
 };
@@ -32,11 +32,12 @@ struct BoundaryLoop {
 /// whichever way they are oriented. Where the fan ends at a non-manifold edge instead, so does the
 /// boundary: it is a chain, and counts as one.
 ///
-/// So two sheets that touch at a vertex have a boundary each, while two holes of one sheet that
-/// touch there have one together: it passes the vertex twice.
+/// So two sheets that touch at a vertex have one boundary each, whereas two holes of one sheet that
+/// touch at a vertex have one boundary together, which passes the vertex twice.
 ///
-/// @return     In order of their lowest border edge, in the order of find_border_edges(); every
-///             border edge is in exactly one of them. A closed complex has none.
+/// @return     The boundaries, ordered by their lowest border edge in the order of
+///             find_border_edges(); every border edge is in exactly one of them. A closed complex
+///             has none.
 /// @complexity O(#E + #B log #B), #B the number of border edges.
 [[nodiscard]] std::vector<BoundaryLoop> find_boundary_loops(const CutMesh& cut);
 

@@ -5,7 +5,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Adds what is found on the mesh to the counts of the component it is in.
+/// Adds each finding on the mesh to the counts of its component.
 class Counter {
  public:
   Counter(const CutMesh& cut, const ComponentCountsInput& input)
@@ -18,7 +18,7 @@ class Counter {
     }
   }
 
-  /// Copies are left out: a file vertex that faces use is never isolated itself.
+  /// Copies are skipped: a file vertex that faces use is never isolated itself.
   void add_vertices() {
     for (std::size_t v = 0; v < cut_.side.n_file_vertices; ++v) {
       const VertexHandle vertex(static_cast<int>(v));
@@ -44,7 +44,7 @@ class Counter {
   }
 
   void add_edge_components() {
-    // They are numbered by their lowest face: each new number is one more of them.
+    // Edge components are numbered by their lowest face: each new number is one more of them.
     const Components& parts = input_.edge_components;
     std::size_t n_met = 0;
     for (const FaceHandle f : cut_.mesh.all_faces()) {
@@ -69,7 +69,7 @@ class Counter {
   }
   ComponentCounts& at(VertexHandle v) { return at(cut_.mesh.halfedge_handle(v)); }
 
-  /// Counts the edges of a list, and takes off the mesh edges that cutting added.
+  /// Counts the edges of a list, and subtracts the mesh edges that cutting added.
   void add_cuts(const CutEdges& edges, std::size_t ComponentCounts::*count) {
     for (std::size_t i = 0; i < edges.size(); ++i) {
       const auto halfedges = edges[i].halfedges;

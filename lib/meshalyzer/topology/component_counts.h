@@ -11,7 +11,8 @@
 
 namespace meshalyzer {
 
-/// The results that count_by_component() needs, all for the same mesh. It only refers to them.
+/// The results that count_by_component() needs, all of the same mesh; the struct only refers to
+/// them.
 struct ComponentCountsInput {
   /// The result of find_components().
   const Components& components;
@@ -25,10 +26,10 @@ struct ComponentCountsInput {
 
 /// The topological counts of one component of a complex.
 struct ComponentCounts {
-  /// The lowest face record in it, by index in the file.
+  /// The index of its lowest face record.
   Index first_face = kNoIndex;
   std::size_t faces = 0;
-  /// File vertices that its faces use.
+  /// The number of file vertices that its faces use.
   std::size_t vertices = 0;
   std::size_t edges = 0;
   std::size_t edge_components = 0;
@@ -41,9 +42,9 @@ struct ComponentCounts {
   bool orientable = true;
 };
 
-/// Counts by component what the finders of this module found.
+/// Counts the findings of this module by component.
 ///
-/// @return     One for each component, in their order. Each count sums up to that of the mesh.
+/// @return     The counts of each component, in their order. Their sums are the counts of the mesh.
 /// @complexity O(#V + #E).
 [[nodiscard]] std::vector<ComponentCounts> count_by_component(const CutMesh& cut,
                                                               const ComponentCountsInput& input);

@@ -7,34 +7,34 @@
 
 namespace meshalyzer {
 
-/// The parts that the faces of a complex fall into.
+/// A partition of the faces of a complex into components.
 struct Components {
   std::size_t count = 0;
-  /// #mesh faces, the component of each: 0 ... count - 1, numbered in order of their lowest face.
+  /// #mesh faces: the component of each, 0 ... count - 1, numbered in order of their lowest face.
   std::vector<Index> of_face;
 };
 
-/// Finds the faces that hang together through shared file vertices: the separate objects in a file.
+/// Finds the components connected through shared file vertices: the separate objects in a file.
 ///
 /// @complexity O(#V + #E log #V) time, near linear in practice; two indices a vertex of temporary
 /// memory.
 [[nodiscard]] Components find_components(const CutMesh& cut);
 
-/// Finds the faces that hang together through shared edges of the complex, flipped and non-manifold
-/// edges included.
+/// Finds the components connected through shared edges of the complex, including flipped and
+/// non-manifold edges.
 ///
 /// @complexity O(#E log #F) time, near linear in practice; one index a face of temporary memory.
 [[nodiscard]] Components find_edge_components(const CutMesh& cut);
 
-/// Finds the faces that hang together in the cut mesh: through edges with two faces that cross them
-/// in opposite directions. Each is consistently oriented.
+/// Finds the components of the cut mesh, which are connected through edges with two faces that
+/// cross them in opposite directions. Each is consistently oriented.
 ///
-/// @complexity As find_edge_components().
+/// @complexity The same as that of find_edge_components().
 [[nodiscard]] Components find_oriented_regions(const CutMesh& cut);
 
-/// Returns the component of each file face; kNoIndex for those that are not in the complex.
+/// Returns the component of each file face, kNoIndex for faces that are not in the complex.
 ///
-/// @param n_file_faces  Of the soup that the cut mesh was built from.
+/// @param n_file_faces  The number of faces of the soup that the cut mesh was built from.
 [[nodiscard]] std::vector<Index> components_of_file_faces(const CutMesh& cut,
                                                           const Components& components,
                                                           std::size_t n_file_faces);

@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns the file vertex of a half-edge's face that is not on the half-edge.
+/// Returns the file vertex opposite to a half-edge in its face.
 Index opposite_vertex(const CutMesh& cut, HalfedgeHandle h) {
   return cut.side.vertex(cut.mesh.to_vertex_handle(cut.mesh.next_halfedge_handle(h)));
 }

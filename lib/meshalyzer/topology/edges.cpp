@@ -9,7 +9,7 @@ void mark(const CutMesh& cut, const CutEdges& edges, EdgeKind kind, std::vector<
   }
 }
 
-/// Mesh edges that are not the first of their edge of the complex.
+/// Counts the mesh edges that are not the first of their edge of the complex.
 std::size_t n_surplus(const CutEdges& edges) {
   return edges.halfedges.size() - edges.size();
 }

@@ -9,33 +9,35 @@
 
 namespace meshalyzer {
 
-/// Tells what an edge of the cut mesh is in the file's complex.
+/// The kind of an edge of the cut mesh in the file's complex.
 enum class EdgeKind : std::uint8_t {
-  /// Two faces that cross it in opposite directions: the only kind with two faces in the cut mesh.
+  /// The edge has two faces that cross it in opposite directions. Only this kind has two faces in
+  /// the cut mesh.
   Inner,
-  /// Exactly one face.
+  /// The edge has exactly one face.
   Border,
-  /// One of two faces that cross it in the same direction.
+  /// The edge has two faces that cross it in the same direction; the mesh edge belongs to one of
+  /// them.
   Flipped,
-  /// One of more than two faces.
+  /// The edge has more than two faces; the mesh edge belongs to one of them.
   NonManifold,
 };
 
-/// Tells for each edge of the cut mesh what it is in the file's complex.
+/// Classifies each edge of the cut mesh by its kind in the file's complex.
 ///
-/// @return     #mesh edges, by EdgeHandle::idx(). An edge of the complex that was cut is as many
-///             mesh edges as it has faces.
+/// @return     #mesh edges: the kinds, indexed by EdgeHandle::idx(). A cut edge of the complex is
+///             as many mesh edges as it has faces.
 /// @complexity O(#E).
 [[nodiscard]] std::vector<EdgeKind> classify_edges(const CutMesh& cut);
 
 /// Counts the distinct unordered pairs of file vertices that bound a face.
 ///
-/// @complexity O(1): what cutting added is taken off again.
+/// @complexity O(1): the edges that cutting added are subtracted.
 [[nodiscard]] std::size_t n_edges(const CutMesh& cut);
 
 /// Counts the edges of the complex at each file vertex.
 ///
-/// @return     #file vertices; 0 for a vertex that no face of the complex uses.
+/// @return     #file vertices: the counts, 0 for a vertex that no face of the complex uses.
 /// @complexity O(#V + #E).
 [[nodiscard]] std::vector<Index> vertex_valences(const CutMesh& cut);
 

@@ -14,7 +14,7 @@ std::vector<Index> find_pinched_vertices(const CutMesh& cut) {
     const auto ends = file_ends(cut, edges[i].halfedges[0]);
     on_edges.insert(on_edges.end(), ends.begin(), ends.end());
   }
-  // An end of several edges stands here several times; set_difference does not mind.
+  // A vertex at which several edges end occurs several times; std::set_difference allows that.
   std::sort(on_edges.begin(), on_edges.end());
   const std::vector<Index>& vertices = cut.side.non_manifold_vertices;
   std::vector<Index> pinched;

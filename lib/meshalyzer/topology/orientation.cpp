@@ -10,9 +10,8 @@ Orientability find_orientability(const CutMesh& cut, const Components& edge_comp
   const CutEdges& flipped = cut.side.flipped_edges;
   if (flipped.size() == 0) return result;
 
-  // Each region stands twice, as it is (2 p) and turned over (2 p + 1). A flipped edge asks that
-  // one of its two regions be turned. Where that makes both sides of a region the same, it is
-  // one-sided.
+  // Each region p has two nodes: as it is (2 p) and reversed (2 p + 1). A flipped edge demands that
+  // one of its two regions be reversed. A region both of whose nodes become one is one-sided.
   const Components regions = find_oriented_regions(cut);
   const auto face_of = [&](HalfedgeHandle h) {
     return static_cast<std::size_t>(cut.mesh.face_handle(h).idx());
