@@ -38,8 +38,8 @@ struct Form {
   double g_height = 0.0;
 };
 
-/// Returns the least squares of  e u + f v = p,  f u + g v = q  over the three sides (u, v) of a
-/// face, along which the normal turns by (p, q).
+/// Returns the least-squares solution of  e u + f v = p,  f u + g v = q  over the three sides (u,
+/// v) of a face, along which the normal turns by (p, q).
 ///
 /// With w = v / height = 0, 1, -1 and G = g height for unknown, the normal equations are
 ///     | a    h b      0 |          | sum u p             |

@@ -33,8 +33,8 @@ double dot_product_at(const Corners& p, std::size_t corner) {
   return (p[(corner + 1) % 3] - p[corner]).dot(p[(corner + 2) % 3] - p[corner]);
 }
 
-/// Returns the angle at a corner where products of lengths leave the range of doubles: that of the
-/// same face at another scale.
+/// Returns the angle at a corner when products of lengths leave the range of doubles, computed at
+/// another scale.
 double rescaled_angle(const Corners& p, std::size_t corner) {
   double largest = 0.0;
   for (const Vec3& point : p) {
@@ -45,8 +45,7 @@ double rescaled_angle(const Corners& p, std::size_t corner) {
   return angle_degrees(twice_area_seen_from(scaled, corner), dot_product_at(scaled, corner));
 }
 
-/// Returns the angle at a corner. The sine and cosine are those of the angle times the same product
-/// of lengths.
+/// Returns the angle at a corner. Sine and cosine have the same factor, a product of lengths.
 double corner_angle(const Corners& p, std::size_t corner, double twice_area) {
   const double dot_product = dot_product_at(p, corner);
   return std::isnormal(twice_area) && std::isfinite(dot_product)

@@ -81,8 +81,8 @@ std::array<Vec3, 2> tangents(const Vec3& n) {
           Vec3(b, sign + n.y() * n.y() * a, -n.y())};
 }
 
-/// Returns a tangent of the unit normal `from`, turned the shortest way with it to the unit normal
-/// `to`.
+/// Returns a tangent of the unit normal `from`, rotated by the shortest rotation that takes `from`
+/// to the unit normal `to`.
 Vec3 turned(const Vec3& tangent, const Vec3& from, const Vec3& to) {
   const double cosine = from.dot(to);
   return cosine > -1.0 ? Vec3(tangent - tangent.dot(to) / (1.0 + cosine) * (from + to))

@@ -53,8 +53,8 @@ std::vector<PartSum> sum_terms(const TriMesh& mesh, const FaceParts& parts,
   return sums;
 }
 
-/// Returns the sign of a sum where it cannot be rounding: each term is off by less than 16 u times
-/// its magnitude.
+/// Returns the sign of a sum if rounding errors cannot change it: the error of each term is below
+/// 16 u times its magnitude.
 Sign sign_if_sure(const PartSum& sum) {
   const double bound = 0x1p-48 * sum.magnitude;
   const bool sure =
