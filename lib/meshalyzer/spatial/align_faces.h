@@ -9,7 +9,7 @@
 namespace meshalyzer {
 
 /// Two faces whose common corners have been moved to the front, in the same order, as
-/// find_contact() wants them. A corner is whatever names one: a vertex, a position, a number.
+/// find_contact() wants them. A corner is anything that names one: a vertex, a position, a number.
 template <typename Corner>
 struct AlignedFaces {
   std::array<Corner, 3> p;
@@ -19,7 +19,7 @@ struct AlignedFaces {
 
 /// Aligns two faces.
 ///
-/// @param same  Whether a corner of the first and one of the second count as one.
+/// @param same  Tells whether a corner of the first and one of the second count as one.
 template <typename Corner, typename Same>
 [[nodiscard]] AlignedFaces<Corner> align_faces(std::array<Corner, 3> p, std::array<Corner, 3> q,
                                                Same&& same) {

@@ -15,23 +15,22 @@ namespace {
 
 using Next = BoxMeetings::Next;
 
-/// Leaves that one task looks at.
+/// The number of leaves that one task searches.
 constexpr std::size_t kOuterLeavesPerChunk = 16;
-/// One leaf of this many is sampled to estimate the cost of the search.
+/// One in this many leaves is sampled to estimate the cost of the search.
 constexpr std::size_t kSampled = 64;
-/// A search is costly where it meets more boxes than this for each face of the inner tree. A mesh
-/// meets itself with about 15.
+/// A search is costly if it meets more boxes than this for each face of the inner tree. A mesh
+/// against itself meets about 15.
 constexpr std::size_t kMetPerFace = 64;
 /// Sums of three products of coordinates up to 1 are off by less than this.
 constexpr float kRelativeRounding = 0x1p-20F;
-/// Corners farther out than this are not held against slabs.
+/// Corners farther out than this are not compared with slabs.
 constexpr float kFarthestForSlabs = 0x1p+20F;
 
-/// Returns the place of a point in the coordinates of a tree that is not its own: monotone in each
+/// Returns a point of another mesh in the coordinates of a tree. The map is monotone in each
 /// coordinate, like FaceTree::map(), so boxes that meet in space meet there.
 ///
-/// Finite however far the point is from that tree, because differences of infinities would tell
-/// nothing.
+/// The result is finite for any finite point, because differences of infinities would be useless.
 std::array<float, 3> map_foreign(const FaceTree& tree, const Vec3& point) {
   constexpr float kFarthest = std::numeric_limits<float>::max();
   std::array<float, 3> place = tree.map(point);
@@ -61,13 +60,13 @@ std::vector<Index> leaves_near(const FaceTree& tree, const FaceTree& other) {
   return nodes;
 }
 
-/// A leaf of the outer tree, to be taken to the inner one.
+/// A leaf of the outer tree that is to be compared with the inner one.
 struct Visit {
   const FaceTree& outer;
   const FaceTree& inner;
-  /// The slabs of the inner tree; null where there are none.
+  /// The slabs of the inner tree, or null if there are none.
   const SlabTree* slabs;
-  /// Takes a slot of the outer tree before one of the inner.
+  /// Receives a slot of the outer tree, then one of the inner.
   const BoxMeetings::Meet& meet;
   std::size_t chunk;
   std::size_t leaf;
@@ -87,7 +86,7 @@ LeafCorners corners_of_leaf(const Visit& visit) {
   return corners;
 }
 
-/// Returns the boxes of those faces.
+/// Returns the boxes of the leaf's faces in the coordinates of the inner tree.
 EightBoxes boxes_of_leaf(const Visit& visit) {
   EightBoxes boxes = EightBoxes::empty();
   const std::size_t n = std::min<std::size_t>(8, visit.outer.n_faces() - 8 * visit.leaf);
@@ -103,7 +102,7 @@ EightBoxes boxes_of_leaf(const Visit& visit) {
   return boxes;
 }
 
-/// How far out a box goes.
+/// Returns the largest magnitude of a coordinate of a box.
 float reach_of(const TreeBox& box) {
   float reach = 0.0F;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -112,7 +111,7 @@ float reach_of(const TreeBox& box) {
   return reach;
 }
 
-/// Takes the eight faces of one leaf to those faces of the inner tree whose boxes meet theirs.
+/// Compares the eight faces of one leaf with those faces of the inner tree whose boxes meet theirs.
 class LeafVisitor {
  public:
   explicit LeafVisitor(const Visit& visit)
@@ -132,7 +131,7 @@ class LeafVisitor {
   }
 
  private:
-  /// @param box  Of all faces below the node.
+  /// @param box  The box of all faces below the node.
   Next descend(std::size_t level, std::size_t i, const TreeBox& box) {
     if (corners_ && is_excluded(visit_.slabs->slabs(level, i))) {
       return Next::GoOn;
@@ -150,8 +149,8 @@ class LeafVisitor {
     return Next::GoOn;
   }
 
-  /// Slabs allow for the rounding of corners as near as those of their own tree; these may be
-  /// farther out.
+  /// Slabs allow for the rounding of corners within the bounds of their own tree; these corners may
+  /// be farther out.
   bool is_excluded(const Slabs& slabs) const {
     if (!slabs.is_useful) {
       return false;
@@ -183,7 +182,7 @@ class LeafVisitor {
   EightBoxes mine_;
   TreeBox box_;
   float slack_;
-  /// The corners of the leaf, where they are to be compared with slabs.
+  /// The corners of the leaf, if they are to be compared with slabs.
   std::optional<LeafCorners> corners_;
 };
 
@@ -232,8 +231,7 @@ void BoxMeetings::swap_roles(std::vector<Index> leaves) {
   leaves_ = std::move(leaves);
 }
 
-/// Tells whether the leaves, by a sample of them, meet so many faces that slabs may be worth
-/// making.
+/// Tells whether a sample of the leaves meets so many faces that building slabs may pay.
 bool BoxMeetings::is_laborious() const {
   if (leaves_.empty()) {
     return false;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr unsigned kBits = 21;
 
-/// Every third bit of the result is one of the lowest 21 of `x`.
+/// Spreads the lowest 21 bits of `x` to every third bit of the result.
 std::uint64_t spread(std::uint64_t x) {
   std::uint64_t spread = 0;
   for (unsigned bit = 0; bit < kBits; ++bit) {
@@ -28,7 +28,7 @@ Box3 box_of(std::span<const Box3> boxes) {
   return all;
 }
 
-/// Halves before sums and differences: these may overflow where the coordinates do not.
+/// Halves are added and subtracted, because sums and differences of the coordinates may overflow.
 std::uint64_t morton_code(const Box3& box, const Box3& all) {
   const Vec3 middle = box.min() / 2 + box.max() / 2;
   const Vec3 half_width = all.max() / 2 - all.min() / 2;

@@ -11,7 +11,7 @@ namespace meshalyzer {
 namespace {
 
 // Lower bounds of distances are computed in the tree's coordinates, in single precision. They must
-// never exceed the distance that closest_on_triangle() computes, but for a slack. With u = 2^-24
+// not exceed the distance that closest_on_triangle() computes by more than a slack. With u = 2^-24
 // and the true distance d, both in the tree's coordinates:
 //
 // - A coordinate of a box or corner is at most 1, so it is off by 1.01 u; one of the query is at
@@ -22,14 +22,14 @@ namespace {
 // - Squares, sums, quotient and the length of the direction add less than 8 u d.
 // - What closest_on_triangle() computes is off by some 2^-53 (d + 4): nothing beside u.
 //
-// Altogether 18 u + 14 u d at most, so that these are generous:
+// The sum is at most 18 u + 14 u d, so these constants are generous:
 constexpr double kAbsoluteSlack = 0x1p-18;
 constexpr double kRelativeSlack = 0x1p-19;
-/// Coordinates of the query are clamped to this, so that fourth powers do not overflow. That takes
-/// it nearer to all faces, if anything, as it projects on a box that holds them.
+/// Coordinates of the query are clamped to this, so that fourth powers do not overflow. Clamping
+/// never takes it farther from any face, because it projects onto a box that contains them all.
 constexpr double kFarthest = 0x1p30;
 
-/// One number for each of the children of a node, as vector registers hold them.
+/// One number for each child of a node, as vector registers hold them.
 using Eight = Eigen::Array<float, 8, 1>;
 
 Eight squared_distances(const EightBoxes& boxes, const std::array<float, 3>& from) {
@@ -44,8 +44,8 @@ Eight squared_distances(const EightBoxes& boxes, const std::array<float, 3>& fro
 
 /// Returns lower bounds of the squared distances of eight triangles.
 ///
-/// No point of a triangle is nearer than its nearest corner along any direction; the direction to
-/// its middle is a good one, which costs little.
+/// Along any direction no point of a triangle is nearer than its nearest corner; the direction to
+/// the centroid is a good and cheap choice.
 Eight squared_distances(const EightTriangles& triangles, const std::array<float, 3>& from) {
   std::array<std::array<Eight, 3>, 3> corner;
   std::array<Eight, 3> middle;
@@ -64,7 +64,7 @@ Eight squared_distances(const EightTriangles& triangles, const std::array<float,
   return along(0).min(along(1)).min(along(2)).max(0.0F).square() / length;
 }
 
-/// Bit i is set where number i is at most `limit`.
+/// Returns a mask in which bit i is set if number i is at most `limit`.
 unsigned within(const Eight& numbers, float limit) {
   unsigned bits = 0;
   for (unsigned i = 0; i < 8; ++i) {
@@ -73,7 +73,7 @@ unsigned within(const Eight& numbers, float limit) {
   return bits;
 }
 
-/// A face (level 0), or a node of the tree's level `level` - 1, to look into.
+/// A face (level 0), or a node of the tree's level `level` - 1, that remains to be searched.
 struct Entry {
   /// A lower bound of its squared distance.
   float squared;
@@ -81,7 +81,7 @@ struct Entry {
   Index index;
 };
 
-/// Entries to be looked into, the nearest of a node's children on top.
+/// The entries that remain to be searched, with the nearest of a node's children on top.
 class Stack {
  public:
   [[nodiscard]] bool empty() const { return size_ == 0; }
@@ -104,7 +104,7 @@ class Stack {
   std::size_t size_ = 0;
 };
 
-/// One query on its way down the tree.
+/// One query while it descends the tree.
 class Search {
  public:
   Search(const FaceTree& tree, std::span<const EightTriangles> triangles, const ClosestQuery& query)
@@ -145,7 +145,7 @@ class Search {
   }
 
  private:
-  /// Puts those children on the stack that may hold the answer.
+  /// Pushes the children of a node that may hold the answer.
   void open_node(const Entry& entry) {
     const EightBoxes& node = tree_.node(entry.level - 1, entry.index);
     const Eight squared = squared_distances(node, clamped_);
@@ -158,7 +158,8 @@ class Search {
     }
   }
 
-  /// The same for the faces of a leaf, whose corners cull more than their boxes would.
+  /// Pushes the faces of a leaf that may hold the answer; their corners cull more than their boxes
+  /// would.
   void open_leaf(Index leaf) {
     const Eight squared = squared_distances(triangles_[leaf], clamped_);
     const std::size_t bottom = stack_.size();
@@ -185,8 +186,7 @@ class Search {
     }
   }
 
-  /// Tells whether a plane along the side of the cone has all of it on one side and the box on the
-  /// other.
+  /// Tells whether a plane along the side of the cone separates the cone from the box.
   [[nodiscard]] bool is_outside(const Cone& cone, const TreeBox& box) const {
     Vec3 middle;
     Vec3 half;
@@ -205,16 +205,17 @@ class Search {
     }
     const double sine = std::sqrt(1.0 - cone.cos_half_angle * cone.cos_half_angle);
     const Vec3 outward = (cone.cos_half_angle / length) * across - sine * cone.axis;
-    // A point that closest_on_triangle() finds to be in the cone may be out by the root of the
-    // double's precision, where an edge grazes the cone; a box's side by that of single precision.
+    // A point that closest_on_triangle() finds in the cone may be outside by the square root of the
+    // double precision where an edge grazes the cone; the side of a box by that of single
+    // precision.
     return to_middle.dot(outward) - half.dot(outward.cwiseAbs()) >
            kAbsoluteSlack + kRelativeSlack * to_middle.norm();
   }
 
-  /// Boxes whose squared distance is larger hold nothing as near as the best so far.
+  /// Boxes with a larger squared distance hold nothing as near as the best so far.
   void set_reach() {
     const double reach = best_.distance * tree_.scale() * (1 + kRelativeSlack) + kAbsoluteSlack;
-    // Empty boxes, at infinity, are never within reach.
+    // Empty boxes lie at infinity and are never within reach.
     reach_ = static_cast<float>(
         std::min(reach * reach, static_cast<double>(std::numeric_limits<float>::max())));
   }

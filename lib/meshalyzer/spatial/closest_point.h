@@ -12,32 +12,33 @@
 
 namespace meshalyzer {
 
-/// Says what find_closest() looks for.
+/// A query to ClosestPoints::find().
 struct ClosestQuery {
   Vec3 point;
-  /// Leaves out points that are farther away than this.
+  /// Points farther away than this are ignored.
   double within = std::numeric_limits<double>::infinity();
-  /// Leaves out points outside this cone, whose apex is `point`.
+  /// Points outside this cone, whose apex is `point`, are ignored.
   std::optional<Cone> cone = std::nullopt;
-  /// #mesh faces, those with a non-zero entry are left out; empty: none are. Only referred to.
+  /// #mesh faces: faces with a non-zero entry are ignored. It may be empty; the query only refers
+  /// to it.
   std::span<const std::uint8_t> excluded = {};
-  /// Slot of a face that is likely to be near, such as SurfacePoint::slot of a neighbour's answer.
-  /// Saves time; the answer does not depend on it.
+  /// The slot of a face that is likely to be near, such as SurfacePoint::slot of a neighbour's
+  /// answer. It saves time; the answer does not depend on it.
   Index hint = kNoIndex;
 };
 
-/// A point of a mesh, and how far it is from the point asked for.
+/// A point of a mesh, and its distance to the query point.
 struct SurfacePoint {
   Vec3 point;
   /// The distance in the mesh's unit, see closest_on_triangle().
   double distance = 0.0;
   Index mesh_face = kNoIndex;
-  /// The face's place in the tree.
+  /// The slot of the face in the tree.
   Index slot = kNoIndex;
 };
 
-/// The corners of eight faces side by side, in the coordinates of a FaceTree; NaN where there are
-/// fewer, which is never near anything.
+/// The corners of eight faces side by side, in the coordinates of a FaceTree. Missing faces are
+/// NaN, which is never near anything.
 struct alignas(32) EightTriangles {
   /// The coordinates, by corner, coordinate, and face.
   std::array<std::array<std::array<float, 8>, 3>, 3> corners;
@@ -48,18 +49,19 @@ struct alignas(32) EightTriangles {
 /// Finds the points of a mesh that are closest to given ones.
 class ClosestPoints {
  public:
-  /// @param tree  Must outlive this.
+  /// @param tree  The tree, which must outlive this object.
   /// @complexity  O(#F) time; 36 bytes a face.
   explicit ClosestPoints(const FaceTree& tree);
 
   /// Returns the closest point of the mesh.
   ///
-  /// The same bits as closest_on_triangle() of every face give: the smallest of these distances,
-  /// and of several faces at this distance the first. Safe to call from several threads.
+  /// The answer is the same, to the bit, as that of closest_on_triangle() for all faces: the
+  /// smallest distance, and the first of several faces at this distance. Several threads may call
+  /// it at a time.
   ///
-  /// @param query  Its point is finite and may lie anywhere.
-  /// @return       Nothing where no face has such a point.
-  /// @complexity   O(log #F) on average; all faces where they are equally far but for rounding.
+  /// @param query  The query; its point must be finite.
+  /// @return       Nothing if no face has such a point.
+  /// @complexity   O(log #F) on average; O(#F) if all faces are equally far up to rounding.
   [[nodiscard]] std::optional<SurfacePoint> find(const ClosestQuery& query) const;
 
  private:

@@ -42,8 +42,8 @@ bool same_direction(const Vec3& a, const Vec3& b, const Vec3& c) {
   return lexicographically_less(a, b) == lexicographically_less(a, c);
 }
 
-/// Tells whether two segments cross that lie in one plane, which projects to an area along `axis`,
-/// but not on one line.
+/// Tells whether two coplanar segments that are not collinear cross; their plane projects to an
+/// area along `axis`.
 bool cross_in_plane(Axis axis, const CollinearHull& s, const CollinearHull& t) {
   return orient2d(axis, s.u, s.v, t.u) * orient2d(axis, s.u, s.v, t.v) <= 0 &&
          orient2d(axis, t.u, t.v, s.u) * orient2d(axis, t.u, t.v, s.v) <= 0;
@@ -69,7 +69,7 @@ bool segments_meet(const CollinearHull& s, const CollinearHull& t) {
   return cross_in_plane(*axis, s, t);
 }
 
-/// A triangle of non-zero area, seen along an axis that shows it counter-clockwise.
+/// A triangle of non-zero area, projected along an axis so that it is counter-clockwise.
 struct PlanarTriangle {
   Corners corners;
   Axis axis;
@@ -104,7 +104,7 @@ bool meets_in_plane(const PlanarTriangle& t, const CollinearHull& s) {
   return low <= 0 && high >= 0;
 }
 
-/// The place where the line of a segment that is not in the plane of t passes it.
+/// The position relative to t of the point where the line of a segment passes the plane of t.
 enum class Pass { Outside, Border, Inside };
 
 Pass pass_of_line(const Corners& t, const CollinearHull& s) {
@@ -138,7 +138,7 @@ std::optional<ContactKind> contact_with_segment(const Corners& t, const Collinea
                                                         : ContactKind::Touching;
 }
 
-/// t has non-zero area, and its first corner is a point of s: does s go on inside t?
+/// Tells whether s continues inside t. t has non-zero area, and its first corner is a point of s.
 bool segment_goes_into(const Corners& t, const CollinearHull& s) {
   const PlanarTriangle flat = planar(t);
   const Vec3& a = flat.corners[0];
@@ -150,13 +150,14 @@ bool segment_goes_into(const Corners& t, const CollinearHull& s) {
   return is_inside(s.u) || is_inside(s.v);
 }
 
-/// Two segments through the point a: do they go on in the same direction?
+/// Tells whether two segments through the point a continue in the same direction.
 bool segments_go_together(const Vec3& a, const CollinearHull& s, const CollinearHull& t) {
   return same_direction(a, s.u, t.u) || same_direction(a, s.u, t.v) ||
          same_direction(a, s.v, t.u) || same_direction(a, s.v, t.v);
 }
 
-/// Two segments that both hold the common edge a b: do both go beyond the same end of it?
+/// Tells whether two segments that both contain the common edge a b extend beyond the same end of
+/// it.
 bool segments_outreach(const Corners& p, const Corners& q) {
   const auto [low, high] = std::minmax(p[0], p[1], lexicographically_less);
   const CollinearHull s = hull(p);
@@ -196,7 +197,7 @@ std::optional<ContactKind> find_degenerate_contact(const Corners& p, const Corne
     case Common::Vertex:
       return found_if(segment_goes_into(q, hull(p)), ContactKind::Touching);
     default:
-      // The edge is the whole of what the line of p and the triangle q share.
+      // The line of p and the triangle q share exactly the edge.
       return std::nullopt;
   }
 }

@@ -6,8 +6,8 @@
 
 namespace meshalyzer {
 
-/// find_contact() for two triangles of which at least one has zero area: it counts as the segment
-/// or point it is.
+/// Does the work of find_contact() for two triangles of which at least one has zero area and counts
+/// as the segment or point that it is.
 [[nodiscard]] std::optional<ContactKind> find_degenerate_contact(const Corners& p, const Corners& q,
                                                                  Common common);
 

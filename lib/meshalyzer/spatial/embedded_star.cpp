@@ -9,31 +9,32 @@ namespace {
 
 constexpr double kDoubleUnit = 0x1p-53;
 
-// How far the dot product of a direction without error and the cross product of two arms can be
-// off, as a share of the product of their largest coordinates: 6 products of three numbers, which
-// meet 7 roundings each: two in the arms, two products, a difference, two sums. The factor leaves
-// room for the roundings of the bound itself.
+// The error bound of the dot product of an exact direction and the cross product of two arms,
+// relative to the product of their largest coordinates: 6 products of three numbers undergo 7
+// roundings each, two in the arms, two products, a difference, two sums. The factor also covers the
+// roundings of the bound itself.
 constexpr double kFacingBound = 6 * 8 * kDoubleUnit * 1.01;
 
-// The same for the dot product of a vector without error and one arm: 3 products, 4 roundings each.
+// The error bound of the dot product of an exact vector and one arm: 3 products with 4 roundings
+// each.
 constexpr double kSideBound = 3 * 4 * kDoubleUnit * 1.01;
 
-// Within these magnitudes nothing overflows, and what underflows is far below the bounds.
+// Within these magnitudes nothing overflows, and any underflow is far below the bounds.
 constexpr double kSmall = 1e-270;
 constexpr double kLarge = 1e70;
 
-/// Directions have whole coordinates up to this, so that what is made of them below is exact.
+/// Directions have whole coordinates up to this, so that their sums and products below are exact.
 constexpr double kFinest = 0x1p20;
 
-/// Any direction that the edges of no mesh are likely to lie in: planes through it, here and there,
-/// tell what is above from what is below.
+/// An arbitrary direction that is unlikely to occur among the edges of a mesh; a plane through it
+/// separates above from below.
 const Vec3 kOddDirection(419.0, -281.0, 733.0);
 
 double largest(const Vec3& v) {
   return std::max({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
 }
 
-/// Returns the direction that the faces face on the whole, in whole numbers.
+/// Returns the mean direction of the faces' normals, in whole numbers.
 std::optional<Vec3> facing_direction(const Star& star) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < star.n_faces(); ++i) {
@@ -45,7 +46,7 @@ std::optional<Vec3> facing_direction(const Star& star) {
     sum += normal / std::sqrt(squared_length);
   }
   const double length = largest(sum);
-  // Normals that overflow have no direction; the sum is then infinite or not a number.
+  // Normals that overflow have no direction; their sum is infinite or NaN.
   if (!(length > 0.0) || !sum.allFinite()) {
     return std::nullopt;
   }
@@ -69,15 +70,15 @@ bool all_surely_face(const Star& star, const Vec3& direction) {
   return true;
 }
 
-/// Tells how often the arms, in their order, change from one side of a plane through the hub to the
-/// other.
+/// The number of times that the arms, in their order, change from one side of a plane through the
+/// hub to the other.
 struct Crossings {
   int up = 0;
   int down = 0;
 };
 
-/// @param normal  Of the plane, without error.
-/// @return nothing where an arm is not surely on one side.
+/// @param normal  The exact normal of the plane.
+/// @return Nothing if an arm is not surely on one side.
 std::optional<Crossings> count_crossings(const Star& star, const Vec3& normal) {
   const double bound = kSideBound * largest(normal);
   const auto is_sure = [&](double height, const Vec3& arm) {
@@ -123,8 +124,9 @@ bool is_surely_embedded(const Star& star) {
   if (!direction || !all_surely_face(star, *direction)) {
     return false;
   }
-  // A plane that holds the direction: below it, a line through the hub. A sector is less than half
-  // a turn, so each turn crosses each half of that line once, one upwards and one downwards.
+  // This plane contains the direction and appears as a line through the hub when seen along it. A
+  // sector is less than half a turn, so each turn crosses each half of that line once, one upwards
+  // and one downwards.
   const Vec3 normal = direction->cross(kOddDirection);
   const std::optional<Crossings> crossings = count_crossings(star, normal);
   if (!crossings) {

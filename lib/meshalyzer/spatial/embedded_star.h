@@ -6,18 +6,17 @@
 
 namespace meshalyzer {
 
-/// The faces of one fan round a vertex, the hub, seen from there: face i has the arms i and i + 1.
+/// The faces of one fan round a vertex, the hub. Face i has the arms i and i + 1.
 struct Star {
   /// The vectors from the hub to the other vertices of the fan, counter-clockwise, each coordinate
-  /// a difference of the file's rounded once. A closed fan does not repeat its first ones at its
-  /// end.
+  /// rounded once. A closed fan does not repeat its first arm at the end.
   std::span<const Vec3> arms;
   bool is_closed = false;
 
   [[nodiscard]] std::size_t n_faces() const {
     return is_closed || arms.empty() ? arms.size() : arms.size() - 1;
   }
-  /// The arms of a face, in its order.
+  /// Returns the first arm of a face.
   [[nodiscard]] const Vec3& first_arm(std::size_t face) const { return arms[face]; }
   [[nodiscard]] const Vec3& second_arm(std::size_t face) const {
     return arms[face + 1 == arms.size() ? 0 : face + 1];
@@ -25,13 +24,13 @@ struct Star {
 };
 
 /// Tells whether a quick test proves that no two faces of a star share more than the hub, or the
-/// one edge between neighbours. False says nothing.
+/// edge between neighbours. False means that nothing is proven.
 ///
-/// Proves the stars of nearly all vertices of a surface. Where all faces surely face one direction,
-/// each covers a sector of the plane below it, and the sectors follow each other round the hub. So
-/// the faces are apart where the sectors are: those of a closed fan when they go round exactly
-/// once, those of an open one when they go round less than once. (Going round twice, all faces may
-/// well face one direction: the turns must be counted.)
+/// The test succeeds at nearly all vertices of a surface. If all faces surely face one direction,
+/// each projects to a sector of a plane, and the sectors follow each other round the hub. So the
+/// faces are disjoint if the sectors are: those of a closed fan when they go round exactly once,
+/// those of an open one when they go round less than once. (All faces may face one direction even
+/// if they go round twice: the turns must be counted.)
 [[nodiscard]] bool is_surely_embedded(const Star& star);
 
 }  // namespace meshalyzer

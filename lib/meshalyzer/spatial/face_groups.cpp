@@ -12,7 +12,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Fewer faces are no group: their pairs are searched as fast.
+/// Fewer faces do not form a group: their pairs are searched as fast.
 constexpr std::size_t kSmallestGroup = 8;
 
 /// Returns the lanes of a leaf whose faces have the same box as the one in lane i, as bits.
@@ -28,13 +28,13 @@ unsigned lanes_like(const EightBoxes& boxes, std::size_t i) {
   return alike;
 }
 
-/// Returns the slots of faces that have one box with another of their leaf: nearly all those of a
-/// crowd at one place, which the tree cannot tell apart.
+/// Returns the slots of faces whose box equals that of another face of their leaf: nearly all faces
+/// of a crowd at one place, which the tree cannot separate.
 std::vector<Index> slots_with_twins(const FaceTree& tree) {
   std::vector<Index> slots;
   for (std::size_t leaf = 0; leaf < tree.n_faces() / kTreeWidth; ++leaf) {
     const EightBoxes& boxes = tree.node(0, leaf);
-    if (std::popcount(lanes_like(boxes, 0)) == 1) continue;  // no crowd
+    if (std::popcount(lanes_like(boxes, 0)) == 1) continue;  // the faces are no crowd
     for (std::size_t i = 0; i < kTreeWidth; ++i) {
       if (std::popcount(lanes_like(boxes, i)) > 1) {
         slots.push_back(static_cast<Index>(kTreeWidth * leaf + i));
@@ -46,7 +46,7 @@ std::vector<Index> slots_with_twins(const FaceTree& tree) {
 
 using Place = std::tuple<double, double, double>;
 
-/// Returns the places of a face's corners, ascending.
+/// Returns the positions of a face's corners, ascending.
 std::array<Place, 3> places_of(const FaceTree& tree, const Triangle& t) {
   std::array<Place, 3> places;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -62,7 +62,7 @@ Triangle sorted(Triangle t) {
   return t;
 }
 
-/// #vertices: how many faces use each.
+/// Returns for each vertex the number of faces that use it.
 std::vector<Index> count_uses(const FaceTree& tree, std::size_t n_vertices) {
   std::vector<Index> uses(n_vertices, 0);
   for (std::size_t slot = 0; slot < tree.n_faces(); ++slot) {

@@ -13,10 +13,10 @@
 namespace meshalyzer {
 namespace {
 
-/// Below this many faces a split is not worth a task of its own.
+/// With fewer faces a split is not worth a task of its own.
 constexpr std::size_t kParallelSplit = 32768;
 
-/// The middle of a face's box, and the face.
+/// A face and the centre of its box.
 struct Item {
   std::array<float, 3> middle;
   Index face;
@@ -56,7 +56,7 @@ void split(std::span<Item> items) {
   }
 }
 
-/// Returns a tree without faces has one leaf too.
+/// Returns the number of leaves; a tree without faces also has one.
 std::size_t n_leaves_of(std::size_t n_faces) {
   return std::max<std::size_t>(1, (n_faces + kTreeWidth - 1) / kTreeWidth);
 }
@@ -100,8 +100,8 @@ FaceTree::FaceTree(const CutMesh& cut) : points_(cut.mesh.points(), cut.mesh.n_v
 }
 
 std::array<float, 3> FaceTree::map(const Vec3& point) const {
-  // Rounded subtraction, multiplication by a positive factor, and conversion are each monotone, so
-  // this is too.
+  // Rounded subtraction, multiplication by a positive factor and conversion are monotone, so their
+  // composition is.
   return {static_cast<float>((point.x() - centre_.x()) * scale_),
           static_cast<float>((point.y() - centre_.y()) * scale_),
           static_cast<float>((point.z() - centre_.z()) * scale_)};
@@ -116,7 +116,7 @@ void FaceTree::choose_map(std::span<const Triangle> triangles) {
   if (bounds_.isEmpty()) {
     return;
   }
-  // Halves before the sum and the difference: these may overflow where the coordinates do not.
+  // Halves are added and subtracted, because sum and difference of the coordinates may overflow.
   centre_ = bounds_.min() / 2 + bounds_.max() / 2;
   const double half = (bounds_.max() / 2 - bounds_.min() / 2).maxCoeff();
   scale_ = half > 0.0 ? std::min(1.0 / half, std::numeric_limits<double>::max()) : 1.0;

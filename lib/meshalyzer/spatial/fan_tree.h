@@ -8,7 +8,7 @@ namespace meshalyzer {
 
 /// Faces that all have one vertex in common, the hub, and the box of their other vertices, the rim.
 struct Fan {
-  /// File vertex; kNoIndex where the faces have none in common.
+  /// The file vertex; kNoIndex if the faces have none in common.
   Index hub = kNoIndex;
   /// The box of the rim, in the tree's coordinates.
   TreeBox rim{};
@@ -17,7 +17,7 @@ struct Fan {
 /// Tells for each node of a FaceTree whether the faces below it are part of one fan.
 ///
 /// Round a vertex with very many faces (the tip of a cone, the centre of a CAD facet) all boxes
-/// hold that vertex, so boxes cull nothing; but two faces of a fan meet beyond the hub only where
+/// contain that vertex, so boxes cull nothing; but two faces of a fan meet beyond the hub only if
 /// the rim of one meets the other.
 class FanTree {
  public:
@@ -27,10 +27,9 @@ class FanTree {
   /// Returns the fan of all faces below FaceTree::node(level, i).
   [[nodiscard]] const Fan& fan(std::size_t level, std::size_t i) const { return levels_[level][i]; }
 
-  /// Tells whether no face of one node meets a face of the other but at the hub that all of them
-  /// share.
+  /// Tells whether the faces of two nodes meet only at the hub that all of them share.
   ///
-  /// Faces with an edge in common are never called apart: its other end is on the rim of both.
+  /// It is false for nodes whose faces have an edge in common: its other end is on the rim of both.
   [[nodiscard]] static bool meet_at_hub_only(const Fan& a, const TreeBox& box_a, const Fan& b,
                                              const TreeBox& box_b);
 

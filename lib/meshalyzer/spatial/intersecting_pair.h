@@ -11,13 +11,13 @@
 
 namespace meshalyzer {
 
-/// Names how two faces share points ("Intersecting faces" in doc/definitions.md). Of several kinds
-/// that hold the first one counts, in the order given here.
+/// The kind of contact of two intersecting faces ("Intersecting faces" in doc/definitions.md). If
+/// several kinds apply, the first in this order counts.
 enum class ContactKind : std::uint8_t {
   /// The faces have the same three vertices: by id within one mesh, by place across two.
   Duplicate,
-  /// The contact is gone when vertices at identical places count as one: a seam that was never
-  /// welded.
+  /// The contact disappears when vertices at identical positions count as one: a seam that was
+  /// never welded.
   Unwelded,
   /// The faces share an edge by id, lie in one plane, and overlap: they are folded back by 180
   /// degrees.
@@ -30,7 +30,7 @@ enum class ContactKind : std::uint8_t {
   Touching,
 };
 
-/// "duplicate", "unwelded", "fold-over", "coplanar-overlap", "crossing", "touching".
+/// Returns "duplicate", "unwelded", "fold-over", "coplanar-overlap", "crossing" or "touching".
 [[nodiscard]] std::string_view contact_name(ContactKind kind);
 
 /// All kinds, in their order.
@@ -48,7 +48,7 @@ struct IntersectingPair {
   friend bool operator==(const IntersectingPair&, const IntersectingPair&) = default;
 };
 
-/// Tells how many pairs there are of each kind of contact.
+/// The number of pairs of each kind of contact.
 class ContactCounts {
  public:
   [[nodiscard]] std::size_t of(ContactKind kind) const {

@@ -14,7 +14,7 @@ namespace {
 
 using Next = BoxMeetings::Next;
 
-/// Pairs that a task keeps before it hands them on; there may be very many tasks.
+/// The number of pairs that a task keeps before it passes them on; there may be very many tasks.
 constexpr std::size_t kPairsKept = 256;
 
 Corners corners_of(const FaceTree& tree, std::size_t slot) {
@@ -22,8 +22,8 @@ Corners corners_of(const FaceTree& tree, std::size_t slot) {
   return {tree.point(t[0]), tree.point(t[1]), tree.point(t[2])};
 }
 
-/// Faces with corners at common places touch at least there. What they share beyond is found sooner
-/// when those are left out: for strangers the signs at common corners, all zero, would need exact
+/// Faces with corners at common places touch at least there. Further contact is found faster if
+/// these corners are aligned: otherwise their signs, which are all zero, would need exact
 /// arithmetic.
 std::optional<ContactKind> find_kind(const Corners& p, const Corners& q) {
   const AlignedFaces<Vec3> pair =
@@ -34,7 +34,7 @@ std::optional<ContactKind> find_kind(const Corners& p, const Corners& q) {
     case Common::Vertex:
       return find_contact(pair.p, pair.q, Common::Vertex).value_or(ContactKind::Touching);
     case Common::Edge:
-      // A fold-over by place alone is an overlap like any other.
+      // A fold-over of faces that share an edge only by place is reported as an overlap.
       return find_contact(pair.p, pair.q, Common::Edge) ? find_contact(p, q, Common::Nothing)
                                                         : ContactKind::Touching;
     case Common::All:

@@ -11,16 +11,18 @@ namespace meshalyzer {
 /// Finds all pairs of faces, one of each of two meshes, that intersect ("Intersecting faces" in
 /// doc/definitions.md), each with its kind.
 ///
-/// Faces of different meshes intersect when their closed triangles share any point. Exact for every
-/// pair; a face of zero area takes part as the segment or point it is. Ids mean nothing across
-/// meshes: a pair is a duplicate when the corners of both are at the same three places, and
-/// Unwelded and FoldOver do not occur.
+/// Faces of different meshes intersect when their closed triangles share any point. The answer is
+/// exact for every pair; a face of zero area counts as the segment or point it is. Ids have no
+/// meaning across meshes: a pair is a duplicate when the corners of both are at the same three
+/// places, and Unwelded and FoldOver do not occur.
 ///
-/// @param tree_a  Over the faces of `a`; tree_b likewise.
-/// @return        face_a is a file face of `a`, face_b one of `b`; ascending by (face_a, face_b).
-/// The same for any number of threads, and mirrored when a and b change places.
-/// @complexity    O(n log #F + candidates) for the n faces that one mesh has in the box of the
-/// other, of which the lesser number counts; a candidate is a pair of faces whose boxes meet.
+/// @param tree_a  The tree over the faces of `a`; tree_b likewise.
+/// @return        The pairs, ascending by (face_a, face_b); face_a is a file face of `a`, face_b
+///                one of `b`. They are the same for any number of threads, and mirrored when a and
+///                b are exchanged.
+/// @complexity    O(n log #F + candidates), where n is the number of faces that one mesh has in the
+///                box of the other, the smaller of the two, and a candidate is a pair of faces
+///                whose boxes meet.
 [[nodiscard]] std::vector<IntersectingPair> find_intersections(const CutMesh& a,
                                                                const FaceTree& tree_a,
                                                                const CutMesh& b,
@@ -28,16 +30,17 @@ namespace meshalyzer {
 
 /// Counts the pairs that find_intersections() finds, and lists the first of them.
 ///
-/// @param limits  max_found is not asked.
-/// @return        The same for any number of threads, where the search goes to its end.
+/// @param limits  The limits of the list and of the time; max_found is ignored.
+/// @return        The result, which is the same for any number of threads if the search is
+///                complete.
 [[nodiscard]] FoundPairs count_intersections(const CutMesh& a, const FaceTree& tree_a,
                                              const CutMesh& b, const FaceTree& tree_b,
                                              const PairLimits& limits);
 
-/// Tells whether any two faces, one of each mesh, share a point. Surfaces alone count: a mesh
-/// wholly inside another does not meet it.
+/// Tells whether any two faces, one of each mesh, share a point. Only surfaces count: a mesh wholly
+/// inside another does not intersect it.
 ///
-/// @complexity  That of find_intersections() at most, but stops at the first pair found.
+/// @complexity  At most that of find_intersections(); the search stops at the first pair.
 [[nodiscard]] bool do_intersect(const FaceTree& a, const FaceTree& b);
 
 }  // namespace meshalyzer

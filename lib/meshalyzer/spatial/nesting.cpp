@@ -12,7 +12,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The slots of the tree, by part.
+/// The slots of the tree, grouped by part.
 struct SlotsByPart {
   std::vector<Index> begin;
   std::vector<Index> slots;
@@ -42,7 +42,7 @@ std::vector<Box3> boxes_of_parts(const FaceTree& tree, const FaceParts& parts) {
   return boxes;
 }
 
-/// Returns the boxes of the closed parts; empty ones for the others.
+/// Returns the boxes of the closed parts, and empty boxes for the others.
 std::vector<Box3> closed_only(std::vector<Box3> boxes, std::span<const std::uint8_t> is_closed) {
   for (std::size_t part = 0; part < boxes.size(); ++part) {
     if (is_closed[part] == 0) boxes[part].setEmpty();
@@ -83,7 +83,8 @@ class Nester {
     std::erase_if(
         near, [&](Index other) { return other == part || !boxes_[other].contains(boxes_[part]); });
     if (near.empty()) {
-      return {};  // in a crowd of separate parts the usual case: no ray need run through all of it
+      return {};  // this is the usual case in a crowd of separate parts and saves a ray through all
+                  // of it
     }
     std::vector<Index> found = locate(tree_, input_.parts, first, far_x(near)).odd;
     std::erase_if(found,
@@ -105,7 +106,7 @@ class Nester {
 
   [[nodiscard]] bool is_closed(Index part) const { return input_.is_closed[part] != 0; }
 
-  /// Returns a ray that tells of these parts need go no farther.
+  /// Returns the x at which a ray that locates a point relative to these parts may end.
   [[nodiscard]] double far_x(const std::vector<Index>& parts) const {
     double far = -std::numeric_limits<double>::infinity();
     for (const Index part : parts) {
@@ -121,8 +122,7 @@ class Nester {
     return found != contacts_[part].end() && found->part == other;
   }
 
-  /// Locates every vertex of a part with regard to the closed parts that it touches without
-  /// crossing.
+  /// Locates every vertex of a part relative to the closed parts that it touches without crossing.
   [[nodiscard]] std::vector<TouchingPart> look_at_touching(Index part) const {
     std::vector<TouchingPart> others;
     std::vector<Index> parts;
@@ -161,7 +161,7 @@ class Nester {
   SlotsByPart slots_;
   std::vector<Box3> boxes_;
   BoxTree box_tree_;
-  /// The contacts of each part, ascending since NestingInput::contacts is.
+  /// The contacts of each part, ascending because NestingInput::contacts is.
   std::vector<std::vector<Contact>> contacts_;
 };
 
@@ -184,7 +184,7 @@ Nesting find_nesting(const FaceTree& tree, const NestingInput& input) {
     }
   });
   for (std::size_t part = 0; part < n; ++part) {
-    // The innermost of the parts round this one is itself inside the most.
+    // The innermost of the enclosing parts is itself enclosed by the most parts.
     const auto deepest =
         std::max_element(enclosers[part].begin(), enclosers[part].end(),
                          [&](Index a, Index b) { return nesting.depth[a] < nesting.depth[b]; });

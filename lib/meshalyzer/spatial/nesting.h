@@ -9,7 +9,7 @@
 
 namespace meshalyzer {
 
-/// Two parts of a mesh of which faces intersect; a < b.
+/// Two parts of a mesh some of whose faces intersect; a < b.
 struct PartContact {
   Index a = 0;
   Index b = 0;
@@ -20,20 +20,20 @@ struct PartContact {
 
 /// The data that find_nesting() needs about the parts. It only refers to them.
 struct NestingInput {
-  /// The part of each mesh face; every face is in one.
+  /// The part of each mesh face; every face belongs to one.
   FaceParts parts;
-  /// #parts: 1 for the closed ones, which alone can enclose others.
+  /// #parts: 1 for the closed parts; only these can enclose others.
   std::span<const std::uint8_t> is_closed;
   /// The pairs of parts that touch or cross, ascending by (a, b), each once; those where no closed
   /// part's box contains that of the other may be left out.
   std::span<const PartContact> contacts;
 };
 
-/// Tells how the parts of a mesh lie within each other.
+/// The nesting of the parts of a mesh.
 struct Nesting {
-  /// #parts: by how many closed parts each is enclosed.
+  /// #parts: the number of closed parts that enclose each.
   std::vector<Index> depth;
-  /// #parts: the innermost closed part that encloses each; kNoIndex where none does.
+  /// #parts: the innermost closed part that encloses each; kNoIndex if none does.
   std::vector<Index> inside;
 };
 
@@ -44,8 +44,8 @@ struct Nesting {
 /// Parts that touch without crossing are decided by all vertices that do not lie on the other part:
 /// they must all be inside. The answer does not depend on numbering.
 ///
-/// @complexity O(#parts log #F + hits) for parts that do not touch; times their vertices for those
-/// that do.
+/// @complexity O(#parts log #F + hits) for parts that do not touch; for those that do, times the
+///             number of their vertices.
 [[nodiscard]] Nesting find_nesting(const FaceTree& tree, const NestingInput& input);
 
 }  // namespace meshalyzer

@@ -15,7 +15,7 @@ bool comes_before(const IntersectingPair& a, const IntersectingPair& b) {
   return key_of(a) < key_of(b);
 }
 
-/// Pairs of a product that are listed at a time.
+/// The number of pairs of a product that are listed at a time.
 constexpr std::size_t kPairsAtOnce = 4096;
 
 /// Calls `visit` with the pairs of a product, ascending, until it returns false.
@@ -63,9 +63,9 @@ void PairCollector::on_product(const PairProduct& product) {
   list(some, {});
 }
 
-/// Lists those of some pairs that are among the first, and adds to the counts.
+/// Lists the given pairs that are among the first, and adds to the counts.
 void PairCollector::list(std::span<const IntersectingPair> pairs, const ContactCounts& counts) {
-  // Most pairs of a long search are not among the first: they are sorted out before the lock.
+  // Most pairs of a long search are not among the first: they are removed before the lock is taken.
   const std::uint64_t end = end_.load(std::memory_order_relaxed);
   std::vector<IntersectingPair> first;
   if (max_listed_ != 0) {

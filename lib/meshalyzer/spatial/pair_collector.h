@@ -13,18 +13,18 @@
 
 namespace meshalyzer {
 
-/// Counts the pairs that the threads of a search find, and lists the first of them. What it returns
-/// depends on the pairs alone, not on the order in which they come.
+/// Counts the pairs that the threads of a search find, and lists the first of them. The result
+/// depends only on the pairs, not on their order of arrival.
 class PairCollector : public PairListener {
  public:
-  /// @param max_listed  The length of the list; memory is 24 bytes for each of these.
+  /// @param max_listed  The length of the list, which takes 24 bytes for each pair.
   explicit PairCollector(std::size_t max_listed) : max_listed_(max_listed) {}
 
   void on_pairs(std::span<const IntersectingPair> pairs) override;
   /// @complexity O(max_listed) at most, however many pairs there are.
   void on_product(const PairProduct& product) override;
 
-  /// Returns what was found, complete; this must not be used again.
+  /// Returns the result, complete; the collector must not be used again.
   [[nodiscard]] FoundPairs take();
 
  private:
@@ -39,10 +39,10 @@ class PairCollector : public PairListener {
   ContactCounts counts_;
 };
 
-/// Gathers the pairs of one task, so that they are handed on some at a time.
+/// Buffers the pairs of one task, so that they are passed on in batches.
 class PairBuffer {
  public:
-  /// @param capacity  Pairs are handed on when they are so many.
+  /// @param capacity  The number of pairs in a batch.
   PairBuffer(PairListener& listener, std::size_t capacity)
       : listener_(&listener), capacity_(capacity) {}
 
@@ -57,7 +57,7 @@ class PairBuffer {
     n_pushed_ += product.n_pairs();
   }
 
-  /// Hands on what is left.
+  /// Passes on the remaining pairs.
   void flush();
 
   /// Returns how many pairs were pushed in all.

@@ -9,27 +9,29 @@
 
 namespace meshalyzer {
 
-/// As many pairs as there are.
+/// The value that means no limit on the number of pairs.
 inline constexpr std::size_t kAllPairs = std::numeric_limits<std::size_t>::max();
 
-/// Tells how far a search for intersecting pairs goes, and how many of those it finds it lists.
-/// Memory follows the list, not what is found.
+/// The limits of a search for intersecting pairs. Memory grows with the listed pairs, not with
+/// those found.
 struct PairLimits {
-  /// The search ends when it has found so many.
+  /// The search ends when it has found this many pairs.
   std::size_t max_found = kAllPairs;
-  /// At most so many pairs are listed: the first ones by their lower face, then by their higher.
+  /// The largest number of pairs that are listed: the first ones by their lower face, then by their
+  /// higher one.
   std::size_t max_listed = kAllPairs;
-  /// Asked now and then, by any thread: the search ends when it returns true. None: never.
+  /// The search calls this now and then, from any thread, and ends when it returns true. It may be
+  /// empty.
   std::function<bool()> wants_to_stop;
 };
 
-/// What a search for intersecting pairs has found.
+/// The result of a search for intersecting pairs.
 struct FoundPairs {
-  /// Ascending by face_a, then face_b: the first ones, at most PairLimits::max_listed.
+  /// The first pairs, at most PairLimits::max_listed, ascending by face_a, then face_b.
   std::vector<IntersectingPair> listed;
-  /// All that were found, listed or not.
+  /// The numbers of all pairs found, listed or not.
   ContactCounts counts;
-  /// Tells whether the search went to its end, so that these are all there are.
+  /// Tells whether the search was complete, so that these are all pairs.
   bool is_complete = true;
 };
 

@@ -7,9 +7,9 @@
 
 namespace meshalyzer {
 
-/// All pairs of a face of one list and a face of another, which have one kind of contact.
+/// All pairs of a face of one list and a face of another; all have the same kind of contact.
 struct PairProduct {
-  /// File faces, ascending. The same list twice: all pairs of different faces in it.
+  /// The file faces, ascending. If both are the same list, its pairs of different faces are meant.
   std::span<const Index> a;
   std::span<const Index> b;
   ContactKind kind = ContactKind::Touching;
@@ -20,7 +20,7 @@ struct PairProduct {
   }
 };
 
-/// Takes the pairs that a search finds: in no particular order, and from several threads at once.
+/// Receives the pairs that a search finds, in no particular order and from several threads at once.
 class PairListener {
  public:
   PairListener() = default;
@@ -28,7 +28,7 @@ class PairListener {
   PairListener& operator=(const PairListener&) = delete;
   virtual ~PairListener() = default;
 
-  /// Takes some pairs; each pair comes once.
+  /// Receives some pairs; each pair comes once.
   virtual void on_pairs(std::span<const IntersectingPair> pairs) = 0;
   virtual void on_product(const PairProduct& product) = 0;
 };

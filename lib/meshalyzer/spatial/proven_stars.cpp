@@ -26,7 +26,7 @@ std::vector<std::uint8_t> uncut_vertices(const CutMesh& cut) {
   return uncut;
 }
 
-/// @param arms  Room for the arms of one star after the other.
+/// @param arms  Scratch memory for the arms of a star.
 bool is_proven(const TriMesh& mesh, VertexHandle v, std::vector<Vec3>& arms) {
   arms.clear();
   bool is_closed = true;

@@ -7,13 +7,13 @@
 
 namespace meshalyzer {
 
-/// Finds vertices whose faces surely share no more than they must, so that no pair of faces that
-/// has such a vertex in common needs a test.
+/// Finds vertices whose faces surely do not intersect, so that no pair of faces that has such a
+/// vertex in common needs a test.
 ///
-/// Most vertices of most meshes are proven. Never proven are the vertices that cutting concerns:
-/// those with copies, and the ends of cut edges.
+/// Most vertices of most meshes are proven. Vertices with copies and the ends of cut edges never
+/// are.
 ///
-/// @return #file vertices: 1 where proven, else 0.
+/// @return #file vertices: 1 if proven, else 0.
 /// @complexity O(#F).
 [[nodiscard]] std::vector<std::uint8_t> prove_stars(const CutMesh& cut);
 

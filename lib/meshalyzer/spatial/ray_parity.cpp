@@ -15,31 +15,32 @@ Sign sign_of_difference(double a, double b) {
 }
 
 /// Tells on which side of the line u v the displaced point lies, in the projection along x; 0 only
-/// where u and v project to the same place.
+/// if u and v project to the same point.
 Sign displaced_side(const Vec3& u, const Vec3& v, const Vec3& point) {
   if (const Sign side = orient2d(Axis::X, u, v, point)) {
     return side;
   }
-  // The derivatives of the determinant by the displacement: first along y, then along z.
+  // The derivatives of the determinant with respect to the displacement decide: first along y, then
+  // along z.
   if (const Sign along_y = sign_of_difference(u.z(), v.z())) {
     return along_y;
   }
   return sign_of_difference(v.y(), u.y());
 }
 
-/// Tells whether the ray meets a triangle that the point does not lie on.
+/// Tells whether the ray meets a triangle on which the point does not lie.
 bool is_met(const Corners& t, const Vec3& point) {
   const Sign turn = displaced_side(t[0], t[1], point);
   if (turn == 0 || displaced_side(t[1], t[2], point) != turn ||
       displaced_side(t[2], t[0], point) != turn) {
     return false;
   }
-  // Seen counter-clockwise along x the normal points to larger x: the triangle lies ahead if the
-  // point is behind it.
+  // The normal of a triangle that is counter-clockwise along x points to larger x, so the triangle
+  // lies ahead if the point is behind it.
   return orient3d(t[0], t[1], t[2], point) * turn < 0;
 }
 
-/// Collects what one ray meets.
+/// Collects the parts that one ray meets.
 class Ray {
  public:
   Ray(const FaceTree& tree, const FaceParts& parts, const Vec3& point, double far_x)

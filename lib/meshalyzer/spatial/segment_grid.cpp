@@ -11,7 +11,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Measures the distance also where the squares of differences would overflow or vanish.
+/// Returns the distance, even if the squares of differences would overflow or underflow.
 double distance(const Vec3& a, const Vec3& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
@@ -41,8 +41,8 @@ SegmentGrid::SegmentGrid(std::span<const Segment> segments, double tolerance)
   const double least = std::max({tolerance, 0x1p-48 * largest_coordinate(segments),
                                  std::numeric_limits<double>::denorm_min()});
   reach_ = 1.25 * least;
-  // The wider the cells, the more often all that is asked for is in one; but where edges are short
-  // much more is.
+  // With wider cells a query more often needs only one of them, but finds many more segments where
+  // edges are short.
   for (const double width : {64.0, 16.0, 4.0}) {
     cell_size_ = width * least;
     sort_into_cells(segments);

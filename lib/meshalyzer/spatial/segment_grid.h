@@ -14,23 +14,23 @@ namespace meshalyzer {
 /// The two ends of a straight edge.
 using Segment = std::array<Vec3, 2>;
 
-/// Measures how far two segments are from having the same ends: the larger distance of two ends, in
-/// the better of the two directions. It is 0 exactly where the ends are at the same places.
+/// Returns how far two segments are from having the same ends: the larger distance between
+/// corresponding ends, in the better of the two directions. It is 0 exactly if the ends coincide.
 [[nodiscard]] double gap_between(const Segment& a, const Segment& b);
 
-/// Finds the segments that nearly lie on each other, by the two cells of a grid that their ends are
-/// in.
+/// Finds the segments that nearly coincide, by the two grid cells that contain their ends.
 ///
-/// The pair of cells tells more than the cell of one end or of the middle would: the edges of a fan
-/// share an end and the diagonals of a box their middle, but only edges that nearly lie on each
-/// other share both ends.
+/// A pair of cells separates better than the cell of one end or of the midpoint: the edges of a fan
+/// share an end and the diagonals of a box their midpoint, but only edges that nearly coincide
+/// share both ends.
 class SegmentGrid {
  public:
-  /// @param tolerance  A length, finite.
+  /// @param tolerance  A finite length.
   /// @complexity       O(n).
   SegmentGrid(std::span<const Segment> segments, double tolerance);
 
-  /// Tells whether so many segments are in the same cells that visiting all of them takes long.
+  /// Tells whether so many segments are in the same cells that visiting all of them would take
+  /// long.
   [[nodiscard]] bool is_crowded() const;
 
   /// Calls `visit` with the number of each segment whose ends may be within the tolerance of the
@@ -53,8 +53,8 @@ class SegmentGrid {
   }
 
  private:
-  /// Hashes of cells. Segments of two cells with the same hash are found together; whoever asked
-  /// tells them apart by their distance.
+  /// The hashes of cells. Segments in two cells with the same hash are found together; the caller
+  /// separates them by their distance.
   struct NearCells {
     std::array<std::uint64_t, 8> hashes{};
     std::size_t size = 0;
@@ -77,7 +77,7 @@ class SegmentGrid {
     return std::span(entries_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
   }
 
-  /// Ends that are within the tolerance are within this, whatever the rounding.
+  /// Ends within the tolerance are within this distance in spite of rounding.
   double reach_ = 0.0;
   double cell_size_ = 1.0;
   /// The entries bucket by bucket, and where each bucket begins (#buckets + 1 places); the number

@@ -14,21 +14,21 @@ namespace meshalyzer {
 /// doc/definitions.md), each with its kind.
 ///
 /// Two faces intersect when their closed triangles share a point that is not on a vertex or edge
-/// which both have by file id. Exact for every pair; a face of zero area takes part as the segment
-/// or point it is.
+/// which both have by file id. The answer is exact for every pair; a face of zero area counts as
+/// the segment or point it is.
 ///
-/// @param tree       Over the faces of `cut`.
-/// @param max_pairs  The search ends when it has found so many.
-/// @return           By file face, ascending, never more than max_pairs; the same for any number of
-/// threads. These are all pairs where they are fewer than max_pairs.
+/// @param tree       The tree over the faces of `cut`.
+/// @param max_pairs  The search ends when it has found this many.
+/// @return           The pairs, ascending by file face, at most max_pairs; the same for any number
+///                   of threads. They are complete if they are fewer than max_pairs.
 /// @complexity  O(#F log #F + candidates), where a candidate is a pair of faces whose boxes meet.
 [[nodiscard]] std::vector<IntersectingPair> find_self_intersections(
     const CutMesh& cut, const FaceTree& tree, std::size_t max_pairs = kAllPairs);
 
-/// Hands on the pairs that find_self_intersections() finds, and keeps none.
+/// Passes the pairs that find_self_intersections() finds to a listener, and keeps none.
 ///
-/// @param limits  Whether and when the search ends early; nothing is listed here.
-/// @return        Whether the search went to its end.
+/// @param limits  Decides when the search ends early; nothing is listed here.
+/// @return        True if the search was complete.
 bool visit_self_intersections(const CutMesh& cut, const FaceTree& tree, const PairLimits& limits,
                               PairListener& listener);
 

@@ -9,10 +9,10 @@
 namespace meshalyzer {
 namespace {
 
-/// Leaves that one task looks at.
+/// The number of leaves that one task searches.
 constexpr std::size_t kMarkedLeavesPerChunk = 1024;
 
-/// #mesh faces: non-zero for those of these file faces that are in the complex.
+/// Returns for each mesh face whether it is one of the given file faces.
 std::vector<std::uint8_t> marked(const SideTable& side, std::span<const Index> file_faces) {
   std::vector<std::uint8_t> marks(side.faces.size());
   for (const Index face : file_faces) {
@@ -24,7 +24,7 @@ std::vector<std::uint8_t> marked(const SideTable& side, std::span<const Index> f
   return marks;
 }
 
-/// #leaves: which of the eight faces of each are marked, as bits.
+/// Returns for each leaf which of its eight faces are marked, as bits.
 std::vector<std::uint8_t> lanes_of(const FaceTree& tree, std::span<const std::uint8_t> marks) {
   std::vector<std::uint8_t> lanes(tree.n_leaves());
   parallel_chunks(lanes.size(), kMarkedLeavesPerChunk, [&](Chunk chunk) {

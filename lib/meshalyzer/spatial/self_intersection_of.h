@@ -9,11 +9,11 @@
 
 namespace meshalyzer {
 
-/// Finds those pairs of find_self_intersections() that have at least one of the given faces.
+/// Finds the pairs of find_self_intersections() that have at least one of the given faces.
 ///
-/// @param tree   Over the faces of `cut`.
-/// @param faces  File faces, ascending, each once; those in no complex meet nothing.
-/// @return       Ascending by file face, each pair once; the same for any number of threads.
+/// @param tree   The tree over the faces of `cut`.
+/// @param faces  File faces, ascending, each once; faces outside the complex meet nothing.
+/// @return       The pairs, ascending by file face, each once; the same for any number of threads.
 /// @complexity   O(#F + n log #F + candidates) for n faces.
 [[nodiscard]] std::vector<IntersectingPair> find_self_intersections_of(
     const CutMesh& cut, const FaceTree& tree, std::span<const Index> faces);

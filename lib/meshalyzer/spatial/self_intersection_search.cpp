@@ -16,17 +16,17 @@
 namespace meshalyzer {
 namespace {
 
-/// Leaves that one task looks at.
+/// The number of leaves that one task searches.
 constexpr std::size_t kLeavesPerChunk = 64;
 
-/// Leaves after which a search that may end early looks whether it has found enough.
+/// The number of leaves after which a search that may end early tests whether it has found enough.
 constexpr std::size_t kLeavesPerRound = 64 * kLeavesPerChunk;
 
-/// Pairs that a task keeps before it hands them on.
+/// The number of pairs that a task keeps before it passes them on.
 constexpr std::size_t kPairsInBuffer = 4096;
 
-/// From this number of faces of a leaf on that have partners in another leaf it pays to look for
-/// directions that separate them.
+/// Separating directions pay from this number of faces of a leaf that have possible partners in
+/// another leaf.
 constexpr int kManyFaces = 2;
 
 Corners corners_of(const FaceTree& tree, const Triangle& t) {
@@ -44,10 +44,9 @@ bool has_three_places(const FaceTree& tree, const Triangle& t) {
   return c[0] != c[1] && c[1] != c[2] && c[2] != c[0];
 }
 
-/// Tells whether two faces touch by being next to each other along a seam that was never welded,
-/// which is asked first because it is cheaper than the kind of contact: they have a corner in
-/// common by place that they have not by id, and share nothing else when vertices at identical
-/// places count as one.
+/// Tells whether two faces are neighbours along a seam that was never welded: they have a corner in
+/// common by place but not by id, and share nothing else when vertices at identical places count as
+/// one. This test comes first because it is cheaper than that of the kind of contact.
 bool are_unwelded_neighbours(const FaceTree& tree, const AlignedFaces<Index>& by_id,
                              const AlignedFaces<Index>& by_place) {
   return by_place.n_common > by_id.n_common && by_id.n_common < 2 &&
@@ -61,7 +60,7 @@ std::optional<ContactKind> find_kind(const FaceTree& tree, const Triangle& p, co
       by_id.p, by_id.q, [&](Index a, Index b) { return tree.point(a) == tree.point(b); });
   if (are_unwelded_neighbours(tree, by_id, by_place)) return ContactKind::Unwelded;
   const std::optional<ContactKind> kind = contact_of(tree, by_id);
-  // The contact is gone when vertices at identical places count as one.
+  // The contact disappears when vertices at identical places count as one.
   const bool is_unwelded =
       kind && by_place.n_common > by_id.n_common && !contact_of(tree, by_place);
   return is_unwelded ? ContactKind::Unwelded : kind;
@@ -69,7 +68,7 @@ std::optional<ContactKind> find_kind(const FaceTree& tree, const Triangle& p, co
 
 using Scene = SelfIntersectionScene;
 
-/// Returns the lanes of a leaf whose faces others stand for.
+/// Returns the lanes of a leaf whose faces are represented by others.
 unsigned left_out(const Scene& scene, std::size_t leaf) {
   return scene.groups == nullptr ? 0U : scene.groups->left_out(leaf);
 }
@@ -93,8 +92,8 @@ TreeBox box_of_wanted(const Scene& scene, std::size_t leaf) {
   return TreeBox::around(boxes);
 }
 
-/// Returns the vertices of a leaf's faces that are proven, kNoIndex for the others: whoever has one
-/// of them in common with the face needs no test.
+/// Returns the proven vertices of a leaf's faces, kNoIndex for the others: a face that has one of
+/// them in common with another needs no test against it.
 EightFaces proven_vertices(const Scene& scene, std::size_t leaf) {
   EightFaces faces = scene.tree.leaf_faces(leaf);
   for (auto& corner : faces.corners) {
@@ -107,8 +106,8 @@ EightFaces proven_vertices(const Scene& scene, std::size_t leaf) {
   return faces;
 }
 
-/// Looks for the partners of the wanted faces of one leaf. Partners that are wanted too and
-/// come before are left out: they have found the pair themselves.
+/// Searches the partners of the wanted faces of one leaf. Wanted partners that come earlier are
+/// skipped: they have found the pair themselves.
 class PartnerSearch {
  public:
   PartnerSearch(const Scene& scene, std::size_t leaf, PairBuffer& found)
@@ -131,7 +130,7 @@ class PartnerSearch {
   }
 
  private:
-  /// @param box  Of all faces below the node.
+  /// @param box  The box of all faces below the node.
   void descend(std::size_t level, std::size_t i, const TreeBox& box) {
     if (level == 0) {
       meet_leaf(i, box);
@@ -151,8 +150,7 @@ class PartnerSearch {
     }
   }
 
-  /// Tells whether boxes serve a node badly, but its slabs or its fan tell that none of its faces
-  /// meets the leaf's.
+  /// Tells whether the slabs or the fan of a node prove that none of its faces meets the leaf's.
   bool is_excluded(std::size_t level, std::size_t i, const TreeBox& box) const {
     const Slabs& slabs = scene_.slabs.slabs(level, i);
     if (slabs.is_useful && slabs.exclude(*corners_)) {
@@ -219,7 +217,8 @@ class PartnerSearch {
     return common.bits();
   }
 
-  /// Returns the lanes of another leaf, or this one, that the face in lane i need not look at.
+  /// Returns the lanes of another leaf, or this one, that the face in lane i need not be tested
+  /// against.
   unsigned done_lanes(std::size_t other, std::size_t i) const {
     if (other > leaf_) {
       return 0;
@@ -241,7 +240,7 @@ class PartnerSearch {
     }
   }
 
-  /// Returns the faces that the one at a slot stands for: mostly itself alone.
+  /// Returns the faces that the one at a slot represents: in most cases only itself.
   std::span<const Index> faces_at(std::size_t slot, const Index& file_face) const {
     const std::span<const Index> group =
         scene_.groups == nullptr ? std::span<const Index>() : scene_.groups->faces_at(slot);
@@ -253,13 +252,13 @@ class PartnerSearch {
   PairBuffer& found_;
   std::size_t leaf_;
   unsigned wanted_;
-  /// Leaves before it need no look.
+  /// Leaves before this one are not searched.
   std::size_t first_leaf_;
   TreeBox box_;
   EightFaces proven_;
-  /// The corners of the leaf, where slabs may tell faces apart.
+  /// The corners of the leaf, if slabs may separate faces.
   std::optional<LeafCorners> corners_;
-  /// The triangles of the leaf, where many pairs are left.
+  /// The triangles of the leaf, if many pairs remain.
   std::optional<LeafTriangles> triangles_;
   std::array<std::optional<SeparatingDirections>, 8> directions_;
 };
@@ -270,10 +269,11 @@ class BoundedSearch {
   BoundedSearch(const Scene& scene, const PairLimits& limits, PairListener& listener)
       : scene_(scene), limits_(limits), listener_(listener) {}
 
-  /// Returns whether all leaves were searched.
+  /// Runs the search; returns true if all leaves were searched.
   bool run() {
     const std::size_t n_leaves = scene_.tree.n_leaves();
-    // Whether enough is found is asked between rounds, so that it does not depend on the threads.
+    // The number of pairs is tested between rounds, so that the result does not depend on the
+    // threads.
     const std::size_t per_round = limits_.max_found == kAllPairs ? n_leaves : kLeavesPerRound;
     if (scene_.groups != nullptr) pair_up_groups();
     std::size_t first = 0;
@@ -286,7 +286,7 @@ class BoundedSearch {
   }
 
  private:
-  /// Searches a chunk of leaves until it has found enough by itself; returns how many.
+  /// Searches a chunk of leaves until it has found enough by itself; returns the number of pairs.
   std::size_t search(std::size_t begin, std::size_t end) {
     PairBuffer found(listener_, kPairsInBuffer);
     for (std::size_t leaf = begin; leaf < end; ++leaf) {
@@ -300,7 +300,7 @@ class BoundedSearch {
     return found.n_pushed();
   }
 
-  /// Hands on the pairs within the groups.
+  /// Passes on the pairs within the groups.
   void pair_up_groups() {
     PairBuffer found(listener_, kPairsInBuffer);
     for (std::size_t i = 0; i < scene_.groups->size(); ++i) {

@@ -14,34 +14,34 @@
 
 namespace meshalyzer {
 
-/// The data that a search for the intersecting pairs of one mesh looks at. It only refers to them.
+/// The input of a search for the intersecting pairs of one mesh. It only refers to its data.
 struct SelfIntersectionScene {
   const CutMesh& cut;
   /// A tree over the faces of `cut`, at least one.
   const FaceTree& tree;
   const SlabTree& slabs;
   const FanTree& fans;
-  /// #leaves: bit i is set where the partners of the face at slot 8 leaf + i are wanted; empty:
-  /// those of all faces are.
+  /// #leaves: bit i is set if the partners of the face at slot 8 leaf + i are wanted. If empty,
+  /// those of all faces are wanted.
   std::span<const std::uint8_t> wanted = {};
-  /// Non-zero for each file vertex whose faces surely share no more than they must (see
-  /// prove_stars()); empty where nothing is known.
+  /// Non-zero for each file vertex whose faces surely do not intersect (see prove_stars()); empty
+  /// if nothing is known.
   std::span<const std::uint8_t> proven = {};
-  /// Faces that others stand for; null where all are searched. Not with `wanted`.
+  /// The groups of faces represented by others; null if all are searched. It excludes `wanted`.
   const FaceGroups* groups = nullptr;
 };
 
 /// Finds the pairs with at least one wanted face, each once, with its kind.
 ///
-/// @return  By file face, ascending; the same for any number of threads.
+/// @return  The pairs, ascending by file face; the same for any number of threads.
 [[nodiscard]] std::vector<IntersectingPair> search_self_intersections(
     const SelfIntersectionScene& scene);
 
-/// Hands on the pairs that search_self_intersections() finds. Which pairs these are is the same for
-/// any number of threads, unless the search was told to stop.
+/// Passes the pairs that search_self_intersections() finds to a listener. They are the same for any
+/// number of threads, unless the search was told to stop.
 ///
-/// @param limits  Where max_found ends the search, it finds that many or a few more.
-/// @return        Whether the search went to its end.
+/// @param limits  The limits of the search; if max_found ends it, it finds that many or a few more.
+/// @return        True if the search was complete.
 bool search_self_intersections(const SelfIntersectionScene& scene, const PairLimits& limits,
                                PairListener& listener);
 

@@ -8,19 +8,18 @@
 namespace meshalyzer {
 namespace {
 
-// Any direction will do, also one that is rounded: what counts is how far the computed places of
-// two corners along it are from the true ones. With u = 2^-24, and |d| the sum of the magnitudes of
-// the direction's coordinates:
+// Any direction is valid, even a rounded one; only the errors of the computed coordinates of
+// corners along it matter. With u = 2^-24, and |d| the sum of the magnitudes of the direction's
+// coordinates:
 //
 // - A coordinate of a corner is at most 1 in magnitude and rounded from a double: it is off by less
 //   than 1.01 u.
-// - Its product with that of the direction, and the two sums, add at most 3.03 u of what they are
-//   made of.
+// - Its product with that of the direction, and the two sums, add at most 3.03 u of their terms.
 //
-// So the place of a corner is off by less than 4.05 u |d|, and a gap by twice that. The rest of
-// the factor is for the roundings of |d|, of its product, and of the sum or difference in which it
-// is used. What underflows is off by no more than some 2^-148, which matters for the shortest
-// directions only.
+// So the coordinate of a corner is off by less than 4.05 u |d|, and a gap by twice that. The rest
+// of the factor covers the roundings of |d|, of its product, and of the sum or difference in which
+// it is used. Underflow causes an error of about 2^-148, which matters only for the shortest
+// directions.
 constexpr float kGapSlack = 10 * 0x1p-24F;
 constexpr float kUnderflow = 0x1p-120F;
 
@@ -30,7 +29,7 @@ Float3 subtracted(const Float3& a, const Float3& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// Works for single numbers and for eight of them.
+/// The template works for single numbers and for eight of them.
 template <typename Vector>
 Vector cross_product(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -65,7 +64,7 @@ EightFloats magnitude(const EightFloats& a) {
 
 using EightCorners = std::array<EightVectors, 3>;
 
-/// The extents of eight triangles along directions.
+/// The extents of eight triangles along a direction.
 struct EightReaches {
   EightFloats low;
   EightFloats high;

@@ -52,7 +52,7 @@ Vec3f common_direction(std::span<const Vec3f> corners) {
   return lengths_squared > kThin * areas ? Vec3f(sum.normalized()) : Vec3f::Zero();
 }
 
-/// Returns the normal of the faces on the whole, made perpendicular to `along`.
+/// Returns the mean normal of the faces, made perpendicular to `along`.
 Vec3f common_normal(std::span<const Vec3f> corners, const Vec3f& along) {
   Vec3f sum = Vec3f::Zero();
   for (std::size_t i = 0; i < corners.size(); i += 3) {
@@ -133,8 +133,8 @@ SlabTree::SlabTree(const FaceTree& tree) {
     parallel_chunks(nodes, 256, [&](Chunk chunk) {
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
         const std::size_t end = std::min((i + 1) * faces_per_node, tree.n_faces());
-        // A bundle consists of bundles: where no child is one, nor is the parent, and the faces
-        // need no second look.
+        // A bundle consists of bundles: if no child is one, neither is the parent, and the faces
+        // need no further test.
         const auto children_begin = level == 0 ? nullptr : levels_[level - 1].data() + 8 * i;
         const auto children_end = level == 0 ? nullptr
                                              : levels_[level - 1].data() +

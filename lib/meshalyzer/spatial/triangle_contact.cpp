@@ -26,10 +26,10 @@ Signs sides(const Corners& plane, const Corners& points) {
           orient3d(plane[0], plane[1], plane[2], points[2])};
 }
 
-/// The relation of two convex figures in one plane.
+/// The relation of two coplanar convex figures.
 enum class Planar { Apart, Touching, Overlapping };
 
-/// Looks along the edges of `p` for a line that keeps `q` on its outer side.
+/// Searches a line along an edge of `p` that has `q` on its outer side.
 Planar separation(Axis axis, const Corners& p, const Corners& q) {
   const Sign turn = orient2d(axis, p[0], p[1], p[2]);
   Planar found = Planar::Overlapping;
@@ -48,7 +48,8 @@ Planar separation(Axis axis, const Corners& p, const Corners& q) {
   return found;
 }
 
-/// Triangles in one plane that projects to non-zero area along `axis` (separating axis theorem).
+/// Returns the relation of two coplanar triangles whose plane projects to non-zero area along
+/// `axis` (separating axis theorem).
 Planar planar_relation(Axis axis, const Corners& p, const Corners& q) {
   return std::min(separation(axis, p, q), separation(axis, q, p));
 }
@@ -95,8 +96,9 @@ struct Lone {
   Sign side;
 };
 
-/// Corners in the plane go with the others where one corner is alone strictly on a side; where two
-/// are, the third, which is in the plane, is alone and counts as being on the far side.
+/// Returns the corner that is alone on its side. If one corner is alone strictly on a side, corners
+/// in the plane go with the others; if two are, the third, which is in the plane, is alone and
+/// counts as being on the far side.
 Lone lone_corner(const Corners& t, const Signs& s) {
   const auto rotated = [&](std::size_t i) { return Corners{t[i], t[(i + 1) % 3], t[(i + 2) % 3]}; };
   for (const Sign side : {1, -1}) {
@@ -109,9 +111,9 @@ Lone lone_corner(const Corners& t, const Signs& s) {
   return {rotated(zero), -s[(zero + 1) % 3]};
 }
 
-/// Triangles in different planes, neither wholly on one side of the other's: do the two stretches
-/// that they cut from the planes' common line meet? (Guigue and Devillers 2003, with the two
-/// orientations at the end.)
+/// Tells whether and how two triangles in different planes meet, neither of which is wholly on one
+/// side of the other's plane: the intervals that they cut from the common line of the planes must
+/// meet. (Guigue and Devillers 2003, with the two orientations at the end.)
 std::optional<ContactKind> line_contact(const Corners& p, const Corners& q, const Signs& of_p,
                                         const Signs& of_q) {
   Lone a = lone_corner(p, of_p);
@@ -150,9 +152,9 @@ std::optional<ContactKind> contact_of_strangers(const Corners& p, const Corners&
   return line_contact(p, q, of_p, of_q);
 }
 
-/// p = a b c and q = a d e: a point beyond a is shared exactly when the line d e meets the plane of
-/// p inside the angle of p at a, for then the segment from a to that point lies in q and begins in
-/// p.
+/// Finds a contact of p = a b c and q = a d e beyond a. A point beyond a is shared exactly when the
+/// line d e meets the plane of p inside the angle of p at a, for then the segment from a to that
+/// point lies in q and begins in p.
 std::optional<ContactKind> contact_beyond_vertex(const Corners& p, const Corners& q) {
   Sign below = orient3d(p[0], p[1], p[2], q[1]);
   Sign above = orient3d(p[0], p[1], p[2], q[2]);
@@ -177,8 +179,8 @@ std::optional<ContactKind> contact_beyond_vertex(const Corners& p, const Corners
   return interiors ? ContactKind::Crossing : ContactKind::Touching;
 }
 
-/// p = a b c and q = a b d: they share more than the edge exactly when they lie in one plane on the
-/// same side of it.
+/// Finds a contact of p = a b c and q = a b d beyond the edge. They share more than the edge
+/// exactly when they lie in one plane on the same side of it.
 std::optional<ContactKind> contact_beyond_edge(const Corners& p, const Corners& q) {
   if (orient3d(p[0], p[1], p[2], q[2]) != 0) {
     return std::nullopt;
@@ -188,7 +190,7 @@ std::optional<ContactKind> contact_beyond_edge(const Corners& p, const Corners& 
   return same_side ? std::optional(ContactKind::FoldOver) : std::nullopt;
 }
 
-/// Tells whether the projections along `axis` are surely apart but for the common edge.
+/// Tells whether the projections along `axis` surely share only the common edge.
 bool folds_apart(Axis axis, const Corners& p, const Corners& q) {
   const auto s = orient2d_if_sure(axis, p[0], p[1], p[2]);
   const auto t = orient2d_if_sure(axis, p[0], p[1], q[2]);
@@ -266,8 +268,8 @@ bool are_clearly_apart(const Corners& p, const Corners& q, Common common) {
     return false;
   }
   // A segment that two triangles share from their common corner on ends on the edge opposite to it
-  // in one of them. So the many neighbours round a vertex, whose boxes all hold it, are told apart
-  // by comparisons alone.
+  // in one of them. So the many neighbours round a vertex, whose boxes all contain it, are
+  // separated by comparisons alone.
   if (common == Common::Vertex && opposite_edge_is_apart(p, q) && opposite_edge_is_apart(q, p)) {
     return true;
   }

@@ -7,27 +7,28 @@
 
 namespace meshalyzer {
 
-/// Tells how much two faces have in common by id.
+/// What two faces have in common by id.
 enum class Common : std::uint8_t { Nothing, Vertex, Edge, All };
 
 /// Tells whether two closed triangles share a point that is not on what they have in common, and
 /// how.
 ///
-/// Exact: it agrees with the evaluation over the reals for all finite doubles. A triangle of zero
-/// area counts as the segment or point that it is.
+/// The answer is exact: it agrees with the evaluation over the reals for all finite doubles. A
+/// triangle of zero area counts as the segment or point that it is.
 ///
-/// @param p, q    The corners that they have in common come first, in the same order in both.
-/// @param common  How many those are.
-/// @return        Nothing when there is no such point; else the kind, never Unwelded (that takes
-/// two questions).
+/// @param p, q    The triangles. Common corners come first, in the same order in both.
+/// @param common  What they have in common.
+/// @return        Nothing if there is no such point, else the kind. It is never Unwelded, which two
+///                calls decide.
 [[nodiscard]] std::optional<ContactKind> find_contact(const Corners& p, const Corners& q,
                                                       Common common);
 
-/// Tells whether a quick test proves that find_contact() has nothing to find. False says nothing.
+/// Tells whether a quick test proves that find_contact() finds nothing. False means that nothing is
+/// proven.
 ///
-/// Decides most neighbours of a mesh with two signs, without ever going exact: triangles that lie
-/// on one side of each other's plane, or whose projections along an axis meet in nothing but the
-/// common part.
+/// It decides most neighbours of a mesh with two signs and no exact arithmetic: triangles that lie
+/// on one side of each other's plane, or whose projections along an axis meet only in the common
+/// part.
 [[nodiscard]] bool are_clearly_apart(const Corners& p, const Corners& q, Common common);
 
 }  // namespace meshalyzer

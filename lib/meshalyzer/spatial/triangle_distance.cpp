@@ -8,11 +8,11 @@
 namespace meshalyzer {
 namespace {
 
-/// Squared sine of an angle between two edges below which a plain cross product has lost digits
-/// that count.
+/// The squared sine of an angle between two edges below which a plain cross product has too few
+/// digits.
 constexpr double kSliver = 1e-3;
-/// The same, below which not even the careful product is sure of the plane: no point inside such a
-/// triangle is farther than 1e-15 of its size from an edge.
+/// The squared sine below which not even the careful product determines the plane: no point inside
+/// such a triangle is farther than 1e-15 of its size from an edge.
 constexpr double kFlat = 1e-30;
 
 /// A number as an unevaluated sum of two doubles: about 106 bits.
@@ -21,7 +21,7 @@ struct Twofold {
   double low;
 };
 
-/// a - b, exactly.
+/// Returns a - b exactly.
 Twofold difference(double a, double b) {
   const double high = a - b;
   const double tail = high - a;
@@ -33,7 +33,7 @@ Twofold product(const Twofold& a, const Twofold& b) {
   return {high, std::fma(a.high, b.high, -high) + (a.high * b.low + a.low * b.high)};
 }
 
-/// a b - c d, rounded once but for cancellation beyond 106 bits.
+/// Returns a b - c d, rounded once except for cancellation beyond 106 bits.
 double determinant(const std::array<Twofold, 4>& m) {
   const Twofold ab = product(m[0], m[1]);
   const Twofold cd = product(m[2], m[3]);
@@ -41,7 +41,7 @@ double determinant(const std::array<Twofold, 4>& m) {
   return high.high + (high.low + (ab.low - cd.low));
 }
 
-/// (b - a) x (c - a) for slivers.
+/// Returns (b - a) x (c - a), accurate for slivers.
 Vec3 careful_normal(const Corners& t) {
   Vec3 normal;
   for (Eigen::Index k = 0; k < 3; ++k) {
@@ -53,31 +53,32 @@ Vec3 careful_normal(const Corners& t) {
   return normal;
 }
 
-/// A point of the triangle on the way to being the closest.
+/// A candidate for the closest point of the triangle.
 struct Candidate {
   Vec3 point = Vec3::Zero();
-  /// The vector from the query point.
+  /// The vector from the query point to it.
   Vec3 offset = Vec3::Zero();
   double squared = std::numeric_limits<double>::infinity();
 };
 
-/// One edge, from its end that is nearer to the point asked for.
+/// One edge, from its end that is nearer to the query point.
 struct Edge {
   std::size_t from;
   Vec3 along;
-  /// The place of the closest point of the edge's line, in multiples of `along`.
+  /// The position of the closest point on the line of the edge, in multiples of `along`.
   double foot;
   double squared_length;
 };
 
-/// A triangle as seen from the point asked for, which is the origin here. All sizes are such that
-/// nothing overflows, and what underflows does not count.
+/// A triangle relative to the query point, which is the origin here. It is scaled so that nothing
+/// overflows, and any underflow is negligible.
 class View {
  public:
   View(const Corners& t, const Vec3& p) : t_(t), p_(p) {
     for (std::size_t i = 0; i < 3; ++i) {
       corner_[i] = t[i] - p;
-      // Not the difference of two corners seen from afar, each of which is rounded.
+      // This is not the difference of two corners relative to a distant point, each of which would
+      // be rounded.
       edge_[i] = t[(i + 1) % 3] - t[i];
       squared_[i] = corner_[i].squaredNorm();
       squared_length_[i] = edge_[i].squaredNorm();
@@ -87,14 +88,14 @@ class View {
     set_plane();
   }
 
-  /// Squared distance of the farthest corner.
+  /// Returns the squared distance of the farthest corner.
   [[nodiscard]] double squared_size() const {
     return std::max({squared_[0], squared_[1], squared_[2]});
   }
-  /// (b - a) x (c - a); zero where the triangle has no plane that could be relied on.
+  /// Returns (b - a) x (c - a), or zero if the triangle has no reliable plane.
   [[nodiscard]] const Vec3& normal() const { return normal_; }
   [[nodiscard]] double squared_normal() const { return squared_normal_; }
-  /// normal() times any point of the plane.
+  /// Returns the dot product of normal() and any point of the plane.
   [[nodiscard]] double height() const { return normal_.dot(corner_[nearest_]); }
 
   [[nodiscard]] Candidate at_corner(std::size_t i) const {
@@ -111,14 +112,14 @@ class View {
     return edge;
   }
 
-  /// Returns the point at a multiple of the edge.
+  /// Returns the point of an edge at a multiple of its vector.
   [[nodiscard]] Candidate on_edge(const Edge& edge, double at) const {
     const Vec3 step = at * edge.along;
     const Vec3 offset = corner_[edge.from] + step;
     return {t_[edge.from] + step, offset, offset.squaredNorm()};
   }
 
-  /// Returns the place of a point of the plane, if it is in the triangle.
+  /// Returns the position of a point of the plane if it is in the triangle.
   [[nodiscard]] std::optional<Vec3> place(const Vec3& offset) const {
     std::array<double, 3> inside;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -129,10 +130,11 @@ class View {
     }
     const double longest = std::max({squared_length_[0], squared_length_[1], squared_length_[2]});
     if (squared_normal_ < kSliver * longest * longest) {
-      // Across a thin triangle the shares of the corners have no digits.
+      // Across a thin triangle the barycentric coordinates have no correct digits.
       return p_ + offset;
     }
-    // From shares of the corners, so that it is on the triangle however far away it is seen from.
+    // It is computed from barycentric coordinates, so that it is on the triangle even for a distant
+    // query point.
     const double sum = inside[0] + inside[1] + inside[2];
     return t_[0] + (inside[2] / sum) * edge_[0] - (inside[0] / sum) * edge_[2];
   }
@@ -175,7 +177,7 @@ Candidate closest(const View& view) {
     const double share = view.height() / view.squared_normal();
     const Vec3 foot = share * view.normal();
     if (const auto point = view.place(foot)) {
-      // Nearer than any edge but for rounding; a point on an edge keeps its distance of 0.
+      // It is nearer than any edge up to rounding; a point on an edge keeps its distance of 0.
       return {*point, foot, std::min(best.squared, share * view.height())};
     }
   }
@@ -201,8 +203,8 @@ std::optional<Vec3> nearest_side(const Cone& cone, const Vec3& direction) {
   return cone.cos_half_angle * cone.axis + (sine / length) * across;
 }
 
-/// Returns the closest point of plane and cone, which lies on the side of the cone that leans most
-/// to the plane; if it is in the triangle.
+/// Returns the closest common point of plane and cone, which lies on the side of the cone that
+/// leans most to the plane, if it is in the triangle.
 Candidate on_plane(const View& view, const Cone& cone) {
   Candidate none;
   if (view.squared_normal() == 0.0 || view.height() == 0.0) {
@@ -224,8 +226,8 @@ Candidate on_plane(const View& view, const Cone& cone) {
 /// Returns the multiples of an edge, counted from its foot, at which its line goes through the
 /// double cone: the roots of a x^2 + 2 b x + c. Roots that do not exist are NaN or infinite.
 std::array<double, 2> crossings(const View& view, const Edge& edge, const Cone& cone) {
-  // From the foot, which is perpendicular to the line, |offset|^2 has no mixed term: nothing
-  // cancels where the line passes close to the apex.
+  // Relative to the foot of the perpendicular, |offset|^2 has no mixed term: nothing cancels where
+  // the line passes close to the apex.
   const Vec3 foot = view.corner(edge.from) + edge.foot * edge.along;
   const double cos_squared = cone.cos_half_angle * cone.cos_half_angle;
   const double u = foot.dot(cone.axis);
@@ -237,7 +239,7 @@ std::array<double, 2> crossings(const View& view, const Edge& edge, const Cone& 
   return {sum / a, c / sum};
 }
 
-/// Returns the closest point of edge and cone, other than the ends.
+/// Returns the closest common point of edge and cone other than the ends.
 Candidate on_edge(const View& view, std::size_t i, const Cone& cone) {
   const Edge edge = view.edge(i);
   Candidate best = view.on_edge(edge, std::clamp(edge.foot, 0.0, 1.0));
@@ -249,7 +251,7 @@ Candidate on_edge(const View& view, std::size_t i, const Cone& cone) {
     const double at = edge.foot + crossing;
     if (at >= 0.0 && at <= 1.0) {
       const Candidate candidate = view.on_edge(edge, at);
-      // Else on the half of the double cone that does not count.
+      // Otherwise it is on the opposite half of the double cone.
       if (candidate.offset.dot(cone.axis) >= 0.0 && candidate.squared < best.squared) {
         best = candidate;
       }
@@ -258,8 +260,8 @@ Candidate on_edge(const View& view, std::size_t i, const Cone& cone) {
   return best;
 }
 
-/// Returns the closest point in the cone. Where that of the whole triangle is not in the cone, the
-/// closest one is on the cone's side or on an edge, as triangle and cone are convex.
+/// Returns the closest point in the cone. If that of the whole triangle is not in the cone, the
+/// closest one is on the side of the cone or on an edge, because triangle and cone are convex.
 Candidate closest(const View& view, const Cone& cone) {
   Candidate best = closest(view);
   if (is_in(cone, best.offset)) {
@@ -282,7 +284,7 @@ bool is_in_range(const View& view) {
   return view.squared_size() > 1e-100 && view.squared_size() < 1e120;
 }
 
-/// The same triangle and point, of a size near 1.
+/// The same triangle and point, scaled to a size near 1.
 struct Rescaled {
   Corners t;
   Vec3 p;
@@ -293,7 +295,7 @@ struct Rescaled {
     for (const Vec3& corner : corners) {
       size = std::max(size, (corner - point).cwiseAbs().maxCoeff());
     }
-    // Where even the difference overflows, no exponent is too large.
+    // If even the difference overflows, no exponent is too large.
     exponent = size == 0.0 ? 0 : std::isfinite(size) ? std::ilogb(size) : 1023;
     const auto scale = [this](const Vec3& v) {
       return Vec3(v.unaryExpr([this](double x) { return std::ldexp(x, -exponent); }));

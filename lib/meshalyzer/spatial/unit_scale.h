@@ -8,9 +8,8 @@
 
 namespace meshalyzer {
 
-/// Maps triangles to coordinates of about -1 ... 1, in which neither squares nor cubes overflow,
-/// nor vanish. Scales by a power of two: what is rounded is rounded only by moving the middle of
-/// all to 0.
+/// Maps triangles to coordinates of about -1 ... 1, in which squares and cubes neither overflow nor
+/// vanish. The scale is a power of two: coordinates are rounded only by moving the centre to 0.
 class UnitScale {
  public:
   explicit UnitScale(std::span<const Corners> triangles) {
@@ -23,10 +22,10 @@ class UnitScale {
     if (box.isEmpty()) {
       return;
     }
-    // Halves before the sum and the difference: these may overflow where the coordinates do not.
+    // Halves are added and subtracted, because sum and difference of the coordinates may overflow.
     const double half = (box.max() / 2 - box.min() / 2).maxCoeff();
     const int exponent = half > 0.0 ? -std::ilogb(half) : 0;
-    // In two steps, since the factor itself may be too large for a double.
+    // The scaling takes two steps, because the factor itself may overflow.
     first_ = std::ldexp(1.0, exponent / 2);
     second_ = std::ldexp(1.0, exponent - exponent / 2);
     centre_ = scaled(box.min()) / 2 + scaled(box.max()) / 2;
@@ -37,7 +36,7 @@ class UnitScale {
 
   [[nodiscard]] Vec3 operator()(const Vec3& point) const { return scaled(point) - centre_; }
 
-  /// How far apart neighbouring doubles are in the triangles' own coordinates, seen in these.
+  /// Returns the spacing of doubles at the original coordinates, in the scaled ones.
   [[nodiscard]] double rounding() const { return rounding_; }
 
  private:

@@ -16,22 +16,22 @@
 namespace meshalyzer {
 namespace {
 
-/// A node is taken as a whole from beyond so many of its radii. The error falls with the square of
-/// this: 0.04 of a sphere at 2, 0.009 at 4.
+/// A node is approximated as a whole beyond this many of its radii. The error falls with the square
+/// of this: 0.04 of a sphere at 2, 0.009 at 4.
 constexpr double kFar = 4.0;
-/// A point this near to a triangle is on it, where the whole is about 1 in size; but at least so
-/// many times what coordinates are rounded by.
+/// A point at this distance of a triangle is on it if the size of the mesh is about 1. The distance
+/// is at least a multiple of the spacing of the coordinates.
 constexpr double kOnTriangle = 0x1p-40;
 constexpr double kOnTriangleRoundings = 8.0;
 /// Bounds the rounding error of a determinant, relative to the lengths of its rows.
 constexpr double kRounding = 0x1p-48;
-/// Farther away than the square root of this, everything is a point.
+/// Beyond the square root of this distance all triangles count as a point.
 constexpr double kTooFar = 1e60;
 
 /// Returns the share of all directions from a point that meet a triangle; it is positive where its
 /// normal points away (van Oosterom and Strackee 1983, "The solid angle of a plane triangle").
 ///
-/// @param near  A point at this distance is on the triangle.
+/// @param near  A point within this distance is on the triangle.
 double share_of_directions(const Corners& t, const Vec3& point, double near) {
   const Vec3 a = t[0] - point;
   const Vec3 b = t[1] - point;
@@ -40,7 +40,7 @@ double share_of_directions(const Corners& t, const Vec3& point, double near) {
   const double y = b.norm();
   const double z = c.norm();
   const double sine = a.dot(b.cross(c));
-  // Summed so that exchanging b and c changes no bit.
+  // The sum is ordered so that exchanging b and c changes no bit.
   const double cosine = x * (y * z) + (a.dot(b) * z + a.dot(c) * y) + b.dot(c) * x;
   if (cosine <= 0.0) {
     const double normal = normal_of(t).norm();
@@ -51,10 +51,11 @@ double share_of_directions(const Corners& t, const Vec3& point, double near) {
   return std::atan2(sine, cosine) / (2.0 * std::numbers::pi);
 }
 
-/// Triangles as seen from afar: the first two terms of the multipole expansion about their middle.
+/// The far field of some triangles: the first two terms of the multipole expansion about their
+/// centre.
 struct Dipole {
   Vec3 centre = Vec3::Zero();
-  /// The square of the distance from which they may be seen like this.
+  /// The square of the distance from which the expansion is accurate enough.
   double far_squared = 0.0;
   /// The sum of the area vectors.
   Vec3 area = Vec3::Zero();
@@ -118,7 +119,8 @@ std::vector<Box3> boxes_of(std::span<const Corners> triangles) {
 
 }  // namespace
 
-/// An implicit, complete tree of eight children a node over the triangles in order along a curve.
+/// An implicit, complete tree with eight children per node over the triangles, ordered along a
+/// space-filling curve.
 struct WindingNumbers::Tree {
   explicit Tree(std::vector<Corners> soup)
       : scale(soup), near(std::max(kOnTriangle, kOnTriangleRoundings * scale.rounding())) {
@@ -141,7 +143,7 @@ struct WindingNumbers::Tree {
     }
   }
 
-  /// Returns the dipoles of so many triangles each.
+  /// Returns the dipoles of `length` triangles each.
   [[nodiscard]] std::vector<Dipole> level_of(std::size_t length) const {
     std::vector<Dipole> level(n_chunks(triangles.size(), length));
     const std::size_t nodes_per_task = std::max<std::size_t>(1, kChunkLength / length);
@@ -174,7 +176,7 @@ struct WindingNumbers::Tree {
   UnitScale scale;
   double near;
   std::vector<Corners> triangles;
-  /// Level 0: of eight triangles each; each level of eight nodes of the one below.
+  /// Level 0 has the dipoles of eight triangles each; each other level those of eight nodes below.
   std::vector<std::vector<Dipole>> levels;
 };
 
