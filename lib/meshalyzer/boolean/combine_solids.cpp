@@ -16,7 +16,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Tells how many pairs all rounds may cut, beside this multiple of those of the first.
+/// All rounds together may cut this many pairs more than a multiple of those of the first.
 constexpr std::size_t kMorePairsInRounds = 1000;
 constexpr std::size_t kTimesFirstRound = 2;
 
@@ -94,7 +94,7 @@ class Combination {
     return mend_rounding();
   }
 
-  /// What was rounded is one solid now, which may intersect itself.
+  /// Cuts the rounded result, now one solid that may intersect itself, until no faces intersect.
   CombineOutcome mend_rounding() {
     std::size_t n_pairs_cut = 0;
     for (std::size_t round = 1;; ++round) {
@@ -117,7 +117,7 @@ class Combination {
     return options_.wants_to_stop && options_.wants_to_stop();
   }
 
-  /// Makes the boundary of a solid, rounded, the soup.
+  /// Replaces the soup by the rounded boundary of a solid.
   void take(const ExactSolid& solid, std::size_t round) {
     const Arrangement& a = solid.arrangement;
     std::vector<std::uint8_t> was_cut(soup_.n_faces(), 0);
@@ -155,7 +155,7 @@ class Combination {
     return origin;
   }
 
-  /// How far rounding moves a vertex of an arrangement.
+  /// Returns how far rounding moves a vertex of an arrangement.
   [[nodiscard]] static double move_of(Index v, const Arrangement& a,
                                       const RoundedVertices& rounded) {
     const double move = (rounded.positions[rounded.stands_for[v]] - a.positions[v]).norm();
@@ -165,12 +165,12 @@ class Combination {
   const CombineOptions& options_;
   std::size_t n_operands_;
   RoundingLimits limits_;
-  /// What is cut in this round: positions and faces alone.
+  /// The soup that this round cuts, with positions and faces only.
   Soup soup_;
-  /// By face of the soup; without corners.
+  /// The origin of each face of the soup, without its corners.
   std::vector<CombinedFace> origins_;
   std::vector<Index> operand_of_;
-  /// Tells which faces the last round has made. Ascending.
+  /// The faces that the last round has made, ascending.
   std::vector<Index> new_faces_;
   CombinedSolid result_;
 };

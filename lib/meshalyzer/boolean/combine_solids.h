@@ -11,27 +11,27 @@
 
 namespace meshalyzer {
 
-/// Cutting takes about two kilobytes a pair.
+/// The default limit on the pairs that are cut; cutting takes about two kilobytes per pair.
 inline constexpr std::size_t kMostPairsCombined = 2'000'000;
 
 struct CombineOptions {
-  /// Rounding moves vertices by a share of this length at most; 0: to the nearest doubles only.
+  /// Rounding moves vertices by at most a share of this length; with 0 only to the nearest doubles.
   double max_deviation = 0.0;
-  /// So many pairs of faces that intersect are cut, and no more.
+  /// The largest number of intersecting pairs of faces that are cut.
   std::size_t max_pairs = kMostPairsCombined;
-  /// Asked before each round; once it says yes the rest is left. May be empty.
+  /// Called before each round; the operation stops once it returns true. It may be empty.
   std::function<bool()> wants_to_stop = {};
 };
 
-/// Tells how a boolean operation has ended.
+/// The outcome of a boolean operation.
 enum class CombineOutcome : std::uint8_t {
   /// The exact search finds no faces of the result that intersect.
   Done,
-  /// Faces of the result still intersect: rounding made some do so again and again.
+  /// Faces of the result still intersect, because rounding made some intersect again and again.
   Unfinished,
-  /// Nothing was done, because more pairs of faces intersect than are cut.
+  /// Nothing was done, because more pairs of faces intersect than may be cut.
   TooManyPairs,
-  /// It was to stop before it was done.
+  /// The operation was told to stop before it was done.
   Stopped,
 };
 
@@ -40,7 +40,7 @@ struct CombinedFace {
   Triangle corners{kNoIndex, kNoIndex, kNoIndex};
   /// The face of the soup that it is, or is a part of.
   Index origin = kNoIndex;
-  /// Tells whether it looks the other way than that face.
+  /// Tells whether its orientation is opposite to that of its origin.
   bool is_turned = false;
   /// Tells whether faces of several operands cover it.
   bool is_common = false;
@@ -49,36 +49,37 @@ struct CombinedFace {
 /// The result of a boolean operation.
 struct CombinedSolid {
   CombineOutcome outcome = CombineOutcome::Done;
-  /// Those of the soup, whether they are used or not, and behind them those that were made.
+  /// The positions of the soup, used or not, followed by the new ones.
   std::vector<Vec3> positions;
-  /// In order of their origins. A face that was not cut has its corners in their order, but for
-  /// being turned. Empty where nothing is inside.
+  /// The faces, in order of their origins; empty if nothing is inside. A face that was not cut
+  /// keeps the order of its corners unless it is reversed.
   std::vector<CombinedFace> faces;
-  /// Tells how many pairs of faces of the operands intersect, of one operand or of two.
+  /// The number of intersecting pairs of faces of the operands, within one operand or between two.
   std::size_t n_pairs = 0;
-  /// An upper bound of how far rounding has moved any vertex.
+  /// An upper bound of the distance by which rounding has moved any vertex.
   double largest_move = 0.0;
 };
 
-/// Combines solids to a new one, whose boundary it is: cuts all faces that intersect along their
-/// intersections, finds the winding number of every cell for each operand, exactly, keeps what
-/// separates cells that are inside by the rule from others, and rounds the points that were made to
-/// doubles, again and again until no faces intersect.
+/// Combines solids to a new one and returns its boundary. All intersecting faces are cut along
+/// their intersections, the exact winding number of every cell with respect to each operand is
+/// found, and the pieces that separate cells inside by the rule from others are kept. The new
+/// points are rounded to doubles, and this is repeated until no faces intersect.
 ///
-/// Operands may intersect themselves: inside is what they go round at least once. Coplanar faces of
-/// several operands come out once. Faces that meet no other stay bit for bit. Where parts of the
-/// result touch along an edge or at a vertex they have it in common, so that it may not be
-/// manifold. See doc/booleans.md.
+/// Operands may intersect themselves: a point is inside if the operand goes round it at least once.
+/// Coplanar faces of several operands occur once in the result. Faces that meet no other are
+/// unchanged to the bit. Parts of the result that touch along an edge or at a vertex share it, so
+/// the result may be non-manifold. See doc/booleans.md.
 ///
-/// @param operands  Each without a fault that find_solid_fault() names.
-/// @return          The same for any number of threads.
+/// @param operands  The operands, for none of which find_solid_fault() finds a fault.
+/// @return          The result, which is the same for any number of threads.
 /// @throws InvalidArgument  if there are no operands, or a face has none, or a position is not
 /// finite.
-/// @complexity      As find_self_intersections(), O(#F) for cells, and O(#cells #operands).
+/// @complexity      That of find_self_intersections(), plus O(#F) for the cells and O(#cells
+///                  #operands).
 [[nodiscard]] CombinedSolid combine_solids(const Operands& operands, const InsideRule& rule,
                                            const CombineOptions& options = {});
 
-/// Returns the mesh that a boolean operation has made, without vertices that no face uses.
+/// Returns the result of a boolean operation as a mesh, without unused vertices.
 [[nodiscard]] Soup as_soup(const CombinedSolid& solid);
 
 }  // namespace meshalyzer

@@ -5,15 +5,15 @@
 
 namespace meshalyzer {
 
-/// Tells whether a place is inside the result of a boolean operation, by how often each operand
-/// goes round it: a place is inside an operand that goes round it at least once.
+/// Decides from the winding number of each operand whether a point is inside the result of a
+/// boolean operation; a point is inside an operand that goes round it at least once.
 using InsideRule = std::function<bool(std::span<const int> windings)>;
 
-/// What is inside any operand.
+/// Returns the rule of the union: inside any operand.
 [[nodiscard]] InsideRule union_rule();
-/// What is inside all operands.
+/// Returns the rule of the intersection: inside all operands.
 [[nodiscard]] InsideRule intersection_rule();
-/// What is inside the first operand and no other one.
+/// Returns the rule of the difference: inside the first operand and no other one.
 [[nodiscard]] InsideRule difference_rule();
 
 }  // namespace meshalyzer

@@ -12,7 +12,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Adds what a mesh says behind what is there.
+/// Appends meshes to a soup, one after the other.
 class Concatenation {
  public:
   void add(const Soup& mesh) {
@@ -51,7 +51,7 @@ class Concatenation {
     }
   }
 
-  /// Corners of meshes without normals have none.
+  /// Appends the normals of a mesh; corners of meshes without normals have none.
   void add_normals(const Soup& mesh, Index n_faces) {
     constexpr Triangle kNone{kNoIndex, kNoIndex, kNoIndex};
     const bool has_any = !all_.corner_normals.empty() || !mesh.corner_normals.empty();
@@ -69,10 +69,10 @@ class Concatenation {
   Soup all_;
 };
 
-/// #components: the component that each is a part of the solid of, itself mostly.
+/// Returns for each component the one to whose solid it belongs, which mostly is itself.
 ///
-/// A cavity's wall points into it, so that its volume is negative. One that crosses others encloses
-/// nothing itself, and is a part of the first that it crosses.
+/// The wall of a cavity points into it, so its volume is negative. A wall that crosses other
+/// components encloses nothing itself, and belongs to the first one that it crosses.
 std::vector<Index> find_owners(const PreparedMesh& mesh) {
   const std::vector<Shell>& shells = mesh.shells();
   std::vector<Index> owners(shells.size());
@@ -122,7 +122,7 @@ Operands operands_of(const Soup& soup) {
   Operands operands{soup, std::vector<Index>(soup.n_faces(), 0), 0};
   // The wall of a cavity may come before that of its solid.
   for (std::size_t f = 0; f < soup.n_faces(); ++f) {
-    // A face in no complex bounds nothing.
+    // A face outside the complex bounds nothing.
     if (component_of[f] == kNoIndex) continue;
     Index& operand = number[owners[component_of[f]]];
     if (operand == kNoIndex) operand = static_cast<Index>(operands.count++);
@@ -143,7 +143,8 @@ std::vector<double> volumes_of(const Operands& operands) {
   for_each_face([&](Index operand, const std::array<Vec3, 3>& corners) {
     for (const Vec3& p : corners) boxes[operand].extend(p);
   });
-  // Each about a point near it, so that one far from the origin keeps its digits.
+  // Each volume is computed about a nearby point, so that a solid far from the origin keeps its
+  // digits.
   std::vector<CompensatedSum> sums(operands.count);
   for_each_face([&](Index operand, const std::array<Vec3, 3>& corners) {
     const Vec3 centre = boxes[operand].center();

@@ -9,7 +9,7 @@
 namespace meshalyzer {
 
 /// The solids that a boolean operation combines: the faces of one soup, each of which belongs to
-/// one of them. Only refers to the soup.
+/// one of them. The struct only refers to the soup.
 struct Operands {
   const Soup& soup;
   /// #faces: the number of the operand that each belongs to, below `count`.
@@ -17,22 +17,22 @@ struct Operands {
   std::size_t count = 0;
 };
 
-/// Puts several meshes into one soup, one behind the other: records, missing references, groups and
-/// normals. Ids are 1, 2, ..., n then, and where groups of several meshes come together, faces that
-/// belong to none are in one without a name.
+/// Concatenates several meshes to one soup: records, missing references, groups and normals. Ids
+/// become 1, 2, ..., n. If several meshes have groups, faces without a group are put into one
+/// without a name.
 [[nodiscard]] Soup concatenate(std::span<const Soup> meshes);
 
-/// Returns the meshes of a soup that concatenate() has made, each an operand.
+/// Returns the meshes that concatenate() has joined, each as an operand.
 [[nodiscard]] Operands operands_of(const Soup& all, std::span<const Soup> meshes);
 
 /// Returns the solids of one mesh, each an operand, in order of their lowest faces: its components,
-/// but a shell that is the wall of a cavity belongs to the solid that it is a cavity of, or
+/// except that the wall of a cavity belongs to the solid that contains the cavity, or that the wall
 /// crosses.
 ///
-/// @complexity  As PreparedMesh::shells().
+/// @complexity  That of PreparedMesh::shells().
 [[nodiscard]] Operands operands_of(const Soup& soup);
 
-/// Returns the volume that each operand encloses: what it goes round n times counts n times.
+/// Returns the volume that each operand encloses; space that it goes round n times counts n times.
 ///
 /// @complexity O(#F).
 [[nodiscard]] std::vector<double> volumes_of(const Operands& operands);

@@ -14,19 +14,19 @@
 namespace meshalyzer {
 namespace {
 
-/// The first step, as a share of the largest coordinate: 64 units in its last place or more.
+/// The first step, as a share of the largest coordinate: at least 64 units in its last place.
 constexpr double kFirstShare = 0x1p-46;
 constexpr double kStepGrowth = 4.0;
 constexpr int kMostRounds = 24;
-/// A vertex is on a face that is within so many first steps.
+/// A vertex is on a face if the distance is at most this many first steps.
 constexpr double kNearSteps = 8.0;
-/// Tells how closely the direction that is best before several faces is approached.
+/// The number of iterations towards the direction that leaves several faces best.
 constexpr int kDirectionSteps = 64;
-/// Directions that leave a face more slowly than this are as good as none.
+/// A direction that leaves a face more slowly than this is useless.
 constexpr double kLeastClearance = 1e-3;
 
-/// Returns the point nearest to the origin in the hull of unit normals, nearly: before each of
-/// their planes by the square of its length.
+/// Returns approximately the point of the convex hull of unit normals that is nearest to the
+/// origin. Its dot product with each of them is at least its squared length.
 Vec3 least_point(const std::vector<Vec3>& normals) {
   Vec3 point = Vec3::Zero();
   for (const Vec3& normal : normals) point += normal / static_cast<double>(normals.size());
@@ -43,7 +43,7 @@ Vec3 least_point(const std::vector<Vec3>& normals) {
   return point;
 }
 
-/// Moves vertices, round by round, farther where faces still meet.
+/// Moves vertices, round by round, farther away where faces still meet.
 class PartingFrom {
  public:
   PartingFrom(const CombinedSolid& difference, const Soup& others, double max_move)
@@ -74,11 +74,11 @@ class PartingFrom {
   }
 
  private:
-  /// A vertex that is on the others, and how far it is to go from their faces there.
+  /// A vertex that is on the other operands, and how far it must leave their faces.
   struct Contact {
-    /// Unit normals of common walls, out of the others.
+    /// The unit normals of common walls, pointing out of the others.
     std::vector<Vec3> walls;
-    /// The same of faces that it touches without a wall.
+    /// The unit normals of faces that it touches without a common wall.
     std::vector<Vec3> touched;
     double step = 0.0;
     bool is_to_grow = false;
@@ -89,7 +89,7 @@ class PartingFrom {
     return find_intersections(cut, FaceTree(cut), cut_others_, tree_of_others_);
   }
 
-  /// Notes a face that is a part of a face of the others, or lies on one.
+  /// Records a face that is a part of a face of the others, or lies on one.
   void add_wall(const CombinedFace& face, const Operands& operands) {
     const bool is_of_others = operands.of_face[face.origin] != 0;
     if (!is_of_others && !face.is_common) return;
@@ -98,8 +98,8 @@ class PartingFrom {
     for (const Index v : face.corners) add_normal(normal, contacts_[v].walls);
   }
 
-  /// Chooses the vertices that are to go farther: of each face that meets another those that are
-  /// on it, or are nearest.
+  /// Chooses the vertices that must move farther: of each face that meets another one the vertices
+  /// that are on that face, or nearest to it.
   void choose(const std::vector<IntersectingPair>& pairs) {
     for (const IntersectingPair& pair : pairs) {
       const Triangle& t = soup_.triangles[pair.face_a];
@@ -129,7 +129,7 @@ class PartingFrom {
     return closest_on_triangle(other, start_[vertex]).distance;
   }
 
-  /// Faces of one plane count once.
+  /// Adds a normal; faces of one plane count once.
   static void add_normal(const Vec3& scaled, std::vector<Vec3>& normals) {
     if (!(scaled.stableNorm() > 0.0)) return;
     const Vec3 normal = scaled.stableNormalized();
@@ -139,7 +139,7 @@ class PartingFrom {
   }
 
   /// Moves the vertices of which faces still meet others.
-  /// @return Whether any can go farther.
+  /// @return True if any vertex can move farther.
   bool move() {
     bool is_any = false;
     for (auto& [vertex, contact] : contacts_) {
@@ -178,7 +178,7 @@ class PartingFrom {
   FaceTree tree_of_others_;
   double max_move_;
   double first_step_ = 0.0;
-  /// As it is now: positions and faces alone.
+  /// The current mesh, with positions and faces only.
   Soup soup_;
   std::map<Index, Contact> contacts_;
 };

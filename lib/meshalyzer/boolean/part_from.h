@@ -7,27 +7,27 @@
 
 namespace meshalyzer {
 
-/// The result of a difference that was moved away from what was taken away.
+/// The vertices of a difference that were moved away from the subtracted solids.
 struct PartedVertices {
-  /// The vertices of the result that have moved, ascending, and where they are now.
+  /// The moved vertices of the result, ascending; `positions` has their new positions.
   std::vector<Index> vertices;
   std::vector<Vec3> positions;
-  /// Tells how far any of them has moved.
+  /// The largest distance by which a vertex has moved.
   double largest_move = 0.0;
-  /// Tells how many pairs of faces, one of the result and one of the others, still have a point in
-  /// common.
+  /// The number of pairs of faces, one of the result and one of the others, that still have a point
+  /// in common.
   std::size_t n_pairs_left = 0;
 };
 
-/// Moves the result of a difference away from what was taken away, which it touches: each vertex
-/// of a common wall, in a direction before all walls there, by the smallest step after which no
-/// faces have a point in common, exactly; steps grow from a few units in the last place.
+/// Moves the result of a difference away from the subtracted solids, which it touches. Each vertex
+/// of a common wall moves in a direction that leaves all walls there, by the smallest step after
+/// which no faces have a point in common, exactly; steps grow from a few units in the last place.
 ///
-/// @param operands  What was combined: the first without all others.
-/// @param others    What the others are now: as they were, or moved by little themselves.
-/// @param max_move  No vertex moves farther.
-/// @return          The same for any number of threads.
-/// @complexity      As find_intersections(), a few times.
+/// @param operands  The operands of the difference: the first without all others.
+/// @param others    The other operands as they are now, possibly moved slightly themselves.
+/// @param max_move  The largest distance by which a vertex may move.
+/// @return          The moved vertices, which are the same for any number of threads.
+/// @complexity      A few times that of find_intersections().
 [[nodiscard]] PartedVertices part_from(const CombinedSolid& difference, const Operands& operands,
                                        const Soup& others, double max_move);
 

@@ -12,15 +12,15 @@
 namespace meshalyzer {
 namespace {
 
-/// Edges that are not crossed equally often in both directions.
+/// The edges that are not crossed equally often in both directions.
 struct UnevenEdges {
-  /// Those of one face.
+  /// The edges with one face.
   std::size_t n_borders = 0;
   std::size_t n_others = 0;
 };
 
 UnevenEdges count_uneven_edges(const Soup& soup) {
-  // The lower vertex, the higher one, and the direction.
+  // Each entry has the lower vertex, the higher one, and the direction.
   std::vector<std::pair<std::uint64_t, int>> sides;
   sides.reserve(3 * soup.n_faces());
   for (const Triangle& t : soup.triangles) {
@@ -59,7 +59,7 @@ std::string fault_of_edges(const UnevenEdges& edges) {
   return {};
 }
 
-/// Tells whether a component that is no shell, but closed, encloses anything.
+/// Tells whether a closed component that is no shell encloses nothing.
 bool encloses_nothing(const PreparedMesh& mesh) {
   const Components& components = mesh.components();
   const std::vector<SignedVolume> volumes = signed_volumes(
@@ -68,7 +68,7 @@ bool encloses_nothing(const PreparedMesh& mesh) {
                       [](const SignedVolume& volume) { return volume.sign > 0; });
 }
 
-/// #components: 1 for those that intersect another one.
+/// Returns 1 for each component that intersects another one, else 0.
 std::vector<std::uint8_t> which_meet_others(const PreparedMesh& mesh) {
   const Components& components = mesh.components();
   const auto of = [&](Index face) { return components.of_face[mesh.cut().side.mesh_face(face)]; };
@@ -79,7 +79,8 @@ std::vector<std::uint8_t> which_meet_others(const PreparedMesh& mesh) {
   return meets;
 }
 
-/// Tells whether a shell is inside out. One that crosses others takes away from what they enclose.
+/// Tells whether a shell is inside out. A shell that crosses others subtracts from what they
+/// enclose and is not.
 bool has_inward_shell(const PreparedMesh& mesh) {
   const std::vector<Shell>& shells = mesh.shells();
   const auto is_inward = [](const Shell& shell) { return shell.outward == false; };

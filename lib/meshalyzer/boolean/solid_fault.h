@@ -6,14 +6,14 @@
 
 namespace meshalyzer {
 
-/// Says why a mesh bounds no solid, so that no boolean operation can take it: "it is not closed: 4
-/// edges have one face only". Empty where it does.
+/// Returns the reason why a mesh bounds no solid and cannot be an operand, such as "it is not
+/// closed: 4 edges have one face only". The text is empty if it bounds one.
 ///
-/// A solid has faces, whose corners are all defined; these cross every edge equally often in both
-/// directions, and no shell is inside out but one that crosses others, which takes away from what
+/// A solid has faces, whose corners are all defined; they cross every edge equally often in both
+/// directions, and no shell is inside out except one that crosses others and subtracts from what
 /// they enclose. It may intersect itself, and need not be manifold.
 ///
-/// @complexity O(#F log #F), and as PreparedMesh::shells() where there are several components.
+/// @complexity O(#F log #F), plus that of PreparedMesh::shells() if there are several components.
 [[nodiscard]] std::string find_solid_fault(const Soup& soup);
 
 }  // namespace meshalyzer

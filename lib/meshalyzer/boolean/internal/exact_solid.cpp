@@ -9,7 +9,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns the first face of those that cover a piece that faces the way it does in the end.
+/// Returns the first of the faces covering a piece that has the orientation of the piece in the
+/// result.
 Index face_that_faces(std::span<const PieceSource> sources, bool is_turned) {
   const Sign wanted = is_turned ? -1 : 1;
   for (const PieceSource& source : sources) {
@@ -30,7 +31,7 @@ ExactSolid find_exact_solid(const IntersectingSoup& input, std::span<const Index
   for (Index piece = 0; piece < a.pieces.size(); ++piece) {
     const bool is_front_inside = is_inside[cells.front(piece)] != 0;
     if (is_front_inside == (is_inside[cells.behind(piece)] != 0)) continue;
-    // Those of an operand that was turned over look the other way in the result.
+    // The faces of a reversed operand have the opposite orientation in the result.
     const auto sources = a.sources_of(piece);
     solid.boundary.push_back({piece, face_that_faces(sources, is_front_inside), is_front_inside});
   }

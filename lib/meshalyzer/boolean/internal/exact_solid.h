@@ -15,36 +15,35 @@ namespace meshalyzer {
 /// A piece of the boundary of a solid.
 struct BoundaryPiece {
   Index piece = kNoIndex;
-  /// The face of the soup that it is a part of; of several that cover it the first that faces the
-  /// same way.
+  /// The face of the soup that it is a part of; if several cover it, the first with the same
+  /// orientation.
   Index face = kNoIndex;
-  /// Tells whether the solid is in front of the piece, so that it must be turned over.
+  /// Tells whether the solid is in front of the piece, so that it must be reversed.
   bool is_turned = false;
 };
 
 /// The result of a boolean operation before anything is rounded.
 struct ExactSolid {
   Arrangement arrangement;
-  /// In order of the pieces.
+  /// The pieces of the boundary, in their order in the arrangement.
   std::vector<BoundaryPiece> boundary;
 };
 
-/// A soup, and what is known of it. Only refers.
+/// A soup with its cut mesh, tree and intersecting pairs. It only refers to them.
 struct IntersectingSoup {
   const Soup& soup;
   const CutMesh& cut;
-  /// Over the faces of `cut`.
+  /// The tree over the faces of `cut`.
   const FaceTree& tree;
-  /// All that intersect.
+  /// All intersecting pairs.
   std::span<const IntersectingPair> pairs;
 };
 
-/// Cuts a soup along its intersections, and keeps the boundary of the cells that are inside by the
-/// rule, exactly.
+/// Cuts a soup exactly along its intersections, and keeps the boundary of the cells that are inside
+/// by the rule.
 ///
-/// @param input       Of faces with an area, which cross every edge equally often in both
-/// directions,
-///                    operand by operand.
+/// @param input       The soup. Its faces have an area, and those of each operand cross every edge
+///     equally often in both directions.
 /// @param operand_of  #faces, each below n_operands.
 [[nodiscard]] ExactSolid find_exact_solid(const IntersectingSoup& input,
                                           std::span<const Index> operand_of, std::size_t n_operands,

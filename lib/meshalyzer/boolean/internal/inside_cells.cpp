@@ -7,7 +7,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Goes from cell to cell, depth first, so that the winding numbers of one cell alone are kept.
+/// Traverses the cells depth first, so that only the winding numbers of one cell are kept.
 class InsideSearch {
  public:
   InsideSearch(const ArrangedSoup& arranged, std::span<const Index> operand_of,
@@ -33,8 +33,8 @@ class InsideSearch {
   }
 
  private:
-  /// A cell on the way, and the piece that it was entered through: behind it one is inside of what
-  /// its faces enclose once more.
+  /// A cell on the path, and the piece through which it was entered. Passing behind a piece raises
+  /// the winding numbers of its faces' operands by one.
   struct Step {
     Index cell = kNoIndex;
     Index piece = kNoIndex;
@@ -86,7 +86,7 @@ class InsideSearch {
   std::span<const Index> operand_of_;
   const InsideRule& rule_;
   CellPieces pieces_;
-  /// Of the last cell on the way.
+  /// The winding numbers of the last cell on the path.
   std::vector<int> windings_;
   std::vector<std::uint8_t> is_known_;
   std::vector<std::uint8_t> is_inside_;
