@@ -9,18 +9,18 @@
 
 namespace meshalyzer {
 
-/// What the intersecting pairs of a mesh are in numbers: of all pairs that the search has found,
-/// whether they are listed or not.
+/// The numbers of the intersecting pairs of a mesh: of all pairs that the search has found, listed
+/// or not.
 struct IntersectionCounts {
   ContactCounts kinds;
-  /// #mesh faces: non-zero for those that intersect another.
+  /// #mesh faces: non-zero for faces that intersect another one.
   std::vector<std::uint8_t> intersects;
-  /// #components: the pairs that have at least one face in each.
+  /// #components: the number of pairs with at least one face in each.
   std::vector<std::size_t> of_component;
   /// The pairs of components that intersect, as find_nesting() needs them.
   std::vector<PartContact> contacts;
-  /// Tells whether the search was told to stop (PairLimits::wants_to_stop) before its end: then
-  /// these are the least that there can be.
+  /// Tells whether the search was told to stop (PairLimits::wants_to_stop) before its end, so that
+  /// the counts are lower bounds.
   bool was_stopped = false;
 };
 

@@ -12,12 +12,12 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns a pointer to what somebody else owns.
+/// Returns a non-owning pointer to a soup.
 std::shared_ptr<const Soup> borrow(const Soup& soup) {
   return {std::shared_ptr<const Soup>(), &soup};
 }
 
-/// Two listeners as one: each hears everything.
+/// Forwards all pairs to two listeners.
 class TwoListeners : public PairListener {
  public:
   TwoListeners(PairListener& first, PairListener& second) : first_(first), second_(second) {}
@@ -81,12 +81,12 @@ const IntersectionCounts& PreparedMesh::intersection_counts() const {
   return intersection_counts_.get([&] {
     return count_intersecting_pairs([&](PairListener& counter) {
       counter.on_pairs(pairs);
-      return true;  // nobody told the search to stop
+      return true;  // the search was not told to stop
     });
   });
 }
 
-/// Searches the pairs. Where not all are listed, they are counted as they are found.
+/// Searches the pairs. If not all are listed, they are counted as they are found.
 std::vector<IntersectingPair> PreparedMesh::search_intersecting_pairs() const {
   const bool are_all_listed = limits_.max_listed >= limits_.max_found && !limits_.wants_to_stop;
   if (are_all_listed) return find_self_intersections(cut_, tree(), limits_.max_found);
@@ -100,7 +100,7 @@ std::vector<IntersectingPair> PreparedMesh::search_intersecting_pairs() const {
   return collector.take().listed;
 }
 
-/// @param visit  Hands on all pairs, and returns whether it came to its end.
+/// @param visit  Passes on all pairs, and returns whether it was complete.
 IntersectionCounts PreparedMesh::count_intersecting_pairs(
     const std::function<bool(PairListener&)>& visit) const {
   const std::vector<std::uint8_t> is_shell = which_are_shells(cut_, components());

@@ -18,89 +18,88 @@ namespace meshalyzer {
 
 class PairListener;
 
-/// A mesh with what questions about it need, each built once: whoever asks the same mesh several
-/// things hands the same PreparedMesh on. (JTS and GEOS call a geometry with such indices a
-/// PreparedGeometry.)
+/// A mesh with the structures that queries on it need, each built once and shared by all queries.
+/// (JTS and GEOS call a geometry with such indices a PreparedGeometry.)
 ///
-/// The half-edge mesh is built at once: O(#F) time, about 200 bytes a face. All else is built when
-/// it is first asked for, and kept as long as this lives: each function says what it costs. Any
-/// number of threads may ask at a time. It stays where it is, since its parts refer to each other.
+/// The constructor builds the half-edge mesh: O(#F) time, about 200 bytes per face. Everything else
+/// is built at its first use and kept: each function states its cost. Any number of threads may
+/// call at a time. The object cannot be moved, because its parts refer to each other.
 class PreparedMesh {
  public:
-  /// Prepares a mesh of which the caller keeps the records.
+  /// Prepares a mesh whose records the caller keeps.
   ///
-  /// @param soup  Must outlive this, or what is left of this after release_soup().
+  /// @param soup  The records, which must outlive this object until release_soup().
   explicit PreparedMesh(const Soup& soup);
   /// Prepares a mesh and keeps its records.
   explicit PreparedMesh(std::shared_ptr<const Soup> soup);
   PreparedMesh(const PreparedMesh&) = delete;
   PreparedMesh& operator=(const PreparedMesh&) = delete;
 
-  /// The records of the file.
+  /// Returns the records of the file.
   ///
   /// @throws InvalidArgument  after release_soup().
   [[nodiscard]] const Soup& soup() const;
 
-  /// Gives up the records, so that their memory is free unless somebody else holds them. Nothing
-  /// else that can be asked for needs them.
+  /// Releases the records, so that their memory is freed unless they are shared. No other function
+  /// needs them.
   void release_soup() { soup_.reset(); }
 
-  /// The half-edge mesh, cut open where the mesh is not manifold: see build().
+  /// Returns the half-edge mesh, cut open where the mesh is not manifold: see build().
   [[nodiscard]] const CutMesh& cut() const { return cut_; }
 
-  /// The tree over the faces.
+  /// Returns the tree over the faces.
   ///
   /// @complexity O(#F log #F) time, 48 bytes a face.
   [[nodiscard]] const FaceTree& tree() const;
 
-  /// The components: see find_components().
+  /// Returns the components: see find_components().
   ///
   /// @complexity Near O(#F) time, 4 bytes a face.
   [[nodiscard]] const Components& components() const;
 
-  /// The box of each component: see bounding_boxes().
+  /// Returns the box of each component: see bounding_boxes().
   ///
   /// @complexity O(#F) time.
   [[nodiscard]] const std::vector<Box3>& component_boxes() const;
 
-  /// The pairs of faces that intersect: see find_self_intersections(), or the first of them where
-  /// limit_intersecting_pairs() says so. Asks for the tree.
+  /// Returns the intersecting pairs of faces, see find_self_intersections(), or the first of them
+  /// if limit_intersecting_pairs() was called. It uses the tree.
   ///
   /// @complexity O(#F log #F + candidates) time.
   [[nodiscard]] const std::vector<IntersectingPair>& intersecting_pairs() const&;
-  /// Returns the same for one who needs nothing else any more.
+  /// Moves the pairs out for a caller that needs nothing else any more.
   [[nodiscard]] std::vector<IntersectingPair> intersecting_pairs() &&;
 
-  /// Says what the pairs are where they are known already, so that nobody searches them. Must be
-  /// called before anybody asks for them.
+  /// Sets the pairs if they are known already, so that they are not searched. It must be called
+  /// before their first use.
   ///
-  /// @param pairs  What find_self_intersections() would return.
+  /// @param pairs  The pairs that find_self_intersections() would return.
   void set_intersecting_pairs(std::vector<IntersectingPair> pairs);
 
-  /// Has the search for intersecting pairs end early, or list only some of what it finds, for one
-  /// who need not know them all. Must be called before anybody asks for them.
+  /// Limits the search for intersecting pairs, or the list of those found. It must be called before
+  /// their first use.
   void limit_intersecting_pairs(PairLimits limits) { limits_ = std::move(limits); }
 
-  /// Tells whether the search for intersecting pairs ended because it had found enough. Asks for
-  /// them.
+  /// Tells whether the search for intersecting pairs ended because it had found enough. It triggers
+  /// the search.
   [[nodiscard]] bool are_intersecting_pairs_cut() const {
     return intersecting_pairs().size() >= limits_.max_found;
   }
 
-  /// Counts the intersecting pairs, those that are not listed too. Asks for them and for the
-  /// components.
+  /// Counts the intersecting pairs, listed or not. It triggers the search and uses the components.
   ///
-  /// @complexity O(pairs) time beside that of the search; memory does not grow with their number.
+  /// @complexity O(pairs) time in addition to the search; memory does not grow with their number.
   [[nodiscard]] const IntersectionCounts& intersection_counts() const;
 
-  /// Tells whether a search for intersecting pairs was told to stop before its end; searches none.
+  /// Tells whether a search for intersecting pairs was told to stop before its end; it triggers
+  /// none.
   [[nodiscard]] bool was_intersection_search_stopped() const {
     return intersection_counts_.is_made() && intersection_counts().was_stopped;
   }
 
-  /// Returns what each component is as the wall of a solid: see find_shells(). Builds the tree and
-  /// finds the intersecting pairs only where there are several components and one of them is a
-  /// shell.
+  /// Returns the role of each component as the wall of a solid: see find_shells(). It builds the
+  /// tree and finds the intersecting pairs only if there are several components and one of them is
+  /// a shell.
   [[nodiscard]] const std::vector<Shell>& shells() const;
 
  private:

@@ -11,7 +11,7 @@
 namespace meshalyzer {
 namespace {
 
-/// #mesh faces: the component of each face; kNoIndex where that is no shell.
+/// Returns the component of each mesh face, or kNoIndex if that is no shell.
 std::vector<Index> shell_of_face(const Components& components,
                                  std::span<const std::uint8_t> is_shell) {
   std::vector<Index> of_face(components.of_face);
@@ -21,12 +21,12 @@ std::vector<Index> shell_of_face(const Components& components,
   return of_face;
 }
 
-/// How the components lie within each other; nothing where not enough is known of what intersects.
+/// Returns the nesting of the components, or nothing if the intersecting pairs are not fully known.
 std::optional<Nesting> nesting_of_components(const PreparedMesh& mesh,
                                              std::span<const std::uint8_t> is_shell) {
   const Components& components = mesh.components();
   if (components.count == 1) {
-    return Nesting{.depth = {0}, .inside = {kNoIndex}};  // needs no tree
+    return Nesting{.depth = {0}, .inside = {kNoIndex}};  // no tree is needed
   }
   if (mesh.intersection_counts().was_stopped) return std::nullopt;
   return find_nesting(mesh.tree(),

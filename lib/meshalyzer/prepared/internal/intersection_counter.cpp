@@ -10,10 +10,10 @@
 namespace meshalyzer {
 namespace {
 
-/// The fewest contacts that are worth merging.
+/// Merging does not pay with fewer contacts.
 constexpr std::size_t kFewContacts = std::size_t{1} << 16;
 
-/// Leaves each pair of components once, ascending; it crosses if any did.
+/// Merges the contacts of each pair of components, ascending; the pair crosses if any contact does.
 void merge_contacts(std::vector<PartContact>& contacts) {
   const auto key = [](const PartContact& c) { return std::tuple(c.a, c.b, !c.crosses); };
   std::sort(contacts.begin(), contacts.end(),
@@ -24,14 +24,13 @@ void merge_contacts(std::vector<PartContact>& contacts) {
   contacts.erase(std::unique(contacts.begin(), contacts.end(), same_parts), contacts.end());
 }
 
-/// Returns the mesh face that is a face of the file. Where no face was rejected, nothing is
-/// searched.
+/// Returns the mesh face that is a face of the file. If no face was rejected, no search is needed.
 std::size_t mesh_face_of(const SideTable& side, Index file_face) {
   const bool is_same = file_face < side.faces.size() && side.faces[file_face] == file_face;
   return is_same ? file_face : side.mesh_face(file_face);
 }
 
-/// Adds up what follows each other in one component, so that threads seldom write the same number.
+/// Accumulates consecutive counts of one component, so that threads rarely write the same number.
 class ComponentTally {
  public:
   explicit ComponentTally(std::vector<std::size_t>& totals) : totals_(totals) {}
@@ -119,8 +118,8 @@ void IntersectionCounter::count_by_component(const PairProduct& product, std::sp
   }
 }
 
-/// Returns the contacts where each component of one list meets each of the other. Faces that one
-/// stands for are of no shell, so that one of the lists is short where the other has shells.
+/// Returns the contacts of each component of one list with each of the other. Represented faces
+/// belong to no shell, so that one of the lists is short if the other has shells.
 std::vector<PartContact> IntersectionCounter::contacts_between(std::span<const Index> a,
                                                                std::span<const Index> b,
                                                                ContactKind kind) const {
@@ -140,7 +139,7 @@ std::vector<PartContact> IntersectionCounter::contacts_between(std::span<const I
   return contacts;
 }
 
-/// Marks faces, and returns the component of each, ascending.
+/// Marks faces as intersecting, and returns the component of each, ascending.
 std::vector<Index> IntersectionCounter::meet(std::span<const Index> file_faces) {
   std::vector<Index> components;
   components.reserve(file_faces.size());
@@ -149,22 +148,23 @@ std::vector<Index> IntersectionCounter::meet(std::span<const Index> file_faces) 
   return components;
 }
 
-/// Marks a face, and returns its component.
+/// Marks a face as intersecting, and returns its component.
 Index IntersectionCounter::meet(Index file_face) {
   const std::size_t face = mesh_face_of(parts_.side, file_face);
   std::atomic_ref(counts_.intersects[face]).store(1, std::memory_order_relaxed);
   return parts_.components.of_face[face];
 }
 
-/// Tells whether a component is a shell whose box holds another component: only then does it matter
-/// to their nesting that they touch.
+/// Tells whether a component is a shell whose box contains another component; only then is their
+/// contact relevant to the nesting.
 bool IntersectionCounter::may_enclose(Index outer, Index inner) const {
   return parts_.is_shell[outer] != 0 && parts_.boxes[outer].contains(parts_.boxes[inner]);
 }
 
 void IntersectionCounter::add_contacts(std::span<const PartContact> contacts) {
   counts_.contacts.insert(counts_.contacts.end(), contacts.begin(), contacts.end());
-  // Merged now and then, so that memory follows the pairs of components, not those of faces.
+  // Contacts are merged now and then, so that memory grows with the pairs of components, not with
+  // those of faces.
   if (counts_.contacts.size() >= enough_contacts_) {
     merge_contacts(counts_.contacts);
     enough_contacts_ = std::max(kFewContacts, 2 * counts_.contacts.size());

@@ -17,7 +17,7 @@ namespace meshalyzer {
 /// Counts intersecting pairs while a search finds them.
 class IntersectionCounter : public PairListener {
  public:
-  /// The components of a mesh: what the counter must know of them. It only refers to these.
+  /// The data of the components that the counter needs. It only refers to them.
   struct Parts {
     const SideTable& side;
     const Components& components;
@@ -29,10 +29,10 @@ class IntersectionCounter : public PairListener {
   explicit IntersectionCounter(const Parts& parts);
 
   void on_pairs(std::span<const IntersectingPair> pairs) override;
-  /// @complexity O(n log n) in the faces of the product, however many pairs they make.
+  /// @complexity O(n log n) in the number of faces of the product, whatever the number of pairs.
   void on_product(const PairProduct& product) override;
 
-  /// Returns the counts; this must not be used again.
+  /// Returns the counts; the counter must not be used again.
   [[nodiscard]] IntersectionCounts take();
 
  private:
@@ -49,7 +49,7 @@ class IntersectionCounter : public PairListener {
   const Parts parts_;
   std::mutex mutex_;
   IntersectionCounts counts_;
-  /// Contacts are merged when there are so many.
+  /// Contacts are merged when they reach this number.
   std::size_t enough_contacts_;
 };
 
