@@ -15,21 +15,21 @@
 
 namespace meshalyzer {
 
-/// A yes, a no, or nothing and the reason why there is no answer.
+/// The answer yes or no, or the reason why there is none.
 struct Answer {
   std::optional<bool> value;
-  /// Why there is no answer, in words that follow "undefined: "; empty where there is one.
+  /// The reason why there is no answer, in words that follow "undefined: "; empty if there is one.
   std::string reason;
 };
 
-/// A number, or nothing and the reason why there is none.
+/// A number, or the reason why there is none.
 template <typename T>
 struct Measure {
   std::optional<T> value;
   std::string reason;
 };
 
-/// Tells how sound a file's records are ("Integrity" in doc/definitions.md).
+/// The integrity of a file's records ("Integrity" in doc/definitions.md).
 struct Integrity {
   std::size_t orphan_vertices = 0;
   /// Counts each id once, however many faces use it.
@@ -78,24 +78,24 @@ struct Characteristics : ElementMeasures<Statistics> {
   std::size_t intersecting_pairs = 0;
   std::size_t unwelded_pairs = 0;
   std::size_t intersecting_faces = 0;
-  /// Tells that the search for intersecting pairs ended at its time limit: there are at least so
-  /// many, and nothing is known of the rest.
+  /// Tells whether the search for intersecting pairs ended at its time limit, so that their number
+  /// is a lower bound.
   bool is_search_stopped = false;
-  /// Empty (isEmpty()) where no face is in the complex.
+  /// The box of the used vertices; empty (isEmpty()) if no face is in the complex.
   Box3 bounding_box;
-  /// Infinite where it is too large for a double.
+  /// The area; infinite if it is too large for a double.
   double area = 0.0;
   Measure<double> volume;
   Measure<std::int64_t> genus;
-  /// The genus of the components summed, where each has one; the same as genus but when orphans
-  /// forbid that.
+  /// The sum of the genus of the components, if each has one; equal to genus unless orphans make
+  /// that undefined.
   std::optional<std::int64_t> genus_of_components;
 };
 
-/// Counts and measures of one component: of faces joined through shared vertices. Where a value is
-/// absent, the mesh's own value has the reason.
+/// Counts and measures of one component of faces joined through shared vertices. If a value is
+/// absent, the value of the mesh has the reason.
 struct ComponentAnalysis {
-  /// The lowest face record in it: a name for the component that a person can look up.
+  /// The lowest face record in it, by which reports name the component.
   Index first_face = 0;
   std::size_t faces = 0;
   std::size_t vertices = 0;
@@ -118,7 +118,7 @@ struct ComponentAnalysis {
   std::optional<double> volume;
   double area = 0.0;
   Box3 bounding_box;
-  /// The component that directly encloses this one, as index into Analysis::components.
+  /// The component that directly encloses this one, as an index into Analysis::components.
   std::optional<std::size_t> inside;
 };
 
@@ -156,24 +156,23 @@ struct Analysis {
   /// The components in order of their lowest face record; with Scope::AttributesOnly they have no
   /// measures.
   std::vector<ComponentAnalysis> components;
-  /// Statistics of each component where the mesh has between 2 and kMaxComponentStatistics of them,
-  /// else empty. (A single component has the statistics of the mesh.)
+  /// The statistics of each component if the mesh has between 2 and kMaxComponentStatistics of
+  /// them, else empty. (A single component has the statistics of the mesh.)
   std::vector<ComponentStatistics> component_statistics;
   static constexpr std::size_t kMaxComponentStatistics = 1000;
-  /// The statistics of the curvature; present where MeshRequest::curvature is.
+  /// The statistics of the curvature; present if MeshRequest::curvature is.
   std::optional<CurvatureStatistics> curvature;
-  /// The verdict by thresholds; present where MeshRequest::goodness is.
+  /// The verdict by thresholds; present if MeshRequest::goodness is.
   std::optional<Goodness> goodness;
   /// The verdict without thresholds; absent with Scope::AttributesOnly, unless
   /// MeshRequest::judge_fitness is set.
   std::optional<Goodness> fitness;
   Offenders offenders;
-  /// The file itself; kept only where AnalysisOptions::keep_soup is set.
+  /// The file itself; kept only if AnalysisOptions::keep_soup is set.
   std::shared_ptr<const Soup> soup;
-  /// The file with all that was built for it; kept only where AnalysisOptions::keep_mesh is set.
+  /// The file with its search structures; kept only if AnalysisOptions::keep_mesh is set.
   std::shared_ptr<const PreparedMesh> mesh;
-  /// The measured values in no particular order; kept only where AnalysisOptions::keep_values is
-  /// set.
+  /// The measured values in no particular order; kept only if AnalysisOptions::keep_values is set.
   MeasuredValues values;
 };
 

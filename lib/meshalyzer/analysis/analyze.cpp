@@ -16,8 +16,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Frees what only the file needs; ids go into the analysis, and all of it where a report will
-/// show places.
+/// Moves into the analysis the parts of the file that reports need, the ids or all of it, and frees
+/// the rest.
 void keep_what_reports_need(std::shared_ptr<Soup> soup, const AnalysisOptions& options,
                             PreparedMesh& mesh, Analysis& analysis) {
   if (options.keep_soup || options.keep_mesh) {
@@ -54,9 +54,9 @@ void count_pairs(const PreparedMesh& mesh, Analysis& analysis) {
   }
 }
 
-/// Says of every closed, manifold, consistent component whether it points outward, its volume, and
-/// which component directly encloses it. One that encloses no volume does not point anywhere; one
-/// whose volume is too large for a double has none.
+/// Sets whether each closed, manifold, consistent component points outward, its volume, and which
+/// component directly encloses it. A component that encloses no volume points nowhere; one whose
+/// volume is too large for a double has no volume.
 void describe_shells(const std::vector<Shell>& shells, std::vector<ComponentAnalysis>& components) {
   for (std::size_t c = 0; c < components.size(); ++c) {
     components[c].volume = shells[c].volume;
@@ -110,7 +110,7 @@ Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options) {
   mesh->limit_intersecting_pairs(pair_limits(options, options.wants_to_stop));
   phase("topology");
   ComplexTopology topology = analyze_topology(*mesh, analysis.offenders);
-  // A million components are a million counts, which nobody else needs.
+  // This frees memory: a mesh may have a million components, and nothing else needs their counts.
   analysis.components = analyze_components(std::exchange(topology.counts, {}));
   count_elements(*file, topology, analysis);
   keep_what_reports_need(std::exchange(file, nullptr), options, *mesh, analysis);

@@ -23,67 +23,68 @@ struct GoodnessThresholds {
   friend bool operator==(const GoodnessThresholds&, const GoodnessThresholds&) = default;
 };
 
-/// Tells how much of a mesh is looked at.
+/// The scope of an analysis.
 enum class Scope {
-  /// All attributes, counts and measures of doc/definitions.md.
+  /// The analysis finds all attributes, counts and measures of doc/definitions.md.
   Everything,
-  /// The five attributes, the integrity of the file, and what follows from the topology alone.
+  /// The analysis finds the five attributes, the integrity of the file, and the topological counts.
   AttributesOnly,
 };
 
-/// Says what to find out about a mesh and which elements to name. Nothing else decides what is
-/// found.
+/// A request: what to find out about a mesh and which elements to name. Nothing else influences the
+/// findings.
 struct MeshRequest {
   Scope scope = Scope::Everything;
-  /// Judge goodness against these.
+  /// The thresholds against which goodness is judged, if it is.
   std::optional<GoodnessThresholds> goodness;
-  /// Name edges shorter / longer than this.
+  /// Edges shorter than this are listed.
   std::optional<double> shorter_than;
   std::optional<double> longer_than;
-  /// Name edges with an angle smaller / larger than this, in degrees.
+  /// Edges with an angle below this, in degrees, are listed.
   std::optional<double> angle_below_degrees;
   std::optional<double> angle_above_degrees;
-  /// Name faces with an aspect ratio larger than this.
+  /// Faces with a larger aspect ratio are listed.
   std::optional<double> aspect_above;
   /// Counts only vertices at exactly the same place as indistinguishable.
   bool exact_coincidence = false;
   /// Judges Analysis::fitness with Scope::AttributesOnly too, for callers that work on good meshes
   /// only.
   bool judge_fitness = false;
-  /// Measure the curvature, spread over this area.
+  /// The area for the curvature, if that is measured.
   std::optional<VertexArea> curvature;
-  /// Lists of intersecting pairs hold at most so many: those of the lowest faces. 0: all.
+  /// The largest number of intersecting pairs that are listed: those of the lowest faces; 0 lists
+  /// all.
   std::size_t max_list = 1'000'000;
 
   friend bool operator==(const MeshRequest&, const MeshRequest&) = default;
 };
 
-/// Says how to analyse a mesh: what to find out, and what else to keep.
+/// The options of analyze(): what to find out, and what else to keep.
 struct AnalysisOptions : MeshRequest {
-  /// Keep the measured values in the result, for the statistics of a set.
+  /// Keeps the measured values in the result, for the statistics of a set.
   bool keep_values = false;
-  /// Keep the file in the result, for reports that show places.
+  /// Keeps the file in the result, for reports that show positions.
   bool keep_soup = false;
-  /// Keep the file and what was built for it in the result, for finding defects and for pictures.
+  /// Keeps the prepared mesh in the result, for finding defects and for pictures.
   bool keep_mesh = false;
   PhaseListener on_phase;
-  /// Asked now and then, by any thread: the search for intersecting pairs ends when it returns
+  /// Called now and then, from any thread: the search for intersecting pairs ends when it returns
   /// true.
   std::function<bool()> wants_to_stop;
 };
 
-/// Returns the limits of a search for the pairs that a request asks for.
+/// Returns the limits of the search for intersecting pairs of a request.
 [[nodiscard]] PairLimits pair_limits(const MeshRequest& request,
                                      std::function<bool()> wants_to_stop);
 
 /// Analyses one mesh.
 ///
-/// The result is the same for any number of threads, and but for numbering for any order of the
+/// The result is the same for any number of threads and, apart from numbering, for any order of the
 /// records.
 ///
-/// @param soup     The file. Taken by value: its arrays are freed as soon as they are no longer
-/// needed.
-/// @param path     What the report calls it.
+/// @param soup     The file, taken by value: its arrays are freed as soon as they are no longer
+///                 needed.
+/// @param path     The name of the file in the report.
 /// @complexity     O(n log n) in the number of faces for meshes whose faces meet few others.
 [[nodiscard]] Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options = {});
 

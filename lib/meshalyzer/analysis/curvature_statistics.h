@@ -11,21 +11,22 @@
 
 namespace meshalyzer {
 
-/// Why there may be no value of a curvature.
+/// The reason why there may be no value of a curvature.
 inline constexpr std::string_view kWhyNoCurvature = "no vertex inside a surface that has one";
 
-/// Tells how a surface bends, over the vertices where it has a curvature (CurvatureState::Defined).
+/// The statistics of the curvature over the vertices that have one (CurvatureState::Defined).
 struct CurvatureStatistics {
-  /// The area round a vertex that the curvature is spread over.
+  /// The area of a vertex in the computation of its curvature.
   VertexArea area = VertexArea::Mixed;
   Statistics gaussian;
-  /// Signed: positive where the surface bends away from the side its normals point to.
+  /// The signed mean curvature, positive where the surface bends away from its normals.
   Statistics mean;
   Statistics k1;
   Statistics k2;
   /// Counts the vertices in each CurvatureState.
   std::array<std::size_t, kCurvatureStates> vertices{};
-  /// Radians, over all vertices that faces use: 2 pi (V - E + F), to rounding (Gauss-Bonnet).
+  /// The sum of the angle defects in radians over all vertices that faces use: 2 pi (V - E + F), to
+  /// rounding (Gauss-Bonnet).
   double total_angle_defect = 0.0;
 };
 
@@ -59,7 +60,7 @@ inline constexpr std::array kCurvatures{
         &CurvatureStatistics::k2},
 };
 
-/// Measures the curvature at the vertices of a mesh, and says it in figures.
+/// Measures the curvature at the vertices of a mesh, and returns its statistics.
 /// @complexity O(#V + #F).
 [[nodiscard]] CurvatureStatistics curvature_statistics(const CutMesh& cut, VertexArea area);
 

@@ -7,21 +7,21 @@
 
 namespace meshalyzer {
 
-/// A T for each quantity that is measured of the vertices, edges and faces of a mesh: its
-/// statistics, say, or all its values.
+/// A T for each quantity that is measured of the vertices, edges and faces of a mesh, for example
+/// its statistics or all its values.
 ///
-/// A quantity is a member here and a row of kElementMeasures; whoever computes, adds up, writes,
-/// reads or explains such quantities loops over the rows.
+/// A quantity is a member here and a row of kElementMeasures; all code that computes, adds up,
+/// writes, reads or explains such quantities loops over the rows.
 template <typename T>
 struct ElementMeasures {
   /// The number of edges at each vertex that a face uses.
   T vertex_valence;
   T face_area;
   T aspect_ratio;
-  /// Degrees; 0 for a face of zero area.
+  /// The smallest angle of a face in degrees; 0 for a face of zero area.
   T corner_angle;
   T edge_length;
-  /// Degrees; over the edges with two consistently oriented faces of non-zero area.
+  /// The angle in degrees at each edge with two consistently oriented faces of non-zero area.
   T edge_angle;
 
   /// Returns the member that row i of kElementMeasures describes.

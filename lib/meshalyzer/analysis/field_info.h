@@ -9,21 +9,21 @@ namespace meshalyzer {
 struct FieldInfo {
   /// The key in JSON. Programs rely on it, so that it never changes.
   std::string_view key;
-  /// The label for people; empty where the quantity has no line of its own.
+  /// The label for people; empty if the quantity has no line of its own.
   std::string_view label = {};
   /// Explains the label and names the unit: pages show it as a tooltip, the schema as the
   /// description.
   std::string_view definition = {};
 };
 
-/// Tells which analyses fill in a field.
+/// The analyses that fill in a field.
 enum class Known {
   Always,
-  /// All analyses but those with Scope::AttributesOnly.
+  /// All analyses except those with Scope::AttributesOnly.
   Measured,
 };
 
-/// A row of a table of fields: what is said of one, and where a Struct holds it.
+/// A row of a table of fields: the description of a field, and its member in a Struct.
 template <typename Struct, typename T>
 struct FieldRow {
   FieldInfo info;
@@ -45,11 +45,11 @@ constexpr void for_each_row(const Rows& rows, const Visit& visit) {
 /// values.
 struct Quantity {
   FieldInfo info;
-  /// Says why there may be no value, in words that follow "undefined: "; empty where there always
-  /// is one.
+  /// The reason why there may be no value, in words that follow "undefined: "; empty if there
+  /// always is one.
   std::string_view if_none;
   enum class Total { Omit, Show };
-  /// Tells whether the sum of all values means something to people.
+  /// Tells whether the sum of all values is reported.
   Total total = Total::Omit;
 };
 

@@ -7,8 +7,8 @@
 
 namespace meshalyzer {
 
-// What is said of the fields of an analysis, in the order of JSON; that of texts is the same, but
-// that what a file takes up in space comes after all counts.
+// The descriptions of the fields of an analysis, in the order of JSON. Texts have the same order,
+// except that the bounding box, area and volume come after all counts.
 
 /// Returns which fields an analysis fills in.
 [[nodiscard]] inline Known known_of(const Analysis& analysis) {
@@ -76,7 +76,7 @@ inline constexpr std::tuple kAttributeFields{
              &Attributes::outward},
 };
 
-/// All but the statistics, see kElementMeasures.
+/// The fields of Characteristics except the statistics, which kElementMeasures describes.
 inline constexpr std::tuple kCharacteristicFields{
     FieldRow{{.key = "vertices",
               .label = "vertices",
@@ -180,8 +180,8 @@ inline constexpr std::tuple kCharacteristicFields{
              Known::Measured},
 };
 
-/// All but the first face, which is told by its id. Texts have a table of components, see
-/// components_table().
+/// The fields of a component except the first face, which reports name by its id. Texts have a
+/// table of components, see components_table().
 inline constexpr std::tuple kComponentFields{
     FieldRow{{.key = "faces"}, &ComponentAnalysis::faces},
     FieldRow{{.key = "vertices"}, &ComponentAnalysis::vertices},

@@ -14,11 +14,11 @@ namespace meshalyzer {
 /// Judges whether a mesh is good ("Good" in doc/definitions.md).
 [[nodiscard]] Goodness judge(const Analysis& analysis, const GoodnessThresholds& thresholds);
 
-/// Returns the verdict that every report tells: by thresholds where these were given, else without
-/// them. It is empty where the mesh was not judged.
+/// Returns the verdict of every report: by thresholds if these were given, else without them. It is
+/// empty if the mesh was not judged.
 [[nodiscard]] const std::optional<Goodness>& verdict_of(const Analysis& analysis);
 
-/// Says a verdict in words: "good", or "NOT good: " and the reasons.
+/// Returns a verdict in words: "good", or "NOT good: " and the reasons.
 [[nodiscard]] std::string verdict_text(const Goodness& verdict);
 
 }  // namespace meshalyzer

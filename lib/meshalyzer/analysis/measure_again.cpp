@@ -9,7 +9,7 @@ namespace meshalyzer {
 
 MeasuredValues measure_again(const Soup& soup) {
   const CutMesh cut = build(soup);
-  // Nothing is asked by component, so that all faces may count as one.
+  // Values by component are not needed, so that all faces may count as one.
   const Components one{1, std::vector<Index>(cut.mesh.n_faces(), 0)};
   Analysis analysis;
   analysis.components.resize(1);

@@ -5,9 +5,9 @@
 
 namespace meshalyzer {
 
-/// Returns the values that the statistics of a mesh are of, and nothing else: where its analysis is
-/// known from an earlier run, but the statistics of its set need them. The same values in the same
-/// order as Analysis::values.
+/// Returns only the values from which the statistics of a mesh are computed, the same in the same
+/// order as Analysis::values. The statistics of a set need them when the analysis of the mesh is
+/// known from an earlier run.
 [[nodiscard]] MeasuredValues measure_again(const Soup& soup);
 
 }  // namespace meshalyzer

@@ -10,14 +10,14 @@
 
 namespace meshalyzer {
 
-/// What is said of a list of offenders, wherever it is said.
+/// The description of a list of offenders, for all outputs.
 struct OffenderListInfo {
-  /// In JSON; a program may rely on it.
+  /// The key in JSON, on which programs may rely.
   std::string_view key;
-  /// What texts call the list, and each element in it.
+  /// The name of the list in texts, and of each element in it.
   std::string_view label;
   std::string_view element = {};
-  /// What texts say before and after the measured value of an element, where it has one.
+  /// The words before the measured value of an element in texts, if it has one.
   std::string_view quantity = {};
   std::string_view unit = {};
 };
@@ -27,7 +27,7 @@ template <typename List>
 struct OffenderListRow {
   OffenderListInfo info;
   List Offenders::*member;
-  /// The ids of the records in a list of indices.
+  /// The ids of the records, for a list of indices.
   Ids Analysis::*ids = nullptr;
 };
 template <typename List>
@@ -39,7 +39,7 @@ inline constexpr std::tuple kTornLineLists{
     OffenderListRow{{"torn_lines", "torn lines", "torn line"}, &Offenders::torn_lines},
 };
 
-/// What is wrong with the records of the file.
+/// The lists of faults of the file's records.
 inline constexpr std::tuple kRecordLists{
     OffenderListRow{{"orphan_vertices", "orphan vertices", "orphan vertex"},
                     &Offenders::orphan_vertices,
@@ -67,7 +67,7 @@ inline constexpr std::tuple kNumberingBreaks{
     OffenderListRow{{"face_numbering", "face numbering"}, &Offenders::face_numbering},
 };
 
-/// What decides the attributes.
+/// The lists of elements that decide the attributes.
 inline constexpr std::tuple kAttributeLists{
     OffenderListRow{{"border_edges", "border edges", "border edge"}, &Offenders::border_edges},
     OffenderListRow{{"non_manifold_edges", "non-manifold edges", "non-manifold edge"},
@@ -81,7 +81,7 @@ inline constexpr std::tuple kAttributeLists{
     OffenderListRow{{"flipped_edges", "flipped edges", "flipped edge"}, &Offenders::flipped_edges},
 };
 
-/// What is not known where only the attributes were asked for (-a).
+/// The lists that Scope::AttributesOnly does not fill in.
 inline constexpr std::tuple kMeasuredLists{
     OffenderListRow{
         {"indistinguishable_vertices", "indistinguishable vertices", "indistinguishable vertex"},
@@ -100,7 +100,8 @@ inline constexpr std::tuple kMeasuredLists{
                     &Offenders::intersecting_pairs},
 };
 
-/// What was asked for by a threshold (-b to -f); such a list is told without -p too.
+/// The lists of elements beyond a requested threshold; these are reported even if offenders are
+/// not.
 inline constexpr std::tuple kAskedLists{
     OffenderListRow{{"short_edges", "short edges", "short edge", "length "},
                     &Offenders::short_edges},

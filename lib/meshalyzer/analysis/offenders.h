@@ -12,14 +12,15 @@ namespace meshalyzer {
 
 /// The place where the numbering of records stops being 1, 2, ..., n.
 struct NumberingBreak {
-  /// Up to five ids in file order: that of the offending record and those of its two neighbours on
-  /// each side.
+  /// Up to five ids in file order: that of the offending record and those of two neighbours on each
+  /// side.
   std::vector<std::int64_t> ids;
   /// The index of the offending record's id in `ids`.
   std::size_t offender = 0;
 };
 
-/// Edges by their two file vertices (smaller first), each with all its faces; flat.
+/// A list of edges by their two file vertices (smaller first), each with all its faces, stored in
+/// flat arrays.
 struct EdgeList {
   /// #edges, ascending.
   std::vector<std::array<Index, 2>> ends;
@@ -27,8 +28,7 @@ struct EdgeList {
   std::vector<Index> begin{0};
   /// The faces at each edge, ascending.
   std::vector<Index> faces;
-  /// #edges: the measured value where the list is of one (a length, an angle in degrees); else
-  /// empty.
+  /// #edges: the measured value (a length, an angle in degrees) if the list has one; else empty.
   std::vector<double> values;
 
   [[nodiscard]] std::size_t size() const { return ends.size(); }
@@ -40,7 +40,7 @@ struct FaceList {
   std::vector<double> values;
 };
 
-/// Every offending element, by index of its record in the file, in ascending order.
+/// All offending elements, by index of their records in the file, in ascending order.
 struct Offenders {
   EdgeList border_edges;
   EdgeList non_manifold_edges;
@@ -51,14 +51,14 @@ struct Offenders {
   /// The first of Characteristics::intersecting_pairs: at most MeshRequest::max_list.
   std::vector<IntersectingPair> intersecting_pairs;
   std::vector<Index> orphan_vertices;
-  /// Ids, not record indices: these have no record.
+  /// The ids of missing vertices; they have no record indices.
   std::vector<std::int64_t> missing_vertices;
   std::vector<Index> faces_with_missing_vertices;
   std::vector<Index> degenerate_faces;
-  /// Records that repeat an id met before.
+  /// Records that repeat an id of an earlier record.
   std::vector<Index> duplicate_vertex_records;
   std::vector<Index> duplicate_face_records;
-  /// 1-based line numbers.
+  /// The 1-based line numbers of torn lines.
   std::vector<std::int64_t> torn_lines;
   std::vector<Index> indistinguishable_vertices;
   EdgeList indistinguishable_edges;
@@ -67,7 +67,7 @@ struct Offenders {
   std::vector<Index> duplicate_faces;
   std::optional<NumberingBreak> vertex_numbering;
   std::optional<NumberingBreak> face_numbering;
-  /// Elements beyond the thresholds of MeshRequest. A list is present where its threshold is.
+  /// The elements beyond the thresholds of MeshRequest. A list is present if its threshold is.
   std::optional<EdgeList> short_edges;
   std::optional<EdgeList> long_edges;
   std::optional<EdgeList> small_angles;

@@ -21,7 +21,7 @@ Result none(std::string_view reason) {
   return {.value = std::nullopt, .reason = std::string(reason)};
 }
 
-/// Why a mesh bounds no solid; empty where it does.
+/// Returns the reason why a mesh bounds no solid; empty if it does.
 std::string reason_of_no_solid(const Attributes& attributes) {
   if (!attributes.closed.value) {
     return kNoFaces;

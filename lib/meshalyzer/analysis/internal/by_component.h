@@ -9,10 +9,10 @@
 
 namespace meshalyzer {
 
-/// Summarises values apart for each component.
+/// Summarises values separately for each component.
 ///
-/// @param n             Number of components.
-/// @param component_of  The component of value i; kNoIndex where it belongs to none.
+/// @param n             The number of components.
+/// @param component_of  The component of value i, kNoIndex if it belongs to none.
 /// @return              One summary for each component.
 /// @complexity          O(#values + n) time; one copy of the values.
 [[nodiscard]] std::vector<Summary> summarize_by_component(

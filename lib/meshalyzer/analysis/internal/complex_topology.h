@@ -8,9 +8,9 @@
 
 namespace meshalyzer {
 
-/// All that follows from which faces name which vertices.
+/// The topology of a complex: everything that follows from which faces name which vertices.
 struct ComplexTopology {
-  /// One a component.
+  /// The counts of each component.
   std::vector<ComponentCounts> counts;
   std::size_t n_edges = 0;
   std::size_t n_edge_components = 0;

@@ -20,7 +20,8 @@ Index file_face(const CutMesh& cut, HalfedgeHandle h) {
   return cut.side.face(cut.mesh.face_handle(h));
 }
 
-/// Returns the half-edges of the cut edge between two file vertices; empty where the list has none.
+/// Returns the half-edges of the cut edge between two file vertices; empty if the list has no such
+/// edge.
 std::span<const HalfedgeHandle> find_cut_edge(const CutMesh& cut, const CutEdges& edges,
                                               const Ends& ends) {
   std::size_t low = 0;
@@ -38,7 +39,7 @@ std::span<const HalfedgeHandle> find_cut_edge(const CutMesh& cut, const CutEdges
   return found ? edges[low].halfedges : std::span<const HalfedgeHandle>();
 }
 
-/// All faces of the complex at an edge, ascending.
+/// Returns all faces of the complex at an edge, ascending.
 std::vector<Index> faces_at(const CutMesh& cut, HalfedgeHandle h) {
   std::vector<Index> faces;
   const HalfedgeHandle opposite = cut.mesh.opposite_halfedge_handle(h);

@@ -10,14 +10,14 @@ namespace meshalyzer {
 
 /// Lists edges of the complex by file vertices and faces.
 ///
-/// @param edges   Any half-edge of the cut mesh for each edge, at most one an edge.
-/// @param values  One an edge, or empty.
-/// @return        Ascending by file vertices; each edge with all its faces, also where the mesh is
-/// cut along it.
+/// @param edges   One half-edge of the cut mesh for each edge.
+/// @param values  One value for each edge, or empty.
+/// @return        The edges, ascending by file vertices, each with all its faces, even if the mesh
+///                is cut along it.
 [[nodiscard]] EdgeList list_edges(const CutMesh& cut, std::span<const HalfedgeHandle> edges,
                                   std::span<const double> values = {});
 
-/// Returns the same for edges that the side table lists.
+/// Lists edges of the side table by file vertices and faces.
 [[nodiscard]] EdgeList list_cut_edges(const CutMesh& cut, const CutEdges& edges);
 
 /// Returns the edges whose value satisfies a condition.

@@ -12,8 +12,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Vertices that no face uses. A record that repeats an id is none: its vertex is the one that the
-/// first record defines.
+/// Returns the vertices that no face uses. A record that repeats an id is none: its vertex is the
+/// one that the first record defines.
 std::vector<Index> find_orphans(const Soup& soup, std::span<const Index> repeated) {
   std::vector<std::uint8_t> is_known(soup.n_vertices(), 0);
   for (const Triangle& t : soup.triangles) {
@@ -35,7 +35,8 @@ std::vector<Index> find_orphans(const Soup& soup, std::span<const Index> repeate
   return orphans;
 }
 
-/// Returns a face that names one vertex more than once; ids that no record defines count by id.
+/// Tells whether a face names one vertex more than once; vertices that no record defines are
+/// compared by id.
 bool names_a_vertex_twice(const Triangle& t, const std::array<std::int64_t, 3>& missing) {
   const auto same = [&](std::size_t i, std::size_t j) {
     return t[i] == t[j] && (t[i] != kNoIndex || missing[i] == missing[j]);

@@ -9,7 +9,7 @@ namespace meshalyzer {
 /// @param offenders  Receives the offending records: its lists of orphan and missing vertices,
 /// degenerate faces, faces
 ///                   with missing vertices, duplicate ids, and the breaks of numbering.
-/// @complexity       O(#V + #F), but for sorting ids where the file names them out of order.
+/// @complexity       O(#V + #F), apart from sorting ids that the file names out of order.
 [[nodiscard]] Integrity check_integrity(const Soup& soup, Offenders& offenders);
 
 }  // namespace meshalyzer

@@ -15,7 +15,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Records measures in the statistics of the mesh, and in those of its components where these are
+/// Records measures in the statistics of the mesh, and in those of its components if these are
 /// wanted.
 class Measurer {
  public:
@@ -49,7 +49,7 @@ class Measurer {
     record(
         [](auto& of) -> auto& { return of.corner_angle; }, std::move(faces.corner_angle),
         component);
-    // Statistics leave out what overflowed; the area must not.
+    // Statistics exclude values that overflowed; the area must include them.
     analysis_.characteristics.area = analysis_.characteristics.face_area.infinite == 0
                                          ? analysis_.characteristics.face_area.total
                                          : std::numeric_limits<double>::infinity();
@@ -157,7 +157,8 @@ class Measurer {
     analysis_.characteristics.indistinguishable_edges = collapsed.size();
   }
 
-  /// Records that repeat an id are left out: they are no vertex of their own.
+  /// Returns the indistinguishable vertices. Records that repeat an id are excluded: they are no
+  /// vertices of their own.
   [[nodiscard]] std::vector<Index> indistinguishable_ids(Coincidence coincidence) const {
     const std::span<const Vec3> records(cut_.mesh.points(), cut_.side.n_file_vertices);
     const std::vector<Index>& repeated = analysis_.offenders.duplicate_vertex_records;
@@ -177,11 +178,11 @@ class Measurer {
     return found;
   }
 
-  /// Says in figures what was measured of each element, for the mesh and for each component, and
-  /// keeps the values where that is asked for.
+  /// Summarises the values of a quantity, for the mesh and for each component, and keeps the values
+  /// if that is requested.
   ///
-  /// @param pick       Picks the quantity out of ElementMeasures of anything.
-  /// @param values     One an element.
+  /// @param pick       Selects the quantity in any ElementMeasures.
+  /// @param values     One value for each element.
   /// @param component  The component of element i.
   template <typename Pick>
   void record(Pick pick, std::vector<double> values,

@@ -11,9 +11,9 @@ namespace meshalyzer {
 /// and the elements beyond the thresholds of AnalysisOptions; zero-area faces and
 /// indistinguishable vertices and edges too.
 ///
-/// Fills in those parts of `analysis`, whose components must be there.
+/// These parts of `analysis` are filled in; its components must be set.
 ///
-/// @complexity O(#V + #F), but for the search for indistinguishable vertices, O(#V log #V).
+/// @complexity O(#V + #F), plus O(#V log #V) for the search for indistinguishable vertices.
 void measure(const CutMesh& cut, const Components& components, const AnalysisOptions& options,
              Analysis& analysis);
 
