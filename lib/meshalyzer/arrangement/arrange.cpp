@@ -14,7 +14,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The time that clusters and pairs take: some ten microseconds each.
+/// Items in one task: each cluster or pair takes some ten microseconds.
 constexpr std::size_t kItemsAtOnce = 64;
 
 void require_faces(const Soup& soup, std::span<const IntersectingPair> pairs) {
@@ -87,8 +87,8 @@ std::vector<ClusterPieces> cut_clusters(const CuttingScene& scene,
   return pieces;
 }
 
-/// Collects the nodes on the edges of faces of no area, as their neighbours and they themselves
-/// know them.
+/// Collects the nodes on the edges of faces of no area, from their neighbours and from the faces
+/// themselves.
 std::vector<EdgeNode> collect_edge_nodes(std::vector<EdgeNode> own,
                                          std::span<const ClusterPieces> clusters) {
   for (const ClusterPieces& cluster : clusters) {

@@ -5,11 +5,11 @@
 
 namespace meshalyzer {
 
-/// What an arrangement was made of, and its cells. Only refers.
+/// A soup, its arrangement, and its cells. It only refers to them.
 struct ArrangedSoup {
   const Soup& soup;
   const CutMesh& cut;
-  /// Over the faces of `cut`.
+  /// The tree over the faces of `cut`.
   const FaceTree& tree;
   const Arrangement& arrangement;
   const Cells& cells;

@@ -16,45 +16,43 @@ struct ExactPoint;
 /// A face of the input that covers a piece.
 struct PieceSource {
   Index face = kNoIndex;
-  /// 1 where the face has the orientation of the piece, -1 where it has the opposite.
+  /// The sign is 1 if the face has the orientation of the piece, -1 if it has the opposite one.
   Sign sign = 1;
 
   friend bool operator==(const PieceSource&, const PieceSource&) = default;
 };
 
-/// The exact places of the vertices of an arrangement. Cheap to copy.
+/// The exact positions of the vertices of an arrangement. It is cheap to copy.
 class ExactVertices {
  public:
   ExactVertices() = default;
-  /// @param made  Of the vertices that are none of the input's.
+  /// @param made  The positions of the new vertices.
   explicit ExactVertices(std::vector<ExactPoint> made);
 
-  /// The place of vertex n_input_vertices + i.
+  /// Returns the position of vertex n_input_vertices + i.
   [[nodiscard]] const ExactPoint& made(std::size_t i) const;
 
  private:
   std::shared_ptr<const std::vector<ExactPoint>> made_;
 };
 
-/// A soup cut along its self-intersections, into triangles that meet in nothing but vertices and
-/// edges which they have in common by index. Exact: its vertices are known as fractions, and only
-/// for a look at them as doubles.
+/// A soup cut along its self-intersections into triangles that meet only in vertices and edges
+/// which they have in common by index. It is exact: its vertices are fractions; their doubles only
+/// approximate them.
 ///
-/// Faces that intersect nothing are pieces as they are. A face that does is the union of its
-/// pieces; where faces of one plane overlap, a piece comes once and says which faces it is of.
-/// Faces of no area have pieces only where without them edges would not fit, and faces that are in
-/// no complex have none.
+/// A face that intersects nothing is a piece itself. Any other is the union of its pieces; where
+/// coplanar faces overlap, a piece occurs once and lists its faces. A face of no area has pieces
+/// only where edges would not match without them, and a face outside the complex has none.
 struct Arrangement {
   /// Vertices of lower index are the input's.
   std::size_t n_input_vertices = 0;
-  /// #vertices: the input's, then the points that were made, by their nearest doubles, in
-  /// lexicographic order of their exact places. Different vertices of pieces are at different
-  /// places, but for those of faces of no area that meet nothing; these places may have the same
-  /// doubles nearest to them.
+  /// #vertices: the input's, then the nearest doubles of the new points, in lexicographic order of
+  /// their exact positions. Different vertices of pieces have different positions, except those of
+  /// faces of no area that meet nothing; but different positions may have the same nearest doubles.
   std::vector<Vec3> positions;
   ExactVertices exact;
 
-  /// #pieces, in order of the lowest face of each, which gives the orientation.
+  /// #pieces, in order of the lowest face of each, which determines the orientation.
   std::vector<Triangle> pieces;
   /// #pieces + 1: where the sources of each begin in `sources`, ascending by face.
   std::vector<Index> source_begin{0};
@@ -63,10 +61,10 @@ struct Arrangement {
   std::vector<Index> piece_begin{0};
   std::vector<Index> piece_of;
 
-  /// The faces that were cut, or could have been: those that intersect others. Ascending.
+  /// The faces that intersect others, whether they had to be cut or not, ascending.
   std::vector<Index> cut_faces;
-  /// Edges of pieces along which faces meet that have more in common than the edge by id, each with
-  /// its lower vertex first. Ascending.
+  /// The edges of pieces along which intersecting faces meet, each with its lower vertex first,
+  /// ascending.
   std::vector<std::array<Index, 2>> curves;
 
   [[nodiscard]] std::span<const PieceSource> sources_of(std::size_t piece) const {
@@ -77,13 +75,12 @@ struct Arrangement {
     return std::span(piece_of).subspan(piece_begin[face],
                                        piece_begin[face + 1] - piece_begin[face]);
   }
-  /// Returns the corners of a piece, by their nearest doubles.
+  /// Returns the nearest doubles of the corners of a piece.
   [[nodiscard]] Corners corners_of(std::size_t piece) const {
     const auto& [a, b, c] = pieces[piece];
     return {positions[a], positions[b], positions[c]};
   }
-  /// Returns how often the faces cover a piece, those of its orientation counted positive, the
-  /// others negative.
+  /// Returns how often the faces cover a piece; faces of opposite orientation count negative.
   [[nodiscard]] int multiplicity(std::size_t piece) const;
 };
 

@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Puts an arrangement together.
+/// Assembles an arrangement from its parts.
 class Assembly {
  public:
   Assembly(const ArrangementParts& parts, Nodes nodes)
@@ -26,7 +26,7 @@ class Assembly {
   }
 
  private:
-  /// One piece of a cluster, by its lowest face.
+  /// One piece of a cluster, ordered by its lowest face.
   struct ClusterPiece {
     Index face = kNoIndex;
     Index cluster = kNoIndex;
@@ -60,7 +60,7 @@ class Assembly {
         if (names[i].kind == PointKind::Vertex) body(names[i].of[0], nodes_.of_first[i]);
       }
     };
-    // Names are in order, so the lowest vertex comes first.
+    // Names are sorted, so the lowest vertex comes first.
     for_each_corner([&](Index vertex, Index node) {
       if (stays[vertex] != 0 && vertex_of_node_[node] == kNoIndex) vertex_of_node_[node] = vertex;
     });
@@ -73,8 +73,8 @@ class Assembly {
     }
   }
 
-  /// A corner of a face of no area that was not cut: no other face may have it, and what is at its
-  /// place become another vertex.
+  /// Unites a corner of a face of no area that was not cut with the node at its position. Otherwise
+  /// the node could have become another vertex that no other face shares.
   void unite_with_node(Index vertex) {
     const ExactPoint point = exact_point(soup_.positions[vertex]);
     const auto found = std::lower_bound(nodes_.points.begin(), nodes_.points.end(), point,
@@ -152,7 +152,7 @@ class Assembly {
 
   void end_sources() { result_.source_begin.push_back(static_cast<Index>(result_.sources.size())); }
 
-  /// Round a face of no area, with what has come to lie on its edges.
+  /// Returns the closed walk round a face of no area, including the nodes on its edges.
   [[nodiscard]] std::vector<Index> walk_of(const Triangle& t) const {
     std::vector<Index> walk;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -12,15 +12,15 @@ struct ArrangementParts {
   std::span<const ClusterPieces> clusters;
   /// The faces of no area, ascending.
   std::span<const Index> flat_faces;
-  /// The nodes inside their edges. Ascending, each once.
+  /// The nodes inside their edges, ascending, each once.
   std::span<const EdgeNode> edge_nodes;
 };
 
 /// Numbers the vertices and the pieces.
 ///
-/// A node where the input has vertices is the lowest of these, but one that triangles use which
-/// were not cut goes before: there is at most one, since triangles that meet there without having
-/// it in common intersect. Other vertices at the same place are used no longer.
+/// A node at the position of input vertices becomes the lowest of these, unless one of them is used
+/// by uncut triangles; there is at most one such vertex, since triangles that meet there without
+/// sharing it intersect. Other vertices at the same position are no longer used.
 [[nodiscard]] Arrangement assemble(const ArrangementParts& parts, Nodes nodes);
 
 }  // namespace meshalyzer

@@ -11,13 +11,13 @@
 namespace meshalyzer {
 namespace {
 
-/// Tells how pieces follow each other round an edge.
+/// The order of pieces round an edge.
 class RadialOrder {
  public:
   RadialOrder(const Soup& soup, const Arrangement& arrangement)
       : soup_(soup), arrangement_(arrangement) {}
 
-  /// Sorts the uses of one edge counter-clockwise, as seen against the direction from its lower
+  /// Sorts the uses of one edge counter-clockwise when viewed against the direction from its lower
   /// vertex to the higher one.
   void sort(std::span<EdgeUse> uses) const {
     if (uses.size() < 3) return;
@@ -32,8 +32,8 @@ class RadialOrder {
   }
 
  private:
-  /// 1 where a vertex comes within half a turn after the piece, -1 where it comes within half a
-  /// turn before it, 0 where it is opposite.
+  /// Returns 1 if a vertex comes within half a turn after the piece, -1 if within half a turn
+  /// before it, 0 if it is opposite.
   [[nodiscard]] Sign turn(const EdgeUse& use, Index apex) const {
     // The first source has the orientation of the piece.
     const auto plane = corners_of(soup_, arrangement_.sources_of(use.piece).front().face);
@@ -48,7 +48,7 @@ class RadialOrder {
   const Arrangement& arrangement_;
 };
 
-/// Returns the side of a piece that one comes to next, counter-clockwise round its edge.
+/// Returns the side of a piece that follows counter-clockwise round its edge.
 Index side_after(const EdgeUse& use) {
   return 2 * use.piece + (use.direction > 0 ? 0 : 1);
 }

@@ -12,10 +12,10 @@ namespace meshalyzer {
 
 /// The cells into which the pieces of an arrangement divide space.
 ///
-/// Cells are told by what is between pieces that follow each other round an edge. So each
-/// component, of pieces that hang together through edges, has cells of its own: where one component
-/// lies inside another, its outer cell is a part of one of the other's. An edge with but one piece
-/// leads from no cell to another: a hole joins nothing.
+/// Cells are determined by the space between consecutive pieces round an edge. So each
+/// edge-connected component of pieces has cells of its own: if one component lies inside another,
+/// its outer cell is a part of one of the other's. At an edge with only one piece, its two sides
+/// belong to the same cell.
 struct Cells {
   std::size_t count = 0;
   /// 2 #pieces: the cell in front of each piece, where its normal points, and the one behind it.
@@ -24,7 +24,7 @@ struct Cells {
   std::size_t n_components = 0;
   /// #pieces: the component of each.
   std::vector<Index> component_of;
-  /// #components: 1 where each edge is crossed equally often in both directions, each piece counted
+  /// #components: 1 if each edge is crossed equally often in both directions, counting each piece
   /// as often as faces cover it.
   std::vector<std::uint8_t> is_closed;
 
@@ -32,13 +32,13 @@ struct Cells {
   [[nodiscard]] Index behind(std::size_t piece) const { return of_side[2 * piece + 1]; }
 };
 
-/// The pieces at each cell.
+/// The pieces that bound each cell.
 class CellPieces {
  public:
   /// @complexity O(#pieces).
   explicit CellPieces(const Cells& cells);
 
-  /// Ascending; a piece that has a cell on both sides is there twice.
+  /// Returns the pieces at a cell, ascending; a piece with the cell on both sides occurs twice.
   [[nodiscard]] std::span<const Index> of(Index cell) const {
     return std::span(pieces_).subspan(begin_[cell], begin_[cell + 1] - begin_[cell]);
   }
@@ -48,9 +48,9 @@ class CellPieces {
   std::vector<Index> pieces_;
 };
 
-/// Finds the cells of an arrangement without pieces of no area, exactly.
+/// Finds the cells of an arrangement, exactly. No piece may have zero area.
 ///
-/// @param soup  What was arranged.
+/// @param soup  The soup that was cut.
 /// @complexity  O(#pieces), and O(n log n) for n pieces round one edge.
 [[nodiscard]] Cells find_cells(const Soup& soup, const Arrangement& arrangement);
 

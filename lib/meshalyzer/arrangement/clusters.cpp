@@ -9,7 +9,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Tells whether triangles of a pair of this kind share an area.
+/// Tells whether the triangles of a pair of this kind overlap in an area.
 bool overlap(ContactKind kind) {
   return kind == ContactKind::Duplicate || kind == ContactKind::FoldOver ||
          kind == ContactKind::CoplanarOverlap;

@@ -9,24 +9,24 @@
 
 namespace meshalyzer {
 
-/// A ContactSegment in a cluster, its ends by their numbers.
+/// A ContactSegment in a cluster; its ends are given by their numbers.
 struct ClusterSegment {
   Index from = kNoIndex;
   Index to = kNoIndex;
   SegmentLine line = SegmentLine::Plane;
-  /// The face of the cluster that the segment is in, and the other one, both by file index.
+  /// The face of the cluster that contains the segment, and the other one, by file index.
   Index face = kNoIndex;
   Index other = kNoIndex;
 };
 
-/// Triangles that are cut together: one that overlaps no other in its plane, or all that do,
-/// directly or through others.
+/// Triangles that are cut together: a single one, or those that overlap in their plane, directly or
+/// through others.
 struct FaceCluster {
-  /// An axis along which the plane projects to an area.
+  /// An axis along which the plane projects to non-zero area.
   Axis axis = Axis::X;
-  /// The faces by the numbers of their simplices, ascending.
+  /// The numbers of the simplices of the faces, ascending.
   std::vector<Index> faces;
-  /// Numbers of the points that lie in the faces, their corners included. Ascending, each once.
+  /// The numbers of the points in the faces, including their corners, ascending, each once.
   std::vector<Index> points;
   std::vector<ClusterSegment> segments;
 };
@@ -38,10 +38,10 @@ struct FaceCluster {
 /// Returns the number of the simplex of a face, which must have one.
 [[nodiscard]] Index simplex_number(std::span<const FaceSimplex> simplices, Index face);
 
-/// Groups the triangles among the faces, with all that lies in them.
+/// Groups the triangles among the faces to clusters, with the points and segments in them.
 ///
-/// @param points  Holds the corners of all simplices, and all that the contacts name.
-/// @return        Ascending by first face.
+/// @param points  The points, with the corners of all simplices and all points of the contacts.
+/// @return        The clusters, ascending by first face.
 [[nodiscard]] std::vector<FaceCluster> make_clusters(std::span<const FaceSimplex> simplices,
                                                      std::span<const IntersectingPair> pairs,
                                                      const FaceContacts& contacts,

@@ -12,8 +12,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Where there are fewer points than this, segments cross few triangles, whatever the shapes of
-/// these.
+/// With fewer points segments cross few triangles of any shape, so that flipping edges does not
+/// pay.
 constexpr std::size_t kManyPoints = 16;
 
 /// Cuts the faces of one cluster.
@@ -51,7 +51,7 @@ class ClusterCut {
     if (local_.size() >= kManyPoints) flip_edges(t_);
   }
 
-  /// Returns the triangulation's number of a point of contacts.
+  /// Returns the number in the triangulation of a point of contacts.
   [[nodiscard]] Index local(Index point) const {
     const Index node = scene_.nodes.of_first[point];
     return static_cast<Index>(std::lower_bound(local_.begin(), local_.end(), node) -
@@ -130,7 +130,7 @@ class ClusterCut {
     }
   }
 
-  /// Makes a piece of a triangle, turned as its first source is.
+  /// Makes a piece of a triangle, with the orientation of its first source.
   void take(std::size_t triangle, std::span<const PieceSource> sources) {
     const auto h = static_cast<Index>(3 * triangle);
     std::array<Index, 3> corners{local_[t_.origin[h]], local_[t_.origin[h + 1]],

@@ -21,14 +21,14 @@ struct EdgeNode {
 
 /// The pieces that the faces of a cluster are cut into.
 struct ClusterPieces {
-  /// Three nodes each.
+  /// The nodes of each triangle.
   std::vector<std::array<Index, 3>> triangles;
   /// #triangles + 1: where the sources of each begin in `sources`. The first has the sign 1.
   std::vector<Index> source_begin{0};
   std::vector<PieceSource> sources;
-  /// The edges that lie on the cluster's segments, by their nodes, the lower first.
+  /// The edges on the cluster's segments, by their nodes, the lower first.
   std::vector<std::array<Index, 2>> curves;
-  /// The nodes inside those edges of the faces that are edges of faces of no area too.
+  /// The nodes inside the edges that the faces have in common with faces of no area.
   std::vector<EdgeNode> edge_nodes;
 };
 
@@ -38,13 +38,13 @@ struct CuttingScene {
   const NamedPoints& points;
   const NamedPoints& crossings;
   const Nodes& nodes;
-  /// The edges of faces of no area, the lower vertex first. Ascending.
+  /// The edges of faces of no area, the lower vertex first, ascending.
   std::span<const VertexPair> flat_edges;
 };
 
 /// Triangulates the faces of a cluster with all points and segments in them.
 ///
-/// @param crossings  Of its segments with each other.
+/// @param crossings  The crossings of its segments with each other.
 [[nodiscard]] ClusterPieces cut_cluster(const CuttingScene& scene, const FaceCluster& cluster,
                                         std::span<const PointName> crossings);
 

@@ -16,7 +16,7 @@ namespace {
 /// Follows a ray along an axis from a point inside a piece.
 class ExactRay {
  public:
-  /// @param start  In the inside of `piece`.
+  /// @param start  A point inside `piece`.
   ExactRay(const ArrangedSoup& arranged, Index piece, Axis axis, const ExactPoint& start)
       : a_(arranged), piece_(piece), axis_(axis), start_(start) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -29,7 +29,7 @@ class ExactRay {
     box_ = {a_.tree.map(low), a_.tree.map(high)};
   }
 
-  /// @return  Nothing where the ray grazes an edge.
+  /// @return  Nothing if the ray grazes an edge.
   std::optional<std::vector<RayCrossing>> follow() {
     descend(a_.tree.n_levels() - 1, 0);
     return grazes_ ? std::nullopt : std::optional(std::move(crossings_));
@@ -60,7 +60,7 @@ class ExactRay {
     if (sign != 0) crossings_.push_back({face, sign});
   }
 
-  /// 1 where the ray leaves through a triangle, -1 where it enters.
+  /// Returns 1 if the ray leaves through a triangle, -1 if it enters, 0 if it misses it.
   Sign crossing(const std::array<Vec3, 3>& t) {
     std::array<Sign, 3> turns{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -72,7 +72,7 @@ class ExactRay {
       grazes_ = true;
       return 0;
     }
-    // Seen counter-clockwise along the axis, the normal points along it.
+    // The normal of a triangle that is counter-clockwise along the axis points along it.
     return orient3d(t[0], t[1], t[2], start_) * *least < 0 ? *least : 0;
   }
 
@@ -91,7 +91,7 @@ ExactPoint place_of(const ArrangedSoup& arranged, Index vertex) {
                     : arranged.arrangement.exact.made(vertex - n);
 }
 
-/// Returns a point inside a piece: the corners' mean by these weights.
+/// Returns a point inside a piece: the weighted mean of its corners.
 ExactPoint inner_point(const ArrangedSoup& arranged, Index piece,
                        const std::array<int, 3>& weights) {
   const Triangle& t = arranged.arrangement.pieces[piece];
@@ -116,7 +116,7 @@ PieceRay follow_ray(const ArrangedSoup& arranged, Index piece) {
   const Axis axis = *projection_axis(plane[0], plane[1], plane[2]);
   const Sign turn = orient2d(axis, plane[0], plane[1], plane[2]);
   const Index cell = turn > 0 ? arranged.cells.front(piece) : arranged.cells.behind(piece);
-  // Rays from different points of the piece graze different edges.
+  // Another point of the piece gives a ray that grazes other edges, if any.
   for (int i = 0;; ++i) {
     const ExactPoint start = inner_point(arranged, piece, {101, 89 + 2 * i, 97 + 3 * i * i});
     auto crossings = ExactRay(arranged, piece, axis, start).follow();

@@ -7,25 +7,25 @@
 
 namespace meshalyzer {
 
-/// A face that a ray goes through.
+/// A face that a ray crosses.
 struct RayCrossing {
   Index face = kNoIndex;
-  /// 1 where the ray leaves what the face encloses, -1 where it enters.
+  /// The sign is 1 if the ray leaves the enclosed space, -1 if it enters.
   Sign sign = 1;
 };
 
-/// What a ray from inside a piece, along an axis, goes through. The faces that the piece is of are
-/// left out.
+/// The crossings of a ray from inside a piece along an axis. The faces of the piece itself are
+/// excluded.
 struct PieceRay {
-  /// The cell beside the piece that the ray begins in.
+  /// The cell beside the piece in which the ray begins.
   Index cell = kNoIndex;
-  /// Faces of closed components alone.
+  /// The crossed faces of closed components.
   std::vector<RayCrossing> crossings;
 };
 
 /// Follows a ray from a piece, exactly; it grazes no edge of a closed component.
 ///
-/// @param piece  Of an area.
+/// @param piece  A piece of non-zero area.
 [[nodiscard]] PieceRay follow_ray(const ArrangedSoup& arranged, Index piece);
 
 }  // namespace meshalyzer

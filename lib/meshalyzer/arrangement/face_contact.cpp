@@ -7,17 +7,17 @@
 namespace meshalyzer {
 namespace {
 
-/// Tells how two faces lie to each other.
+/// The relative position of two faces.
 enum class Position : std::uint8_t {
-  /// Two triangles in different planes, or a triangle and a segment not in its plane.
+  /// The faces are two triangles in different planes, or a triangle and a segment not in its plane.
   Askew,
-  /// Two triangles in one plane.
+  /// The faces are two coplanar triangles.
   CoplanarTriangles,
-  /// Two faces in one plane, one of them a segment or a point.
+  /// The faces are coplanar, and one of them is a segment or a point.
   Flat,
 };
 
-/// Collects where two faces meet.
+/// Collects the points where two faces meet.
 class Meeting {
  public:
   Meeting(const Soup& soup, const FaceSimplex& p, const FaceSimplex& q)
@@ -66,8 +66,8 @@ class Meeting {
     return askew ? Position::Askew : Position::Flat;
   }
 
-  /// Returns an axis along which the plane of both projects to an area; nothing where none of their
-  /// edges can cross.
+  /// Returns an axis along which the common plane projects to non-zero area, or nothing if none of
+  /// their edges can cross.
   [[nodiscard]] std::optional<Axis> common_axis() const {
     if (p_.is_triangle()) return p_.axis;
     if (q_.is_triangle()) return q_.axis;
@@ -90,8 +90,8 @@ class Meeting {
     }
   }
 
-  /// Adds the points where edges go through a triangle from one side of its plane to the other, but
-  /// for its corners.
+  /// Adds the points, other than corners, where edges pass through a triangle from one side of its
+  /// plane to the other.
   void add_piercings(const FaceSimplex& of, const FaceSimplex& triangle) {
     if (!triangle.is_triangle()) return;
     for (const VertexPair& edge : of.edges()) {
@@ -102,8 +102,8 @@ class Meeting {
     }
   }
 
-  /// Tells whether a line that is not in the plane of the triangle goes through its inside, or
-  /// through the inside of an edge.
+  /// Tells whether a line that is not in the plane of the triangle passes through its interior, or
+  /// through the interior of an edge.
   [[nodiscard]] bool pierces(const VertexPair& edge, const FaceSimplex& triangle) const {
     Sign side = 0;
     int n_zeros = 0;
@@ -135,7 +135,7 @@ class Meeting {
     }
   }
 
-  /// Tells whether the ends of an edge lie on different sides of a line, neither of them on it.
+  /// Tells whether the ends of an edge lie strictly on different sides of a line.
   [[nodiscard]] bool separates(Axis axis, const VertexPair& line, const VertexPair& edge) const {
     const auto side = [&](Index x) {
       return x == line[0] || x == line[1] ? 0 : orient2d(axis, at(line[0]), at(line[1]), at(x));
@@ -150,8 +150,7 @@ class Meeting {
            key == VertexPair{point.of[2], point.of[3]};
   }
 
-  /// Reports the parts of a triangle's edges that lie in the other triangle, which is in the same
-  /// plane.
+  /// Reports the parts of a triangle's edges that lie in the other, coplanar triangle.
   void report_edges(const FaceSimplex& of, FaceContacts& found) const {
     for (const VertexPair& edge : of.edges()) {
       std::vector<PointName> on;
@@ -162,8 +161,8 @@ class Meeting {
     }
   }
 
-  /// All points are in one line: the segments from the first to the others cover what is between
-  /// them.
+  /// Reports the segments from the first of collinear points to the others, which cover everything
+  /// between them.
   void report_segments(const std::vector<PointName>& points, const FaceSimplex& face,
                        const FaceSimplex& other, FaceContacts& found) const {
     if (!face.is_triangle()) return;

@@ -6,13 +6,13 @@
 
 namespace meshalyzer {
 
-/// A face as a set of points: a triangle, or where its area is zero a segment or a point.
+/// A face as a set of points: a triangle, or a segment or a point if its area is zero.
 struct FaceSimplex {
   Index face = kNoIndex;
   Triangle vertices{};
-  /// 2, 1 or 0.
+  /// The dimension: 2, 1 or 0.
   int dimension = 2;
-  /// An axis along which a triangle projects to an area.
+  /// An axis along which a triangle projects to non-zero area.
   Axis axis = Axis::X;
   /// The ends of a segment, the lexicographically lower one first.
   VertexPair ends{};
@@ -22,10 +22,10 @@ struct FaceSimplex {
   [[nodiscard]] std::vector<VertexPair> edges() const;
 };
 
-/// @param face  In the complex.
+/// Returns the simplex of a face, which must be in the complex.
 [[nodiscard]] FaceSimplex face_simplex(const Soup& soup, Index face);
 
-/// Tells whether x lies on the closed segment between two vertices, which are at different places.
+/// Tells whether x lies on the closed segment between two vertices, whose positions differ.
 [[nodiscard]] bool is_on_segment(const Soup& soup, const VertexPair& ends, Index x);
 
 /// Tells whether a vertex lies in the closed simplex.

@@ -8,7 +8,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Takes out of a closed walk one step that leads nowhere, or two that lead forth and back.
+/// Removes from a closed walk one step that stays at its vertex, or two that go back and forth.
 /// @return  Whether there was such a step.
 bool shorten(std::vector<Index>& walk) {
   const std::size_t n = walk.size();
@@ -65,7 +65,7 @@ std::vector<EdgeNode> find_edge_nodes(std::span<const FaceSimplex> simplices,
     const Index node = nodes.of_first[points.find(point)];
     for (std::size_t i = 0; i < 3; ++i) {
       const auto [u, v] = std::minmax(simplex.vertices[i], simplex.vertices[(i + 1) % 3]);
-      // All are in one line, along which nodes are in order.
+      // All nodes are collinear and sorted along the line.
       const auto [low, high] = std::minmax({corner(u), corner(v)});
       if (low < node && node < high) found.push_back({{u, v}, node});
     }

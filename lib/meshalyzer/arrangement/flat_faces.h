@@ -4,24 +4,24 @@
 
 namespace meshalyzer {
 
-/// Returns the faces of the complex that have no area. Ascending.
+/// Returns the faces of the complex that have no area, ascending.
 [[nodiscard]] std::vector<Index> find_flat_faces(const Soup& soup);
 
-/// Returns the edges of these faces, the lower vertex first. Ascending, each once.
+/// Returns the edges of the given faces, the lower vertex first, ascending, each once.
 [[nodiscard]] std::vector<VertexPair> edges_of_faces(const Soup& soup,
                                                      std::span<const Index> faces);
 
-/// Returns the nodes inside the edges of those faces of no area that take part in contacts.
+/// Returns the nodes inside the edges of the faces of no area that have contacts.
 [[nodiscard]] std::vector<EdgeNode> find_edge_nodes(std::span<const FaceSimplex> simplices,
                                                     const FaceContacts& contacts,
                                                     const NamedPoints& points, const Nodes& nodes);
 
-/// Returns a face of no area, as the closed walk along its border: its corners, and what has come
-/// to lie between them. Stretches that are walked forth and back at once are gone; so often nothing
-/// is left. Its triangles fill what is, so that the edges of its neighbours still fit.
+/// Triangulates a face of no area, given by the closed walk along its border: its corners and the
+/// nodes between them. Parts that the walk follows back and forth are removed first, so that often
+/// nothing is left. The triangles fill the rest, so that the edges of its neighbours still match.
 ///
-/// @param walk  Vertices.
-/// @return      Triangles, of no area.
+/// @param walk  The vertices of the walk.
+/// @return      The triangles, which have no area.
 [[nodiscard]] std::vector<Triangle> fill_flat_walk(std::vector<Index> walk);
 
 }  // namespace meshalyzer

@@ -6,7 +6,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Flips surely end on paper; rounding gets no chance to make them go on.
+/// The largest number of flips. In theory flipping ends; this bound ends it in spite of rounding.
 constexpr std::size_t kFlipsPerTriangle = 64;
 
 /// A point in the projection.
@@ -70,7 +70,7 @@ class Flips {
     return determinant > 0x1p-48 * magnitude;
   }
 
-  /// Turns the edge a b of the triangles a b c and b a d into d c.
+  /// Replaces the edge a b of the triangles a b c and b a d by d c.
   void flip(Index h) {
     const Index g = t_.twin[h];
     const auto [a, b, c, d] = quad(h);

@@ -4,13 +4,12 @@
 
 namespace meshalyzer {
 
-/// Flips edges that are not constrained where that makes triangles rounder, until the triangulation
-/// is Delaunay in the projection as far as rounded coordinates tell.
+/// Flips unconstrained edges until the triangulation is Delaunay in the projection, as far as
+/// rounded coordinates can decide.
 ///
-/// What is flipped is a matter of shape and rounds; that it may be flipped is exact.
+/// The choice of flips depends on rounded shapes; whether a flip is valid is decided exactly.
 ///
-/// @complexity  O(n) flips for points in general position; never more than a fixed number a
-/// triangle.
+/// @complexity  O(n) flips for points in general position; at most a fixed number per triangle.
 void flip_edges(Triangulation& triangulation);
 
 }  // namespace meshalyzer

@@ -8,7 +8,7 @@
 namespace meshalyzer {
 namespace {
 
-/// A half-edge by its ends; ordered by these.
+/// A half-edge and its ends, by which it is ordered.
 struct DirectedEdge {
   std::array<Index, 2> ends;
   Index halfedge = kNoIndex;
@@ -17,12 +17,12 @@ struct DirectedEdge {
   friend bool operator<(const DirectedEdge& a, const DirectedEdge& b) { return a.ends < b.ends; }
 };
 
-/// Puts a segment into a triangulation, from vertex to vertex.
+/// Inserts a segment into a triangulation, from vertex to vertex.
 class SegmentInsertion {
  public:
   SegmentInsertion(Triangulation& triangulation, Index to) : t_(triangulation), to_(to) {}
 
-  /// Makes an edge from a vertex to the next one on the segment, and returns that one.
+  /// Makes an edge from a vertex to the next one on the segment, and returns that vertex.
   Index advance(Index from) {
     from_ = from;
     t_.collect_leaving(from, leaving_);
@@ -41,12 +41,12 @@ class SegmentInsertion {
  private:
   [[nodiscard]] Sign side(Index vertex) const { return t_.turn(from_, to_, vertex); }
 
-  /// Tells whether a vertex on the line of the segment lies ahead. Along a line, vertices are in
-  /// order.
+  /// Tells whether a vertex on the line of the segment lies ahead. Vertices are sorted along any
+  /// line.
   [[nodiscard]] bool is_ahead(Index vertex) const { return (vertex > from_) == (to_ > from_); }
 
-  /// Takes one of the two edges that leave the vertex in the triangle of h, where it lies along the
-  /// segment.
+  /// Constrains one of the two edges that leave the vertex in the triangle of h if it lies along
+  /// the segment.
   Index along(Index h) {
     const Index previous = Triangulation::previous(h);
     for (const Index edge : {h, previous}) {
@@ -59,7 +59,7 @@ class SegmentInsertion {
     return kNoIndex;
   }
 
-  /// Replaces the triangles that the segment goes through until it meets a vertex.
+  /// Replaces the triangles that the segment crosses until it meets a vertex.
   /// @param edge  The first edge crossed, in the triangle that the segment begins in.
   Index cross(Index edge) {
     right_ = {from_, t_.origin[edge]};
@@ -91,7 +91,7 @@ class SegmentInsertion {
     link_made();
   }
 
-  /// The edges round the removed triangles, as seen from outside.
+  /// Collects the edges round the removed triangles, seen from outside.
   void collect_border() {
     std::sort(removed_.begin(), removed_.end());
     border_.clear();
@@ -103,7 +103,7 @@ class SegmentInsertion {
     std::sort(border_.begin(), border_.end());
   }
 
-  /// Returns the twin of a half-edge, if it stays.
+  /// Returns the twin of a half-edge unless it is removed.
   [[nodiscard]] Index outer(Index h) const {
     const Index twin = t_.twin[h];
     const bool stays =
@@ -111,9 +111,9 @@ class SegmentInsertion {
     return stays ? twin : kNoIndex;
   }
 
-  /// Cuts the ears of the chain. Each of its vertices sees the segment, so that each convex corner
-  /// is an ear.
-  /// @param side  On which side of the segment the chain lies.
+  /// Triangulates the polygon between a chain and the segment by cutting ears. Each vertex of the
+  /// chain sees the segment, so that each convex corner is an ear.
+  /// @param side  The side of the segment on which the chain lies.
   void cut_ears(std::span<const Index> chain, Sign side) {
     stack_.clear();
     for (const Index vertex : chain) {
@@ -140,7 +140,7 @@ class SegmentInsertion {
     }
   }
 
-  /// Links the new triangles to each other and to what is round them.
+  /// Links the new triangles to each other and to their neighbours.
   void link_made() {
     std::sort(made_.begin(), made_.end());
     for (const DirectedEdge& edge : made_) {
@@ -168,7 +168,7 @@ class SegmentInsertion {
   Index to_;
   Index from_ = kNoIndex;
   std::vector<Index> leaving_;
-  /// The vertices on both sides of the stretch of the segment, its ends included.
+  /// The vertices on the left of this part of the segment, including its ends.
   std::vector<Index> left_;
   std::vector<Index> right_;
   std::vector<Index> removed_;

@@ -9,7 +9,7 @@
 namespace meshalyzer {
 namespace {
 
-/// A point takes a microsecond or more.
+/// Points in one task: each takes a microsecond or more.
 constexpr std::size_t kPointsAtOnce = 256;
 
 }  // namespace

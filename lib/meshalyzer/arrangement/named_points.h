@@ -7,11 +7,11 @@
 
 namespace meshalyzer {
 
-/// Points by their names. One point may be here several times, under different names.
+/// A table of points and their names. One point may occur several times, under different names.
 class NamedPoints {
  public:
   /// Constructs the points, each name once, in parallel.
-  /// @param names  In any order.
+  /// @param names  The names, in any order.
   NamedPoints(const Soup& soup, std::vector<PointName> names);
 
   [[nodiscard]] std::size_t size() const { return names_.size(); }

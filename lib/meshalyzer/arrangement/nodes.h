@@ -6,20 +6,21 @@
 
 namespace meshalyzer {
 
-/// The points of an arrangement where something is cut, each once: corners of the faces that are
-/// cut, and points where these meet.
+/// The points of an arrangement at which faces are cut, each once: the corners of these faces, and
+/// the points where they meet.
 ///
-/// Nodes are numbered in lexicographic order of their exact coordinates, so that along any line,
-/// and for a sweep over any plane, they are in order. That does not depend on numbering.
+/// Nodes are numbered in lexicographic order of their exact coordinates, so that they are sorted
+/// along any line and for a sweep over any plane. Their order does not depend on the numbering of
+/// the input.
 struct Nodes {
-  /// #nodes.
+  /// The position of each node.
   std::vector<ExactPoint> points;
   /// The node of each point of the first and of the second table, by number.
   std::vector<Index> of_first;
   std::vector<Index> of_second;
 };
 
-/// Makes one node of all names that are of one point, by comparing exactly.
+/// Makes one node of all names of the same point, by exact comparison.
 [[nodiscard]] Nodes unite_points(const NamedPoints& first, const NamedPoints& second);
 
 }  // namespace meshalyzer

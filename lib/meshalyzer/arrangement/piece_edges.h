@@ -7,24 +7,24 @@
 
 namespace meshalyzer {
 
-/// An edge of a piece, seen from its lower vertex.
+/// An edge of a piece, as stored at its lower vertex.
 struct EdgeUse {
   Index high = kNoIndex;
   Index piece = kNoIndex;
-  /// The corner of the piece that is not on the edge.
+  /// The corner of the piece opposite to the edge.
   Index apex = kNoIndex;
-  /// 1 where the piece goes from the lower vertex to the higher one, else -1.
+  /// 1 if the piece traverses the edge from the lower vertex to the higher one, else -1.
   Sign direction = 1;
 };
 
-/// The edges of pieces, by their lower vertices.
+/// The edges of pieces, grouped by their lower vertices.
 class PieceEdges {
  public:
-  /// @complexity O(#vertices + #pieces) but for sorting round each vertex.
+  /// @complexity O(#vertices + #pieces), apart from sorting round each vertex.
   explicit PieceEdges(const Arrangement& arrangement);
 
   [[nodiscard]] std::size_t n_vertices() const { return begin_.size() - 1; }
-  /// All uses of edges with this lower vertex, ascending by higher vertex, then by piece.
+  /// Returns all uses of edges with this lower vertex, ascending by higher vertex, then by piece.
   [[nodiscard]] std::span<EdgeUse> of(std::size_t vertex) {
     return std::span(uses_).subspan(begin_[vertex], begin_[vertex + 1] - begin_[vertex]);
   }

@@ -5,7 +5,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Goes over the triangles from the hull on.
+/// Traverses the triangles, beginning at the hull.
 class CoverSearch {
  public:
   CoverSearch(const Triangulation& triangulation, std::vector<BorderEdge> borders)
@@ -26,7 +26,8 @@ class CoverSearch {
   }
 
  private:
-  /// Into the triangle of h across its edge, out of triangles that this set of faces covers.
+  /// Enters the triangle of h across its edge, coming from a triangle that this set of faces
+  /// covers.
   void enter(Index h, Index set) {
     if (cover_.set_of[h / 3] != kNoIndex) return;
     cover_.set_of[h / 3] = t_.constrained[h] != 0 ? across(h, set) : set;
@@ -43,7 +44,7 @@ class CoverSearch {
     }
   }
 
-  /// Returns the faces that cover what is on the other side of an edge.
+  /// Returns the set of faces that covers the other side of an edge.
   Index across(Index h, Index set) {
     const auto [low, high] = std::minmax({t_.origin[h], t_.target(h)});
     const std::array<Index, 2> ends{low, high};

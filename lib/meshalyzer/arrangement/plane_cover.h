@@ -11,7 +11,7 @@ namespace meshalyzer {
 
 /// An edge of a triangulation that is part of the border of a face.
 struct BorderEdge {
-  /// Two vertices of the triangulation, the lower first.
+  /// The two vertices of the triangulation, the lower first.
   std::array<Index, 2> ends{};
   Index face = kNoIndex;
 
@@ -20,9 +20,9 @@ struct BorderEdge {
 
 /// The faces that cover each triangle of a triangulation.
 struct PlaneCover {
-  /// #triangles: which of `sets` is of each.
+  /// #triangles: the index in `sets` of the faces that cover each.
   std::vector<Index> set_of;
-  /// Returns the different sets of faces, each ascending.
+  /// The different sets of faces, each ascending.
   std::vector<std::vector<Index>> sets;
 
   [[nodiscard]] std::span<const Index> of(std::size_t triangle) const {
@@ -30,9 +30,9 @@ struct PlaneCover {
   }
 };
 
-/// Finds them from outside in: who crosses the border of a face enters or leaves it.
+/// Finds the cover from outside inwards: crossing the border of a face enters or leaves it.
 ///
-/// @param borders  The whole border of each face, in any order. All its edges are constrained.
+/// @param borders  The whole border of each face, in any order. All their edges are constrained.
 [[nodiscard]] PlaneCover cover_by_borders(const Triangulation& triangulation,
                                           std::vector<BorderEdge> borders);
 

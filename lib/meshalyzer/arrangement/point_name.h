@@ -9,17 +9,17 @@
 
 namespace meshalyzer {
 
-/// Two vertices of a soup, by index: the ends of an edge, or what spans a line.
+/// Two vertices of a soup, by index: the ends of an edge, or two points of a line.
 using VertexPair = std::array<Index, 2>;
 
-/// Tells which lines and planes meet in a point.
+/// The kind of a point: a vertex, or which lines and planes meet in it.
 enum class PointKind : std::uint8_t { Vertex, LineAndPlane, TwoLines, ThreePlanes };
 
-/// Tells how a point of an arrangement is made of the input's vertices and faces, never of other
-/// such points. One point may have several names; a name stands for one point.
+/// The construction of a point of an arrangement from vertices and faces of the input, never from
+/// other constructed points. One point may have several names; a name stands for one point.
 struct PointName {
   PointKind kind = PointKind::Vertex;
-  /// TwoLines: along which axis the lines are seen.
+  /// TwoLines: the axis along which the lines are projected.
   Axis axis = Axis::X;
   /// Vertex: the vertex. LineAndPlane: two vertices and a face. TwoLines: two vertices each.
   /// ThreePlanes: three faces.

@@ -12,9 +12,9 @@
 namespace meshalyzer {
 namespace {
 
-/// Tells how fine the grid of each round is: its spacing is the extent divided by two to this
-/// power. In the first rounds the nearest doubles will do; then the points that were made are
-/// rounded, and in the end all vertices of faces that intersect.
+/// The resolution of the grid of each round: its spacing is the extent divided by two to this
+/// power. The first rounds use the nearest doubles; later ones round the new points, and the last
+/// ones all vertices of intersecting faces.
 constexpr std::array<int, kRoundingRounds> kGridBits{0,  0,  24, 24, 24, 24, 24,
                                                      24, 20, 20, 20, 17, 17, 17};
 constexpr std::size_t kFirstSnappedRound = 2;
@@ -28,7 +28,7 @@ struct PositionHash {
 
 using VertexAt = std::unordered_map<Vec3, Index, PositionHash>;
 
-/// Returns the vertices of the pieces of cut faces. Ascending.
+/// Returns the vertices of the pieces of cut faces, ascending.
 std::vector<Index> vertices_of_cut_faces(const Arrangement& arrangement) {
   std::vector<Index> vertices;
   for (const Index face : arrangement.cut_faces) {
@@ -45,7 +45,7 @@ Vec3 nearest_on_grid(const Vec3& position, double spacing) {
   return (position / spacing).array().rint().matrix() * spacing;
 }
 
-/// Rounds to the points of a grid that vertices of cut faces are near to.
+/// Rounds vertices to the points of a grid near vertices of cut faces.
 void snap(const std::vector<Index>& of_cut_faces, const Rounding& rounding,
           RoundedVertices& rounded) {
   VertexAt at;
@@ -54,7 +54,7 @@ void snap(const std::vector<Index>& of_cut_faces, const Rounding& rounding,
     at.emplace(nearest_on_grid(rounded.positions[v], rounding.spacing), kNoIndex);
   }
   const std::size_t n_vertices = rounded.stands_for.size();
-  // A vertex that is on the grid already stays.
+  // A vertex that is already on the grid keeps its position.
   for (std::size_t v = n_vertices; v-- > 0;) {
     const auto found = at.find(rounded.positions[v]);
     if (found != at.end()) found->second = static_cast<Index>(v);
@@ -70,7 +70,7 @@ void snap(const std::vector<Index>& of_cut_faces, const Rounding& rounding,
   }
 }
 
-/// Makes one of the vertices of cut faces that are at one place: the lowest.
+/// Merges the vertices of cut faces that are at one place to the lowest.
 void merge(const std::vector<Index>& of_cut_faces, RoundedVertices& rounded) {
   VertexAt at;
   for (const Index v : of_cut_faces) {

@@ -7,47 +7,47 @@
 
 namespace meshalyzer {
 
-/// The vertices of an arrangement at places that are doubles.
+/// The vertices of an arrangement, rounded to doubles.
 struct RoundedVertices {
   /// The positions of the vertices of the arrangement, and of further ones that were added.
   std::vector<Vec3> positions;
-  /// #vertices of the arrangement: the vertex that stands for each, which may be an added one.
+  /// #vertices of the arrangement: the vertex that replaces each, which may be an added one.
   std::vector<Index> stands_for;
 };
 
-/// Tells how vertices are rounded in one round of cutting.
+/// The parameters of rounding in one round of cutting.
 struct Rounding {
-  /// The distance of the grid's planes; 0 where the nearest doubles will do.
+  /// The spacing of the grid; 0 for the nearest doubles.
   double spacing = 0.0;
-  /// Vertices of lower index are snapped to no grid, whatever the spacing.
+  /// Vertices of lower index are never snapped to the grid.
   Index first_to_snap = 0;
 };
 
-/// Tells how often a soup is cut and rounded at most.
+/// The largest number of rounds in which a soup is cut and rounded.
 inline constexpr std::size_t kRoundingRounds = 14;
 
-/// What the grids of the rounds depend on.
+/// The quantities on which the grids of the rounds depend.
 struct RoundingLimits {
   /// The longest side of the box of the soup as it was before all rounds.
   double extent = 0.0;
-  /// Vertices move by a share of it at most.
+  /// Vertices move by at most a share of it.
   double max_deviation = 0.0;
-  /// Tells how many vertices the soup had before all rounds.
+  /// The number of vertices of the soup before all rounds.
   Index n_input_vertices = 0;
 };
 
-/// How a round rounds: first to the nearest doubles, then to grids that become coarser.
+/// Returns the rounding of a round: first to the nearest doubles, then to grids that become
+/// coarser.
 ///
-/// @param round  Below kRoundingRounds.
+/// @param round  The number of the round, below kRoundingRounds.
 [[nodiscard]] Rounding rounding_of_round(std::size_t round, const RoundingLimits& limits);
 
-/// Rounds the vertices that were made, so that those that have come to one place become one.
+/// Rounds the new vertices, and merges those that have come to the same position.
 ///
-/// On a grid the vertices of cut faces are rounded to its nearest point, and with each all that are
-/// in the same cell, also of faces that were not cut (Valque and Lazard, Removing
-/// self-intersections of a triangle mesh with vertex snapping). The chain of all faces stays closed
-/// where it was, since each vertex goes to one place. A vertex that would move is replaced by an
-/// added one.
+/// Vertices of cut faces are rounded to the nearest point of the grid, together with all vertices
+/// in the same cell, even those of uncut faces (Valque and Lazard, Removing self-intersections of a
+/// triangle mesh with vertex snapping). A closed surface stays closed, since each vertex goes to
+/// one position. A vertex that would move is replaced by an added one.
 [[nodiscard]] RoundedVertices round_vertices(const Arrangement& arrangement,
                                              const Rounding& rounding);
 

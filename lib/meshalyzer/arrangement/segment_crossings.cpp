@@ -7,10 +7,10 @@
 namespace meshalyzer {
 namespace {
 
-/// Up to this number of segments all pairs are tested.
+/// Up to this number of segments, all pairs are tested.
 constexpr std::size_t kFewSegments = 16;
 
-/// Looks for crossings among the segments of one cluster.
+/// Searches the crossings among the segments of one cluster.
 class Crossings {
  public:
   Crossings(std::span<const FaceSimplex> simplices, const FaceCluster& cluster,
@@ -19,7 +19,7 @@ class Crossings {
     for (const ClusterSegment& s : cluster.segments) {
       if (s.line == SegmentLine::Edge || s.from == s.to) continue;
       segments_.push_back(s);
-      // Rounding is monotone: where segments meet, so do their boxes.
+      // Rounding is monotone: if segments meet, so do their boxes.
       Box3 box(points_[s.from].rounded);
       box.extend(points_[s.to].rounded);
       boxes_.push_back(box);

@@ -6,8 +6,7 @@ namespace meshalyzer {
 
 /// Finds the points inside the segments of a cluster where they cross each other.
 ///
-/// Edges of faces cross nothing that is not known from pairs of faces: segments that lie on them
-/// are left out.
+/// Segments on edges of faces are skipped: their crossings are already known from pairs of faces.
 ///
 /// @complexity  O(n log n + pairs whose boxes meet).
 [[nodiscard]] std::vector<PointName> find_segment_crossings(std::span<const FaceSimplex> simplices,

@@ -5,7 +5,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Grows a triangulation point by point, along with its hull.
+/// Builds a triangulation and its hull point by point.
 class HullSweep {
  public:
   HullSweep(Axis dropped, std::vector<const ExactPoint*> points) {
@@ -24,8 +24,8 @@ class HullSweep {
   }
 
  private:
-  /// Joins the points that begin in one line to the first that is off it.
-  /// @return  The point after that.
+  /// Joins the first, collinear points to the first point off their line.
+  /// @return  The point after it.
   Index start() {
     Index apex = 2;
     Sign side = 0;
@@ -34,8 +34,8 @@ class HullSweep {
     for (Index p = 0; p + 1 < apex; ++p) {
       const Index h = side > 0 ? t_.add_triangle(p, p + 1, apex) : t_.add_triangle(p + 1, p, apex);
       set_rim(p, p + 1, h, side);
-      // To the left of p, p + 1 the edge from the apex to p comes last; else that from p comes
-      // second.
+      // If the apex is to the left of p, p + 1, the edge from the apex to p comes last; else that
+      // from p comes second.
       const Index near = side > 0 ? h + 2 : h + 1;
       if (before != kNoIndex) t_.link(before, near);
       if (p == 0) set_rim(apex, 0, near, side);
@@ -45,8 +45,8 @@ class HullSweep {
     return apex + 1;
   }
 
-  /// Makes the edge from `from` to `to` one of the hull's, which is on its left; where the side is
-  /// negative, the one from `to` to `from`.
+  /// Makes the edge from `from` to `to` one of the hull, with the hull on its left; if the side is
+  /// negative, the edge from `to` to `from`.
   void set_rim(Index from, Index to, Index halfedge, Sign side) {
     if (side < 0) std::swap(from, to);
     ahead_[from] = to;
@@ -54,8 +54,8 @@ class HullSweep {
     rim_[from] = halfedge;
   }
 
-  /// Joins a point that comes after all others to what it sees of the hull, which begins at the
-  /// last one.
+  /// Joins a point after all others to the part of the hull that it sees, which begins at the last
+  /// point.
   void add(Index p) {
     Index front = p - 1;
     Index joint = kNoIndex;  // the half-edge from p to `front`
@@ -88,8 +88,7 @@ class HullSweep {
   }
 
   Triangulation t_;
-  /// #vertices: of those on the hull the next and the previous one, counter-clockwise, and the
-  /// half-edge to the next.
+  /// #vertices: for those on the hull the next one, counter-clockwise.
   std::vector<Index> ahead_;
   std::vector<Index> behind_;
   std::vector<Index> rim_;

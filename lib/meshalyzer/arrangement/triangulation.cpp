@@ -32,7 +32,7 @@ void Triangulation::collect_leaving(Index vertex, std::vector<Index>& halfedges)
     h = twin[previous(h)];
   } while (h != kNoIndex && h != first);
   if (h == first) return;
-  // The hull is on the left: go on to the right of the first.
+  // The hull is on the left: continue to the right of the first half-edge.
   for (h = twin[first]; h != kNoIndex; h = twin[h]) {
     h = next(h);
     halfedges.push_back(h);

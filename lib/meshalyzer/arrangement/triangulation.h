@@ -7,19 +7,19 @@
 
 namespace meshalyzer {
 
-/// A triangulation of the convex hull of points of one plane.
+/// A triangulation of the convex hull of coplanar points.
 ///
 /// Triangle t has the half-edges 3 t, 3 t + 1 and 3 t + 2, counter-clockwise in the projection.
 struct Triangulation {
-  /// An axis along which the plane projects properly.
+  /// An axis along which the plane projects to non-zero area.
   Axis dropped = Axis::Z;
   /// The points in lexicographic order, all different. The triangulation only refers to them.
   std::vector<const ExactPoint*> points;
-  /// #half-edges: the vertex that each leaves.
+  /// #half-edges: the vertex at which each begins.
   std::vector<Index> origin;
   /// #half-edges: the other half of the edge; kNoIndex on the hull.
   std::vector<Index> twin;
-  /// #half-edges: 1 where a segment asked for the edge, on both halves.
+  /// #half-edges: 1 if the edge lies on an inserted segment, on both halves.
   std::vector<std::uint8_t> constrained;
   /// #vertices: a half-edge that leaves each.
   std::vector<Index> leaving;
@@ -38,9 +38,9 @@ struct Triangulation {
   Index add_triangle(Index a, Index b, Index c);
   /// Makes h and g, which may be kNoIndex, the halves of one edge.
   void link(Index h, Index g);
-  /// Marks an edge as asked for.
+  /// Marks an edge as constrained.
   void constrain(Index h);
-  /// The half-edges that leave a vertex, in no order that means anything.
+  /// Collects the half-edges that leave a vertex, in arbitrary order.
   void collect_leaving(Index vertex, std::vector<Index>& halfedges) const;
 };
 

@@ -47,7 +47,7 @@ class WindingSearch {
     pending_.push_back(cell);
   }
 
-  /// Across pieces: behind each, what its faces enclose is one more.
+  /// Propagates the numbers across pieces: behind each piece they are higher by its multiplicity.
   void spread() {
     while (!pending_.empty()) {
       const Index cell = pending_.back();

@@ -4,19 +4,19 @@
 
 namespace meshalyzer {
 
-/// Tells how often closed components go round cells: exact winding numbers.
+/// The exact winding numbers of closed components with respect to cells.
 struct Windings {
-  /// #cells: how often its own component goes round each cell; 0 in components that are not closed
-  /// or were not asked for.
+  /// #cells: the winding number of its own component round each cell; 0 in components that are not
+  /// closed or not wanted.
   std::vector<int> own;
-  /// #components: how often the other closed components go round each one that was asked for.
+  /// #components: the winding number of the other closed components round each wanted one.
   std::vector<int> others;
 };
 
-/// Finds the winding numbers of cells: one exact ray for each component, and from there across the
-/// pieces.
+/// Finds the winding numbers of cells with one exact ray for each component, and propagates them
+/// across the pieces.
 ///
-/// @param wanted  #components: non-zero for those that are asked for.
+/// @param wanted  #components: non-zero for the wanted ones.
 [[nodiscard]] Windings find_windings(const ArrangedSoup& arranged,
                                      std::span<const std::uint8_t> wanted);
 
