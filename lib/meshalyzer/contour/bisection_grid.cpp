@@ -8,17 +8,17 @@
 namespace meshalyzer {
 namespace {
 
-/// Origins are whole multiples of so many steps: cells of 1/256 of the cube.
+/// Origins are whole multiples of this many steps: cells of 1/256 of the cube.
 constexpr double kOriginSteps = BisectionGrid::kSize / 256.0;
-/// Points on edges are whole multiples of 1/256 of a step, which must not be rounded: coordinates
-/// may have so many steps.
+/// The largest coordinate in steps: points on edges are whole multiples of 1/256 of a step, which
+/// must not be rounded.
 constexpr double kMostSteps = 0x1p44;
 
 /// The number of tetrahedra that the cube consists of.
 constexpr Index kRoots = 6;
 
-/// Returns the place in a tetrahedron's corners of the second end of the edge that is bisected; the
-/// first is corner 0.
+/// Returns the number of the corner that is the second end of the bisected edge; the first is
+/// corner 0.
 std::size_t second_end(const GridTetrahedron& t) {
   return 3 - t.level % 3;
 }
@@ -64,8 +64,8 @@ Place place_of(const LatticePoint& p) {
   return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
 }
 
-/// Positive on one side of the plane through three points, negative on the other. Exact for lattice
-/// points: no product needs more than 53 bits.
+/// Returns a value that is positive on one side of the plane through three points, and negative on
+/// the other. It is exact for lattice points: no product needs more than 53 bits.
 double side(const Place& a, const Place& b, const Place& c, const Place& p) {
   const std::array<double, 3> u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
   const std::array<double, 3> v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
@@ -74,8 +74,8 @@ double side(const Place& a, const Place& b, const Place& c, const Place& p) {
          w[2] * (u[0] * v[1] - u[1] * v[0]);
 }
 
-/// On which side of the plane that bisects a tetrahedron a point of it lies: positive in the first
-/// half, negative in the second, 0 in both.
+/// Tells in which half of a tetrahedron a point of it lies: positive in the first half, negative in
+/// the second, 0 in both.
 double half_of(const GridTetrahedron& t, const Place& p) {
   const std::size_t k = second_end(t);
   std::array<Place, 2> others;
@@ -98,7 +98,7 @@ bool is_in_root(const GridTetrahedron& t, const Place& p) {
   const auto same_side = [&p](const Place& u, const Place& v, const Place& w, const Place& apex) {
     return side(u, v, w, apex) * side(u, v, w, p) >= 0.0;
   };
-  // Two faces of a root lie in faces of the cube.
+  // Two faces of each of these tetrahedra lie in faces of the cube.
   return same_side(a, b, d, c) && same_side(a, c, d, b);
 }
 
@@ -109,7 +109,8 @@ BisectionGrid::BisectionGrid(const Box3& box) {
   if (!(longest > 0.0) || !(longest <= 0x1p900) || !(longest >= 0x1p-900)) {
     throw InvalidArgument("the box of a grid is empty, a point, or not finite");
   }
-  // The power of two above 9/8 of the longest side and the cell by which the origin is rounded.
+  // The size is the power of two above 9/8 of the longest side plus the cell by which the origin is
+  // rounded.
   step_ = std::ldexp(1.0, std::ilogb(longest * 1.2) + 1) / kSize;
   const double cell = kOriginSteps * step_;
   const Vec3 spare = (Vec3::Constant(kSize * step_) - box.sizes()) / 2.0;
@@ -133,8 +134,8 @@ void BisectionGrid::bisect(Index number) {
   }
 }
 
-// The tetrahedra of one level that share the edge of which the middle is taken are bisected
-// together: so all that they are parts of must have been bisected before.
+// All tetrahedra that share the bisected edge are bisected together and must be of the same level:
+// so coarser ones are bisected before.
 std::vector<Index> BisectionGrid::all_round_edge(Index number) {
   const GridTetrahedron t = tetrahedron(number);
   const Place a = place_of(t.corners[0]);

@@ -10,19 +10,19 @@
 
 namespace meshalyzer {
 
-/// A vertex of a BisectionGrid in whole steps from its origin, 0 ... BisectionGrid::kSize each.
+/// A vertex of a BisectionGrid: whole steps from its origin, each from 0 to BisectionGrid::kSize.
 using LatticePoint = std::array<std::int32_t, 3>;
 
 /// A tetrahedron of a BisectionGrid. Its corners are in the order in which Maubach's rule bisects
 /// it, so it may be oriented either way.
 struct GridTetrahedron {
   std::array<LatticePoint, 4> corners;
-  /// Tells how many bisections made it of one of the six that the cube consists of.
+  /// The number of bisections that made it of one of the six tetrahedra of the cube.
   std::uint32_t level = 0;
 };
 
-/// A cube divided into tetrahedra, finer where that is asked for, and always conforming: two
-/// tetrahedra share a corner, an edge, a face or nothing.
+/// A cube divided into tetrahedra by local refinement. It is always conforming: two tetrahedra
+/// share a corner, an edge, a face or nothing.
 ///
 /// The cube consists of six tetrahedra round one diagonal (Kuhn's division), and each is divided by
 /// bisection of one edge, the longest (Maubach 1995, "Local bisection refinement for n-simplicial
@@ -30,55 +30,55 @@ struct GridTetrahedron {
 /// All corners are whole multiples of a power of two, so that nothing is ever rounded.
 class BisectionGrid {
  public:
-  /// The cube's edge in steps.
+  /// The length of the cube's edge in steps.
   static constexpr std::int32_t kSize = 1 << 16;
-  /// No tetrahedron is of a higher level: edges would be shorter than a step.
+  /// The highest level of a tetrahedron; beyond it edges would be shorter than a step.
   static constexpr std::uint32_t kMaxLevel = 3 * 16;
 
-  /// Makes a cube that holds a box, with at least a sixteenth of the box's longest side to spare
-  /// all round.
+  /// Makes a cube that contains a box with a margin of at least a sixteenth of the box's longest
+  /// side.
   ///
-  /// @param box  Not empty, finite, and more than a point.
-  /// @throws InvalidArgument  for another box, and where the coordinates of the box have too few
-  /// bits left for its size, so that steps could not be told apart.
+  /// @param box  A finite box that is neither empty nor a point.
+  /// @throws InvalidArgument  for any other box, and if the coordinates are so large relative to
+  ///     the size of the box that steps would be rounded.
   explicit BisectionGrid(const Box3& box);
 
   /// Returns the length of a step: a power of two.
   [[nodiscard]] double step() const { return step_; }
-  /// The place of the lattice point 0, 0, 0: a whole multiple of `kSize` / 256 steps.
+  /// Returns the position of the lattice point 0, 0, 0, a whole multiple of `kSize` / 256 steps.
   [[nodiscard]] const Vec3& origin() const { return origin_; }
-  /// Returns the place of a lattice point, exactly.
+  /// Returns the exact position of a lattice point.
   [[nodiscard]] Vec3 place(const LatticePoint& point) const;
 
-  /// A tetrahedron that is or was one of the grid, by its number.
+  /// Returns a tetrahedron that is or was part of the grid.
   [[nodiscard]] const GridTetrahedron& tetrahedron(Index number) const {
     return nodes_[number].tetrahedron;
   }
 
-  /// Bisects a tetrahedron, and others with it where the grid would not be conforming otherwise.
-  /// Does nothing where it has been bisected already, or is of the highest level.
+  /// Bisects a tetrahedron, and others as far as needed to keep the grid conforming. It does
+  /// nothing if the tetrahedron is already bisected or of the highest level.
   ///
-  /// @param number      Of a tetrahedron; it keeps its number, its parts get numbers of their own.
+  /// @param number      The number of a tetrahedron, which keeps it; its halves get new numbers.
   /// @complexity        O(level) on average.
   void bisect(Index number);
 
-  /// Returns the numbers of the two parts of a tetrahedron that has been bisected; nothing where it
-  /// is whole.
+  /// Returns the numbers of the two halves of a bisected tetrahedron, or nothing if it is not
+  /// bisected.
   [[nodiscard]] std::optional<std::array<Index, 2>> halves(Index number) const;
 
-  /// Returns the number of the tetrahedron that holds a point; of several the first.
+  /// Returns the number of the tetrahedron that contains a point, the first if there are several.
   ///
-  /// @param place  In the cube.
+  /// @param place  A point in the cube.
   /// @complexity   O(level).
   [[nodiscard]] Index leaf_at(const Vec3& place) const;
 
-  /// Returns the numbers of all tetrahedra that are whole, in an order in space.
+  /// Returns the numbers of all tetrahedra that are not bisected, in a spatial order.
   [[nodiscard]] std::vector<Index> leaves() const;
 
  private:
   struct Node {
     GridTetrahedron tetrahedron;
-    /// The number of the first half, which the second follows; kNoIndex where it is whole.
+    /// The number of the first half, which the second follows; kNoIndex if it is not bisected.
     Index halves = kNoIndex;
   };
 
@@ -86,17 +86,17 @@ class BisectionGrid {
 
   Vec3 origin_ = Vec3::Zero();
   double step_ = 1.0;
-  /// First the six that the cube consists of.
+  /// All tetrahedra, beginning with the six of the cube.
   std::vector<Node> nodes_;
 };
 
-/// One number for each lattice point; in order of z, then y, then x.
+/// Packs a lattice point into one number, ordered by z, then y, then x.
 [[nodiscard]] constexpr std::uint64_t packed(const LatticePoint& p) {
   return static_cast<std::uint64_t>(p[2]) << 42U | static_cast<std::uint64_t>(p[1]) << 21U |
          static_cast<std::uint64_t>(p[0]);
 }
 
-/// Returns the point that packed() has made a number of.
+/// Returns the point of a number made by packed().
 [[nodiscard]] constexpr LatticePoint unpacked(std::uint64_t number) {
   constexpr std::uint64_t kMask = (1U << 21U) - 1;
   return {static_cast<std::int32_t>(number & kMask),

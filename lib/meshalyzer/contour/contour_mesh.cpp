@@ -19,22 +19,23 @@
 namespace meshalyzer {
 namespace {
 
-/// Where nothing is known yet, cells have edges of 1/32 of the grid's cube.
+/// The initial cells have edges of 1/32 of the grid's cube.
 constexpr std::uint32_t kFirstLevel = 3 * 5;
 /// Points of the mesh are taken at this distance, as a share of its diagonal.
 constexpr double kSpacing = 1.0 / 128.0;
-/// The sides of a face are looked at from this distance, as a share of the maximum deviation.
+/// The sides of a face are sampled at this distance, as a share of the maximum deviation.
 constexpr double kReach = 1.0 / 16.0;
 /// Points along creases are taken at this distance, as a multiple of the maximum deviation.
 constexpr double kCreaseSpacing = 2.0;
-/// There are at most about so many points along creases, and pieces of faces that meet others.
+/// The approximate largest number of points along creases, and of pieces of intersecting faces.
 constexpr double kMostPieces = 1e5;
-/// An edge is a crease where the normals of its faces are farther apart than about four degrees.
+/// An edge is a crease if the normals of its faces differ by more than about four degrees.
 constexpr double kCosCrease = 0.9975;
-/// A tetrahedron in which the contour is too far away is bisected at most so many times at once.
+/// The largest number of bisections at a time of a tetrahedron in which the contour is too far
+/// away.
 constexpr double kMostBisections = 6.0;
 
-/// A mesh, what is built for it, and points of the part of it that bounds its solid.
+/// A mesh with its search structures, and points of the part of it that bounds its solid.
 struct Target {
   explicit Target(const Soup& mesh)
       : soup(mesh), cut(build(mesh)), tree(cut), region(mesh, tree), closest(tree) {}
@@ -47,7 +48,7 @@ struct Target {
   SurfaceParts parts;
 };
 
-/// Faces that others meet, inside or outside of which a part of them may lie.
+/// Marks the faces that intersect others, of which a part may lie inside or outside.
 std::vector<std::uint8_t> intersecting_faces(const Target& target) {
   std::vector<std::uint8_t> result(target.soup.n_faces());
   for (const IntersectingPair& pair : find_self_intersections(target.cut, target.tree)) {
@@ -90,7 +91,7 @@ std::vector<std::uint8_t> find_creases(const Target& target) {
       mark(h);
       mark(opposite);
     } else if (normal(mesh.face_handle(h)).dot(normal(mesh.face_handle(opposite))) < kCosCrease) {
-      // Once is enough.
+      // One entry for each place is enough.
       mark(h);
     }
   }
@@ -104,7 +105,7 @@ Soup soup_of(const Contour& contour) {
   return soup;
 }
 
-/// Returns the distances of points from a surface; infinite where there is none.
+/// Returns the distances of points to a surface, infinite if it is empty.
 std::vector<double> distances(const std::vector<Vec3>& points, const ClosestPoints& surface) {
   std::vector<double> result(points.size(), std::numeric_limits<double>::infinity());
   parallel_chunks(points.size(), [&](Chunk chunk) {
@@ -119,7 +120,7 @@ std::vector<double> distances(const std::vector<Vec3>& points, const ClosestPoin
   return result;
 }
 
-/// Returns the corners and the middle of each triangle of a contour.
+/// Returns the corners and the centroid of each triangle of a contour.
 std::vector<Vec3> points_of(const Contour& contour) {
   std::vector<Vec3> points;
   points.reserve(4 * contour.triangles.size());
@@ -172,7 +173,8 @@ class ContourSearch {
     for (std::size_t i = 0; i < far_.size(); ++i) refine_at(far_[i].first, levels[i]);
   }
 
-  /// Bisects what holds a point until it is of a level, which may be beyond the highest.
+  /// Bisects the tetrahedron that contains a point until it has a level, which may be beyond the
+  /// highest.
   void refine_at(const Vec3& point, std::uint32_t level) {
     const std::uint32_t last = std::min(level, BisectionGrid::kMaxLevel);
     for (Index t = grid_.leaf_at(point); grid_.tetrahedron(t).level < last;
@@ -218,7 +220,7 @@ class ContourSearch {
   std::vector<Index> leaves_;
   GridLabels labels_;
   Contour contour_;
-  /// Points of one surface that are too far from the other, and how far.
+  /// The points of one surface that are too far from the other, with their distances.
   std::vector<std::pair<Vec3, double>> far_;
   double deviation_ = 0.0;
 };

@@ -10,37 +10,39 @@
 
 namespace meshalyzer {
 
-/// What contour_mesh() may do.
+/// The limits of contour_mesh().
 struct ContourLimits {
-  /// The contour and the part of the mesh that bounds its solid are to be at most so far apart;
+  /// The largest distance between the contour and the part of the mesh that bounds its solid;
   /// positive, in the mesh's unit.
   double max_deviation = 0.0;
-  /// The grid has at most so many tetrahedra.
+  /// The largest number of tetrahedra of the grid.
   std::size_t max_tetrahedra = 4'000'000;
 };
 
-/// What contour_mesh() has made.
+/// The result of contour_mesh().
 struct ContouredMesh {
-  /// Closed, manifold, outward, and free of self-intersections, or without faces.
+  /// The mesh, which is closed, manifold, outward and free of self-intersections, or has no faces.
   Soup soup;
-  /// Faces of the mesh, or pieces of them, that do not bound the solid: walls inside it, and sheets
-  /// outside.
+  /// The faces of the input, or pieces of them, that do not bound the solid: walls inside it, and
+  /// sheets outside.
   std::vector<Corners> walls;
-  /// Tells how far the surfaces are apart, at the points that were looked at.
+  /// The largest distance between the surfaces at the sample points.
   double deviation = 0.0;
-  /// Tells whether that is within the limit. Where not, the grid would have needed more tetrahedra.
+  /// Tells whether the deviation is within the limit. If not, the grid would have needed more
+  /// tetrahedra.
   bool is_within = false;
 };
 
-/// Makes a mesh that bounds the solid which another mesh means (MeshRegion), whatever is wrong with
-/// that one: open, crossing itself, not manifold.
+/// Makes a mesh that bounds the solid which another mesh represents (MeshRegion), even if that mesh
+/// is open, intersects itself or is not manifold.
 ///
-/// Draws a contour in a grid of tetrahedra (march_tetrahedra()), looks where it is too far from the
-/// mesh or the mesh from it, refines the grid there, and begins again. Walls are left out of the
-/// comparison, and so is what the contour spans holes with.
+/// It extracts a contour in a grid of tetrahedra (march_tetrahedra()), finds where the contour and
+/// the mesh are too far apart, refines the grid there, and repeats. The comparison excludes walls,
+/// and the parts of the contour that span holes.
 ///
-/// @return     Nothing where the mesh has no extent, or its coordinates leave no room for a grid.
-/// @complexity O(tetrahedra log tetrahedra) a round; about 400 bytes a tetrahedron.
+/// @return     Nothing if the mesh has no extent, or its coordinates are too large relative to its
+///             size for a grid.
+/// @complexity O(tetrahedra log tetrahedra) per round; about 400 bytes per tetrahedron.
 [[nodiscard]] std::optional<ContouredMesh> contour_mesh(const Soup& soup,
                                                         const ContourLimits& limits);
 

@@ -10,7 +10,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Vertices of a contour divide edges into so many parts, and keep so many of them away from ends.
+/// Vertices of a contour lie at multiples of 1/kParts of an edge, and keep a distance from its
+/// ends.
 constexpr int kParts = 256;
 constexpr int kLeastParts = 8;
 
@@ -32,14 +33,15 @@ struct CrossedEdge {
   [[nodiscard]] std::uint64_t key() const { return std::uint64_t{inside} << 32U | outside; }
 };
 
-/// A tetrahedron as the contour sees it.
+/// A tetrahedron with the labels of its vertices.
 struct LabelledTetrahedron {
-  /// The vertices in the region first; an even permutation of a positively oriented tetrahedron.
+  /// The vertices, those in the region first, as an even permutation of a positively oriented
+  /// tetrahedron.
   std::array<Index, 4> vertices{};
   int n_inside = 0;
 
-  /// Returns the edges that the contour crosses, in order round its polygon as seen from outside
-  /// the region.
+  /// Returns the edges that the contour crosses, counter-clockwise round its polygon as seen from
+  /// outside the region.
   [[nodiscard]] std::array<CrossedEdge, 4> polygon() const {
     const auto& [a, b, c, d] = vertices;
     switch (n_inside) {
@@ -55,8 +57,8 @@ struct LabelledTetrahedron {
   [[nodiscard]] std::size_t n_corners() const { return n_inside == 2 ? 4 : 3; }
 };
 
-/// Six times the volume, positive where the normal of corners 1, 2, 3 points away from corner 0.
-/// Exact.
+/// Returns exactly six times the volume, positive if the normal of corners 1, 2, 3 points away from
+/// corner 0.
 std::int64_t orientation(const GridTetrahedron& t) {
   std::array<std::array<std::int64_t, 3>, 3> e;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -88,7 +90,7 @@ LabelledTetrahedron labelled(const GridTetrahedron& t, const GridLabels& labels)
     ++next;
   }
   if (!is_even) {
-    // Two of the same label change places.
+    // Two vertices of the same label are exchanged.
     if (result.n_inside >= 2) {
       exchange(0, 1);
     } else {

@@ -11,9 +11,9 @@
 namespace meshalyzer {
 namespace {
 
-/// From which winding number on a point belongs to the region.
+/// A point belongs to the region from this winding number on.
 constexpr double kInside = 0.5;
-/// Points whose winding numbers are nearer than this to kInside lie at a hole.
+/// Points whose winding numbers differ by less than this from kInside lie at a hole.
 constexpr double kMidway = 0.25;
 
 std::vector<Corners> faces_in_complex(const Soup& soup) {
@@ -24,8 +24,8 @@ std::vector<Corners> faces_in_complex(const Soup& soup) {
   return result;
 }
 
-/// Where a segment meets a triangle, as a share of its length; within rounding (Möller and Trumbore
-/// 1997, "Fast, minimum storage ray/triangle intersection").
+/// Returns where a segment meets a triangle, as a share of its length, up to rounding (Möller and
+/// Trumbore 1997, "Fast, minimum storage ray/triangle intersection").
 std::optional<double> share_to(const Corners& t, const Vec3& from, const Vec3& to) {
   constexpr double kRounding = 0x1p-40;
   const Vec3 along = to - from;
@@ -44,7 +44,7 @@ std::optional<double> share_to(const Corners& t, const Vec3& from, const Vec3& t
   return share;
 }
 
-/// Collects where a segment meets the faces of a tree.
+/// Collects the points where a segment meets the faces of a tree.
 class SegmentHits {
  public:
   SegmentHits(const FaceTree& tree, const Vec3& from, const Vec3& to)

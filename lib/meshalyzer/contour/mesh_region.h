@@ -7,26 +7,27 @@
 
 namespace meshalyzer {
 
-/// The solid that a mesh means, also where the mesh is open, cuts itself or has doubled walls: the
-/// points that its surface goes round at least half a time, either way (Jacobson et al. 2013,
+/// The solid that a mesh represents, even if the mesh is open, intersects itself or has doubled
+/// walls: the points whose winding number is at least one half in magnitude (Jacobson et al. 2013,
 /// "Robust inside-outside segmentation using generalized winding numbers").
 ///
-/// An estimate: what is built on it must hold for any answers.
+/// The region is an estimate: algorithms that use it must be correct for any answers.
 class MeshRegion : public Region {
  public:
-  /// @param soup  Its faces in the complex are the surface.
-  /// @param tree  Over these faces; must outlive this.
+  /// @param soup  The mesh, whose faces in the complex are the surface.
+  /// @param tree  The tree over these faces, which must outlive this object.
   MeshRegion(const Soup& soup, const FaceTree& tree);
 
   [[nodiscard]] bool contains(const Vec3& point) const override;
 
   /// Tells whether the boundary of the region may lie at a point although the mesh has no face
-  /// there: a closed mesh goes round every point a whole number of times, so there is a hole to be
-  /// spanned where the number lies midway between whole ones.
+  /// there. The winding numbers of a closed mesh are whole, so a hole must be spanned where the
+  /// number lies midway between whole ones.
   [[nodiscard]] bool spans_hole_at(const Vec3& point) const;
 
-  /// Where the surface is met between the two points, or, where it is met several times, the first
-  /// time that leads out of the region; where it has a hole there, where contains() changes.
+  /// Returns the point where the segment meets the surface, or if there are several the first that
+  /// leads out of the region. If the surface has a hole there, it is the point where contains()
+  /// changes.
   [[nodiscard]] double crossing(const Vec3& inside, const Vec3& outside) const override;
 
  private:

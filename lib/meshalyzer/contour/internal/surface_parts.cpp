@@ -9,10 +9,10 @@
 namespace meshalyzer {
 namespace {
 
-/// Looks at one face.
+/// Divides one face into parts that separate the region and parts that do not.
 class FaceDivision {
  public:
-  /// @param normal  Of unit length.
+  /// @param normal  The unit normal of the face.
   FaceDivision(const Region& region, const PartsResolution& resolution, const Vec3& normal)
       : region_(region), resolution_(resolution), step_(normal * resolution.reach) {}
 
@@ -39,7 +39,7 @@ class FaceDivision {
         parts.walls.push_back(t);
       }
     }
-    // Where no face meets another, what holds in the midst of it holds at its edges.
+    // If no other face meets this one, a property of its interior also holds at its edges.
     const bool any_separates = parts.separating.size() > n_before;
     if (any_separates || may_change_inside) {
       add_crease_points(face, may_change_inside, creases, parts);
@@ -58,7 +58,7 @@ class FaceDivision {
     return region_.contains(p + step_) != region_.contains(p - step_);
   }
 
-  /// Tells whether one part of a piece separates and another does not, as far as four points tell.
+  /// Tells whether, at four sample points, one part of a piece separates and another does not.
   [[nodiscard]] bool changes_inside(const Corners& t, const Vec3& middle) const {
     constexpr double kInwards = 1.0 / 64.0;
     const bool at_middle = separates(middle);
@@ -67,7 +67,7 @@ class FaceDivision {
     });
   }
 
-  /// Adds points along creases, which middles leave out.
+  /// Adds points along creases, which centroids miss.
   void add_crease_points(const Corners& t, bool may_change_inside, unsigned creases,
                          SurfaceParts& parts) const {
     for (std::size_t i = 0; i < 3; ++i) {

@@ -10,40 +10,38 @@
 
 namespace meshalyzer {
 
-/// Tells which parts of a surface separate a region from the rest of space.
+/// The parts of a surface that separate a region from the rest of space, and those that do not.
 struct SurfaceParts {
-  /// Points all over the parts that do.
+  /// Points distributed over the separating parts.
   std::vector<Vec3> separating;
-  /// The parts that do not, because they lie in the midst of the region or outside: faces, or
-  /// pieces of faces.
+  /// The other parts, faces or pieces of faces, which lie in the interior of the region or outside.
   std::vector<Corners> walls;
 };
 
-/// Tells how closely divide_surface() looks.
+/// The resolution of divide_surface().
 struct PartsResolution {
   /// Neighbouring points are at most about this far apart.
   double spacing = 0.0;
-  /// What is on the two sides of a face is asked at this distance from it.
+  /// The two sides of a face are sampled at this distance from it.
   double reach = 0.0;
   /// Neighbouring points along creases are at most this far apart.
   double crease_spacing = 0.0;
-  /// Pieces of faces of which one part separates and another does not are divided until they are as
-  /// small as this.
+  /// Pieces of which one part separates and another does not are divided down to this size.
   double least_piece = 0.0;
 };
 
-/// What is known of the faces of a mesh.
+/// Properties of the faces of a mesh that are known beforehand.
 struct FaceHints {
   /// #F: 1 for faces of which one part may separate and another may not.
   std::vector<std::uint8_t> changes_inside;
-  /// #F: bit k says that the edge which begins at corner k is a crease.
+  /// #F: bit k is set if the edge that begins at corner k is a crease.
   std::vector<std::uint8_t> creases;
 };
 
 /// Finds which parts of a mesh separate a region from the rest of space.
 ///
-/// @complexity  O(#F + points), two to eight questions to the region for each piece, and for each
-/// point of a crease of a face that may change inside.
+/// @complexity  O(#F + points), with two to eight calls of the region for each piece, and for each
+///              crease point of a face that may change inside.
 [[nodiscard]] SurfaceParts divide_surface(const Soup& soup, const Region& region,
                                           const FaceHints& hints,
                                           const PartsResolution& resolution);
