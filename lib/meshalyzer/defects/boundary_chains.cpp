@@ -18,7 +18,7 @@ using Edge = std::array<Index, 2>;
 std::vector<Index> vertices_of(const CutMesh& cut, const BoundaryLoop& loop) {
   Edge first = file_ends(cut, loop.halfedges[0]);
   if (loop.halfedges.size() > 1) {
-    // No two border edges have both their ends in common, so this tells the direction, which need
+    // No two border edges have both ends in common, so this determines the direction, which need
     // not be that of the half-edge.
     const Edge second = file_ends(cut, loop.halfedges[1]);
     if (first[1] != second[0] && first[1] != second[1]) std::swap(first[0], first[1]);
@@ -37,7 +37,7 @@ class WalkCutter {
  public:
   explicit WalkCutter(std::size_t n_vertices) : place_(n_vertices, kNoIndex) {}
 
-  /// @param walk  The vertices that are passed; a loop does not repeat the first.
+  /// @param walk  The vertices of the walk; a loop does not repeat the first.
   void cut(const std::vector<Index>& walk, BoundaryShape shape,
            std::vector<BoundaryChain>& chains) {
     for (const Index v : walk) {
@@ -52,7 +52,7 @@ class WalkCutter {
   }
 
  private:
-  /// Takes the vertices from a place on out of open_.
+  /// Removes the vertices from a position on from open_ and returns them.
   std::vector<Index> take_from(std::size_t begin) {
     std::vector<Index> taken(open_.begin() + static_cast<std::ptrdiff_t>(begin), open_.end());
     open_.resize(begin);
@@ -62,7 +62,7 @@ class WalkCutter {
 
   /// Vertices that have been passed and are in no finished loop.
   std::vector<Index> open_;
-  /// #V: the place of each vertex in open_; kNoIndex where it is not there.
+  /// #V: the position of each vertex in open_; kNoIndex if it is not there.
   std::vector<Index> place_;
 };
 

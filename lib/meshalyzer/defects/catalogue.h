@@ -7,7 +7,7 @@
 
 namespace meshalyzer {
 
-/// Tells how a measured value is told: "height 0.1", "1 face", "2 faces".
+/// The words for a measured value: "height 0.1", "1 face", "2 faces".
 struct MeasuredWords {
   std::string_view before = "measured";
   std::string_view one = {};
@@ -19,7 +19,7 @@ struct CatalogueEntry {
   DefectCode code;
   /// The name for programs, such as "flat-facet". It never changes.
   std::string_view name;
-  /// A few words, for pages.
+  /// Describes the defect in a few words, for pages.
   std::string_view summary;
   Severity severity;
   /// Says in sentences when a mesh has the defect.

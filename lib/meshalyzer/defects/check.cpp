@@ -32,7 +32,7 @@ std::vector<std::array<Index, 2>> border_edge_ends(const CutMesh& cut) {
   return edges;
 }
 
-/// Returns the segments of all polylines but those of length 0, which have no direction.
+/// Returns the segments of all polylines except those of length 0, which have no direction.
 std::vector<Segment> segments_of(std::span<const Polyline> polylines) {
   std::vector<Segment> segments;
   for (const Polyline& line : polylines) {

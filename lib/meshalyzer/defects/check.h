@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// Tells how thoroughly check() checks; doc/defects.md has a table of the levels.
+/// The thoroughness of check(); doc/defects.md has a table of the levels.
 enum class CheckLevel : std::uint8_t {
   /// Every mesh is valid.
   None,
@@ -23,18 +23,18 @@ enum class CheckLevel : std::uint8_t {
 /// Points along an edge of a body, in order, that the border of a face's mesh must run through.
 using Polyline = std::vector<Vec3>;
 
-/// Says what check() checks.
+/// The options of check().
 struct CheckOptions {
   CheckLevel level = CheckLevel::Full;
   ToleranceOptions tolerances = {};
   /// Tells whether the mesh is that of a single face of a body.
   bool is_single_face = false;
-  /// The border of a single face must match these; where there are none, any border will do. The
-  /// caller keeps them.
+  /// The polylines that the border of a single face must match; if there are none, any border is
+  /// accepted. The caller keeps them.
   std::span<const Polyline> polylines = {};
 };
 
-/// Lists what makes a mesh invalid at the level that was asked for.
+/// The result of check(): what makes a mesh invalid at the requested level.
 struct CheckResult {
   DefectReport report;
   /// Segments of polylines that no border edge matches within the slit tolerance, and border edges

@@ -40,7 +40,7 @@ inline constexpr std::size_t kDefectCodes = 15;
 /// Returns the name of a code in reports: "disjoint", "foldover", "flat-facet", ...
 [[nodiscard]] std::string_view defect_name(DefectCode code);
 
-/// Returns the code that has a name; nothing where none has it.
+/// Returns the code with the given name, or nothing if no code has it.
 [[nodiscard]] std::optional<DefectCode> defect_code(std::string_view name);
 
 /// A set of defect codes.
@@ -68,7 +68,7 @@ class DefectCodes {
   std::bitset<kDefectCodes> bits_;
 };
 
-/// Tells how bad a defect is.
+/// The severity of a defect.
 enum class Severity : std::uint8_t {
   /// The mesh bounds no solid, or a program that trusts it may fail.
   Error,
@@ -96,7 +96,7 @@ struct Defect {
   /// The measured value, and the limit that it passes; CatalogueEntry::value says what they are.
   std::optional<double> value;
   std::optional<double> limit;
-  /// The 1-based line of the file where no record stands for the defect; else nothing.
+  /// The 1-based line of the file if no record stands for the defect; else nothing.
   std::optional<std::size_t> line = std::nullopt;
   /// Says what no list can hold, such as the id of a vertex that does not exist; mostly empty.
   std::string detail;

@@ -37,8 +37,7 @@ void add_positions(const Soup& soup, std::vector<Defect>& defects) {
   }
 }
 
-/// Returns the sets of records that have an id in common, each ascending, in order of their first
-/// record.
+/// Returns the sets of records with the same id, each ascending, in order of their first record.
 std::vector<std::vector<Index>> find_namesakes(const Ids& ids) {
   const std::vector<Index> repeated = find_repeated_ids(ids);
   if (repeated.empty()) return {};

@@ -29,7 +29,7 @@ class Search {
   Search(const DefectCodes& codes, const Tolerances& tolerances)
       : codes_(codes), tolerances_(tolerances) {}
 
-  /// Looks for what can be seen in the records alone, wherever the vertices are.
+  /// Runs the finders that need only the records, not the positions of vertices.
   void search_records(const Soup& soup) {
     add(DefectCode::Corrupt, [&] { return find_corrupt(soup); });
     add(DefectCode::OrphanVertex, [&] { return find_orphans(soup); });
@@ -47,8 +47,8 @@ class Search {
       finders_.emplace_back([&] { search_thin_facets(mesh); });
     }
     run_at_once();
-    // One after the other, each parallel within. Several of these ask for the intersecting pairs:
-    // at the same time, all but the first would wait.
+    // The finders run one after the other, each in parallel. Several of them need the intersecting
+    // pairs: if they ran at the same time, all but the first would wait.
     add(DefectCode::Foldover, [&] { return find_foldovers(mesh, tolerances_); });
     add(DefectCode::SelfIntersection, [&] { return find_self_intersection_patches(mesh); });
     add(DefectCode::Inward, [&] { return find_inward(mesh); });
@@ -109,7 +109,7 @@ DefectReport make_report(Findings findings, Tolerances tolerances, std::size_t m
   return report;
 }
 
-/// @param mesh  Null where the soup's positions are not finite, and so there is none.
+/// @param mesh  The mesh, or null if it cannot be built because positions are not finite.
 DefectReport find_in(const Soup& soup, const PreparedMesh* mesh, const DefectOptions& options) {
   const Box3 box = mesh != nullptr ? used_box(soup) : Box3();
   const Tolerances tolerances = resolve_tolerances(options.tolerances, box);

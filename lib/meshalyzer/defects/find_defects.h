@@ -11,12 +11,12 @@
 
 namespace meshalyzer {
 
-/// Says what find_defects() looks for, and how much it lists.
+/// The options of find_defects(): what to search, and how much to list.
 struct DefectOptions {
-  /// The finders look for these.
+  /// The codes to search for.
   DefectCodes codes = DefectCodes::all();
   ToleranceOptions tolerances = {};
-  /// The largest number of defects that are listed; 0 lists all. Counts are complete all the same.
+  /// The largest number of defects that are listed; 0 lists all. Counts are complete in any case.
   std::size_t max_defects = 0;
 };
 
@@ -45,11 +45,11 @@ struct DefectReport {
 /// The result does not depend on the number of threads. A mesh with a position that is not finite
 /// is only searched for corrupt records, orphan vertices and breaks of the numbering.
 ///
-/// @throws InvalidArgument  where resolve_tolerances() does.
+/// @throws InvalidArgument  if resolve_tolerances() does.
 /// @complexity  O(#F log #F) for meshes whose faces meet few others.
 [[nodiscard]] DefectReport find_defects(const Soup& soup, const DefectOptions& options = {});
 
-/// Does the same for a prepared mesh.
+/// Finds the defects of a prepared mesh.
 [[nodiscard]] DefectReport find_defects(const PreparedMesh& mesh,
                                         const DefectOptions& options = {});
 

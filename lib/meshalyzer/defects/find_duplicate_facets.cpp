@@ -28,14 +28,14 @@ std::vector<Triangle> find_repeated_triangles(const PreparedMesh& mesh) {
 }
 
 struct Copy {
-  /// The place of its triangle among the repeated ones.
+  /// The position of its triangle among the repeated ones.
   Index triangle;
   Index face;
 };
 
 /// Returns all faces that name a repeated triangle, the first of each included, ascending.
 std::vector<Copy> find_copies(const Soup& soup, const std::vector<Triangle>& repeated) {
-  // Most faces are told apart by their lowest vertex.
+  // The lowest vertex already distinguishes most faces.
   std::vector<std::uint8_t> is_lowest(soup.n_vertices(), 0);
   for (const Triangle& t : repeated) is_lowest[t[0]] = 1;
   const auto parts = map_chunks<std::vector<Copy>>(soup.n_faces(), [&](Chunk chunk) {

@@ -17,7 +17,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Areas that differ by no more than this share of the larger are the same but for rounding.
+/// Areas that differ by at most this share of the larger one count as equal.
 constexpr double kSameArea = 1e-9;
 
 /// The faces of a region that agree with each other.
@@ -26,7 +26,7 @@ struct Side {
   std::size_t n_faces = 0;
 };
 
-/// The patches (see find_oriented_regions()) and the regions that they make up, joined through
+/// The patches (see find_oriented_regions()) and the regions that they form when joined through
 /// flipped edges. A region is named by its lowest patch, which is on its first side.
 class Regions {
  public:
@@ -50,14 +50,14 @@ class Regions {
   [[nodiscard]] Index patch_of(std::size_t mesh_face) const { return patches_.of_face[mesh_face]; }
   [[nodiscard]] Index region_of(Index patch) const { return region_[patch]; }
   [[nodiscard]] bool is_one_sided(Index patch) const { return one_sided_[region_[patch]] != 0; }
-  /// Tells whether a patch is on the side that is to be turned.
+  /// Tells whether a patch is on the side that is to be reversed.
   [[nodiscard]] bool is_turned(Index patch) const {
     return !is_one_sided(patch) && side_[patch] == turned_side_[region_[patch]];
   }
 
  private:
-  /// Joins patches that have to be turned together. Each patch has two elements, one for leaving it
-  /// as it is (2 p) and one for turning it over (2 p + 1), as in find_orientability().
+  /// Joins patches that must be reversed together. Each patch has two nodes, one for keeping it (2
+  /// p) and one for reversing it (2 p + 1), as in find_orientability().
   void join_patches() {
     const CutEdges& flipped = cut_.side.flipped_edges;
     for (std::size_t i = 0; i < flipped.size(); ++i) {
@@ -85,8 +85,9 @@ class Regions {
     std::transform(sides.begin(), sides.end(), turned_side_.begin(), smaller_side);
   }
 
-  /// Returns the side with less area or, where areas are equal, fewer faces; where these are equal
-  /// too the second side, which has not the lowest face. Areas too large for a double are equal.
+  /// Returns the side with less area or, where areas are equal, fewer faces; if these are equal
+  /// too, the second side, which does not have the lowest face. Areas too large for a double are
+  /// equal.
   static std::uint8_t smaller_side(const std::array<Side, 2>& sides) {
     const double a = sides[0].area.value();
     const double b = sides[1].area.value();
@@ -102,13 +103,13 @@ class Regions {
   /// The region of each patch, and the side of that on which it is.
   std::vector<Index> region_;
   std::vector<std::uint8_t> side_;
-  /// Tells for each region whether no turning makes it consistent (1), and the side to be turned.
+  /// #regions: 1 if no reversal makes the region consistent.
   std::vector<std::uint8_t> one_sided_;
   std::vector<std::uint8_t> turned_side_;
 };
 
-/// Makes the defects of the patches to be turned and of one-sided regions, each when its lowest
-/// face is met.
+/// Makes the defects of the patches to be reversed and of one-sided regions, each at its lowest
+/// face.
 class Listing {
  public:
   Listing(const PreparedMesh& mesh, const Regions& regions)
@@ -140,8 +141,8 @@ class Listing {
     return defects_[number];
   }
 
-  /// Adds a flipped edge to the defect of the one of its two patches that is to be turned, or of
-  /// the region where that is one-sided.
+  /// Adds a flipped edge to the defect of the one of its two patches that is to be reversed, or of
+  /// the region if that is one-sided.
   void list_edge(const CutEdge& edge) {
     const CutMesh& cut = mesh_.cut();
     const auto patch_at = [&](HalfedgeHandle h) {

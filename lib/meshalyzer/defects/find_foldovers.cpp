@@ -20,7 +20,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The places of the ends of an edge, and of the third corners of its two faces.
+/// The positions of the ends of an edge, and of the third corners of its two faces.
 struct EdgePlaces {
   const Vec3& a;
   const Vec3& b;
@@ -35,9 +35,9 @@ EdgePlaces edge_places(const TriMesh& mesh, HalfedgeHandle h) {
           mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(opposite)))};
 }
 
-/// Tells whether the angle between the faces is above 90 degrees for sure, because their normals
-/// are at less than 90 degrees. The products are off by some 2^-50 of the lengths that are
-/// multiplied; nothing is sure of edges whose squared length overflows or vanishes.
+/// Tells whether the angle between the faces is surely above 90 degrees, because their normals are
+/// at less than 90 degrees. The products are off by about 2^-50 of the lengths that are multiplied;
+/// the answer is no if a squared edge length overflows or underflows.
 bool is_surely_blunt(const EdgePlaces& p) {
   const Vec3 edge = p.b - p.a;
   const Vec3 u = p.c - p.a;
@@ -60,7 +60,7 @@ bool is_fold_edge(const TriMesh& mesh, HalfedgeHandle h, double max_angle) {
 /// between which is at most `max_angle` degrees.
 ///
 /// @return     A half-edge of each, in order of the mesh's edges.
-/// @complexity O(#E), a few operations each but for edges that are sharp.
+/// @complexity O(#E), with only a few operations for each edge that is not sharp.
 std::vector<HalfedgeHandle> find_folds(const TriMesh& mesh, double max_angle) {
   const auto found = map_chunks<std::vector<HalfedgeHandle>>(mesh.n_edges(), [&](Chunk chunk) {
     std::vector<HalfedgeHandle> folds;
@@ -77,23 +77,23 @@ std::vector<HalfedgeHandle> find_folds(const TriMesh& mesh, double max_angle) {
   return folds;
 }
 
-/// A fold between two patches, each by its lowest face.
+/// A fold between two patches, each given by its lowest face.
 struct Crease {
   HalfedgeHandle fold;
   std::array<Index, 2> patches;
 };
 
-/// A largest set of faces that hang together through edges which are no folds, and that a fold
-/// parts from another such set.
+/// A maximal set of faces connected through edges that are no folds, which a fold separates from
+/// another such set.
 struct Patch {
   /// Mesh faces, ascending.
   std::vector<Index> faces;
   double area = 0.0;
   /// Numbers of the patches beyond its folds, ascending.
   std::vector<Index> neighbours;
-  /// The folds towards its neighbours.
+  /// The folds between it and its neighbours.
   std::vector<HalfedgeHandle> folds;
-  /// Tells how far it is from its neighbours, where it lies on them.
+  /// The distance to its neighbours, if it lies on them.
   std::optional<double> distance;
 };
 
@@ -107,8 +107,8 @@ void join_through_cuts(const TriMesh& mesh, const CutEdges& edges, DisjointSets&
   }
 }
 
-/// Joins faces through all edges but folds. A cut of the mesh bounds no region: the surface goes on
-/// beyond it.
+/// Joins faces through all edges except folds. A cut of the mesh does not bound a region: the
+/// surface continues beyond it.
 DisjointSets join_faces(const CutMesh& cut, const std::vector<HalfedgeHandle>& folds) {
   const TriMesh& mesh = cut.mesh;
   std::vector<std::uint8_t> is_fold(mesh.n_edges(), 0);
@@ -126,7 +126,7 @@ DisjointSets join_faces(const CutMesh& cut, const std::vector<HalfedgeHandle>& f
   return faces;
 }
 
-/// The patches of a mesh that folds part from each other.
+/// The patches of a mesh that folds separate from each other.
 class FoldedPatches {
  public:
   FoldedPatches(const CutMesh& cut, const std::vector<HalfedgeHandle>& folds) {
@@ -144,7 +144,7 @@ class FoldedPatches {
   }
 
   [[nodiscard]] std::vector<Patch>& patches() { return patches_; }
-  /// #mesh faces: the patch of each; kNoIndex where no fold parts it from another patch.
+  /// Returns the patch of each mesh face, kNoIndex if no fold separates it from another patch.
   [[nodiscard]] const std::vector<Index>& of_face() const { return of_face_; }
 
  private:
@@ -193,19 +193,19 @@ class FoldedPatches {
   std::vector<Index> of_face_;
 };
 
-/// Tells whether there is room for a patch on its neighbours: a sheet that has more area than those
-/// that it should lie on sticks out somewhere, though by no more than a large tolerance.
+/// Tells whether a patch may fit on its neighbours: a sheet with more area than those below it
+/// protrudes somewhere, possibly within a large tolerance.
 bool has_room(const std::vector<Patch>& patches, const Patch& patch) {
-  // Areas of the same sheet may differ by this share where it is triangulated differently.
+  // The areas of two triangulations of the same sheet may differ by this share.
   constexpr double kSlack = 1e-6;
   double room = 0.0;
   for (const Index other : patch.neighbours) room += patches[other].area;
   return patch.area <= room * (1.0 + kSlack);
 }
 
-/// Returns the numbers of the patches that lie on their neighbours, the smallest first. It leaves
-/// out parts of the surface of which all patches do: sheets that lie on each other everywhere are
-/// folded onto nothing.
+/// Returns the numbers of the patches that lie on their neighbours, the smallest first. It skips
+/// parts of the surface all of whose patches do: sheets that lie on each other everywhere are not
+/// foldovers.
 std::vector<Index> find_candidates(const std::vector<Patch>& patches) {
   DisjointSets parts(patches.size());
   for (Index i = 0; i < patches.size(); ++i) {
@@ -231,7 +231,7 @@ std::vector<Index> find_candidates(const std::vector<Patch>& patches) {
 /// Decides which patches are foldovers, the smallest first: the patches that lie on neighbours
 /// which are not foldovers themselves.
 ///
-/// @return Their numbers, ascending.
+/// @return The numbers of the foldovers, ascending.
 std::vector<Index> choose_foldovers(std::vector<Patch>& patches, SheetCover& cover) {
   std::vector<std::uint8_t> is_foldover(patches.size(), 0);
   for (const Index i : find_candidates(patches)) {

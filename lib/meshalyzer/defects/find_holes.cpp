@@ -30,12 +30,12 @@ std::vector<Edge> slit_edges(const std::vector<Defect>& slits) {
   return edges;
 }
 
-/// Returns the mean of the middles of edges.
+/// Returns the mean of the midpoints of edges.
 Vec3 centre(const Soup& soup, const std::vector<Edge>& edges) {
   Vec3 sum = Vec3::Zero();
   const auto share = 2.0 * static_cast<double>(edges.size());
   for (const auto& [a, b] : edges) {
-    // Divided first, so that nothing overflows.
+    // Each term is divided first, so that the sum does not overflow.
     sum += soup.positions[a] / share + soup.positions[b] / share;
   }
   return sum;

@@ -34,8 +34,8 @@ std::vector<Defect> find_crowded_edges(const PreparedMesh& mesh) {
   return defects;
 }
 
-/// Returns the mesh vertices that make up one fan of the complex: where a fan passes flipped edges
-/// the mesh is cut.
+/// Joins the mesh vertices that form one fan of the complex: the mesh is cut where a fan passes
+/// flipped edges.
 DisjointSets join_through_flipped_edges(const CutMesh& cut) {
   DisjointSets fans(cut.mesh.n_vertices());
   const auto unite = [&](VertexHandle a, VertexHandle b) {

@@ -8,7 +8,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns the first of `n` records whose id is not its number, counted from 1; n where there is
+/// Returns the first of `n` records whose id is not its number, counted from 1, or n if there is
 /// none.
 Index first_out_of_order(const Ids& ids, std::size_t n) {
   Index i = 0;

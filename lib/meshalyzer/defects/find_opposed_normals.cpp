@@ -15,7 +15,7 @@
 namespace meshalyzer {
 namespace {
 
-/// A normal that the file gives at a vertex, both by record.
+/// A normal that the file gives at a vertex; both are record indices.
 struct GivenNormal {
   Index vertex;
   Index normal;
@@ -23,12 +23,12 @@ struct GivenNormal {
   friend auto operator<=>(const GivenNormal&, const GivenNormal&) = default;
 };
 
-/// Tells how a face stands to a normal at one of its vertices.
+/// The relation of a face to a normal at one of its vertices.
 enum class Say : std::uint8_t {
   /// The face has no area, or is not in the complex.
   None,
   Opposed,
-  /// The face lies along the normal or is turned to its side.
+  /// The face does not face away from the normal.
   NotOpposed,
 };
 
@@ -43,8 +43,8 @@ Say say_of(const Soup& soup, Index face, const Vec3& normal) {
   return sign == 0 && are_collinear(a, b, c) ? Say::None : Say::NotOpposed;
 }
 
-/// Returns the normals that may be opposed, because the face they are given for does not agree with
-/// them. In a mesh without faults only faces of zero area have such normals.
+/// Returns the normals that may be opposed, because their own face does not agree with them. In a
+/// sound mesh only faces of zero area have such normals.
 std::vector<GivenNormal> find_suspects(const Soup& soup) {
   const auto parts = map_chunks<std::vector<GivenNormal>>(soup.n_faces(), [&](Chunk chunk) {
     std::vector<GivenNormal> suspects;

@@ -29,7 +29,7 @@ std::size_t place_in(std::span<const Index> sorted, Index face) {
                                   sorted.begin());
 }
 
-/// Joins faces that intersect or have a vertex in common; each is given by its place in a list.
+/// Joins faces that intersect or have a vertex in common; each is given by its position in a list.
 DisjointSets join(const Soup& soup, std::span<const Index> faces,
                   std::span<const IntersectingPair> pairs) {
   DisjointSets sets(faces.size());

@@ -38,15 +38,15 @@ std::vector<BorderEdge> border_edges(const CutMesh& cut) {
 std::uint64_t hash_of(const Vec3& p) {
   std::uint64_t hash = 0;
   for (const double x : p) {
-    // Adding 0.0 makes -0.0 the same as 0.0.
+    // Adding 0.0 turns -0.0 into 0.0.
     hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15U;
     hash ^= hash >> 32U;
   }
   return hash;
 }
 
-/// Gives all vertices that are at exactly the same place the same name: the lowest of them.
-/// Vertices of no border edge get none.
+/// Names each vertex of a border edge by the lowest vertex at exactly the same place. Other
+/// vertices get no name.
 std::vector<Index> names_of_places(const Soup& soup, std::span<const BorderEdge> edges) {
   std::vector<Index> names(soup.n_vertices(), kNoIndex);
   std::size_t n_ends = 0;
@@ -56,7 +56,7 @@ std::vector<Index> names_of_places(const Soup& soup, std::span<const BorderEdge>
       names[v] = v;
     }
   }
-  // A table with open addressing; vertices come to it in ascending order.
+  // The table uses open addressing; vertices are entered in ascending order.
   std::vector<Index> slots(std::bit_ceil(2 * n_ends), kNoIndex);
   for (Index& name : names) {
     if (name == kNoIndex) continue;
@@ -78,7 +78,7 @@ class Slits {
       : edges_(edges), sets_(edges.size()), gaps_(edges.size(), kNone) {}
 
   void pair(Index a, Index b, double gap) {
-    // Two sides of a needle are no slit: there is surface between them.
+    // The two sides of a needle are no slit: there is a surface between them.
     if (edges_[a].face == edges_[b].face) return;
     gaps_[a] = std::min(gaps_[a], gap);
     gaps_[b] = std::min(gaps_[b], gap);
@@ -132,14 +132,14 @@ std::vector<Defect> Slits::chains(const Soup& soup, double tolerance) {
 }
 
 struct NamedEdge {
-  /// The names of the places of its ends, the smaller in the upper half.
+  /// The names of its ends, the smaller in the upper half.
   std::uint64_t places;
   Index edge;
   friend auto operator<=>(const NamedEdge&, const NamedEdge&) = default;
 };
 
-/// Sorts border edges by their places, so that edges at exactly the same places follow each other.
-/// Edges of length 0 are left out.
+/// Sorts border edges by their positions, so that edges at exactly the same positions follow each
+/// other. Edges of length 0 are skipped.
 std::vector<NamedEdge> by_place(const Soup& soup, std::span<const BorderEdge> edges) {
   const std::vector<Index> names = names_of_places(soup, edges);
   std::vector<NamedEdge> named;
@@ -152,7 +152,7 @@ std::vector<NamedEdge> by_place(const Soup& soup, std::span<const BorderEdge> ed
   return named;
 }
 
-/// Pairs the edges that are at exactly the same places: the first of them with all others.
+/// Pairs the edges at exactly the same positions: the first of them with all others.
 ///
 /// @return One edge for each pair of places.
 std::vector<Index> pair_equal(std::span<const NamedEdge> named, std::span<const BorderEdge> edges,
@@ -176,7 +176,7 @@ std::vector<Index> pair_equal(std::span<const NamedEdge> named, std::span<const 
   return firsts;
 }
 
-/// Two segments that lie on each other, by number, the lower first.
+/// The numbers of two segments that lie on each other, the lower first.
 struct NearPair {
   Index first = 0;
   Index second = 0;
@@ -199,8 +199,8 @@ std::vector<std::vector<NearPair>> find_near(std::span<const Segment> segments, 
   });
 }
 
-/// Pairs edges whose ends are within the tolerance. It leaves out edges no longer than the
-/// tolerance, which would be near whatever is there.
+/// Pairs edges whose ends are within the tolerance. It skips edges no longer than the tolerance,
+/// which would be close to everything nearby.
 void pair_near(const Soup& soup, std::span<const BorderEdge> edges, std::span<const Index> firsts,
                double tolerance, Slits& slits) {
   std::vector<Segment> segments;

@@ -14,7 +14,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Measures a length; it neither overflows early nor loses digits to underflow.
+/// Returns the distance of two points; it neither overflows early nor loses digits to underflow.
 double length_between(const Vec3& from, const Vec3& to) {
   const Vec3 difference = to - from;
   const double size = difference.cwiseAbs().maxCoeff();
@@ -38,7 +38,7 @@ double altitude_in_units(const Corners& p, double longest) {
   return accurate_normal(Vec3::Zero(), u, v).stableNorm() * unit;
 }
 
-/// Returns the shortest altitude, that on the longest edge. It is 0 exactly where the corners are
+/// Returns the shortest altitude, that on the longest edge. It is 0 exactly if the corners are
 /// collinear.
 double shortest_altitude(const Corners& p, double longest) {
   // Squares of lengths in this range neither overflow nor underflow.
@@ -49,22 +49,22 @@ double shortest_altitude(const Corners& p, double longest) {
   return std::max(altitude, std::numeric_limits<double>::denorm_min());
 }
 
-/// Recognises most faces that are not thin, quickly.
+/// A quick test that recognises most faces that are not thin.
 class Glance {
  public:
-  /// Squares beyond the range of double become 0 or infinite; what is_surely_thick() says is true
-  /// all the same.
+  /// Squares beyond the range of double become 0 or infinite; a positive answer of
+  /// is_surely_thick() is still right.
   explicit Glance(double tolerance) : least_(tolerance * tolerance * 1.0001) {}
 
-  /// Tells whether for sure no edge and no altitude is 0 or below the tolerance. The answer is no
-  /// for a face that names a vertex twice.
+  /// Tells whether surely no edge and no altitude is 0 or below the tolerance. The answer is no for
+  /// a face that names a vertex twice.
   [[nodiscard]] bool is_surely_thick(const Corners& p) const {
     const Vec3 u = p[1] - p[0];
     const Vec3 v = p[2] - p[0];
     const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
     const double twice_area = u.cross(v).squaredNorm();
-    // The altitude on the longest edge is the shortest, and no longer than any edge. The product
-    // has lost nothing that matters where the face is no sliver: see accurate_normal().
+    // The altitude on the longest edge is the shortest, and no longer than any edge. The product is
+    // accurate enough if the face is no sliver: see accurate_normal().
     return longest > 1e-140 && longest < 1e140 && twice_area > 2e-11 * longest * longest &&
            twice_area > least_ * longest;
   }
@@ -73,7 +73,7 @@ class Glance {
   double least_;
 };
 
-/// Looks at the faces of a soup one by one.
+/// Examines the faces of a soup one by one.
 class ThinFacetFinder {
  public:
   ThinFacetFinder(const Soup& soup, double tolerance)
@@ -109,8 +109,8 @@ class ThinFacetFinder {
     defect.limit = tolerance_;
   }
 
-  /// Describes a degenerate facet. Where it names a vertex twice, that vertex is at an edge of
-  /// length 0.
+  /// Returns the defect of a degenerate facet. If it names a vertex twice, that vertex is at an
+  /// edge of length 0.
   [[nodiscard]] Defect degenerate(Index face, const std::array<double, 3>& lengths) const {
     const Triangle& t = soup_.triangles[face];
     const auto shortest = static_cast<std::size_t>(

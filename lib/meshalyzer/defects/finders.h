@@ -8,10 +8,9 @@
 
 namespace meshalyzer {
 
-// Each finder looks for one code, or two, and stands in a file of its own. All are pure, may be
-// called at the same time, and list defects in order of their lowest element. find_defects() alone
-// decides which codes are looked for and how many defects are reported. doc/defects.md describes
-// the codes.
+// Each finder searches one code, or two, and has a file of its own. All are pure, may be called at
+// the same time, and list defects in order of their lowest element. Only find_defects() decides
+// which codes are searched and how many defects are reported. doc/defects.md describes the codes.
 
 /// Finds the components beyond the largest, which is the first of those that have the most faces. A
 /// defect lists the lowest face of its component; its value is the number of faces.
@@ -25,11 +24,10 @@ namespace meshalyzer {
                                                  const Tolerances& tolerances);
 
 /// Finds the faces with an altitude below the degeneracy tolerance, one defect each. A face is a
-/// degenerate facet where it also has an edge below the tolerance or names a vertex twice, else a
-/// flat facet. A length of exactly 0 is below any tolerance, 0 included; at tolerance 0 a face is
-/// only flat where its area is exactly 0. Faces with a corner that no record defines are left to
-/// find_corrupt(). The value is the shortest edge (0 where a vertex is repeated) or altitude, the
-/// limit the tolerance.
+/// degenerate facet if it also has an edge below the tolerance or names a vertex twice, else a flat
+/// facet. A length of exactly 0 is below any tolerance, even 0; at tolerance 0 a face is flat only
+/// if its area is exactly 0. Faces with a corner that no record defines are left to find_corrupt().
+/// The value is the shortest edge (0 if a vertex is repeated) or altitude, the limit the tolerance.
 [[nodiscard]] std::vector<Defect> find_thin_facets(const PreparedMesh& mesh,
                                                    const Tolerances& tolerances);
 
@@ -47,12 +45,12 @@ namespace meshalyzer {
 /// are not the end of such an edge. The value is the number of faces, or of fans.
 [[nodiscard]] std::vector<Defect> find_non_manifold(const PreparedMesh& mesh);
 
-/// Finds the vertices of which the file gives a normal that is opposed to all faces of non-zero
-/// area there, of which there must be one at least. The answer is exact.
+/// Finds the vertices at which the file gives a normal that is opposed to all faces of non-zero
+/// area there, of which there must be at least one. The answer is exact.
 [[nodiscard]] std::vector<Defect> find_opposed_normals(const PreparedMesh& mesh);
 
-/// Tells whether all coordinates are finite numbers. A mesh of which this is not true must not be
-/// built; only find_corrupt(), find_orphans() and find_numbering() may be asked about it.
+/// Tells whether all coordinates are finite numbers. Otherwise the mesh must not be built, and only
+/// find_corrupt(), find_orphans() and find_numbering() may be called.
 [[nodiscard]] bool has_finite_positions(const Soup& soup);
 
 /// Finds, in this order, the vertices whose position is not finite, the ids that several records
@@ -68,9 +66,9 @@ namespace meshalyzer {
 [[nodiscard]] std::vector<Defect> find_holes(const PreparedMesh& mesh,
                                              const std::vector<Defect>& slits);
 
-/// Finds the patches of faces that must be turned to make each edge component consistent: the side
-/// with less area or, where areas are equal, fewer faces. A component that no turning makes
-/// consistent is one defect that is not fixable. A defect lists the faces to be turned and the
+/// Finds the patches of faces that must be reversed to make each edge component consistent: the
+/// side with less area or, if areas are equal, fewer faces. A component that no reversal makes
+/// consistent is one defect that is not fixable. A defect lists the faces to be reversed and the
 /// flipped edges.
 [[nodiscard]] std::vector<Defect> find_flipped(const PreparedMesh& mesh);
 

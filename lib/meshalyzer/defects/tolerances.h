@@ -17,7 +17,7 @@ struct ToleranceOptions {
   std::optional<double> degeneracy = std::nullopt;
   std::optional<double> slit = std::nullopt;
   std::optional<double> height = std::nullopt;
-  /// Degrees.
+  /// The largest angle of a fold, in degrees.
   double max_foldover_angle = 1.0;
 };
 
@@ -30,27 +30,27 @@ struct Tolerances {
   double degeneracy = 0.0;
   /// Ends of border edges within this are at one place.
   double slit = 0.0;
-  /// A foldover lies within this of the faces that it lies on.
+  /// A foldover lies within this distance of the faces below it.
   double height = 0.0;
   double max_foldover_angle = 1.0;
 };
 
-/// Returns the box whose diagonal default tolerances are a share of: that of the vertices which
-/// faces of the complex use. It is empty where there are none.
+/// Returns the box of the vertices that faces of the complex use; default tolerances are a share of
+/// its diagonal. It is empty if there are none.
 ///
 /// @complexity O(#F).
 [[nodiscard]] Box3 used_box(const Soup& soup);
 
 /// Fills in the tolerances that a user has not set.
 ///
-/// @param box  What used_box() returns; may be empty, then defaults are 0.
+/// @param box  The result of used_box(); if it is empty, defaults are 0.
 /// @throws InvalidArgument  for a negative or not finite length, or an angle outside 0 ... 180.
 [[nodiscard]] Tolerances resolve_tolerances(const ToleranceOptions& options, const Box3& box);
 
-/// Returns options from which resolve_tolerances() makes these tolerances, whatever the box.
+/// Returns options from which resolve_tolerances() makes these tolerances for any box.
 [[nodiscard]] ToleranceOptions as_options(const Tolerances& tolerances);
 
-/// Says in a sentence each which tolerances contradict each other: slit or height below degeneracy.
+/// Returns a sentence for each contradiction between tolerances: slit or height below degeneracy.
 [[nodiscard]] std::vector<std::string> inconsistencies(const Tolerances& tolerances);
 
 }  // namespace meshalyzer

@@ -11,11 +11,11 @@ namespace {
 
 using Polygon = std::vector<Vec3>;
 
-/// The search for a cover of one face is given up after so many pieces or faces passed over.
+/// The search for a cover of one face ends after this many pieces or faces passed over.
 constexpr std::size_t kMaxPieces = 4096;
 constexpr std::size_t kMaxPassedOver = 1024;
 
-/// Returns what distances may be off by, because the cuts are made in floating point.
+/// Returns the possible error of distances, because cuts are computed in floating point.
 double rounding_of(const Box3& box) {
   if (box.isEmpty()) return 0.0;
   return 0x1p-46 * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
@@ -23,7 +23,7 @@ double rounding_of(const Box3& box) {
 
 Vec3 middle(const Polygon& polygon) {
   Vec3 sum = Vec3::Zero();
-  // Divided first, so that nothing overflows.
+  // Each term is divided first, so that the sum does not overflow.
   for (const Vec3& corner : polygon) sum += corner / static_cast<double>(polygon.size());
   return sum;
 }
@@ -53,8 +53,8 @@ Halves cut(const Polygon& polygon, const std::vector<double>& heights) {
   return halves;
 }
 
-/// Returns the heights of corners above the plane through side k of a triangle that is
-/// perpendicular to the triangle; the triangle is above.
+/// Returns the heights of corners above the plane through side k of a triangle and perpendicular to
+/// it; the triangle is above.
 std::vector<double> heights_above_side(const Polygon& polygon, const Corners& t, std::size_t k) {
   const Vec3 along = (t[(k + 1) % 3] - t[k]).stableNormalized();
   const Vec3 inward = unit_normal(t).cross(along);
@@ -121,7 +121,7 @@ std::optional<double> SheetCover::measure_face(Index face, const SheetQuery& que
   return largest;
 }
 
-/// Finds the face below the middle of a piece; nothing where there is none within the tolerance.
+/// Finds the face below the centre of a piece, or nothing if there is none within the tolerance.
 std::optional<Corners> SheetCover::find_below(const Polygon& piece, const SheetQuery& query,
                                               const Vec3& normal) {
   const Vec3 point = middle(piece);
@@ -147,7 +147,7 @@ bool SheetCover::lies_below(Index face, const SheetQuery& query, const Vec3& nor
   return normal.isZero(0.0) ? !other.isZero(0.0) : normal.dot(other) < 0.0;
 }
 
-/// Measures the distance of the corner that is farthest from a face, if it is within the tolerance.
+/// Returns the distance of the corner that is farthest from a face, if it is within the tolerance.
 std::optional<double> SheetCover::gap(const Polygon& piece, const Corners& below) const {
   double farthest = 0.0;
   for (const Vec3& corner : piece) {

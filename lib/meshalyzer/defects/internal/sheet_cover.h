@@ -19,22 +19,22 @@ struct SheetQuery {
   std::span<const Index> under;
 };
 
-/// Tells whether a sheet lies on other patches of a mesh: whether each of its points is within a
+/// Decides whether a sheet lies on other patches of a mesh: each of its points must be within a
 /// tolerance of a face of theirs whose normal is opposed to that of the point's face.
 ///
-/// The answer is never a false yes. Distance from a face is a convex function, so a convex
-/// piece lies on a face where its corners do: each face of the sheet is cut along the sides of the
+/// A positive answer is always right. The distance from a face is a convex function, so a convex
+/// piece lies on a face if its corners do: each face of the sheet is cut along the sides of the
 /// faces below it until every piece lies on one of these.
 class SheetCover {
  public:
-  /// @param patch_of_face  #mesh faces: the patch of each; kNoIndex where no sheet may lie on it.
+  /// @param patch_of_face  #mesh faces: the patch of each, kNoIndex if no sheet may lie on it.
   /// @complexity           O(#F).
   SheetCover(const PreparedMesh& mesh, std::span<const Index> patch_of_face, double tolerance);
 
-  /// Measures how far a sheet is from the patches.
+  /// Returns the distance of a sheet from the patches.
   ///
-  /// @return     An upper bound of the distance; nothing where the sheet does not lie on the
-  ///             patches, or these are cut so finely that the search was given up.
+  /// @return     An upper bound of the distance; nothing if the sheet does not lie on the patches,
+  ///             or if these are so fine that the search was given up.
   /// @complexity O(#faces + pieces log #F); stops at the first piece that is too far.
   [[nodiscard]] std::optional<double> measure(const SheetQuery& query);
 
@@ -51,7 +51,7 @@ class SheetCover {
   ClosestPoints closest_;
   std::span<const Index> patch_of_face_;
   double tolerance_;
-  /// #mesh faces: non-zero for those that closest_ must not find.
+  /// #mesh faces: non-zero for faces that closest_ must not find.
   std::vector<std::uint8_t> excluded_;
   /// The faces that are excluded only while one face of the sheet is measured.
   std::vector<Index> passed_over_;
