@@ -10,22 +10,23 @@
 
 namespace meshalyzer {
 
-/// A file to check, and against what.
+/// A file to check, and the criteria.
 struct CheckJob {
-  /// "-" is standard input.
+  /// The path of the file; "-" is standard input.
   std::string path;
-  /// What the result calls the file; also says the format of standard input.
+  /// The name of the file in the result, which also determines the format of standard input.
   std::string name;
   CheckCriteria criteria;
 };
 
-/// Checks files, each for itself, in parallel, and large ones inside; at most a few at a time, as
-/// memory allows. What is told does not depend on the number of threads, nor on the memory limit.
+/// Checks files independently of each other: a few at a time in parallel, as memory allows, and
+/// large ones with several threads each. The findings depend neither on the number of threads nor
+/// on the memory limit.
 ///
-/// @param memory_limit  Bytes to stay below where the largest few files allow it.
-/// @param tell          Hears of each file as soon as it and all before it are done, in order;
-/// false ends the work.
-/// @return              Whether all files were told of.
+/// @param memory_limit  The memory limit in bytes, which is kept if the largest few files allow it.
+/// @param tell          Receives each file in order, as soon as it and all before it are done;
+///     false ends the work.
+/// @return              True if all files were reported.
 [[nodiscard]] bool check_files(const std::vector<CheckJob>& jobs, std::uint64_t memory_limit,
                                const std::function<bool(const FileFindings&)>& tell);
 

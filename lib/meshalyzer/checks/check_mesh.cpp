@@ -49,7 +49,7 @@ Finding finding_of(const Defect& defect, const Soup& soup) {
   return finding;
 }
 
-/// "edge 1-2: ", "face 3: ", nothing for the whole mesh.
+/// Returns "edge 1-2: ", "face 3: ", or an empty text for the whole mesh.
 std::string subject_of(const LimitViolation& violation, const Soup& soup) {
   if (!violation.vertices.empty()) {
     return fmt::format("edge {}-{}: ", soup.vertex_ids.of(violation.vertices[0]),
@@ -82,18 +82,18 @@ Finding finding_of(const LimitViolation& violation, const LimitInfo& info, doubl
   return finding;
 }
 
-/// Which defects follow from the intersecting pairs.
+/// Tells whether defects of a code follow from the intersecting pairs.
 bool is_of_pairs(DefectCode code) {
   return code == DefectCode::SelfIntersection;
 }
 
-/// Collects what is found of one mesh.
+/// Collects the findings about one mesh.
 class Findings {
  public:
   Findings(const PreparedMesh& mesh, const CheckCriteria& criteria, FileFindings& file)
       : mesh_(mesh), criteria_(criteria), file_(file) {}
 
-  /// @param report  Lists all defects.
+  /// @param report  The report, which must list all defects.
   void add_defects(const DefectReport& report, Severity severity) {
     auto defect = report.defects.begin();
     for (const DefectCode code : all_defect_codes()) {

@@ -12,11 +12,11 @@ namespace meshalyzer {
 ///
 /// The result is the same for any number of threads.
 ///
-/// @param soup  The file. Taken by value: it is freed with what was built for it.
-/// @param path  What the result calls it.
-/// @throws InvalidArgument  where resolve_tolerances() does.
-/// @complexity  O(#F log #F) for meshes whose faces meet few others; of others no more than
-/// max_pairs intersecting pairs are looked for.
+/// @param soup  The file, taken by value: it is freed with its search structures.
+/// @param path  The name of the file in the result.
+/// @throws InvalidArgument  if resolve_tolerances() does.
+/// @complexity  O(#F log #F) for meshes whose faces meet few others; for others the search ends
+///              after max_pairs intersecting pairs.
 [[nodiscard]] FileFindings check_mesh(Soup soup, std::string path, const CheckCriteria& criteria);
 
 }  // namespace meshalyzer

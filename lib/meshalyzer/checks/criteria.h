@@ -8,20 +8,19 @@
 
 namespace meshalyzer {
 
-/// What a mesh must be to pass a check, and how much is told of one that is not.
+/// The criteria that a mesh must meet to pass a check, and the limits of the report.
 struct CheckCriteria {
   /// The mesh must have none of these defects.
   DefectCodes codes;
   ToleranceOptions tolerances;
   Limits limits;
-  /// At most this many findings of a code are listed; 0 lists all. Counts are complete all the
-  /// same.
+  /// At most this many findings of a code are listed; 0 lists all. Counts are complete in any case.
   std::size_t max_listed = 5;
-  /// A file has so many lines in a report at most: where it would have more, fewer of each code are
-  /// listed. 0: no limit, as where somebody says how many of a code are to be listed.
+  /// The largest number of lines of a file in a report: if it would have more, fewer findings of
+  /// each code are listed. 0 means no limit, which also applies if the user sets max_listed.
   std::size_t max_lines = 29;
-  /// The search for intersecting pairs ends when it has found so many; counts that it concerns are
-  /// "at least" then.
+  /// The search for intersecting pairs ends when it has found this many; the counts that depend on
+  /// it are then lower bounds.
   std::size_t max_pairs = 10'000;
 };
 

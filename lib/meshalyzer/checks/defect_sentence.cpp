@@ -8,7 +8,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Up to this many elements are all named by their ids; of more only the first is.
+/// Up to this many elements are all named by their ids; if there are more, only the first is.
 constexpr std::size_t kMaxNamed = 3;
 
 /// Names the elements of a defect by the ids of the file.
@@ -26,7 +26,7 @@ class Names {
   [[nodiscard]] std::string face(std::size_t i = 0) const {
     return fmt::format("face {}", id_of_face(i));
   }
-  /// "face 3", "faces 3, 4, 5", "12 faces from face 3 on".
+  /// Returns "face 3", "faces 3, 4, 5" or "12 faces from face 3 on".
   [[nodiscard]] std::string faces() const {
     const std::size_t n = defect_.faces.size();
     if (n == 1) return face();
@@ -37,13 +37,13 @@ class Names {
     }
     return text;
   }
-  /// "a border of 4 edges from edge 1-2 on".
+  /// Returns "a border of 4 edges from edge 1-2 on".
   [[nodiscard]] std::string border() const {
     const std::size_t n = defect_.edges.size();
     return fmt::format("a border of {} edge{} from {} on", n, n == 1 ? "" : "s", edge());
   }
   [[nodiscard]] std::string value() const { return fmt::format("{:.6g}", *defect_.value + 0.0); }
-  /// ", below 1e-8"; nothing where the limit is 0 or there is none.
+  /// Returns ", below 1e-8", or an empty text if the limit is 0 or there is none.
   [[nodiscard]] std::string below_limit() const {
     return defect_.limit.value_or(0.0) > 0.0 ? fmt::format(", below {:.6g}", *defect_.limit) : "";
   }
@@ -132,7 +132,7 @@ std::string numbering(const Names& is) {
                      is.defect().faces.empty() ? is.vertex() : is.face(), *is.defect().limit);
 }
 
-/// What the sentence of a code names first.
+/// The element that the sentence of a code names first.
 enum class Lead { Vertex, EdgeOrVertex, Face, FaceOrVertex };
 
 struct Sentence {

@@ -9,15 +9,15 @@
 
 namespace meshalyzer {
 
-/// Says in one sentence, without full stop, which elements a defect concerns and what is wrong with
-/// them.
+/// Returns a sentence without full stop that says which elements a defect concerns and what is
+/// wrong with them.
 [[nodiscard]] std::string defect_sentence(const Defect& defect, const Soup& soup);
 
-/// Returns the line of the record that the sentence names first; nothing where the file has no
+/// Returns the line of the record that the sentence names first, or nothing if the file has no
 /// lines.
 [[nodiscard]] std::optional<std::size_t> defect_line(const Defect& defect, const Soup& soup);
 
-/// Returns the line of a record; nothing where the file has no lines.
+/// Returns the line of a record, or nothing if the file has no lines.
 ///
 /// @param lines  Soup::vertex_lines or Soup::face_lines.
 [[nodiscard]] std::optional<std::size_t> record_line(const std::vector<std::uint32_t>& lines,

@@ -14,19 +14,20 @@
 
 namespace meshalyzer {
 
-/// Something that is wrong with a mesh: a defect, or a value beyond a limit.
+/// A fault of a mesh: a defect, or a value beyond a limit.
 struct Finding {
-  /// The name of the defect code or of the limit; lives as long as the program.
+  /// The name of the defect code or of the limit, with static lifetime.
   std::string_view code;
   Severity severity = Severity::Error;
-  /// One sentence without full stop: which elements, and what is wrong with them.
+  /// A sentence without full stop that says which elements are concerned and what is wrong with
+  /// them.
   std::string message;
-  /// Says what mends it; empty where nothing does.
+  /// Says what mends it; empty if nothing does.
   std::string_view fix;
-  /// 1-based line of the record that the message names first; nothing where the format has no
+  /// The 1-based line of the record that the message names first; nothing if the format has no
   /// lines.
   std::optional<std::size_t> line;
-  /// Ids of the file, those of the first elements.
+  /// The ids in the file of the first elements.
   std::vector<std::int64_t> vertices;
   std::vector<std::int64_t> faces;
   static constexpr std::size_t kMaxElements = 20;
@@ -36,39 +37,39 @@ struct Finding {
   std::optional<double> limit;
 };
 
-/// Tells how often something was found.
+/// The number of findings of a code.
 struct FindingCount {
   std::string_view code;
   Severity severity = Severity::Error;
-  /// All that were found, whether they are listed or not.
+  /// The number of all findings, listed or not.
   std::size_t count = 0;
-  /// Tells how many of them meshfixer mends.
+  /// The number of findings that meshfixer mends.
   std::size_t fixable = 0;
-  /// There may be more, since the search ended early.
+  /// Tells whether the search ended early, so that there may be more.
   bool is_at_least = false;
 };
 
-/// What a check says of one file.
+/// The result of a check of one file.
 struct FileFindings {
-  /// The path by which reports call the file.
+  /// The name of the file in reports.
   std::string path;
-  /// Says why the file cannot be read, without its name and the place; empty where it can.
+  /// Says why the file cannot be read, without its name and the place; empty if it can.
   std::string trouble;
   FilePlace trouble_place;
-  /// What it was read as; nothing where it cannot be read.
+  /// The format of the file; nothing if it cannot be read.
   std::optional<Format> format = std::nullopt;
   std::size_t vertices = 0;
   std::size_t faces = 0;
-  /// The worst first: errors before warnings; no more of a code than the criteria list.
+  /// The findings, errors before warnings, with at most as many of a code as the criteria allow.
   std::vector<Finding> findings;
-  /// One for each code that was found, in the order of the findings.
+  /// The counts, one for each code that was found, in the order of the findings.
   std::vector<FindingCount> counts;
 
   [[nodiscard]] bool is_readable() const { return trouble.empty(); }
   [[nodiscard]] bool is_good() const { return is_readable() && counts.empty(); }
 };
 
-/// What a check says of all files together.
+/// The result of a check of all files together.
 struct CheckTotals {
   std::size_t meshes = 0;
   std::size_t good = 0;
@@ -77,7 +78,7 @@ struct CheckTotals {
   std::size_t errors = 0;
   std::size_t warnings = 0;
   std::size_t fixable = 0;
-  /// There may be more errors, since a search ended early.
+  /// Tells whether a search ended early, so that there may be more errors.
   bool is_at_least = false;
 
   void add(const FileFindings& file);

@@ -9,7 +9,7 @@
 namespace meshalyzer {
 namespace {
 
-/// "./a.ply" is "a.ply".
+/// Returns the normal form of a path: "./a.ply" becomes "a.ply".
 std::string normal(const std::string& path) {
   return std::filesystem::path(path).lexically_normal().string();
 }
@@ -20,7 +20,7 @@ bool is_same_place(const std::optional<Vec3>& a, const std::optional<Vec3>& b) {
   return (*a - *b).cwiseAbs().maxCoeff() <= kMillionth * a->cwiseAbs().maxCoeff();
 }
 
-/// Takes one finding out of the counts.
+/// Removes one finding from the counts.
 void uncount(const Finding& finding, std::vector<FindingCount>& counts) {
   const auto found = std::find_if(counts.begin(), counts.end(), [&](const FindingCount& count) {
     return count.code == finding.code;
@@ -30,7 +30,7 @@ void uncount(const Finding& finding, std::vector<FindingCount>& counts) {
   if (found->count == 0) counts.erase(found);
 }
 
-/// Returns the lines of a file of which so many findings of a code are listed.
+/// Returns the number of lines of a file if this many findings of a code are listed.
 std::size_t n_lines(const FileFindings& file, std::size_t max_listed) {
   std::size_t lines = 0;
   for (const FindingCount& found : file.counts) {

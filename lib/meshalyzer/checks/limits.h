@@ -28,7 +28,7 @@ enum class LimitKind : std::uint8_t {
 
 inline constexpr std::size_t kLimitKinds = 9;
 
-/// Tells which values pass a limit.
+/// The direction of a limit: which values pass it.
 enum class LimitSense : std::uint8_t { AtLeast, AtMost };
 
 /// Describes a limit for users.
@@ -38,24 +38,24 @@ struct LimitInfo {
   /// limit.
   std::string_view name;
   LimitSense sense;
-  /// What is measured: "smallest angle".
+  /// The measured quantity: "smallest angle".
   std::string_view quantity;
-  /// What stands behind the value, with a blank before; may be empty.
+  /// The unit after the value, with a leading blank; may be empty.
   std::string_view unit;
   /// Says what the option does.
   std::string_view help;
 };
 
-/// One row for each limit, in the order of LimitKind.
+/// Returns one row for each limit, in the order of LimitKind.
 [[nodiscard]] std::span<const LimitInfo> limit_table();
 
-/// The row of one limit.
+/// Returns the row of one limit.
 [[nodiscard]] const LimitInfo& limit_info(LimitKind kind);
 
-/// Returns the limit that has a name; nothing where none has it.
+/// Returns the limit with the given name, or nothing if no limit has it.
 [[nodiscard]] std::optional<LimitKind> limit_kind(std::string_view name);
 
-/// The limits that a mesh is held to.
+/// The limits against which a mesh is checked.
 class Limits {
  public:
   [[nodiscard]] std::optional<double>& operator[](LimitKind kind) {
@@ -71,15 +71,16 @@ class Limits {
 
 /// An element, or the whole mesh, whose value is beyond a limit.
 struct LimitViolation {
-  /// File records: the two ends of an edge, else empty.
+  /// The file records of the two ends of an edge, else empty.
   std::vector<Index> vertices;
-  /// File records: the face, or those at the edge in the half-edge mesh; empty for the whole mesh.
+  /// The file records of the face, or of the faces at the edge in the half-edge mesh; empty for the
+  /// whole mesh.
   std::vector<Index> faces;
   std::optional<Vec3> position;
   double value = 0.0;
 };
 
-/// Finds what is beyond one limit, the elements in order of the half-edge mesh.
+/// Finds the elements beyond one limit, in order of the half-edge mesh.
 ///
 /// @complexity O(#F).
 [[nodiscard]] std::vector<LimitViolation> find_beyond_limit(const PreparedMesh& mesh,

@@ -24,7 +24,7 @@ class FolderSearch {
     constexpr auto kOptions = fs::directory_options::skip_permission_denied;
     fs::recursive_directory_iterator entry(folder_, kOptions, error);
     while (!error && entry != fs::recursive_directory_iterator()) {
-      std::error_code ignored;  // an entry that cannot be looked at is told of when it is read
+      std::error_code ignored;  // an entry that cannot be examined is reported when it is read
       const fs::file_status status = entry->status(ignored);
       if (is_left_out(entry->path())) {
         entry.disable_recursion_pending();
@@ -48,7 +48,7 @@ class FolderSearch {
            });
   }
 
-  /// Files in "." are called as a person would call them.
+  /// Files in "." are named as a person would name them.
   [[nodiscard]] std::string name_of(const fs::path& path) const {
     return folder_ == "." || folder_ == "./" ? path.lexically_relative(folder_).string()
                                              : path.string();

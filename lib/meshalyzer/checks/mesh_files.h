@@ -6,23 +6,23 @@
 
 namespace meshalyzer {
 
-/// The files that paths of a user mean.
+/// The mesh files that the paths of a user stand for.
 struct MeshFiles {
   std::vector<std::string> files;
   /// Folders that could not be listed, or hold no mesh file, in a sentence each.
   std::vector<std::string> troubles;
 };
 
-/// Finds the mesh files of paths: a file is itself, of a folder all files in it and in the folders
-/// within it whose ending is that of a known format, in order of the bytes of their paths. What
-/// begins with a dot is left out, but where it is named itself.
+/// Finds the mesh files of paths. A file stands for itself, a folder for all files in it and its
+/// subfolders with the ending of a known format, in byte order of their paths. Names that begin
+/// with a dot are skipped, unless the user names them.
 ///
-/// @param excluded  Patterns of what is left out in folders: see matches_glob().
+/// @param excluded  Patterns of paths to skip in folders: see matches_glob().
 [[nodiscard]] MeshFiles find_mesh_files(const std::vector<std::string>& paths,
                                         const std::vector<std::string>& excluded);
 
-/// Tells whether a path fits a pattern of the shell. A pattern without a slash is for the last part
-/// of the path, one with a slash for all of it; `*` and `?` stand for no slash.
+/// Tells whether a path matches a shell pattern. A pattern without a slash is compared with the
+/// last part of the path, one with a slash with all of it; `*` and `?` do not match a slash.
 [[nodiscard]] bool matches_glob(std::string_view pattern, std::string_view path);
 
 }  // namespace meshalyzer

@@ -6,7 +6,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Defects that no mesh may have, whatever it is for.
+/// Returns the defects that no mesh may have, whatever its purpose.
 DefectCodes without_faults() {
   return {DefectCode::Corrupt,         DefectCode::NonManifold, DefectCode::Flipped,
           DefectCode::DegenerateFacet, DefectCode::FlatFacet,   DefectCode::DuplicateFacet};
@@ -23,7 +23,7 @@ Limits some_faces() {
   return limits;
 }
 
-/// Zero area and zero length are decided exactly, as everything else that makes a mesh good.
+/// Zero area and zero length are decided exactly, like everything else that makes a mesh good.
 CheckCriteria solid() {
   return {.codes = with(without_faults(),
                         {DefectCode::SelfIntersection, DefectCode::Slit, DefectCode::Hole,

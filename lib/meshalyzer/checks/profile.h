@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// Named criteria: what is asked of a mesh that is meant for some purpose.
+/// Named criteria for meshes with a certain purpose.
 struct CheckProfile {
   std::string_view name;
   /// A phrase that says what passes.
@@ -16,10 +16,11 @@ struct CheckProfile {
   CheckCriteria criteria;
 };
 
-/// All profiles; the first is the default. What passes `solid` is what reports call good.
+/// Returns all profiles; the first is the default. A mesh passes `solid` exactly if reports call it
+/// good.
 [[nodiscard]] std::span<const CheckProfile> check_profiles();
 
-/// The profile that has a name; null where none has it.
+/// Returns the profile with the given name, or null if no profile has it.
 [[nodiscard]] const CheckProfile* find_profile(std::string_view name);
 
 }  // namespace meshalyzer

@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// Stands for all codes in a list of codes.
+/// The name that stands for all codes in a list of codes.
 inline constexpr std::string_view kAllCodes = "all";
 
 /// Returns the names of all defect codes and limits.
@@ -17,14 +17,14 @@ inline constexpr std::string_view kAllCodes = "all";
 /// Tells whether a name is that of a defect code or of a limit, or kAllCodes.
 [[nodiscard]] bool is_check_code(std::string_view name);
 
-/// Returns the code that a mistyped name most likely means; empty where none is near.
+/// Returns the code that a mistyped name most likely means; empty if none is close.
 [[nodiscard]] std::string nearest_check_code(std::string_view name);
 
-/// Narrows or widens criteria by names of codes.
+/// Restricts or extends criteria by names of codes.
 ///
-/// @param selected  Where there are any, only these defects are looked for, and limits only where
-/// they are among these; else all as they are.
-/// @param ignored   Not looked for.
+/// @param selected  If not empty, only these defects and limits are checked; else the criteria
+///                  stay.
+/// @param ignored   The codes that are not checked.
 void select_codes(const std::vector<std::string>& selected, const std::vector<std::string>& ignored,
                   CheckCriteria& criteria);
 

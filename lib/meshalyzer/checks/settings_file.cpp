@@ -13,7 +13,7 @@
 namespace meshalyzer {
 namespace {
 
-/// What a table of a settings file may hold beside limits.
+/// The keys that a table of a settings file may have in addition to limits.
 constexpr std::array<std::string_view, 4> kCommonKeys{"profile", "select", "ignore", "max"};
 
 std::string in_quotes(std::string_view name) {
@@ -21,13 +21,13 @@ std::string in_quotes(std::string_view name) {
   return text.append(name).append("'");
 }
 
-/// Appends what was most likely meant.
+/// Appends the name that was most likely meant.
 std::string with_nearest(std::string message, std::string_view nearest) {
   if (!nearest.empty()) message.append("; did you mean ").append(in_quotes(nearest)).append("?");
   return message;
 }
 
-/// Reads the values of a settings file, and says where one is wrong.
+/// Reads the values of a settings file, and reports the line of a wrong one.
 class SettingsReader {
  public:
   explicit SettingsReader(std::string path) : path_(std::move(path)) {}
@@ -76,7 +76,7 @@ class SettingsReader {
     return section;
   }
 
-  /// @return Whether the key is one that every table may have.
+  /// @return True if the key is one that every table may have.
   bool read_common(const toml::key& key, const toml::node& node, CheckSettings& settings) {
     if (key.str() == "profile") {
       settings.profile = profile(node);
@@ -144,7 +144,7 @@ class SettingsReader {
     throw IoError(path_, {.line = node.source().begin.line}, what);
   }
 
-  /// @param more  The keys that the table may have beside those that every table may.
+  /// @param more  The keys that the table may have in addition to the common ones.
   [[noreturn]] void refuse_key(const toml::key& key,
                                std::initializer_list<std::string_view> more) const {
     std::vector<std::string_view> names(more);
