@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Computes fields one after the other and keeps what several need.
+/// Computes fields one after the other and keeps intermediate results that several need.
 class FieldComputer {
  public:
   explicit FieldComputer(const FieldSource& source) : source_(source) {}

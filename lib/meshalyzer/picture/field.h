@@ -34,7 +34,7 @@ inline constexpr std::size_t kFieldNames = 10;
 /// Returns the name of a field in commands and files: "gaussian", "mean", "k1", "k2", "valence",
 /// "aspect-ratio", "area", "component", "defect", "separation".
 [[nodiscard]] std::string_view field_name(FieldName name);
-/// Returns the field that has a name; nothing where none has it.
+/// Returns the field with the given name, or nothing if no field has it.
 [[nodiscard]] std::optional<FieldName> field_of(std::string_view name);
 /// Returns the label that people read, with symbol and unit: "Gaussian curvature K (1/length²)".
 [[nodiscard]] std::string_view field_label(FieldName name);
@@ -48,7 +48,7 @@ enum class FieldKind : std::uint8_t {
   Magnitude,
   /// Values of both signs are shown along a diverging palette with 0 in its middle.
   Signed,
-  /// Numbers that name something (a component, a defect code) have a colour each, in no order.
+  /// Numbers that identify something (a component, a defect code) have a colour each.
   Category,
 };
 
@@ -57,7 +57,7 @@ struct Field {
   FieldName name = FieldName::Gaussian;
   FieldPlace place = FieldPlace::Vertices;
   FieldKind kind = FieldKind::Magnitude;
-  /// #V or #F of the soup: the value of each record; NaN where it has none, infinite for the aspect
+  /// #V or #F of the soup: the value of each record, NaN if it has none, infinite for the aspect
   /// ratio of a face of zero area.
   std::vector<double> values;
 };
@@ -65,32 +65,32 @@ struct Field {
 /// The data that fields are computed from. The caller keeps them.
 struct FieldSource {
   const PreparedMesh& mesh;
-  /// The field `defect` needs these; may be null.
+  /// The defects, which the field `defect` needs; may be null.
   const DefectReport* defects = nullptr;
-  /// The field `separation` needs these; may be null.
+  /// The separation, which the field `separation` needs; may be null.
   const ObjectSeparation* separation = nullptr;
   VertexArea area = VertexArea::Mixed;
 };
 
-/// Computes fields. Asking for several at once saves the work that they have in common.
+/// Computes fields. Computing several together shares their common work.
 ///
 /// Vertices have the curvatures (NaN where the surface has none), the valence (the number of edges
-/// at the vertex) and the separation (signed where a distance is negative), and no value where no
-/// face of the complex uses the vertex. Faces have the aspect ratio, the area, the component
-/// (numbered from 0, in order of their lowest face) and the defect: 0 where the face, its vertices,
-/// edges and component are in no listed defect, else 1 + the place in DefectCode of the worst
-/// defect's code (errors before warnings, then the first code). Faces that are not in the complex
-/// have a value for `defect` alone.
+/// at the vertex) and the separation (signed where a distance is negative), and no value if no face
+/// of the complex uses the vertex. Faces have the aspect ratio, the area, the component (numbered
+/// from 0, in order of their lowest face) and the defect: 0 if the face, its vertices, edges and
+/// component are in no listed defect, else 1 + the position in DefectCode of the worst defect's
+/// code (errors before warnings, then the first code). Faces outside the complex have a value only
+/// for `defect`.
 ///
-/// @param names  Fields for which the source has not what they need are left out.
+/// @param names  The fields. Those for which the source lacks data are skipped.
 /// @return       The fields in the order of `names`.
 /// @complexity   O(#V + #F).
 [[nodiscard]] std::vector<Field> compute_fields(const FieldSource& source,
                                                 const std::vector<FieldName>& names);
 
-/// Returns the values of a field at the vertices, for formats that know no others. A vertex gets
-/// the largest value of the faces round it (for `area` a third of their sum, so that the total
-/// stays; for `defect` the worst).
+/// Returns the values of a field at the vertices, for formats without face values. A vertex gets
+/// the largest value of its faces (for `area` a third of their sum, so that the total stays; for
+/// `defect` the worst).
 ///
 /// @param soup  The mesh that the field was computed of.
 /// @return      #V: the value of each vertex; NaN where it has none.
@@ -98,8 +98,8 @@ struct FieldSource {
 [[nodiscard]] std::vector<double> at_vertices(const Field& field, const Soup& soup);
 
 /// Chooses the range of colours that shows a field best; that of a signed field is symmetric about
-/// 0. So that outliers do not take all colours, the ends are the 2nd and the 98th percentile of the
-/// finite values (nearest rank), where these differ by more than rounding, a billionth of the whole
+/// 0. So that outliers do not use up the colours, the ends are the 2nd and the 98th percentile of
+/// the finite values (nearest rank) if these differ by more than rounding, a billionth of the whole
 /// range; else the smallest and the largest value. Categories run from the smallest to the largest.
 ///
 /// @complexity O(#values).
@@ -108,7 +108,7 @@ struct FieldSource {
 /// The colour of faces in no defect: light grey.
 inline constexpr Colour kNoDefectColour{217, 217, 217};
 
-/// Gives colours to the values of a field.
+/// Assigns colours to the values of a field.
 struct FieldColours {
   FieldName name = FieldName::Gaussian;
   /// Absent for categories, which have a category_colour() each: component 0 and the first defect
@@ -120,7 +120,7 @@ struct FieldColours {
 
 /// Chooses the colours of a field: values run along scale_of(), categories have a colour each.
 ///
-/// @param palette  Takes the place of the field's own; then categories run along it too.
+/// @param palette  Replaces the palette of the field; categories then use it too.
 [[nodiscard]] FieldColours colours_of(const Field& field,
                                       std::optional<Palette> palette = std::nullopt);
 

@@ -8,8 +8,8 @@
 namespace meshalyzer {
 namespace {
 
-/// A share of the range of all values. Values that are closer than this differ by rounding only,
-/// such as the curvatures of the flat parts of a machine part.
+/// Values that are closer than this share of the whole range differ only by rounding, such as the
+/// curvatures in flat regions.
 constexpr double kRounding = 1e-9;
 
 /// Returns the value that p percent of all values do not exceed (nearest rank).
@@ -19,11 +19,11 @@ double percentile(std::vector<double>& values, std::size_t p) {
   const std::size_t rank = std::max<std::size_t>((p * values.size() + 99) / 100, 1);
   const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank - 1);
   std::nth_element(values.begin(), place, values.end());
-  // Which of two equal noughts it is shall not depend on how they were reordered.
+  // The sign of a zero must not depend on how equal zeros were reordered.
   return *place + 0.0;
 }
 
-/// Returns the ends of the range of colours; 0 ... 0 where there is no finite value.
+/// Returns the ends of the range of colours; 0 ... 0 if there is no finite value.
 ColourScale shown_range(const std::vector<double>& values) {
   std::vector<double> finite;
   std::copy_if(values.begin(), values.end(), std::back_inserter(finite),

@@ -26,7 +26,7 @@ const DefectReport& no_defects() {
   return none;
 }
 
-/// Converts a value to single precision; what is finite stays finite.
+/// Converts a value to single precision; finite values stay finite.
 float to_float(double value) {
   constexpr double kMax = std::numeric_limits<float>::max();
   return static_cast<float>(std::isfinite(value) ? std::clamp(value, -kMax, kMax) : value);
@@ -53,7 +53,7 @@ DrawnField draw_field(const Field& field, const DrawnSurface& detail, const Draw
   return drawn;
 }
 
-/// Takes the values of fields at the vertices and faces that are drawn.
+/// Selects the values of fields at the vertices and faces that are drawn.
 std::vector<DrawnField> draw_fields(std::span<const Field> fields, const DrawnSurface& detail,
                                     const DrawnSurface& context) {
   std::vector<DrawnField> drawn;
@@ -94,7 +94,7 @@ class SceneMaker {
   [[nodiscard]] const Soup& soup() const { return source_.mesh.soup(); }
   [[nodiscard]] bool is_whole() const { return faces_.size() <= limits_.max_whole_faces; }
 
-  /// Returns limits that leave half of what is drawn in detail to the surroundings of the defects.
+  /// Returns limits that leave half of the detail to the surroundings of the defects.
   [[nodiscard]] SceneLimits limits_of_lit() const {
     SceneLimits limits = limits_;
     if (!is_whole()) {

@@ -16,11 +16,11 @@ namespace meshalyzer {
 struct DrawnSurface {
   /// 3 #V: x, y, z.
   std::vector<float> positions;
-  /// 3 #V: the unit normal of each vertex of the file, weighted by angle; zero where it has none.
+  /// 3 #V: the angle-weighted unit normal of each vertex of the file; zero if it has none.
   std::vector<float> normals;
   /// 3 #F: indices of drawn vertices.
   std::vector<std::uint32_t> triangles;
-  /// #V: the record of the soup that each vertex is or stands for.
+  /// #V: the record of the soup that each vertex is or represents.
   std::vector<Index> vertices;
   /// #F: the record of the soup that each face is or, where it was decimated, comes from.
   std::vector<Index> faces;
@@ -29,36 +29,36 @@ struct DrawnSurface {
   [[nodiscard]] std::size_t n_faces() const { return faces.size(); }
 };
 
-/// The values of a field at what is drawn.
+/// The values of a field at the drawn elements.
 struct DrawnField {
   FieldName name = FieldName::Gaussian;
   FieldPlace place = FieldPlace::Vertices;
   FieldKind kind = FieldKind::Magnitude;
-  /// The value of each vertex or face of Scene::detail, and of Scene::context; NaN where it has
-  /// none.
+  /// The value of each vertex or face of Scene::detail, NaN if it has none; likewise for
+  /// Scene::context.
   std::vector<float> detail;
   std::vector<float> context;
   ColourScale scale;
-  /// The smallest and largest finite value of the whole mesh; 0 ... 0 where there is none.
+  /// The smallest finite value of the whole mesh, like the largest; both are 0 if there is none.
   double min = 0.0;
   double max = 0.0;
 };
 
-/// The elements that light up when a defect, or a change, is chosen. Coordinates are relative to
+/// The elements that are highlighted when a defect or change is chosen. Coordinates are relative to
 /// Scene::centre.
 struct Highlight {
-  /// The place of the defect in DefectReport::defects, or of the change in the list.
+  /// The position of the defect in DefectReport::defects, or of the change in the list.
   std::size_t number = 0;
-  /// Faces of Scene::detail.
+  /// The faces, by index in Scene::detail.
   std::vector<std::uint32_t> faces;
   /// Six coordinates for each segment.
   std::vector<float> segments;
   /// Three coordinates for each point.
   std::vector<float> points;
-  /// The centre and radius of what the viewer moves to; radius > 0.
+  /// The centre of the view; its radius is positive.
   std::array<float, 3> focus{};
   float radius = 1.0F;
-  /// Tells whether more elements belong to it than are lit up.
+  /// Tells whether more elements belong to it than are highlighted.
   bool is_cut = false;
 };
 
@@ -74,46 +74,47 @@ struct SceneLines {
 
 /// All that is drawn of a mesh.
 struct Scene {
-  /// The centre of the bounding box of all faces that can be drawn or, where there are none, of all
+  /// The centre of the bounding box of all faces that can be drawn or, if there are none, of all
   /// vertices. Drawn coordinates are relative to it.
   Vec3 centre = Vec3::Zero();
   /// Half the diagonal of that box times scale; > 0.
   double radius = 1.0;
-  /// Drawn coordinates are (p - centre) * scale: 1, but for tiny and huge meshes (half the box's
-  /// longest side below 1/8 or from 2^18) a power of two that makes that half 1 ... 2.
+  /// Drawn coordinates are (p - centre) * scale. The scale is 1, except for tiny and huge meshes
+  /// (half the box's longest side below 1/8 or from 2^18), where it is the power of two that makes
+  /// that half 1 ... 2.
   double scale = 1.0;
-  /// The faces that are drawn as they are: all, or those round the defects.
+  /// The faces that are drawn in detail: all, or those round the defects.
   DrawnSurface detail;
-  /// The rest of the mesh, decimated; empty where detail is all.
+  /// The rest of the mesh, decimated; empty if all is drawn in detail.
   DrawnSurface context;
   std::vector<DrawnField> fields;
-  /// Those of defects.
+  /// The highlights of defects.
   std::vector<Highlight> highlights;
-  /// Those of changes, in their order: see light_changes().
+  /// The highlights of changes, in their order: see light_changes().
   std::vector<Highlight> changes;
   SceneLines lines;
-  /// The number of faces of the file that can be drawn: all corners are there and finite.
+  /// The number of faces of the file that can be drawn, because all corners are defined and finite.
   std::size_t n_faces = 0;
-  /// The number of faces of the file that the context stands for.
+  /// The number of faces of the file that the context represents.
   std::size_t n_decimated = 0;
-  /// Sentences for the reader about what is not shown in full; empty where all is.
+  /// Sentences for the reader about omissions; empty if everything is shown.
   std::vector<std::string> notes;
 };
 
-/// Limits on how much is drawn.
+/// The limits on the size of a scene.
 struct SceneLimits {
   /// A mesh of more faces than this is not drawn as it is.
   std::size_t max_whole_faces = 250'000;
   /// The largest number of faces round the defects of such a mesh that are drawn as they are.
   std::size_t max_detail_faces = 100'000;
-  /// The rest of such a mesh is decimated to about so many faces.
+  /// The approximate number of faces to which the rest of such a mesh is decimated.
   std::size_t max_context_faces = 100'000;
-  /// The largest number of defects of each code that are listed and lit up.
+  /// The largest number of defects of each code that are listed and highlighted.
   std::size_t max_defects_of_a_code = 500;
-  /// The largest number of faces, of segments and of points that are lit up for one defect.
+  /// The largest number of faces, of segments and of points that are highlighted for one defect.
   std::size_t max_elements_of_a_defect = 2'000;
-  /// The largest number of elements of all defects together that are lit up. Defects that have more
-  /// than their share are cut, all to the same size.
+  /// The largest number of elements of all defects together that are highlighted. Defects that have
+  /// more than their share are cut, all to the same size.
   std::size_t max_elements_of_all = 100'000;
   /// The largest number of segments that are drawn of each of SceneLines.
   std::size_t max_segments = 200'000;
@@ -121,10 +122,10 @@ struct SceneLimits {
 
 /// Decides what is drawn of a mesh.
 ///
-/// Degenerate and zero-area faces are drawn too, if only as lines. A small mesh is drawn as it is.
-/// A larger one is drawn as it is round its defects (breadth first, the same number of rings round
-/// all, as far as the limit goes), and the rest decimated by vertex clustering (Rossignac and
-/// Borrel 1993, "Multi-resolution 3D approximations for rendering complex scenes").
+/// Degenerate and zero-area faces are drawn too, as lines. A small mesh is drawn in detail. A
+/// larger one is drawn in detail round its defects (breadth first, with the same number of rings
+/// round all, up to the limit), and decimated elsewhere by vertex clustering (Rossignac and Borrel
+/// 1993, "Multi-resolution 3D approximations for rendering complex scenes").
 ///
 /// @param source  The mesh and its defects.
 /// @param names   The fields to draw.
@@ -138,9 +139,9 @@ struct ChangedPlace {
   std::vector<std::array<Index, 2>> edges;
 };
 
-/// Lights up the places that were changed, as far as their faces are drawn in detail.
+/// Highlights the places that were changed, as far as their faces are drawn in detail.
 ///
-/// @param scene  Of the soup; gets Scene::changes.
+/// @param scene  The scene of the soup, whose Scene::changes is set.
 /// @complexity   O(#V + #F) and the size of the changes.
 void light_changes(Scene& scene, const Soup& soup, std::span<const ChangedPlace> changes,
                    const SceneLimits& limits = {});

@@ -9,9 +9,9 @@ namespace meshalyzer {
 
 /// Returns the distance of each vertex record to other objects, for a field of the mesh.
 ///
-/// @param separation  What was measured of this soup.
-/// @return            #V; NaN for vertices that no face of the complex uses, and where nothing was
-///                    found.
+/// @param separation  The separation of this soup.
+/// @return            #V: the distances, NaN for vertices that no face of the complex uses, and
+///     where no point was found.
 /// @complexity        O(#V + #F).
 [[nodiscard]] std::vector<double> separation_values(const Soup& soup,
                                                     const ObjectSeparation& separation);

@@ -9,18 +9,18 @@
 namespace meshalyzer {
 namespace {
 
-/// Lengths in units of the size of the pair: a point this near to a triangle counts as on it, for
-/// clipping (kClipTolerance) and where clipping finds nothing (kNear), and a segment this short
-/// counts as a point.
+/// Lengths in units of the size of the pair. A point this near to a triangle counts as on it, for
+/// clipping (kClipTolerance) and if clipping finds nothing (kNear); a segment this short counts as
+/// a point.
 constexpr double kClipTolerance = 1e-12;
 constexpr double kNear = 1e-10;
 constexpr double kPoint = 1e-9;
 
-/// The number of steps towards a common point. Each step comes closer unless the triangles are
+/// The number of iterations towards a common point. Each comes closer unless the triangles are
 /// nearly parallel.
 constexpr int kProjections = 64;
 
-/// Coordinates about the middle of a pair of triangles in which the pair has the size 1.
+/// Coordinates about the centre of a pair of triangles in which the pair has the size 1.
 class PairScale {
  public:
   PairScale(const Corners& p, const Corners& q) {
@@ -28,7 +28,7 @@ class PairScale {
     for (const Corners* t : {&p, &q}) {
       for (const Vec3& corner : *t) box.extend(corner);
     }
-    // Halves before the sum and the difference: these may overflow where the coordinates do not.
+    // Halves are added and subtracted, because sum and difference of the coordinates may overflow.
     middle_ = box.min() / 2 + box.max() / 2;
     const double half = (box.max() / 2 - box.min() / 2).maxCoeff();
     if (half > 0.0) half_ = half;
@@ -44,9 +44,9 @@ class PairScale {
   double half_ = 1.0;
 };
 
-/// The corners of a convex polygon in a plane, or what clipping in rounded arithmetic makes of it.
+/// The corners of a convex planar polygon, up to the rounding errors of clipping.
 struct Polygon {
-  /// The corners that are left. Each clipping turns n corners into at most n - 1 and one for each
+  /// The remaining corners. Each clipping turns n corners into at most n - 1 and one for each
   /// change of sign.
   std::array<Vec3, ContactSegments::kMax> corners;
   std::size_t count = 0;
@@ -81,8 +81,8 @@ Polygon clip(const Polygon& polygon, const HalfSpace& half_space) {
   return clipped;
 }
 
-/// Returns the part of a triangle that lies on another one, which has this normal: a thin strip
-/// where their planes cross.
+/// Returns the part of a triangle that lies on another one with this normal; it is a thin strip if
+/// their planes cross.
 Polygon clip_to_triangle(const Corners& p, const Corners& q, const Vec3& normal) {
   Polygon polygon{{p[0], p[1], p[2]}, 3};
   const Vec3 up = normal.stableNormalized();
@@ -94,7 +94,7 @@ Polygon clip_to_triangle(const Corners& p, const Corners& q, const Vec3& normal)
   return polygon;
 }
 
-/// Returns the direction of the longest edge; zero where the triangle is a point.
+/// Returns the direction of the longest edge, or zero if the triangle is a point.
 Vec3 direction_of(const Corners& t) {
   const std::array edges{Vec3(t[1] - t[0]), Vec3(t[2] - t[1]), Vec3(t[0] - t[2])};
   const auto longest = std::max_element(
@@ -103,7 +103,7 @@ Vec3 direction_of(const Corners& t) {
   return longest->stableNormalized();
 }
 
-/// Returns the point of the line along p that is closest to the line along q; the middle of p where
+/// Returns the point of the line along p that is closest to the line along q, or the middle of p if
 /// the lines are parallel.
 Vec3 crossing_of_lines(const Corners& p, const Corners& q) {
   const Vec3 along_p = direction_of(p);
@@ -114,10 +114,10 @@ Vec3 crossing_of_lines(const Corners& p, const Corners& q) {
   return p[0] + across_q.dot(q[0] - p[0]) / upright.squaredNorm() * along_p;
 }
 
-/// Finds a point of both triangles by going back and forth between them.
+/// Finds a common point of two triangles by alternating projections.
 ///
-/// Two triangles of zero area, for which alone there is no plane to clip by, start at the point
-/// where they cross: at a small angle the steps would be too short.
+/// Two triangles of zero area, which have no plane to clip by, start at the point where they cross:
+/// at a small angle the iteration would converge too slowly.
 Vec3 common_point(const Corners& p, const Corners& q) {
   Vec3 point = crossing_of_lines(p, q);
   for (int i = 0; i < kProjections; ++i) {
@@ -158,7 +158,7 @@ void add_segment(const PairScale& scale, const Vec3& a, const Vec3& b, ContactSe
   found.segments[found.count++] = {scale.unscaled(a), scale.unscaled(b)};
 }
 
-/// Returns the two corners that are farthest apart; one of them twice where they are at one place.
+/// Returns the two corners that are farthest apart; the same corner twice if all coincide.
 std::array<Vec3, 2> longest_diagonal(const Polygon& polygon) {
   std::array<Vec3, 2> longest{polygon.corners[0], polygon.corners[0]};
   double length = kPoint * kPoint;

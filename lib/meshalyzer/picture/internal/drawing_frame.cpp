@@ -6,8 +6,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Meshes of a size between these are drawn as they are: lengths, areas and volumes all have their
-/// digits in single precision, and stay above the smallest steps that viewers take note of.
+/// Meshes of a size between these are not scaled: lengths, areas and volumes have enough digits in
+/// single precision, and stay above the tolerances of viewers.
 constexpr int kSmallestExponent = -3;
 constexpr int kLargestExponent = 17;
 
@@ -22,7 +22,7 @@ double scale_for_size(double half) {
 
 DrawingFrame::DrawingFrame(const Box3& box) {
   if (box.isEmpty()) return;
-  // Halves before the sum and the difference: these may overflow where the coordinates do not.
+  // Halves are added and subtracted, because sum and difference of the coordinates may overflow.
   centre_ = box.min() / 2 + box.max() / 2;
   const Vec3 half = box.max() / 2 - box.min() / 2;
   if (!(half.maxCoeff() > 0.0)) return;

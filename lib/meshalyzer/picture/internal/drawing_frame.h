@@ -6,20 +6,20 @@
 
 namespace meshalyzer {
 
-/// Maps places to drawn coordinates: about the centre of a box, and scaled by a power of two where
-/// single precision, or a viewer that multiplies lengths, would not do with its size.
+/// Maps positions to drawn coordinates: about the centre of a box, and scaled by a power of two if
+/// the size of the box does not suit single precision, or a viewer that multiplies lengths.
 class DrawingFrame {
  public:
-  /// @param box  Must be finite; where it is empty nothing is moved or scaled.
+  /// @param box  A finite box; if it is empty, nothing is moved or scaled.
   explicit DrawingFrame(const Box3& box);
 
   [[nodiscard]] const Vec3& centre() const { return centre_; }
   [[nodiscard]] double scale() const { return scale_; }
-  /// Half the diagonal of the box in drawn coordinates; 1 where the box has none.
+  /// Returns half the diagonal of the box in drawn coordinates; 1 if the box has none.
   [[nodiscard]] double radius() const { return radius_; }
 
-  /// Returns the drawn coordinates of a place. They are finite and their squares fit into floats:
-  /// what is farther away could not be seen beside the mesh anyway, and is drawn nearer.
+  /// Returns the drawn coordinates of a position. They are finite and their squares fit into
+  /// floats: positions farther away, which could not be seen beside the mesh, are drawn nearer.
   [[nodiscard]] Vec3 operator()(const Vec3& place) const {
     return ((place - centre_) * scale_).cwiseMax(-kFarthest).cwiseMin(kFarthest);
   }

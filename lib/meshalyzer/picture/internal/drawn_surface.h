@@ -17,17 +17,17 @@ struct TriangleList {
   std::vector<Index> faces;
 };
 
-/// Tells whether all corners of a face are there and finite.
+/// Tells whether all corners of a face are defined and finite.
 [[nodiscard]] bool is_drawable(const Soup& soup, Index face);
 
 /// Returns the faces that can be drawn, ascending.
 [[nodiscard]] std::vector<Index> drawable_faces(const Soup& soup);
 
-/// Returns the box of the corners of these faces or, where there are none, of all finite vertices:
-/// the scene is drawn about its centre.
+/// Returns the box of the corners of these faces or, if there are none, of all finite vertices: the
+/// scene is drawn about its centre.
 [[nodiscard]] Box3 box_of(const Soup& soup, std::span<const Index> faces);
 
-/// Returns faces as they are.
+/// Returns faces without decimation.
 [[nodiscard]] TriangleList triangles_of(const Soup& soup, std::vector<Index> faces);
 
 /// Marks the vertices that triangles use.

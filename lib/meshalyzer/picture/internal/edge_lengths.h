@@ -15,11 +15,11 @@ class EdgeLengths {
   /// @param faces  The faces whose edges count; all must be drawable.
   EdgeLengths(const Soup& soup, const DrawingFrame& frame, std::span<const Index> faces);
 
-  /// Returns the mean at a vertex, or that of the whole mesh where no face uses the vertex.
+  /// Returns the mean at a vertex, or that of the whole mesh if no face uses the vertex.
   [[nodiscard]] double at(Index vertex) const {
     return count_[vertex] == 0 ? mean_ : sum_[vertex] / static_cast<double>(count_[vertex]);
   }
-  /// Returns the mean of the whole mesh; 0 where it has no face.
+  /// Returns the mean of the whole mesh; 0 if it has no face.
   [[nodiscard]] double mean() const { return mean_; }
 
  private:

@@ -9,7 +9,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The width of the margin that is seen round what is lit up, in mean edge lengths.
+/// The width of the visible margin round a highlight, in mean edge lengths.
 constexpr double kEdgesRound = 3.0;
 /// The smallest radius that can be viewed in single precision, as a share of the radius of the
 /// scene.
@@ -22,7 +22,7 @@ std::vector<std::uint32_t> places_in(const DrawnSurface& surface, std::size_t n_
   return places;
 }
 
-/// Makes the highlight of one defect, or change.
+/// Makes the highlight of one defect or change.
 class Lighting {
  public:
   Lighting(const LitPlace& place, std::span<const std::uint32_t> drawn_face, const LitDefect& lit)
@@ -114,7 +114,7 @@ class Lighting {
     n_lengths_ += 1.0;
   }
 
-  /// Sets the view: the ball round the box of what is lit up, and a margin.
+  /// Sets the view: the sphere round the box of the highlight, with a margin.
   void set_view() {
     const Vec3 centre = box_.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box_.center());
     const double ball = box_.isEmpty() ? place_.frame.radius() : box_.sizes().norm() / 2;
@@ -132,7 +132,7 @@ class Lighting {
   std::span<const std::uint32_t> drawn_face_;
   const LitDefect& lit_;
   Highlight highlight_;
-  /// The box of what is lit up, in drawn coordinates.
+  /// The box of the highlight, in drawn coordinates.
   Box3 box_;
   double sum_of_lengths_ = 0.0;
   double n_lengths_ = 0.0;

@@ -10,7 +10,7 @@
 
 namespace meshalyzer {
 
-/// The scene in which defects and changes are lit up. The caller keeps the data.
+/// The scene in which defects and changes are highlighted. The caller keeps the data.
 struct LitPlace {
   const Soup& soup;
   const DrawingFrame& frame;
@@ -18,12 +18,12 @@ struct LitPlace {
   const DrawnSurface& detail;
 };
 
-/// Lights up each defect or change: its faces as far as they are in detail; as segments its edges,
+/// Highlights each defect or change: its faces if they are drawn in detail; as segments its edges,
 /// the contact of its intersecting pairs, and the outlines of faces that are too thin to be seen;
-/// as points its vertices, pairs that touch at a point and, where there is nothing else to be seen,
-/// its positions.
+/// as points its vertices, pairs that touch at a point and, if nothing else is visible, its
+/// positions.
 ///
-/// The viewer sees a margin of a few edge lengths round it.
+/// The view has a margin of a few edge lengths round it.
 [[nodiscard]] std::vector<Highlight> make_highlights(const LitPlace& place,
                                                      std::span<const LitDefect> lit);
 

@@ -38,15 +38,15 @@ class ComponentFaces {
   explicit ComponentFaces(const PreparedMesh& mesh)
       : cut_(mesh.cut()), components_(mesh.components()), list_of_(components_.count, kNoIndex) {}
 
-  /// Returns the number of the list of the component that a face is in.
+  /// Returns the number of the list of the component to which a face belongs.
   Index list_of(Index face) {
     Index& list = list_of_[components_.of_face[cut_.side.mesh_face(face)]];
     if (list == kNoIndex) list = n_lists_++;
     return list;
   }
 
-  /// Fills each list with the first faces that can be drawn, one more than may be lit up, so that
-  /// one sees that there are more.
+  /// Fills each list with the first faces that can be drawn, one more than may be highlighted, so
+  /// that it is known that there are more.
   [[nodiscard]] std::vector<std::vector<Index>> fill(const Soup& soup, std::size_t max) const {
     std::vector<std::vector<Index>> lists(n_lists_);
     for (std::size_t f = 0; f < components_.of_face.size(); ++f) {
@@ -98,7 +98,7 @@ void cut_to(LitDefect& lit, std::size_t max) {
   cut(lit.vertices);
 }
 
-/// Cuts all to the same size, so that together they are not too large.
+/// Cuts all lists to the same size, so that together they keep the limit.
 void cut_to_limits(std::vector<LitDefect>& all, const SceneLimits& limits) {
   std::vector<std::size_t> sizes;
   for (const LitDefect& lit : all) sizes.push_back(size_of(lit));

@@ -12,16 +12,16 @@
 
 namespace meshalyzer {
 
-/// The elements of a defect, or of a change, that are lit up: the first ones. Others keep the data.
+/// The elements of a defect or change that are highlighted: the first ones. It only refers to them.
 struct LitDefect {
-  /// The place of the defect in DefectReport::defects, or of the change in its list.
+  /// The position of the defect in DefectReport::defects, or of the change in its list.
   std::size_t number = 0;
-  /// All faces of the component where the defect is a whole component (disjoint, inward).
+  /// The faces; those of the whole component if the defect is one (disjoint, inward).
   std::span<const Index> faces;
   std::span<const std::array<Index, 2>> edges;
   std::span<const IntersectingPair> pairs;
   std::span<const Index> vertices;
-  /// What is lit up where nothing else can be seen.
+  /// The positions that are highlighted if nothing else is visible.
   std::span<const Vec3> positions;
   /// Tells whether the faces are too thin to be seen as faces.
   bool is_thin = false;
@@ -36,11 +36,11 @@ struct LitDefect {
 [[nodiscard]] std::size_t fair_share(std::span<const std::size_t> sizes, std::size_t max_each,
                                      std::size_t total);
 
-/// Chooses the elements of changes that are lit up; the changes must outlive them.
+/// Chooses the elements of changes that are highlighted; the changes must outlive them.
 [[nodiscard]] std::vector<LitDefect> lit_changes(std::span<const ChangedPlace> changes,
                                                  const SceneLimits& limits);
 
-/// Chooses the defects of a report that are lit up. The mesh and the report must outlive it.
+/// Chooses the defects of a report that are highlighted. The mesh and the report must outlive it.
 class LitDefects {
  public:
   LitDefects(const PreparedMesh& mesh, const DefectReport& report, const SceneLimits& limits);
@@ -49,15 +49,15 @@ class LitDefects {
 
   /// Returns the chosen defects, in the order of the report.
   [[nodiscard]] std::span<const LitDefect> all() const { return lit_; }
-  /// Returns the places round which the mesh is drawn in detail: the first element of each defect,
-  /// errors before warnings, then the second of each, and so on, so that one long defect does not
-  /// take all the detail.
+  /// Returns the elements round which the mesh is drawn in detail: the first element of each
+  /// defect, errors before warnings, then the second of each, and so on, so that one long defect
+  /// does not take all the detail.
   [[nodiscard]] Seeds seeds(const Soup& soup) const;
 
  private:
   const DefectReport& report_;
   std::vector<LitDefect> lit_;
-  /// The faces of each component that some defect is, as many as may be lit up.
+  /// The faces of each component that is a defect, as many as may be highlighted.
   std::vector<std::vector<Index>> components_;
 };
 

@@ -31,7 +31,7 @@ class FacesAtVertices {
   std::vector<Index> faces_;
 };
 
-/// A walk that takes each face and each vertex once.
+/// A breadth-first walk that visits each face and each vertex once.
 class Walk {
  public:
   Walk(const Soup& soup, std::size_t max_faces)
@@ -55,8 +55,8 @@ class Walk {
     queue_.push_back(vertex);
   }
 
-  /// Walks on from the vertices in the order in which they were met, so that faces come ring by
-  /// ring.
+  /// Continues from the vertices in the order in which they were visited, so that faces come ring
+  /// by ring.
   void go_on(const FacesAtVertices& faces) {
     for (std::size_t i = 0; i < queue_.size() && !is_full(); ++i) {
       for (const Index f : faces[queue_[i]]) take_face(f);

@@ -17,8 +17,8 @@ struct Seeds {
 };
 
 /// Collects the faces round seeds: first those of the seeds themselves, then ring by ring the faces
-/// that share a vertex with what was collected, until there are `max_faces` or no more. All seeds
-/// have the same number of rings; where the last ring does not fit, the first seeds come first.
+/// that share a vertex with collected ones, until there are `max_faces` or no more. All seeds have
+/// the same number of rings; if the last ring does not fit, the first seeds come first.
 ///
 /// @param drawable  The faces to walk on, ascending.
 /// @return          The faces, ascending.

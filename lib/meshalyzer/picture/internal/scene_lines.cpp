@@ -50,7 +50,7 @@ class LineDrawing {
   }
 
   std::vector<float> contacts(const std::vector<IntersectingPair>& pairs) {
-    // Each pair has at least one segment: so many pairs are enough.
+    // Each pair has at least one segment, so this many pairs are enough.
     const std::size_t n = std::min(pairs.size(), max_);
     const auto parts = map_chunks<std::vector<float>>(n, [&](Chunk chunk) {
       std::vector<float> segments;

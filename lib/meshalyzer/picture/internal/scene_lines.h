@@ -13,13 +13,13 @@ namespace meshalyzer {
 /// The lines that are drawn of a whole mesh.
 struct DrawnLines {
   SceneLines lines;
-  /// Sentences about lines that are not drawn, because they are too many.
+  /// Sentences about lines that are omitted because they are too many.
   std::vector<std::string> notes;
 };
 
 /// Draws the lines of a mesh.
 ///
-/// @param max  The number of segments of each kind that are drawn at most.
+/// @param max  The largest number of segments of each kind.
 [[nodiscard]] DrawnLines draw_lines(const PreparedMesh& mesh, const DrawingFrame& frame,
                                     std::size_t max);
 

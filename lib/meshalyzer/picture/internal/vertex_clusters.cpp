@@ -20,8 +20,8 @@ constexpr int kAxisBits = 21;
 constexpr CellKey kPinned = CellKey{1} << (3 * kAxisBits);
 constexpr double kMaxCells = static_cast<double>((CellKey{1} << kAxisBits) - 1);
 
-/// The largest number of cell sizes that are tried. The search ends earlier where at least this
-/// share of the allowed faces is left.
+/// The largest number of cell sizes that are tried. The search ends earlier if at least this share
+/// of the allowed faces is left.
 constexpr int kMaxTries = 12;
 constexpr double kEnough = 0.8;
 
@@ -45,7 +45,7 @@ class Grid {
 
  private:
   Vec3 origin_;
-  /// The last cell, in which points on the far side of the box are too.
+  /// The last cell, which also contains points on the far side of the box.
   double last_;
   double per_length_;
 };
@@ -73,9 +73,9 @@ class Clustering {
     }
   }
 
-  /// Puts each vertex into a cell where the longest side of the box has a given number of them.
+  /// Assigns each vertex to a cell, with a given number of cells along the longest side of the box.
   ///
-  /// @param pinned  Marks vertices that have a cell of their own; empty where none has.
+  /// @param pinned  Marks vertices that have a cell of their own; empty if none has.
   [[nodiscard]] std::vector<CellKey> cells(double per_side,
                                            std::span<const std::uint8_t> pinned) const {
     std::vector<CellKey> keys(places_.size(), 0);
@@ -108,7 +108,7 @@ class Clustering {
   static bool are_different(CellKey a, CellKey b, CellKey c) { return a != b && b != c && c != a; }
 
   [[nodiscard]] Cells number_cells(const std::vector<CellKey>& keys) const;
-  /// Chooses the vertex that stands for each cell.
+  /// Chooses the vertex that represents each cell.
   [[nodiscard]] std::vector<Index> representatives(const Cells& cells) const;
 
   const Soup& soup_;
@@ -118,14 +118,14 @@ class Clustering {
   Box3 box_;
 };
 
-/// A face after clustering: its corners ascending, so that equal ones are found, and where it is in
-/// the list.
+/// A face after clustering: its corners ascending, so that equal faces are found, and its position
+/// in the list.
 struct MergedFace {
   Triangle sorted;
   Index place;
 };
 
-/// Leaves the first of equal faces, in the order of the list.
+/// Keeps the first of equal faces, in the order of the list.
 void drop_duplicates(std::vector<MergedFace>& merged) {
   std::sort(merged.begin(), merged.end(), [](const MergedFace& a, const MergedFace& b) {
     return std::tie(a.sorted, a.place) < std::tie(b.sorted, b.place);
@@ -203,7 +203,7 @@ TriangleList Clustering::merge(const std::vector<CellKey>& keys) const {
   return list;
 }
 
-/// Searches for a number of cells that leaves as many faces as are allowed.
+/// Searches a number of cells that leaves as many faces as allowed.
 class CellSearch {
  public:
   CellSearch(const Clustering& clustering, const ClusterLimits& limits)
@@ -211,7 +211,7 @@ class CellSearch {
 
   /// Finds the cells of the finest grid that leaves few enough faces.
   ///
-  /// @return Empty where even the coarsest, one cell, leaves too many faces at pinned vertices.
+  /// @return Empty if even the coarsest grid, one cell, leaves too many faces at pinned vertices.
   [[nodiscard]] std::vector<CellKey> run() {
     if (!try_cells(1.0)) return {};
     double next = 256.0;
@@ -238,8 +238,8 @@ class CellSearch {
     return static_cast<double>(n_best_) >= kEnough * static_cast<double>(limits_.max_faces);
   }
 
-  /// Returns the number of cells per side to try next. The number of faces that are left grows with
-  /// its square on a surface; where that leads out of the bounds, their middle is tried.
+  /// Returns the number of cells per side to try next. The number of remaining faces grows with its
+  /// square on a surface; if the estimate is out of bounds, their mean is tried.
   [[nodiscard]] double next_try(double last) const {
     const double wanted = (1.0 + kEnough) / 2 * static_cast<double>(limits_.max_faces);
     const double left = std::max(static_cast<double>(n_last_), 1.0);

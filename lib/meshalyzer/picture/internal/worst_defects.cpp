@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Orders values by how bad they are: the lower, the worse.
+/// The rank of a value by severity: the lower, the worse.
 using Rank = std::uint8_t;
 constexpr Rank kNoDefect = 2 * kDefectCodes;
 
@@ -27,7 +27,7 @@ Rank rank_of_value(double value) {
   return value == 0.0 ? kNoDefect : rank_of(static_cast<DefectCode>(value - 1.0));
 }
 
-/// Knows the worst defect that lists each element.
+/// Finds the worst defect that lists each element.
 class ListedElements {
  public:
   ListedElements(const Soup& soup, const DefectReport& report)
@@ -82,7 +82,7 @@ class ListedElements {
     }
   }
 
-  /// @param b  May be kNoIndex; then no edge is found.
+  /// @param b  The other end; if it is kNoIndex, no edge is found.
   [[nodiscard]] Rank at_edge(Index a, Index b) const {
     if (has_edge_[a] == 0) {
       return kNoDefect;

@@ -9,10 +9,9 @@
 
 namespace meshalyzer {
 
-// The values of the field `defect` are 0 for none, else 1 + the place of a code in DefectCode.
+// The values of the field `defect` are 0 for none, else 1 + the position of a code in DefectCode.
 
-/// Finds for each face the worst listed defect that it, one of its vertices or one of its edges is
-/// in.
+/// Finds for each face the worst defect that lists it, one of its vertices or one of its edges.
 ///
 /// @param report  The defects of this soup.
 /// @return        #F: the value of each face.
@@ -22,9 +21,9 @@ namespace meshalyzer {
 /// Tells whether a defect is a whole component, of which it lists the first face only.
 [[nodiscard]] bool names_component(const Defect& defect);
 
-/// Gives each face of a component that is a defect the value of that defect, where that is worse.
+/// Gives each face of a component that is a defect the value of that defect if that is worse.
 ///
-/// @param values      What worst_defects() returns.
+/// @param values      The result of worst_defects().
 /// @param components  The components of the mesh.
 /// @complexity        O(#F).
 [[nodiscard]] std::vector<double> spread_over_components(std::vector<double> values,
