@@ -8,12 +8,13 @@
 
 namespace meshalyzer {
 
-/// Analyses files, each for itself, in parallel, and big ones inside; at most a few at a time, as
-/// memory allows. What is told does not depend on the number of threads, nor on the memory limit.
+/// Analyses files independently of each other: a few at a time in parallel, as memory allows, and
+/// large ones with several threads each. The findings depend neither on the number of threads nor
+/// on the memory limit.
 ///
-/// @param listener  Hears of each file, in order; of nothing between them.
-/// @return          Whether all files were analysed: not where the listener stopped it, or where
-///                  the run is but one shard of several.
+/// @param listener  Receives the findings of each file, in order, and none between files.
+/// @return          True if all files were analysed; false if the listener stopped the run, or if
+///                  it is one shard of several.
 [[nodiscard]] bool analyze_files(const std::vector<std::string>& paths, const SetOptions& options,
                                  RunListener& listener);
 

@@ -4,7 +4,7 @@ namespace meshalyzer {
 
 double distance(const Box3& a, const Box3& b) {
   const Vec3 gap = (a.min() - b.max()).cwiseMax(b.min() - a.max()).cwiseMax(Vec3::Zero());
-  // Neither overflow nor underflow may make a gap of what is none, or none of what is one.
+  // Neither overflow nor underflow may create a gap or hide one.
   return gap.stableNorm();
 }
 

@@ -8,14 +8,14 @@
 
 namespace meshalyzer {
 
-/// The findings of earlier runs about the same files with an equal request: they are not looked for
-/// again. Any number of threads may ask.
+/// The findings of earlier runs on the same files with an equal request, which need not be computed
+/// again. Several threads may call at a time.
 class EarlierFindings {
  public:
   virtual ~EarlierFindings() = default;
 
   [[nodiscard]] virtual std::optional<Analysis> mesh(Index number) const = 0;
-  /// Why a mesh could not be read.
+  /// Returns the reason why a mesh could not be read.
   [[nodiscard]] virtual std::optional<std::string> trouble(Index number) const = 0;
   [[nodiscard]] virtual std::optional<ObjectFindings> findings(Index owner) const = 0;
 };

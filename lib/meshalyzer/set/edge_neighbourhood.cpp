@@ -38,7 +38,7 @@ std::span<const std::uint8_t> EdgeNeighbourhood::mark_within(Index file_vertex, 
   while (!next_.empty()) {
     const auto [so_far, vertex] = next_.top();
     next_.pop();
-    // Else a shorter way was found after this one was put into the queue.
+    // Otherwise a shorter path was found after this one was queued.
     if (so_far == length_to_[vertex]) {
       go_on_from(vertex, length);
     }

@@ -18,7 +18,7 @@ class FacesAtVertices {
   FacesAtVertices(const FaceTree& tree, std::size_t n_file_vertices);
 
   [[nodiscard]] std::size_t n_vertices() const { return begin_.size() - 1; }
-  /// Slots of the tree, ascending.
+  /// Returns the slots in the tree of the faces at a vertex, ascending.
   [[nodiscard]] std::span<const Index> slots(Index file_vertex) const {
     return std::span(slots_).subspan(begin_[file_vertex],
                                      begin_[file_vertex + 1] - begin_[file_vertex]);
@@ -29,17 +29,17 @@ class FacesAtVertices {
   std::vector<Index> slots_;
 };
 
-/// Finds the faces round a vertex within a length along edges. Keeps its memory from one vertex to
-/// the next; one thread uses it.
+/// Finds the faces round a vertex within a length along edges. It reuses its memory for the next
+/// vertex, and only one thread may use it.
 class EdgeNeighbourhood {
  public:
   EdgeNeighbourhood(const FaceTree& tree, const FacesAtVertices& faces);
 
-  /// Marks the mesh faces that have a vertex which a path of edges no longer than `length` leads
-  /// to; the faces at the vertex itself are always among them.
+  /// Marks the mesh faces with a vertex within `length` of the given one along edges, always
+  /// including the faces at the vertex itself.
   ///
   /// Shortest paths by Dijkstra (1959).
-  /// @return     #mesh faces, 1 for those; valid until the next call.
+  /// @return     #mesh faces: 1 for marked ones; valid until the next call.
   /// @complexity O(k log k) for k faces marked.
   [[nodiscard]] std::span<const std::uint8_t> mark_within(Index file_vertex, double length);
 
@@ -50,13 +50,13 @@ class EdgeNeighbourhood {
 
   const FaceTree& tree_;
   const FacesAtVertices& faces_;
-  /// #V; infinite where not reached.
+  /// #V: the length of the shortest path; infinite if not reached.
   std::vector<double> length_to_;
   std::vector<Index> reached_;
   std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>,
                       std::greater<>>
       next_;
-  /// #mesh faces.
+  /// #mesh faces: 1 for marked ones.
   std::vector<std::uint8_t> is_marked_;
 };
 

@@ -109,8 +109,8 @@ Analysis FileRun::analysis_of(Index number) const {
   return analyze(read_mesh(paths_[number]), paths_[number], options);
 }
 
-/// Returns the statistics of the set are of no use to a shard, nor where only attributes are asked
-/// for.
+/// Tells whether the values for the statistics of the set are needed: not by a shard, nor if only
+/// attributes are requested.
 bool FileRun::wants_values() const {
   return options_.request.is_set && options_.request.between.statistics &&
          options_.shard.count == 1 && options_.request.mesh.scope == Scope::Everything;
@@ -120,7 +120,7 @@ bool FileRun::looks_between() const {
   return options_.request.is_set && options_.request.between.is_between();
 }
 
-/// Finds the box of a file that another shard analyses; nothing else of it is needed.
+/// Finds the box of a file that another shard analyses, of which nothing else is needed.
 FileResult FileRun::glance_at(Index number) const {
   FileResult result;
   if (looks_between()) {

@@ -20,31 +20,32 @@ struct FileResult {
   Kind kind = Kind::OfAnotherShard;
   Analysis mesh;
   std::string trouble;
-  /// The box of the vertices that faces use, for the work between objects, whichever shard analyses
-  /// the file; empty for a file that cannot be read or has no face.
+  /// The box of the vertices that faces use, which every shard needs for the work between objects;
+  /// empty for a file that cannot be read or has no face.
   Box3 box;
   std::size_t n_faces = 0;
 };
 
-/// Returns what ends searches for intersecting pairs; nothing where the request has no time limit.
+/// Returns the function that ends searches for intersecting pairs; empty if the request has no time
+/// limit.
 ///
-/// @param deadline  Must outlive what is returned.
+/// @param deadline  The deadline, which must outlive the function.
 [[nodiscard]] std::function<bool()> end_of_search(const Request& request, const Deadline& deadline);
 
-/// Looks at files one by one: a few at a time as memory allows, big ones in parallel inside. Where
-/// they are a set, each is made ready for what is to be found between them.
+/// Analyses files one by one: a few at a time, as memory allows, and large ones with several
+/// threads each. If they are a set, each is prepared for the analysis between meshes.
 class FileRun {
  public:
-  /// All must outlive this.
+  /// All arguments must outlive this object.
   ///
   /// @param deadline  The end of searches for intersecting pairs.
   FileRun(const std::vector<std::string>& paths, const SetOptions& options, RunListener& listener,
           const Deadline& deadline);
 
-  /// Tells the listener of each file, in order.
+  /// Reports each file to the listener, in order.
   ///
-  /// @param take  Gets each result before the listener does.
-  /// @return      Whether the listener let it come to the end.
+  /// @param take  Receives each result before the listener does.
+  /// @return      True unless the listener stopped the run.
   [[nodiscard]] bool run(const std::function<void(Index, const FileResult&)>& take);
 
  private:

@@ -5,16 +5,16 @@
 
 namespace meshalyzer {
 
-/// Tells whether a file is still the one that it was: its size and the time of its last change.
+/// The size of a file and the time of its last change, by which a changed file is recognised.
 struct FileStamp {
   std::uint64_t bytes = 0;
-  /// Nanoseconds since 1970; 0 where the file cannot be looked at.
+  /// The time of the last change in nanoseconds since 1970; 0 if the file cannot be examined.
   std::int64_t modified_ns = 0;
 
   friend bool operator==(const FileStamp&, const FileStamp&) = default;
 };
 
-/// Returns the stamp of a file as it is now; all 0 where it cannot be looked at.
+/// Returns the stamp of a file as it is now; all 0 if it cannot be examined.
 [[nodiscard]] FileStamp stamp_of(const std::string& path);
 
 }  // namespace meshalyzer

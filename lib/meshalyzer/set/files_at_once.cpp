@@ -14,11 +14,11 @@
 namespace meshalyzer {
 namespace {
 
-/// About the bytes of memory that the analysis of a file takes for each byte of it.
+/// The approximate number of bytes of memory that the analysis takes for each byte of a file.
 constexpr std::uint64_t kMemoryPerFileByte = 12;
 
-/// Returns the bytes of a file, of a gzipped one about those that it takes: its last four bytes say
-/// so.
+/// Returns the size of a file, or the approximate unpacked size of a gzipped one, which its last
+/// four bytes give.
 std::uint64_t content_bytes(const std::string& path) {
   const std::uint64_t bytes = stamp_of(path).bytes;
   std::array<char, sizeof(std::uint32_t)> size{};

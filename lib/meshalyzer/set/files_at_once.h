@@ -7,10 +7,10 @@
 
 namespace meshalyzer {
 
-/// How many files are worked on at the same time: as many as the largest of them leave memory for,
-/// at least one.
+/// Returns the number of files to analyse at a time: as many as fit into memory even if they are
+/// the largest, at least one.
 ///
-/// @param memory_limit  Bytes.
+/// @param memory_limit  The limit in bytes.
 [[nodiscard]] std::size_t n_files_at_once(const std::vector<std::string>& paths,
                                           std::uint64_t memory_limit);
 

@@ -19,10 +19,10 @@ namespace meshalyzer {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Vertices that one task looks at: they follow each other on the surface, so that the answer of
+/// The number of vertices in one task. They follow each other on the surface, so that the answer of
 /// one is a good first guess for the next.
 constexpr std::size_t kVerticesPerChunk = 256;
-/// The largest number of tasks that look at an object's own surface.
+/// The largest number of tasks that search an object's own surface.
 constexpr std::size_t kSelfChunks = 64;
 
 /// The best answer for one vertex so far.
@@ -49,18 +49,18 @@ std::vector<Index> vertices_along(const SetObject& object) {
   return vertices;
 }
 
-/// Tells whether something in a box may yet undercut a distance, or equal it; a little is granted
-/// to rounding on either side.
+/// Tells whether something in a box may be as near as a distance or nearer, with a tolerance for
+/// rounding.
 ///
-/// That little is enough: closest_on_triangle() may be off by more, for faces that reach far beyond
-/// their closest point, but not where that is as near as their box.
+/// The tolerance is sufficient: the error of closest_on_triangle() may be larger for faces that
+/// reach far beyond their closest point, but not if that is as near as their box.
 bool may_undercut(double distance_of_box, double distance) {
   constexpr double kGrant = 1.0 - 1e-12;
   return !(distance_of_box * kGrant > distance);
 }
 
-/// Tells whether a box may hold anything of a cone with its apex at `apex`: false only where it
-/// lies behind the apex, or its bounding sphere beside the cone.
+/// Tells whether a box may intersect a cone with its apex at `apex`: false only if it lies behind
+/// the apex, or its bounding sphere beside the cone.
 bool may_hold(const Box3& box, const Vec3& apex, const Cone& cone) {
   constexpr double kGrant = 1e-9;
   const Vec3 to_middle = (box.min() / 2 + box.max() / 2) - apex;
@@ -73,7 +73,7 @@ bool may_hold(const Box3& box, const Vec3& apex, const Cone& cone) {
   }
   const double angle = std::acos(std::clamp(to_middle.dot(cone.axis) / length, -1.0, 1.0));
   const double reach = std::acos(cone.cos_half_angle) + std::asin(std::min(1.0, radius / length));
-  // Written so that an overflow above, which leaves no number, lets the box pass.
+  // The comparison is written so that a NaN from an overflow above accepts the box.
   return radius >= length || !(angle > reach + kGrant);
 }
 
@@ -117,7 +117,7 @@ class Separator {
     return object_->tree().point(vertices_[i]);
   }
 
-  /// Leaves out the vertices without a normal, since there is no cone about no direction.
+  /// Excludes the vertices without a normal, for which there is no cone.
   void leave_out_vertices_without_normal() {
     for (std::size_t i = 0; i < best_.size(); ++i) {
       if (normals_[vertices_[i]].isZero(0.0)) {
@@ -136,13 +136,14 @@ class Separator {
                        [&](std::size_t i) { return is_in_reach(box, i); });
   }
 
-  /// All objects to come are at this distance or farther.
+  /// Closes the vertices whose closest point is nearer than all objects to come, which are at this
+  /// distance or farther.
   void close_those_nearer_than(double distance) {
     std::erase_if(open_, [&](std::size_t i) { return !may_undercut(distance, best_[i].distance); });
   }
 
-  /// Returns how far to look next: as far as the closest points found allow, or farther and farther
-  /// where some vertex has none yet.
+  /// Returns the next search radius: the largest distance found so far, or an increasing one while
+  /// some vertex has no closest point yet.
   [[nodiscard]] double next_reach(double reach) const {
     constexpr double kGrant = 1.0 + 1e-8;
     double farthest = 0.0;
@@ -195,7 +196,7 @@ class Separator {
   void look_at_self() {
     const FaceTree& tree = object_->tree();
     const FacesAtVertices faces(tree, object_->cut().side.n_file_vertices);
-    // Few chunks: each begins with a table of all vertices.
+    // There are few chunks, because each begins with a table of all vertices.
     const std::size_t length = std::max(kVerticesPerChunk, vertices_.size() / kSelfChunks + 1);
     parallel_chunks(vertices_.size(), length, [&](Chunk chunk) {
       EdgeNeighbourhood neighbourhood(tree, faces);
@@ -207,8 +208,9 @@ class Separator {
     });
   }
 
-  /// Asks, and keeps what is closer, or as close and on an object of lower number.
-  /// @return a good guess for the next vertex.
+  /// Queries an object, and keeps its point if it is closer, or as close and on an object of lower
+  /// number.
+  /// @return A good guess for the next vertex.
   Index take(std::size_t i, Index number, const SetObject& other, const ClosestQuery& asked) {
     const std::optional<SurfacePoint> found = other.closest().find(asked);
     if (!found) {
@@ -244,8 +246,8 @@ class Separator {
     });
   }
 
-  /// Marks the components that are inside the other object. Where the surfaces do not meet, one
-  /// vertex speaks for all of its component.
+  /// Marks the components that are inside the other object. If the surfaces do not meet, one vertex
+  /// decides for its whole component.
   void mark_components_inside(const SetObject& other) {
     const Components& components = object_->components();
     std::vector<std::uint8_t> is_inside(components.count, 0);
@@ -304,7 +306,7 @@ class Separator {
   std::vector<Index> vertices_;
   std::vector<Best> best_;
   std::vector<std::uint8_t> is_inside_;
-  /// Places of the vertices that a farther object may yet be closest to, ascending.
+  /// The positions of the vertices to which a farther object may still be closest, ascending.
   std::vector<std::size_t> open_;
   /// The normal of each file vertex; empty without a cone.
   std::vector<Vec3> normals_;

@@ -8,9 +8,9 @@
 
 namespace meshalyzer {
 
-/// The objects of a set, by number. Only refers to its data.
+/// The objects of a set, by number. It only refers to its data.
 struct SetScene {
-  /// The box of the vertices that faces use, for each object; empty for objects that are left out.
+  /// The box of the vertices that faces use, for each object; empty for excluded objects.
   std::span<const Box3> boxes;
   /// A tree over these boxes.
   const BoxTree& tree;
@@ -20,8 +20,8 @@ struct SetScene {
 
 /// Measures the distance from each vertex of an object to the closest point of any other one.
 ///
-/// The distance is the smallest over all faces of closest_on_triangle(), so it is the same as by
-/// trying all; that a vertex is inside is exact.
+/// The distance is the smallest of closest_on_triangle() over all faces, the same as without search
+/// structures. Whether a vertex is inside is decided exactly.
 ///
 /// @complexity O(log objects + vertices x objects closer than their closest point x log faces); no
 /// more than two objects are held at a time.

@@ -11,7 +11,7 @@ bool comes_before(const MeshMeeting& a, const MeshMeeting& b) {
   return std::tie(a.mesh_a, a.mesh_b) < std::tie(b.mesh_a, b.mesh_b);
 }
 
-/// Makes one meeting of all that are of the same meshes, ascending.
+/// Merges the meetings of the same two meshes; the result is ascending.
 std::vector<MeshMeeting> merged(std::vector<MeshMeeting> meetings) {
   std::sort(meetings.begin(), meetings.end(), comes_before);
   std::vector<MeshMeeting> one_each;
@@ -25,7 +25,7 @@ std::vector<MeshMeeting> merged(std::vector<MeshMeeting> meetings) {
   return one_each;
 }
 
-/// Appends the meetings that pairs are of; those of the same meshes mostly follow each other.
+/// Appends the meetings of some pairs; pairs of the same meshes mostly follow each other.
 void append_meetings(std::span<const SetPair> pairs, std::vector<MeshMeeting>& meetings) {
   for (const SetPair& pair : pairs) {
     if (meetings.empty() || meetings.back().mesh_a != pair.mesh_a ||
@@ -71,7 +71,7 @@ void append_intersections(const SetIntersections& more, std::size_t max_list,
   append(all.contained, more.contained);
   append(all.partly_contained, more.partly_contained);
   all.is_search_stopped = all.is_search_stopped || more.is_search_stopped;
-  // Cut now and then, so that memory follows the list.
+  // The list is cut now and then, so that memory grows with its final length.
   if (max_list != 0 && all.pairs.size() / 2 >= max_list) all = in_order(std::move(all), max_list);
 }
 

@@ -6,13 +6,13 @@
 
 namespace meshalyzer {
 
-/// Returns the intersections sorted as SetIntersections promises, and of the pairs the first.
+/// Returns the intersections sorted as SetIntersections requires, with only the first pairs.
 ///
 /// @param max_list  See MeshRequest.
 [[nodiscard]] SetIntersections in_order(SetIntersections found, std::size_t max_list);
 
-/// Appends intersections that are still to be put in order, but drops pairs that will not be among
-/// the first.
+/// Appends intersections that in_order() will sort, but drops pairs that will not be among the
+/// first.
 void append_intersections(const SetIntersections& more, std::size_t max_list,
                           SetIntersections& all);
 

@@ -9,12 +9,12 @@
 namespace meshalyzer {
 namespace {
 
-/// Halves before the sum: it may overflow where the coordinates do not.
+/// Halves are added, because the sum may overflow.
 Box3 middle_of(const Box3& box) {
   return Box3(Vec3(box.min() / 2 + box.max() / 2));
 }
 
-/// Returns a box that holds all within `reach` of another one, whatever the rounding.
+/// Returns a box that contains everything within `reach` of another one, in spite of rounding.
 Box3 grown(const Box3& box, double reach) {
   constexpr double kRounding = 1e-15;
   const Vec3 grow =
@@ -28,7 +28,7 @@ NearbyObjects::NearbyObjects(Index object, std::span<const Box3> boxes, const Bo
     : object_(object), boxes_(boxes), tree_(tree), given_{object} {}
 
 std::vector<NearbyObjects::Candidate> NearbyObjects::within(double reach) {
-  // A little less than asked for: what rounding has left out is not nearer than that.
+  // This is a little less than the requested reach: no object that rounding has excluded is nearer.
   constexpr double kGrant = 1.0 - 1e-9;
   given_up_to_ = reach * kGrant;
   std::vector<Index> near = tree_.meeting(grown(boxes_[object_], reach));

@@ -8,12 +8,12 @@
 
 namespace meshalyzer {
 
-/// The objects of a set round one of them, shell by shell, so that of thousands only those are
-/// looked at that are near.
+/// Enumerates the objects of a set round one of them in order of distance, so that only near ones
+/// are examined.
 class NearbyObjects {
  public:
   struct Candidate {
-    /// The distance from box to box.
+    /// The distance between the boxes.
     double distance;
     /// The distance between the middles of the boxes. Among boxes that meet the object's own, those
     /// with a close middle are likely to be near.
@@ -22,14 +22,16 @@ class NearbyObjects {
     auto operator<=>(const Candidate&) const = default;
   };
 
-  /// @param boxes  Of all objects, `tree` is of; that of the object itself is not empty.
+  /// @param boxes  The boxes of all objects, over which `tree` is built; that of the object itself
+  ///               is not empty.
   NearbyObjects(Index object, std::span<const Box3> boxes, const BoxTree& tree);
 
   /// Returns the objects whose boxes are within `reach` of the object's own and that were not
   /// returned before, the nearest first.
   [[nodiscard]] std::vector<Candidate> within(double reach);
 
-  /// All objects not given yet are at this distance or farther.
+  /// Returns the distance within which all objects were returned; the others are at this distance
+  /// or farther.
   [[nodiscard]] double given_up_to() const { return given_up_to_; }
   [[nodiscard]] bool all_given() const { return given_.size() == tree_.order().size(); }
 

@@ -49,7 +49,7 @@ void ObjectCache::forget_unused() {
   for (auto place = used_.end(); bytes_ > byte_limit_ && place != used_.begin();) {
     --place;
     Slot& slot = slots_[*place];
-    // Nobody but this cache can make a new copy, and that only under the lock.
+    // Only this cache can make a new copy, and only under the lock.
     if (slot.object.use_count() == 1) {
       bytes_ -= slot.bytes;
       slot.object.reset();

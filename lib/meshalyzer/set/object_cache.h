@@ -12,25 +12,25 @@
 
 namespace meshalyzer {
 
-/// Loads the objects of a set when they are asked for and keeps them as long as memory allows:
-/// those not used for longest are forgotten first, and loaded again when asked for again.
+/// Loads the objects of a set on request and keeps them as long as memory allows; the least
+/// recently used ones are dropped first, and loaded again on request.
 ///
-/// Any number of threads may ask.
+/// Several threads may call at a time.
 class ObjectCache {
  public:
   using Load = std::function<std::unique_ptr<const SetObject>(std::size_t object)>;
 
-  /// @param byte_limit  What is kept stays below this, but for the objects that somebody holds.
-  /// @param load        Called for one object by one thread at a time; what it throws, get()
-  /// throws.
+  /// @param byte_limit  The limit for the memory of kept objects, except those in use.
+  /// @param load        Loads an object; called for one object by one thread at a time. Its
+  ///     exceptions pass through get().
   ObjectCache(std::size_t n_objects, std::uint64_t byte_limit, Load load);
 
   /// Returns the object, which stays valid as long as the pointer is held.
   [[nodiscard]] std::shared_ptr<const SetObject> get(std::size_t object);
 
-  /// How often an object was loaded.
+  /// Returns the number of times that an object was loaded.
   [[nodiscard]] std::size_t n_loads() const;
-  /// Returns the most bytes that were held at a time.
+  /// Returns the largest number of bytes held at a time.
   [[nodiscard]] std::uint64_t peak_bytes() const;
 
  private:
@@ -38,7 +38,7 @@ class ObjectCache {
     std::shared_ptr<const SetObject> object;
     std::uint64_t bytes = 0;
     bool is_loading = false;
-    /// The place of `object` in used_, where it is loaded.
+    /// The position of `object` in used_, if it is loaded.
     std::list<std::size_t>::iterator use;
   };
 
@@ -50,7 +50,7 @@ class ObjectCache {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<Slot> slots_;
-  /// The objects that are there, the one used last first.
+  /// The loaded objects, the most recently used first.
   std::list<std::size_t> used_;
   std::uint64_t bytes_ = 0;
   std::uint64_t peak_bytes_ = 0;

@@ -9,14 +9,13 @@
 namespace meshalyzer {
 
 /// The findings between one mesh of a set, the owner, and the others. Each pair of meshes has one
-/// owner: the one that comes first in the order in space.
+/// owner: the first in the spatial order.
 struct ObjectFindings {
-  /// Its number in the set.
+  /// The number of the owner in the set.
   Index owner = 0;
-  /// The intersections with all meshes that come later in the order in space; present where asked
-  /// for.
+  /// The intersections with all meshes that come later in the spatial order; present if requested.
   std::optional<SetIntersections> intersections;
-  /// The separation of the owner's vertices from all others; present where asked for.
+  /// The separation of the owner's vertices from all others; present if requested.
   std::optional<ObjectSeparation> separation;
 };
 

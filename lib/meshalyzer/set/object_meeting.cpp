@@ -11,8 +11,8 @@ bool contains(const Box3& outer, const Box3& inner) {
   return !inner.isEmpty() && outer.contains(inner);
 }
 
-/// Tells the inclusion of objects that do not touch: each component is inside or outside as a
-/// whole, and any of its vertices tells.
+/// Returns the inclusion of objects that do not touch: each component is inside or outside as a
+/// whole, as is any of its vertices.
 Inclusion inclusion_apart(const SetObject& inner, const SetObject& outer) {
   std::size_t n_inside = 0;
   for (std::size_t c = 0; c < inner.components().count; ++c) {
@@ -25,7 +25,7 @@ Inclusion inclusion_apart(const SetObject& inner, const SetObject& outer) {
                                                 : Inclusion::Partly;
 }
 
-/// Tells the inclusion of objects that touch without crossing.
+/// Returns the inclusion of objects that touch without crossing.
 Inclusion inclusion_touching(const SetObject& inner, const SetObject& outer) {
   if (!outer.is_solid() || !contains(outer.box(), inner.box())) {
     return Inclusion::None;

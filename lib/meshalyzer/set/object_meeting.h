@@ -8,20 +8,20 @@
 
 namespace meshalyzer {
 
-/// Tells how much of an object lies inside another one, where their faces do not cross.
+/// How much of an object lies inside another one whose faces do not cross it.
 enum class Inclusion : std::uint8_t {
   None,
-  /// Some of its components, but not all.
+  /// Some of its components are inside, but not all.
   Partly,
   Wholly,
 };
 
-/// Tells how two objects lie to each other.
+/// The relation between two objects.
 struct ObjectMeeting {
   /// The pairs of faces that share a point, at most PairLimits::max_listed; face_a is a file face
   /// of the first object, face_b one of the second. Ascending.
   std::vector<IntersectingPair> pairs;
-  /// The number of all of them, listed or not.
+  /// The number of all pairs, listed or not.
   ContactCounts counts;
   /// Tells whether the search was told to stop before its end.
   bool is_search_stopped = false;
@@ -29,14 +29,14 @@ struct ObjectMeeting {
   Inclusion second_in_first = Inclusion::None;
 };
 
-/// Finds out how two objects lie to each other; exact.
+/// Finds the relation between two objects, exactly.
 ///
-/// Where faces cross, neither includes the other. Where they only touch, an object is included when
-/// all its vertices that are not on the other's surface are inside, and there are such.
+/// If faces cross, neither object includes the other. If they only touch, an object is included if
+/// at least one of its vertices is not on the other's surface and all such vertices are inside.
 ///
-/// @param limits  How many pairs are listed, and when the search ends; then nothing is known of
-/// inclusions.
-/// @complexity O(faces whose boxes meet the other object); where they touch also a ray a vertex.
+/// @param limits  The limits of the list and of the search; if the search is stopped, inclusions
+///                are unknown.
+/// @complexity O(faces whose boxes meet the other object), plus a ray per vertex if they touch.
 [[nodiscard]] ObjectMeeting find_meeting(const SetObject& first, const SetObject& second,
                                          const PairLimits& limits = {});
 

@@ -7,37 +7,37 @@
 
 namespace meshalyzer {
 
-/// Says what to find out between the meshes of a set.
+/// The questions about the meshes of a set together.
 struct SetQuestions {
-  /// Asks which faces of different meshes share a point, and which meshes are inside others.
+  /// Requests the intersections: faces of different meshes that share a point, and meshes inside
+  /// others.
   bool intersections = false;
-  /// Tells how far each vertex is from the closest other mesh.
+  /// Requests the distance of each vertex from the closest other mesh.
   std::optional<SeparationOptions> separation = std::nullopt;
-  /// The statistics over the faces, edges and vertices of all meshes.
+  /// Requests the statistics over the faces, edges and vertices of all meshes.
   bool statistics = true;
-  /// Measure separation although a mesh is not good.
+  /// Measures the separation even if a mesh is not good.
   bool force = false;
 
-  /// Tells whether any of it is about what lies between the meshes.
+  /// Tells whether any question concerns the relation between meshes.
   [[nodiscard]] bool is_between() const { return intersections || separation; }
 
   friend bool operator==(const SetQuestions&, const SetQuestions&) = default;
 };
 
-/// Says what a run finds out about meshes and between them: everything that decides what is found,
-/// nothing about how it is told. Runs with equal requests find the same in the same files, but for
-/// what a time limit leaves out.
+/// Everything that determines the findings of a run, and nothing about their presentation. Runs
+/// with equal requests find the same in the same files, unless a time limit ends a search.
 struct Request {
-  /// What to find out about each mesh.
+  /// The questions about each mesh.
   MeshRequest mesh;
-  /// Keep the offending elements by their ids, not only their numbers.
+  /// Keeps the ids of offending elements, not only their number.
   bool list_offenders = false;
-  /// The meshes are a set, of which there is something to say beside what is said of each.
+  /// Tells whether the meshes are a set, which is reported as a whole too.
   bool is_set = false;
-  /// Between the meshes of a set.
+  /// The questions about the set.
   SetQuestions between;
-  /// Searches for intersecting pairs end so many seconds after the run began, with what they have
-  /// found by then.
+  /// The time in seconds after the start of the run at which searches for intersecting pairs end,
+  /// with what they have found by then.
   std::optional<double> time_limit;
 
   friend bool operator==(const Request&, const Request&) = default;

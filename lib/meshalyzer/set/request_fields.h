@@ -10,7 +10,7 @@
 
 namespace meshalyzer {
 
-/// A member of a part of a request, and the key that it is written with.
+/// A member of a part of a request, and its key in files.
 template <typename Part, typename Member>
 struct RequestField {
   std::string_view key;
@@ -19,8 +19,8 @@ struct RequestField {
 template <typename Part, typename Member>
 RequestField(std::string_view, Member Part::*) -> RequestField<Part, Member>;
 
-/// All members of a part of a request. What is written of a request, and read back, is this table:
-/// a member that is missing here does not compile.
+/// All members of a part of a request. Requests are written and read by this table; if a member is
+/// missing here, the code does not compile.
 template <typename Part>
 inline constexpr auto kRequestFields = std::tuple{};
 

@@ -9,31 +9,32 @@
 
 namespace meshalyzer {
 
-/// Tells how far a run has come.
+/// The progress of a run.
 struct RunProgress {
   enum class Stage : std::uint8_t { Files, Between };
   Stage stage = Stage::Files;
-  /// Files read, or objects looked at from.
+  /// The number of files analysed, or of objects compared with the others.
   std::size_t done = 0;
   std::size_t total = 0;
   /// The number of faces in the items that are done.
   std::size_t faces = 0;
 };
 
-/// Hears what a run finds. The calls come one at a time, in an order that does not depend on the
-/// number of threads; wants_to_stop() may come at any time, and from several threads at once.
+/// Receives the findings of a run. The calls come one at a time, in an order that does not depend
+/// on the number of threads; only wants_to_stop() may be called at any time, and by several threads
+/// at once.
 class RunListener {
  public:
   virtual ~RunListener() = default;
 
-  /// Every mesh of this run's shard, in order of the files.
+  /// Receives every mesh of this run's shard, in order of the files.
   virtual void on_mesh(Index /*number*/, const Analysis& /*mesh*/) {}
   virtual void on_unreadable(Index /*number*/, const std::string& /*why*/) {}
-  /// Every owner of this run's shard, in the order in space.
+  /// Receives the findings of every owner of this run's shard, in the spatial order.
   virtual void on_findings(const ObjectFindings& /*findings*/) {}
   virtual void on_progress(const RunProgress& /*progress*/) {}
-  /// Asked before each piece of work; once true, it must stay so, and the run ends as soon as it
-  /// can.
+  /// Called before each piece of work. Once it returns true it must continue to do so, and the run
+  /// ends as soon as possible.
   [[nodiscard]] virtual bool wants_to_stop() { return false; }
 };
 

@@ -8,15 +8,14 @@
 
 namespace meshalyzer {
 
-/// Selects the points that count when the separation of objects is measured.
+/// The options of the separation of objects, which select the points that count.
 struct SeparationOptions {
   /// Vertices with nothing closer than this are counted, not measured.
   std::optional<double> search_radius = std::nullopt;
-  /// Leaves out points whose direction is more than this number of degrees from the vertex normal,
-  /// 0 ... 90.
+  /// Excludes points whose direction is more than this number of degrees from the vertex normal, 0
+  /// ... 90.
   std::optional<double> search_cone_degrees = std::nullopt;
-  /// Includes the object's own surface, but for faces with a vertex that is reached along edges
-  /// within this length.
+  /// Includes the object's own surface, except faces with a vertex within this length along edges.
   std::optional<double> include_self = std::nullopt;
 
   friend bool operator==(const SeparationOptions&, const SeparationOptions&) = default;
@@ -24,14 +23,13 @@ struct SeparationOptions {
 
 /// The closest point of any other object for each vertex of one object, in columns of equal length.
 struct ObjectSeparation {
-  /// Ids of the vertices that faces use, in file order.
+  /// The ids of the vertices that faces use, in file order.
   std::vector<std::int64_t> vertices;
-  /// Negative where the vertex lies inside another object; NaN where nothing was found.
+  /// The distances, negative if the vertex lies inside another object; NaN if no point was found.
   std::vector<double> distances;
-  /// The object that the closest point is on; kNoIndex where nothing was found.
+  /// The object of the closest point; kNoIndex if none was found.
   std::vector<Index> objects;
-  /// The id of its face; of several at the same distance the one of the first object, then the
-  /// first in its file.
+  /// The id of its face; of several at the same distance, the first face of the first object.
   std::vector<std::int64_t> faces;
   std::vector<Vec3> points;
 };

@@ -14,8 +14,8 @@
 
 namespace meshalyzer {
 
-/// Two faces of different meshes that share a point; mesh_a < mesh_b. Meshes by their number in the
-/// set, faces by id.
+/// Two faces of different meshes that share a point; mesh_a < mesh_b. Meshes are given by their
+/// number in the set, faces by id.
 struct SetPair {
   Index mesh_a = 0;
   std::int64_t face_a = 0;
@@ -26,14 +26,14 @@ struct SetPair {
   friend bool operator==(const SetPair&, const SetPair&) = default;
 };
 
-/// Two meshes of which faces share a point, and how many pairs of these; mesh_a < mesh_b.
+/// Two meshes whose faces share a point, and the number of such pairs of faces; mesh_a < mesh_b.
 struct MeshMeeting {
   Index mesh_a = 0;
   Index mesh_b = 0;
   ContactCounts pairs;
 };
 
-/// A mesh inside another one, where no faces of theirs cross.
+/// A mesh inside another one whose faces it does not cross.
 struct ContainedMesh {
   Index inner = 0;
   Index outer = 0;
@@ -50,10 +50,10 @@ struct SetIntersections {
   std::vector<ContainedMesh> contained;
   /// The meshes of which only some components are inside others, ascending.
   std::vector<ContainedMesh> partly_contained;
-  /// The pairs that the list leaves out, ascending by meshes; empty where it holds all.
+  /// The numbers of pairs missing from the list, ascending by meshes; empty if the list is
+  /// complete.
   std::vector<MeshMeeting> unlisted = {};
-  /// Tells that the search ended at its time limit: there are at least so many pairs, and meshes
-  /// inside others.
+  /// Tells whether the search ended at its time limit, so that all numbers are lower bounds.
   bool is_search_stopped = false;
 
   /// Returns the number of all pairs of faces, listed or not.
@@ -76,48 +76,48 @@ inline constexpr Quantity kSeparationDistance{
                            "vertex is inside one"},
     .if_none = "no vertex has a closest point"};
 
-/// The separation distances of one mesh, in figures.
+/// The statistics of the separation distances of one mesh.
 struct MeshSeparation {
   Index mesh = 0;
   Statistics distance;
-  /// Vertices with nothing within the search radius and cone, or no other mesh at all: they are in
-  /// none of the figures.
+  /// The number of vertices with no point within the search radius and cone, or without any other
+  /// mesh; no statistics include them.
   std::size_t without_closest = 0;
-  /// Vertices that lie inside another mesh; their distances are negative.
+  /// The number of vertices inside another mesh; their distances are negative.
   std::size_t inside = 0;
 };
 
 /// The separation distances of a set ("Sets" in doc/definitions.md).
 struct SetSeparation {
   SeparationOptions options;
-  /// The separation of each mesh, ascending by mesh; meshes without a face are left out.
+  /// The separation of each mesh, ascending by mesh; meshes without a face are excluded.
   std::vector<MeshSeparation> meshes;
   Statistics all;
   std::size_t without_closest = 0;
   std::size_t inside = 0;
-  /// Tells that distances were measured although a mesh is not good.
+  /// Tells whether distances were measured although a mesh is not good.
   bool is_forced = false;
 };
 
 /// The statistics over all vertices, edges and faces of a set.
 using SetStatistics = ElementMeasures<Statistics>;
 
-/// A mesh that is not good, and why.
+/// A mesh that is not good, and the reasons.
 struct UnfitMesh {
   Index mesh = 0;
   std::vector<std::string> reasons;
 };
 
-/// All that is known of a set of meshes. A plain value: reports render it.
+/// The findings about a set of meshes, a plain value that reports render.
 struct SetAnalysis {
-  /// The names of the meshes by number, unreadable ones included: those of their files where these
+  /// The names of the meshes by number, unreadable ones included: the names of their files if these
   /// differ, else their paths.
   std::vector<std::string> names;
   /// The number of meshes that were read.
   std::size_t meshes = 0;
   std::size_t unreadable = 0;
-  /// The number of meshes that are good: by the thresholds where a request has them, else by the
-  /// parts of goodness that need none. It is absent where goodness was not judged.
+  /// The number of meshes that are good: by the thresholds if the request has them, else by the
+  /// parts of goodness that need none. It is absent if goodness was not judged.
   std::optional<std::size_t> good;
   /// The meshes that are not good, unreadable files included; ascending.
   std::vector<UnfitMesh> not_good;
@@ -131,13 +131,13 @@ struct SetAnalysis {
   bool is_measured = true;
   std::size_t intersecting_pairs_within = 0;
   double area = 0.0;
-  /// The total volume of all meshes that have one; the reason tells which have none.
+  /// The total volume of all meshes that have one; the reason names those that have none.
   Measure<double> volume;
   std::optional<SetStatistics> statistics;
-  /// The intersections between meshes; present where they were asked for.
+  /// The intersections between meshes; present if requested.
   std::optional<SetIntersections> intersections;
-  /// The separation distances; present where they were asked for and could be measured, else
-  /// `separation_reason` tells why not.
+  /// The separation distances; present if requested and measured, else `separation_reason` has the
+  /// reason.
   std::optional<SetSeparation> separation;
   std::string separation_reason;
 };

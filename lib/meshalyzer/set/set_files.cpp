@@ -16,7 +16,7 @@ FileStamp readable_stamp_of(const std::string& path) {
   return access(path.c_str(), R_OK) == 0 ? stamp_of(path) : FileStamp{};
 }
 
-/// FNV-1a over 64 bits (Fowler, Noll and Vo), as text.
+/// A 64-bit FNV-1a hash (Fowler, Noll and Vo), as text.
 class Fingerprint {
  public:
   void add(std::string_view text) {

@@ -7,25 +7,26 @@
 
 namespace meshalyzer {
 
-/// Returns the names of the meshes of a set in its report: the last part of their paths where these
+/// Returns the names of the meshes of a set in its report: the last parts of their paths if these
 /// differ, else the paths.
 [[nodiscard]] std::vector<std::string> set_names(const std::vector<std::string>& paths);
 
-/// The files of a set in the state that a run finds them in.
+/// The files of a set and their state at the beginning of a run.
 struct SetFiles {
   std::vector<std::string> paths;
   /// The names of the meshes in the report, see set_names().
   std::vector<std::string> names;
   std::vector<FileStamp> stamps;
-  /// A digest of all paths and stamps: where one differs, so does this.
+  /// A digest of all paths and stamps.
   std::string fingerprint;
 };
 
-/// Returns the files as they are now. A file that may not be read has a stamp of 0, since leave to
-/// do so changes neither its size nor its time.
+/// Returns the files as they are now. A file without read permission has a stamp of 0, because
+/// granting it changes neither size nor time.
 [[nodiscard]] SetFiles stamped(const std::vector<std::string>& paths);
 
-/// @throws IoError where a file is not there any more, or is not what it was.
+/// Checks that no file has changed.
+/// @throws IoError if a file is missing or has changed.
 void require_unchanged(const SetFiles& files);
 
 }  // namespace meshalyzer

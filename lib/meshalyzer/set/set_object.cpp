@@ -78,8 +78,8 @@ Side SetObject::side_of(const Vec3& point) const {
 }
 
 std::uint64_t SetObject::bytes() const {
-  // What OpenMesh keeps: a point and a handle a vertex, two half-edges of three or four handles an
-  // edge, a handle a face; the tree: see FaceTree.
+  // OpenMesh stores a point and a handle per vertex, two half-edges of three or four handles per
+  // edge, and a handle per face; for the tree see FaceTree.
   constexpr std::uint64_t kVertex = 32;
   constexpr std::uint64_t kEdge = 40;
   constexpr std::uint64_t kFace = 56;

@@ -10,34 +10,34 @@
 
 namespace meshalyzer {
 
-/// The faces of a mesh that enclose something: those of components in which every edge has exactly
-/// two faces.
+/// The faces of a mesh that enclose space: those of components in which every edge has exactly two
+/// faces.
 struct SolidParts {
-  /// #components: 1 for those that enclose.
+  /// #components: 1 for those that enclose space.
   std::vector<std::uint8_t> is_solid;
   /// #mesh faces: 0 for faces of such a component, else kNoIndex.
   std::vector<Index> of_face;
   std::size_t count = 0;
 };
 
-/// The place of a point with regard to a solid.
+/// The location of a point relative to a solid.
 enum class Side : std::uint8_t { Outside, Inside, OnSurface };
 
-/// Tells whether an object is to be asked for closest points, which takes memory of its own.
+/// Whether an object is prepared for queries of closest points, which takes additional memory.
 enum class ClosestUse : std::uint8_t { Never, Prepared };
 
-/// One mesh of a set, ready for questions about what is near it. Its tree and its components are
-/// built from the start, so that its size is known; its records are not kept, but for their ids.
+/// One mesh of a set, prepared for queries about its surroundings. Its tree and its components are
+/// built by the constructor, so that its size is known; only the ids of its records are kept.
 class SetObject : public PreparedMesh {
  public:
-  /// @param soup  Is not needed any more afterwards.
+  /// @param soup  The records, which are not needed afterwards.
   /// @complexity  O(#F log #F) time.
   explicit SetObject(const Soup& soup, ClosestUse use = ClosestUse::Never);
 
   /// Returns the search structure for closest points, which is there only with
   /// ClosestUse::Prepared.
   [[nodiscard]] const ClosestPoints& closest() const { return *closest_; }
-  /// #components: a vertex of each (file vertex).
+  /// Returns a file vertex of each component.
   [[nodiscard]] const std::vector<Index>& component_vertices() const { return component_vertices_; }
   [[nodiscard]] const Ids& vertex_ids() const { return vertex_ids_; }
   [[nodiscard]] const Ids& face_ids() const { return face_ids_; }
@@ -46,9 +46,8 @@ class SetObject : public PreparedMesh {
 
   /// Tells whether any of its components encloses anything.
   [[nodiscard]] bool is_solid() const { return solids_.count != 0; }
-  /// Tells where a point lies with regard to the components that enclose something. The answer is
-  /// exact: a ray from a point inside meets their faces an odd number of times, so that a cavity is
-  /// outside.
+  /// Locates a point relative to the components that enclose space. The answer is exact: a ray from
+  /// a point inside meets their faces an odd number of times, so that a cavity is outside.
   ///
   /// @complexity O(log #F + faces whose boxes the ray meets).
   [[nodiscard]] Side side_of(const Vec3& point) const;

@@ -8,19 +8,18 @@
 
 namespace meshalyzer {
 
-/// Tells how to analyse files, as a set or each for itself.
+/// The options for the analysis of files, as a set or independently.
 struct SetOptions {
   Request request;
-  /// Keep the files in the analyses, for reports that show places.
+  /// Keeps the files in the analyses, for reports that show positions.
   bool keep_soup = false;
-  /// Keep the files and what was built for them, where pictures are drawn as soon as a mesh is
-  /// analysed.
+  /// Keeps the prepared meshes in the analyses, for pictures that are drawn at once.
   bool keep_mesh = false;
-  /// Bytes to stay below where the largest few meshes allow it; objects are read again when they
-  /// had to be forgotten.
+  /// The memory limit in bytes, which is kept if the largest few meshes allow it; dropped objects
+  /// are read again.
   std::uint64_t memory_limit = 0;
   Shard shard;
-  /// Findings that need not be looked for again, if there are any; they must outlive the run.
+  /// The findings of earlier runs, or null; they must outlive the run.
   const EarlierFindings* earlier = nullptr;
 };
 

@@ -27,7 +27,7 @@ struct Numbered {
   const SetObject& object;
 };
 
-/// @param meeting  Of `a` and `b`, in this order; a.number < b.number.
+/// @param meeting  The meeting of `a` and `b`, in this order; a.number < b.number.
 SetIntersections intersections_of(const ObjectMeeting& meeting, const Numbered& a,
                                   const Numbered& b) {
   SetIntersections found;
@@ -114,7 +114,7 @@ class SetRun {
     for (std::size_t i = 0; i < order_.size(); ++i) {
       rank_[order_[i]] = static_cast<Index>(i);
     }
-    // The rest is for what is being read and built.
+    // The rest of the memory is for files being read and built.
     ObjectCache objects(paths_.size(), options_.memory_limit / 8 * 5,
                         [&](std::size_t i) { return load(i); });
     const ShardRange range = range_of(options_.shard, order_, n_faces_);
@@ -199,16 +199,16 @@ class SetRun {
   const Deadline deadline_{options_.request.time_limit};
   SetTotals totals_;
   std::vector<FileStamp> stamps_;
-  /// The boxes by number; empty for files that cannot be read or have no face.
+  /// The boxes of the objects; empty for files that cannot be read or have no face.
   std::vector<Box3> boxes_;
   std::vector<std::size_t> n_faces_;
   /// The progress of the work between objects.
   RunProgress progress_;
   bool is_stopped_ = false;
-  /// The questions that are still open when the files are known.
+  /// The questions that remain after the analysis of the files.
   SetQuestions wanted_;
   std::vector<Index> order_;
-  /// The place in order_ of each object, by number.
+  /// The position of each object in order_.
   std::vector<Index> rank_;
   std::optional<BoxTree> box_tree_;
 };

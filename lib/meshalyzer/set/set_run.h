@@ -10,17 +10,17 @@
 
 namespace meshalyzer {
 
-/// Analyses the meshes of a set one by one, whatever Request::is_set says, and what is between
-/// them.
+/// Analyses the meshes of a set one by one, and their relations to each other; Request::is_set is
+/// ignored.
 ///
-/// Files are worked on in parallel, and big ones inside; at most a few at a time, as memory allows.
-/// What is told and returned does not depend on the number of threads, nor on the memory limit.
+/// Files are analysed in parallel, a few at a time, as memory allows, and large ones with several
+/// threads each. The findings depend neither on the number of threads nor on the memory limit.
 ///
-/// @param paths     The files; what is read twice must not change meanwhile.
-/// @return          Nothing where the listener stopped it, or where the run is but one shard of
-///                  several: then what was told is all there is.
-/// @throws IoError  where a file cannot be read a second time or has changed; one that cannot be
-///                  read the first time is told.
+/// @param paths     The files, which must not change meanwhile, because some are read twice.
+/// @return          Nothing if the listener stopped the run, or if it is one shard of several; then
+///                  the listener has received all findings.
+/// @throws IoError  if a file cannot be read a second time or has changed. A file that cannot be
+///                  read the first time is reported.
 [[nodiscard]] std::optional<SetAnalysis> analyze_set(const std::vector<std::string>& paths,
                                                      const SetOptions& options,
                                                      RunListener& listener);

@@ -11,23 +11,24 @@
 
 namespace meshalyzer {
 
-/// Adds up what is found of the meshes of a set, one after the other, in memory that does not grow
-/// with their faces.
+/// Accumulates the findings about the meshes of a set, one after the other, in memory that does not
+/// grow with their faces.
 class SetTotals {
  public:
   SetTotals(std::vector<std::string> names, const SetOptions& options);
 
-  /// Meshes come in ascending order of their numbers. `mesh.values` must be there where everything
-  /// is measured.
+  /// Adds a mesh; meshes come in ascending order of their numbers. `mesh.values` must be set if
+  /// everything is measured.
   void add_mesh(Index number, const Analysis& mesh);
   void add_unreadable(Index number, const std::string& why);
   void add_findings(const ObjectFindings& findings);
 
-  /// Why the separation was not measured, if a mesh that is not good forbids it; else empty.
+  /// Returns the reason why the separation cannot be measured if a mesh is not good; else an empty
+  /// text.
   [[nodiscard]] std::string why_no_separation() const;
 
-  /// @return everything; this must not be used again.
-  /// @complexity O(values), read from a temporary file where they are many.
+  /// @return The totals; the object must not be used again.
+  /// @complexity O(values), which are read from a temporary file if they are many.
   [[nodiscard]] SetAnalysis finish();
 
  private:

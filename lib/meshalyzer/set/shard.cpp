@@ -10,7 +10,7 @@ ShardRange range_of(const Shard& shard, std::span<const Index> order,
   for (const Index object : order) {
     total += n_faces[object];
   }
-  // An object belongs to the shard that the middle of its faces falls into.
+  // An object belongs to the shard that contains the middle of its faces.
   ShardRange range{order.size(), order.size()};
   std::size_t before = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
