@@ -10,36 +10,37 @@
 
 namespace meshalyzer {
 
-// What the values of options of both programs are read with: our own parsers, so that no locale
-// reads numbers.
+// The parsers for the values of options of both programs; they do not depend on the locale.
 
 /// Returns the text without the sign that the parser leaves in the value of `-g=...`.
 [[nodiscard]] std::string_view without_sign(std::string_view text);
 
+/// Returns a number.
 /// @throws UsageError if the text is no number.
 [[nodiscard]] double to_real(const std::string& text, const std::string& option);
 
-/// @throws UsageError if the text is no finite length, 0 or more.
+/// Returns a finite length, 0 or more.
+/// @throws UsageError if the text is no such length.
 [[nodiscard]] double to_length(const std::string& text, const std::string& option);
 
-/// How many threads at most.
+/// Returns the largest number of threads.
 /// @throws UsageError if the text is no such number.
 [[nodiscard]] std::size_t to_thread_count(const std::string& text, const std::string& option);
 
-/// How many of something, 0 or more.
+/// Returns a count, 0 or more.
 /// @throws UsageError if the text is no such number.
 [[nodiscard]] std::size_t to_count(const std::string& text, const std::string& option);
 
-/// Seconds, 0 or more.
+/// Returns a time in seconds, 0 or more.
 /// @throws UsageError if the text is no such number.
 [[nodiscard]] double to_seconds(const std::string& text, const std::string& option);
 
-/// How many times something, at least once.
+/// Returns a factor, 1 or more.
 /// @throws UsageError if the text is no such number.
 [[nodiscard]] std::uint64_t to_ratio(const std::string& text, const std::string& option);
 
-/// Returns the question whether a mistyped name means the nearest of some: "; did you mean
-/// 'hole'?"; empty where none is near.
+/// Returns a question for a mistyped name: "; did you mean 'hole'?". It is empty if no name is
+/// close.
 [[nodiscard]] std::string did_you_mean(std::string_view mistyped,
                                        std::span<const std::string_view> names);
 

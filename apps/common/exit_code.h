@@ -4,15 +4,17 @@ namespace meshalyzer {
 
 /// The exit status of either program.
 enum class ExitCode {
-  /// All done; meshalyzer -g: every mesh is good; meshfixer: nothing asked for remains.
+  /// All was done. With a check of goodness every mesh is good; after a repair no requested defect
+  /// remains.
   Done = 0,
-  /// meshalyzer -g: a mesh is not good. meshfixer: defects remain.
+  /// A mesh is not good, or defects remain after a repair.
   NotGood = 1,
-  /// Wrong usage; nothing was read.
+  /// The usage is wrong; nothing was read.
   Usage = 2,
-  /// An input could not be read, or the report could not be written. The other inputs are done.
+  /// An input could not be read, or the report could not be written. The other inputs were
+  /// processed.
   Trouble = 3,
-  /// Ended by the user before all was done, as shells report it.
+  /// The user interrupted the program; shells report this number for it.
   Interrupted = 130,
 };
 

@@ -8,9 +8,9 @@
 
 namespace meshalyzer {
 
-/// Runs a program, and tells what ends it early, for a person and for the shell.
+/// Runs a program, reports the exception that ends it, and returns the exit code for it.
 ///
-/// @param name  Of the program, as messages begin.
+/// @param name  The name of the program, with which messages begin.
 /// @return      An ExitCode as int.
 [[nodiscard]] int run_guarded(const std::string& name, Streams streams,
                               const std::function<ExitCode()>& program);

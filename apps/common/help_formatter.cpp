@@ -11,8 +11,8 @@ constexpr std::size_t kColumns = 79;
 constexpr std::size_t kIndent = 21;
 
 /// Breaks a text into lines between its words; line feeds in it stay.
-/// @param column  Where the first line begins.
-/// @param indent  Where the others begin.
+/// @param column  The column at which the first line begins.
+/// @param indent  The column at which the other lines begin.
 std::string wrapped(const std::string& text, std::size_t column, std::size_t indent) {
   std::string lines;
   std::istringstream paragraphs(text);
@@ -39,7 +39,7 @@ std::string wrapped(const std::string& text, std::size_t column, std::size_t ind
   return lines + '\n';
 }
 
-/// "-h, --help", "-b N", "--json[=FILE]".
+/// Returns the names of an option and its value: "-h, --help", "-b N", "--json[=FILE]".
 std::string name_of(const CLI::Option& option) {
   std::string names;
   for (const std::string& letter : option.get_snames()) {

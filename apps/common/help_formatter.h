@@ -8,8 +8,8 @@
 
 namespace meshalyzer {
 
-/// Lays out the help of both programs in 80 columns: the calls, what the program is for, what its
-/// arguments are, the options in their groups, and the footer.
+/// Lays out the help of both programs in 80 columns: the calls, the purpose of the program, its
+/// arguments, the options in their groups, and the footer.
 class HelpFormatter : public CLI::FormatterBase {
  public:
   explicit HelpFormatter(std::vector<std::string> calls) : calls_(std::move(calls)) {}

@@ -2,8 +2,8 @@
 
 namespace meshalyzer {
 
-/// While it lives, the first interrupt of the user (Ctrl-C, or a polite kill) only leaves a mark,
-/// so that work can be ended in order; the second ends the program at once. One at a time.
+/// While it exists, the first interrupt (SIGINT or SIGTERM) only sets a flag, so that work can end
+/// in order; the second ends the program at once. Only one may exist at a time.
 class InterruptGuard {
  public:
   InterruptGuard();

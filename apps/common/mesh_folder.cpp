@@ -10,7 +10,7 @@ namespace meshalyzer {
 namespace fs = std::filesystem;
 
 bool is_folder(const std::string& path) {
-  std::error_code ignored;  // what is no folder is told of when it is read
+  std::error_code ignored;  // a path that is no folder is reported when it is read
   return fs::is_directory(path, ignored);
 }
 
@@ -19,7 +19,7 @@ MeshFolder list_mesh_folder(const std::string& folder) {
   std::vector<std::string> names;
   for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
        entry.increment(error)) {
-    std::error_code ignored;  // an entry that cannot be looked at is told of when it is read
+    std::error_code ignored;  // an entry that cannot be examined is reported when it is read
     const fs::file_status status = entry->status(ignored);
     if (format_of_name(entry->path().filename().string()) && !fs::is_directory(status) &&
         !fs::is_other(status)) {

@@ -10,7 +10,7 @@ struct MeshFolder {
   /// The files with the ending of a known format, whatever its case, in order of the bytes of their
   /// names; folders within the folder do not count.
   std::vector<std::string> files;
-  /// Why the folder could not be listed, or held no mesh; mostly empty.
+  /// The reason why the folder could not be listed, or that it held no mesh; mostly empty.
   std::string trouble;
 };
 

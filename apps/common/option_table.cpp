@@ -11,18 +11,19 @@
 namespace meshalyzer {
 namespace {
 
-/// "-b N" and "--json[=FILE]" in two.
+/// Splits "-b N" and "--json[=FILE]" into name and value.
 std::pair<std::string, std::string> name_and_value(const std::string& names) {
   const std::size_t end = names.find_first_of(" [");
   return {names.substr(0, end), names.substr(end)};
 }
 
-/// What messages call an option: by its letter where it has one.
+/// Returns the name of an option in messages: its letter if it has one.
 std::string called(const CLI::Option& option) {
   return option.get_snames().empty() ? option.get_name() : "-" + option.get_snames().front();
 }
 
-/// Refuses the option that a message of the parser begins with: it has too few values, or too many.
+/// Rejects the option with which a message of the parser begins: it has too few values, or too
+/// many.
 [[noreturn]] void refuse_number(const CLI::App& app, std::string_view message) {
   const std::string name(message.substr(0, message.find(':')));
   const CLI::Option* option = app.get_option_no_throw(name);
@@ -44,8 +45,8 @@ void refuse_empty_values(const CLI::App& app) {
   }
 }
 
-/// Refuses the first of the arguments that the parser could not place, and names the option that
-/// was meant, as far as one is like it.
+/// Rejects the first argument that the parser did not recognise, and suggests the option that was
+/// probably meant.
 [[noreturn]] void refuse_unknown(const CLI::App& app) {
   const std::vector<std::string> arguments = app.remaining();
   const std::string& argument = arguments.front();

@@ -16,21 +16,21 @@ namespace meshalyzer {
 
 /// The texts that describe a program.
 struct ProgramTexts {
-  /// The calls of it, a line each, without the word "Usage".
+  /// The calls of the program, one line each, without the word "Usage".
   std::vector<std::string> calls;
   std::string purpose;
   /// The text at the end of --help.
   std::string footer;
-  /// The text that --version prints; there is no such option where it is empty.
+  /// The text that --version prints; if it is empty, there is no such option.
   std::string version;
 };
 
-/// The options of a program. Each is declared once: its name, what becomes of its value, and what
-/// --help says of it. Help lists them as they are declared, in groups.
+/// The options of a program. Each is declared once: its name, the use of its value, and its help
+/// text. Help lists them in the order of the declarations, in groups.
 class OptionTable {
  public:
-  /// Puts a value where it belongs.
-  /// @throws UsageError where the text says none.
+  /// Stores a value.
+  /// @throws UsageError if the text is no valid value.
   using Take = std::function<void(const std::string& text, const std::string& option)>;
 
   explicit OptionTable(ProgramTexts texts);
@@ -38,29 +38,30 @@ class OptionTable {
   OptionTable(const OptionTable&) = delete;
   OptionTable& operator=(const OptionTable&) = delete;
 
-  /// Arguments that are no options, any number of them.
+  /// Declares the arguments that are no options, any number of them.
   void arguments(const std::string& name, std::vector<std::string>& target,
                  const std::string& help);
-  /// Begins a group. What stands before the first is not shown.
+  /// Begins a group. Options before the first group are not shown.
   void group(const std::string& title) { group_ = title; }
   void flag(const std::string& name, std::function<void()> set, const std::string& help);
   void flag(const std::string& name, bool& target, const std::string& help);
-  /// @param names  As help shows them: `-b N`, `-b,--shorter-than N`.
+  /// Declares an option.
+  /// @param names  The names as help shows them: `-b N`, `-b,--shorter-than N`.
   void option(const std::string& names, Take take, const std::string& help);
-  /// An option that may be given several times; each value is taken.
+  /// Declares an option that may be repeated; each value is taken.
   void repeatable(const std::string& names, Take take, const std::string& help);
-  /// An option whose value may be left out: `--json[=FILE]`. What follows it on the command line is
-  /// never taken for its value.
+  /// Declares an option whose value is optional: `--json[=FILE]`. The next argument is never its
+  /// value.
   ///
-  /// @param otherwise  The value where none is given.
+  /// @param otherwise  The value if none is given.
   void option_or(const std::string& otherwise, const std::string& names, Take take,
                  const std::string& help);
 
-  /// Adds -h, --help and --version, and takes the values of a command line, in the order of the
+  /// Adds -h, --help and --version, parses a command line, and takes its values in the order of the
   /// declarations.
   ///
-  /// @return The text that --help or --version asks for; then no value was taken.
-  /// @throws UsageError  where the command line is wrong; an empty value is.
+  /// @return The text for --help or --version; in this case no value was taken.
+  /// @throws UsageError  if the command line is wrong; an empty value is wrong.
   [[nodiscard]] std::optional<std::string> parse(int argc, const char* const* argv);
 
  private:
@@ -78,7 +79,7 @@ class OptionTable {
   std::vector<Declared> declared_;
 };
 
-/// Takes what `read`, a function of text and option, makes of a value.
+/// Returns a function that stores the result of `read`, a function of text and option.
 template <typename Target, typename Read>
 OptionTable::Take into(Target& target, Read read) {
   return [&target, read = std::move(read)](const std::string& text, const std::string& option) {
@@ -86,7 +87,7 @@ OptionTable::Take into(Target& target, Read read) {
   };
 }
 
-/// Takes the text of a value for an optional that is made of a text.
+/// Returns a function that stores the text of a value.
 template <typename Target>
 OptionTable::Take into(Target& target) {
   return [&target](const std::string& text, const std::string&) {

@@ -5,7 +5,7 @@
 
 namespace meshalyzer {
 
-/// A line on a terminal that each message overwrites and that leaves nothing behind.
+/// A line on a terminal that each message overwrites and that is removed in the end.
 class ProgressLine {
  public:
   enum class State { On, Off };
@@ -24,7 +24,7 @@ class ProgressLine {
   bool shown_ = false;
 };
 
-/// Returns On where `stream` is the process's standard error and that is a terminal, else Off.
+/// Returns On if `stream` is the process's standard error and that is a terminal, else Off.
 [[nodiscard]] ProgressLine::State terminal_state(const std::ostream& stream);
 
 }  // namespace meshalyzer

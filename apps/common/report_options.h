@@ -10,24 +10,24 @@
 
 namespace meshalyzer {
 
-/// Tells how both programs go about their work and tell of it.
+/// The options of both programs for reports, progress and resources.
 struct ReportOptions {
   std::optional<ReportTarget> json;
-  /// 0: as many as the machine has cores.
+  /// The number of threads; 0 means as many as the machine has cores.
   std::size_t threads = 0;
-  /// Tells how many times its size a gzipped file may take.
+  /// The largest allowed ratio of the unpacked size of a gzipped file to its size.
   std::uint64_t max_unpack_ratio = kDefaultUnpackRatio;
   enum class Progress : std::uint8_t { OnTerminal, Never };
   Progress progress = Progress::OnTerminal;
 };
 
-/// --json
+/// Declares --json.
 void declare_json(OptionTable& table, ReportOptions& options);
 
-/// --max-unpack-ratio N, of a command with these options.
+/// Declares --max-unpack-ratio.
 void declare_unpack_ratio(OptionTable& table, std::uint64_t& ratio);
 
-/// --threads, --quiet, --no-progress, --max-unpack-ratio
+/// Declares --threads, --quiet, --no-progress and --max-unpack-ratio.
 void declare_conduct(OptionTable& table, ReportOptions& options);
 
 }  // namespace meshalyzer

@@ -5,15 +5,14 @@
 
 namespace meshalyzer {
 
-/// The place that a report for programs is written to: "-" is standard output, in place of the
-/// text.
+/// The destination of a report for programs; "-" is standard output, in place of the text.
 struct ReportTarget {
   std::string file = "-";
 
   [[nodiscard]] bool is_stdout() const { return file == "-"; }
 };
 
-/// Tells whether there is a report, and it goes to standard output.
+/// Tells whether there is a report that goes to standard output.
 [[nodiscard]] inline bool is_stdout(const std::optional<ReportTarget>& target) {
   return target && target->is_stdout();
 }

@@ -8,20 +8,20 @@
 
 namespace meshalyzer {
 
-/// Tells whether two paths name one file, be it there or not.
+/// Tells whether two paths name the same file, which need not exist.
 [[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
 
-/// Files that are there, by what they are and not by what they are called.
+/// A set of existing files, identified by device and inode, not by name.
 class KnownFiles {
  public:
-  /// @param paths  Those of which there is no file do not count.
+  /// @param paths  The paths; those without a file are ignored.
   explicit KnownFiles(const std::vector<std::string>& paths);
 
-  /// Tells whether a path names one of them, by whatever way.
+  /// Tells whether a path names one of the files, possibly through links.
   [[nodiscard]] bool contain(const std::string& path) const;
 
  private:
-  /// Device and file number.
+  /// The device and the inode number of each file.
   std::set<std::pair<std::uint64_t, std::uint64_t>> files_;
 };
 

@@ -6,7 +6,7 @@ namespace meshalyzer {
 
 /// The streams that a program writes to.
 struct Streams {
-  /// The report.
+  /// The stream for the report.
   std::ostream& out;
   /// The stream for everything else.
   std::ostream& err;

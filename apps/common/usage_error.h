@@ -4,7 +4,7 @@
 
 namespace meshalyzer {
 
-/// The command line does not say something that can be done. what() is for the user.
+/// The command line is wrong; what() explains it to the user.
 class UsageError : public Error {
  public:
   using Error::Error;

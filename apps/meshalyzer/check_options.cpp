@@ -40,13 +40,13 @@ void check_meshes(const Options& options) {
   }
 }
 
-/// Tells whether the distances between the meshes of a set are asked for.
+/// Tells whether the distances between the meshes of a set are requested.
 bool measures_separation(const Options& options) {
   return options.asked.separation ||
          (!options.asked.any() && !attributes_only(options) && !options.mesh.goodness);
 }
 
-/// Returns an option that is of no use where no distances are measured.
+/// Returns an option that has no effect unless distances are measured, or an empty text.
 std::string_view needs_separation(const Options& options) {
   return options.separation.search_radius                      ? "--search-radius"
          : options.separation.search_cone_degrees              ? "--search-cone"
@@ -86,7 +86,7 @@ void check_journal(const Options& options) {
   }
 }
 
-/// Checks what options of curvatures and pictures need, and what they exclude.
+/// Checks the dependencies and exclusions of the options of curvatures and pictures.
 void check_pictures(const Options& options) {
   const FieldExport& wanted = options.field_export;
   if (wanted.file.has_value() != wanted.field.has_value()) {

@@ -4,7 +4,8 @@
 
 namespace meshalyzer {
 
-/// @throws UsageError where options exclude each other, or one lacks another that it needs.
+/// Checks that options fit together.
+/// @throws UsageError if options exclude each other, or one lacks another that it needs.
 void check_options(const Options& options);
 
 }  // namespace meshalyzer

@@ -59,10 +59,10 @@ bool is_command(std::string_view word) {
   return word == "check" || word == "merge";
 }
 
-/// Refuses a first word that is no file, and nearly a command.
+/// Rejects a first word that is no file and resembles a command.
 void check_first_word(std::string_view word) {
   constexpr std::array<std::string_view, 2> kCommands{"check", "merge"};
-  std::error_code ignored;  // what cannot be looked at is told of when it is read
+  std::error_code ignored;  // a path that cannot be examined is reported when it is read
   if (!is_command(word) && !nearest_name(word, kCommands).empty() &&
       !std::filesystem::exists(word, ignored)) {
     throw UsageError("there is no file and no command '" + std::string(word) + "'" +

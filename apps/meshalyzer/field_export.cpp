@@ -23,7 +23,7 @@ FieldFormat format_of(const std::string& file) {
 /// The faces that have all corners, and their values.
 struct DrawnFaces {
   std::vector<Triangle> triangles;
-  /// Empty where the field is of vertices.
+  /// The values; empty for a field of vertices.
   std::vector<double> values;
 };
 
@@ -71,7 +71,7 @@ std::vector<std::string> comments_on(const ColouredField& field) {
   return comments;
 }
 
-/// Returns what Gaussian and mean curvature are spread over, in words.
+/// Returns the area of Gaussian and mean curvature in words.
 std::string remark_on(const FieldSource& source, FieldName name) {
   std::string remark;
   if (name == FieldName::Gaussian || name == FieldName::Mean) {

@@ -31,7 +31,7 @@ Inputs find_inputs(const std::vector<std::string>& paths) {
   return inputs;
 }
 
-/// Throws where folders are used in a way that only the paths themselves can tell to be wrong.
+/// Throws if folders are used in a wrong way that only the paths themselves reveal.
 void check_folders(const Options& options) {
   if (!options.total_volume) {
     return;
@@ -47,7 +47,7 @@ bool has_stdin(const std::vector<std::string>& paths) {
   return std::find(paths.begin(), paths.end(), "-") != paths.end();
 }
 
-/// Several files are a set too where somebody asks for what is between them.
+/// Decides whether the files are a set: several files are one too if their relations are requested.
 void decide_set(const Options& options, Inputs& inputs) {
   if (options.asked.any() && options.paths.size() > 1) {
     inputs.is_set = true;
@@ -64,7 +64,7 @@ void decide_set(const Options& options, Inputs& inputs) {
   }
 }
 
-/// A journal is of files that are there to be looked at again.
+/// Rejects a journal with standard input: its files must be readable again.
 void check_stdin(const Options& options) {
   const bool has_journal = options.resume || (options.ndjson && !options.ndjson->is_stdout());
   if (has_stdin(options.paths) && has_journal) {
@@ -72,7 +72,7 @@ void check_stdin(const Options& options) {
   }
 }
 
-/// A file named twice is one mesh of a set.
+/// Removes repeated files, because a file named twice is one mesh of a set.
 void drop_repeated(std::vector<std::string>& files) {
   std::set<std::string> met;
   std::erase_if(files, [&](const std::string& file) { return !met.insert(file).second; });

@@ -7,13 +7,12 @@
 
 namespace meshalyzer {
 
-/// The mesh files that the paths of a command line mean.
+/// The mesh files that the paths of a command line stand for.
 struct Inputs {
   /// The mesh files in order of the paths. A folder stands for the files in it with the ending of a
-  /// known format, whatever its case, in order of the bytes of their names; folders within it do
-  /// not count.
+  /// known format, whatever its case, in order of the bytes of their names; subfolders are ignored.
   std::vector<std::string> files;
-  /// The names of the meshes where a report tells of several, see set_names().
+  /// The names of the meshes in a report on several, see set_names().
   std::vector<std::string> names;
   /// Tells whether all files together are a set.
   bool is_set = false;
@@ -21,10 +20,10 @@ struct Inputs {
   std::vector<std::string> troubles;
 };
 
-/// Returns the mesh files that a command line means, and whether they are a set: those of a folder
-/// are, and several files where somebody asks for what is between them. A file named twice is one
-/// mesh of a set.
-/// @throws UsageError where what is asked for cannot be told of them.
+/// Returns the mesh files that a command line stands for, and whether they are a set: the files of
+/// a folder are, and several files if their relations are requested. A file named twice is one mesh
+/// of a set.
+/// @throws UsageError if the request does not apply to them.
 [[nodiscard]] Inputs inputs_of(const Options& options);
 
 }  // namespace meshalyzer

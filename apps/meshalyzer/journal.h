@@ -10,24 +10,24 @@
 
 namespace meshalyzer {
 
-/// The journal of a run (--ndjson, --resume): what earlier runs left in it, and where the lines of
-/// this one go.
+/// The journal of a run (--ndjson, --resume): the lines of earlier runs, and the destination of
+/// those of this run.
 class Journal {
  public:
-  /// Reads the lines that an earlier run left where this one is to leave its own, or in the journal
-  /// to be gone on with.
-  /// @throws IoError if it cannot be read, or is none.
+  /// Reads the lines that an earlier run left in the file of the journal, or in the journal to
+  /// resume.
+  /// @throws IoError if it cannot be read, or is no journal.
   Journal(const Options& options, const Inputs& inputs, const Request& request);
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  /// Makes it a journal of those lines that still hold, ready for more.
-  /// @param out  Where the lines go that go to standard output.
+  /// Reduces the journal to the lines that are still valid, and opens it for more.
+  /// @param out  Standard output, to which the lines go if there is no file.
   /// @throws IoError if it cannot be written.
   void open(const ReportTarget& target, std::ostream& out);
 
   [[nodiscard]] const KnownLines& known() const { return known_; }
-  /// Returns the listener that writes the journal; only after open().
+  /// Returns the listener that writes the journal; open() must have been called.
   [[nodiscard]] RunListener& recorder() { return *recorder_; }
 
  private:

@@ -11,7 +11,8 @@
 
 namespace meshalyzer {
 
-/// The JSON report on its way to standard output or a file, which it replaces when it is complete.
+/// Writes the JSON report to standard output or to a file, which is replaced when the report is
+/// complete.
 class JsonOutput : public Output {
  public:
   /// @throws IoError if the file cannot be written.
@@ -20,7 +21,7 @@ class JsonOutput : public Output {
   JsonOutput(const JsonOutput&) = delete;
   JsonOutput& operator=(const JsonOutput&) = delete;
 
-  // What follows throws IoError if the file cannot be written.
+  // The following functions throw IoError if the file cannot be written.
 
   void on_mesh(Index number, const Analysis& mesh) override;
   void on_unreadable(Index number, const std::string& why) override;

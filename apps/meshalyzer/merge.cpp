@@ -9,7 +9,8 @@
 namespace meshalyzer {
 namespace {
 
-/// How to tell what the journals hold: as asked for now, and with the offenders that they list.
+/// Returns the options for the report of the journals: those of this call, and the offenders that
+/// the journals list.
 Options told_as(Options options, const Request& request) {
   options.offenders = request.list_offenders ? OffenderStyle::Ids : OffenderStyle::None;
   return options;
@@ -20,7 +21,8 @@ Options told_as(Options options, const Request& request) {
 ExitCode merge(const Options& how, Streams streams) {
   const JournalSubject subject = read_subject(how.paths);
   const Options options = told_as(how, subject.request);
-  // The statistics of a set are made of the files anew, so these must be what they were.
+  // The statistics of a set are computed again from the files, which therefore must not have
+  // changed.
   if (subject.request.is_set && subject.request.between.statistics) {
     require_unchanged(subject.files);
   }

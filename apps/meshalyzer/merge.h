@@ -6,12 +6,12 @@
 
 namespace meshalyzer {
 
-/// `meshalyzer merge`: makes the report of a run of the journals of its parts (--shard), the same
-/// as that of the whole run would be.
+/// Runs `meshalyzer merge`: makes the report of a run from the journals of its shards, the same as
+/// that of the whole run.
 ///
-/// @param how  The journals, and how to tell what they hold.
-/// @throws IoError  A journal cannot be read, is of another run than the first, or a part is
-/// missing.
+/// @param how  The journals, and the options of the report.
+/// @throws IoError  if a journal cannot be read or belongs to another run than the first, or if a
+///                  part is missing.
 [[nodiscard]] ExitCode merge(const Options& how, Streams streams);
 
 }  // namespace meshalyzer

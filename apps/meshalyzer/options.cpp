@@ -116,7 +116,8 @@ void declare_work(OptionTable& table, Options& options) {
   declare_conduct(table, options);
 }
 
-/// -v prints but one number: volumes need no more than the attributes do.
+/// Completes options that follow from others: -v prints only one number, and volumes need no more
+/// than the attributes do.
 void complete(Options& options) {
   if (options.total_volume) {
     options.mesh.scope = Scope::AttributesOnly;

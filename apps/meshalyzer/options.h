@@ -15,8 +15,8 @@
 
 namespace meshalyzer {
 
-/// The questions about a set: where neither is named, a folder is asked for both, but for nothing
-/// with -a or -g.
+/// The questions about a set. If neither is named, both are asked about a folder, but none with -a
+/// or -g.
 struct AskedOfSet {
   bool intersections = false;
   bool separation = false;
@@ -26,65 +26,64 @@ struct AskedOfSet {
 
 /// A field of each mesh, written to a file.
 struct FieldExport {
-  /// The file to write the picture of one mesh to. Where there are several meshes, its name without
-  /// the ending is a folder, with a file a mesh.
+  /// The file for the field of one mesh. For several meshes its name without the ending is a
+  /// folder, with one file for each mesh.
   std::optional<std::string> file;
-  /// There where a file is.
+  /// The field; present if the file is.
   std::optional<FieldName> field;
-  /// The palette; where it is absent, the one that suits the field.
+  /// The palette; by default the one that suits the field.
   std::optional<Palette> palette;
 };
 
-/// A command line, understood. What is not on it is as it is here.
+/// A parsed command line, with default values for absent options.
 struct Options : ReportOptions {
-  /// Mesh files, folders, or "-"; at least one. The journals, where the command is merge.
+  /// The mesh files, folders, or "-"; at least one. For the command merge, the journals.
   std::vector<std::string> paths;
   MeshRequest mesh;
-  /// In seconds.
+  /// The time limit in seconds.
   std::optional<double> time_limit;
   AskedOfSet asked;
   SeparationOptions separation;
-  /// --force
+  /// Measures the separation even if a mesh is not good (--force).
   bool force = false;
   OffenderStyle offenders = OffenderStyle::None;
-  /// Prints nothing but the total volume of a folder to standard output (-v).
+  /// Prints only the total volume of a folder to standard output (-v).
   bool total_volume = false;
-  /// A line a mesh in place of its report.
+  /// Prints one line for each mesh in place of its report.
   bool summary = false;
   std::optional<ReportTarget> ndjson;
-  /// The journal of an earlier run to go on with.
+  /// The journal of an earlier run to resume.
   std::optional<std::string> resume;
-  /// A folder for a PLY an object, coloured by its separation.
+  /// The folder for one PLY file per object, coloured by its separation.
   std::optional<std::string> separation_ply;
   FieldExport field_export;
   /// The file of the page of one mesh, or of the index of several.
   std::optional<std::string> html;
   std::optional<Shard> shard;
-  /// Bytes.
+  /// The memory limit in bytes.
   std::uint64_t memory_limit = physical_memory() / 2;
 
-  /// Tells whether what is told of a mesh shows places, for which its file is needed.
+  /// Tells whether reports on a mesh show positions, for which its file is needed.
   [[nodiscard]] bool shows_places() const {
     return offenders == OffenderStyle::CustomPoints || html || field_export.file;
   }
 };
 
-/// An Options, or the text that --help or --version asks for.
+/// An Options, or the text for --help or --version.
 struct CommandLine {
   Options options;
-  /// The answer to --help or --version; where it is present, it is printed and nothing else is
-  /// done.
+  /// The text for --help or --version; if present, it is printed and nothing else is done.
   std::optional<std::string> answer;
 };
 
-/// Understands a command line. Touches no file.
+/// Parses a command line without touching any file.
 ///
 /// @throws UsageError if it is wrong: an unknown option, a bad number, no path, or options that
 /// exclude each other.
 [[nodiscard]] CommandLine parse_command_line(int argc, const char* const* argv);
 
-/// Understands that of `meshalyzer merge`.
-/// @param argv  From the word `merge` on.
+/// Parses the command line of `meshalyzer merge`.
+/// @param argv  The arguments from the word `merge` on.
 [[nodiscard]] CommandLine parse_merge_command_line(int argc, const char* const* argv);
 
 }  // namespace meshalyzer

@@ -9,7 +9,7 @@
 
 namespace meshalyzer {
 
-/// Listens to a run to find its exit status, and tells what went wrong as it happens.
+/// Determines the exit status of a run, and reports errors as they happen.
 class Outcome : public RunListener {
  public:
   explicit Outcome(std::ostream& err) : err_(err) {}

@@ -8,10 +8,10 @@ namespace meshalyzer {
 /// A report that is made while a run goes on.
 class Output : public RunListener {
  public:
-  /// Ends the report. Not called where the run was stopped: then there is no whole report to take
-  /// the place of an old one.
+  /// Ends the report. It is not called if the run was stopped: an incomplete report must not
+  /// replace an old one.
   ///
-  /// @param set  Null where the files are no set.
+  /// @param set  The findings about the set, or null if the files are no set.
   virtual void finish(const SetAnalysis* set) = 0;
 };
 

@@ -9,7 +9,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns the output for a person on standard output; null where something else goes there.
+/// Returns the output for a person on standard output, or null if something else goes there.
 std::unique_ptr<Output> output_for_person(const Run& run, Streams streams) {
   if (is_stdout(run.options.json) || is_stdout(run.options.ndjson)) {
     return nullptr;

@@ -9,7 +9,7 @@
 
 namespace meshalyzer {
 
-/// Returns the reports that a run is asked for, in the order in which they hear of what is found.
+/// Returns the reports that a run makes, in the order in which they receive findings.
 /// @throws IoError if one cannot be written.
 [[nodiscard]] std::vector<std::unique_ptr<Output>> outputs_of(const Run& run, Streams streams);
 

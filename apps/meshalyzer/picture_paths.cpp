@@ -35,7 +35,7 @@ std::vector<std::string> file_names_of(const std::vector<std::string>& paths,
   return names;
 }
 
-/// Returns a file a mesh in a folder.
+/// Returns the paths of one file for each mesh in a folder.
 std::vector<std::string> files_in(const fs::path& folder, const std::vector<std::string>& names) {
   std::vector<std::string> files;
   std::transform(names.begin(), names.end(), std::back_inserter(files),
@@ -73,7 +73,7 @@ void name_fields(const std::string& file, const Inputs& inputs, PicturePaths& pa
   paths.fields = files_in(folder, file_names_of(inputs.files, ending));
 }
 
-/// The next run would take what is written there for meshes to be looked at.
+/// Rejects folders that are inputs too: the next run would take the files written there for meshes.
 void refuse_looked_at(const std::vector<std::string>& folders, const Options& options) {
   for (const std::string& folder : folders) {
     for (const std::string& path : options.paths) {
@@ -106,7 +106,7 @@ PicturePaths picture_paths(const Options& options, const Inputs& inputs) {
   if (options.separation_ply) {
     const fs::path folder = *options.separation_ply;
     paths.separations = files_in(folder, file_names_of(inputs.files, ".ply"));
-    // The folder as a file in it names it: `DIR/` is `DIR`.
+    // The folder without a final slash: `DIR/` becomes `DIR`.
     paths.folders.push_back((folder / "x").parent_path().string());
   }
   refuse_looked_at(paths.folders, options);

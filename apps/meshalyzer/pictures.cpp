@@ -28,7 +28,7 @@ std::optional<double> smallest(const ObjectSeparation* separation) {
   return least;
 }
 
-/// Makes the folder of a file, where it is one of those that are made.
+/// Makes the folder of a file if it is one of the folders of the pictures.
 void prepare(const std::string& file, const PicturePaths& paths) {
   const std::string folder = std::filesystem::path(file).parent_path().string();
   if (std::find(paths.folders.begin(), paths.folders.end(), folder) != paths.folders.end()) {
@@ -36,7 +36,7 @@ void prepare(const std::string& file, const PicturePaths& paths) {
   }
 }
 
-/// Returns the first offenders, which a page shows. Whole lists of many meshes that wait would fill
+/// Returns the first offenders, which a page shows. Whole lists of many waiting meshes would fill
 /// the memory.
 Offenders first_offenders(const Offenders& all) {
   Offenders first;
@@ -83,8 +83,8 @@ void Pictures::on_mesh(Index number, const Analysis& mesh) {
 
 void Pictures::wait(Index number, const Analysis& mesh) {
   Waiting waiting{mesh, std::nullopt};
-  // What a journal knows has no file with it, and its pairs are by other records. Where a list is
-  // cut, more is to be known than it says: the page searches again.
+  // An analysis from a journal has no file, and its pairs refer to other records; a list that is
+  // cut is not enough for a page. In both cases the page searches again.
   const Characteristics& c = mesh.characteristics;
   const bool is_cut = mesh.offenders.intersecting_pairs.size() < c.intersecting_pairs;
   if (mesh.soup && (!is_cut || c.is_search_stopped)) {

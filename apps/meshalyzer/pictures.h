@@ -13,20 +13,20 @@
 
 namespace meshalyzer {
 
-/// Tells whether any pictures are asked for.
+/// Tells whether any pictures are requested.
 [[nodiscard]] bool draws_pictures(const Options& options);
 
-/// Tells whether the meshes of a run are drawn as soon as they are analysed, so that what was built
-/// for the analysis should be kept until then (SetOptions::keep_mesh).
+/// Tells whether the meshes of a run are drawn as soon as they are analysed, so that the prepared
+/// meshes should be kept until then (SetOptions::keep_mesh).
 [[nodiscard]] bool draws_at_once(const Run& run);
 
-/// Writes the pictures of a run as its findings come: a page a mesh and their index (--html), a
-/// field (--export), the separation (--separation-ply).
+/// Writes the pictures of a run as its findings come: a page for each mesh and their index
+/// (--html), a field (--export), the separation (--separation-ply).
 class Pictures : public Output {
  public:
   explicit Pictures(const Run& run);
 
-  // What follows throws IoError where a file cannot be read again, or written.
+  // The following functions throw IoError if a file cannot be read again, or written.
 
   void on_mesh(Index number, const Analysis& mesh) override;
   void on_unreadable(Index number, const std::string& why) override;
@@ -34,7 +34,7 @@ class Pictures : public Output {
   void finish(const SetAnalysis* set) override;
 
  private:
-  /// A mesh whose distances to others are not known yet.
+  /// A mesh whose separation is not known yet.
   struct Waiting {
     /// The analysis without the file and the offenders.
     Analysis analysis;
@@ -50,7 +50,7 @@ class Pictures : public Output {
 
   const Run& run_;
   const PicturePaths& paths_;
-  /// The meshes that wait, by number: they are drawn in this order, whatever came first.
+  /// The waiting meshes by number: they are drawn in this order.
   std::map<Index, Waiting> waiting_;
   std::vector<IndexRow> rows_;
 };

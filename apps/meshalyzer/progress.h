@@ -11,8 +11,7 @@
 
 namespace meshalyzer {
 
-/// Shows how far a run has come, and stops it where the user interrupts it or standard output takes
-/// no more.
+/// Shows the progress of a run, and stops it if the user interrupts it or standard output fails.
 class Progress : public RunListener {
  public:
   Progress(const Options& options, Streams streams);
@@ -21,7 +20,7 @@ class Progress : public RunListener {
   void on_unreadable(Index number, const std::string& why) override;
   void on_progress(const RunProgress& progress) override;
   [[nodiscard]] bool wants_to_stop() override;
-  /// Takes the line off the terminal.
+  /// Removes the line from the terminal.
   void clear() { line_.clear(); }
 
  private:

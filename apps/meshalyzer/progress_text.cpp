@@ -15,7 +15,7 @@ std::string bar(double share) {
   return text;
 }
 
-/// Three digits and a unit: 12.3 M.
+/// Returns a count with three digits and a unit: 12.3 M.
 std::string short_count(double count) {
   const char* unit = "";
   for (const char* next : {" k", " M", " G"}) {

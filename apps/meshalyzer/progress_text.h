@@ -7,10 +7,10 @@
 
 namespace meshalyzer {
 
-/// Returns a line of how far a run has come: a bar, files, faces, rate and the time left, at most
-/// 79 columns.
+/// Returns a line that shows the progress of a run: a bar, files, faces, rate and the remaining
+/// time, in at most 79 columns.
 ///
-/// @param elapsed  Since the stage began.
+/// @param elapsed  The time since the stage began.
 [[nodiscard]] std::string progress_text(const RunProgress& progress,
                                         std::chrono::duration<double> elapsed);
 

@@ -5,10 +5,10 @@
 
 namespace meshalyzer {
 
-/// Returns what a command line asks to be found out.
+/// Returns the request of a command line.
 ///
-/// @param is_set  Whether the meshes are a set: then all there is between them is asked for where
-/// nothing is named, but nothing with -a or -g.
+/// @param is_set  True if the meshes are a set. If no question about it is named, all are asked,
+///                but none with -a or -g.
 [[nodiscard]] Request request_of(const Options& options, bool is_set);
 
 }  // namespace meshalyzer

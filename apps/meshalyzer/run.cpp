@@ -17,7 +17,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Several listeners as one: each hears everything, one after the other.
+/// Forwards all findings to several listeners, one after the other.
 class Audience : public RunListener {
  public:
   void add(RunListener& listener) { listeners_.push_back(&listener); }
@@ -45,7 +45,7 @@ class Audience : public RunListener {
 
 /// The results of the files.
 struct Findings {
-  /// False where the run was stopped, or is but a part.
+  /// False if the run was stopped, or is only one shard.
   bool is_whole = false;
   std::optional<SetAnalysis> set;
 };
@@ -99,7 +99,7 @@ ExitCode carry_out(const Run& run, Streams streams) {
     tell_interrupted(run, outcome, streams.err);
   }
   if (found.is_whole) {
-    // What a person waits for comes first.
+    // The output for a person comes first.
     std::for_each(outputs.rbegin(), outputs.rend(),
                   [&](const auto& output) { output->finish(found.set ? &*found.set : nullptr); });
   }

@@ -17,13 +17,13 @@ struct Run {
   const Inputs& inputs;
   const Request& request;
   const PicturePaths& pictures;
-  /// The findings that are known already; may be null.
+  /// The findings of earlier runs; may be null.
   const EarlierFindings* earlier = nullptr;
-  /// Keeps what is found; may be null.
+  /// The listener that stores the findings; may be null.
   RunListener* journal = nullptr;
 };
 
-/// Has the files analysed, and tells what is found as it is found.
+/// Analyses the files, and reports findings as they come.
 [[nodiscard]] ExitCode carry_out(const Run& run, Streams streams);
 
 }  // namespace meshalyzer

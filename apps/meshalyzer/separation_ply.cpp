@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns a scale from 0 on, not from the smallest value, so that what is close looks close.
+/// Returns a scale that begins at 0, not at the smallest value, so that near objects look near.
 ColourScale scale_from_zero(const std::vector<double>& values, std::optional<double> largest) {
   const ColourScale all = scale_for(values);
   if (all.min < 0.0) {

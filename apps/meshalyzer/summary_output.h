@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// A table with a line a mesh (--summary), and of a set what there is to say of it.
+/// Writes a table with one line for each mesh (--summary), and the findings about a set.
 class SummaryOutput : public Output {
  public:
   SummaryOutput(const Run& run, std::ostream& out);

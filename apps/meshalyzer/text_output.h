@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// The report as text: each mesh as it is done, and of a set what there is to say of it.
+/// Writes the report as text: each mesh when it is done, and the findings about a set.
 class TextOutput : public Output {
  public:
   TextOutput(const Run& run, std::ostream& out) : run_(run), out_(out) {}
@@ -22,8 +22,8 @@ class TextOutput : public Output {
   std::size_t n_told_ = 0;
 };
 
-/// Writes what a report says about a set as a whole, which comes after what it says about its
-/// meshes. A set without meshes has no such part.
+/// Writes the part of a report about the set as a whole, which follows the meshes. A set without
+/// meshes has no such part.
 void tell_set(const SetAnalysis* set, const Run& run, std::ostream& out);
 
 }  // namespace meshalyzer

@@ -20,7 +20,7 @@ namespace {
   throw UsageError(option + " needs " + what + ", not '" + text + "'");
 }
 
-/// Refuses a text that was taken for thresholds, since these were left out.
+/// Rejects a path that was taken for thresholds because these are missing.
 [[noreturn]] void refuse_path(const std::string& option, const std::string& text) {
   throw UsageError("the three numbers of " + option + " are missing: '" + option +
                    " AR,ANGLE,LEN " + text + "', as in '" + option + " 100,5,0.1 " + text +
@@ -30,7 +30,7 @@ namespace {
 }  // namespace
 
 GoodnessThresholds to_thresholds(const std::string& text, const std::string& option) {
-  std::error_code ignored;  // what cannot be looked at is no path
+  std::error_code ignored;  // a path that cannot be examined is no path
   if (format_of_name(text) || std::filesystem::exists(text, ignored)) refuse_path(option, text);
   std::string_view rest = without_sign(text);
   std::array<double, 3> numbers{};

@@ -10,16 +10,16 @@
 
 namespace meshalyzer {
 
-// What the values of options are read with. All throw UsageError where the text is none.
+// The parsers for the values of options. All throw UsageError if the text is no valid value.
 
-/// "AR,ANGLE,LEN".
+/// Parses "AR,ANGLE,LEN".
 [[nodiscard]] GoodnessThresholds to_thresholds(const std::string& text, const std::string& option);
 [[nodiscard]] VertexArea to_area(const std::string& text, const std::string& option);
 [[nodiscard]] FieldName to_field(const std::string& text, const std::string& option);
 [[nodiscard]] Palette to_palette(const std::string& text, const std::string& option);
-/// Degrees, 0 to 90.
+/// Parses an angle in degrees, 0 to 90.
 [[nodiscard]] double to_cone(const std::string& text, const std::string& option);
-/// "K/N", K from 1.
+/// Parses "K/N", with K from 1 to N.
 [[nodiscard]] Shard to_shard(const std::string& text, const std::string& option);
 [[nodiscard]] std::uint64_t to_bytes(const std::string& text, const std::string& option);
 

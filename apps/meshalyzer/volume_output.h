@@ -5,7 +5,7 @@
 
 namespace meshalyzer {
 
-/// The total volume of a set, and nothing else (-v).
+/// Prints only the total volume of a set (-v).
 class VolumeOutput : public Output {
  public:
   explicit VolumeOutput(Streams streams) : streams_(streams) {}

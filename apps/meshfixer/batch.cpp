@@ -22,16 +22,16 @@
 namespace meshalyzer::fixer {
 namespace {
 
-/// A file, and where what comes of it goes.
+/// A file and the destination of its result.
 struct BatchFile {
   std::string input;
   std::string output;
 };
 
-/// The files that the paths mean, in their order.
+/// The files that the paths stand for, in their order.
 struct BatchFiles {
   std::vector<BatchFile> files;
-  /// Paths that could not be listed or held no mesh, with the reason.
+  /// The paths that could not be listed or held no mesh, with the reason.
   std::vector<std::string> troubles;
 };
 
@@ -62,7 +62,7 @@ BatchFiles find_files(const Options& options) {
   return batch;
 }
 
-/// Refuses to write one output over another, or over an input that is not to change.
+/// Rejects an output that would overwrite another one, or an input that must not change.
 void check_outputs(const Options& options, const BatchFiles& batch) {
   std::map<std::string, std::string> inputs;
   std::vector<std::string> paths;

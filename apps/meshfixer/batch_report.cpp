@@ -11,7 +11,7 @@
 namespace meshalyzer::fixer {
 namespace {
 
-/// Returns a JSON text on one line: line ends and what they indent are never part of a value.
+/// Returns a JSON text on one line: line ends and indentation are never part of a value.
 std::string on_one_line(std::string_view json) {
   std::string line;
   for (std::size_t at = 0; at < json.size();) {

@@ -13,16 +13,16 @@
 
 namespace meshalyzer::fixer {
 
-/// Tells of the files of a batch as text, JSON and NDJSON.
+/// Reports the files of a batch as text, JSON and NDJSON.
 class BatchReport {
  public:
-  /// @throws IoError where a file of a report cannot be written.
+  /// @throws IoError if a file of a report cannot be written.
   BatchReport(const Options& options, Streams streams);
 
-  /// Tells of a file that was repaired.
-  /// @param path  As the user knows it.
+  /// Reports a repaired file.
+  /// @param path  The path as the user named it.
   void add(const std::string& path, const RepairReport& report);
-  /// Tells of a file that could not be read or written.
+  /// Reports a file that could not be read or written.
   void add_trouble(const std::string& path, const std::string& what);
 
   /// Ends the reports.
@@ -36,7 +36,7 @@ class BatchReport {
   [[nodiscard]] std::string table() const;
 
   Streams streams_;
-  /// The stream of the text; nothing where standard output is for JSON.
+  /// False if standard output is for JSON.
   bool has_text_;
   std::optional<FileReplacement> json_;
   std::optional<FileReplacement> ndjson_;

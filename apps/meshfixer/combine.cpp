@@ -42,20 +42,20 @@ InsideRule rule_of(BooleanOperation operation) {
   return difference_rule();
 }
 
-/// A result, and what its file is made of.
+/// A result, and the inputs from which its file is made.
 struct Result {
   const CombinedSolid& solid;
-  /// All operands, one behind the other.
+  /// All operands, concatenated.
   const Soup& all;
-  /// The files that they are from. What comes of the first alone is edited there where the others
-  /// only take away from it.
+  /// The files of the operands. If the others are only subtracted from the first, the result is an
+  /// edited version of its file.
   std::vector<Source> sources;
   bool edits_first = false;
 
   [[nodiscard]] const Soup& edited() const { return edits_first ? sources.front().soup : all; }
 };
 
-/// Does what the options say and keeps the report.
+/// Runs a boolean operation and keeps its report.
 class CombinationRun {
  public:
   CombinationRun(const Options& options, const OperandFiles& operands, Streams streams)
@@ -70,7 +70,7 @@ class CombinationRun {
       combine_into_one();
     }
     report_.lost = summed(std::move(report_.lost));
-    // What is written to standard output is the mesh alone.
+    // Standard output receives only the mesh.
     const Streams told_to{options_.writes_to_stdout() ? streams_.err : streams_.out, streams_.err};
     const ExitCode told = tell(
         options_, told_to, [&] { return text_report(report_); },
@@ -107,7 +107,7 @@ class CombinationRun {
     if (disk && options_.html) write_page_of(*disk);
   }
 
-  /// Writes the page of what is wrong with the result.
+  /// Writes the page of the defects of the result.
   void write_page_of(const Soup& disk) const {
     const PreparedMesh mesh(disk);
     const MeshName name = name_of(disk, report_.outputs.back().path);
@@ -115,7 +115,7 @@ class CombinationRun {
     write_page(*options_.html, {mesh, name, found, options_.repair.fixes});
   }
 
-  /// Each file takes those before it away from its own solid.
+  /// Subtracts from the solid of each file those of the files before it.
   void subtract_in_order() {
     std::vector<Box3> boxes;
     for (const Soup& soup : operands_.soups) boxes.push_back(used_box(soup));
@@ -132,7 +132,7 @@ class CombinationRun {
     }
   }
 
-  /// Takes all meshes but the first away from the first, which is of file i.
+  /// Subtracts all other meshes from the first, which is that of file i.
   void subtract(std::size_t i, const std::vector<Soup>& soups) {
     const Soup all = concatenate(soups);
     const Operands operands = operands_of(all, soups);
@@ -151,14 +151,14 @@ class CombinationRun {
     }
   }
 
-  /// Returns the meshes before the one in hand that are near it, as they came out.
+  /// Returns the results of earlier files that are near the current one.
   [[nodiscard]] Soup others_nearby() const {
     std::vector<Soup> others;
     for (const std::size_t i : nearby_) others.push_back(finals_[i]);
     return concatenate(others);
   }
 
-  /// Tells where a mesh, as it is on disk, meets one before it.
+  /// Reports if a mesh, as it is on disk, intersects one before it.
   void check_apart(std::size_t i, const Soup& disk) {
     const CutMesh mesh = build(disk);
     const CutMesh others = build(others_nearby());
@@ -170,7 +170,7 @@ class CombinationRun {
     be_at_least(ExitCode::NotGood);
   }
 
-  /// Moves what is left of file i off the meshes before it.
+  /// Moves the rest of file i away from the meshes before it.
   void move_off(std::size_t i, const Operands& operands, CombinedSolid& solid) {
     const PartedVertices moved =
         part_from(solid, operands, others_nearby(), combine_options(operands.soup).max_deviation);
@@ -184,7 +184,7 @@ class CombinationRun {
                             " vertices were moved off the meshes before it");
   }
 
-  /// Tells of operands, and of how much of each is in a result.
+  /// Reports operands, and how much of each is in a result.
   void add_operands(const Operands& operands, const CombinedSolid& solid) {
     const std::size_t first = report_.operands.size();
     const std::vector<double> volumes = volumes_of(operands);
@@ -216,8 +216,8 @@ class CombinationRun {
 
   void be_at_least(ExitCode code) { gravest_ = std::max(gravest_, code); }
 
-  /// Writes a result, where it is to be written, and tells of it.
-  /// @return The mesh as it is on disk; nothing where there is none.
+  /// Writes a result, if it is to be written, and reports it.
+  /// @return The mesh as it is on disk; nothing if there is none.
   std::optional<Soup> add_result(const Result& result, const std::optional<std::string>& path) {
     const bool is_left = result.solid.outcome == CombineOutcome::TooManyPairs ||
                          result.solid.outcome == CombineOutcome::Stopped;
@@ -245,7 +245,7 @@ class CombinationRun {
     return disk;
   }
 
-  /// Parts a result where it touches itself.
+  /// Separates a result where it touches itself.
   PartedMesh part(const Result& result) {
     PartedMesh parted = part_combined(track_combined(result.edited(), result.solid),
                                       combine_options(result.all).max_deviation);
@@ -294,14 +294,15 @@ class CombinationRun {
     return disk;
   }
 
-  /// Returns the format of standard output is that of the first input.
+  /// Returns the name that determines the format of standard output, which is that of the first
+  /// input.
   [[nodiscard]] std::string name_of_stdout() const {
     const Format format = operands_.soups.front().format;
     return "standard output." +
            std::string(format_name(format == Format::Inria ? Format::Mesh : format));
   }
 
-  /// Tells what a mesh is, as the analysis of what is on disk says.
+  /// Judges a mesh by the analysis of the file on disk.
   void judge(const Soup& disk) {
     BooleanOutput& output = report_.outputs.back();
     output.n_vertices = disk.n_vertices();
@@ -321,8 +322,7 @@ class CombinationRun {
   Streams streams_;
   StopRequest stop_;
   BooleanReport report_;
-  /// The meshes that came out so far, by file, where each must not touch those before it; and those
-  /// of them that are near the one in hand.
+  /// The results so far, by file, if each must not touch those before it.
   std::vector<Soup> finals_;
   std::vector<std::size_t> nearby_;
   ExitCode gravest_ = ExitCode::Done;

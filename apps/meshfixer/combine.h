@@ -6,11 +6,11 @@
 
 namespace meshalyzer::fixer {
 
-/// Combines the solids of the inputs, or of one input's components, writes what comes of it, reads
-/// it back, and tells.
+/// Combines the solids of the inputs, or of the components of one input, writes the result, reads
+/// it back, and reports it.
 ///
-/// @throws UsageError  where an input itself would be written.
-/// @throws Error       where something cannot be read or written.
+/// @throws UsageError  if an input would be overwritten.
+/// @throws Error       if something cannot be read or written.
 [[nodiscard]] ExitCode combine(const Options& options, Streams streams);
 
 }  // namespace meshalyzer::fixer

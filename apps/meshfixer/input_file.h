@@ -7,10 +7,10 @@
 
 namespace meshalyzer::fixer {
 
-/// A mesh file in memory: as it is, and as its parser takes it.
+/// A mesh file in memory: its bytes, and the unpacked content.
 class InputFile {
  public:
-  /// @throws IoError where it cannot be read or unpacked.
+  /// @throws IoError if it cannot be read or unpacked.
   explicit InputFile(const std::string& path)
       : path_(path), content_(path), plain_(content_.bytes(), path) {}
 

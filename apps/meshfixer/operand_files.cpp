@@ -28,7 +28,7 @@ std::vector<std::string> find_paths(const Options& options) {
   return paths;
 }
 
-/// Refuses to write over an input, or a report over OUT.
+/// Rejects an output that would overwrite an input, or a report that would overwrite OUT.
 void check_targets(const Options& options, const std::vector<std::string>& paths) {
   const KnownFiles known(paths);
   const bool is_one_file = options.output && !options.is_batch() && !options.writes_to_stdout();

@@ -11,13 +11,13 @@
 namespace meshalyzer::fixer {
 namespace {
 
-/// The options that only together with the rest of the command line say what is to be done.
+/// The options whose meaning depends on the rest of the command line.
 struct Said {
   std::vector<std::string> paths;
   bool find = false, dry_run = false;
   std::optional<CodeList> fix, no_fix;
   bool renumber = false, drop_orphans = false, separate = false;
-  /// Tells whether holes are asked for by name, beside --fix.
+  /// Tells whether an option for holes, other than --fix, is present.
   bool names_holes = false;
   std::vector<BooleanOperation> operations;
 };
@@ -93,7 +93,7 @@ void declare_booleans(OptionTable& table, Said& said) {
           "apart where they would touch");
 }
 
-/// Takes a value that asks for holes to be filled.
+/// Returns a function that takes a value of an option for holes.
 OptionTable::Take of_holes(Said& said, OptionTable::Take take) {
   return [&said, take = std::move(take)](const std::string& text, const std::string& option) {
     said.names_holes = true;
@@ -125,7 +125,7 @@ void declare_holes(OptionTable& table, Options& options, Said& said) {
       "copies of a vertex that was split stay in one place");
 }
 
-/// "1e-8", "0.1".
+/// Returns the text of a default value: "1e-8", "0.1".
 std::string default_text(double value) {
   std::string text = shortest(value);
   if (const std::size_t exponent = text.find("e-0"); exponent != std::string::npos) {
@@ -176,7 +176,7 @@ void declare_reports(OptionTable& table, Options& options) {
   declare_conduct(table, options);
 }
 
-/// Several meshes, and those that are written over, are told of in one report.
+/// Checks the options of the output: several meshes, and those written in place, have one report.
 void check_target(const Said& said, const Options& options) {
   const bool is_in_place = options.target == Options::Target::InPlace;
   if (is_in_place && options.output) {
@@ -200,8 +200,8 @@ void check_target(const Said& said, const Options& options) {
   }
 }
 
-/// Names the first option that asks for a repair, or for a report that a repair alone has; empty
-/// where there is none.
+/// Names the first option that requests a repair, or a report that only a repair has; empty if
+/// there is none.
 std::string repair_option(const Said& said, const Options& options) {
   const RepairOptions& repair = options.repair;
   const std::pair<bool, const char*> asked[] = {
@@ -277,8 +277,8 @@ void check_consistent(const Said& said, const Options& options) {
   }
 }
 
-/// Returns the defects to be fixed: what --fix names, else nothing where only single operations are
-/// named, else the default; and what options ask for that go by the name of a defect.
+/// Returns the defects to fix: those of --fix, else none if only single operations are named, else
+/// the default; and those that other options imply.
 DefectCodes fixes_of(const Said& said, const RepairOptions& repair) {
   DefectCodes fixes = default_fixes();
   if (said.fix) {
@@ -312,7 +312,7 @@ void complete(const Said& said, Options& options) {
   const bool is_named = said.names_holes || (said.fix && said.fix->names_holes);
   RepairOptions& repair = options.repair;
   repair.fill.sheets = is_named || repair.solid ? FillSheets::Yes : FillSheets::No;
-  // Gaps in the numbers are not good either.
+  // Gaps in the numbering are not good either.
   const bool leaves_numbers = said.no_fix && said.no_fix->codes.contains(DefectCode::Numbering);
   if (repair.guarantee && !leaves_numbers) repair.fixes.insert(DefectCode::Numbering);
   const bool has_one_file_each = options.is_batch() || options.writes_to_stdout();

@@ -12,33 +12,33 @@
 
 namespace meshalyzer::fixer {
 
-/// A command line, understood. What is not on it is as it is here.
+/// A parsed command line, with default values for absent options.
 struct Options : ReportOptions {
-  /// Mesh files, or folders of such, as they are named.
+  /// The mesh files, or folders of such, as the user named them.
   std::vector<std::string> paths;
-  /// The mesh file in hand, or "-".
+  /// The current mesh file, or "-".
   std::string input;
   enum class Action : std::uint8_t { Find, Fix, Combine };
   Action action = Action::Fix;
-  /// What becomes of the inputs, where they are combined.
+  /// The boolean operation, if the inputs are combined.
   BooleanOperation operation = BooleanOperation::Union;
-  /// A mesh file, or "-". Absent with --find and --dry-run.
+  /// The output: a mesh file, or "-". Absent with --find and --dry-run.
   std::optional<std::string> output;
-  /// Where meshes go: OUT, or files of the name of the input in the folder OUT, or the inputs
-  /// themselves.
+  /// The destination of meshes: OUT, or files with the name of the input in the folder OUT, or the
+  /// inputs themselves.
   enum class Target : std::uint8_t { File, Folder, InPlace };
   Target target = Target::File;
-  /// What is left of inputs that are written over.
+  /// What is kept of overwritten inputs.
   enum class Backup : std::uint8_t { None, Original };
   Backup backup = Backup::None;
   RepairOptions repair;
-  /// After so many seconds the repair ends with what it has.
+  /// The time in seconds after which the repair ends with its best result.
   std::optional<double> time_limit;
-  /// What is done where the output cannot hold attributes of the input.
+  /// The action if the output cannot hold attributes of the input.
   enum class Loss : std::uint8_t { Tell, Refuse };
   Loss loss = Loss::Tell;
   ListLength lists = ListLength::Short;
-  /// A line of JSON a file.
+  /// The destination of one line of JSON per file.
   std::optional<ReportTarget> ndjson;
   /// The file of the page.
   std::optional<std::string> html;
@@ -47,15 +47,14 @@ struct Options : ReportOptions {
   [[nodiscard]] bool writes_to_stdout() const { return output == "-"; }
 };
 
-/// An Options, or the text that --help or --version asks for.
+/// An Options, or the text for --help or --version.
 struct CommandLine {
   Options options;
-  /// The answer to --help or --version; where it is present, it is printed and nothing else is
-  /// done.
+  /// The text for --help or --version; if present, it is printed and nothing else is done.
   std::optional<std::string> answer;
 };
 
-/// Understands a command line. Touches no file.
+/// Parses a command line without touching any file.
 ///
 /// @throws UsageError if it is wrong.
 [[nodiscard]] CommandLine parse_command_line(int argc, const char* const* argv);

@@ -27,7 +27,7 @@ Format output_format(const std::string& path, const Source& source) {
   return format == Format::Mesh && source.soup.format == Format::Inria ? Format::Inria : format;
 }
 
-/// Tells whether 32-bit floats hold all coordinates.
+/// Tells whether 32-bit floats represent all coordinates exactly.
 bool fits_floats(const Soup& soup) {
   return std::all_of(soup.positions.begin(), soup.positions.end(), [](const Vec3& p) {
     return std::all_of(p.begin(), p.end(),
@@ -35,7 +35,7 @@ bool fits_floats(const Soup& soup) {
   });
 }
 
-/// Returns the result as a new file, with what its format can hold.
+/// Returns the result as a new file, with everything that its format can hold.
 Output new_file(const EditedMesh& mesh, Format format, const Source& source) {
   Output output;
   Encoding encoding = Encoding::Text;
@@ -82,7 +82,7 @@ Output make_plain_output(const TrackedMesh& result, bool is_changed, const std::
   return file ? rewritten_output(std::move(*file), source) : new_file(mesh, format, source);
 }
 
-/// Counts by kind what is lost in a part, without records that another part may have.
+/// Counts losses in a part by kind, without records that another part may hold.
 std::map<AttributeKind, std::size_t> lost_in_part(const Loss& part) {
   std::map<AttributeKind, std::size_t> counts;
   for (const AttributeCount& count : part.lost) counts[count.kind] += count.count;
@@ -151,7 +151,7 @@ std::vector<AttributeCount> lost_by_all(const std::vector<Loss>& parts, const So
   std::map<std::pair<AttributeKind, std::size_t>, std::size_t> n_losers;
   for (const Loss& part : parts) {
     for (const auto& [kind, count] : lost_in_part(part)) {
-      // A polygon is in one part; what the format cannot hold is lost in each.
+      // A polygon belongs to one part; attributes that the format cannot hold are lost in each.
       std::size_t& all = counts[kind];
       all = kind == AttributeKind::Polygons ? std::min(all + count, source.soup.n_polygons)
                                             : std::max(all, count);
@@ -167,7 +167,7 @@ std::vector<AttributeCount> lost_by_all(const std::vector<Loss>& parts, const So
 }
 
 Soup write_output(const Output& output, const std::string& path) {
-  // What cannot be read must not take the place of an older file.
+  // A file that cannot be read back must not replace an older one.
   static_cast<void>(parse_mesh(output.bytes, path));
   replace_file(path, output.bytes);
   return read_mesh(path);

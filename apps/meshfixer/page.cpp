@@ -17,7 +17,7 @@ void append_ids(const Ids& ids, std::size_t count, Ids& all) {
   }
 }
 
-/// Records of one of several meshes as those of all in one.
+/// Maps the records of one of several meshes to those of the joined mesh.
 class Shift {
  public:
   Shift(std::size_t n_vertices_before, std::size_t n_faces_before)
@@ -46,7 +46,7 @@ class Shift {
   Index faces_;
 };
 
-/// Several meshes as one, to be drawn together.
+/// Joins several meshes to one that is drawn.
 Soup join(const std::vector<FinalSoup>& finals) {
   Soup all;
   for (const FinalSoup& mesh : finals) {
@@ -59,7 +59,7 @@ Soup join(const std::vector<FinalSoup>& finals) {
   return all;
 }
 
-/// What is said of several meshes that are drawn as one.
+/// The defects of several meshes that are drawn as one.
 struct JoinedReport {
   DefectReport defects;
   MeshName name;
@@ -91,7 +91,7 @@ JoinedReport join(const std::vector<FinalMesh>& meshes) {
   return all;
 }
 
-/// Draws what came out; a single mesh by what is prepared for it already.
+/// Draws the results; a single mesh is drawn from its prepared form.
 Scene draw(const std::vector<FinalSoup>& finals, const Soup& all, const DefectReport& defects) {
   if (finals.size() == 1 && finals.front().prepared) {
     return scene_of(*finals.front().prepared, defects);

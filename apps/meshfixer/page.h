@@ -11,7 +11,7 @@
 
 namespace meshalyzer::fixer {
 
-/// The page of --find.
+/// The input of the page of --find.
 struct FoundPage {
   const PreparedMesh& mesh;
   const MeshName& name;
@@ -20,21 +20,21 @@ struct FoundPage {
   const DefectCodes& asked;
 };
 
-/// Writes the page of what is wrong with a mesh.
+/// Writes the page of the defects of a mesh.
 /// @throws IoError if the file cannot be written.
 void write_page(const std::string& file, const FoundPage& found);
 
 /// Decides what a page draws of a mesh and its defects.
 [[nodiscard]] Scene scene_of(const PreparedMesh& mesh, const DefectReport& defects);
 
-/// A mesh that came out of a repair, as it is on disk.
+/// A mesh that a repair has made, as it is on disk.
 struct FinalSoup {
   std::shared_ptr<const Soup> soup;
-  /// Prepared from the same vertices and triangles; null where nobody has needed that yet.
+  /// The prepared form of the same vertices and triangles; null if it was not needed yet.
   std::shared_ptr<const PreparedMesh> prepared;
 };
 
-/// What was read, and what is drawn of it.
+/// The input, and its drawn scene.
 struct DrawnInput {
   const Soup& soup;
   Scene scene;

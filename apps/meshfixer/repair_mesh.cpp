@@ -26,14 +26,14 @@ namespace {
 
 constexpr const char* kNothingLeft = "nothing is left that the format can hold";
 
-/// Tells whether two soups are the same records, but for how the file says them.
+/// Tells whether two soups have the same records, apart from their notation in the file.
 bool is_same_mesh(const Soup& a, const Soup& b) {
   return a.positions == b.positions && a.triangles == b.triangles && a.normals == b.normals &&
          a.corner_normals == b.corner_normals && a.torn_lines.size() == b.torn_lines.size();
 }
 
-/// Tells whether two soups are the same but for the order of their faces.
-/// @param faces  By face of `b`: which face of `a` it is; empty where they are the same.
+/// Tells whether two soups are the same apart from the order of their faces.
+/// @param faces  The face of `a` for each face of `b`; empty if the order is the same.
 bool is_same_but_for_order(const Soup& a, const Soup& b, const std::vector<Index>& faces) {
   if (a.positions != b.positions || a.normals != b.normals || a.n_faces() != b.n_faces() ||
       a.corner_normals.size() != b.corner_normals.size() || a.format != b.format ||
@@ -49,7 +49,7 @@ bool is_same_but_for_order(const Soup& a, const Soup& b, const std::vector<Index
   return true;
 }
 
-/// Returns what is looked for in the end: all defects, by the tolerances of the input.
+/// Returns the options of the final search: all defects, with the tolerances of the input.
 DefectOptions final_search(const Options& options, const Tolerances& used) {
   return {.codes = DefectCodes::all(),
           .tolerances = as_options(used),
@@ -57,11 +57,11 @@ DefectOptions final_search(const Options& options, const Tolerances& used) {
 }
 
 /// Returns the defects that remain in the mesh on disk: those that the repair found, unless the
-/// file differs by a bit from the mesh in memory. Where the mesh has no defects, its faces may be
-/// in another order.
+/// file differs from the mesh in memory. If the mesh has no defects, its faces may be in another
+/// order.
 ///
-/// @param face_records  As Output::face_records.
-/// @param final_soup    Gets what is prepared for the mesh on disk, as far as anything is.
+/// @param face_records  See Output::face_records.
+/// @param final_soup    Receives the prepared form of the mesh on disk, if there is one.
 DefectReport remaining_on_disk(const RepairedMesh& mesh, const std::vector<Index>& face_records,
                                const DefectOptions& search, FinalSoup& final_soup) {
   const Soup& disk = *final_soup.soup;
@@ -89,7 +89,7 @@ std::string ending_of(Format format) {
   return std::string(format_name(format == Format::Inria ? Format::Mesh : format));
 }
 
-/// A file in hand, and where what comes of it goes.
+/// The current file, and the destination of its result.
 struct Job {
   const Options& options;
   Source source;
@@ -99,7 +99,7 @@ struct Job {
 /// Returns the paths of the meshes of a result, none of which is the input.
 std::vector<std::string> output_paths(const Job& job, const RepairReport& report) {
   const Options& options = job.options;
-  // The format of standard output is that of the input.
+  // Standard output has the format of the input.
   if (options.writes_to_stdout()) {
     const std::string gzip = job.source.file.plain().was_gzipped() ? ".gz" : "";
     return {"standard output." + ending_of(report.input.format) + gzip};
@@ -120,7 +120,7 @@ std::string original_of(const std::string& path) {
   return path + ".orig";
 }
 
-/// Keeps the input beside what takes its place.
+/// Keeps a copy of the input, which will be replaced.
 void keep_original(const std::string& path) {
   const std::string original = original_of(path);
   std::error_code error;
@@ -129,7 +129,7 @@ void keep_original(const std::string& path) {
   }
 }
 
-/// Writes over an input that is kept; where that fails, the copy goes again.
+/// Overwrites an input whose copy is kept; if that fails, the copy is removed.
 Soup replace_kept(const Output& output, const std::string& path) {
   try {
     return write_output(output, path);
@@ -140,8 +140,8 @@ Soup replace_kept(const Output& output, const std::string& path) {
   }
 }
 
-/// Writes one mesh to where it goes.
-/// @return What can be read there.
+/// Writes one mesh to its destination.
+/// @return The mesh as read back.
 Soup put(const Job& job, const Output& output, bool is_changed, const std::string& path) {
   if (job.options.writes_to_stdout()) {
     Soup soup = parse_mesh(output.bytes, path);
@@ -160,18 +160,18 @@ Soup put(const Job& job, const Output& output, bool is_changed, const std::strin
   return write_output(output, path);
 }
 
-/// Reports a mesh of which nothing is on disk.
+/// Returns a mesh that is not written to disk.
 FinalSoup unwritten(const RepairedMesh& mesh) {
   return {std::make_shared<const Soup>(mesh.tracked.soup), mesh.prepared};
 }
 
-/// Tells whether the meshes that come out are looked at once more.
+/// Tells whether the resulting meshes are needed after they are written.
 bool keeps_meshes(const Options& options) {
   return options.html || options.repair.guarantee;
 }
 
 /// Writes the meshes of a result, reads them back, and adds what they are to the report.
-/// @return The meshes of the report as they are, where they are looked at once more.
+/// @return The meshes of the report, if they are needed again.
 std::vector<FinalSoup> write_all(const Job& job, const std::vector<std::string>& paths,
                                  RepairReport& report) {
   const Options& options = job.options;
@@ -201,8 +201,8 @@ std::vector<FinalSoup> write_all(const Job& job, const std::vector<std::string>&
   return finals;
 }
 
-/// Tells of the attributes that would be lost, where none may be.
-/// @return Whether there are any.
+/// Reports the attributes that would be lost, if none may be.
+/// @return True if there are any.
 bool refuses_loss(const Job& job, const std::vector<std::string>& paths, RepairReport& report) {
   if (job.options.loss == Options::Loss::Tell) return false;
   std::vector<Loss> losses;
@@ -218,7 +218,7 @@ bool refuses_loss(const Job& job, const std::vector<std::string>& paths, RepairR
   return !report.lost.empty();
 }
 
-/// Returns the same for what is not to be written.
+/// Takes the resulting meshes without writing them.
 std::vector<FinalSoup> take_unwritten(const Options& options, RepairReport& report) {
   std::vector<FinalSoup> finals;
   for (const RepairedMesh& mesh : report.result.meshes) {
@@ -228,7 +228,7 @@ std::vector<FinalSoup> take_unwritten(const Options& options, RepairReport& repo
   return finals;
 }
 
-/// Adds what came out to the report, and writes it where it is to be written.
+/// Adds the resulting meshes to the report, and writes them if they are to be written.
 std::vector<FinalSoup> take_or_write(const Job& job, RepairReport& report) {
   if (job.options.output) {
     const std::vector<std::string> paths = output_paths(job, report);
@@ -237,7 +237,8 @@ std::vector<FinalSoup> take_or_write(const Job& job, RepairReport& report) {
   return take_unwritten(job.options, report);
 }
 
-/// Tells whether all meshes are good, as the analysis of what is on disk says; notes why not.
+/// Tells whether all meshes are good by the analysis of the files on disk; notes the reasons if
+/// not.
 bool are_good(const std::vector<FinalSoup>& finals, RepairReport& report) {
   bool is_good = true;
   AnalysisOptions options;
@@ -252,7 +253,7 @@ bool are_good(const std::vector<FinalSoup>& finals, RepairReport& report) {
   return is_good;
 }
 
-/// Done or NotGood; Trouble where a mesh should have been written and was not.
+/// Returns Done or NotGood, or Trouble if a mesh should have been written and was not.
 ExitCode verdict(const Options& options, const RepairReport& report, Streams streams) {
   const bool is_missing =
       report.meshes.empty() || std::any_of(report.meshes.begin(), report.meshes.end(),

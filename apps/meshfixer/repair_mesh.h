@@ -11,11 +11,11 @@
 
 namespace meshalyzer::fixer {
 
-/// Repairs one mesh, writes what comes of it where the options say, and tells of it.
+/// Repairs one mesh, writes the result to the destination in the options, and reports it.
 ///
-/// @param options  Of one input.
-/// @param file     What the soup was read from.
-/// @param tell     Is told what was done; its exit code counts where it is not Done.
+/// @param options  The options, with one input.
+/// @param file     The file from which the soup was read.
+/// @param tell     Receives the report; its exit code counts unless it is Done.
 /// @throws IoError, UsageError
 [[nodiscard]] ExitCode repair_mesh(const Options& options, Soup soup, const InputFile& file,
                                    Streams streams,

@@ -43,7 +43,7 @@ ExitCode find(const Options& options, const Soup& soup, Streams streams) {
 
 ExitCode fix(const Options& options, Soup soup, const InputFile& file, Streams streams) {
   return repair_mesh(options, std::move(soup), file, streams, [&](const RepairReport& report) {
-    // What is written to standard output is the mesh alone.
+    // Standard output receives only the mesh.
     const Streams told_to{options.writes_to_stdout() ? streams.err : streams.out, streams.err};
     return tell(
         options, told_to, [&] { return text_report(report, options.lists); },
@@ -51,7 +51,7 @@ ExitCode fix(const Options& options, Soup soup, const InputFile& file, Streams s
   });
 }
 
-/// Refuses to write a report over the input, or over OUT.
+/// Rejects a report that would overwrite the input or OUT.
 void check_report(const Options& options, const std::string& file, const std::string& option) {
   if (is_same_file(options.input, file)) {
     throw UsageError("the FILE of " + option + " is the input itself, which never changes");
@@ -61,7 +61,7 @@ void check_report(const Options& options, const std::string& file, const std::st
   }
 }
 
-/// Refuses to write over the input, or one output over the other.
+/// Rejects outputs that would overwrite the input or each other.
 void check_outputs(const Options& options) {
   if (options.output && !options.writes_to_stdout() &&
       is_same_file(options.input, *options.output)) {

@@ -6,10 +6,10 @@
 
 namespace meshalyzer::fixer {
 
-/// One call of the program: reads, finds or repairs, writes, reads back, tells.
+/// Does the work of one call: reads, finds or repairs, writes, reads back, reports.
 ///
-/// @throws UsageError  where the input itself would be written.
-/// @throws IoError     where something cannot be read or written.
+/// @throws UsageError  if the input would be overwritten.
+/// @throws IoError     if something cannot be read or written.
 [[nodiscard]] ExitCode work(const Options& options, Streams streams);
 
 }  // namespace meshalyzer::fixer

@@ -8,16 +8,16 @@
 
 namespace meshalyzer::fixer {
 
-/// Tells when a repair is to end before it is done: at its time limit, or at the first interrupt of
-/// the user; a second one ends the program at once.
+/// Tells when a repair must end early: at its time limit, or at the first interrupt; a second
+/// interrupt ends the program at once.
 class StopRequest {
  public:
-  /// @param time_limit  In seconds from now.
+  /// @param time_limit  The time in seconds from now.
   explicit StopRequest(std::optional<double> time_limit) : deadline_(time_limit) {}
 
   [[nodiscard]] bool is_made() const;
 
-  /// Returns what a report says of a repair that was stopped.
+  /// Returns the note in the report of a repair that was stopped.
   [[nodiscard]] static std::string note();
 
  private:

@@ -9,7 +9,7 @@
 
 namespace meshalyzer::fixer {
 
-/// Tells a report as text and JSON, where each is asked for.
+/// Writes a report as text and as JSON, if these are requested.
 template <typename Text, typename Json>
 ExitCode tell(const Options& options, Streams streams, Text text, Json json) {
   if (options.json && !options.json->is_stdout()) replace_file(options.json->file, json());

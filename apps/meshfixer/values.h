@@ -7,29 +7,29 @@
 
 namespace meshalyzer::fixer {
 
-// What the values of options are read with. All throw UsageError where the text is none.
+// The parsers for the values of options. All throw UsageError if the text is no valid value.
 
-/// Codes in a list with commas.
+/// The codes of a list with commas.
 struct CodeList {
   DefectCodes codes;
-  /// Tells whether holes are named themselves, not only among all or the default.
+  /// Tells whether the code of holes is named explicitly, not only included in all or the default.
   bool names_holes = false;
 };
 
 [[nodiscard]] CodeList to_codes(const std::string& text, const std::string& option);
 [[nodiscard]] std::size_t to_count(const std::string& text, const std::string& option);
-/// 1 or more.
+/// Parses a count, 1 or more.
 [[nodiscard]] std::size_t to_count_from_one(const std::string& text, const std::string& option);
-/// "X,Y,Z".
+/// Parses "X,Y,Z".
 [[nodiscard]] Vec3 to_point(const std::string& text, const std::string& option);
 [[nodiscard]] FillShape to_fill_shape(const std::string& text, const std::string& option);
-/// Returns a length, or a share of the diagonal as in "0.1%".
+/// Parses a length, or a share of the diagonal as in "0.1%".
 [[nodiscard]] Deviation to_deviation(const std::string& text, const std::string& option);
-/// Degrees, 0 to 180.
+/// Parses an angle in degrees, 0 to 180.
 [[nodiscard]] double to_foldover_angle(const std::string& text, const std::string& option);
-/// Returns the file of a page.
+/// Parses the file of a page.
 [[nodiscard]] std::string to_page(const std::string& text, const std::string& option);
-/// Returns the file of a mesh, with the ending of a known format, or "-", or the name of a folder.
+/// Parses the file of a mesh, with the ending of a known format, or "-", or the name of a folder.
 [[nodiscard]] std::string to_output(const std::string& text, const std::string& option);
 /// Tells whether an output is a folder by its name: it ends with a slash, or has no ending.
 [[nodiscard]] bool is_folder_name(const std::string& text);

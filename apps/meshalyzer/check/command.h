@@ -13,46 +13,46 @@
 
 namespace meshalyzer {
 
-/// When a report has colours.
+/// Tells when a report has colours.
 enum class ColourChoice : std::uint8_t { OnTerminal, Always, Never };
 
-/// The command line of `meshalyzer check`, understood. What is not on it is as it is here.
+/// The parsed command line of `meshalyzer check`, with default values for absent options.
 struct CheckCommand {
-  /// Mesh files, folders, or "-"; at least one.
+  /// The mesh files, folders, or "-"; at least one.
   std::vector<std::string> paths;
-  /// Patterns of what is left out in folders.
+  /// The patterns of paths to skip in folders.
   std::vector<std::string> excluded;
-  /// What standard input is called.
+  /// The name of standard input in reports.
   std::optional<std::string> stdin_name;
   CheckSettings settings;
-  /// The settings file; by default the one that is nearest to each mesh file.
+  /// The settings file; by default the nearest one to each mesh file.
   std::optional<std::string> settings_file;
-  /// Settings files are left alone.
+  /// Tells whether settings files are ignored.
   bool is_isolated = false;
   /// The JSON report of an earlier check, whose findings are accepted.
   std::optional<std::string> baseline;
-  /// Two meshes are compared.
+  /// Tells whether two meshes are compared.
   bool is_comparison = false;
   CheckFormat format = CheckFormat::Text;
   ColourChoice colour = ColourChoice::OnTerminal;
-  /// 0: as many as the machine has cores.
+  /// The number of threads; 0 means as many as the machine has cores.
   std::size_t threads = 0;
-  /// Tells how many times its size a gzipped file may take.
+  /// The largest allowed ratio of the unpacked size of a gzipped file to its size.
   std::uint64_t max_unpack_ratio = kDefaultUnpackRatio;
-  /// Bytes.
+  /// The memory limit in bytes.
   std::uint64_t memory_limit = physical_memory() / 2;
 };
 
-/// A CheckCommand, or the text that --help asks for.
+/// A CheckCommand, or the text for --help.
 struct CheckCommandLine {
   CheckCommand command;
-  /// Where present: print this and do nothing else.
+  /// The text for --help; if present, it is printed and nothing else is done.
   std::optional<std::string> answer;
 };
 
-/// Understands a command line. Touches no file.
+/// Parses a command line without touching any file.
 ///
-/// @param argv  From the word `check` on.
+/// @param argv  The arguments from the word `check` on.
 /// @throws UsageError if it is wrong.
 [[nodiscard]] CheckCommandLine parse_check_command_line(int argc, const char* const* argv);
 

@@ -12,7 +12,7 @@ class SettingsFiles {
  public:
   explicit SettingsFiles(const CheckCommand& command) : command_(command) {}
 
-  /// Returns the settings for a mesh file; null where there are none.
+  /// Returns the settings for a mesh file, or null if there are none.
   const SettingsFile* of(const std::string& mesh) {
     if (command_.is_isolated) return nullptr;
     const std::string path =

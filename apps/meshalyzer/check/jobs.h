@@ -9,9 +9,9 @@
 namespace meshalyzer {
 
 /// Returns the files to check, each with the criteria of its settings file and of the command line;
-/// those that a settings file excludes are left out.
+/// files that a settings file excludes are skipped.
 ///
-/// @throws IoError  where a settings file cannot be understood.
+/// @throws IoError  if a settings file is wrong.
 [[nodiscard]] std::vector<CheckJob> jobs_of(const CheckCommand& command,
                                             const std::vector<std::string>& files);
 

@@ -17,7 +17,7 @@
 namespace meshalyzer {
 namespace {
 
-/// https://no-color.org: set to anything but nothing, it forbids colours.
+/// Tells whether NO_COLOR is set and not empty, which forbids colours (https://no-color.org).
 bool is_colour_forbidden() {
   const char* no_colour = std::getenv("NO_COLOR");
   return no_colour != nullptr && *no_colour != '\0';
@@ -30,7 +30,7 @@ TextColour colour_of(ColourChoice choice, const std::ostream& out) {
   return wanted ? TextColour::Always : TextColour::Never;
 }
 
-/// Takes what is known out of what is found: the files then list all their findings first.
+/// Removes the known findings from those found. Until then the files must list all their findings.
 class Baseline {
  public:
   explicit Baseline(const CheckCommand& command) {
@@ -55,7 +55,7 @@ class Baseline {
 
  private:
   std::optional<KnownFindings> known_;
-  /// The criteria of each file, which say how much is told of it.
+  /// The criteria of each file, which limit what is reported of it.
   std::map<std::string, CheckCriteria> told_;
 };
 
@@ -95,13 +95,13 @@ ExitCode check_all(const CheckCommand& command, Streams streams) {
   return exit_code_of(totals, !found.troubles.empty());
 }
 
-/// Prints findings, each with what became of it before it.
+/// Prints findings, each with a word for its change before it.
 void print_findings(std::string_view what, const FileFindings& file, std::ostream& out) {
   const auto sink = [&](std::string_view line) { out << what << line; };
   make_check_report(CheckFormat::Text, sink)->add(file);
 }
 
-/// Returns those of the findings of a mesh that another one has not.
+/// Returns the findings of a mesh that another mesh does not have.
 FileFindings findings_beside(FileFindings file, const FileFindings& other) {
   std::vector<KnownFinding> known = known_of(other);
   for (KnownFinding& finding : known) finding.path = file.path;

@@ -6,7 +6,7 @@
 
 namespace meshalyzer {
 
-/// `meshalyzer check`: checks the files, and tells of each as soon as it is done.
+/// Runs `meshalyzer check`: checks the files, and reports each as soon as it is done.
 [[nodiscard]] ExitCode run_check(const CheckCommand& command, Streams streams);
 
 }  // namespace meshalyzer
