@@ -283,6 +283,7 @@ ExitCode repair_mesh(const Options& options, Soup soup, const InputFile& file, S
   repair.on_progress = [&](const RepairProgress& now) { progress.show(progress_text(now)); };
   const StopRequest stop(options.time_limit);
   repair.wants_to_stop = [&] { return stop.is_made(); };
+  repair.tells_patches = !options.output;
   if (options.output && !options.writes_to_stdout()) {
     repair.written_as =
         options.target == Options::Target::InPlace ? soup.format : format_of_name(*options.output);

@@ -13,6 +13,7 @@
 #include "page.h"
 #include "repair_mesh.h"
 #include "same_file.h"
+#include "stop_request.h"
 #include "tell.h"
 #include "usage_error.h"
 
@@ -25,7 +26,19 @@
 namespace meshalyzer::fixer {
 namespace {
 
-ExitCode find(const Options& options, const Soup& soup, Streams streams) {
+/// Says what a repair would make of the self-intersections, where there are any to be fixed.
+std::vector<PatchOutcome> foresee_patches(const Options& options, Soup soup,
+                                          const DefectReport& found) {
+  constexpr DefectCode kCode = DefectCode::SelfIntersection;
+  if (found.count(kCode) == 0 || !options.repair.fixes.contains(kCode)) return {};
+  const StopRequest stop(options.time_limit);
+  RepairOptions repair = options.repair;
+  repair.wants_to_stop = [&] { return stop.is_made(); };
+  repair.tells_patches = true;
+  return fix_defects(std::move(soup), repair).patches;
+}
+
+ExitCode find(const Options& options, Soup soup, Streams streams) {
   std::optional<PreparedMesh> mesh(std::in_place, soup);
   const DefectReport report = find_defects(*mesh, {.codes = DefectCodes::all(),
                                                    .tolerances = options.repair.tolerances,
@@ -34,9 +47,11 @@ ExitCode find(const Options& options, const Soup& soup, Streams streams) {
   const DefectCodes& asked = options.repair.fixes;
   if (options.html) write_page(*options.html, {*mesh, name, report, asked});
   mesh.reset();
+  const std::vector<PatchOutcome> patches = foresee_patches(options, std::move(soup), report);
+  const FoundDefects found{name, report, asked, patches};
   const ExitCode told = tell(
-      options, streams, [&] { return text_report(name, report, asked, options.lists); },
-      [&] { return json_report(name, report, asked); });
+      options, streams, [&] { return text_report(found, options.lists); },
+      [&] { return json_report(found); });
   if (told != ExitCode::Done) return told;
   return n_asked(report, asked) == 0 ? ExitCode::Done : ExitCode::NotGood;
 }
@@ -84,7 +99,7 @@ ExitCode work(const Options& options, Streams streams) {
   check_outputs(options);
   const InputFile file(options.input);
   Soup soup = parse_mesh(file.bytes(), options.input);
-  if (options.action == Options::Action::Find) return find(options, soup, streams);
+  if (options.action == Options::Action::Find) return find(options, std::move(soup), streams);
   return fix(options, std::move(soup), file, streams);
 }
 

@@ -5,6 +5,7 @@
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/repair/driver/internal/fixed_vertices.h"
+#include "meshalyzer/repair/driver/internal/patch_outcomes.h"
 #include "meshalyzer/repair/driver/internal/plan.h"
 #include "meshalyzer/repair/driver/internal/repair_driver.h"
 #include "meshalyzer/repair/edits/apply_edits.h"
@@ -120,6 +121,7 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   if (options.on_input) options.on_input(driver.mesh(), result.before);
   driver.run_plan(plan_passes(options, tolerances), options);
   if (options.guarantee) result.notes = guarantee_goodness(driver, options, tolerances);
+  if (options.tells_patches) result.patches = find_patch_outcomes(driver, result.before);
   if (options.keep_largest != 0) {
     driver.apply_unchecked({"keep largest", DefectCode::Disjoint, [&](const PassInput& input) {
                               return keep_largest(input, options.keep_largest);

@@ -3,6 +3,7 @@
 #include "meshalyzer/defects/find_defects.h"
 #include "meshalyzer/repair/driver/defect_counts.h"
 #include "meshalyzer/repair/driver/options.h"
+#include "meshalyzer/repair/driver/patch_outcome.h"
 #include "meshalyzer/repair/driver/repair_log.h"
 #include "meshalyzer/repair/edits/tracked_mesh.h"
 
@@ -39,6 +40,9 @@ struct RepairResult {
   /// The counts that are higher than before: only where a graver one has fallen that could not fall
   /// otherwise ("Never worse" in doc/repair.md).
   std::vector<CountRise> rises;
+  /// What became of each listed self-intersection of the input, where RepairOptions::tells_patches
+  /// asks for it.
+  std::vector<PatchOutcome> patches;
 };
 
 /// Repairs a mesh as far as possible within a maximum deviation, and reports the remaining defects

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,24 @@ struct RepairReport {
   /// What the input says and the files that were written, or would be, do not, though no change
   /// dropped it.
   std::vector<AttributeCount> lost = {};
+};
+
+/// What was found in a mesh that is not repaired, for reports. Only referred to.
+struct FoundDefects {
+  const MeshName& mesh;
+  const DefectReport& defects;
+  /// The codes that count; others are listed too, and said to be not asked for.
+  const DefectCodes& asked;
+  /// What a repair would make of the self-intersections; empty where none was tried.
+  std::span<const PatchOutcome> patches = {};
+};
+
+/// Patches of intersecting faces and what becomes of each. Only referred to.
+struct ToldPatches {
+  const MeshName& mesh;
+  /// The defects of the mesh, among which the patches are.
+  std::span<const Defect> defects;
+  std::span<const PatchOutcome> patches;
 };
 
 /// Returns how many of the defects of a mesh are of the codes that count.

@@ -53,4 +53,15 @@ inline Defect& add_defect(DefectReport& report, DefectCode code) {
   return defect;
 }
 
+/// Adds a self-intersection, and what became of it: of the faces of the sample, the first two.
+inline PatchOutcome& add_patch(RepairResult& result) {
+  PatchOutcome& patch = result.patches.emplace_back();
+  patch.defect = result.before.defects.size();
+  patch.passes = {"split edges", "cut intersections"};
+  patch.distance = 0.25;
+  patch.is_mended = true;
+  add_defect(result.before, DefectCode::SelfIntersection).faces = {0, 1};
+  return patch;
+}
+
 }  // namespace meshalyzer

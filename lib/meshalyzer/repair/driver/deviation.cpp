@@ -3,6 +3,7 @@
 #include "meshalyzer/base/lexicographic.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/build.h"
+#include "meshalyzer/repair/driver/internal/changed_faces.h"
 #include "meshalyzer/repair/driver/internal/face_cover.h"
 #include "meshalyzer/repair/driver/internal/face_distance.h"
 
@@ -21,70 +22,6 @@ namespace {
 constexpr std::size_t kFacesPerChunk = 64;
 /// Corners of the pieces of a cut face are taken for one within this share of the resolution.
 constexpr double kMatchingShare = 1.0 / 16;
-
-bool has_surface(const Soup& soup, Index face) {
-  return is_in_complex(soup.triangles[face]);
-}
-
-/// Tells whether two faces are the same points of space: corners at the same places, in any order.
-bool is_same_surface(const Corners& a, const Corners& b) {
-  return a == b || std::is_permutation(a.begin(), a.end(), b.begin(), b.end());
-}
-
-/// A face that is not the same in both meshes, and one of the other mesh that is likely to be near,
-/// since one was made of the other (kNoIndex: there is none).
-struct ChangedFace {
-  Index face = 0;
-  Index other = kNoIndex;
-};
-
-struct Changes {
-  std::vector<ChangedFace> of_input;
-  /// The faces of hole patches are left out.
-  std::vector<ChangedFace> of_repaired;
-};
-
-/// Tells for each face of the tracked mesh whether it is the same as the face of the input that it
-/// was made of (non-zero).
-std::vector<std::uint8_t> find_same(const Soup& input, const TrackedMesh& tracked) {
-  std::vector<std::uint8_t> same(tracked.soup.n_faces());
-  parallel_chunks(same.size(), [&](Chunk chunk) {
-    for (auto face = static_cast<Index>(chunk.begin); face < chunk.end; ++face) {
-      const Index origin = tracked.origin_of_face(face);
-      same[face] =
-          origin != kNoIndex && has_surface(tracked.soup, face) && has_surface(input, origin) &&
-                  is_same_surface(corners_of(tracked.soup, face), corners_of(input, origin))
-              ? 1
-              : 0;
-    }
-  });
-  return same;
-}
-
-Changes find_changes(const Soup& input, const TrackedMesh& tracked) {
-  const std::vector<std::uint8_t> same = find_same(input, tracked);
-  Changes changes;
-  /// Maps each face of the input to the tracked mesh's face that is the same, else to one that was
-  /// made of it.
-  std::vector<Index> made_of(input.n_faces(), kNoIndex);
-  std::vector<std::uint8_t> is_kept(input.n_faces());
-  for (Index face = 0; face < same.size(); ++face) {
-    const Index origin = tracked.origin_of_face(face);
-    if (origin == kNoIndex || !has_surface(tracked.soup, face)) continue;
-    made_of[origin] = face;
-    if (same[face] != 0) {
-      is_kept[origin] = 1;
-    } else {
-      changes.of_repaired.push_back({face, has_surface(input, origin) ? origin : kNoIndex});
-    }
-  }
-  for (Index face = 0; face < input.n_faces(); ++face) {
-    if (is_kept[face] == 0 && has_surface(input, face)) {
-      changes.of_input.push_back({face, made_of[face]});
-    }
-  }
-  return changes;
-}
 
 /// The faces of one mesh whose distance from another is asked for.
 struct Side {
@@ -252,7 +189,7 @@ Soup surface_with_walls(const Side& old_side, std::span<const InteriorWall> wall
   Soup soup;
   soup.positions = old_side.to.positions;
   for (Index face = 0; face < old_side.to.n_faces(); ++face) {
-    if (!has_surface(old_side.to, face)) continue;
+    if (!is_in_complex(old_side.to.triangles[face])) continue;
     if (!near.intersects(box_of(corners_of(old_side.to, face)))) continue;
     soup.triangles.push_back(old_side.to.triangles[face]);
   }
@@ -316,7 +253,8 @@ void DeviationMeter::include_patches(const TrackedMesh& tracked) {
   Soup& soup = *surface->with_patches;
   is_included_.resize(tracked.face_origins.size(), 0);
   for (Index face = 0; face < tracked.soup.n_faces(); ++face) {
-    if (tracked.origin_of_face(face) != kNoIndex || !has_surface(tracked.soup, face)) continue;
+    const bool is_patch = tracked.origin_of_face(face) == kNoIndex;
+    if (!is_patch || !is_in_complex(tracked.soup.triangles[face])) continue;
     std::uint8_t& is_included = is_included_[tracked.face_keys[face] - tracked.n_input_faces];
     if (std::exchange(is_included, 1) != 0) continue;
     const auto first = static_cast<Index>(soup.n_vertices());
@@ -331,23 +269,56 @@ DeviationMeter::~DeviationMeter() = default;
 DeviationMeter::Result DeviationMeter::measure(const TrackedMesh& tracked, const FaceTree& tree,
                                                double bound,
                                                std::span<const InteriorWall> walls) const {
-  Changes changes = find_changes(input_, tracked);
+  ChangedFaces changes = find_changed_faces(input_, tracked);
   drop_walls(input_, walls, changes.of_input);
+  return measure_changes(std::move(changes), {tracked, tree, bound, walls}, walls);
+}
+
+std::vector<double> DeviationMeter::measure_parts(const Repaired& repaired,
+                                                  std::span<const Index> part_of,
+                                                  std::size_t n_parts) const {
+  ChangedFaces all = find_changed_faces(input_, repaired.tracked);
+  drop_walls(input_, repaired.walls, all.of_input);
+  std::vector<ChangedFaces> parts(n_parts);
+  for (const ChangedFace& changed : all.of_input) {
+    const Index part = part_of[changed.face];
+    if (part != kNoIndex) parts[part].of_input.push_back(changed);
+  }
+  for (const ChangedFace& changed : all.of_repaired) {
+    const Index part = part_of[repaired.tracked.origin_of_face(changed.face)];
+    if (part != kNoIndex) parts[part].of_repaired.push_back(changed);
+  }
+  std::vector<std::vector<InteriorWall>> walls(n_parts);
+  for (const InteriorWall& wall : repaired.walls) {
+    const Index part = wall.face == kNoIndex ? kNoIndex : part_of[wall.face];
+    if (part != kNoIndex) walls[part].push_back(wall);
+  }
+  std::vector<double> distances(n_parts);
+  for (std::size_t i = 0; i < n_parts; ++i) {
+    distances[i] = measure_changes(std::move(parts[i]), repaired, walls[i]).largest;
+  }
+  return distances;
+}
+
+DeviationMeter::Result DeviationMeter::measure_changes(
+    ChangedFaces changes, const Repaired& repaired, std::span<const InteriorWall> own_walls) const {
+  const TrackedMesh& tracked = repaired.tracked;
+  const double bound = repaired.bound;
   Side old_side{input_, tracked.soup, std::move(changes.of_input)};
   Side new_side{tracked.soup, input_, std::move(changes.of_repaired)};
   Result result;
   result.largest = settle_near_faces(old_side, bound);
   if (!old_side.faces.empty()) {
-    const PartsOfFaces parts(tracked, new_side.faces, walls);
+    const PartsOfFaces parts(tracked, new_side.faces, own_walls);
     result.largest = std::max(result.largest, settle_cut_faces(old_side, parts, bound));
   }
   result.largest = std::max(result.largest, settle_near_faces(new_side, bound));
   if (!old_side.faces.empty()) {
-    const ClosestPoints closest(tree);
+    const ClosestPoints closest(repaired.tree);
     SideResult old_result =
-        measure_side(old_side, [&] { return SurfaceDistance(tree, closest, bound); });
-    if (!old_result.far.empty() && !walls.empty()) {
-      old_result = measure_with_walls(old_side, old_result, walls, bound);
+        measure_side(old_side, [&] { return SurfaceDistance(repaired.tree, closest, bound); });
+    if (!old_result.far.empty() && !repaired.walls.empty()) {
+      old_result = measure_with_walls(old_side, old_result, repaired.walls, bound);
     }
     result.largest = std::max(result.largest, old_result.largest);
     result.far_input_faces = std::move(old_result.far);

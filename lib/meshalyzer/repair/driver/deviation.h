@@ -5,12 +5,15 @@
 #include "meshalyzer/spatial/face_tree.h"
 #include "meshalyzer/spatial/triangle_contact.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
 namespace meshalyzer {
+
+struct ChangedFaces;
 
 /// Measures how far repaired surfaces are from the input that they were made of.
 ///
@@ -65,8 +68,32 @@ class DeviationMeter {
   [[nodiscard]] Result measure(const TrackedMesh& tracked, const FaceTree& tree, double bound,
                                std::span<const InteriorWall> walls = {}) const;
 
+  /// A repaired mesh to be measured. Only refers to it.
+  struct Repaired {
+    const TrackedMesh& tracked;
+    /// Over the tracked mesh's faces.
+    const FaceTree& tree;
+    /// Finite, at least 0.
+    double bound = 0.0;
+    /// The walls of the input that are gone.
+    std::span<const InteriorWall> walls;
+  };
+
+  /// Measures parts of the input each by itself: how far its faces are from the new surface, and
+  /// what was made of them from the input.
+  ///
+  /// @param part_of  #faces of the input: the part that each belongs to, kNoIndex for none.
+  /// @return         #parts: Result::largest of each.
+  [[nodiscard]] std::vector<double> measure_parts(const Repaired& repaired,
+                                                  std::span<const Index> part_of,
+                                                  std::size_t n_parts) const;
+
  private:
   struct Surface;
+  /// @param own_walls  Those that were parts of the changed faces; others may be near them too.
+  [[nodiscard]] Result measure_changes(ChangedFaces changes, const Repaired& repaired,
+                                       std::span<const InteriorWall> own_walls) const;
+
   const Soup& input_;
   std::unique_ptr<Surface> surface_;
   /// Indexed by face key - number of the input's faces: non-zero for patches that are included.

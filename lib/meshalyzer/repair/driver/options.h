@@ -78,6 +78,8 @@ struct RepairOptions {
   std::function<void(const PreparedMesh&, const DefectReport&)> on_input;
   /// Tells whether RepairedMesh::prepared is kept.
   bool keep_prepared = false;
+  /// Whether RepairResult::patches is found.
+  bool tells_patches = false;
   /// Asked before each attempt of a pass; once it says yes the repair ends with what it has by
   /// then. May be empty. Called from the thread that called the library.
   std::function<bool()> wants_to_stop;

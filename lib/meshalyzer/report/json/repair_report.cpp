@@ -266,21 +266,48 @@ void write_meshes(JsonWriter& json, const RepairReport& report) {
   json.end_array();
 }
 
-}  // namespace
+/// Writes what becomes of patches of intersecting faces, where that was found out.
+void write_patches(JsonWriter& json, const ToldPatches& told) {
+  if (told.patches.empty()) return;
+  json.key("patches");
+  json.begin_array();
+  for (const PatchOutcome& patch : told.patches) {
+    const std::vector<Index>& faces = told.defects[patch.defect].faces;
+    json.begin_object(JsonLayout::Row);
+    json.member("face", told.mesh.face_ids.of(faces.front()));
+    json.member("faces", faces.size());
+    json.member("mended", patch.is_mended);
+    json.key("passes");
+    json.begin_array(JsonLayout::Row);
+    for (const std::string& pass : patch.passes) json.value(std::string_view(pass));
+    json.end_array();
+    json.member("distance", patch.distance);
+    if (!patch.is_mended) json.member("reason", std::string_view(patch.reason));
+    json.end_object();
+  }
+  json.end_array();
+}
 
-std::string json_report(const MeshName& mesh, const DefectReport& report,
-                        const DefectCodes& asked) {
-  JsonWriter json;
-  begin_report(json);
+/// The member `input`.
+void write_input(JsonWriter& json, const MeshName& mesh, const DefectReport& found) {
   json.key("input");
   json.begin_object();
   write_name(json, mesh);
-  write_tolerances(json, report.tolerances);
-  write_warnings(json, report.warnings);
-  write_defects(json, mesh, report);
+  write_tolerances(json, found.tolerances);
+  write_warnings(json, found.warnings);
+  write_defects(json, mesh, found);
   json.end_object();
-  write_fixes(json, asked);
-  json.member("remaining", n_asked(report, asked));
+}
+
+}  // namespace
+
+std::string json_report(const FoundDefects& found) {
+  JsonWriter json;
+  begin_report(json);
+  write_input(json, found.mesh, found.defects);
+  write_fixes(json, found.asked);
+  json.member("remaining", n_asked(found.defects, found.asked));
+  write_patches(json, {found.mesh, found.defects.defects, found.patches});
   json.end_object();
   return json.take();
 }
@@ -288,18 +315,13 @@ std::string json_report(const MeshName& mesh, const DefectReport& report,
 std::string json_report(const RepairReport& report) {
   JsonWriter json;
   begin_report(json);
-  json.key("input");
-  json.begin_object();
-  write_name(json, report.input);
-  write_tolerances(json, report.result.before.tolerances);
-  write_warnings(json, report.result.before.warnings);
-  write_defects(json, report.input, report.result.before);
-  json.end_object();
+  write_input(json, report.input, report.result.before);
   write_fixes(json, report.fixes);
   json.member("max_deviation", report.result.max_deviation);
   json.member("deviation", report.result.deviation);
   json.member("remaining", n_remaining(report));
   write_rises(json, report.result.rises);
+  write_patches(json, {report.input, report.result.before.defects, report.result.patches});
   json.key("notes");
   json.begin_array();
   for (const std::string& note : report.notes) json.value(std::string_view(note));

@@ -3,6 +3,7 @@
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/report/format_text.h"
 #include "meshalyzer/report/text/defect_lines.h"
+#include "meshalyzer/report/text/patch_lines.h"
 
 #include <string>
 #include <utility>
@@ -36,8 +37,9 @@ void append_fixes(TextLines& lines, const DefectReport& report) {
 
 }  // namespace
 
-std::string text_report(const MeshName& mesh, const DefectReport& report, const DefectCodes& asked,
-                        ListLength lists) {
+std::string text_report(const FoundDefects& found, ListLength lists) {
+  const MeshName& mesh = found.mesh;
+  const DefectReport& report = found.defects;
   TextLines lines;
   lines.heading("DEFECTS");
   lines.line("file", mesh.path);
@@ -45,11 +47,15 @@ std::string text_report(const MeshName& mesh, const DefectReport& report, const 
   lines.line("vertices", mesh.n_vertices);
   lines.line("faces", mesh.n_faces);
   append_tolerances(lines, report);
-  append_counts(lines, report, asked);
+  append_counts(lines, report, found.asked);
   if (report.total() != 0) {
     append_fixes(lines, report);
     lines.heading("WHERE");
     append_defects(lines, {mesh, report}, lists);
+  }
+  if (!found.patches.empty()) {
+    lines.heading("WHAT A REPAIR WOULD MAKE OF SELF-INTERSECTIONS");
+    append_patches(lines, {mesh, report.defects, found.patches}, lists);
   }
   return std::move(lines.text());
 }

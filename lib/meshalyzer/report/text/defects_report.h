@@ -15,10 +15,7 @@ enum class ListLength {
 };
 
 /// Returns the report of what is wrong with a mesh, for people: what was looked for, the count of
-/// each code, and a line a defect.
-///
-/// @param asked  The codes that count; others are listed too, and said to be not asked for.
-[[nodiscard]] std::string text_report(const MeshName& mesh, const DefectReport& report,
-                                      const DefectCodes& asked, ListLength lists);
+/// each code, a line a defect, and what a repair would make of the self-intersections.
+[[nodiscard]] std::string text_report(const FoundDefects& found, ListLength lists);
 
 }  // namespace meshalyzer

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/report/key_ids.h"
 #include "meshalyzer/report/text/defect_lines.h"
+#include "meshalyzer/report/text/patch_lines.h"
 #include "meshalyzer/report/text/repair_lines.h"
 #include "meshalyzer/report/text/short_list.h"
 
@@ -113,6 +114,11 @@ std::string text_report(const RepairReport& report, ListLength lists) {
   append_outcome(lines, report);
   append_counts(lines, report);
   append_steps(lines, report, ids, lists);
+  if (!report.result.patches.empty()) {
+    lines.heading("WHAT BECAME OF SELF-INTERSECTIONS");
+    append_patches(lines, {report.input, report.result.before.defects, report.result.patches},
+                   lists);
+  }
   append_what_remains(lines, report, ids, lists);
   return std::move(lines.text());
 }

@@ -140,15 +140,29 @@ TEST(RepairJson, PathOfAnyBytesCanBeRead) {
   EXPECT_EQ(input["path_bytes"], "\xC3\xBF.mesh");
 }
 
+TEST(RepairJson, PatchesTellWhatBecameOfThem) {
+  RepairResult result = sample_result();
+  add_patch(result);
+  PatchOutcome& left = add_patch(result);
+  left.is_mended = false;
+  left.reason = "it is so";
+  EXPECT_EQ(parsed(result)["patches"], json::parse(R"([
+    {"face": 5, "faces": 2, "mended": true, "passes": ["split edges", "cut intersections"],
+     "distance": 0.25},
+    {"face": 5, "faces": 2, "mended": false, "passes": ["split edges", "cut intersections"],
+     "distance": 0.25, "reason": "it is so"}])"));
+  EXPECT_FALSE(parsed(sample_result()).contains("patches"));
+}
+
 TEST(DefectsJson, TellsWhatCountsAndHowManyOfIt) {
   DefectReport report;
   add_defect(report, DefectCode::Disjoint);
   add_defect(report, DefectCode::Hole);
   report.warnings = {"w"};
-  const json all = json::parse(json_report({}, report, DefectCodes::all()));
+  const json all = json::parse(json_report(FoundDefects{MeshName(), report, DefectCodes::all()}));
   EXPECT_EQ(all["remaining"], 2);
   EXPECT_EQ(all["fixes"].size(), kDefectCodes);
-  const json some = json::parse(json_report({}, report, {DefectCode::Hole}));
+  const json some = json::parse(json_report(FoundDefects{MeshName(), report, {DefectCode::Hole}}));
   EXPECT_EQ(some["remaining"], 1);
   EXPECT_EQ(some["fixes"], json::parse(R"(["hole"])"));
   EXPECT_EQ(some["input"]["total"], 2);

@@ -20,7 +20,7 @@ std::string report_of(const DefectReport& report, const DefectCodes& asked = def
                       .face_ids = {},
                       .n_vertices = 9,
                       .n_faces = 8};
-  return text_report(mesh, report, asked, ListLength::Short);
+  return text_report(FoundDefects{mesh, report, asked}, ListLength::Short);
 }
 
 TEST(DefectsReport, SoundMeshHasZeroOfEachCodeAndNoPlaces) {
@@ -62,6 +62,18 @@ TEST(DefectsReport, WhatDoesNotCountIsListedAllTheSame) {
   EXPECT_THAT(text, Not(HasSubstr("fix of slit")));
   EXPECT_THAT(text, HasLine("disjoint: component of face 4"));
   EXPECT_THAT(report_of(report, DefectCodes::all()), HasLine("asked for: 2"));
+}
+
+TEST(DefectsReport, WhatARepairWouldDoComesLast) {
+  RepairResult result = sample_result();
+  add_patch(result);
+  const RepairReport names = sample_report(result);
+  const DefectCodes asked = default_fixes();
+  EXPECT_THAT(text_report(FoundDefects{names.input, result.before, asked, result.patches},
+                          ListLength::Short),
+              testing::EndsWith("WHAT A REPAIR WOULD MAKE OF SELF-INTERSECTIONS\n"
+                                "patch of face 5: 2 faces; mended by split edges, cut "
+                                "intersections; moved by at most 0.25\n"));
 }
 
 }  // namespace

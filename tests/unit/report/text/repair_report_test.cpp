@@ -145,5 +145,33 @@ TEST(RepairReport, OfSeveralMeshesOnlyThoseWithSomethingLeftAreNamed) {
   EXPECT_THAT(text, Not(HasLine("mesh: out.obj")));
 }
 
+TEST(RepairReport, PatchesAreNamedByTheirFirstFaces) {
+  RepairResult result = sample_result();
+  add_patch(result);
+  PatchOutcome& left = add_patch(result);
+  left.is_mended = false;
+  left.reason = "it is so";
+  PatchOutcome& untouched = add_patch(result);
+  untouched = {.defect = untouched.defect,
+               .passes = {},
+               .distance = 0.0,
+               .is_mended = false,
+               .reason = "so it is"};
+  const std::string text = text_report(sample_report(result), ListLength::Short);
+  EXPECT_THAT(text, HasLine("patch of face 5: 2 faces; mended by split edges, cut intersections; "
+                            "moved by at most 0.25"));
+  EXPECT_THAT(text, HasLine("patch of face 5: 2 faces; changed by split edges, cut intersections; "
+                            "moved by at most 0.25; still intersects: it is so"));
+  EXPECT_THAT(text, HasLine("patch of face 5: 2 faces; left; still intersects: so it is"));
+}
+
+TEST(RepairReport, OfManyPatchesTheFirstAreToldAndTheRestCounted) {
+  RepairResult result = sample_result();
+  for (int i = 0; i < 14; ++i) add_patch(result);
+  EXPECT_THAT(text_report(sample_report(result), ListLength::Short),
+              HasLine("not listed: 2 patches"));
+  EXPECT_THAT(text_report(sample_report(result), ListLength::Full), Not(HasSubstr("not listed")));
+}
+
 }  // namespace
 }  // namespace meshalyzer

@@ -60,6 +60,12 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
   rises_ = find_rises(input, before);
 }
 
+std::vector<double> RepairDriver::measure_parts(std::span<const Index> part_of,
+                                                std::size_t n_parts) const {
+  return meter_->measure_parts(
+      {state_->tracked(), state_->mesh().tree(), limits_.max_deviation, walls_}, part_of, n_parts);
+}
+
 void RepairDriver::set_checkpoint() {
   banned_ = {};
   checkpoint_ = {state_->tracked(), log_, deviation_, walls_};

@@ -81,6 +81,11 @@ class RepairDriver {
   bool run_trial(const Trial& trial);
 
   [[nodiscard]] const RepairState& state() const { return *state_; }
+  /// Returns what was done until now.
+  [[nodiscard]] const RepairLog& log() const { return log_; }
+  /// Measures parts of the input as DeviationMeter::measure_parts() does.
+  [[nodiscard]] std::vector<double> measure_parts(std::span<const Index> part_of,
+                                                  std::size_t n_parts) const;
   [[nodiscard]] double max_deviation() const { return limits_.max_deviation; }
   /// Notes a deviation that was measured outside.
   void raise_deviation(double deviation) { deviation_ = std::max(deviation_, deviation); }

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "meshalyzer/repair/edits/tracked_mesh.h"
+
+#include <vector>
+
+namespace meshalyzer {
+
+/// A face that is not the same in both meshes, and one of the other mesh that is likely to be near,
+/// since one was made of the other (kNoIndex: there is none).
+struct ChangedFace {
+  Index face = 0;
+  Index other = kNoIndex;
+};
+
+/// The faces that a repair has changed: those that are not the same points of space before and
+/// after. Faces that are in no complex are left out.
+struct ChangedFaces {
+  std::vector<ChangedFace> of_input;
+  /// The faces of hole patches are left out.
+  std::vector<ChangedFace> of_repaired;
+};
+
+/// Compares a tracked mesh with the input that it was made of.
+///
+/// @complexity O(#F).
+[[nodiscard]] ChangedFaces find_changed_faces(const Soup& input, const TrackedMesh& tracked);
+
+}  // namespace meshalyzer

@@ -1,0 +1,103 @@
+#include "meshalyzer/repair/driver/internal/patch_outcomes.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// Finds out what has become of each patch.
+class OutcomeFinder {
+ public:
+  OutcomeFinder(const RepairDriver& driver, const DefectReport& before)
+      : driver_(driver), part_of_(driver.input().n_faces(), kNoIndex) {
+    for (std::size_t i = 0; i < before.defects.size(); ++i) {
+      const Defect& defect = before.defects[i];
+      if (defect.code != DefectCode::SelfIntersection) continue;
+      for (const Index face : defect.faces) part_of_[face] = static_cast<Index>(outcomes_.size());
+      PatchOutcome& outcome = outcomes_.emplace_back();
+      outcome.defect = i;
+      outcome.is_mended = true;
+    }
+  }
+
+  std::vector<PatchOutcome> run() {
+    if (outcomes_.empty()) return {};
+    find_passes();
+    find_what_is_left();
+    find_reasons();
+    const std::vector<double> distances = driver_.measure_parts(part_of_, outcomes_.size());
+    for (std::size_t i = 0; i < outcomes_.size(); ++i) outcomes_[i].distance = distances[i];
+    return std::move(outcomes_);
+  }
+
+ private:
+  /// The outcome of the patch that a face was in, or was made of; null where it is of none.
+  [[nodiscard]] PatchOutcome* outcome_of(Index face_key) {
+    if (face_key == kNoIndex) return nullptr;
+    const Index origin = driver_.tracked().origin_of_key(face_key);
+    const Index part = origin == kNoIndex ? kNoIndex : part_of_[origin];
+    return part == kNoIndex ? nullptr : &outcomes_[part];
+  }
+
+  void find_passes() {
+    const RepairLog& log = driver_.log();
+    for (const LoggedOperation& operation : log.operations) {
+      const std::string& pass = log.steps[operation.step].pass;
+      for (const auto* keys :
+           {&operation.removed_faces, &operation.changed_faces, &operation.added_faces}) {
+        for (const Index key : *keys) add_pass(pass, key);
+      }
+    }
+  }
+
+  void add_pass(const std::string& pass, Index face_key) {
+    PatchOutcome* outcome = outcome_of(face_key);
+    if (outcome == nullptr) return;
+    std::vector<std::string>& passes = outcome->passes;
+    if (std::find(passes.begin(), passes.end(), pass) == passes.end()) passes.push_back(pass);
+  }
+
+  void find_what_is_left() {
+    for (const IntersectingPair& pair : driver_.mesh().intersecting_pairs()) {
+      for (const Index face : {pair.face_a, pair.face_b}) {
+        PatchOutcome* outcome = outcome_of(driver_.tracked().face_keys[face]);
+        if (outcome != nullptr) outcome->is_mended = false;
+      }
+    }
+  }
+
+  /// A refusal may name a face of one patch and be meant for several that hang together.
+  void find_reasons() {
+    std::string general = "no pass found a way within the maximum deviation";
+    if (driver_.is_stopped()) general = "the repair was stopped before";
+    for (const LoggedRefusal& refusal : driver_.log().refusals) {
+      if (refusal.code != DefectCode::SelfIntersection) continue;
+      general = refusal.reason;
+      PatchOutcome* outcome = outcome_of(refusal.face);
+      if (outcome != nullptr && outcome->reason.empty()) outcome->reason = refusal.reason;
+    }
+    for (PatchOutcome& outcome : outcomes_) {
+      if (outcome.is_mended) {
+        outcome.reason.clear();
+      } else if (outcome.reason.empty()) {
+        outcome.reason = general;
+      }
+    }
+  }
+
+  const RepairDriver& driver_;
+  /// #faces of the input: the patch that each is in, kNoIndex for none.
+  std::vector<Index> part_of_;
+  std::vector<PatchOutcome> outcomes_;
+};
+
+}  // namespace
+
+std::vector<PatchOutcome> find_patch_outcomes(const RepairDriver& driver,
+                                              const DefectReport& before) {
+  return OutcomeFinder(driver, before).run();
+}
+
+}  // namespace meshalyzer

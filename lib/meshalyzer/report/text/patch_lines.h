@@ -1,0 +1,13 @@
+#pragma once
+
+#include "meshalyzer/report/text/defects_report.h"
+#include "meshalyzer/report/text/lines.h"
+
+namespace meshalyzer {
+
+/// Appends a line for each patch, which is named by its first face: the passes that treat it, how
+/// far the surface moves, or why it is left. Short lists have the first few, and a line that says
+/// how many more there are.
+void append_patches(TextLines& lines, const ToldPatches& told, ListLength lists);
+
+}  // namespace meshalyzer
