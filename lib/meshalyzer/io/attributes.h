@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// What a mesh file may say beside vertices and triangles.
+/// The kinds of information that a mesh file may hold in addition to vertices and triangles.
 enum class AttributeKind : std::uint8_t {
   Polygons,
   Normals,
@@ -29,20 +29,20 @@ enum class AttributeKind : std::uint8_t {
   Comments,
 };
 
-/// Tells how many of a kind there are: of numbers how many vertices, faces or corners have them; of
-/// materials and groups how many names; of others how many records.
+/// The count of a kind of attributes: for numbers the vertices, faces or corners that have them,
+/// for materials and groups the names, for others the records.
 struct AttributeCount {
   AttributeKind kind = AttributeKind::Comments;
   std::size_t count = 0;
 };
 
-/// What a person calls so many of a kind: "1 material", "33963 texture coordinates".
+/// Returns a count for people: "1 material", "33963 texture coordinates".
 [[nodiscard]] std::string attribute_text(const AttributeCount& count);
 
 /// Returns the name of a kind in the keys of JSON: "texture_coordinates".
 [[nodiscard]] std::string_view attribute_key(AttributeKind kind);
 
-/// Returns the counts of a list that are not zero, ascending by kind, each kind once.
+/// Adds up the counts of each kind; the result has the counts that are not zero, ascending by kind.
 [[nodiscard]] std::vector<AttributeCount> summed(std::vector<AttributeCount> counts);
 
 }  // namespace meshalyzer

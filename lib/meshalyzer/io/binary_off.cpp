@@ -15,7 +15,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Every number takes so many bytes.
+/// The size of every number in bytes.
 constexpr std::size_t kNumberBytes = 4;
 constexpr std::size_t kColourNumbers = 4;
 constexpr std::size_t kTextureNumbers = 2;
@@ -33,9 +33,9 @@ class BinaryOffParser {
     soup.face_ids.first = 0;
     parse_keyword();
     const std::size_t n_vertices = count(3 * kNumberBytes, "vertices");
-    // A face names its number of corners, one corner at least, and its number of colours.
+    // The smallest face has its number of corners, one corner, and its number of colours.
     const std::size_t n_faces = count(3 * kNumberBytes, "faces");
-    static_cast<void>(integer());  // edges: nobody counts them right
+    static_cast<void>(integer());  // the number of edges, which is rarely right
     for (std::size_t i = 0; i < n_vertices; ++i) {
       parse_vertex();
     }
@@ -118,8 +118,9 @@ class BinaryOffParser {
     return static_cast<Index>(value);
   }
 
-  /// Returns how many records follow; refuses a count that the rest of the file cannot hold.
-  /// @param bytes_each  The least number of bytes that one takes.
+  /// Returns the number of records that follow; rejects a count that the rest of the file cannot
+  /// hold.
+  /// @param bytes_each  The smallest size of a record.
   [[nodiscard]] std::size_t count(std::size_t bytes_each, const std::string& what) {
     const std::size_t offset = at_;
     const std::int32_t value = integer();

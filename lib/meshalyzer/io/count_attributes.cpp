@@ -145,7 +145,7 @@ Counts count_binary_off(std::string_view content) {
           {AttributeKind::FaceColours, off.n_face_colours}};
 }
 
-/// Counts what stands behind the positions and normals of vertices and the corners of faces.
+/// Counts the numbers after the positions and normals of vertices and after the corners of faces.
 Counts count_off_text(const Soup& soup, std::string_view text) {
   TextScanner head(text);
   static_cast<void>(head.next_record());
@@ -202,8 +202,8 @@ Counts count_ascii_stl(std::string_view text) {
   return {{AttributeKind::Groups, n_names}};
 }
 
-/// Counts the numbers by which records of INRIA's format are marked, and the records of sections
-/// that say nothing about triangles.
+/// Counts the references of records in INRIA's format, and the records of sections that do not
+/// concern triangles.
 Counts count_inria(std::string_view text) {
   TextScanner in(text);
   Counts counts;
@@ -218,7 +218,7 @@ Counts count_inria(std::string_view text) {
       n_numbers = 0;
     } else if (++n_numbers == 1 && section != "MeshVersionFormatted" && section != "Dimension" &&
                section != "Vertices" && section != "Triangles" && section != "Quadrilaterals") {
-      // What comes first is the count of a section.
+      // The first number is the count of a section.
       counts.push_back(
           {AttributeKind::OtherRecords,
            static_cast<std::size_t>(std::max<std::int64_t>(parse_integer(word).value_or(0), 0))});

@@ -8,9 +8,9 @@
 
 namespace meshalyzer {
 
-/// Counts what a file says beside vertices and triangles.
+/// Counts the attributes that a file holds in addition to vertices and triangles.
 ///
-/// @param soup   What was read from the bytes.
+/// @param soup   The soup that was read from the bytes.
 /// @complexity   O(bytes).
 [[nodiscard]] std::vector<AttributeCount> count_attributes(const Soup& soup,
                                                            std::string_view bytes);

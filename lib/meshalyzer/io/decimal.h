@@ -10,8 +10,8 @@
 
 namespace meshalyzer {
 
-/// A number at the front of a text and where it ends; `end` is null where there is none of the
-/// wanted form.
+/// A number at the beginning of a text and its end; `end` is null if there is none of the expected
+/// form.
 template <typename T>
 struct Decimal {
   T value{};
@@ -20,7 +20,7 @@ struct Decimal {
 
 namespace decimal_internal {
 
-/// The powers of ten that a double holds exactly.
+/// The powers of ten that are exact as doubles.
 inline constexpr double kExactPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
@@ -32,7 +32,7 @@ constexpr bool is_digit(char c) {
   return static_cast<unsigned char>(c - '0') < 10;
 }
 
-/// Any number that a double can hold; one too small for it is 0.
+/// Reads any finite number; one that underflows is 0.
 inline Decimal<double> scan_any_real(const char* begin, const char* end) {
   double value = 0.0;
   const auto [stop, error] = std::from_chars(begin, end, value);
@@ -46,7 +46,7 @@ inline Decimal<double> scan_any_real(const char* begin, const char* end) {
 
 }  // namespace decimal_internal
 
-/// Reads the non-negative integer of at most 18 digits at the front of [begin, end).
+/// Reads the non-negative integer of at most 18 digits at the beginning of [begin, end).
 [[nodiscard]] inline Decimal<std::int64_t> scan_digits(const char* begin, const char* end) {
   constexpr std::ptrdiff_t kDigitsThatFit = 18;
   std::int64_t value = 0;
@@ -60,11 +60,11 @@ inline Decimal<double> scan_any_real(const char* begin, const char* end) {
   return {value, at == begin ? nullptr : at};
 }
 
-/// Reads the finite number at the front of [begin, end): the nearest double.
+/// Reads the finite number at the beginning of [begin, end): the nearest double.
 ///
-/// Where the digits make an integer m <= 2^53 and the exponent k is within 22, m and 10^|k| are
+/// If the digits make an integer m <= 2^53 and the exponent k is within 22, m and 10^|k| are
 /// doubles, so that one multiplication or division rounds once and is right (Clinger 1990, "How to
-/// read floating point numbers accurately"). Everything else is std::from_chars' work.
+/// read floating point numbers accurately"). Everything else is left to std::from_chars.
 [[nodiscard]] inline Decimal<double> scan_real(const char* begin, const char* end) {
   using namespace decimal_internal;
   constexpr std::ptrdiff_t kDigitsThatFit = 19;

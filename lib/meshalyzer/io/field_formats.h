@@ -6,7 +6,8 @@
 
 namespace meshalyzer {
 
-// print_mesh_field() for each format; the field is whole, as print_mesh_field() has made sure.
+// The functions of print_mesh_field() for each format, which has checked that the field is
+// complete.
 
 [[nodiscard]] std::string print_ply_field(const MeshField& field);
 [[nodiscard]] std::string print_obj_field(const MeshField& field);

@@ -23,17 +23,17 @@ std::optional<struct stat> status_of(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 ? std::optional(status) : std::nullopt;
 }
 
-/// Returns the file that a path names, behind symbolic links.
+/// Returns the file that a path names after following symbolic links.
 std::string target_of(const std::string& path) {
   std::error_code unresolvable;
   const std::filesystem::path resolved = std::filesystem::weakly_canonical(path, unresolvable);
   return unresolvable ? path : resolved.string();
 }
 
-/// A file beside its target, whose place it can take; removed again unless it has.
+/// A file beside its target, which it can replace; it is removed unless it has.
 class NewFile {
  public:
-  /// The umask applies to the new file, as it would have to the target.
+  /// The umask applies to the new file as it would to the target.
   explicit NewFile(const std::string& target) : target_(target), descriptor_(create()) {}
   ~NewFile() {
     if (!path_.empty()) {
@@ -58,7 +58,7 @@ class NewFile {
 
  private:
   Descriptor create() {
-    // Not named after the target: a name as long as the file system allows leaves no room for more.
+    // It is not named after the target, whose name may already have the maximum length.
     const std::filesystem::path folder = std::filesystem::path(target_).parent_path();
     const std::string stem = ".meshalyzer-" + std::to_string(::getpid());
     constexpr int kAttempts = 100;
@@ -76,8 +76,8 @@ class NewFile {
     throw_errno(target_, "cannot be written");
   }
 
-  /// Flushes the folder, so that the renaming outlives a power cut too. Some file systems cannot do
-  /// this; the content is safe without it.
+  /// Flushes the folder, so that the renaming survives a power failure too. Some file systems
+  /// cannot do this; the content is safe without it.
   void flush_folder() const {
     const std::filesystem::path folder = std::filesystem::path(target_).parent_path();
     const Descriptor opened(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC));
@@ -93,7 +93,7 @@ class NewFile {
 
 }  // namespace
 
-/// One of the two ways to write: into a new file, or directly into what is no regular file.
+/// One of the two ways to write: into a new file, or directly into a file that is not regular.
 class FileReplacement::Output {
  public:
   explicit Output(const std::string& path) : path_(path) {
@@ -163,7 +163,7 @@ FileReplacement::FileReplacement(FileReplacement&& other) noexcept = default;
 FileReplacement& FileReplacement::operator=(FileReplacement&& other) noexcept = default;
 
 void FileReplacement::write(std::string_view bytes) {
-  // Taken out meanwhile: what throws leaves nothing that could be committed.
+  // The output is moved out first: after an exception nothing can be committed.
   std::unique_ptr<Output> output = take();
   output->write(bytes);
   output_ = std::move(output);

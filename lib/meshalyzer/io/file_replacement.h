@@ -6,12 +6,12 @@
 
 namespace meshalyzer {
 
-/// Puts new bytes in the place of a file, all of them or none, written piece by piece.
+/// Replaces the content of a file atomically, written piece by piece.
 ///
-/// They go to a new file in the same folder, which commit() flushes to the disk and renames;
-/// without commit() it is removed and the old one stays as it was. An existing file keeps its
-/// permissions; a symbolic link keeps pointing to its file; what is no regular file (a pipe, a
-/// device) is written into, and what it has been given cannot be taken back.
+/// The bytes go to a new file in the same folder, which commit() flushes to the disk and renames;
+/// without commit() it is removed and the old file stays. An existing file keeps its permissions,
+/// and a symbolic link keeps pointing to its file. A file that is not regular (a pipe, a device) is
+/// written directly, which cannot be undone.
 class FileReplacement {
  public:
   /// @throws IoError if `path` is a directory or cannot be written.
@@ -26,7 +26,7 @@ class FileReplacement {
   /// @throws InvalidArgument after commit(), or after an error.
   void write(std::string_view bytes);
 
-  /// Makes what has been written the content of the file.
+  /// Makes the written bytes the content of the file.
   ///
   /// @throws IoError if that fails: nothing is replaced then.
   /// @throws InvalidArgument after commit(), or after an error.

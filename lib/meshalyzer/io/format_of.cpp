@@ -27,8 +27,8 @@ std::string_view first_word(std::string_view content) {
   return in.next_record() ? in.word() : std::string_view{};
 }
 
-/// Returns the format that a file's content is of beyond doubt: its first word begins files of this
-/// format and no others.
+/// Returns the certain format of a content: its first word begins files of this format and no
+/// others.
 std::optional<Format> unmistakable_format(std::string_view content) {
   constexpr std::array<std::string_view, 8> kObjBeginnings = {"v", "vn", "vt",     "f",
                                                               "g", "o",  "mtllib", "usemtl"};

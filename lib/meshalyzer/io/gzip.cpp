@@ -13,15 +13,15 @@
 namespace meshalyzer {
 namespace {
 
-/// zlib counts what it is given in 32 bits.
+/// The largest piece for zlib, which counts bytes in 32 bits.
 constexpr std::size_t kMostAtOnce = std::size_t{1} << 30U;
 constexpr std::size_t kPieceBytes = std::size_t{1} << 16U;
-/// Window bits for zlib: the largest window, and a gzip header.
+/// The window bits for zlib: the largest window, and a gzip header.
 constexpr int kGzipWindow = 15 + 16;
 
 std::atomic<std::uint64_t> unpack_ratio{kDefaultUnpackRatio};
 
-/// Returns the bytes as zlib takes them: it does not write to its input, though it does not say so.
+/// Returns the bytes in the type that zlib expects; it does not write to its input.
 Bytef* bytes_of(const char* at) {
   return reinterpret_cast<Bytef*>(const_cast<char*>(at));
 }
@@ -40,7 +40,7 @@ class GzipReader {
   GzipReader(const GzipReader&) = delete;
   GzipReader& operator=(const GzipReader&) = delete;
 
-  /// @param take  Hears of what is unpacked, piece by piece.
+  /// @param take  Receives the unpacked bytes piece by piece.
   void read(const Take& take) {
     for (;;) {
       read_member(take);
@@ -100,7 +100,7 @@ class GzipReader {
   std::size_t fed_ = 0;
 };
 
-/// Returns how many bytes the content takes when it is unpacked.
+/// Returns the unpacked size of the content.
 std::size_t unpacked_size(std::string_view content, const std::string& name) {
   const std::uint64_t ratio = unpack_ratio;
   std::size_t size = 0;
@@ -126,7 +126,7 @@ UnpackLimit::~UnpackLimit() {
 }
 
 bool is_gzip(std::string_view content) {
-  // The magic number, and the only method that there is.
+  // The magic number, and the only compression method.
   return content.substr(0, 3) == "\x1f\x8b\x08";
 }
 

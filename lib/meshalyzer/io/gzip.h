@@ -6,11 +6,12 @@
 
 namespace meshalyzer {
 
-/// Tells how many times its size a gzipped file may take where nobody says otherwise: enough for
-/// any text, not for a bomb.
+/// The default limit of the ratio between unpacked and packed size of a gzipped file: enough for
+/// any text, but not for a decompression bomb.
 inline constexpr std::uint64_t kDefaultUnpackRatio = 1000;
 
-/// Sets how many times its size a gzipped file may take, while it lives. One at a time.
+/// Sets the limit of the ratio between unpacked and packed size while it exists; only one may exist
+/// at a time.
 class UnpackLimit {
  public:
   explicit UnpackLimit(std::uint64_t ratio);
@@ -22,14 +23,14 @@ class UnpackLimit {
 /// Tells whether the content begins as gzipped content does.
 [[nodiscard]] bool is_gzip(std::string_view content);
 
-/// Unpacks gzipped content, all members of it. Nothing is kept until all of it has proved to be
-/// sound and not too large.
+/// Unpacks all members of gzipped content. Memory is allocated only after all of it has proved to
+/// be valid and not too large.
 ///
-/// @param name  Stands in messages.
-/// @throws IoError with the byte offset of what is damaged, or where it takes more than the limit.
+/// @param name  The name of the file in messages.
+/// @throws IoError with the byte offset of the damage, or if the content exceeds the limit.
 [[nodiscard]] std::string unpack_gzip(std::string_view content, const std::string& name);
 
-/// Packs content: the same bytes give the same bytes.
+/// Packs content; the result depends only on the content.
 [[nodiscard]] std::string pack_gzip(std::string_view content);
 
 }  // namespace meshalyzer

@@ -11,7 +11,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Reads the sections of one file in order; line ends mean nothing.
+/// Reads the sections of one file in order; line ends have no meaning.
 class InriaParser {
  public:
   explicit InriaParser(std::string_view text) : in_(text) {}
@@ -101,7 +101,7 @@ class InriaParser {
     }
   }
 
-  /// The number, called a reference by the format, by which records are marked.
+  /// Reads the reference of a record, a number without meaning for the mesh.
   void parse_attribute() {
     in_.require_record("a reference");
     static_cast<void>(in_.integer());
@@ -117,8 +117,8 @@ class InriaParser {
     skip_numbers(begin_records(section->numbers_a_record, keyword) * section->numbers_a_record);
   }
 
-  /// Reads the number of records. Each number of a record takes a digit and a blank at least, so
-  /// that a count beyond the length of the file is refused.
+  /// Reads the number of records. Each number of a record takes at least a digit and a blank, so
+  /// that a count beyond the length of the file is rejected.
   std::size_t begin_records(std::size_t numbers_a_record, std::string_view what) {
     in_.require_record("the count of " + std::string(what));
     return in_.count(2 * numbers_a_record, what);

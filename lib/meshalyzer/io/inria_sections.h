@@ -7,15 +7,16 @@
 
 namespace meshalyzer {
 
-/// What the records of a section name by number, from 1.
+/// The elements that the records of a section name by number, from 1.
 enum class InriaNames : std::uint8_t { Nothing, Vertices, Edges, Triangles, Quadrilaterals };
 
-/// A section that says nothing about the triangles: a count, then records of so many numbers.
+/// A section that does not concern the triangles: a count, then records with a fixed number of
+/// numbers.
 struct InriaSection {
   std::string_view keyword;
   std::size_t numbers_a_record;
   InriaNames names;
-  /// Tells how many numbers of a record, the first ones, are such names.
+  /// The number of names at the beginning of a record.
   std::size_t n_names;
 };
 

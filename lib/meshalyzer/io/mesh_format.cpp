@@ -105,7 +105,7 @@ std::vector<T> take(std::vector<Part>& parts, std::vector<T> Part::*list) {
   return all;
 }
 
-/// Makes the lines those of the file, and throws the fault of the first part that has one.
+/// Converts line numbers to those of the file, and throws the fault of the first part that has one.
 void number_lines(std::vector<Part>& parts) {
   std::size_t lines_before = 0;
   for (Part& part : parts) {
@@ -136,7 +136,7 @@ Soup join(std::vector<Part> parts) {
   return soup;
 }
 
-/// The ids to print: .mesh has none below 1.
+/// The ids to print, none of which may be below 1 in `.mesh`.
 class PrintedIds {
  public:
   explicit PrintedIds(const Ids& ids)

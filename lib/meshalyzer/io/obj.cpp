@@ -12,7 +12,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Statements that say nothing about the triangles: materials, lines, points, curves, free-form
+/// The statements that do not concern the triangles: materials, lines, points, curves, free-form
 /// surfaces, display.
 constexpr std::array<std::string_view, 39> kSkippedKeywords = {
     "vt",       "vp",       "p",          "l",         "s",    "mg",    "usemtl", "mtllib",
@@ -63,7 +63,7 @@ class ObjParser {
     }
   }
 
-  /// x y z, then nothing, a weight, a colour, or both.
+  /// Reads a vertex: x y z, then nothing, a weight, a colour, or both.
   void parse_vertex() {
     soup_.positions.push_back(in_.point());
     soup_.vertex_lines.push_back(static_cast<std::uint32_t>(line_));
@@ -91,8 +91,8 @@ class ObjParser {
     append_polygon(soup_, corners_, line_);
   }
 
-  /// Call before the face is appended. Nothing is kept until a face has a normal; the faces before
-  /// it have none.
+  /// Appends the normals of a face; it is called before the face is appended. Nothing is stored
+  /// until a face has a normal; the faces before it have none.
   void append_corner_normals() {
     uses_normals_ = uses_normals_ || std::any_of(corner_normals_.begin(), corner_normals_.end(),
                                                  [](Index normal) { return normal != kNoIndex; });

@@ -9,7 +9,7 @@ namespace meshalyzer {
 
 /// Reads Wavefront OBJ: v, vn, f, g and o; every other statement of the format is skipped.
 ///
-/// @param name  Stands in messages.
+/// @param name  The name of the file in messages.
 /// @throws IoError with the first faulty line.
 /// @complexity O(bytes) time and memory.
 [[nodiscard]] Soup parse_obj(std::string_view text, const std::string& name);

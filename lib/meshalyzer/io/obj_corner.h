@@ -13,17 +13,17 @@
 
 namespace meshalyzer {
 
-/// Tells how many records of each kind stand before a statement.
+/// The numbers of records of each kind before a statement.
 struct ObjCounts {
   std::size_t vertices = 0;
   std::size_t texture_points = 0;
   std::size_t normals = 0;
 };
 
-/// What a corner of a face names, by index from 0.
+/// The records that a corner of a face names, by index from 0.
 struct ObjCorner {
   Index vertex = kNoIndex;
-  /// kNoIndex: none is named.
+  /// The texture point; kNoIndex if none is named.
   Index texture_point = kNoIndex;
   Index normal = kNoIndex;
 };
@@ -53,9 +53,9 @@ struct ObjCorner {
 }
 
 /// Reads v, v/, v/t, v/t/, v/t/n, v//, v//n. A positive number counts from the first record of the
-/// file, a negative one back from the last record so far.
+/// file, a negative one backwards from the last record so far.
 ///
-/// @param in  Faults where the token is no corner.
+/// @param in  The scanner, which throws if the token is no corner.
 [[nodiscard]] inline ObjCorner parse_obj_corner(std::string_view token, const ObjCounts& n_so_far,
                                                 const TextScanner& in) {
   std::array<std::string_view, 3> fields;

@@ -12,7 +12,8 @@ namespace {
 
 /// Returns the intensities 0 ... 1 of the 256 steps of a channel, in four digits.
 ///
-/// Rounded up, so that the step is the same for who multiplies by 255 and rounds, or cuts off.
+/// They are rounded up, so that multiplying by 255 gives the same step whether a reader rounds or
+/// truncates.
 std::array<std::string, 256> make_intensities() {
   constexpr unsigned kUnit = 10'000;
   std::array<std::string, 256> texts;

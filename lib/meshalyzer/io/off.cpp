@@ -57,7 +57,7 @@ class OffParser {
     n_vertices_ = in_.count(kShortestVertex, "vertices");
     n_faces_ = in_.count(kShortestFace, "faces");
     if (!in_.at_record_end()) {
-      static_cast<void>(in_.integer());  // edges: nobody counts them right
+      static_cast<void>(in_.integer());  // the number of edges, which is rarely right
     }
     in_.end_record();
   }

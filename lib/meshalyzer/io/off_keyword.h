@@ -6,18 +6,19 @@
 
 namespace meshalyzer {
 
-/// What vertices of an OFF file hold besides the position, in this order, as the keyword says.
+/// The data of the vertices of an OFF file in addition to the position, in this order, as the
+/// keyword declares.
 struct OffLayout {
   bool normal = false;
   bool colour = false;
   bool texture = false;
 };
 
-/// Tells whether the word is OFF with any of its prefixes, those that are not read included.
+/// Tells whether the word is OFF with any of its prefixes, including those that are not supported.
 [[nodiscard]] bool is_off_keyword(std::string_view word);
 
-/// Understands a keyword.
-/// @param in  Faults where it is that of a file in other than three dimensions.
+/// Parses a keyword.
+/// @param in  The scanner, which throws if the file is not three-dimensional.
 [[nodiscard]] OffLayout parse_off_keyword(std::string_view keyword, const TextScanner& in);
 
 /// Tells whether the first line of the content is the keyword and the word BINARY.

@@ -5,24 +5,24 @@
 
 namespace meshalyzer {
 
-/// What begins a text in UTF-8 that some programs mark as such.
+/// The mark with which some programs begin a text in UTF-8.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
-/// The content of a mesh file as its parser takes it: unpacked where it is gzipped, and without
-/// byte order marks.
+/// The content of a mesh file for its parser: unpacked if it is gzipped, and without byte order
+/// mark.
 class PlainContent {
  public:
-  /// @param content  Must outlive this object.
-  /// @param name     Stands in messages.
-  /// @throws IoError where it is gzipped and damaged, too large, or gzipped twice.
+  /// @param content  The content, which must outlive this object.
+  /// @param name     The name of the file in messages.
+  /// @throws IoError if it is gzipped and damaged, too large, or gzipped twice.
   PlainContent(std::string_view content, const std::string& name);
   PlainContent(const PlainContent&) = delete;
   PlainContent& operator=(const PlainContent&) = delete;
 
-  /// Valid as long as this object and the content.
+  /// Returns the bytes, valid as long as this object and the content.
   [[nodiscard]] std::string_view bytes() const { return bytes_; }
   [[nodiscard]] bool was_gzipped() const { return was_gzipped_; }
-  /// What was left out in front of bytes().
+  /// Returns the byte order mark that was removed in front of bytes().
   [[nodiscard]] std::string_view mark() const { return mark_; }
 
  private:

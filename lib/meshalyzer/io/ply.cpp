@@ -15,11 +15,11 @@
 namespace meshalyzer {
 namespace {
 
-/// The numbers of a vertex that are kept.
+/// The numbers of a vertex that are stored.
 constexpr std::array<std::string_view, 6> kVertexNumbers = {"x", "y", "z", "nx", "ny", "nz"};
 constexpr std::size_t kSkipped = kVertexNumbers.size();
 
-/// Reads the records behind the header in order, from either source of numbers.
+/// Reads the records after the header in order, from either source of numbers.
 template <typename Source>
 class PlyBody {
  public:
@@ -122,8 +122,8 @@ class PlyBody {
     }
   }
 
-  /// Reads a list of strips, all but the last ended by -1: every three corners that follow each
-  /// other are a face, those of every other face the other way round.
+  /// Reads a list of strips, separated by -1: every three consecutive corners are a face, every
+  /// other one reversed.
   void read_strips(const PlyProperty& property) {
     corners_.clear();
     for (std::size_t left = source_.list_size(property); left > 0; --left) {
@@ -154,7 +154,7 @@ class PlyBody {
   }
 
   void skip_records(const PlyElement& element) {
-    // Records of no properties are nothing: neither bytes nor lines.
+    // Records without properties take neither bytes nor lines.
     const std::size_t n = element.properties.empty() ? 0 : element.count;
     for (std::size_t i = 0; i < n; ++i) {
       source_.begin_record(element);
@@ -197,8 +197,7 @@ std::string print_header(const Soup& soup, std::string_view encoding) {
   return text + "end_header\n";
 }
 
-/// Calls `print` with the position of each vertex, followed by its normal where the vertices have
-/// one.
+/// Calls `print` with the position of each vertex, followed by its normal if the vertices have one.
 template <typename Print>
 void for_each_vertex(const Soup& soup, Print print) {
   const bool with_normals = has_vertex_normals(soup);

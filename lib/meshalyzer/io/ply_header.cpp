@@ -35,8 +35,8 @@ bool has_name(const std::vector<Named>& list, std::string_view name) {
                      [&](const Named& item) { return item.name == name; });
 }
 
-/// Reads the lines of one header in order. Each is scanned by itself, so that what follows the
-/// header, which may be binary, is never looked at.
+/// Reads the lines of one header in order. Each is scanned by itself, so that the content after the
+/// header, which may be binary, is never read.
 class HeaderParser {
  public:
   explicit HeaderParser(std::string_view content) : content_(content) {}

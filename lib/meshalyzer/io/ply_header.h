@@ -12,7 +12,7 @@ enum class PlyEncoding { Ascii, LittleEndian, BigEndian };
 
 enum class PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 };
 
-/// Bytes that one number of the type takes in binary.
+/// Returns the size in bytes of a binary number of the type.
 [[nodiscard]] std::size_t size_of(PlyType type);
 
 [[nodiscard]] constexpr bool is_integer(PlyType type) {
@@ -23,7 +23,7 @@ struct PlyProperty {
   std::string name;
   /// The type of the number, or of each item of the list.
   PlyType type = PlyType::Float32;
-  /// The type of the number of items, where the property is a list.
+  /// The type of the number of items, if the property is a list.
   std::optional<PlyType> list_size_type;
 };
 
@@ -40,7 +40,7 @@ struct PlyElement {
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::Ascii;
   std::vector<PlyElement> elements;
-  /// Lines and bytes to the end of the line `end_header`.
+  /// The number of lines up to and including `end_header`.
   std::size_t n_lines = 0;
   std::size_t n_bytes = 0;
 };
@@ -51,6 +51,7 @@ struct PlyHeader {
 /// Tells whether this property of a face or strip is the list of its corners.
 [[nodiscard]] bool is_corner_list(const PlyProperty& property);
 
+/// Parses the header of a PLY file.
 /// @throws TextFault with the first faulty line.
 [[nodiscard]] PlyHeader parse_ply_header(std::string_view content);
 

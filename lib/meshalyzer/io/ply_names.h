@@ -8,18 +8,19 @@
 
 namespace meshalyzer {
 
-/// What programs call the colours of vertices and faces in PLY files: red, green, blue, opacity.
+/// The names that programs use for the colours of vertices and faces in PLY files: red, green,
+/// blue, opacity.
 inline constexpr std::array<std::array<std::string_view, 4>, 3> kPlyColourNames = {{
     {"red", "green", "blue", "alpha"},
     {"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"},
     {"r", "g", "b", "a"},
 }};
 
-/// What they call the two texture coordinates of a vertex.
+/// The names that programs use for the two texture coordinates of a vertex.
 inline constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kPlyVertexTexture = {
     {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}};
 
-/// Lists of a face of two texture coordinates a corner.
+/// The names of lists of a face with two texture coordinates for each corner.
 inline constexpr std::array<std::string_view, 2> kPlyCornerTexture = {"texcoord", "texcoords"};
 
 template <std::size_t N>

@@ -12,18 +12,19 @@
 
 namespace meshalyzer {
 
-/// The numbers of an ASCII PLY file behind its header; a line a record. Faults are TextFaults.
+/// The numbers of an ASCII PLY file after its header, with one line for each record. Errors are
+/// TextFaults.
 class AsciiPlySource {
  public:
   AsciiPlySource(std::string_view content, const PlyHeader& header)
       : in_(content.substr(header.n_bytes), header.n_lines + 1) {}
 
-  /// Refuses a count that the rest of the file cannot hold.
+  /// Rejects a count that the rest of the file cannot hold.
   void check_count(const PlyElement& element) const;
 
   void begin_record(const PlyElement& element) { in_.require_record("the last " + element.name); }
   void end_record() { in_.end_record(); }
-  /// 1-based line of the record.
+  /// Returns the 1-based line of the record.
   [[nodiscard]] std::size_t line() const { return in_.line(); }
 
   /// Returns a finite number.
@@ -37,7 +38,7 @@ class AsciiPlySource {
   }
   void skip(PlyType /*type*/) { in_.skip_number(); }
 
-  /// Faults where anything is left.
+  /// Throws if anything is left.
   void finish();
 
   [[noreturn]] void fault(const std::string& what) const { in_.fault(what); }
@@ -46,7 +47,7 @@ class AsciiPlySource {
   TextScanner in_;
 };
 
-/// The numbers of a binary PLY file behind its header. Faults are IoErrors with the byte offset.
+/// The numbers of a binary PLY file after its header. Errors are IoErrors with the byte offset.
 class BinaryPlySource {
  public:
   BinaryPlySource(std::string_view content, const PlyHeader& header, const std::string& name);
@@ -55,7 +56,7 @@ class BinaryPlySource {
 
   void begin_record(const PlyElement& /*element*/) {}
   void end_record() {}
-  /// Binary records have no line.
+  /// Returns 0, because binary records have no line.
   [[nodiscard]] static std::size_t line() { return 0; }
 
   [[nodiscard]] double real(PlyType type);
@@ -70,13 +71,13 @@ class BinaryPlySource {
 
  private:
   [[noreturn]] void fault_at(std::size_t offset, const std::string& what) const;
-  /// The next bytes; faults where the file ends within them.
+  /// Returns the next bytes; throws if the file ends within them.
   const char* take(std::size_t n);
-  /// Returns the next number, whatever its type: a double holds each exactly.
+  /// Returns the next number of any type; all are exact as doubles.
   double number(PlyType type);
   /// Returns the next number, of an integer type.
   std::int64_t integer(PlyType type);
-  /// Returns the vertex index that was read at an offset; faults where it is none.
+  /// Returns the vertex index that was read at an offset; throws if it is none.
   [[nodiscard]] Index checked_index(std::int64_t value, std::size_t offset) const;
 
   std::string_view content_;

@@ -34,8 +34,7 @@ Soup parse_as(Format format, std::string_view content, const std::string& name) 
   return {};
 }
 
-/// Tells whether a content begins with the byte order mark of UTF-16, and is not binary all the
-/// same.
+/// Tells whether a content begins with the byte order mark of UTF-16 and is not a binary mesh file.
 bool is_utf16(std::string_view content) {
   const std::string_view mark = content.substr(0, 2);
   return (mark == "\xff\xfe" || mark == "\xfe\xff") && !format_of_content(content);

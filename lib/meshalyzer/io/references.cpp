@@ -11,7 +11,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Ids counted from the first one, in order: the common case needs no table.
+/// Consecutive ids in order, the common case, which needs no table.
 struct ContiguousIds {
   Index first;
   Index n;
@@ -20,7 +20,7 @@ struct ContiguousIds {
   }
 };
 
-/// One entry an id from 0 to the largest.
+/// One entry for each id from 0 to the largest.
 struct DenseIds {
   explicit DenseIds(const std::vector<std::int32_t>& ids, std::size_t largest)
       : records(largest + 1, kNoIndex) {
@@ -34,8 +34,8 @@ struct DenseIds {
   std::vector<Index> records;
 };
 
-/// Pairs (id, record) in one 64-bit key each, sorted: memory does not depend on how large the ids
-/// are.
+/// Sorted pairs (id, record) in one 64-bit key each, so that memory does not depend on the size of
+/// the ids.
 struct SparseIds {
   explicit SparseIds(const std::vector<std::int32_t>& ids) : keys(ids.size()) {
     for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -51,7 +51,7 @@ struct SparseIds {
   std::vector<std::uint64_t> keys;
 };
 
-/// Replaces each corner c by record_of(c); where that is kNoIndex, keeps id_of(c) as a missing
+/// Replaces each corner c by record_of(c); if that is kNoIndex, stores id_of(c) as a missing
 /// reference.
 template <typename RecordOf, typename IdOf>
 void replace_corners(Soup& soup, RecordOf record_of, IdOf id_of) {
@@ -104,7 +104,7 @@ void resolve_ids(Soup& soup) {
                                     static_cast<Index>(soup.n_vertices())});
     return;
   }
-  // Twice the memory of the sorted keys at most, and much faster.
+  // This takes at most twice the memory of the sorted keys, and is much faster.
   const auto largest = static_cast<std::size_t>(*std::max_element(ids.begin(), ids.end()));
   if (largest / 4 <= ids.size()) {
     replace_ids(soup, DenseIds(ids, largest));

@@ -18,7 +18,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Within a facet, after its normal.
+/// The offset of the corners in a facet, after its normal.
 constexpr std::size_t kCornersOffset = 12;
 constexpr std::size_t kCornerBytes = 12;
 
@@ -37,7 +37,7 @@ bool equal_ignoring_case(std::string_view word, std::string_view lower) {
                     [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
 }
 
-/// Reads the solids of an ASCII file in order; line ends mean nothing, but for the names of solids.
+/// Reads the solids of an ASCII file in order; line ends matter only for the names of solids.
 class AsciiStlParser {
  public:
   explicit AsciiStlParser(std::string_view text) : in_(text) {}
@@ -175,7 +175,7 @@ Vec3 unit_normal(const Soup& soup, const Triangle& triangle) {
   const Vec3 v = soup.positions[triangle[2]] - a;
   const double u_size = u.lpNorm<Eigen::Infinity>();
   const double v_size = v.lpNorm<Eigen::Infinity>();
-  // Scaled first, so that neither tiny nor huge faces lose their normal.
+  // The face is scaled first, so that neither tiny nor huge faces lose their normal.
   const Vec3 normal = Vec3(u / u_size).cross(Vec3(v / v_size));
   const double length = normal.norm();
   return length > 0.0 && std::isfinite(length) ? Vec3(normal / length) : Vec3(0.0, 0.0, 0.0);

@@ -7,26 +7,27 @@
 
 namespace meshalyzer {
 
-/// Reads STL, binary where the size is that of a binary file (is_binary_stl()) or the text holds
-/// zero bytes.
+/// Reads STL: binary if the size is that of a binary file (is_binary_stl()) or the text contains
+/// zero bytes, else ASCII.
 ///
 /// Bit-identical points become one vertex, see Soup. The facets' normals are not kept.
 ///
-/// @param name  Stands in messages.
+/// @param name  The name of the file in messages.
 /// @throws IoError with the first faulty line, in binary content with the byte offset.
 /// @complexity O(bytes) time and memory, whatever the header counts.
 [[nodiscard]] Soup parse_stl(std::string_view content, const std::string& name);
 
-/// Writes doubles in full and the facets' unit normals; no vertex that is used by no face.
+/// Writes ASCII STL with full precision and the facets' unit normals; unused vertices are not
+/// written.
 /// @throws InvalidArgument if a face has a corner without a vertex.
 [[nodiscard]] std::string print_ascii_stl(const Soup& soup);
 
-/// Writes the nearest 32-bit floats.
+/// Writes binary STL with the nearest 32-bit floats.
 /// @throws InvalidArgument if a face has a corner without a vertex, or a coordinate is beyond the
 /// floats.
 [[nodiscard]] std::string print_binary_stl(const Soup& soup);
 
-/// Returns the unit normal of a face; zero where it has no area, or none that doubles can tell.
+/// Returns the unit normal of a face, or zero if its area is zero or underflows.
 [[nodiscard]] Vec3 unit_normal(const Soup& soup, const Triangle& triangle);
 
 /// Tells whether the size is 84 + 50 n bytes, n being the 32-bit number at byte 80.

@@ -4,11 +4,11 @@
 
 namespace meshalyzer {
 
-// Where the parts of a binary STL file stand, in bytes: a header, the count of facets, the facets.
+// The layout of a binary STL file in bytes: a header, the count of facets, the facets.
 inline constexpr std::size_t kStlHeaderBytes = 80;
 inline constexpr std::size_t kStlFacetsOffset = 84;
 inline constexpr std::size_t kStlFacetBytes = 50;
-/// Within a facet, behind its normal and its corners.
+/// The offset of the attribute word in a facet, after its normal and its corners.
 inline constexpr std::size_t kStlAttributeOffset = 48;
 
 }  // namespace meshalyzer

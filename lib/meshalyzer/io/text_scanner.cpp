@@ -14,7 +14,7 @@ bool is_printable(char c) {
   return c >= ' ' && c <= '~';
 }
 
-/// Tells whether a token is an integer that is merely too long for 64 bits.
+/// Tells whether a token is an integer that is only too long for 64 bits.
 bool is_all_digits(std::string_view token) {
   if (!token.empty() && (token.front() == '-' || token.front() == '+')) {
     token.remove_prefix(1);
@@ -55,7 +55,7 @@ std::string TextScanner::rest_of_record() {
     rest += rest.empty() ? "" : " ";
     rest.append(begin, at_);
   }
-  // A name that ends with a backslash could not be written again: it would join the next line.
+  // A name that ends with a backslash could not be written back: it would join the next line.
   while (!rest.empty() && (rest.back() == '\\' || rest.back() == ' ')) {
     rest.pop_back();
   }

@@ -15,11 +15,12 @@ namespace meshalyzer {
 /// The largest vertex or face index that any format may name.
 inline constexpr std::int64_t kLargestIndex = 0x7FFFFFFF;
 
-/// A fault on a line of a text, thrown where the name of the file is not known. See name_fault().
+/// A fault on a line of a text, thrown by code that does not know the name of the file. See
+/// name_fault().
 class TextFault : public std::runtime_error {
  public:
   TextFault(std::size_t line, const std::string& what) : std::runtime_error(what), line_(line) {}
-  /// 1-based.
+  /// Returns the 1-based line.
   [[nodiscard]] std::size_t line() const noexcept { return line_; }
 
  private:
@@ -36,8 +37,8 @@ template <typename Parse>
   }
 }
 
-/// Content of a file as it may stand in a message: in quotes, cut after 40 bytes, what is not
-/// printable as \xNN.
+/// Returns content of a file for a message: in quotes, cut after 40 bytes, with unprintable bytes
+/// as \xNN.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// Tells whether a backslash at the end of a line joins the next line to it.
@@ -45,24 +46,25 @@ enum class Continuation { None, Backslash };
 
 /// Walks a text token by token and counts its lines.
 ///
-/// Tokens are parted by blanks; `#` begins a comment that runs to the end of the line; lines end
-/// with "\n" or "\r\n". A format of lines calls next_record(), the readers of one line,
-/// end_record(), and again; a format of tokens calls next_record() before every token. No reader
-/// but next_record() ever crosses the end of a line.
+/// Tokens are separated by blanks; `#` begins a comment that runs to the end of the line; lines end
+/// with "
+/// " or "\r
+/// ". The parser of a line-based format repeatedly calls next_record(), the readers of one line,
+/// and end_record(); that of a token-based format calls next_record() before every token. Only
+/// next_record() crosses the end of a line.
 class TextScanner {
  public:
-  /// @param text  Must outlive the scanner.
+  /// @param text  The text, which must outlive the scanner.
   explicit TextScanner(std::string_view text, Continuation continuation = Continuation::None)
       : at_(text.data()), end_(text.data() + text.size()), continuation_(continuation) {}
 
-  /// @param first_line  Number of the line that the text begins with, where it is the rest of a
-  /// file.
+  /// @param first_line  The number of the first line, if the text is the rest of a file.
   TextScanner(std::string_view text, std::size_t first_line) : TextScanner(text) {
     line_ = first_line;
   }
 
   /// Moves to the next token, over line ends and comments.
-  /// @return false where the text has none.
+  /// @return False if the text has none.
   bool next_record() {
     for (;;) {
       skip_blanks();
@@ -80,23 +82,23 @@ class TextScanner {
     }
   }
 
-  /// next_record() where the format wants one: faults with "the file ends before WHAT".
+  /// Calls next_record(), and throws "the file ends before WHAT" if there is none.
   void require_record(std::string_view what);
 
-  /// Tells whether nothing but a comment is left on the line.
+  /// Tells whether at most a comment is left on the line.
   [[nodiscard]] bool at_record_end() {
     skip_blanks();
     return at_ == end_ || *at_ == '\n' || *at_ == '#';
   }
 
-  /// Faults where anything but a comment is left on the line.
+  /// Throws if more than a comment is left on the line.
   void end_record() {
     if (!at_record_end()) {
       fault_surplus();
     }
   }
 
-  /// Returns the next token of the line; empty where the line has none.
+  /// Returns the next token of the line, or an empty one if there is none.
   [[nodiscard]] std::string_view word() {
     skip_blanks();
     const char* begin = at_;
@@ -106,21 +108,21 @@ class TextScanner {
     return {begin, static_cast<std::size_t>(at_ - begin)};
   }
 
-  /// Returns the next token, left unread.
+  /// Returns the next token without consuming it.
   [[nodiscard]] std::string_view peek() {
     const std::string_view token = word();
     at_ -= token.size();
     return token;
   }
 
-  /// Returns the rest of the line without blanks at its ends; here a `#` inside a word is part of
-  /// the word.
+  /// Returns the rest of the line without blanks at its ends; a `#` inside a word is part of the
+  /// word.
   [[nodiscard]] std::string rest_of_record();
 
-  /// Leaves the rest of the line unread.
+  /// Skips the rest of the line.
   void skip_record();
 
-  /// Reads a finite number; faults on anything else.
+  /// Reads a finite number; throws on anything else.
   [[nodiscard]] double real() {
     skip_blanks();
     const Decimal<double> number = scan_real(at_, end_);
@@ -139,10 +141,10 @@ class TextScanner {
     return {x, y, z};
   }
 
-  /// Reads any number, infinite and NaN ones included, and forgets it.
+  /// Reads and discards any number, even an infinite one or NaN.
   void skip_number();
 
-  /// Reads an integer; faults on anything else.
+  /// Reads an integer; throws on anything else.
   [[nodiscard]] std::int64_t integer() {
     skip_blanks();
     const Decimal<std::int64_t> number = scan_digits(at_, end_);
@@ -153,7 +155,7 @@ class TextScanner {
     return number.value;
   }
 
-  /// Reads an integer from `first` to kLargestIndex; faults on anything else.
+  /// Reads an integer from `first` to kLargestIndex; throws on anything else.
   [[nodiscard]] Index index(std::int64_t first) {
     const std::int64_t value = integer();
     if (value < first || value > kLargestIndex) {
@@ -162,14 +164,15 @@ class TextScanner {
     return static_cast<Index>(value);
   }
 
-  /// Reads how many records follow, and refuses a count that the rest of the text cannot hold.
-  /// @param bytes_each  The least number of bytes that one record takes, its line end included.
+  /// Reads the number of records that follow, and rejects a count that the rest of the text cannot
+  /// hold.
+  /// @param bytes_each  The smallest size of a record, including its line end.
   [[nodiscard]] std::size_t count(std::size_t bytes_each, std::string_view what);
 
-  /// 1-based line of the next token.
+  /// Returns the 1-based line of the next token.
   [[nodiscard]] std::size_t line() const { return line_; }
 
-  /// Bytes not read yet.
+  /// Returns the number of unread bytes.
   [[nodiscard]] std::size_t remaining() const { return static_cast<std::size_t>(end_ - at_); }
 
   [[noreturn]] void fault(const std::string& what) const { throw TextFault(line_, what); }

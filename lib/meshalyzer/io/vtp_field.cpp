@@ -9,8 +9,9 @@
 namespace meshalyzer {
 namespace {
 
-// VTK's XML format is that of "VTK XML Formats" in the VTK documentation: the content of an array
-// is, in base64, the number of its bytes, of the type that header_type names, then the bytes.
+// The format is described in "VTK XML Formats" in the VTK documentation: the content of an array
+// is, in base64, the number of its bytes, in the type that header_type names, followed by the
+// bytes.
 
 /// The attributes in the head of an array.
 struct ArrayHead {

@@ -6,15 +6,15 @@
 
 namespace meshalyzer {
 
-/// Chooses the flavour to write where a format has several.
+/// The encoding to write if a format has several.
 enum class Encoding { Text, Binary };
 
-/// Writes a soup to a file; the format is that of the name's ending, `.mesh` the native one, and
-/// what ends in .gz is gzipped.
+/// Writes a soup to a file; the format is that of the name's ending, `.mesh` the native one, and a
+/// name ending in .gz gives a gzipped file.
 ///
-/// Every double is written so that it reads back to the last bit (STL: its 32-bit floats cannot;
-/// the text flavour does). The file is written beside the target, flushed and renamed, so that a
-/// failure leaves the old file as it was.
+/// Every double reads back to the last bit, except from the 32-bit floats of binary STL. The file
+/// is written beside the target, flushed and renamed, so that a failure leaves the old file as it
+/// was.
 ///
 /// @throws IoError if the file cannot be written; InvalidArgument if the ending is of no known
 /// format, the format has

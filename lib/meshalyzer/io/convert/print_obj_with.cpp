@@ -50,7 +50,7 @@ class ObjPrinter {
     }
   }
 
-  /// Equal texture coordinates are one.
+  /// Prints the texture coordinates; equal ones become one record.
   void print_texture() {
     for (const std::optional<TexturePoint>& point : attributes_.texture) {
       if (point && texture_numbers_.emplace(*point, texture_numbers_.size() + 1).second) {

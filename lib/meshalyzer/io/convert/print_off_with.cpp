@@ -8,7 +8,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns a number that a reader takes for a part of 1, not for one of 255.
+/// Returns a number that readers take as an intensity from 0 to 1, not from 0 to 255.
 std::string with_point(double number) {
   const std::string text = shortest(number);
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;

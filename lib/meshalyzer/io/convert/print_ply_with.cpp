@@ -26,7 +26,7 @@ class PlyRecordsText {
       append_little_endian(content_, number);
     }
   }
-  /// Appends what binary files say in 32 bits; as text it stays what it is.
+  /// Appends a number that binary files hold in 32 bits; as text it keeps its precision.
   void append_real(double number) {
     if (is_text_) {
       append(number);

@@ -19,7 +19,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns the number that a record ends with; 0 where it is none.
+/// Returns the number at the end of a record, or 0 if there is none.
 std::int32_t reference_of(std::string_view record) {
   const std::int64_t number = parse_integer(inria_numbers(record).back()).value_or(0);
   return std::in_range<std::int32_t>(number) ? static_cast<std::int32_t>(number) : 0;
@@ -54,20 +54,20 @@ MeshAttributes read_inria_attributes(std::string_view text) {
   return attributes;
 }
 
-/// Returns the solids of an ASCII STL file, where any has a name.
+/// Returns the solids of an ASCII STL file if any has a name.
 std::vector<Group> named_solids(std::string_view text) {
   std::vector<Group> solids;
   Index n_facets = 0;
   bool has_name = false;
   TextScanner in(text);
   while (in.next_record()) {
-    // These first letters tell apart the keywords that begin a line, or stand where one could.
+    // The first letters distinguish the keywords that can occur here.
     const std::string_view word = in.word();
     if (word.size() == 5 && (word[0] == 's' || word[0] == 'S')) {
       solids.push_back({in.rest_of_record(), n_facets});
       has_name = has_name || !solids.back().name.empty();
     } else if (word.size() == 8 && (word[3] == 's' || word[3] == 'S')) {
-      in.skip_record();  // endsolid, whose name may be any words
+      in.skip_record();  // endsolid, whose name may consist of any words
     } else if (word.size() == 8 && (word[3] == 'f' || word[3] == 'F')) {
       ++n_facets;
     }
@@ -75,7 +75,7 @@ std::vector<Group> named_solids(std::string_view text) {
   return has_name ? solids : std::vector<Group>{};
 }
 
-/// Empty where all are 0.
+/// Returns the attribute words of a binary STL file; empty if all are 0.
 std::vector<std::uint16_t> read_attribute_words(std::string_view bytes, std::size_t n_facets) {
   std::vector<std::uint16_t> words(n_facets);
   for (std::size_t i = 0; i < n_facets; ++i) {
@@ -86,7 +86,7 @@ std::vector<std::uint16_t> read_attribute_words(std::string_view bytes, std::siz
   return words;
 }
 
-/// What the header of a binary STL file says, where that is one line of text.
+/// Returns the header of a binary STL file if that is one line of text.
 std::vector<std::string> read_stl_header(std::string_view bytes) {
   std::string_view header = bytes.substr(0, kStlHeaderBytes);
   header = header.substr(0, header.find_last_not_of(std::string_view(" \0", 2)) + 1);
@@ -146,7 +146,7 @@ std::vector<std::string> comments_before(std::string_view text, std::size_t end)
     const std::size_t line_end = std::min(text.find('\n', at), text.size());
     const std::string_view line = text.substr(at, line_end - at);
     const std::size_t mark = line.find('#');
-    // In a name, # begins no comment.
+    // In a name, # does not begin a comment.
     if (mark == 0 || (mark != std::string_view::npos &&
                       std::string_view(" \t").find(line[mark - 1]) != std::string_view::npos)) {
       comments.emplace_back(line.substr(mark + 1, line.find_last_not_of(" \t\r") - mark));
@@ -156,7 +156,7 @@ std::vector<std::string> comments_before(std::string_view text, std::size_t end)
   return comments;
 }
 
-/// Where the line of the first record of a text begins.
+/// Returns the offset of the line of the first record of a text.
 std::size_t first_record(const Soup& soup, std::string_view text) {
   std::size_t line = soup.vertex_lines.empty() ? 1 : soup.vertex_lines.front();
   if (!soup.face_lines.empty()) {
@@ -169,7 +169,7 @@ std::size_t first_record(const Soup& soup, std::string_view text) {
   return begin;
 }
 
-/// Forgets colours that are no numbers: no format says them but as text.
+/// Drops colours that are not numbers, which only text formats could hold.
 void drop_unreal(std::vector<std::optional<Rgba>>& colours) {
   for (std::optional<Rgba>& colour : colours) {
     if (colour && !std::all_of(colour->begin(), colour->end(),

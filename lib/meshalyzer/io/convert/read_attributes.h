@@ -7,12 +7,13 @@
 
 namespace meshalyzer {
 
-/// Reads what a file says beside the mesh that was parsed from it, and other formats can say too.
+/// Reads the attributes in a file, other than the mesh, that other formats can hold too.
 ///
 /// @complexity O(bytes).
 [[nodiscard]] MeshAttributes read_attributes(const Soup& soup, std::string_view bytes);
 
-/// Returns the same of a file of one format, without its comments.
+/// Reads the attributes of an OBJ file, without its comments. The other functions do so for their
+/// formats.
 [[nodiscard]] MeshAttributes read_obj_attributes(std::string_view text);
 [[nodiscard]] MeshAttributes read_off_attributes(const Soup& soup, std::string_view text);
 [[nodiscard]] MeshAttributes read_ply_attributes(const Soup& soup, std::string_view content);

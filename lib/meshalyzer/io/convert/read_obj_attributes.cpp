@@ -28,7 +28,8 @@ class ObjAttributeReader {
     return words_at(text_, statement, Continuation::Backslash);
   }
 
-  /// A vertex has a colour behind its position or, of seven numbers, behind its weight.
+  /// Reads the colours of vertices: a colour follows the position or, if there are seven numbers,
+  /// the weight.
   void read_colours() {
     constexpr std::size_t kShortest = 7;
     auto& colours = attributes_.vertex_colours;
@@ -45,7 +46,7 @@ class ObjAttributeReader {
         largest = std::max(largest, colour[i]);
       }
     }
-    // Some programs write bytes.
+    // Some programs write colours as bytes.
     const double scale = largest > 1.0 ? 255.0 : 1.0;
     for (std::optional<Rgba>& colour : colours) {
       for (std::size_t i = 0; colour && i < 3; ++i) {
@@ -76,7 +77,7 @@ class ObjAttributeReader {
     }
   }
 
-  /// A face has texture coordinates at all corners, or none.
+  /// Reads the texture coordinates of a face, which has them at all corners or at none.
   void read_texture_of_face(Index record, const std::vector<std::optional<TexturePoint>>& points,
                             std::vector<bool>& is_used) {
     const Words all = words(records_.faces[record]);
@@ -97,7 +98,7 @@ class ObjAttributeReader {
     }
   }
 
-  /// Nothing for a point of three numbers, which other formats have none of.
+  /// Returns a texture point, or nothing if it has three numbers, which no other format can hold.
   [[nodiscard]] std::optional<TexturePoint> read_texture_point(std::size_t statement) const {
     const Words all = words(statement);
     const auto number = [&](std::size_t i) {

@@ -12,8 +12,8 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-/// Reads the colour of three or four numbers that stands at the words from `begin` to before `end`:
-/// bytes where all are whole. One number is a place in a table that the file does not hold.
+/// Reads a colour of three or four numbers in the words from `begin` to before `end`; they are
+/// bytes if all are whole. A single number is an index into a table that the file does not hold.
 std::optional<Rgba> read_colour(const Words& words, std::size_t begin, std::size_t end) {
   if (end < begin + 3) {
     return std::nullopt;

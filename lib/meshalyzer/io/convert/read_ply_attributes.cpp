@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns the number that a colour of this type counts to.
+/// Returns the full intensity of a colour of this type.
 double full_intensity(PlyType type) {
   if (!is_integer(type)) {
     return 1.0;
@@ -26,7 +26,7 @@ class PlyAttributeReader {
   MeshAttributes read() {
     attributes_.faces = single_triangles(soup_.n_faces());
     for (std::size_t e = 0; e < header_.elements.size(); ++e) {
-      // Where some faces are strips, those of this element are only a part of all.
+      // If some faces are strips, those of this element are only a part of all.
       if (header_.elements[e].name == "face" && !has_strips()) {
         read_faces(e);
       }
@@ -97,7 +97,7 @@ class PlyAttributeReader {
     return items.empty() ? 0.0 : records_.number(items[0], type);
   }
 
-  /// Reads a list of two numbers a corner.
+  /// Reads a list of two numbers for each corner.
   void read_corner_texture(std::size_t element, std::size_t property, std::size_t corners) {
     const PlyType type = header_.elements[element].properties[property].type;
     const FaceRecords& faces = attributes_.faces;

@@ -30,7 +30,7 @@ std::size_t count_set(const std::vector<std::int32_t>& references) {
          static_cast<std::size_t>(std::count(references.begin(), references.end(), 0));
 }
 
-/// Leaves of some attributes what a format can say.
+/// Drops the attributes that a format cannot hold.
 void drop_what_is_not_held(MeshAttributes& attributes, const Soup& soup, Format format) {
   if (!holds_polygons(format)) {
     attributes.faces = single_triangles(soup.n_faces());
@@ -59,7 +59,7 @@ void drop_what_is_not_held(MeshAttributes& attributes, const Soup& soup, Format 
   }
 }
 
-/// How many of a kind are held, of so many that there are.
+/// Returns how many attributes of a kind are held, of the number that there are.
 std::size_t n_held(const AttributeCount& count, const MeshAttributes& attributes,
                    const Soup& printed, Format format) {
   switch (count.kind) {
@@ -114,7 +114,7 @@ std::string print_with(const MeshAttributes& attributes, const Soup& soup, Forma
   }
 }
 
-/// Returns the mesh as it was read becomes a file of the other format first, and that is edited.
+/// Writes the mesh as it was read as a file of the other format first, and edits that.
 RewrittenFile rewrite_converted(const EditedMesh& mesh, const MeshAttributes& attributes,
                                 Format format, Encoding encoding) {
   const std::string converted = print_with(attributes, mesh.source, format, encoding);

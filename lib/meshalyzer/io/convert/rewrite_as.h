@@ -8,14 +8,15 @@
 
 namespace meshalyzer {
 
-/// Writes an edited mesh as a file of any format, with what this format can say of what the file
-/// said that the mesh was read from: polygons, colours, texture coordinates, comments. What it
-/// cannot is counted as lost.
+/// Writes an edited mesh as a file of any format, with the attributes of its source file that this
+/// format can hold: polygons, colours, texture coordinates, comments. The others are counted as
+/// lost.
 ///
-/// What edits changed and added has attributes as rewrite_mesh() gives them.
+/// Changed and added elements get attributes as in rewrite_mesh().
 ///
-/// @param bytes     What mesh.source was parsed from, not gzipped and without a byte order mark.
-/// @param encoding  Binary only where the format is PLY or STL.
+/// @param bytes     The content from which mesh.source was parsed, not gzipped and without a byte
+///                  order mark.
+/// @param encoding  The encoding; binary only for PLY and STL.
 /// @throws InvalidArgument if a face has a corner without a vertex.
 /// @complexity O(bytes + #F log #F).
 [[nodiscard]] RewrittenFile rewrite_as(const EditedMesh& mesh, std::string_view bytes,

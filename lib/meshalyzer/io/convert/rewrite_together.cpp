@@ -11,7 +11,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Puts the attributes of several meshes one behind the other.
+/// Concatenates the attributes of several meshes.
 class JoinedAttributes {
  public:
   JoinedAttributes() { all_.faces.first_triangle.push_back(0); }
@@ -42,8 +42,8 @@ class JoinedAttributes {
   [[nodiscard]] MeshAttributes take() { return std::move(all_); }
 
  private:
-  /// @param before  How many there would be of the meshes before, if they had any.
-  /// @param behind  The same with those of this mesh.
+  /// @param before  The number of elements of the meshes before.
+  /// @param behind  That number including the elements of this mesh.
   template <typename T>
   static void append(std::vector<T> more, std::size_t before, std::size_t behind,
                      std::vector<T>& all) {
@@ -53,7 +53,7 @@ class JoinedAttributes {
     all.resize(behind);
   }
 
-  /// Faces without a group behind some that have one get one without a name.
+  /// Appends groups; faces without a group after some that have one get one without a name.
   void add_groups(const std::vector<Group>& groups) {
     const auto first = static_cast<Index>(n_faces_);
     const bool begins_without = groups.empty() || groups.front().first_face != 0;

@@ -12,15 +12,15 @@ namespace meshalyzer {
 /// A file that was read.
 struct ReadFile {
   const Soup& soup;
-  /// What the soup was parsed from, not gzipped and without a byte order mark.
+  /// The content from which the soup was parsed, not gzipped and without a byte order mark.
   std::string_view bytes;
 };
 
-/// Writes a mesh that was made of those of several files as one file, with what its format can say
-/// of what they said, each of its own elements: see rewrite_as().
+/// Writes a mesh that combines those of several files as one file, with the attributes of all files
+/// that its format can hold: see rewrite_as().
 ///
-/// @param mesh   Its source holds the records of all files, one file behind the other.
-/// @param files  At least one.
+/// @param mesh   The mesh, whose source holds the records of all files, concatenated.
+/// @param files  The files, at least one.
 /// @throws InvalidArgument if a face has a corner without a vertex.
 /// @complexity O(bytes + #F log #F).
 [[nodiscard]] RewrittenFile rewrite_together(const EditedMesh& mesh,

@@ -13,13 +13,14 @@ namespace meshalyzer {
 /// The kind of a file that is written.
 struct FileKind {
   Format format = Format::Mesh;
-  /// Binary only where the format is PLY or STL.
+  /// The encoding; binary only for PLY and STL.
   Encoding encoding = Encoding::Text;
 };
 
-/// Writes an edited mesh with attributes that its source has, as far as the format holds them.
+/// Writes an edited mesh with the attributes of its source that the format can hold.
 ///
-/// @param said  How many attributes the files of the source say: what is not written is lost.
+/// @param said  The numbers of attributes in the files of the source; those that are not written
+///              are lost.
 /// @throws InvalidArgument if a face has a corner without a vertex.
 [[nodiscard]] RewrittenFile rewrite_with(const EditedMesh& mesh, MeshAttributes attributes,
                                          std::vector<AttributeCount> said, const FileKind& kind);

@@ -48,7 +48,7 @@ bool is_whole(const Triangle& triangle) {
   return std::find(triangle.begin(), triangle.end(), kNoIndex) == triangle.end();
 }
 
-/// Finds the blends of added vertices, first of those that know a face of the source.
+/// Finds the blends of added vertices, first of those that lie on a face of the source.
 class VertexBlender {
  public:
   explicit VertexBlender(const EditedMesh& mesh)
@@ -90,7 +90,7 @@ class VertexBlender {
     }
   }
 
-  /// Gives vertices without a blend that of a neighbour. Returns whether any got one.
+  /// Gives vertices without a blend that of a neighbour. Returns true if any got one.
   bool spread() {
     bool has_spread = false;
     for (const Triangle& t : mesh_.soup.triangles) {
@@ -141,7 +141,7 @@ Blend blend_at(const Vec3& place, const Corners& corners, const std::array<Index
   Blend blend;
   std::size_t n = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    // Not a number where all corners are in one place, or nearly.
+    // The weights are NaN if all corners nearly coincide.
     if (weights[k] > 0.0) {
       blend.items[n] = items[k];
       blend.weights[n++] = weights[k];

@@ -19,7 +19,7 @@ void ByteEdits::replace(std::string_view part, std::string text) {
 }
 
 std::string ByteEdits::apply() {
-  // What is put before a replaced part has the same begin, and an earlier end.
+  // An insertion before a replaced part has the same begin, and an earlier end.
   const auto comes_first = [](const Edit& a, const Edit& b) {
     return a.begin != b.begin ? a.begin < b.begin : a.end < b.end;
   };

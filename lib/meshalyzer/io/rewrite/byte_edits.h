@@ -9,35 +9,34 @@
 
 namespace meshalyzer {
 
-/// A copy of some bytes in which parts are replaced; all others come out as they were.
+/// A copy of some bytes in which parts are replaced; all others stay the same.
 class ByteEdits {
  public:
-  /// @param source  Must outlive the object.
+  /// @param source  The bytes, which must outlive the object.
   explicit ByteEdits(std::string_view source) : source_(source) {}
 
-  /// Puts `text` in the place of the bytes from `begin` to before `end`. Parts must not overlap;
-  /// they may come in any order, but what is put at one place stands there in the order of the
-  /// calls.
+  /// Replaces the bytes from `begin` to before `end` by `text`. Parts must not overlap and may come
+  /// in any order; insertions at one place are kept in the order of the calls.
   void replace(std::size_t begin, std::size_t end, std::string text);
-  /// Replaces a part of the source, unless it says the same already.
+  /// Replaces a part of the source, unless it is already the same.
   /// @param part  A view into the source.
   void replace(std::string_view part, std::string text);
   void insert(std::size_t at, std::string text) { replace(at, at, std::move(text)); }
   void erase(std::size_t begin, std::size_t end) { replace(begin, end, {}); }
 
-  /// Notes that a part of the source is dropped which should not have been.
+  /// Records that a part of the source is lost.
   void note_loss(AttributeKind kind, std::string_view part) {
     lost_.push_back({kind, offset_of(part)});
   }
   [[nodiscard]] const std::vector<LostRecord>& lost() const { return lost_; }
 
   [[nodiscard]] std::string_view source() const { return source_; }
-  /// Where a view into the source begins.
+  /// Returns the offset of a view into the source.
   [[nodiscard]] std::size_t offset_of(std::string_view part) const {
     return static_cast<std::size_t>(part.data() - source_.data());
   }
 
-  /// Returns the copy. The object is empty then.
+  /// Returns the copy and leaves the object empty.
   ///
   /// @complexity O(bytes + edits log edits).
   [[nodiscard]] std::string apply();

@@ -17,21 +17,21 @@ namespace meshalyzer {
   return {number / 3, number % 3};
 }
 
-/// Finds where the corners of faces that are written anew take their attributes from: of the
-/// corners of the source, see corner_number().
+/// Finds the blends of source corners that give the corners of rewritten faces their attributes,
+/// see corner_number().
 class CornerBlender {
  public:
-  /// Tells whether two corners of the source at one vertex have the same attributes: there is no
-  /// seam between their faces.
+  /// Tells whether two corners of the source at one vertex have the same attributes, so that there
+  /// is no seam between their faces.
   using SaysSame = std::function<bool(Index, Index)>;
 
-  /// @param mesh, records  Must outlive the object.
+  /// @param mesh, records  The mesh and its records, which must outlive the object.
   CornerBlender(const EditedMesh& mesh, const FaceRecords& records, SaysSame says_same);
 
-  /// Returns the blend of a corner; empty in a hole patch. A vertex that the record names which the
-  /// face was made of has the attributes of its corner there. Beyond an edge of that record it has
-  /// those of the face there, unless the edge is on a seam. Any other is somewhere on the triangle
-  /// that the face was made of, so that attributes never come from beyond a seam.
+  /// Returns the blend of a corner; empty in a hole patch. If the vertex occurs in the record from
+  /// which the face was made, it has the attributes of its corner there. Beyond an edge of that
+  /// record it has those of the face there, unless the edge is on a seam. Any other vertex lies on
+  /// the triangle from which the face was made, so that attributes never come from beyond a seam.
   [[nodiscard]] Blend blend(FanCorner corner);
 
  private:
@@ -42,7 +42,7 @@ class CornerBlender {
   const EditedMesh& mesh_;
   const FaceRecords& records_;
   SaysSame says_same_;
-  /// The faces of the source by their vertices; found when they are first needed.
+  /// The faces of the source by their vertices, built at first use.
   std::unique_ptr<VertexFaces> faces_;
 };
 

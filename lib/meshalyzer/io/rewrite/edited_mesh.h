@@ -10,32 +10,32 @@ namespace meshalyzer {
 /// The record of a file that an element of an edited mesh comes from.
 struct ElementOrigin {
   enum class Relation : std::uint8_t {
-    /// The element is that record, moved or changed perhaps.
+    /// The element is that record, possibly moved or changed.
     Same,
-    /// The vertex is a copy of that vertex; the face was made of that face.
+    /// The vertex is a copy of that vertex; the face was made from that face.
     MadeOf,
     /// The face is part of a hole patch, and lies beside that face.
     Beside,
-    /// No record is like it.
+    /// The element is new and has no record.
     New,
   };
   Relation relation = Relation::New;
-  /// kNoIndex where no record is like it.
+  /// The record; kNoIndex if there is none.
   Index record = kNoIndex;
 };
 
-/// A mesh that was made of a file's, and where its elements come from. Only refers to the meshes.
+/// A mesh that was made from that of a file, and the origins of its elements. It only refers to the
+/// meshes.
 struct EditedMesh {
   /// The mesh as it was read.
   const Soup& source;
-  /// What became of it. Elements that are records of the source stand in the order of the source,
-  /// added vertices behind all others.
+  /// The edited mesh. Elements that are records of the source keep their order; added vertices
+  /// follow all others.
   const Soup& soup;
-  /// The origins by vertex and by face of `soup`.
+  /// The origins of the vertices, and of the faces, of `soup`.
   std::vector<ElementOrigin> vertices;
   std::vector<ElementOrigin> faces;
-  /// Faces of the source of which something is left that lies on another face now, and counts as
-  /// made of that.
+  /// The faces of the source whose remains lie on another face now, and count as made from that.
   std::vector<Index> left_places = {};
 };
 

@@ -39,7 +39,7 @@ class FacePlanner {
   }
 
  private:
-  /// Ranks at one record: its own triangles, what was made of them, patches beside them.
+  /// The ranks at one record: its own triangles, faces made from them, patches beside them.
   enum class Rank : std::uint8_t { Own, MadeOf, Beside };
   struct Placed {
     Index record;
@@ -64,11 +64,12 @@ class FacePlanner {
     return RecordFate::Turned;
   }
 
-  /// Tells whether some triangles still go round one corner, each from where the last one ends.
+  /// Tells whether some triangles are still a fan round one corner, each beginning where the
+  /// previous one ends.
   [[nodiscard]] bool is_fan(Index begin, Index end) const {
     const Triangle& first = mesh_.source.triangles[begin];
     if (first[1] == first[2] && source_corners(faces_[begin]) != first) {
-      return false;  // a record of fewer than three corners
+      return false;  // the record has fewer than three corners
     }
     const Index apex = mesh_.soup.triangles[faces_[begin]][0];
     Index last = mesh_.soup.triangles[faces_[begin]][1];
@@ -147,7 +148,7 @@ class FacePlanner {
     number_up_to(kNoIndex);
   }
 
-  /// The triangles of a turned polygon come in the opposite order.
+  /// Numbers the triangles of a record; those of a reversed polygon come in the opposite order.
   void number_record(Index record) {
     const Index begin = records_.first_triangle[record];
     const Index end = records_.first_triangle[record + 1];
@@ -178,7 +179,7 @@ class FacePlanner {
 
   const EditedMesh& mesh_;
   const FaceRecords& records_;
-  /// The face that each triangle of the source is now.
+  /// The current face of each triangle of the source.
   std::vector<Index> faces_;
   std::vector<Placed> placed_;
   Index n_numbered_ = 0;

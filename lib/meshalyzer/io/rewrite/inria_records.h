@@ -12,7 +12,7 @@ struct InriaRecords {
   struct Section {
     std::string_view keyword;
     std::string_view count;
-    /// Nothing for those of vertices and faces.
+    /// The kind of the section; null for vertices and faces.
     const InriaSection* kind = nullptr;
     /// The records, each from its first number to its last.
     std::vector<std::string_view> records;
@@ -23,7 +23,7 @@ struct InriaRecords {
 /// Finds the records of a text that parse_inria() reads.
 [[nodiscard]] InriaRecords find_inria_records(std::string_view text);
 
-/// Returns the numbers of a record, which may go over several lines.
+/// Returns the numbers of a record, which may extend over several lines.
 [[nodiscard]] std::vector<std::string_view> inria_numbers(std::string_view record);
 
 }  // namespace meshalyzer

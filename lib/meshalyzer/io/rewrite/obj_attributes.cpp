@@ -123,7 +123,7 @@ const std::vector<ObjCorner>& ObjAttributes::source_corners(Index record) {
   for (std::size_t i = 1; i < words.size(); ++i) {
     latest_corners_.push_back(parse_obj_corner(words[i], counts, no_scanner));
   }
-  // A triangle of fewer corners repeats its last.
+  // A triangle with fewer corners repeats its last one.
   latest_corners_.resize(std::max<std::size_t>(latest_corners_.size(), 3), latest_corners_.back());
   return latest_corners_;
 }

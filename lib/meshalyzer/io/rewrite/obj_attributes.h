@@ -11,25 +11,25 @@
 namespace meshalyzer {
 
 /// The texture coordinates and normals that the corners of an edited OBJ file name: those of the
-/// source, and new ones behind them.
+/// source, followed by new ones.
 class ObjAttributes {
  public:
   ObjAttributes(const EditedMesh& mesh, std::string_view text, const ObjRecords& records);
 
-  /// What the corner of a face that is written anew names.
+  /// Returns the records that a corner of a rewritten face names.
   [[nodiscard]] ObjCorner corner(FanCorner corner);
   /// Returns the normal of a corner.
-  /// @param named  The record that this corner named in the source, kNoIndex where none.
+  /// @param named  The record that this corner named in the source, or kNoIndex.
   [[nodiscard]] Index normal(FanCorner corner, Index named);
 
-  /// The values of the new records, each to stand behind its keyword.
+  /// Returns the values of the new texture points, each to follow its keyword.
   [[nodiscard]] const std::vector<std::string>& new_texture_points() const {
     return texture_points_.values;
   }
   [[nodiscard]] const std::vector<std::string>& new_normals() const { return normals_.values; }
 
  private:
-  /// New records of one kind, each value once.
+  /// The new records of one kind, each value once.
   struct NewRecords {
     std::vector<std::string> values;
     std::unordered_map<std::string, Index> numbers;
@@ -37,7 +37,7 @@ class ObjAttributes {
   };
 
   [[nodiscard]] const std::vector<ObjCorner>& source_corners(Index record);
-  /// What a corner of the source names, by its number.
+  /// Returns the records that a corner of the source names, by its number.
   [[nodiscard]] ObjCorner source_corner(Index number);
   [[nodiscard]] Index texture_point(const Blend& blend);
   [[nodiscard]] std::vector<double> texture_numbers(Index texture_point) const;
@@ -48,7 +48,7 @@ class ObjAttributes {
   CornerBlender blender_;
   NewRecords texture_points_;
   NewRecords normals_;
-  /// The corners of the record that was asked for last.
+  /// The record whose corners were parsed last.
   Index latest_record_ = kNoIndex;
   std::vector<ObjCorner> latest_corners_;
 };

@@ -37,11 +37,11 @@ class ObjRecordFinder {
     } else if (keyword == "l" || keyword == "p") {
       records_.lines_and_points.push_back(begin);
     } else if (keyword != "vp") {
-      // Materials, groups and the like apply to the faces behind them.
+      // Materials, groups and similar statements apply to the faces after them.
       end_run();
     }
     if (keyword == "g" || keyword == "o") {
-      // In a name, # begins no comment.
+      // In a name, # does not begin a comment.
       static_cast<void>(in_.rest_of_record());
     }
   }

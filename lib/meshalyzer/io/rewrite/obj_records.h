@@ -9,19 +9,19 @@
 
 namespace meshalyzer {
 
-/// Where the statements of an OBJ file begin, by kind, in the order of the file.
+/// The offsets of the statements of an OBJ file, by kind, in the order of the file.
 struct ObjRecords {
   std::vector<std::size_t> vertices;
   std::vector<std::size_t> texture_points;
   std::vector<std::size_t> normals;
   std::vector<std::size_t> faces;
-  /// `l` and `p`.
+  /// The statements `l` and `p`.
   std::vector<std::size_t> lines_and_points;
   FaceRecords face_records;
-  /// Tells whether any face counts back from the last record.
+  /// Tells whether any face counts backwards from the last record.
   bool has_relative_faces = false;
 
-  /// How many records of each kind stand before a statement.
+  /// Returns the numbers of records of each kind before a statement.
   [[nodiscard]] ObjCounts counts_before(std::size_t statement) const;
 };
 

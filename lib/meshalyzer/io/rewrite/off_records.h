@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// Where the records of an OFF file stand.
+/// The positions of the records of an OFF file.
 struct OffRecords {
   std::string_view n_vertices;
   std::string_view n_faces;

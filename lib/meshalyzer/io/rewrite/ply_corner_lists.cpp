@@ -41,7 +41,7 @@ std::optional<std::array<std::string_view, 2>> PlyCornerLists::items_of(
     return std::nullopt;
   }
   const std::vector<std::string_view>& items = read.fields[property].items;
-  // A triangle of fewer corners repeats its last.
+  // A triangle with fewer corners repeats its last one.
   const std::size_t local =
       std::min(local_corner(face_records_, record, place), items.size() / 2 - 1);
   return std::array<std::string_view, 2>{items[2 * local], items[2 * local + 1]};

@@ -19,24 +19,24 @@ struct PlyFaces {
   std::size_t corners;
 };
 
-/// The lists of faces that say two numbers a corner: texture coordinates.
+/// The lists of faces with two numbers for each corner: texture coordinates.
 class PlyCornerLists {
  public:
-  /// All must outlive the object.
+  /// All arguments must outlive the object.
   PlyCornerLists(const EditedMesh& mesh, const PlyRecords& records, const PlyFaces& faces,
                  const FaceRecords& face_records);
 
   /// Tells whether a property of a face record is such a list.
   [[nodiscard]] bool has_list(const PlyRecord& record, std::size_t property) const;
 
-  /// Returns what the corner of a face takes its numbers of: see CornerBlender.
+  /// Returns the blend that gives a corner of a face its numbers: see CornerBlender.
   [[nodiscard]] Blend blend(FanCorner corner) { return blender_.blend(corner); }
 
-  /// Returns the numbers of a blend of corners, as they stand in the file.
+  /// Returns the numbers of a blend of corners in the encoding of the file.
   [[nodiscard]] std::array<std::string, 2> numbers(const Blend& blend, std::size_t property) const;
 
  private:
-  /// Returns the two numbers of a corner of the source; nothing where its record has none.
+  /// Returns the two numbers of a corner of the source, or nothing if its record has none.
   [[nodiscard]] std::optional<std::array<std::string_view, 2>> items_of(Index corner,
                                                                         std::size_t property) const;
   [[nodiscard]] bool says_same(Index a, Index b) const;

@@ -9,25 +9,25 @@
 
 namespace meshalyzer {
 
-/// The fields of a record to be written, each as the file will hold it.
+/// The fields of a record to be written, each in the encoding of the file.
 using PlyFields = std::vector<std::string>;
 
-/// Appends what a record says of a property, with its length where it is a list.
+/// Appends the field of a record, with its length if it is a list.
 void append_field(const PlyField& field, PlyFields& fields);
 
-/// Tells whether numbers of this type have no mean, because they name something: whole numbers
+/// Tells whether numbers of this type have no mean because they are identifiers: whole numbers
 /// wider than a byte. Bytes are colours.
 [[nodiscard]] bool has_no_mean(PlyType type);
 
-/// The content of a PLY file under edits. Records of text are lines.
+/// Edits of the content of a PLY file. Records of text are lines.
 class PlyEdits : public LineEdits {
  public:
   PlyEdits(std::string_view content, bool is_ascii) : LineEdits(content), is_ascii_(is_ascii) {}
 
-  /// @param bytes  Whole records, as joined() makes them; empty to drop the record.
+  /// @param bytes  The new records, as joined() makes them; empty to drop the record.
   void replace_record(std::string_view record, std::string bytes);
   void insert_records_behind(std::string_view record, std::string bytes);
-  /// Returns a record of these fields.
+  /// Returns a record with these fields.
   [[nodiscard]] std::string joined(const PlyFields& fields) const;
 
  private:

@@ -60,7 +60,7 @@ PlyRecords::PlyRecords(std::string_view content, const PlyHeader& header)
 void PlyRecords::find_ascii_records() {
   TextScanner in(content_.substr(header_.n_bytes));
   for (std::size_t e = 0; e < begins_.size(); ++e) {
-    // Records of no properties are nothing.
+    // Records without properties take no bytes.
     const PlyElement& element = header_.elements[e];
     const std::size_t n = element.properties.empty() ? 0 : element.count;
     for (std::size_t i = 0; i < n && in.next_record(); ++i) {

@@ -10,9 +10,9 @@
 
 namespace meshalyzer {
 
-/// What a record says of one property: views into the file.
+/// The value of one property of a record, as views into the file.
 struct PlyField {
-  /// The number of items, where the property is a list.
+  /// The number of items, if the property is a list.
   std::string_view size;
   std::vector<std::string_view> items;
 };
@@ -21,27 +21,26 @@ struct PlyField {
 struct PlyRecord {
   /// The whole record, without its line end.
   std::string_view bytes;
-  /// In the order of the properties.
+  /// The fields, in the order of the properties.
   std::vector<PlyField> fields;
 };
 
-/// Finds and reads the records of a PLY file whose content is sound, and encodes numbers as it
-/// does.
+/// Finds and reads the records of a valid PLY file, and encodes numbers in the same way.
 class PlyRecords {
  public:
   PlyRecords(std::string_view content, const PlyHeader& header);
 
-  /// Where the records of an element begin.
+  /// Returns the offsets of the records of an element.
   [[nodiscard]] const std::vector<std::size_t>& begins(std::size_t element) const {
     return begins_[element];
   }
   [[nodiscard]] PlyRecord read(std::size_t element, std::size_t record) const;
 
-  /// Returns a number as it stands in the file.
+  /// Decodes a number of the file.
   [[nodiscard]] double number(std::string_view item, PlyType type) const;
   [[nodiscard]] std::string text(double number, PlyType type) const;
 
-  /// Tells whether a number can stand in the file as one of this type without being changed.
+  /// Tells whether this type can hold a number without changing it.
   [[nodiscard]] bool fits(double number, PlyType type) const;
 
   [[nodiscard]] bool is_ascii() const { return header_.encoding == PlyEncoding::Ascii; }
@@ -53,17 +52,17 @@ class PlyRecords {
 
   std::string_view content_;
   const PlyHeader& header_;
-  /// Where the records of each element begin.
+  /// The offsets of the records of each element.
   std::vector<std::vector<std::size_t>> begins_;
 };
 
-/// Returns the words of the line of the header that declares an element or, where one is named, a
+/// Returns the words of the line of the header that declares an element or, if one is given, a
 /// property of it.
 [[nodiscard]] std::vector<std::string_view> declaration_of(
     std::string_view content, const PlyElement& element,
     std::optional<std::string_view> property = std::nullopt);
 
-/// Returns the property of an element that has this name; its number of properties where none has.
+/// Returns the index of the property with this name, or the number of properties if none has it.
 [[nodiscard]] std::size_t find_property(const PlyElement& element, std::string_view name);
 
 }  // namespace meshalyzer

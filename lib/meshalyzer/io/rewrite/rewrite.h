@@ -7,19 +7,19 @@
 
 namespace meshalyzer {
 
-/// Writes an edited mesh into the bytes that its source was read from, so that what no edit touched
-/// stays as it was, byte for byte in text: numbers, lines and their order, polygons, and all that
-/// the mesh does not hold (materials, texture coordinates, colours, other properties, comments). A
-/// polygon is one as long as none of its triangles changes.
+/// Applies the edits of a mesh to the bytes of its source file. Everything that no edit touches
+/// stays the same, byte for byte in text: numbers, lines and their order, polygons, and all data
+/// that the mesh does not hold (materials, texture coordinates, colours, other properties,
+/// comments). A polygon stays one as long as none of its triangles changes.
 ///
-/// What is changed or was made of a face takes that face's attributes, interpolated where a corner
-/// is another vertex now; a hole patch has none where the format can say so, else those of a face
+/// Faces that were changed or made from another one take that face's attributes, interpolated at
+/// corners with another vertex; a hole patch has none if the format allows, else those of a face
 /// beside it.
 ///
-/// @param bytes  What mesh.source was parsed from, not gzipped and without a byte order mark.
-/// @return Nothing where these bytes cannot hold the mesh: a binary STL file coordinates that are
-/// no
-///         32-bit floats; and of encodings that are read but not written.
+/// @param bytes  The content from which mesh.source was parsed, not gzipped and without a byte
+///               order mark.
+/// @return The new content; nothing if the format cannot hold the mesh (a binary STL file with
+///         coordinates that are no 32-bit floats), or if its encoding is only read, not written.
 /// @throws InvalidArgument if a face has a corner without a vertex.
 /// @complexity O(bytes + #F log #F).
 [[nodiscard]] std::optional<RewrittenFile> rewrite_mesh(const EditedMesh& mesh,

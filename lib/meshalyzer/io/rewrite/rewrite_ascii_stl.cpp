@@ -13,14 +13,14 @@
 namespace meshalyzer {
 namespace {
 
-/// "facet normal X Y Z outer loop vertex X Y Z ... endloop endfacet".
+/// The number of words of "facet normal X Y Z outer loop vertex X Y Z ... endloop endfacet".
 constexpr std::size_t kFacetWords = 21;
-/// Tells which of these words are numbers: of the normal, then of the corners.
+/// The positions of the numbers among these words: those of the normal, then of the corners.
 constexpr std::array<std::size_t, 12> kNumberWords = {2, 3, 4, 8, 9, 10, 12, 13, 14, 16, 17, 18};
 
 using FacetWords = std::array<std::string_view, kFacetWords>;
 
-/// Returns the words of the facet that the scanner stands before.
+/// Reads the words of the next facet.
 FacetWords read_facet(TextScanner& in) {
   FacetWords words;
   for (std::string_view& word : words) {
@@ -30,7 +30,7 @@ FacetWords read_facet(TextScanner& in) {
   return words;
 }
 
-/// Where the facets begin.
+/// The positions of the facets.
 struct StlRecords {
   std::vector<std::size_t> facets;
   FaceRecords face_records;
@@ -114,8 +114,8 @@ class AsciiStlRewriter {
     return numbers;
   }
 
-  /// @param face   What the facet is now; kNoIndex: it is dropped.
-  /// @param added  Facets to stand behind it, or in its place.
+  /// @param face   The current face of the facet; kNoIndex if it is dropped.
+  /// @param added  The facets that follow it, or replace it.
   void edit_record(Index record, Index face, const std::vector<std::string>& added) {
     if (face == kNoIndex && added.empty()) {
       const std::size_t begin = records_.facets[record];
@@ -154,7 +154,7 @@ class AsciiStlRewriter {
     return edits_.source().substr(blanks, begin - blanks);
   }
 
-  /// Returns a face as the text of a facet, with other numbers.
+  /// Returns the text of a facet with the numbers of another face.
   [[nodiscard]] std::string facet_like(Index record, Index face) const {
     const std::string_view text = edits_.source();
     const FacetWords model = words(record);

@@ -15,7 +15,7 @@ bool is_float(double number) {
   return static_cast<double>(static_cast<float>(number)) == number;
 }
 
-/// Tells whether a face is a facet of the source, bit for bit.
+/// Tells whether a face equals a facet of the source to the bit.
 bool is_untouched(const EditedMesh& mesh, Index face) {
   const ElementOrigin& origin = mesh.faces[face];
   return origin.relation == ElementOrigin::Relation::Same &&

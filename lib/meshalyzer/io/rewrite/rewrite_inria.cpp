@@ -16,7 +16,7 @@ namespace {
 
 using Section = InriaRecords::Section;
 
-/// New numbers of records, from 0; kNoIndex for those that are gone.
+/// The new numbers of records, from 0; kNoIndex for dropped ones.
 using NewNumbers = std::vector<Index>;
 
 class InriaRewriter {
@@ -65,7 +65,7 @@ class InriaRewriter {
     edits_.replace_integer(section.count, static_cast<std::int64_t>(count));
   }
 
-  /// Puts records behind the last one of a section; each ends with a line end.
+  /// Inserts records after the last one of a section; each ends with a line end.
   void append(std::string_view behind, std::string lines) {
     const std::string_view text = edits_.source();
     const std::size_t end = edits_.offset_of(behind) + behind.size();
@@ -148,7 +148,7 @@ class InriaRewriter {
     }
   }
 
-  /// Edits or drops a face record. Returns whether it stays.
+  /// Edits or drops a face record. Returns true if it stays.
   bool edit_face(Index record) {
     if (plan_.fates[record] == RecordFate::Dropped) {
       edits_.erase_with_lines(faces_[record]);
@@ -168,7 +168,7 @@ class InriaRewriter {
     return true;
   }
 
-  /// Returns the records of faces that stand behind all triangles.
+  /// Returns the records of faces that follow all triangles.
   [[nodiscard]] std::string added_faces() {
     std::string lines;
     n_added_ = plan_.written.size();
@@ -217,8 +217,8 @@ class InriaRewriter {
     }
   }
 
-  /// Renews the numbers by which a record names others. Drops it, and returns false, where one of
-  /// those is gone.
+  /// Updates the numbers by which a record names others. If one of those was dropped, drops the
+  /// record and returns false.
   bool rename(std::string_view record, const InriaSection& kind) {
     const NewNumbers& numbers = numbers_of(kind.names);
     const std::vector<std::string_view> old = inria_numbers(record);
@@ -240,7 +240,7 @@ class InriaRewriter {
     return true;
   }
 
-  /// Returns the place of each face in the file; nothing where they stand in the order of the mesh.
+  /// Returns the position of each face in the file; empty if they are in the order of the mesh.
   [[nodiscard]] std::vector<Index> file_faces() const {
     std::vector<Index> order;
     Index record = 0;
@@ -294,10 +294,10 @@ class InriaRewriter {
   NewNumbers edges_;
   NewNumbers triangles_;
   NewNumbers quadrilaterals_;
-  /// Tells how many triangles and quadrilaterals have been numbered.
+  /// The numbers of triangles and quadrilaterals that have been numbered.
   std::array<Index, 2> n_faces_of_{};
   std::size_t n_added_ = 0;
-  /// The sections of faces, and how many of their records stay.
+  /// The sections of faces, and the number of their records that stay.
   std::vector<std::pair<const Section*, std::size_t>> counts_;
   LineEdits edits_;
 };

@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Where the lines of each kind begin.
+/// The offsets of the lines of each kind.
 struct NativeRecords {
   std::vector<std::size_t> vertices;
   std::vector<std::size_t> faces;

@@ -13,8 +13,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns a new index in the words of an old one: counted from the first record, or back from the
-/// last.
+/// Returns a new index in the notation of an old one: counted from the first record, or backwards
+/// from the last.
 std::string reference_text(std::string_view old, Index index, std::size_t n_so_far) {
   const std::int64_t number = old.front() == '-'
                                   ? std::int64_t{index} - static_cast<std::int64_t>(n_so_far)
@@ -86,7 +86,8 @@ class ObjRewriter {
     return lines;
   }
 
-  /// Appends the numbers behind a position: weight and colour, where all have them.
+  /// Appends the numbers after a position: weight and colour, if all vertices of the blend have
+  /// them.
   void append_extra(std::string& line, const Blend& blend) const {
     if (blend.is_empty()) {
       return;
@@ -109,7 +110,7 @@ class ObjRewriter {
     }
   }
 
-  /// Replaces dropped records by what is left of them, and inserts what was added.
+  /// Replaces dropped records by their remaining triangles, and inserts added faces.
   void write_faces() {
     auto next = plan_.written.begin();
     for (Index r = 0; r < plan_.fates.size(); ++r) {
@@ -135,8 +136,8 @@ class ObjRewriter {
     insert_behind(records_.faces, std::move(rest));
   }
 
-  /// Adds the new records that faces name which stay: statements that count back need to know how
-  /// many there are before they are edited.
+  /// Adds the new records that kept faces name: their number must be known before statements that
+  /// count backwards are edited.
   void settle_new_records() {
     for (Index r = 0; records_.has_relative_faces && r < plan_.fates.size(); ++r) {
       if (plan_.fates[r] == RecordFate::Dropped) {
@@ -181,7 +182,7 @@ class ObjRewriter {
     for (std::size_t k = 0; k < 3; ++k) {
       corners[k] = attributes_.corner({face, k});
     }
-    // A face has them at all of its corners, or at none.
+    // A face has texture coordinates and normals at all of its corners, or at none.
     const bool has_texture = std::all_of(corners.begin(), corners.end(), [](const ObjCorner& c) {
       return c.texture_point != kNoIndex;
     });
@@ -214,7 +215,7 @@ class ObjRewriter {
     const ObjCounts counts = records_.counts_before(records_.faces[record]);
     const std::size_t n = old.size() - 1;
     for (std::size_t i = 0; i < n; ++i) {
-      // A turned polygon begins at the same corner, and goes round the other way.
+      // A reversed polygon begins at the same corner, and goes round in the opposite direction.
       const std::size_t local = fate == RecordFate::Turned ? (n - i) % n : i;
       const ObjCorner named = parse_obj_corner(old[1 + local], counts, TextScanner(old[1 + local]));
       edits_.replace(old[1 + i],
@@ -222,13 +223,13 @@ class ObjRewriter {
     }
   }
 
-  /// What a corner of a record that stays names now.
+  /// Returns the records that a corner of a kept record names now.
   [[nodiscard]] ObjCorner corner_now(Index record, std::size_t local, const ObjCorner& named) {
     const FanCorner corner = fan_corner(records_.face_records, record, local);
     const Index face = plan_.faces[corner.triangle];
     const Index vertex = named.vertex < numbers_.size() ? numbers_[named.vertex] : kNoIndex;
     const Triangle& now = mesh_.soup.triangles[face];
-    // The triangles of a turned polygon have the same vertices at other corners.
+    // The triangles of a reversed polygon have the same vertices at other corners.
     const std::size_t k =
         plan_.fates[record] == RecordFate::Turned
             ? static_cast<std::size_t>(std::find(now.begin(), now.end(), vertex) - now.begin())
@@ -240,7 +241,7 @@ class ObjRewriter {
     return attributes_.corner({face, corner.corner});
   }
 
-  /// Returns a corner in the words of an old one.
+  /// Returns a corner in the notation of an old one.
   [[nodiscard]] std::string corner_text(std::string_view old, const ObjCorner& now,
                                         const ObjCounts& counts) const {
     const std::size_t first_slash = std::min(old.find('/'), old.size());
@@ -261,7 +262,7 @@ class ObjRewriter {
     return text;
   }
 
-  /// Returns how many records stand before a statement now.
+  /// Returns the numbers of records before a statement after the edits.
   [[nodiscard]] ObjCounts new_counts(const ObjCounts& old) const {
     ObjCounts counts = old;
     counts.vertices = 0;
@@ -305,7 +306,8 @@ class ObjRewriter {
     }
   }
 
-  /// Returns the reader skips lines and points whatever they say.
+  /// Returns the corner of a line or point, or nothing if it is malformed, since the reader skips
+  /// these statements.
   [[nodiscard]] static std::optional<ObjCorner> corner_of(std::string_view word,
                                                           const ObjCounts& counts) {
     try {
@@ -327,7 +329,7 @@ class ObjRewriter {
     return lines;
   }
 
-  /// Puts lines behind the last statement of a kind, or first where there is none.
+  /// Inserts lines after the last statement of a kind, or at the beginning if there is none.
   void insert_behind(const std::vector<std::size_t>& statements, std::string lines) {
     if (statements.empty()) {
       edits_.insert(0, std::move(lines));
@@ -339,7 +341,7 @@ class ObjRewriter {
   const EditedMesh& mesh_;
   ObjRecords records_;
   FacePlan plan_;
-  /// Tells which vertex each vertex record is now; kNoIndex where it was dropped.
+  /// The new number of each vertex record; kNoIndex if it was dropped.
   std::vector<Index> numbers_;
   ObjAttributes attributes_;
   LineEdits edits_;

@@ -42,12 +42,12 @@ class OffRewriter {
     return words_at(edits_.source(), record, Continuation::None);
   }
 
-  /// Returns the last of some records, or the counts where there is none.
+  /// Returns the last of some records, or the line of counts if there is none.
   [[nodiscard]] std::string_view last_of(const std::vector<std::size_t>& records) const {
     return records.empty() ? records_.n_faces : span_of(words(records.back()));
   }
 
-  /// Position and, where each vertex has one, normal.
+  /// Returns the position and, if each vertex has one, the normal.
   [[nodiscard]] std::vector<double> numbers_of(const Soup& soup, std::size_t v) const {
     std::vector<double> numbers(soup.positions[v].begin(), soup.positions[v].end());
     if (n_vertex_numbers_ == 6) {
@@ -91,8 +91,8 @@ class OffRewriter {
     return lines;
   }
 
-  /// Appends colours and texture coordinates, each number followed by a blank. Colours stay whole
-  /// numbers where they are.
+  /// Appends colours and texture coordinates, each number followed by a blank. Whole colours stay
+  /// whole.
   void append_extra(std::string& line, const Blend& blend) const {
     if (blend.is_empty()) {
       return;
@@ -138,7 +138,7 @@ class OffRewriter {
                                std::move(rest));
   }
 
-  /// Returns the record that an added face has its colour of; empty in a hole patch.
+  /// Returns the record that gives an added face its colour; empty in a hole patch.
   [[nodiscard]] Words model_of(Index face) const {
     const ElementOrigin& origin = mesh_.faces[face];
     if (origin.relation != ElementOrigin::Relation::MadeOf) {
@@ -175,7 +175,7 @@ class OffRewriter {
     }
   }
 
-  /// Returns the vertex at a corner of the source; the triangles of a turned polygon name it
+  /// Returns the vertex at a corner of the source; the triangles of a reversed polygon name it
   /// elsewhere.
   [[nodiscard]] Index vertex_now(const FanCorner& corner, bool is_turned) const {
     return is_turned ? numbers_[mesh_.source.triangles[corner.triangle][corner.corner]]
@@ -195,7 +195,7 @@ class OffRewriter {
   const EditedMesh& mesh_;
   OffRecords records_;
   FacePlan plan_;
-  /// Tells which vertex each vertex record is now; kNoIndex where it was dropped.
+  /// The new number of each vertex record; kNoIndex if it was dropped.
   std::vector<Index> numbers_;
   std::size_t n_vertex_numbers_;
   LineEdits edits_;

@@ -16,7 +16,7 @@ namespace meshalyzer {
 namespace {
 
 constexpr std::array<std::string_view, 6> kOwnNumbers = {"x", "y", "z", "nx", "ny", "nz"};
-/// What other elements name vertices by.
+/// The properties by which other elements name vertices.
 constexpr std::array<std::string_view, 4> kVertexReferences = {"vertex1", "vertex2", "vertex_index",
                                                                "vertex_indices"};
 
@@ -111,7 +111,7 @@ class PlyRewriter {
     }
   }
 
-  /// Returns the number of the soup that a property of a vertex is; nothing for other properties.
+  /// Returns the number in the soup for a property of a vertex, or nothing for other properties.
   [[nodiscard]] std::optional<double> own_number(const Soup& soup, std::size_t v,
                                                  const PlyProperty& property) const {
     const auto place = static_cast<std::size_t>(
@@ -183,7 +183,7 @@ class PlyRewriter {
     return edits_.joined(fields);
   }
 
-  /// Appends an empty list, or 0.
+  /// Appends an empty list or 0.
   void append_nothing(const PlyProperty& property, PlyFields& fields) const {
     fields.push_back(records_.text(0.0, property.list_size_type.value_or(property.type)));
   }
@@ -245,7 +245,7 @@ class PlyRewriter {
     }
   }
 
-  /// Gives a corner of a record that stays what lists of the face say of its corners.
+  /// Updates the entry of a corner of a kept record in the lists of the face.
   void edit_corner_lists(const PlyRecord& record, std::size_t local, const Blend& blend) {
     for (std::size_t p = 0; p < record.fields.size(); ++p) {
       if (!lists_->has_list(record, p) || blend.is_empty()) {
@@ -326,7 +326,8 @@ class PlyRewriter {
     }
   }
 
-  /// Renumbers the vertices that a record names. Drops it, and returns false, where one is gone.
+  /// Renumbers the vertices that a record names. If one was dropped, drops the record and returns
+  /// false.
   bool edit_references(std::size_t element, const PlyRecord& record,
                        const std::vector<std::size_t>& references) {
     std::vector<std::pair<std::string_view, std::string>> renumbered;
@@ -357,20 +358,20 @@ class PlyRewriter {
   const EditedMesh& mesh_;
   const PlyHeader& header_;
   PlyRecords records_;
-  /// Numbers of elements; as many as there are where there is none.
+  /// The number of the element `vertex`, or the number of elements if there is none.
   std::size_t vertex_;
   std::size_t face_;
   /// The property of faces that lists their corners.
   std::size_t corners_ = 0;
   FaceRecords face_records_;
   FacePlan plan_;
-  /// Nothing where there are no faces.
+  /// The corner lists; nothing if there are no faces.
   std::optional<PlyCornerLists> lists_;
-  /// Tells which vertex each vertex record is now; kNoIndex where it was dropped.
+  /// The new number of each vertex record; kNoIndex if it was dropped.
   std::vector<Index> numbers_;
   bool has_normals_;
   bool is_widened_ = false;
-  /// The properties of vertices, and the type of indices in faces, as they are written.
+  /// The properties of vertices as they are written.
   std::vector<PlyProperty> vertex_properties_;
   PlyType index_type_ = PlyType::Int32;
   PlyEdits edits_;

@@ -10,22 +10,22 @@
 
 namespace meshalyzer {
 
-/// A record of the source that went because an element went which it names or stands behind.
+/// A record of the source that was dropped with an element that it names or follows.
 struct LostRecord {
   AttributeKind kind = AttributeKind::Comments;
-  /// Where it stands in the source, or in what the source was turned into.
+  /// Its offset in the source, or in the converted source.
   std::size_t offset = 0;
 };
 
 /// The bytes of a file after edits.
 struct RewrittenFile {
   std::string bytes;
-  /// Tells which face of the file each face of the edited mesh is; empty where they are the same.
+  /// The face of the file that each face of the edited mesh is; empty if they are the same.
   std::vector<Index> file_faces;
-  /// What of the source is not in it, though no edit dropped it.
+  /// The losses: parts of the source that are missing although no edit dropped them.
   std::vector<AttributeCount> lost;
-  /// Tells which of that are records whose elements went. Where a mesh is written in parts, another
-  /// part may have them.
+  /// The losses that are records whose elements were dropped. If a mesh is written in parts,
+  /// another part may have them.
   std::vector<LostRecord> lost_records;
 };
 

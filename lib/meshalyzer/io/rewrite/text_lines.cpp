@@ -56,7 +56,7 @@ void LineEdits::insert_lines_behind(std::string_view record, std::string lines) 
     return;
   }
   std::size_t at = next_line(offset_of(record) + record.size());
-  // A backslash at the end of a line takes the next line to the same record.
+  // A backslash at the end of a line joins the next line to the record.
   while (at < source().size() && is_continued(at)) at = next_line(at);
   if (at == source().size() && source().back() != '\n') {
     lines.insert(0, line_end_);

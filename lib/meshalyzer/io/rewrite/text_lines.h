@@ -20,23 +20,25 @@ class LineEdits : public ByteEdits {
  public:
   explicit LineEdits(std::string_view text);
 
-  /// "\n" or "\r\n", whichever ends the first line of the text.
+  /// Returns "
+  /// " or "\r
+  /// ", whichever ends the first line of the text.
   [[nodiscard]] const std::string& line_end() const { return line_end_; }
 
-  /// Puts lines in the place of those of a record. A comment behind the record then stands behind
-  /// the first of them, or is lost where there is none.
+  /// Replaces the lines of a record. A comment after the record then follows the first new line, or
+  /// is lost if there is none.
   /// @param record  The record, from its first word to its last; a view into the text.
-  /// @param lines   Each with its line end; none to drop the record.
+  /// @param lines   The new lines, each with its line end; none to drop the record.
   void replace_lines(std::string_view record, std::string lines);
-  /// Puts lines behind the last line of a record.
+  /// Inserts lines after the last line of a record.
   void insert_lines_behind(std::string_view record, std::string lines);
-  /// Replaces an integer, unless it is that number already, in whatever words.
+  /// Replaces an integer, unless it already has that value in any notation.
   void replace_integer(std::string_view part, std::int64_t number);
-  /// Drops a part of the text, and the lines it stands on where nothing else does.
+  /// Drops a part of the text, and its lines if they hold nothing else.
   void erase_with_lines(std::string_view part);
 
  private:
-  /// Where the line begins that holds this offset, and where the next one does.
+  /// Returns the begin of the line that contains this offset.
   [[nodiscard]] std::size_t line_begin(std::size_t offset) const;
   [[nodiscard]] std::size_t next_line(std::size_t offset) const;
   /// Tells whether the line that ends before an offset, where the next one begins, ends in a
