@@ -11,46 +11,45 @@
 
 namespace meshalyzer {
 
-/// What meshfixer makes of several solids.
+/// The boolean operations on several solids.
 enum class BooleanOperation : std::uint8_t {
-  /// What is inside any of them.
+  /// The result is what is inside any solid.
   Union,
-  /// What is inside all of them.
+  /// The result is what is inside all solids.
   Intersection,
-  /// What is inside the first and no other one.
+  /// The result is what is inside the first solid and no other one.
   Difference,
-  /// Each without those before it.
+  /// The results are the solids, each without those before it.
   SubtractInOrder,
 };
 
-/// "union", "intersection", "difference", "subtract-in-order".
+/// Returns "union", "intersection", "difference" or "subtract-in-order".
 [[nodiscard]] std::string_view operation_name(BooleanOperation operation);
 
-/// One of the solids that were combined, and how much of it is in what came out.
+/// One of the combined solids, and how much of it is in the result.
 struct BooleanOperand {
   /// The path of its file as the user named it, or "component 2 of FILE".
   std::string name;
   std::size_t n_faces = 0;
   double volume = 0.0;
-  /// Faces of it that stay as they are, but for being turned over; those of which parts stay; and
-  /// those of which nothing does.
+  /// The number of its faces that stay whole, possibly reversed.
   std::size_t n_whole = 0;
   std::size_t n_cut = 0;
   std::size_t n_gone = 0;
 };
 
-/// A mesh that came out.
+/// A resulting mesh.
 struct BooleanOutput {
-  /// The path is empty where it was not written.
+  /// The path, which is empty if the mesh was not written.
   std::string path;
   std::size_t n_vertices = 0;
   std::size_t n_faces = 0;
   double volume = 0.0;
-  /// An upper bound of how far vertices are from where they would be without rounding, and without
-  /// parting what touches.
+  /// An upper bound of the distance by which rounding, and the separation of touching parts, have
+  /// moved vertices.
   double largest_move = 0.0;
   bool is_good = false;
-  /// In words: why it is not good.
+  /// The reasons in words why it is not good.
   std::string verdict;
 };
 
@@ -58,13 +57,13 @@ struct BooleanOutput {
 struct BooleanReport {
   BooleanOperation operation = BooleanOperation::Union;
   std::vector<BooleanOperand> operands;
-  /// Tells how many pairs of faces of the operands intersect.
+  /// The number of intersecting pairs of faces of the operands.
   std::size_t n_pairs = 0;
-  /// One, or one an operand.
+  /// The results: one, or one for each operand.
   std::vector<BooleanOutput> outputs;
   /// Sentences that a person should read.
   std::vector<std::string> notes;
-  /// What the inputs say and the files that were written, or would be, do not.
+  /// The attributes of the inputs that the written files lose.
   std::vector<AttributeCount> lost;
 };
 

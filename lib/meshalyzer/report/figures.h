@@ -7,8 +7,7 @@
 
 namespace meshalyzer {
 
-/// The figures of a summary, in the order of reports; there is none where the summary is of no
-/// value.
+/// The figures of a summary, in the order of reports; a summary of no value has none.
 inline constexpr std::array kFigures{
     FieldRow<Summary, double>{{.key = "min", .label = "min"}, &Summary::min},
     FieldRow<Summary, double>{{.key = "max", .label = "max"}, &Summary::max},
@@ -25,7 +24,7 @@ inline constexpr std::array kFigures{
                               &Summary::total},
 };
 
-/// Tells whether people are told a figure of a quantity.
+/// Tells whether reports for people show a figure of a quantity.
 [[nodiscard]] constexpr bool is_shown(const FieldRow<Summary, double>& figure,
                                       const Quantity& quantity) {
   return figure.member != &Summary::total || quantity.total == Quantity::Total::Show;

@@ -7,15 +7,15 @@
 
 namespace meshalyzer {
 
-/// Returns the format that the ending of a file's name stands for, where that is not the one that
-/// the file was read as; else empty.
+/// Returns the format of the ending of a file's name if the file was read as another one; else an
+/// empty text.
 [[nodiscard]] std::string_view misleading_format(std::string_view path, Format format);
 
-/// Returns the name of the format that a file was read as, and that it is not the one of its
-/// ending.
+/// Returns the name of the format as which a file was read, with a remark if its ending names
+/// another one.
 [[nodiscard]] std::string format_text(std::string_view path, Format format);
 
-/// Returns the same of a file among other facts: "off file", "off file called stl".
+/// Returns the format for a list of facts: "off file", "off file called stl".
 [[nodiscard]] std::string file_text(std::string_view path, Format format);
 
 }  // namespace meshalyzer

@@ -31,7 +31,7 @@ std::optional<KeyIds::Final> final_of(Index key, const FinalIds& ids) {
   return key < ids.size() ? ids[key] : std::nullopt;
 }
 
-/// Returns the ids of a list of keys, of which those below n_input are the records of the input.
+/// Returns the ids of a list of keys; those below n_input are the records of the input.
 std::vector<std::int64_t> ids_of(const std::vector<Index>& keys, const Ids& input,
                                  std::size_t n_input, const FinalIds& ids) {
   std::vector<std::int64_t> list;

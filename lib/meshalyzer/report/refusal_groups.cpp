@@ -14,7 +14,7 @@ namespace {
 
 using Final = std::optional<KeyIds::Final>;
 
-/// Collects refusals.
+/// Collects refusals in groups.
 class RefusalCollector {
  public:
   void add(const LoggedRefusal& refusal, const Final& vertex, const Final& face) {
@@ -53,7 +53,7 @@ class RefusalCollector {
 
   std::vector<RefusalGroup> groups_;
   std::map<Key, std::size_t> numbers_;
-  /// Group, vertex and face of all that were added.
+  /// The group, vertex and face of all added refusals.
   std::set<std::tuple<std::size_t, Index, Index>> places_;
 };
 

@@ -9,16 +9,16 @@
 
 namespace meshalyzer {
 
-/// Places that a pass left for one and the same reason.
+/// The places that a pass left unchanged for the same reason.
 struct RefusalGroup {
-  /// Pass, code and reason of all of them.
+  /// A refusal with the pass, code and reason of all of them.
   const LoggedRefusal* like = nullptr;
-  /// Index into RepairReport::meshes; absent where the elements are gone.
+  /// The index into RepairReport::meshes; absent if the elements were removed.
   std::optional<std::size_t> mesh = std::nullopt;
-  /// The number of different places, however often each was looked at.
+  /// The number of different places, each counted once.
   std::size_t places = 0;
   /// The ids that name the places, ascending: those of their vertices in the output, or of the
-  /// faces where a place has no such vertex.
+  /// faces if a place has no such vertex.
   std::vector<std::int64_t> vertices = {};
   std::vector<std::int64_t> faces = {};
 };

@@ -25,16 +25,16 @@ struct MeshName {
 
 [[nodiscard]] MeshName name_of(const Soup& soup, std::string path);
 
-/// A mesh that came out, as it is on disk, or would be.
+/// A resulting mesh, as it is on disk, or would be.
 struct FinalMesh {
-  /// The path is empty where it was not written.
+  /// The name; its path is empty if the mesh was not written.
   MeshName name;
   /// The defects that remain, by the records of the file.
   DefectReport remaining;
-  /// The record in the file of each vertex of the result's tracked mesh, kNoIndex where it has
-  /// none; empty where they are the same.
+  /// The record in the file of each vertex of the result's tracked mesh, kNoIndex if it has none;
+  /// empty if they are the same.
   std::vector<Index> vertex_records = {};
-  /// The record in the file of each face of the tracked mesh. Empty where they are the same.
+  /// The record in the file of each face of the tracked mesh; empty if they are the same.
   std::vector<Index> face_records = {};
 
   /// Returns the id that the file gives to a face of the tracked mesh.
@@ -43,7 +43,7 @@ struct FinalMesh {
   }
 };
 
-/// A repair from beginning to end, for reports. Only refers to the result.
+/// A repair from beginning to end, for reports. It only refers to the result.
 struct RepairReport {
   /// The mesh that was repaired.
   MeshName input;
@@ -54,22 +54,21 @@ struct RepairReport {
   std::vector<FinalMesh> meshes;
   /// Sentences that a person should read, such as that an encoding was changed.
   std::vector<std::string> notes;
-  /// What the input says and the files that were written, or would be, do not, though no change
-  /// dropped it.
+  /// The attributes of the input that the written files lose although no change dropped them.
   std::vector<AttributeCount> lost = {};
 };
 
-/// What was found in a mesh that is not repaired, for reports. Only referred to.
+/// The defects of a mesh that is not repaired, for reports. The struct only refers to its data.
 struct FoundDefects {
   const MeshName& mesh;
   const DefectReport& defects;
-  /// The codes that count; others are listed too, and said to be not asked for.
+  /// The codes that count; others are listed too, and marked as not requested.
   const DefectCodes& asked;
-  /// What a repair would make of the self-intersections; empty where none was tried.
+  /// The outcome of a repair for each self-intersection; empty if none was tried.
   std::span<const PatchOutcome> patches = {};
 };
 
-/// Patches of intersecting faces and what becomes of each. Only referred to.
+/// The patches of intersecting faces and the outcome for each. The struct only refers to them.
 struct ToldPatches {
   const MeshName& mesh;
   /// The defects of the mesh, among which the patches are.
@@ -77,10 +76,10 @@ struct ToldPatches {
   std::span<const PatchOutcome> patches;
 };
 
-/// Returns how many of the defects of a mesh are of the codes that count.
+/// Returns the number of defects of a mesh with codes that count.
 [[nodiscard]] std::size_t n_asked(const DefectReport& report, const DefectCodes& asked);
 
-/// Returns how many of the defects that were to be fixed are left.
+/// Returns the number of remaining defects that were to be fixed.
 [[nodiscard]] std::size_t n_remaining(const RepairReport& report);
 
 }  // namespace meshalyzer

@@ -9,14 +9,14 @@
 
 namespace meshalyzer {
 
-/// Judges a set: it is good where all its meshes could be read and are good, and, where that was
-/// asked for, no two of them intersect and none is inside another one, not even some of its
+/// Judges a set. It is good if all its meshes could be read and are good and, if that was
+/// requested, no two of them intersect and none is inside another one, not even some of its
 /// components.
 ///
-/// @return Nothing where the meshes were not judged (-a).
+/// @return Nothing if the meshes were not judged.
 [[nodiscard]] std::optional<Goodness> set_verdict(const SetAnalysis& set);
 
-/// Appends what is wrong between the meshes of a set, a phrase each.
+/// Appends a phrase for each fault between the meshes of a set.
 void append_reasons_between(const SetIntersections& found, std::vector<std::string>& reasons);
 
 }  // namespace meshalyzer

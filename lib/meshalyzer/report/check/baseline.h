@@ -9,7 +9,7 @@ namespace meshalyzer {
 
 /// Reads the findings of an earlier check from its JSON report.
 ///
-/// @throws IoError  where the file is no such report, or does not list all findings.
+/// @throws IoError  if the file is no such report, or does not list all findings.
 [[nodiscard]] std::vector<KnownFinding> read_baseline(const std::string& path);
 
 }  // namespace meshalyzer

@@ -12,16 +12,16 @@
 
 namespace meshalyzer {
 
-/// What check reports are written as.
+/// The formats of check reports.
 enum class CheckFormat : std::uint8_t { Text, Json, Ndjson, Sarif, Junit, Github };
 
-/// All formats, in the order of CheckFormat.
+/// Returns all formats, in the order of CheckFormat.
 [[nodiscard]] std::span<const CheckFormat> all_check_formats();
 
-/// "text", "json", "ndjson", "sarif", "junit", "github".
+/// Returns "text", "json", "ndjson", "sarif", "junit" or "github".
 [[nodiscard]] std::string_view check_format_name(CheckFormat format);
 
-/// Returns the format that has a name; nothing where none has it.
+/// Returns the format with the given name, or nothing if no format has it.
 [[nodiscard]] std::optional<CheckFormat> check_format(std::string_view name);
 
 /// Tells whether a text has colours, for a terminal.
@@ -44,8 +44,8 @@ class CheckReport {
 
 /// Returns a report in a format.
 ///
-/// @param sink    Takes the pieces of the text.
-/// @param colour  Of a text; the other formats have none.
+/// @param sink    Receives the pieces of the text.
+/// @param colour  The colours of a text; the other formats have none.
 [[nodiscard]] std::unique_ptr<CheckReport> make_check_report(
     CheckFormat format, std::function<void(std::string_view)> sink,
     TextColour colour = TextColour::Never);

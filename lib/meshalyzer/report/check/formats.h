@@ -10,10 +10,12 @@ namespace meshalyzer {
 
 // The formats of make_check_report().
 
-/// One finding a line, as compilers tell theirs, and a last line of totals.
+/// Returns a report with one line for each finding, like messages of compilers, and a last line of
+/// totals.
 [[nodiscard]] std::unique_ptr<CheckReport> make_check_text(TextSink sink, TextColour colour);
 
-/// One JSON object: all files, each with its findings, and the totals (doc/check.schema.json).
+/// Returns a report that is one JSON object: all files, each with its findings, and the totals
+/// (doc/check.schema.json).
 [[nodiscard]] std::unique_ptr<CheckReport> make_check_json(TextSink sink);
 
 /// Returns a line of JSON for each file, the same object as in make_check_json(), as soon as it is
@@ -28,13 +30,13 @@ namespace meshalyzer {
 /// defect codes, the limits, and one of files that cannot be read.
 [[nodiscard]] std::unique_ptr<CheckReport> make_check_sarif(TextSink sink);
 
-/// Returns a test suite in the XML of JUnit, which CI systems read: a case a file, which fails
-/// where the mesh is not good, and is in error where it cannot be read. The head counts all cases,
+/// Returns a test suite in the XML of JUnit, which CI systems read: one case for each file, which
+/// fails if the mesh is not good, and is in error if it cannot be read. The head counts all cases,
 /// so the report is written when all are known.
 [[nodiscard]] std::unique_ptr<CheckReport> make_check_junit(TextSink sink);
 
-/// Workflow commands of GitHub Actions, which become annotations of the files; the totals are a
-/// notice.
+/// Returns a report of workflow commands of GitHub Actions, which become annotations of the files;
+/// the totals are a notice.
 [[nodiscard]] std::unique_ptr<CheckReport> make_check_github(TextSink sink);
 
 }  // namespace meshalyzer

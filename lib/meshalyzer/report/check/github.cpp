@@ -7,7 +7,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Percent-encodes what would end the text or be taken for a part of the command.
+/// Percent-encodes characters that would end the text or be taken for a part of the command.
 std::string encoded(std::string_view text, std::string_view reserved) {
   std::string result;
   for (const char c : text) {

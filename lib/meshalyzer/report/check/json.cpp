@@ -163,7 +163,7 @@ void define_file(SchemaDefinitions& schema) {
   const std::string count(schema_type::kCount);
   SchemaObject file{.description = "", .members = path_members()};
   for (SchemaMember& member : format_members()) {
-    member.presence = SchemaMember::Presence::Sometimes;  // what cannot be read has no format
+    member.presence = SchemaMember::Presence::Sometimes;  // an unreadable file has no format
     file.members.push_back(std::move(member));
   }
   const std::vector<SchemaMember> parts{

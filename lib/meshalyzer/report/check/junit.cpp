@@ -9,14 +9,14 @@
 namespace meshalyzer {
 namespace {
 
-/// Text as it stands in XML: what HTML escapes is what XML does.
+/// Returns a text for XML, which escapes the same characters as HTML.
 std::string escaped(std::string_view text) {
   std::string xml;
   append_escaped_html(xml, text);
   return xml;
 }
 
-/// "self-intersection: at least 85, hole: 2".
+/// Returns a summary such as "self-intersection: at least 85, hole: 2".
 std::string summary_of(const FileFindings& file) {
   std::string text;
   for (const FindingCount& found : file.counts) {

@@ -12,7 +12,7 @@
 namespace meshalyzer {
 namespace {
 
-/// An object with nothing but a text: how SARIF writes messages and descriptions.
+/// Writes an object with only a text, as which SARIF writes messages and descriptions.
 void write_text(JsonWriter& json, std::string_view name, std::string_view text) {
   json.key(name);
   json.begin_object(JsonLayout::Row);
@@ -82,13 +82,13 @@ class CheckSarif : public CheckReport {
 
   TextSink sink_;
   JsonWriter json_;
-  /// Addresses of all files, for "artifacts".
+  /// The addresses of all files, for "artifacts".
   std::vector<std::string> addresses_;
   struct Note {
     std::string address;
     std::string text;
   };
-  /// What is said of files that is no finding, for "toolExecutionNotifications".
+  /// The notes on files, for "toolExecutionNotifications".
   std::vector<Note> notes_;
 };
 

@@ -8,7 +8,7 @@
 namespace meshalyzer {
 namespace {
 
-/// "1 error", "3,120 errors".
+/// Returns "1 error" or "3,120 errors".
 std::string number_of(std::size_t n, std::string_view one) {
   return fmt::format("{} {}{}", grouped(n), one, n == 1 ? "" : "s");
 }

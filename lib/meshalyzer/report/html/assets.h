@@ -4,21 +4,21 @@
 
 namespace meshalyzer {
 
-// What a page is made of besides its content; embed.cmake makes a .cpp of the files.
+// The constant parts of pages; embed.cmake makes a .cpp of the files.
 
-/// assets/page.css
+/// The style sheet, assets/page.css.
 extern const std::string_view kPageStyle;
-/// assets/view.html: the view and its controls.
+/// The view and its controls, assets/view.html.
 extern const std::string_view kViewMarkup;
 /// The scripts of the view, in the order in which they run.
 extern const std::string_view kViewScript;
 /// The scripts of a page without a view.
 extern const std::string_view kIndexScript;
-/// assets/three_licence.txt: the licence of three.js and of its controls.
+/// The licence of three.js and of its controls, assets/three_licence.txt.
 extern const std::string_view kThreeLicence;
-/// three.min.js of three.js
+/// The file three.min.js of three.js.
 extern const std::string_view kThree;
-/// OrbitControls.js of three.js
+/// The file OrbitControls.js of three.js.
 extern const std::string_view kOrbitControls;
 
 }  // namespace meshalyzer

@@ -19,7 +19,7 @@ void append_titles(HtmlWriter& html, const TextTable& table) {
   }
 }
 
-/// The first entry names the row.
+/// Appends the entries of a row; the first one names it.
 void append_entries(HtmlWriter& html, const std::vector<std::string>& entries,
                     std::size_t n_name_columns) {
   const HtmlElement row(html, "tr");

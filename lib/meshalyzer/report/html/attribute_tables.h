@@ -8,17 +8,17 @@
 
 namespace meshalyzer {
 
-/// Appends a word of the report; where it has a definition, this shows when the word is pointed at
-/// or has the focus. A word with a definition may stand only once on a page.
+/// Appends a term of the report. Its definition, if it has one, appears when the term is pointed at
+/// or has the focus. A term with a definition may occur only once on a page.
 void append_term(HtmlWriter& html, std::string_view term);
 
-/// Appends names and values, a row each.
+/// Appends names and values, one row for each.
 void append_rows(HtmlWriter& html, const ReportRows& rows);
 
-/// Tells whether a person may order the rows of a table.
+/// The order of the rows of a table: fixed, or chosen by the reader.
 enum class TableOrder { Fixed, ByColumn };
 
-/// Appends a table with its titles: names, then numbers. Where it is wide it scrolls by itself.
+/// Appends a table with its titles: names, then numbers. A wide table scrolls by itself.
 void append_text_table(HtmlWriter& html, const TextTable& table,
                        TableOrder order = TableOrder::Fixed);
 

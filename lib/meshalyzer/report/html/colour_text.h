@@ -7,7 +7,7 @@
 
 namespace meshalyzer {
 
-/// "#rrggbb".
+/// Returns a colour as "#rrggbb".
 [[nodiscard]] std::string colour_text(const Colour& colour);
 
 /// Returns the colour of defects of a code, in lists and drawings: no two codes have the same.

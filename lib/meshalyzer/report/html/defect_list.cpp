@@ -14,8 +14,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Appends what there is to say of a defect, its elements apart from where it is and what was
-/// measured.
+/// Appends the description of a defect, with its elements separate from its position and measured
+/// value.
 void append_parts(HtmlWriter& html, std::string_view text) {
   constexpr std::string_view kSeparator = "; ";
   const std::size_t end = text.find(kSeparator);
@@ -25,7 +25,7 @@ void append_parts(HtmlWriter& html, std::string_view text) {
   html.element("span", {{"class", "measured"}}, text.substr(end + kSeparator.size()));
 }
 
-/// Opens the button that a highlight of a scene is chosen by.
+/// Opens the button that selects a highlight of a scene.
 HtmlElement highlight_button(HtmlWriter& html, std::size_t scene, std::size_t highlight) {
   return {html,
           "button",
@@ -45,7 +45,7 @@ class DefectList {
     }
   }
 
-  /// Errors first.
+  /// Appends the list, errors first.
   void append(HtmlWriter& html) const {
     if (mesh_.defects.total() == 0) {
       html.element("p", {{"class", "none"}}, "Nothing is wrong.");
@@ -89,7 +89,7 @@ class DefectList {
     html.element("span", {{"class", "meaning"}}, catalogue_entry(code).summary);
   }
 
-  /// @return How many are listed.
+  /// @return The number of listed defects.
   std::size_t append_defects_of(HtmlWriter& html, DefectCode code) const {
     const std::vector<Defect>& defects = mesh_.defects.defects;
     std::size_t i = 0;
@@ -116,7 +116,7 @@ class DefectList {
 
   const PageMesh& mesh_;
   std::size_t scene_;
-  /// The place of each defect among the highlights of the scene.
+  /// The position of each defect among the highlights of the scene.
   std::vector<std::optional<std::size_t>> highlights_;
 };
 

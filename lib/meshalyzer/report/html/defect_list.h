@@ -11,12 +11,12 @@ namespace meshalyzer {
 /// The number of defects of each code that are listed; the others are only counted.
 inline constexpr std::size_t kListedOfACode = 500;
 
-/// Appends the section of the changes of all meshes of the page, by pass, each a button; nothing
-/// where there are none.
+/// Appends the section of the changes of all meshes of the page, by pass, each as a button; nothing
+/// if there are none.
 void append_changes_section(HtmlWriter& html, std::span<const TitledMesh> meshes);
 
-/// Appends the section of the defects of all meshes of the page, by code. One that the scene lights
-/// up is a button, which the view listens to.
+/// Appends the section of the defects of all meshes of the page, by code. A defect that the scene
+/// highlights is a button for the view.
 void append_defects_section(HtmlWriter& html, std::span<const TitledMesh> meshes);
 
 }  // namespace meshalyzer

@@ -15,17 +15,17 @@ struct Definition {
 };
 
 constexpr std::array kDefinitions{
-    // The file.
+    // The terms of the file.
     Definition{"file", "the file as it was named"},
     Definition{"format", "what the file was read as"},
     Definition{"merged points",
                "corners of an STL file that were joined: STL names no vertices, so points equal in "
                "every bit are one"},
     Definition{"polygons", "faces of more than three corners; each counts as its triangles"},
-    // Extent.
+    // The terms of the extent.
     Definition{"bounding box min", "smallest x, y and z of the vertices that faces use"},
     Definition{"bounding box max", "largest x, y and z of the vertices that faces use"},
-    // Curvature.
+    // The terms of the curvature.
     Definition{"curvature area", "the area round a vertex that its curvature is spread over"},
     Definition{"vertices without curvature, on a border", "there the surface ends"},
     Definition{"vertices without curvature, not one fan",
@@ -36,7 +36,7 @@ constexpr std::array kDefinitions{
         "total angle defect",
         "what the angles of the faces lack of a full turn, summed over the vertices: 2 pi times "
         "vertices - edges + faces"},
-    // Tolerances and repair.
+    // The terms of tolerances and repair.
     Definition{"degeneracy tolerance", "edges and altitudes shorter than this are defects"},
     Definition{"slit tolerance", "borders closer than this are the two sides of a slit"},
     Definition{"height tolerance", "a fold that is no higher than this is a foldover"},
@@ -44,13 +44,13 @@ constexpr std::array kDefinitions{
     Definition{"maximum deviation",
                "no point of the surface may end farther than this from the other surface"},
     Definition{"largest deviation", "no point of the surface ended farther than this"},
-    // Sets.
+    // The terms of sets.
     Definition{"vertices inside another mesh", "their separation distance is negative"},
     Definition{"contained meshes", "meshes that lie inside another one"},
     Definition{"partly contained meshes", "meshes some components of which lie inside another one"},
 };
 
-/// Looks for a word among the labels of tables.
+/// Searches a word among the labels of tables.
 class Lookup {
  public:
   explicit Lookup(std::string_view term) : term_(term) {}

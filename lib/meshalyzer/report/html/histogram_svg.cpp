@@ -11,7 +11,7 @@
 namespace meshalyzer {
 namespace {
 
-// The drawing in its own units, about a pixel each.
+// The dimensions of the drawing in its own units, about a pixel each.
 constexpr double kWidth = 480.0;
 constexpr double kHeight = 170.0;
 constexpr double kLeft = 52.0;
@@ -20,7 +20,7 @@ constexpr double kTop = 12.0;
 constexpr double kBottom = 146.0;
 constexpr double kGap = 1.5;
 constexpr double kPitch = (kRight - kLeft) / static_cast<double>(Histogram::kBins);
-/// Labels longer than this would run into each other below every fourth bin.
+/// Labels longer than this would overlap below every fourth bin.
 constexpr std::size_t kLongLabel = 14;
 
 std::string number(double coordinate) {
@@ -31,14 +31,15 @@ double x_of_edge(std::size_t edge) {
   return kLeft + kPitch * static_cast<double>(edge);
 }
 
-/// Counts to heights.
+/// Maps counts to heights.
 struct CountAxis {
   std::size_t most = 1;
 
   [[nodiscard]] double height(std::size_t count) const {
     return (kBottom - kTop) * static_cast<double>(count) / static_cast<double>(most);
   }
-  /// 1, 2 or 5 times a power of ten; two to five of them fit.
+  /// Returns the distance of the lines: 1, 2 or 5 times a power of ten, so that two to five lines
+  /// fit.
   [[nodiscard]] std::size_t step() const {
     for (std::size_t power = 1;; power *= 10) {
       for (const std::size_t digit : {1U, 2U, 5U}) {

@@ -58,8 +58,7 @@ void append_separation_section(HtmlWriter& html, const SetAnalysis& set) {
   append_figures(html, kSeparationDistance, set.separation->all);
 }
 
-/// Appends what is known of a set as a whole: totals, how its meshes intersect and how far they are
-/// apart, statistics.
+/// Appends the sections about a set as a whole: totals, intersections, separation, statistics.
 void append_set_sections(HtmlWriter& html, const SetAnalysis& set) {
   append_totals_section(html, set);
   append_meetings_section(html, set);

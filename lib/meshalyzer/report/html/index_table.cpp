@@ -42,13 +42,13 @@ std::string_view state_class(RowState state) {
   return "name";
 }
 
-/// A mesh of the set, and what there is to say of it among the others.
+/// A mesh of the set, and notes on its relation to the others.
 struct NotedRow {
   const IndexRow& row;
   std::span<const std::string> notes;
 };
 
-/// Returns the reasons for the verdict in words, and what else there is to know.
+/// Returns the reasons for the verdict in words, and the notes.
 std::string why(const NotedRow& noted) {
   if (!noted.row.trouble.empty()) return noted.row.trouble;
   std::string text;
@@ -62,7 +62,7 @@ std::string why(const NotedRow& noted) {
   return text;
 }
 
-/// The columns that depend on what is in the rows.
+/// The columns that depend on the content of the rows.
 struct Columns {
   std::vector<DefectCode> codes;
   bool has_separation = false;
@@ -119,8 +119,8 @@ void append_count(HtmlWriter& html, const IndexRow& row, std::size_t count) {
   append_number(html, state_of(row) == RowState::Unreadable ? "-" : grouped(count));
 }
 
-/// Among many zeros the others are to be seen.
-/// @param worst  Of those that are counted.
+/// Appends a count; counts that are not zero stand out.
+/// @param worst  The worst severity of the counted defects.
 void append_found(HtmlWriter& html, const IndexRow& row, std::size_t count, Severity worst) {
   if (count == 0) {
     append_count(html, row, count);
@@ -141,7 +141,8 @@ void append_all_defects(HtmlWriter& html, const IndexRow& row) {
   append_found(html, row, count, worst);
 }
 
-/// A mesh that is good by itself, and cuts others, is not to be read as good.
+/// Appends the verdict. A mesh that is good by itself but intersects others must not appear as
+/// good.
 void append_verdict(HtmlWriter& html, const NotedRow& noted) {
   const RowState state = state_of(noted.row);
   if (state == RowState::Good && !noted.notes.empty()) {

@@ -12,10 +12,11 @@ enum class RowState { Good, NotGood, NotJudged, Unreadable };
 
 [[nodiscard]] RowState state_of(const IndexRow& row);
 
-/// Appends the section with a row a mesh: what matters first, the counts of each code of defects
-/// last. Codes that no mesh has a defect of have no column, nor has the separation where it was not
+/// Appends the section with one row for each mesh: the important columns first, the counts of each
+/// defect code last. A code without defects has no column, nor has a separation that was not
 /// measured.
-/// @param notes  By row: what else there is to say of it, after why it is not good; may be shorter.
+/// @param notes  The notes of each row, which follow the reasons why it is not good; the list may
+///               be shorter.
 void append_meshes_section(HtmlWriter& html, const std::vector<IndexRow>& rows,
                            const std::vector<std::vector<std::string>>& notes);
 

@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::size_t kShownComponents = 100;
 
-/// Returns the attributes as a verdict, "Closed, not manifold", where goodness was not judged.
+/// Returns the attributes as a verdict, "Closed, not manifold", for a mesh whose goodness was not
+/// judged.
 Verdict attributes_as_verdict(const Attributes& attributes) {
   ReportRows rows;
   append_attributes(rows, attributes);

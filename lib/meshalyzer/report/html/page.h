@@ -15,53 +15,54 @@
 
 namespace meshalyzer {
 
-/// What a page says of a change of a repair.
+/// The text of a page on a change of a repair.
 struct PageChange {
-  /// "cut intersections", ...
+  /// The name of the pass: "cut intersections", ...
   std::string pass;
-  /// "faces 3 4 7 dropped", ...
+  /// The description of the change: "faces 3 4 7 dropped", ...
   std::string text;
 };
 
-/// A mesh as a page shows it. Only referred to.
+/// A mesh with its report, defects and scene for a page. The struct only refers to them.
 struct PageMesh {
   const MeshName& name;
   const DefectReport& defects;
   const Scene& scene;
-  /// Of each of the scene's changes.
+  /// The texts of the scene's changes.
   std::span<const PageChange> changes = {};
 };
 
-/// The page of one mesh. Only referred to.
+/// The input of the page of one mesh. It only refers to its data.
 struct MeshPage {
   const Analysis& analysis;
   PageMesh mesh;
-  /// The path of the index page of a set, relative to this page, with '/' between folders; empty
-  /// where there is none.
+  /// The path of the index page of a set, relative to this page, with '/' between folders; empty if
+  /// there is none.
   std::string index = {};
 };
 
-/// Returns the report of a mesh as one HTML page that needs nothing beside it: the verdict, the 3D
-/// view, every defect in a list, the tables with definitions, histograms.
-/// @return UTF-8, the same for the same input.
+/// Returns the report of a mesh as one self-contained HTML page: the verdict, the 3D view, every
+/// defect in a list, the tables with definitions, histograms.
+/// @return The page in UTF-8, which depends only on the input.
 [[nodiscard]] std::string html_report(const MeshPage& page);
 
-/// A row of the index of a set: what its page needs of a mesh when the rest is forgotten.
+/// A row of the index of a set: the data of a mesh that it shows.
 struct IndexRow {
   std::string name;
   /// The path of its page, relative to the index, with '/' between folders.
   std::string page;
-  /// Why the file could not be read; then there is no page, and nothing below.
+  /// The reason why the file could not be read; then there is no page, and the members below are
+  /// not set.
   std::string trouble = {};
   bool good = false;
-  /// The reasons why the mesh is not good; also empty where goodness was not judged.
+  /// The reasons why the mesh is not good; also empty if goodness was not judged.
   std::vector<std::string> reasons = {};
   std::size_t vertices = 0;
   std::size_t faces = 0;
   std::optional<double> area = {};
   std::optional<double> volume = {};
   std::array<std::size_t, kDefectCodes> defects{};
-  /// The smallest distance to any other mesh; absent where it was not measured.
+  /// The smallest distance to any other mesh; absent if it was not measured.
   std::optional<double> separation = {};
 };
 
@@ -70,10 +71,10 @@ struct IndexRow {
                                  std::string name, std::string page);
 
 /// Returns the index page of a set, with a link to the page of each mesh.
-/// @param set  Null where nothing was asked of the set as a whole.
+/// @param set  The findings about the set, or null if nothing was asked about it.
 [[nodiscard]] std::string html_index(const std::vector<IndexRow>& rows, const SetAnalysis* set);
 
-/// The page of a repair. Only referred to.
+/// The input of the page of a repair. It only refers to its data.
 struct RepairPage {
   const RepairReport& report;
   PageMesh before;
@@ -81,8 +82,8 @@ struct RepairPage {
   PageMesh after;
 };
 
-/// Returns the report of a repair as one HTML page: what was wrong, what was done, what remains,
-/// the mesh before and after.
+/// Returns the report of a repair as one HTML page: the defects before, the changes, the remaining
+/// defects, and the mesh before and after.
 [[nodiscard]] std::string html_report(const RepairPage& page);
 
 /// Returns the page that shows the defects of a mesh.

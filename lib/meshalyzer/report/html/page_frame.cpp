@@ -10,12 +10,12 @@
 namespace meshalyzer {
 namespace {
 
-/// The content security policy: nothing that is not in the page is loaded.
+/// The content security policy, which forbids loading anything from outside the page.
 constexpr std::string_view kPolicy =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data: "
     "blob:";
 
-/// "cube.obj: good".
+/// Returns the title of a page: "cube.obj: good".
 std::string title_of(const PageHeader& header) {
   std::string title = header.name;
   if (header.verdict.text.empty()) return title;

@@ -15,30 +15,30 @@ struct Verdict {
   enum class Kind { Good, Bad, None };
   Kind kind = Kind::None;
   std::string text;
-  /// Why it is not good.
+  /// The reasons why it is not good.
   std::vector<std::string> reasons = {};
 };
 
 /// The subject of a page.
 struct PageHeader {
-  /// The path of the page of all meshes; empty where there is none.
+  /// The path of the page of all meshes; empty if there is none.
   std::string index = {};
   /// The heading.
   std::string name;
   Verdict verdict;
-  /// One line.
+  /// The facts about the subject in one line.
   std::string facts;
 };
 
 /// Returns the last part of a path.
 [[nodiscard]] std::string file_name(const std::string& path);
 
-/// Returns how many there are of each code, of those that count, in words: "hole: 2".
+/// Returns the counts of the codes that count, in words: "hole: 2".
 [[nodiscard]] std::vector<std::string> counts_of_codes(
     const std::function<std::size_t(DefectCode)>& count, const DefectCodes& asked);
 
-/// Returns a whole page: head, what it is of, the view, the content, scripts.
-/// @param meshes   What is drawn; where there is none the page has no view.
+/// Returns a whole page: head, subject, the view, the content, scripts.
+/// @param meshes   The meshes that are drawn; without any the page has no view.
 /// @param content  Appends the sections after the view.
 [[nodiscard]] std::string html_page(const PageHeader& header, std::span<const TitledMesh> meshes,
                                     const std::function<void(HtmlWriter&)>& content);

@@ -16,7 +16,7 @@
 namespace meshalyzer {
 namespace {
 
-/// "face 3", "faces 3 4 7 and 9 more".
+/// Returns "face 3" or "faces 3 4 7 and 9 more".
 std::string face_list(const std::vector<std::int64_t>& ids) {
   std::string text = ids.size() == 1 ? "face" : "faces";
   for (std::size_t i = 0; i < n_shown(ids.size(), ListLength::Short); ++i) {
@@ -38,7 +38,7 @@ bool have_common_edge(const Triangle& a, const Triangle& b) {
                        [&](Index v) { return std::find(b.begin(), b.end(), v) != b.end(); }) >= 2;
 }
 
-/// Goes through the log, operation by operation.
+/// Finds the changes in the log, operation by operation.
 class ChangeFinder {
  public:
   ChangeFinder(const RepairReport& report, const Soup& input, const Soup& final_soup)
@@ -59,7 +59,8 @@ class ChangeFinder {
   }
 
  private:
-  /// Notes where the faces of a mesh stand in the end, and what they were made of, by key.
+  /// Records the final position of the faces of a mesh, and the faces from which they were made, by
+  /// key.
   void take_mesh(const TrackedMesh& tracked, const FinalMesh& mesh, Index n_before) {
     const std::size_t n_keys = tracked.n_input_faces + tracked.face_origins.size();
     place_of_.resize(std::max(place_of_.size(), n_keys), kNoIndex);
@@ -72,7 +73,7 @@ class ChangeFinder {
     }
   }
 
-  /// Tells whether another change of a pass is listed.
+  /// Tells whether another change of a pass can be listed.
   static bool has_room(const ShownChanges& shown, const std::string& pass) {
     return static_cast<std::size_t>(std::count_if(
                shown.changes.begin(), shown.changes.end(),
@@ -107,7 +108,7 @@ class ChangeFinder {
     result_.after.places.push_back(std::move(place));
   }
 
-  /// Returns the edges at which faces meet that were made of faces without a common edge.
+  /// Returns the edges at which faces meet that were made from faces without a common edge.
   [[nodiscard]] std::vector<std::array<Index, 2>> find_seam(const std::vector<Index>& keys) const {
     struct Side {
       std::array<Index, 2> edge;
@@ -142,8 +143,7 @@ class ChangeFinder {
   const Soup& input_;
   const Soup& final_;
   KeyIds ids_;
-  /// By key of a face: where it stands among the faces of all meshes, and the face of the input
-  /// that it was made of.
+  /// The position of each face among the faces of all meshes, by key.
   std::vector<Index> place_of_;
   std::vector<Index> origin_of_;
   RepairChanges result_;

@@ -8,24 +8,23 @@
 
 namespace meshalyzer {
 
-/// What a repair changed, on one of its meshes: for each change what the page says of it, and where
-/// it is.
+/// The changes of a repair on one mesh: the text and the place of each.
 struct ShownChanges {
   std::vector<PageChange> changes;
   std::vector<ChangedPlace> places;
 };
 
 struct RepairChanges {
-  /// On the input: the faces that each operation dropped, cut or changed.
+  /// The changes on the input: the faces that each operation dropped, cut or changed.
   ShownChanges before;
-  /// On all meshes of the result as one: the faces that each operation made or changed, as far as
-  /// they are there in the end, and the seams: the edges along which faces meet that lay apart.
+  /// The changes on all meshes of the result as one: the faces that each operation made or changed,
+  /// if they still exist in the end, and the seams, edges along which faces meet that were apart.
   ShownChanges after;
 };
 
-/// Lists the operations of a repair, in their order, at most kListedOfACode of a pass and mesh.
+/// Lists the operations of a repair in their order, at most kListedOfACode for each pass and mesh.
 ///
-/// @param report  What is asked for is what was written, or would be.
+/// @param report  The report, with the meshes that were written, or would be.
 /// @param final_soup  The meshes of the report, as the files hold them, one after the other.
 /// @complexity    O(#F of all meshes + size of the log).
 [[nodiscard]] RepairChanges find_changes(const RepairReport& report, const Soup& input,

@@ -31,7 +31,7 @@ Verdict verdict_of(const RepairReport& report) {
           report.result.log.steps.empty() ? "Nothing was to be done" : "Repaired"};
 }
 
-/// Replaces the arrow for terminals in a text by a drawn one.
+/// Replaces the ASCII arrow in a text by the character.
 std::string with_drawn_arrow(std::string text) {
   constexpr std::string_view kArrow = " -> ";
   const std::size_t place = text.find(kArrow);
@@ -55,7 +55,7 @@ std::string facts_of(const RepairReport& report) {
   return facts;
 }
 
-/// Appends the section that counts what was wrong before and what is wrong now.
+/// Appends the section with the counts of defects before and after.
 void append_counts_section(HtmlWriter& html, const RepairReport& report) {
   const HtmlSection section(html, "counts", "Defects before and after");
   TextTable table{2, {{"defect", "asked for", "before", "after"}}};
@@ -102,7 +102,7 @@ void append_repair_section(HtmlWriter& html, const RepairReport& report) {
   append_rows(html, rows);
 }
 
-/// The places that were left, mesh by mesh, with the reason.
+/// Appends the places that were left unchanged, mesh by mesh, with the reason.
 void append_refusals_section(HtmlWriter& html, const RepairReport& report) {
   const KeyIds ids(report);
   const std::vector<RefusalGroup> groups = group_refusals(report, ids);

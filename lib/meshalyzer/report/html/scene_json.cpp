@@ -20,15 +20,15 @@ namespace {
 
 constexpr std::size_t kPaletteEntries = 256;
 
-/// JSON for a script element, piece by piece, so that no text of the whole is held twice.
+/// Writes JSON for a script element piece by piece, so that the whole text is never held twice.
 class ScriptJson {
  public:
   explicit ScriptJson(std::string& html) : html_(html) {}
 
   [[nodiscard]] JsonWriter& writer() { return writer_; }
 
-  /// Moves what is written so far into the page. A string is not cut: no sequence of bytes that
-  /// must be escaped is ever in two pieces.
+  /// Moves the written text into the page. Strings are not divided, so that no sequence of bytes
+  /// that must be escaped is in two pieces.
   void flush() {
     const std::string drained = writer_.drain();
     const std::string_view text = drained;
@@ -71,7 +71,7 @@ void write_numbers(ScriptJson& json, std::string_view name, const std::vector<Nu
   json.flush();
 }
 
-/// The values of a field; where all are the same, as of soups many are, the first stands for all.
+/// Writes the values of a field; if all are equal, only the first one.
 void write_values(ScriptJson& json, std::string_view name, const std::vector<float>& values) {
   const auto is_first = [&](float value) {
     return std::bit_cast<std::uint32_t>(value) == std::bit_cast<std::uint32_t>(values.front());
@@ -80,7 +80,8 @@ void write_values(ScriptJson& json, std::string_view name, const std::vector<flo
   write_numbers(json, name, is_uniform && !values.empty() ? std::vector{values.front()} : values);
 }
 
-/// Coordinates of unit vectors as whole numbers, 127 standing for 1: enough for shading.
+/// Returns the coordinates of unit vectors as whole numbers, with 127 for 1, which is enough for
+/// shading.
 std::vector<std::int8_t> short_normals(const std::vector<float>& normals) {
   std::vector<std::int8_t> shortened;
   shortened.reserve(normals.size());
@@ -136,7 +137,7 @@ void write_point(JsonWriter& json, std::string_view name, const Point& point) {
   json.end_array();
 }
 
-/// Returns the ids as the file names them.
+/// Returns the ids in the file.
 std::vector<std::int32_t> ids_of(const Ids& ids, const std::vector<Index>& records) {
   std::vector<std::int32_t> named;
   named.reserve(records.size());
@@ -214,7 +215,7 @@ void write_highlight(ScriptJson& json, const Highlight& highlight, std::string_v
   writer.end_object();
 }
 
-/// Those of the defects, and then those of the changes.
+/// Writes the highlights of the defects, then those of the changes.
 void write_highlights(ScriptJson& json, const PageMesh& mesh) {
   json.writer().key("highlights");
   json.writer().begin_array();

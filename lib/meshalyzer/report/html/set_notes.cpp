@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The other meshes that a mesh has to do with, by mesh.
+/// The meshes related to each mesh.
 using Others = std::vector<std::vector<Index>>;
 
 Others meeting(const SetAnalysis& set) {

@@ -9,8 +9,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Elements that begin a line of the source, so that a person can read it; in these a line feed
-/// before the tag means nothing.
+/// The elements that begin a line of the source, for readability; a line feed before their tags has
+/// no meaning.
 constexpr std::array<std::string_view, 31> kOnOwnLine{
     "article", "body",    "caption", "details", "div",   "figcaption", "figure", "footer",
     "g",       "h1",      "h2",      "h3",      "head",  "header",     "li",     "link",
@@ -25,7 +25,7 @@ bool is_control(unsigned char c) {
   return (c < 0x20U && c != '\n' && c != '\t') || c == 0x7FU;
 }
 
-/// U+0080 ... U+009F.
+/// Tells whether a sequence is one of the controls U+0080 ... U+009F.
 bool is_c1_control(std::string_view sequence) {
   return sequence.size() == 2 && sequence[0] == '\xC2' &&
          static_cast<unsigned char>(sequence[1]) < 0xA0U;

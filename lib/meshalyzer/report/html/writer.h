@@ -7,18 +7,17 @@
 
 namespace meshalyzer {
 
-/// Text as it stands in an HTML document, also in an attribute between double quotes: what is
-/// markup is escaped; bytes that are not UTF-8 and control characters become U+FFFD, for no
-/// document may have them.
+/// Appends a text to an HTML document, also within an attribute in double quotes: markup is
+/// escaped; invalid UTF-8 and control characters, which a document may not contain, become U+FFFD.
 void append_escaped_html(std::string& html, std::string_view text);
 
-/// Returns the relative address of a file for `href`: bytes that mean something in an address, or
-/// that it may not have, are percent-encoded; '/' stays.
-/// @param path  Relative, with '/' between folders.
+/// Returns the relative address of a file for `href`: reserved and forbidden bytes are
+/// percent-encoded, except '/'.
+/// @param path  The relative path, with '/' between folders.
 [[nodiscard]] std::string address_of(std::string_view path);
 
-/// "0" ... "9", "a" ... "z" of the text, in lower case, with '-' for each run of all else: a part
-/// of an id.
+/// Returns a part of an id: the letters and digits of a text in lower case, with '-' for each run
+/// of other characters.
 [[nodiscard]] std::string slug(std::string_view text);
 
 /// An attribute of an element; the value is escaped when written.
@@ -28,24 +27,24 @@ struct HtmlAttribute {
 };
 using HtmlAttributes = std::initializer_list<HtmlAttribute>;
 
-/// Writes an HTML document from its beginning to its end. Elements are closed by themselves, see
+/// Writes an HTML document from its beginning to its end. Elements are closed automatically, see
 /// HtmlElement.
 class HtmlWriter {
  public:
-  /// Text that is escaped.
+  /// Writes a text, which is escaped.
   void text(std::string_view text) { append_escaped_html(html_, text); }
 
-  /// Markup of our own, as it is.
+  /// Writes markup without escaping.
   void markup(std::string_view markup) { html_ += markup; }
 
-  /// An element with nothing but text in it.
+  /// Writes an element that contains only text.
   void element(std::string_view tag, HtmlAttributes attributes, std::string_view text);
   void element(std::string_view tag, std::string_view text) { element(tag, {}, text); }
 
-  /// An element that never has an end tag, such as `meta`.
+  /// Writes an element without end tag, such as `meta`.
   void void_element(std::string_view tag, HtmlAttributes attributes) { start(tag, attributes); }
 
-  /// Returns what is written so far, so that the caller can append to it.
+  /// Returns the text so far, so that the caller can append to it.
   [[nodiscard]] std::string& html() { return html_; }
 
  private:
@@ -57,7 +56,7 @@ class HtmlWriter {
   std::string html_;
 };
 
-/// An element that is open as long as this lives.
+/// An element that is open as long as this object exists.
 class HtmlElement {
  public:
   HtmlElement(HtmlWriter& html, std::string_view tag, HtmlAttributes attributes = {})

@@ -8,8 +8,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Tells whether the bytes behind the last line feed can be what a kill left of a line. What is no
-/// journal at all must not be taken for one, for it would be written over.
+/// Tells whether the bytes after the last line feed can be the rest of a line of a killed run. A
+/// file that is no journal must not be accepted, because it would be overwritten.
 bool is_torn_line(std::string_view rest) {
   constexpr std::string_view kBegin = "{\"number\": ";
   const std::size_t length = std::min(rest.size(), kBegin.size());

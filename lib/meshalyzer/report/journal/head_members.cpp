@@ -11,8 +11,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Takes the members of a line until the first that is none of the head, and stops the parser
-/// there. Its member functions have the names that nlohmann's parser calls.
+/// Collects the members of a line until the first that does not belong to the head, and stops the
+/// parser there. Its member functions have the names that nlohmann's parser calls.
 class HeadParser {
  public:
   using Members = std::map<std::string, HeadMembers::Value>;
@@ -52,12 +52,12 @@ class HeadParser {
     return false;
   }
 
-  /// Tells whether the parser came to a member behind the path.
+  /// Tells whether the parser reached a member after the path.
   [[nodiscard]] bool is_whole() const { return is_whole_; }
   [[nodiscard]] Members take() { return std::move(members_); }
 
  private:
-  /// False, which stops the parser, where a member comes twice.
+  /// Adds a member; returns false, which stops the parser, if it occurs twice.
   bool add(HeadMembers::Value value) { return members_.emplace(key_, std::move(value)).second; }
 
   Members members_;
@@ -73,7 +73,7 @@ class HeadParser {
 
 HeadMembers::HeadMembers(std::string_view line) {
   HeadParser parser;
-  // False always: it is stopped before the end, by us or by what is wrong.
+  // The parser always returns false: it is stopped before the end, by us or by an error.
   static_cast<void>(nlohmann::json::sax_parse(line.begin(), line.end(), &parser));
   if (!parser.is_whole()) {
     throw InvalidArgument("not the beginning of a line of a journal");

@@ -9,23 +9,24 @@
 
 namespace meshalyzer {
 
-/// The members of the head of a line: those up to the path, which ends it. A member of an object in
-/// it has a key of both, with a dot between: `asked.version`.
+/// The members of the head of a line: those up to the path, which ends it. The key of a member of
+/// an object in it consists of both names and a dot: `asked.version`.
 class HeadMembers {
  public:
   struct Null {};
   struct Object {};
-  /// An integer that 64 bits with a sign do not hold is a double.
+  /// The value of a member. An integer that does not fit into 64 bits with a sign is a double.
   using Value = std::variant<Null, Object, bool, std::int64_t, double, std::string>;
 
-  /// Reads no more of a line than its head.
-  /// @throws InvalidArgument  Not the beginning of such a line.
+  /// Reads only the head of a line.
+  /// @throws InvalidArgument  if it is not the beginning of such a line.
   explicit HeadMembers(std::string_view line);
 
-  /// Null where it is not there.
+  /// Returns a member, or null if it is missing.
   [[nodiscard]] const Value* find(const std::string& key) const;
 
-  /// @throws InvalidArgument  Not there, or of another kind.
+  /// Returns a member of a type.
+  /// @throws InvalidArgument  if it is missing or of another type.
   template <typename T>
   [[nodiscard]] const T& get(const std::string& key) const {
     const Value* value = find(key);
@@ -38,10 +39,10 @@ class HeadMembers {
   /// Returns an integer that is not negative.
   [[nodiscard]] std::uint64_t count(const std::string& key) const;
 
-  /// Returns how many members there are in an object, and in objects in it.
+  /// Returns the number of members of an object and of the objects in it.
   [[nodiscard]] std::size_t n_in(const std::string& key) const;
 
-  /// Throws InvalidArgument: the member is missing or wrong.
+  /// Throws InvalidArgument, because the member is missing or wrong.
   [[noreturn]] static void refuse(const std::string& key);
 
  private:

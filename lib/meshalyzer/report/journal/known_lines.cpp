@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns the number of the file that a line is of, if it is one of the subject's.
+/// Returns the number of the file of a line, if it is one of the subject's.
 std::optional<Index> number_in(const LineHead& head, const std::vector<std::string>& paths) {
   if (head.number < paths.size() && paths[head.number] == head.path) {
     return static_cast<Index>(head.number);

@@ -18,34 +18,33 @@ namespace meshalyzer {
 
 class FileContent;
 
-/// The lines of earlier runs that still hold for a subject.
+/// The lines of earlier runs that are still valid for a subject.
 ///
-/// A line holds that was made with an equal request, of a file that is what it was; one that tells
-/// what is between files, as long as all of them are what they were. Any number of threads may ask.
+/// A line is valid if it was made with an equal request and its file has not changed; a line with
+/// findings between files, if no file has changed. Several threads may call at a time.
 class KnownLines : public EarlierFindings {
  public:
   enum class Missing : std::uint8_t {
-    /// What no line tells about meshes is found out.
+    /// Findings that no line has are computed.
     Find,
-    /// All there is between meshes must stand in a line: else asking throws IoError.
+    /// All findings between meshes must be in a line; otherwise a query throws IoError.
     Refuse,
   };
 
-  /// @param subject  Must outlive this.
+  /// @param subject  The subject, which must outlive this object.
   explicit KnownLines(const JournalSubject& subject, Missing missing = Missing::Find);
   ~KnownLines() override;
   KnownLines(const KnownLines&) = delete;
   KnownLines& operator=(const KnownLines&) = delete;
 
-  /// Takes from a journal those lines that hold. A torn last line, as a kill leaves it, is passed
-  /// over.
+  /// Adds the valid lines of a journal. A torn last line, as a killed run leaves it, is skipped.
   ///
-  /// Only the heads of the lines are looked at here.
+  /// Only the heads of the lines are read here.
   /// @throws IoError if the file cannot be read, is no journal, or one of another version of
   /// meshalyzer.
   void add(const std::string& file);
 
-  // What follows throws InvalidArgument, with journal and line, where the rest of a line is
+  // The following functions throw InvalidArgument, with journal and line, if the rest of a line is
   // damaged.
 
   [[nodiscard]] std::optional<Analysis> mesh(Index number) const override;
@@ -54,7 +53,7 @@ class KnownLines : public EarlierFindings {
   [[nodiscard]] bool has_file(Index number) const;
   [[nodiscard]] bool has_findings(Index owner) const;
 
-  /// The lines anew, as they stand in a journal of the subject.
+  /// Writes the lines again, as in a journal of the subject.
   void write(const std::function<void(std::string_view)>& sink) const;
 
  private:
@@ -62,7 +61,7 @@ class KnownLines : public EarlierFindings {
     LineHead::Kind kind;
     Index number;
     std::string_view text;
-    /// The index in files_ of the journal that it is in.
+    /// The index in files_ of its journal.
     std::size_t file;
   };
 
@@ -73,12 +72,12 @@ class KnownLines : public EarlierFindings {
 
   void add_line(std::string_view text);
   [[nodiscard]] const Line* find(LineHead::Kind kind, Index number) const;
-  /// Returns what `read` makes of a line.
+  /// Returns the result of `read` for a line.
   template <typename Read>
   [[nodiscard]] auto understood(const Line& line, const Read& read) const;
-  /// Returns a line with the head that it has now.
+  /// Returns a line with its current head.
   [[nodiscard]] std::string anew(const Line& line) const;
-  /// `FILE:LINE` of a line.
+  /// Returns `FILE:LINE` of a line.
   [[nodiscard]] std::string place_of(const Line& line) const;
 
   const JournalSubject& subject_;
@@ -86,7 +85,7 @@ class KnownLines : public EarlierFindings {
   std::vector<File> files_;
   /// The lines in order of the journals.
   std::vector<Line> lines_;
-  /// The place in lines_ of the last one of its sort.
+  /// The position in lines_ of the last line of each kind and mesh.
   std::map<std::pair<LineHead::Kind, Index>, std::size_t> places_;
 };
 

@@ -59,7 +59,8 @@ void write_numbers(JsonWriter& json, const ObjectFindings& findings,
   json.end_array();
 }
 
-/// A member whose value is null where `maybe` is nothing, else what `write` writes of it.
+/// Writes a member, with the value null if `maybe` is empty, else with the value that `write`
+/// writes.
 template <typename T, typename Write>
 void write_member(JsonWriter& json, std::string_view name, const std::optional<T>& maybe,
                   const Write& write) {

@@ -10,7 +10,7 @@ namespace meshalyzer {
 inline constexpr std::array kLineKinds{LineHead::Kind::Mesh, LineHead::Kind::Unreadable,
                                        LineHead::Kind::Between};
 
-/// "mesh", "unreadable", "between".
+/// Returns "mesh", "unreadable" or "between".
 [[nodiscard]] constexpr std::string_view kind_name(LineHead::Kind kind) {
   return kind == LineHead::Kind::Mesh         ? "mesh"
          : kind == LineHead::Kind::Unreadable ? "unreadable"

@@ -20,7 +20,7 @@ void require_kind(const JsonNode& line, LineHead::Kind kind) {
   }
 }
 
-/// Reads what FindingsWriter wrote.
+/// Reads the rows that FindingsWriter wrote.
 class FindingsReader {
  public:
   FindingsReader(const JsonNode& line, const std::vector<std::string>& names);

@@ -12,12 +12,12 @@
 namespace meshalyzer {
 namespace {
 
-/// Collects what all lines of all parts agree on, and the files that they name.
+/// Collects the common data of all lines of all parts, and the files that they name.
 class PartHeads {
  public:
   void add(const LineHead& head);
-  /// @param journal  The first one, for errors.
-  /// @throws IoError where a part is missing.
+  /// @param journal  The first journal, for errors.
+  /// @throws IoError if a part is missing.
   [[nodiscard]] JournalSubject subject(const std::string& journal) const;
 
  private:

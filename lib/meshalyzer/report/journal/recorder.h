@@ -12,12 +12,12 @@ namespace meshalyzer {
 
 class Descriptor;
 
-/// A journal in a file: each line is there whole before the next one begins.
+/// A journal in a file: each line is written completely before the next one begins.
 class JournalFile {
  public:
-  /// Makes the file a journal of those lines that still hold.
+  /// Makes the file a journal of the lines that are still valid.
   ///
-  /// @throws IoError if it cannot be written; then an older one stays as it was.
+  /// @throws IoError if it cannot be written; an older one then stays as it was.
   JournalFile(const std::string& path, const KnownLines& known);
   ~JournalFile();
   JournalFile(const JournalFile&) = delete;
@@ -31,11 +31,11 @@ class JournalFile {
   std::unique_ptr<Descriptor> descriptor_;
 };
 
-/// Makes a line of everything that a run finds, as it is found, but for what is known already.
+/// Writes a line for each finding of a run that is not known already.
 class JournalRecorder : public RunListener {
  public:
-  /// @param known   Of the same subject. Both must outlive this.
-  /// @param append  Takes the lines.
+  /// @param known   The known lines of the same subject. Both must outlive this object.
+  /// @param append  Receives the lines.
   JournalRecorder(const JournalSubject& subject, const KnownLines& known,
                   std::function<void(std::string_view)> append);
 

@@ -26,7 +26,7 @@ std::optional<Scope> scope_of(std::string_view name) {
 void write_scalar(JsonWriter& json, bool truth) {
   json.value(truth);
 }
-/// JSON has no number that is infinite.
+/// Writes a number as a value; JSON has no infinite numbers.
 void write_scalar(JsonWriter& json, double real) {
   std::isfinite(real) ? json.value(real) : json.value(std::string_view(shortest(real)));
 }
@@ -40,7 +40,7 @@ void write_scalar(JsonWriter& json, VertexArea area) {
   json.value(area_name(area));
 }
 
-/// The members of a part of a request that are not as they are by default.
+/// Writes the members of a part of a request that differ from the default.
 template <RequestPart Part>
 void write_request_members(JsonWriter& json, const Part& part);
 
@@ -135,7 +135,8 @@ class RequestReader {
   std::size_t n_read_ = 0;
 };
 
-/// @throws InvalidArgument where it is not the version that this is.
+/// Checks the version.
+/// @throws InvalidArgument if it is not the version of this library.
 void require_version(const HeadMembers& members, const std::string& object) {
   const HeadMembers::Value* asked = members.find(object);
   if (asked != nullptr && std::holds_alternative<std::string>(*asked)) {

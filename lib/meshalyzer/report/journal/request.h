@@ -8,19 +8,18 @@
 
 namespace meshalyzer {
 
-/// Writes what was asked as one JSON object: the version of the library, as another one may find
-/// otherwise, and those members of the request that are not as in Request{}, in the order and with
+/// Writes a request as one JSON object: the version of the library, because the findings of another
+/// one may differ, and the members of the request that differ from Request{}, in the order and with
 /// the keys of kRequestFields.
 void write_request(JsonWriter& json, const Request& request);
 
-/// Returns what write_request() writes, as a text.
+/// Returns the text that write_request() writes.
 [[nodiscard]] std::string request_text(const Request& request);
 
-/// Reads what write_request() wrote.
+/// Reads the request that write_request() wrote.
 ///
-/// @param key  Of the object among the members.
-/// @throws InvalidArgument  where it is none, was written by another version, or has members that
-/// no request has.
+/// @param key  The key of the object among the members.
+/// @throws InvalidArgument  if it is none, was written by another version, or has unknown members.
 [[nodiscard]] Request read_request(const HeadMembers& members, const std::string& key);
 
 }  // namespace meshalyzer

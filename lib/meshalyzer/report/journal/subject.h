@@ -7,7 +7,7 @@
 
 namespace meshalyzer {
 
-/// The subject of a journal: the files of a run, and what is asked about them.
+/// The subject of a journal: the files of a run, and the request.
 struct JournalSubject {
   SetFiles files;
   Request request;

@@ -10,16 +10,16 @@
 
 namespace meshalyzer {
 
-/// Writes a text that may be no UTF-8, such as a path, as a member `name`.
+/// Writes a text that may be invalid UTF-8, such as a path, as a member `name`.
 ///
-/// Where it is none a further member `name_bytes` holds its bytes, each as the character of its
-/// number: `name` alone would not tell one such path from another.
+/// If it is, a further member `name_bytes` holds its bytes, each as the character of its number,
+/// because `name` alone would not identify the path.
 void write_bytes(JsonWriter& json, std::string_view name, std::string_view bytes);
 
-/// Reads what write_bytes() wrote.
+/// Reads the text that write_bytes() wrote.
 [[nodiscard]] std::string read_bytes(const JsonNode& object, std::string_view name);
 
-/// How schemas describe a path that write_bytes() wrote.
+/// Returns the schema of a path that write_bytes() wrote.
 [[nodiscard]] std::vector<SchemaMember> path_members();
 
 }  // namespace meshalyzer

@@ -33,7 +33,7 @@ void write_components(JsonWriter& json, const Analysis& analysis) {
 void read_components(const JsonNode& list, Analysis& analysis) {
   for (JsonElements elements = list.elements(); !elements.at_end();) {
     const JsonNode object = elements.next();
-    // Either all have statistics or none: a mesh of many components has none of each.
+    // Either all components have statistics or none: a mesh with many components has none.
     if (has_measures(object)) {
       analysis.component_statistics.resize(analysis.components.size());
       read_measures(object, analysis.component_statistics.emplace_back());

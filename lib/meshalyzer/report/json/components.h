@@ -7,10 +7,10 @@
 
 namespace meshalyzer {
 
-/// Writes the list of all components, with their statistics where the analysis has them.
+/// Writes the list of all components, with their statistics if the analysis has them.
 void write_components(JsonWriter& json, const Analysis& analysis);
 
-/// Reads what write_components() wrote into an analysis that has all but the components.
+/// Reads the components that write_components() wrote into an analysis that is otherwise complete.
 void read_components(const JsonNode& list, Analysis& analysis);
 
 /// Defines "component".

@@ -10,17 +10,17 @@
 namespace meshalyzer {
 
 /// Writes the curvatures of an analysis as members of the characteristics: "gaussian_curvature",
-/// "mean_curvature", "k1", "k2" and "curvature", which tells over what area they are, the total
-/// angle defect, and how many vertices have a curvature, or none and why.
+/// "mean_curvature", "k1", "k2" and "curvature", with the kind of area, the total angle defect, and
+/// the numbers of vertices with a curvature, and without one by reason.
 void write_curvature(JsonWriter& json, const CurvatureStatistics& curvature);
 
-/// Reads what write_curvature() wrote into an object; nothing where it did not.
+/// Reads the curvatures that write_curvature() wrote into an object, or nothing if it did not.
 [[nodiscard]] std::optional<CurvatureStatistics> read_curvature(const JsonNode& object);
 
-/// Defines "curvature", which tells what the statistics are of.
+/// Defines "curvature", which describes the statistics.
 void define_curvature(SchemaDefinitions& schema);
 
-/// Appends what the schema says of what write_curvature() writes.
+/// Appends the schema of the members that write_curvature() writes.
 void append_curvature_members(std::vector<SchemaMember>& members);
 
 }  // namespace meshalyzer

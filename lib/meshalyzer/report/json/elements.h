@@ -7,10 +7,10 @@
 
 namespace meshalyzer {
 
-// Elements of a mesh, by their ids in the file.
+// The elements of a mesh in JSON, by their ids in the file.
 
-/// Returns the id of a record in its place, see index_records().
-/// @throws InvalidArgument where it is none that a file can have.
+/// Returns an id in the place of a record, see index_records().
+/// @throws InvalidArgument if no file can have the id.
 [[nodiscard]] Index read_id(const JsonNode& node);
 
 /// Reads the kind that contact_name() names.
@@ -19,7 +19,7 @@ namespace meshalyzer {
 /// Writes a break of the numbering as a value.
 void write_numbering(JsonWriter& json, const NumberingBreak& place);
 
-/// Reads what write_numbering() wrote.
+/// Reads the break that write_numbering() wrote.
 [[nodiscard]] NumberingBreak read_numbering(const JsonNode& object);
 
 /// Defines "ids", "contact" and "numbering".

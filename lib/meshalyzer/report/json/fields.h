@@ -15,9 +15,9 @@
 
 namespace meshalyzer {
 
-// Fields of a struct as members of a JSON object, by a table of FieldRow.
+// Functions for the fields of a struct as members of a JSON object, by a table of FieldRow.
 
-/// Writes the value of a field; null where it has none.
+/// Writes the value of a field, or null if it has none.
 template <typename T>
 void write_value(JsonWriter& json, const T& value) {
   json.value(value);
@@ -31,7 +31,7 @@ void write_value(JsonWriter& json, const Measure<T>& measure) {
 }
 void write_value(JsonWriter& json, const Box3& box);
 
-/// Reads what write_value() wrote as a member; not the reason why there is no value.
+/// Reads the value that write_value() wrote as a member, but not the reason why there is none.
 void read_value(const JsonNode& object, std::string_view key, bool& value);
 void read_value(const JsonNode& object, std::string_view key, std::size_t& value);
 void read_value(const JsonNode& object, std::string_view key, double& value);
@@ -84,7 +84,8 @@ inline double real_of(const Measure<double>& measure) {
 }
 
 /// Writes a member for each row.
-/// @param known  Rows beyond it are null, so that a program need not ask which report it has.
+/// @param known  The fields that are known; other members are null, so that all reports have the
+///               same members.
 template <typename Struct, typename Rows>
 void write_fields(JsonWriter& json, const Struct& of, const Rows& rows, Known known) {
   for_each_row(rows, [&](const auto& row) {
@@ -97,8 +98,8 @@ void write_fields(JsonWriter& json, const Struct& of, const Rows& rows, Known kn
   });
 }
 
-/// Writes which of the nulls among what write_fields() wrote stand for infinite or NaN, where any
-/// does; by name.
+/// Writes the names of the nulls of write_fields() that stand for an infinity or NaN, if there are
+/// any.
 template <typename Struct, typename Rows>
 void write_non_finite_fields(JsonWriter& json, const Struct& of, const Rows& rows, Known known) {
   std::vector<NamedReal> reals;
@@ -112,7 +113,7 @@ void write_non_finite_fields(JsonWriter& json, const Struct& of, const Rows& row
   write_non_finite(json, reals);
 }
 
-/// Reads what write_fields() wrote.
+/// Reads the members that write_fields() wrote.
 template <typename Struct, typename Rows>
 void read_fields(const JsonNode& object, Struct& of, const Rows& rows, Known known) {
   for_each_row(rows, [&](const auto& row) {
@@ -122,7 +123,7 @@ void read_fields(const JsonNode& object, Struct& of, const Rows& rows, Known kno
   });
 }
 
-/// Appends what the schema says of what write_fields() writes.
+/// Appends the schema of the members that write_fields() writes.
 template <typename Struct, typename Rows>
 void append_members(std::vector<SchemaMember>& members, const Struct& of, const Rows& rows) {
   for_each_row(rows, [&](const auto& row) {

@@ -12,26 +12,27 @@
 
 namespace meshalyzer {
 
-/// Writes rows of what was found between meshes: lists that may be longer than memory likes.
+/// Writes rows of findings between meshes: lists that may be too long for memory.
 class FindingsWriter {
  public:
-  /// @param names    Of the meshes, by number. Only referred to, like `json`.
-  /// @param on_row   Called after each row: the text so far may be drained.
+  /// @param names    The names of the meshes, by number. The object only refers to them and to
+  ///                 `json`.
+  /// @param on_row   Called after each row, when the text so far may be drained.
   FindingsWriter(JsonWriter& json, const std::vector<std::string>& names,
                  std::function<void()> on_row)
       : json_(json), names_(names), on_row_(std::move(on_row)) {}
 
-  /// A list of rows `["a.mesh", f, "b.mesh", g, "kind"]`, as a value.
+  /// Writes a list of rows `["a.mesh", f, "b.mesh", g, "kind"]` as a value.
   void pairs(std::span<const SetPair> pairs);
-  /// The members that tell of a list of pairs that is cut, "unlisted", and of a search that ended
-  /// at its time limit, "at_least".
+  /// Writes the members for a list of pairs that is cut, "unlisted", and for a search that ended at
+  /// its time limit, "at_least".
   void bounds(const SetIntersections& found);
-  /// A list of rows `["inner.mesh", "outer.mesh"]`, as a value.
+  /// Writes a list of rows `["inner.mesh", "outer.mesh"]` as a value.
   void contained(std::span<const ContainedMesh> meshes);
-  /// A list of rows `[vertex, distance, "b.mesh", face, [x, y, z]]`, as a value; all but the vertex
-  /// is null where nothing was found.
+  /// Writes a list of rows `[vertex, distance, "b.mesh", face, [x, y, z]]` as a value; everything
+  /// except the vertex is null if no point was found.
   ///
-  /// Where a real is not finite, and so null, a sixth element tells it: an object of the reals, as
+  /// If a real is not finite, and so null, a sixth element names it: an object as
   /// write_non_finite() makes it.
   void closest(const ObjectSeparation& separation);
 

@@ -9,11 +9,11 @@
 
 namespace meshalyzer {
 
-/// Writes "format", the format that a file was read as, and "named_format", where its name says
+/// Writes "format", the format as which a file was read, and "named_format" if its name indicates
 /// another one.
 void write_format(JsonWriter& json, std::string_view path, Format format);
 
-/// How schemas describe them.
+/// Returns the schemas of these members.
 [[nodiscard]] std::vector<SchemaMember> format_members();
 
 /// Reads the name of a format.

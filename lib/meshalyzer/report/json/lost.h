@@ -7,7 +7,7 @@
 
 namespace meshalyzer {
 
-/// Writes the member "lost": how much of each kind of attribute the output cannot hold.
+/// Writes the member "lost": the number of attributes of each kind that the output cannot hold.
 inline void write_lost(JsonWriter& json, std::span<const AttributeCount> lost) {
   json.key("lost");
   json.begin_object(JsonLayout::Row);

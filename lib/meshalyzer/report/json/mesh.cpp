@@ -177,7 +177,7 @@ std::optional<Goodness> read_verdict(const JsonNode& object) {
   return verdict;
 }
 
-/// Writes the verdict without thresholds, only where it does not follow from what else is written.
+/// Writes the verdict without thresholds, only if it does not follow from other members.
 void write_fitness(JsonWriter& json, const Analysis& analysis) {
   if (analysis.fitness && !analysis.has_characteristics) {
     json.key("fitness");
@@ -187,8 +187,8 @@ void write_fitness(JsonWriter& json, const Analysis& analysis) {
   }
 }
 
-/// Reads the verdict without thresholds. It follows from the characteristics where these are known;
-/// else it is written where it was asked for.
+/// Reads the verdict without thresholds. It follows from the characteristics if these are known;
+/// else it is written if it was requested.
 std::optional<Goodness> read_fitness(const JsonNode& mesh, const Analysis& analysis) {
   if (analysis.has_characteristics) {
     return judge_fitness(analysis);

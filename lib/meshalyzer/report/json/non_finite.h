@@ -17,19 +17,19 @@ struct NamedReal {
   double value = 0.0;
 };
 
-/// Writes a further member "non_finite" where any of the reals is infinite or NaN: it tells which
-/// of "inf", "-inf", "nan" or "-nan" the null of each stands for.
+/// Writes a further member "non_finite" if any of the reals is infinite or NaN; it has the value of
+/// each such null, "inf", "-inf", "nan" or "-nan".
 void write_non_finite(JsonWriter& json, std::span<const NamedReal> reals);
 inline void write_non_finite(JsonWriter& json, std::initializer_list<NamedReal> reals) {
   write_non_finite(json, std::span(reals.begin(), reals.end()));
 }
 
-/// Returns a real that is a member of `object`, found in what write_non_finite() wrote where it is
+/// Returns a real that is a member of `object`, from the member of write_non_finite() if it is
 /// null.
-/// @return nothing where it is null and not there either.
+/// @return Nothing if it is null and not there either.
 [[nodiscard]] std::optional<double> find_real(const JsonNode& object, std::string_view name);
 
-/// Returns the same, where there must be a value.
+/// Returns a real that must have a value.
 [[nodiscard]] double read_real(const JsonNode& object, std::string_view name);
 
 /// Defines "non_finite", which write_non_finite() writes.

@@ -11,7 +11,7 @@
 namespace meshalyzer {
 namespace {
 
-// Numbers that are no records: ids that are missing, lines.
+// Lists of numbers that are no records: missing ids, lines.
 
 void write_list(JsonWriter& json, const Analysis& /*analysis*/,
                 const std::vector<std::int64_t>& list, Ids Analysis::* /*ids*/) {
@@ -28,7 +28,7 @@ void read_list(const JsonNode& node, std::vector<std::int64_t>& list) {
   }
 }
 
-// Vertices or faces.
+// Lists of vertices or faces.
 
 void write_list(JsonWriter& json, const Analysis& analysis, const std::vector<Index>& list,
                 Ids Analysis::*ids) {
@@ -45,10 +45,10 @@ void read_list(const JsonNode& node, std::vector<Index>& list) {
   }
 }
 
-// Edges, measured ones too.
+// Lists of edges, with or without measured values.
 
-/// Returns a measured value; the writer has null for an infinite one (NaN compares with no
-/// threshold, and nothing that is measured is negative).
+/// Returns a measured value. The writer has null for an infinite one (NaN exceeds no threshold, and
+/// no measured value is negative).
 double read_measured(const JsonNode& node) {
   return node.is_null() ? std::numeric_limits<double>::infinity() : node.real();
 }
@@ -102,7 +102,7 @@ void read_list(const JsonNode& node, std::optional<EdgeList>& list) {
   read_edges(node, EdgeValues::Present, list.emplace());
 }
 
-// Measured faces.
+// Lists of measured faces.
 
 void write_list(JsonWriter& json, const Analysis& analysis, const FaceList& list,
                 Ids Analysis::* /*ids*/) {
@@ -126,7 +126,7 @@ void read_list(const JsonNode& node, std::optional<FaceList>& list) {
   }
 }
 
-// Pairs of faces.
+// Lists of pairs of faces.
 
 void write_list(JsonWriter& json, const Analysis& analysis,
                 const std::vector<IntersectingPair>& list, Ids Analysis::* /*ids*/) {
@@ -151,7 +151,7 @@ void read_list(const JsonNode& node, std::vector<IntersectingPair>& list) {
   }
 }
 
-// Breaks of the numbering.
+// The breaks of the numbering.
 
 void write_list(JsonWriter& json, const Analysis& /*analysis*/,
                 const std::optional<NumberingBreak>& place, Ids Analysis::* /*ids*/) {
@@ -194,7 +194,7 @@ void write_unlisted_pairs(JsonWriter& json, const Analysis& analysis) {
   }
 }
 
-// What the lists are called in the schema.
+// The names of the lists in the schema.
 constexpr std::string_view type_name(const std::vector<std::int64_t>& /*list*/) {
   return "ids";
 }
@@ -238,7 +238,7 @@ void define_rows(SchemaDefinitions& schema) {
                              R"({"$ref": "#/$defs/contact"})"));
 }
 
-/// What is known however little was asked for.
+/// The lists that every analysis has.
 constexpr auto kLists =
     std::tuple_cat(kTornLineLists, kRecordLists, kNumberingBreaks, kAttributeLists);
 
@@ -251,7 +251,7 @@ void write_offenders(JsonWriter& json, const Analysis& analysis, JsonOffenders o
   json.begin_object();
   if (offenders == JsonOffenders::List) {
     write_lists(json, analysis, kLists);
-    // A list that nobody computed must not look like one without elements.
+    // A list that was not computed must not look like an empty one.
     if (analysis.has_characteristics) {
       write_lists(json, analysis, kMeasuredLists);
       write_unlisted_pairs(json, analysis);

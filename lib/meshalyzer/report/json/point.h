@@ -10,8 +10,8 @@ namespace meshalyzer {
 /// Writes a point as a row of its three coordinates.
 void write_point(JsonWriter& json, const Vec3& point);
 
-/// Reads what write_point() wrote.
-/// @throws InvalidArgument  Not three reals.
+/// Reads a point that write_point() wrote.
+/// @throws InvalidArgument  if it is not three reals.
 [[nodiscard]] Vec3 read_point(const JsonNode& node);
 
 /// Defines "point", which write_point() writes, and "box", of two of them.

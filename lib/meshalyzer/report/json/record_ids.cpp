@@ -59,8 +59,8 @@ void for_each_face(Analysis& analysis, const Visit& visit) {
   }
 }
 
-/// @param for_each  Calls a function with each place that holds an id.
-/// @return The ids, each once, ascending; the places hold where theirs stands.
+/// @param for_each  Calls a function with each member that holds an id.
+/// @return The ids, each once, ascending; the members then hold the index of theirs.
 template <typename ForEach>
 std::vector<std::int32_t> replace_by_indices(const ForEach& for_each) {
   std::vector<std::int32_t> ids;

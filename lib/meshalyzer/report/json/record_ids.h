@@ -6,16 +6,16 @@
 
 namespace meshalyzer {
 
-/// Returns an id, put where the index of its record will stand.
+/// Returns an id in the place of the index of its record.
 [[nodiscard]] constexpr Index id_in_place_of_record(std::int32_t id) {
   return static_cast<Index>(id);
 }
 
-/// Gives an analysis that has ids in the place of its records, as from id_in_place_of_record(),
+/// Converts an analysis that has ids in the place of its records (id_in_place_of_record()): it gets
 /// tables of the ids that occur, ascending, and indices into these.
 ///
-/// Ascending, so that the lists of a file whose ids ascend do so too; the records of one id become
-/// one.
+/// The tables ascend, so that lists stay ascending if the ids of the file do; records with the same
+/// id become one.
 void index_records(Analysis& analysis);
 
 }  // namespace meshalyzer

@@ -95,7 +95,7 @@ void write_defect(JsonWriter& json, const Defect& defect, const MeshName& mesh) 
   json.end_object();
 }
 
-/// Members `counts`, `total`, `listed` and `defects`.
+/// Writes the members `counts`, `total`, `listed` and `defects`.
 void write_defects(JsonWriter& json, const MeshName& mesh, const DefectReport& report) {
   json.key("counts");
   json.begin_object();
@@ -135,8 +135,8 @@ void write_key_ids(JsonWriter& json, std::string_view key, const std::vector<std
   json.end_array();
 }
 
-/// Rows [new id, old id] of the faces that are not the input's face of the same id, unchanged; old
-/// is null in a hole patch.
+/// Writes rows [new id, old id] of the faces that are not the unchanged input face of the same id;
+/// old is null in a hole patch.
 void write_tracking(JsonWriter& json, const RepairReport& report, std::size_t mesh,
                     const std::vector<std::uint8_t>& is_changed) {
   const TrackedMesh& tracked = report.result.meshes[mesh].tracked;
@@ -235,7 +235,7 @@ void write_log(JsonWriter& json, const RepairReport& report) {
   json.end_object();
 }
 
-/// Writes the counts that are higher than before, where there are any.
+/// Writes the counts that are higher than before, if there are any.
 void write_rises(JsonWriter& json, const std::vector<CountRise>& rises) {
   if (rises.empty()) return;
   json.key("rises");
@@ -266,7 +266,7 @@ void write_meshes(JsonWriter& json, const RepairReport& report) {
   json.end_array();
 }
 
-/// Writes what becomes of patches of intersecting faces, where that was found out.
+/// Writes the outcome for each patch of intersecting faces, if it is known.
 void write_patches(JsonWriter& json, const ToldPatches& told) {
   if (told.patches.empty()) return;
   json.key("patches");
@@ -288,7 +288,7 @@ void write_patches(JsonWriter& json, const ToldPatches& told) {
   json.end_array();
 }
 
-/// The member `input`.
+/// Writes the member `input`.
 void write_input(JsonWriter& json, const MeshName& mesh, const DefectReport& found) {
   json.key("input");
   json.begin_object();

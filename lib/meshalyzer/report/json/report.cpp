@@ -105,7 +105,7 @@ class JsonReport::Pieces {
 
   void pour() { sink_(json_.drain()); }
 
-  /// Long lists are poured out in pieces that are neither many nor large.
+  /// Returns the function that passes on long lists in pieces of moderate number and size.
   std::function<void()> on_row() {
     return [this] {
       constexpr std::size_t kPiece = std::size_t{1} << 16U;

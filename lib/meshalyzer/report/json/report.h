@@ -16,14 +16,15 @@ namespace meshalyzer {
 /// Tells whether the JSON report lists the offending elements.
 enum class JsonOffenders { Omit, List };
 
-/// Takes the pieces of a text, one after the other.
+/// Receives the pieces of a text, one after the other.
 using TextSink = std::function<void(std::string_view)>;
 
 /// Writes the JSON report (doc/report.schema.json) piece by piece, so that a set of any size needs
 /// no more memory than one mesh.
 ///
 /// First all meshes are added, then all findings between them, then the report is finished: any
-/// other order throws InvalidArgument. What the sink throws comes through; then the report is lost.
+/// other order throws InvalidArgument. Exceptions of the sink pass through; the report is then
+/// lost.
 class JsonReport {
  public:
   JsonReport(TextSink sink, JsonOffenders offenders);
@@ -31,19 +32,19 @@ class JsonReport {
   JsonReport(JsonReport&&) noexcept;
   JsonReport& operator=(JsonReport&&) noexcept;
 
-  /// A further element of "meshes".
+  /// Adds an element of "meshes".
   void add(const Analysis& mesh);
 
-  /// A further element of "unreadable", before the report is finished.
-  /// @param why  As a person is told.
+  /// Adds an element of "unreadable", before the report is finished.
+  /// @param why  The reason in words.
   void add_unreadable(std::string path, std::string why);
 
-  /// The rows of "closest" of one mesh of a set, where its separation was asked for; what is said
-  /// of its intersections comes from finish().
-  /// @param names  Of the meshes of the set, by number.
+  /// Adds the rows of "closest" of one mesh of a set, if its separation was requested; finish()
+  /// writes the intersections.
+  /// @param names  The names of the meshes of the set, by number.
   void add(const ObjectFindings& findings, const std::vector<std::string>& names);
 
-  /// @param set  Null where there is no set: then the report has no "set".
+  /// @param set  The findings about the set, or null: then the report has no "set".
   void finish(const SetAnalysis* set);
 
  private:
@@ -53,7 +54,8 @@ class JsonReport {
 
 /// Returns the report as JSON (doc/report.schema.json), all at once; see JsonReport.
 ///
-/// @param set  Null where there is none: then the report has no "set". Its "closest" is null.
+/// @param set  The findings about the set, or null: then the report has no "set". Its "closest" is
+///             null.
 [[nodiscard]] std::string json_report(std::span<const Analysis> meshes, const SetAnalysis* set,
                                       JsonOffenders offenders);
 

@@ -4,8 +4,8 @@
 
 namespace meshalyzer {
 
-/// Returns the JSON Schema of JsonReport: doc/report.schema.json. Its keys and their meanings are
-/// those of the tables that the report is written from.
+/// Returns the JSON Schema of JsonReport: doc/report.schema.json. Keys and descriptions come from
+/// the same tables as those of the report.
 [[nodiscard]] std::string json_schema();
 
 }  // namespace meshalyzer

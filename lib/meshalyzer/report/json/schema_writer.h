@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// Types of values, as JSON Schema says them: keywords of an object, in JSON.
+/// The types of values in JSON Schema: keywords of an object, in JSON.
 namespace schema_type {
 inline constexpr std::string_view kText = R"("type": "string")";
 inline constexpr std::string_view kTexts = R"("type": "array", "items": {"type": "string"})";
@@ -20,7 +20,7 @@ inline constexpr std::string_view kInteger = R"("type": "integer")";
 inline constexpr std::string_view kIntegerOrNull = R"("type": ["integer", "null"])";
 inline constexpr std::string_view kCount = R"("type": "integer", "minimum": 0)";
 inline constexpr std::string_view kCountOrNull = R"("type": ["integer", "null"], "minimum": 0)";
-/// Null also where it is infinite.
+/// A real, which is null if it is infinite.
 inline constexpr std::string_view kReal = R"("type": ["number", "null"])";
 }  // namespace schema_type
 
@@ -33,21 +33,21 @@ inline constexpr std::string_view kReal = R"("type": ["number", "null"])";
 /// A member of an object.
 struct SchemaMember {
   std::string key;
-  /// Empty where the key says all.
+  /// The description; empty if the key is clear.
   std::string description;
-  /// Keywords: see schema_type.
+  /// The keywords of its type: see schema_type.
   std::string type;
   enum class Presence { Always, Sometimes };
   Presence presence = Presence::Always;
 };
 
-/// An object, and what its members are.
+/// The schema of an object: its members.
 struct SchemaObject {
   std::string description;
   std::vector<SchemaMember> members = {};
   enum class Null { Never, Sometimes };
   Null null = Null::Never;
-  /// Tells whether it may have members that are not named: then more may be added later.
+  /// Tells whether it may have further members, so that more may be added later.
   enum class Others { Allowed, Forbidden };
   Others others = Others::Allowed;
 };
@@ -58,11 +58,11 @@ void write_schema(JsonWriter& json, const SchemaObject& object);
 /// Writes the definitions of a schema, "$defs".
 class SchemaDefinitions {
  public:
-  /// @param json  In an object; only referred to.
+  /// @param json  The writer, which has begun an object; the class only refers to it.
   explicit SchemaDefinitions(JsonWriter& json) : json_(json) {}
 
   void define(std::string_view name, const SchemaObject& object);
-  /// @param type  Keywords: see schema_type.
+  /// @param type  The keywords of the type: see schema_type.
   void define(std::string_view name, std::string_view description, std::string_view type);
 
  private:

@@ -51,7 +51,8 @@ void write_totals(JsonWriter& json, const SetAnalysis& set) {
   }
 }
 
-/// Why there is no volume, or what it is the volume of, and why there is no separation.
+/// Writes the reasons why there is no volume, or which meshes it excludes, and why there is no
+/// separation.
 void write_undefined(JsonWriter& json, const SetAnalysis& set) {
   json.key("undefined");
   json.begin_object();
@@ -95,7 +96,7 @@ void write_options(JsonWriter& json, const SeparationOptions& options) {
   json.end_object();
 }
 
-/// An object with a member a mesh; `write` writes its value.
+/// Writes an object with one member for each mesh; `write` writes its value.
 template <typename Write>
 void write_by_mesh(JsonWriter& json, const SetAnalysis& set, const Write& write) {
   json.begin_object();
@@ -129,7 +130,7 @@ void write_separation(JsonWriter& json, const SetAnalysis& set) {
                 [&](const MeshSeparation& mesh) { write_statistics(json, mesh.distance); });
 }
 
-// The members in the schema, in the order of the report.
+// The members of the schema are in the order of the report.
 
 using Members = std::vector<SchemaMember>;
 

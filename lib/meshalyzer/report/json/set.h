@@ -8,13 +8,13 @@
 
 namespace meshalyzer {
 
-/// Writes the members of "set" (doc/report.schema.json) but for "closest"; the caller has begun the
+/// Writes the members of "set" (doc/report.schema.json) except "closest"; the caller has begun the
 /// object.
-/// @param on_row  Called after each row of a list: the text so far may be drained.
+/// @param on_row  Called after each row of a list, when the text so far may be drained.
 void write_set_members(JsonWriter& json, const SetAnalysis& set,
                        const std::function<void()>& on_row);
 
-/// Defines "set", and what it consists of.
+/// Defines "set" and its parts.
 void define_set(SchemaDefinitions& schema);
 
 }  // namespace meshalyzer

@@ -12,7 +12,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Either all measures are there or none, and so with nulls: the first one tells of all.
+/// The key of the first measure. Either all measures are there or none, and either all are null or
+/// none.
 constexpr std::string_view kFirstMeasure = kElementMeasures<Statistics>.front().quantity.info.key;
 
 void write_figures(JsonWriter& json, const Summary& summary) {

@@ -9,14 +9,16 @@
 
 namespace meshalyzer {
 
-/// Takes what the parser meets. Its member functions have the names that nlohmann's parser calls.
+/// Builds a tree from the events of the parser. Its member functions have the names that nlohmann's
+/// parser calls.
 class JsonTreeBuilder {
  public:
   explicit JsonTreeBuilder(JsonTree& tree) : tree_(tree) {}
 
   bool null() { return add(JsonTree::Kind::Null, 0); }
   bool boolean(bool truth) { return add(JsonTree::Kind::Truth, truth ? 1 : 0); }
-  /// Returns the parser calls this with negative integers alone: 0 was written as -0, a real.
+  /// Adds an integer. The parser calls this only for negative integers: 0 here was written as -0, a
+  /// real.
   bool number_integer(std::int64_t integer) {
     return integer == 0 ? add_real(-0.0)
                         : add(JsonTree::Kind::Integer, std::bit_cast<std::uint64_t>(integer));
@@ -26,8 +28,8 @@ class JsonTreeBuilder {
     return integer <= kMax ? add(JsonTree::Kind::Integer, integer)
                            : add_real(static_cast<double>(integer));
   }
-  /// Returns the nearest double whatever the locale: the parser puts in the locale's decimal point
-  /// before it calls strtod, which rounds right.
+  /// Adds a real, which is the nearest double in any locale: the parser inserts the locale's
+  /// decimal point before it calls strtod, which rounds correctly.
   bool number_float(double real, const std::string& /*token*/) { return add_real(real); }
   bool string(const std::string& text) { return add_text(text); }
   bool binary(const std::vector<std::uint8_t>& /*never in text*/) { return false; }
@@ -42,7 +44,7 @@ class JsonTreeBuilder {
     return false;
   }
 
-  /// 1-based byte at which the text ceases to be JSON.
+  /// Returns the 1-based byte at which the text stops being JSON.
   [[nodiscard]] std::size_t error_at() const { return error_at_; }
 
  private:
@@ -102,7 +104,7 @@ std::string JsonTree::path_of(std::size_t at) const {
   std::string path;
   for (std::size_t parent = 0; parent != at;) {
     const bool is_object = values_[parent].kind == Kind::Object;
-    const std::size_t step = is_object ? 1 : 0;  // over the key
+    const std::size_t step = is_object ? 1 : 0;  // to skip the key
     std::size_t index = 0;
     std::size_t child = parent + 1 + step;
     while (end_of(child) <= at) {

@@ -11,13 +11,14 @@ namespace meshalyzer {
 
 class JsonNode;
 
-/// A JSON text that was read: all its values in one flat list.
+/// A parsed JSON text: all its values in one flat list.
 ///
-/// A usual tree allocates for each list, which costs gigabytes where a mesh has millions of
-/// offenders; this one takes 16 bytes a value.
+/// A usual tree allocates memory for each list, which costs gigabytes if a mesh has millions of
+/// offenders; this one takes 16 bytes per value.
 class JsonTree {
  public:
-  /// @throws InvalidArgument where the text is not one JSON value, or has 4 GiB or more.
+  /// Parses a text.
+  /// @throws InvalidArgument if the text is not one JSON value, or has 4 GiB or more.
   explicit JsonTree(std::string_view text);
 
   [[nodiscard]] JsonNode root() const;
@@ -31,16 +32,16 @@ class JsonTree {
 
   struct Value {
     Kind kind = Kind::Null;
-    /// The number of places that an array or object takes, its own and those of all that is in it;
-    /// of a text the number of its bytes.
+    /// The number of entries of an array or object, including itself and everything in it; the
+    /// number of bytes of a text.
     std::uint32_t size = 1;
-    /// The integer, the bits of the real, the truth, or where the text begins in `texts_`.
+    /// The integer, the bits of the real, the truth value, or the offset of the text in `texts_`.
     std::uint64_t content = 0;
   };
 
   [[nodiscard]] std::size_t end_of(std::size_t at) const;
   [[nodiscard]] std::string_view text_at(std::size_t at) const;
-  /// How a person finds a value: `integrity.vertex_numbering.ids[2]`.
+  /// Returns the path of a value for people: `integrity.vertex_numbering.ids[2]`.
   [[nodiscard]] std::string path_of(std::size_t at) const;
 
   /// The values in the order of the text; in an object each value follows its key.
@@ -51,8 +52,8 @@ class JsonTree {
 
 class JsonElements;
 
-/// A value in a JsonTree, which must outlive it. What is asked of it must be of its kind: else
-/// InvalidArgument is thrown, saying which value is what it should not be.
+/// A value in a JsonTree, which must outlive it. A function for another type than its own throws
+/// InvalidArgument, which names the value.
 class JsonNode {
  public:
   [[nodiscard]] bool is_null() const;
@@ -60,7 +61,7 @@ class JsonNode {
   [[nodiscard]] std::int64_t integer() const;
   /// Returns an integer that is not negative.
   [[nodiscard]] std::size_t count() const;
-  /// Any number; the nearest double.
+  /// Returns any number as the nearest double.
   [[nodiscard]] double real() const;
   [[nodiscard]] std::string_view text() const;
   /// Returns the members of an array.
@@ -68,10 +69,10 @@ class JsonNode {
 
   /// Returns the value of a key of an object.
   [[nodiscard]] JsonNode member(std::string_view key) const;
-  /// Returns the same, where the key may be missing.
+  /// Returns the value of a key of an object, or nothing if it is missing.
   [[nodiscard]] std::optional<JsonNode> find(std::string_view key) const;
 
-  /// Throws InvalidArgument: the place of this value, and what is wrong with it.
+  /// Throws InvalidArgument with the path of this value, and what is wrong with it.
   [[noreturn]] void refuse(std::string_view what) const;
 
  private:
@@ -86,13 +87,15 @@ class JsonNode {
   std::size_t at_;
 };
 
-/// Goes through the members of an array, each once.
+/// Iterates over the members of an array, each once.
 class JsonElements {
  public:
   [[nodiscard]] bool at_end() const { return at_ == end_; }
-  /// @throws InvalidArgument where there is no further one.
+  /// Returns the next member.
+  /// @throws InvalidArgument if there is no further one.
   [[nodiscard]] JsonNode next();
-  /// @throws InvalidArgument where there is a further one.
+  /// Checks that all members were read.
+  /// @throws InvalidArgument if there is a further one.
   void expect_end() const;
 
  private:

@@ -10,21 +10,20 @@
 
 namespace meshalyzer {
 
-/// Tells how the members of a JSON object or array are laid out.
+/// The layout of the members of a JSON object or array.
 enum class JsonLayout {
-  /// One a line, indented: for what a person looks through and a diff compares.
+  /// One member per line, indented: for people, and for comparison by diff.
   Lines,
-  /// All on one line, whatever is nested in it too: for short rows, runs of numbers, and a whole
+  /// All members on one line, including nested ones: for short rows, lists of numbers, and a whole
   /// text that must be one line.
   Row,
 };
 
 /// Writes JSON text from its beginning to its end.
 ///
-/// Streaming, because a tree of values costs gigabytes where a mesh has millions of offenders; and
+/// It streams, because a tree of values costs gigabytes if a mesh has millions of offenders. It is
 /// our own, because each real must be the shortest text that reads back the same (Grisu2, which the
-/// usual library prints with, is sometimes longer). What is finite is written exactly, what is not
-/// as null.
+/// usual library uses, is sometimes longer). Finite numbers are written exactly, others as null.
 ///
 /// The caller balances begin_ and end_, and writes a key before each value of an object.
 class JsonWriter {
@@ -38,10 +37,10 @@ class JsonWriter {
 
   void null();
   void value(double real);
-  /// Bytes that are not UTF-8 become U+FFFD, so that a path in any encoding leaves a report that
-  /// can be read.
+  /// Writes a text; bytes that are not UTF-8 become U+FFFD, so that a path in any encoding leaves
+  /// the report readable.
   void value(std::string_view text);
-  /// A template, so that no pointer converts to bool.
+  /// Writes a truth value; it is a template, so that no pointer converts to bool.
   template <std::same_as<bool> Bool>
   void value(Bool truth) {
     literal(truth ? "true" : "false");
@@ -55,21 +54,21 @@ class JsonWriter {
     maybe ? value(*maybe) : null();
   }
 
-  /// Writes what is JSON already: a value, or members of an object.
+  /// Writes text that is already JSON: a value, or members of an object.
   void verbatim(std::string_view json) { literal(json); }
 
-  /// key() and value() in one.
+  /// Writes a key and its value.
   template <typename T>
   void member(std::string_view name, const T& content) {
     key(name);
     value(content);
   }
 
-  /// Length of the text that is there to be drained.
+  /// Returns the length of the text that can be drained.
   [[nodiscard]] std::size_t pending() const { return text_.size(); }
 
-  /// Returns the text since the beginning or the last drain(), wherever the writer is in it;
-  /// writing goes on. So a text of any length needs little memory.
+  /// Returns the text since the beginning or the last drain(), at any point; writing can continue.
+  /// So a text of any length needs little memory.
   [[nodiscard]] std::string drain();
 
   /// Returns the rest of the text, ended by a line feed; leaves the writer empty, ready for another
@@ -86,7 +85,7 @@ class JsonWriter {
   void end(char bracket);
   void literal(std::string_view text);
   void quoted(std::string_view text);
-  /// Puts what stands between two members: comma, line feed and indentation, or blank.
+  /// Writes the separator of two members: comma, line feed and indentation, or blank.
   void separate();
   void new_line();
 

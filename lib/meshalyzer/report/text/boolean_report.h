@@ -6,7 +6,7 @@
 
 namespace meshalyzer {
 
-/// Returns the report of a boolean operation for people: a `name: value` a line.
+/// Returns the report of a boolean operation for people: one `name: value` per line.
 [[nodiscard]] std::string text_report(const BooleanReport& report);
 
 }  // namespace meshalyzer

@@ -30,13 +30,13 @@ std::string cell_of(const std::optional<T>& value) {
   return value ? cell_of(*value) : "-";
 }
 
-/// A column of the table, and what stands in it for the component of a number.
+/// A column of the table: its title and its entry for each component.
 struct ComponentColumn {
   std::string_view title;
   std::string (*cell)(const Analysis& analysis, std::size_t number);
 };
 
-/// Returns the column of what is known of a component by itself.
+/// Returns the column of a member of a component.
 template <auto Member>
 constexpr ComponentColumn column(std::string_view title) {
   return {title, [](const Analysis& analysis, std::size_t number) {

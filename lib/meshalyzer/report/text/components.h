@@ -8,13 +8,13 @@
 
 namespace meshalyzer {
 
-/// Tells how many components the text report shows; JSON has them all.
+/// The number of components that the text report shows; JSON has them all.
 inline constexpr std::size_t kMaxComponentRows = 20;
 
-/// Returns the first n components, a row each.
+/// Returns a table of the first n components, one row for each.
 [[nodiscard]] TextTable components_table(const Analysis& analysis, std::size_t n);
 
-/// Appends a table of the first components, a row each; nothing where there are fewer than two.
+/// Appends a table of the first components, one row for each; nothing if there are fewer than two.
 void append_components(TextLines& lines, const Analysis& analysis);
 
 }  // namespace meshalyzer

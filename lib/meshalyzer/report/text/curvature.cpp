@@ -5,7 +5,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns how many vertices have no curvature for a reason; nothing where none has it.
+/// Appends the number of vertices without curvature for a reason; nothing if there are none.
 void append_without(LineSink& lines, const CurvatureStatistics& curvature, CurvatureState state,
                     std::string_view name) {
   const std::size_t count = curvature.vertices[static_cast<std::size_t>(state)];

@@ -15,7 +15,7 @@ void append_part(std::string& text, std::string_view separator, std::string_view
   text += part;
 }
 
-/// Appends `words` and n items, not too many of them.
+/// Appends `words` and n items, at most as many as a line may have.
 template <typename Item>
 void append_list(std::string& text, std::string_view words, std::size_t n, ListLength lists,
                  Item item) {
@@ -28,8 +28,8 @@ void append_list(std::string& text, std::string_view words, std::size_t n, ListL
   append_rest(text, n, lists);
 }
 
-/// Returns the word for the faces of a defect. Where it is of a whole component, its first face
-/// stands for all of them.
+/// Returns the word for the faces of a defect. If it is a whole component, its first face
+/// represents all of them.
 std::string_view word_for_faces(const Defect& defect) {
   const bool is_component =
       defect.code == DefectCode::Disjoint || defect.code == DefectCode::Inward;
@@ -74,7 +74,7 @@ std::string place_text(const Defect& defect) {
   return text;
 }
 
-/// Returns the words behind the measured value. At a non-manifold vertex the fans of faces are
+/// Returns the words after the measured value. At a non-manifold vertex the fans of faces are
 /// counted, not the faces at the edge.
 std::string_view words_behind(const Defect& defect, const MeasuredWords& words) {
   if (defect.code == DefectCode::NonManifold && defect.edges.empty()) return "fans of faces";

@@ -15,16 +15,16 @@ struct ListedDefects {
   DefectCodes codes = DefectCodes::all();
 };
 
-/// Returns the description of a defect without its code: its elements by file id, its place, and
-/// what was measured.
-/// @param mesh  What its elements are called.
+/// Returns the description of a defect without its code: its elements by file id, its position, and
+/// the measured value.
+/// @param mesh  The names of its elements.
 [[nodiscard]] std::string defect_text(const Defect& defect, const MeshName& mesh, ListLength lists);
 
-/// Appends the tolerances that were used, and what is odd about them.
+/// Appends the tolerances that were used, and their contradictions.
 void append_tolerances(LineSink& lines, const DefectReport& report);
 
-/// Appends a line for each defect: code, elements by file id, place, what was measured. Short lists
-/// have the first few of each code, and a line that says how many more there are.
+/// Appends a line for each defect: code, elements by file id, position, measured value. Short lists
+/// have the first few of each code, and a line with the number of the others.
 void append_defects(TextLines& lines, const ListedDefects& listed, ListLength lists);
 
 }  // namespace meshalyzer

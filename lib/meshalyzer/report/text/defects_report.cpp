@@ -21,7 +21,7 @@ void append_counts(TextLines& lines, const DefectReport& report, const DefectCod
   lines.line("asked for", n_asked(report, asked));
 }
 
-/// Appends the passes that treat the defects that were found, as far as any does.
+/// Appends the passes that treat the defects found, if there are any.
 void append_fixes(TextLines& lines, const DefectReport& report) {
   DefectCodes fixable;
   for (const Defect& defect : report.defects) {

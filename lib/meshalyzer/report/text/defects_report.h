@@ -7,15 +7,15 @@
 
 namespace meshalyzer {
 
-/// Tells how long the lists of elements in a text may be.
+/// The length of lists in a text.
 enum class ListLength {
-  /// The first few, and how many there are beyond.
+  /// The first few, and the number of the others.
   Short,
   Full,
 };
 
-/// Returns the report of what is wrong with a mesh, for people: what was looked for, the count of
-/// each code, a line a defect, and what a repair would make of the self-intersections.
+/// Returns the report of the defects of a mesh for people: the codes searched, the count of each
+/// code, a line for each defect, and the outcome of a repair for the self-intersections.
 [[nodiscard]] std::string text_report(const FoundDefects& found, ListLength lists);
 
 }  // namespace meshalyzer

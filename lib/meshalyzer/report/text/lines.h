@@ -13,10 +13,10 @@ namespace meshalyzer {
 /// Returns a real for people: ten significant digits at most, no locale, no "-0".
 [[nodiscard]] std::string readable(double value);
 
-/// Returns the text in place of a value that is not defined, with the reason where there is one.
+/// Returns the text in place of an undefined value, with the reason if there is one.
 [[nodiscard]] std::string undefined(const std::string& reason);
 
-/// Takes the lines of a report, each a name and a value, whatever becomes of them.
+/// Receives the lines of a report, each a name and a value, for any output.
 class LineSink {
  public:
   LineSink() = default;
@@ -24,11 +24,11 @@ class LineSink {
   LineSink& operator=(const LineSink&) = delete;
   virtual ~LineSink() = default;
 
-  /// One `name: value` line.
+  /// Adds a line `name: value`.
   void line(std::string_view name, std::string_view value) { add(name, value); }
   void line(std::string_view name, const char* value) { add(name, value); }
   void line(std::string_view name, double value) { add(name, readable(value)); }
-  /// A template, so that no pointer converts to bool.
+  /// Adds a line for a truth value; it is a template, so that no pointer converts to bool.
   template <std::same_as<bool> Bool>
   void line(std::string_view name, Bool value) {
     add(name, value ? "yes" : "no");
@@ -41,7 +41,7 @@ class LineSink {
 
  private:
   virtual void add(std::string_view name, std::string_view value) = 0;
-  /// What a count is written as.
+  /// Returns the text of a count.
   [[nodiscard]] virtual std::string count_text(std::size_t count) const {
     return std::to_string(count);
   }
@@ -50,10 +50,10 @@ class LineSink {
 /// Collects the lines of a text report.
 class TextLines : public LineSink {
  public:
-  /// Begins a section; a blank line stands before each but the first.
+  /// Begins a section; a blank line precedes each but the first.
   void heading(std::string_view title);
 
-  /// Returns the text so far, for what is written in another form; keep it ending in a line feed.
+  /// Returns the text so far, to which the caller may append; it must end in a line feed.
   [[nodiscard]] std::string& text() { return text_; }
 
  private:
@@ -68,8 +68,8 @@ struct ReportRow {
   std::string value;
 };
 
-/// Keeps the lines of a report apart, for the tables of pages, which people read: counts have their
-/// digits in groups.
+/// Collects the lines of a report as rows, for the tables of pages; counts have their digits in
+/// groups.
 class ReportRows : public LineSink {
  public:
   [[nodiscard]] const std::vector<ReportRow>& rows() const { return rows_; }

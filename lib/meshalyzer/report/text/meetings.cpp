@@ -31,7 +31,7 @@ TextTable meetings_table(const SetAnalysis& set) {
   if (!set.intersections) {
     return table;
   }
-  // A column for each kind that occurs.
+  // There is a column for each kind that occurs.
   const std::vector<MeshMeeting> meetings = meetings_of(*set.intersections);
   const ContactCounts all = count_all(meetings);
   std::vector<ContactKind> kinds;

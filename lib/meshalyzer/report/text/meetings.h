@@ -7,18 +7,18 @@
 
 namespace meshalyzer {
 
-/// Returns the pairs of meshes that intersect, a row each; only the titles where there are none,
-/// and for a set that was not asked about it.
+/// Returns a table of the pairs of meshes that intersect, one row for each; it has only titles if
+/// there are none or they were not requested.
 [[nodiscard]] TextTable meetings_table(const SetAnalysis& set);
 
-/// Appends how many there are, and which meshes are inside others; nothing where that was not asked
-/// for.
+/// Appends the numbers of intersections and of meshes inside others; nothing if they were not
+/// requested.
 void append_meeting_counts(LineSink& lines, const SetAnalysis& set);
 
-/// Appends the section INTERSECTIONS BETWEEN MESHES; nothing where these were not asked for.
+/// Appends the section INTERSECTIONS BETWEEN MESHES; nothing if these were not requested.
 ///
-/// Which meshes intersect and which are inside others is told by name; the pairs of faces only
-/// unless the style is None.
+/// Meshes that intersect or are inside others are named; the pairs of faces only unless the style
+/// is None.
 void append_meetings(TextLines& lines, const SetAnalysis& set, OffenderStyle style);
 
 }  // namespace meshalyzer

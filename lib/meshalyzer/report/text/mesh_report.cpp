@@ -37,7 +37,8 @@ void append_sections(TextLines& lines, const Analysis& analysis) {
   append_components(lines, analysis);
 }
 
-/// One character for a program; with the offenders, a sentence and its reasons for a person.
+/// Appends the verdict: one character for a program; with the offenders, a sentence and its reasons
+/// for a person.
 void append_verdict(TextLines& lines, const Goodness& goodness, OffenderStyle style) {
   if (style == OffenderStyle::None) {
     lines.text() += goodness.good ? "1\n" : "0\n";

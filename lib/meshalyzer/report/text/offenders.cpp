@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Tells lists of offenders, each by its size and then an element a line, or a point a line.
+/// Writes lists of offenders, each with its size and then one line for each element or point.
 class OffenderLines {
  public:
   OffenderLines(TextLines& lines, const Analysis& analysis, OffenderStyle style)
@@ -28,16 +28,16 @@ class OffenderLines {
   template <typename List>
   using Row = OffenderListRow<List>;
 
-  /// Tells a list of vertices or faces.
+  /// Writes a list of vertices or faces.
   void list(const Row<std::vector<Index>>& row, const std::vector<Index>& records);
   void list(const Row<EdgeList>& row, const EdgeList& edges);
   void list(const Row<std::vector<IntersectingPair>>& row,
             const std::vector<IntersectingPair>& pairs);
-  /// Tells a list of numbers that are no records: of ids that are missing, or of lines.
+  /// Writes a list of numbers that are no records: of missing ids, or of lines.
   void list(const Row<std::vector<std::int64_t>>& row, const std::vector<std::int64_t>& numbers);
   void list(const Row<std::optional<NumberingBreak>>& row,
             const std::optional<NumberingBreak>& place);
-  /// Tells a list that was asked for by a threshold, even where it is empty.
+  /// Writes a list requested by a threshold, even if it is empty.
   void list(const Row<std::optional<EdgeList>>& row, const std::optional<EdgeList>& edges);
   void list(const Row<std::optional<FaceList>>& row, const std::optional<FaceList>& faces);
 
@@ -68,10 +68,10 @@ void OffenderLines::element(const OffenderListInfo& info, std::int64_t id) {
   integer(id);
 }
 
-/// Appends a custom point of DReAMM: a place and the direction of its glyph.
+/// Appends a custom point of DReAMM: a position and the direction of its glyph.
 void OffenderLines::point(Index vertex) {
   if (vertex == kNoIndex) {
-    return;  // a corner that no record defines has no place
+    return;  // a corner that no record defines has no position
   }
   const Vec3& position = analysis_.soup->positions[vertex];
   for (const double coordinate : {position.x(), position.y(), position.z()}) {

@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Appends `n face(s) verb`, where there are any.
+/// Appends `n face(s) verb`, if there are any.
 void append_count(std::string& text, std::size_t n, std::string_view one, std::string_view many) {
   if (n == 0) return;
   if (!text.empty()) text += ", ";

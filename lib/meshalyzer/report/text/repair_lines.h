@@ -11,25 +11,25 @@
 
 namespace meshalyzer {
 
-/// "2 -> 1".
+/// Returns a change of a count as "2 -> 1".
 [[nodiscard]] std::string arrow(std::size_t before, std::size_t after);
 
-/// Appends ", largest move 0.5", where anything was moved.
+/// Appends ", largest move 0.5" if anything was moved.
 void append_distance(std::string& text, double distance);
 
 /// Describes what a run of a pass did: "2 changes, 1 face removed, ...".
 [[nodiscard]] std::string step_text(const LogStep& step);
 
-/// Appends what came out: files, notes, sizes, deviations.
+/// Appends the outcome: files, notes, sizes, deviations.
 void append_outcome(LineSink& lines, const RepairReport& report);
 
-/// What was lost, in one line: "33963 texture coordinates, 5 materials".
+/// Returns the losses in one line: "33963 texture coordinates, 5 materials".
 [[nodiscard]] std::string lost_text(const std::vector<AttributeCount>& lost);
 
-/// Appends the places that a pass left, with the reason.
+/// Appends the places that a pass left unchanged, with the reason.
 void append_refusal(LineSink& lines, const RefusalGroup& group, ListLength lists);
 
-/// Returns the path of one of several meshes, or, where none was written, its number.
+/// Returns the path of one of several meshes, or its number if it was not written.
 [[nodiscard]] std::string mesh_text(const RepairReport& report, std::size_t mesh);
 
 }  // namespace meshalyzer

@@ -53,7 +53,7 @@ void append_steps(TextLines& lines, const RepairReport& report, const KeyIds& id
   }
 }
 
-/// Appends what was left in one of the meshes, or, where none is named, in parts that are gone.
+/// Appends the places left unchanged in one of the meshes or, if none is given, in removed parts.
 void append_refusals(TextLines& lines, const std::vector<RefusalGroup>& groups,
                      std::optional<std::size_t> mesh, ListLength lists) {
   for (const RefusalGroup& group : groups) {
@@ -84,7 +84,8 @@ void append_counts(TextLines& lines, const RepairReport& report) {
   }
 }
 
-/// Short: only what was asked for; of the rest the counts have told.
+/// Appends the remaining defects. A short list has only those that were requested; the counts cover
+/// the rest.
 void append_what_remains(TextLines& lines, const RepairReport& report, const KeyIds& ids,
                          ListLength lists) {
   const std::vector<RefusalGroup> refusals = group_refusals(report, ids);

@@ -7,13 +7,14 @@
 
 namespace meshalyzer {
 
-/// Returns the report of a repair for people: what came out, defects before and after by code, what
-/// was done, pass by pass, and what remains, with reasons.
+/// Returns the report of a repair for people: the outcome, the defects before and after by code,
+/// the changes, pass by pass, and the remaining defects with reasons.
 ///
-/// What was done is told by the ids of the input, but of the output for what was added; what
-/// remains by those of the output.
+/// Changes are described with the ids of the input, or of the output for added elements; remaining
+/// defects with those of the output.
 ///
-/// @param lists  Full: also each operation by itself, and what was not asked for.
+/// @param lists  The length of lists; Full also lists each operation, and defects that were not
+///               requested.
 [[nodiscard]] std::string text_report(const RepairReport& report, ListLength lists);
 
 }  // namespace meshalyzer

@@ -66,7 +66,7 @@ void append_count(LineSink& lines, const FieldRow<Characteristics, std::size_t>&
   }
 }
 
-/// Appends nothing for a field that is no count: append_extent() has those.
+/// Appends nothing for a field that is no count, which append_extent() handles.
 template <typename T>
 void append_count(LineSink& /*lines*/, const FieldRow<Characteristics, T>& /*row*/,
                   const Characteristics& /*c*/) {}

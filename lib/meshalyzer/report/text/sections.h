@@ -5,10 +5,10 @@
 
 namespace meshalyzer {
 
-/// Appends what the file is called and whether it says what it means.
+/// Appends the name of the file and the integrity of its records.
 void append_integrity(LineSink& lines, const Analysis& analysis);
 
-/// Appends the five attributes; where there is no answer the reason.
+/// Appends the five attributes, or the reason if there is no answer.
 void append_attributes(LineSink& lines, const Attributes& attributes);
 
 /// Appends the counts among the characteristics.

@@ -7,19 +7,19 @@
 
 namespace meshalyzer {
 
-/// Appends what was looked at, where that was limited.
+/// Appends the options that limited the search, if any.
 void append_separation_options(LineSink& lines, const SetSeparation& separation);
 
-/// Appends how many vertices are inside another mesh, and how many have no closest point.
+/// Appends the numbers of vertices inside another mesh, and of those without a closest point.
 void append_separation_counts(LineSink& lines, const SetSeparation& separation);
 
-/// Returns the figures of each mesh, a row each.
-/// @param set  With separation distances.
+/// Returns a table of the figures of each mesh, one row for each.
+/// @param set  A set with separation distances.
 [[nodiscard]] TextTable separation_table(const SetAnalysis& set);
 
-/// Appends the section SEPARATION DISTANCES; nothing where these were not asked for. Where they
-/// could not be measured it tells why.
-/// @param style  Unless None the figures of each mesh stand there in full, with histograms.
+/// Appends the section SEPARATION DISTANCES, with the reason if they could not be measured; nothing
+/// if they were not requested.
+/// @param style  Unless it is None, the figures of each mesh are complete, with histograms.
 void append_separation(TextLines& lines, const SetAnalysis& set, OffenderStyle style);
 
 }  // namespace meshalyzer

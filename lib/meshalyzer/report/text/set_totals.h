@@ -5,7 +5,7 @@
 
 namespace meshalyzer {
 
-/// Appends what the meshes of a set have together.
+/// Appends the totals of the meshes of a set.
 void append_set_totals(LineSink& lines, const SetAnalysis& set);
 
 }  // namespace meshalyzer

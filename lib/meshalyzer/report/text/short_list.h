@@ -9,15 +9,15 @@
 
 namespace meshalyzer {
 
-/// Tells how many items of a list a person is shown who has not asked for all.
+/// The number of items of a list that a report shows by default.
 inline constexpr std::size_t kShortList = 12;
 
-/// Returns how many of n items are shown.
+/// Returns the number of items of a list of n that are shown.
 [[nodiscard]] constexpr std::size_t n_shown(std::size_t n, ListLength lists) {
   return lists == ListLength::Full || n <= kShortList ? n : kShortList;
 }
 
-/// Appends what was left out of a list of n.
+/// Appends the number of items omitted from a list of n.
 inline void append_rest(std::string& text, std::size_t n, ListLength lists) {
   const std::size_t shown = n_shown(n, lists);
   if (shown == n) return;
@@ -26,7 +26,7 @@ inline void append_rest(std::string& text, std::size_t n, ListLength lists) {
   text += " more";
 }
 
-/// "1 face", "2 faces".
+/// Returns "1 face" or "2 faces".
 [[nodiscard]] inline std::string counted(std::size_t n, std::string_view one,
                                          std::string_view many) {
   std::string text = grouped(n);

@@ -16,7 +16,7 @@ constexpr std::size_t kMinWidth = 8;
 constexpr std::size_t kMaxWidth = 40;
 constexpr std::string_view kNone = "-";
 
-/// Returns the characters of a name, control characters replaced: these would break the line.
+/// Returns the characters of a name; control characters, which would break the line, are replaced.
 std::vector<std::string> characters_of(std::string_view name) {
   std::vector<std::string> characters;
   for (std::size_t i = 0; i < name.size();) {
@@ -47,7 +47,7 @@ std::string fitted_name(std::string_view name, std::size_t width) {
   return text + std::string(width - std::min(width, n_characters(text)), ' ');
 }
 
-/// Returns a number that is too long for its column is shown with fewer digits.
+/// Returns the text of a number; one that is too long for its column has fewer digits.
 std::string fitted(std::size_t count, std::size_t width) {
   std::string text = std::to_string(count);
   for (int digits = 2; text.size() > width && digits >= 0; --digits) {
@@ -64,13 +64,13 @@ std::string fitted(double value, std::size_t width) {
   return text;
 }
 
-/// Returns a number that only whole analyses have.
+/// Returns the text of a number that only whole analyses have.
 template <typename T>
 std::string measured(const Analysis& analysis, T value, std::size_t width) {
   return analysis.has_characteristics ? fitted(value, width) : std::string(kNone);
 }
 
-/// A column of the table, and what stands in it for a mesh.
+/// A column of the table: its title and its entry for a mesh.
 struct SummaryColumn {
   std::string_view title;
   std::size_t width = 0;
@@ -122,7 +122,7 @@ constexpr std::array kSummaryColumns{
                   }},
 };
 
-/// @param cell  Says what stands in a column.
+/// @param cell  Returns the entry of a column.
 template <typename CellOf>
 std::string line_of(std::string name, CellOf cell) {
   for (const SummaryColumn& column : kSummaryColumns) {

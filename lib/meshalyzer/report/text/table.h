@@ -8,10 +8,10 @@
 
 namespace meshalyzer {
 
-/// Characters of a UTF-8 text; a byte that belongs to none counts as one.
+/// Returns the number of characters of a UTF-8 text; an invalid byte counts as one.
 [[nodiscard]] std::size_t n_characters(std::string_view text);
 
-/// Returns the cell for a truth: yes, no, or a dash where it is not known.
+/// Returns the cell for a truth value: yes, no, or a dash if it is unknown.
 [[nodiscard]] std::string truth_cell(std::optional<bool> truth);
 
 /// A table for people.
@@ -19,7 +19,7 @@ struct TextTable {
   /// The number of columns, from the left, that are aligned to the left, as names are; numbers in
   /// the others are aligned to the right.
   std::size_t n_name_columns = 0;
-  /// The first holds the titles; all are of equal length.
+  /// The rows, all of equal length; the first has the titles.
   std::vector<std::vector<std::string>> rows;
 };
 
