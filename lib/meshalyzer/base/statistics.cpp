@@ -1,5 +1,6 @@
 #include "meshalyzer/base/statistics.h"
 
+#include "meshalyzer/base/select_nth.h"
 #include "meshalyzer/base/statistics_passes.h"
 
 #include <algorithm>
@@ -10,8 +11,9 @@ namespace meshalyzer {
 namespace {
 
 double median_of(std::span<double> values) {
-  const auto lower = values.begin() + static_cast<std::ptrdiff_t>(lower_middle(values.size()));
-  std::nth_element(values.begin(), lower, values.end());
+  const std::size_t nth = lower_middle(values.size());
+  const auto lower = values.begin() + static_cast<std::ptrdiff_t>(nth);
+  select_nth(values, nth, [](double value) { return ordered_bits(value); });
   const bool has_one_middle = values.size() % 2 == 1;
   return median_of_middle(*lower,
                           has_one_middle ? *lower : *std::min_element(lower + 1, values.end()));

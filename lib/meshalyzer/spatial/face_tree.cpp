@@ -2,12 +2,14 @@
 
 #include "meshalyzer/base/eight_lanes.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/select_nth.h"
 #include "meshalyzer/mesh/unbuild.h"
 #include "meshalyzer/spatial/tree_width.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace meshalyzer {
@@ -16,7 +18,7 @@ namespace {
 /// With fewer faces a split is not worth a task of its own.
 constexpr std::size_t kParallelSplit = 32768;
 
-/// A face and the centre of its box.
+/// A face and twice the centre of its box.
 struct Item {
   std::array<float, 3> middle;
   Index face;
@@ -43,11 +45,9 @@ void split(std::span<Item> items) {
   const std::size_t leaves = (items.size() + kTreeWidth - 1) / kTreeWidth;
   const std::size_t left = kTreeWidth * (std::bit_ceil(leaves) / 2);
   const std::size_t axis = widest_axis(items);
-  const auto less = [axis](const Item& a, const Item& b) {
-    return a.middle[axis] != b.middle[axis] ? a.middle[axis] < b.middle[axis] : a.face < b.face;
-  };
-  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(left), items.end(),
-                   less);
+  select_nth(items, left, [axis](const Item& item) {
+    return std::uint64_t{ordered_bits(item.middle[axis])} << 32 | item.face;
+  });
   if (items.size() < kParallelSplit) {
     split(items.first(left));
     split(items.subspan(left));
@@ -130,7 +130,8 @@ void FaceTree::order_faces(std::span<const Triangle> triangles) {
       const auto b = map(points_[triangles[i][1]]);
       const auto c = map(points_[triangles[i][2]]);
       for (std::size_t k = 0; k < 3; ++k) {
-        items[i].middle[k] = std::min({a[k], b[k], c[k]}) + std::max({a[k], b[k], c[k]});
+        // Zero has one sign only, so that it has one key.
+        items[i].middle[k] = std::min({a[k], b[k], c[k]}) + std::max({a[k], b[k], c[k]}) + 0.0F;
       }
       items[i].face = static_cast<Index>(i);
     }
