@@ -1,5 +1,6 @@
 #include "meshalyzer/spatial/self_intersection.h"
 
+#include "meshalyzer/spatial/corner_angles.h"
 #include "meshalyzer/spatial/pair_collector.h"
 #include "meshalyzer/spatial/proven_stars.h"
 #include "meshalyzer/spatial/self_intersection_search.h"
@@ -21,12 +22,14 @@ bool visit_self_intersections(const CutMesh& cut, const FaceTree& tree, const Pa
   const SlabTree slabs(tree);
   const FanTree fans(tree);
   const std::vector<std::uint8_t> proven = prove_stars(cut);
+  const CornerAngles angles(tree, proven);
   const FaceGroups groups(cut, tree);
   return search_self_intersections({.cut = cut,
                                     .tree = tree,
                                     .slabs = slabs,
                                     .fans = fans,
                                     .proven = proven,
+                                    .angles = angles.empty() ? nullptr : &angles,
                                     .groups = groups.size() == 0 ? nullptr : &groups},
                                    limits, listener);
 }

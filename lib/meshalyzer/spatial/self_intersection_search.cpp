@@ -2,10 +2,10 @@
 
 #include "meshalyzer/base/eight_lanes.h"
 #include "meshalyzer/base/parallel.h"
-#include "meshalyzer/spatial/align_faces.h"
+#include "meshalyzer/spatial/contact_in_mesh.h"
+#include "meshalyzer/spatial/leaf_frame.h"
 #include "meshalyzer/spatial/pair_collector.h"
 #include "meshalyzer/spatial/separating_directions.h"
-#include "meshalyzer/spatial/triangle_contact.h"
 
 #include <algorithm>
 #include <array>
@@ -28,43 +28,6 @@ constexpr std::size_t kPairsInBuffer = 4096;
 /// Separating directions pay from this number of faces of a leaf that have possible partners in
 /// another leaf.
 constexpr int kManyFaces = 2;
-
-Corners corners_of(const FaceTree& tree, const Triangle& t) {
-  return {tree.point(t[0]), tree.point(t[1]), tree.point(t[2])};
-}
-
-std::optional<ContactKind> contact_of(const FaceTree& tree, const AlignedFaces<Index>& pair) {
-  return find_contact(corners_of(tree, pair.p), corners_of(tree, pair.q),
-                      static_cast<Common>(pair.n_common));
-}
-
-/// Tells whether no two corners of a face are at one place.
-bool has_three_places(const FaceTree& tree, const Triangle& t) {
-  const Corners c = corners_of(tree, t);
-  return c[0] != c[1] && c[1] != c[2] && c[2] != c[0];
-}
-
-/// Tells whether two faces are neighbours along a seam that was never welded: they have a corner in
-/// common by place but not by id, and share nothing else when vertices at identical places count as
-/// one. This test comes first because it is cheaper than that of the kind of contact.
-bool are_unwelded_neighbours(const FaceTree& tree, const AlignedFaces<Index>& by_id,
-                             const AlignedFaces<Index>& by_place) {
-  return by_place.n_common > by_id.n_common && by_id.n_common < 2 &&
-         has_three_places(tree, by_id.p) && has_three_places(tree, by_id.q) &&
-         !contact_of(tree, by_place);
-}
-
-std::optional<ContactKind> find_kind(const FaceTree& tree, const Triangle& p, const Triangle& q) {
-  const AlignedFaces<Index> by_id = align_faces(p, q, [](Index a, Index b) { return a == b; });
-  const AlignedFaces<Index> by_place = align_faces(
-      by_id.p, by_id.q, [&](Index a, Index b) { return tree.point(a) == tree.point(b); });
-  if (are_unwelded_neighbours(tree, by_id, by_place)) return ContactKind::Unwelded;
-  const std::optional<ContactKind> kind = contact_of(tree, by_id);
-  // The contact disappears when vertices at identical places count as one.
-  const bool is_unwelded =
-      kind && by_place.n_common > by_id.n_common && !contact_of(tree, by_place);
-  return is_unwelded ? ContactKind::Unwelded : kind;
-}
 
 using Scene = SelfIntersectionScene;
 
@@ -161,7 +124,7 @@ class PartnerSearch {
   }
 
   /// The lanes of another leaf whose faces may meet the face in each lane of this one.
-  using Partners = std::array<unsigned, 8>;
+  using Partners = LeafFrame::Partners;
 
   void meet_leaf(std::size_t other, const TreeBox& box) {
     const EightBoxes& mine = tree_.node(0, leaf_);
@@ -188,19 +151,69 @@ class PartnerSearch {
     }
   }
 
+  /// Drops partners that are surely apart: neighbours by the angles of their corners, others by
+  /// directions with a gap between them.
   void drop_separated(std::size_t other, Partners& partners) {
-    if (!triangles_) {
-      triangles_.emplace(tree_, leaf_);
+    std::optional<LeafTriangles> theirs;
+    if (has_frame()) {
+      theirs.emplace(tree_, other);
+      frame().drop_apart(*theirs, partners);
     }
-    const LeafTriangles theirs(tree_, other);
     for (std::size_t i = 0; i < 8; ++i) {
-      if (partners[i] != 0) {
-        if (!directions_[i]) {
-          directions_[i].emplace(*triangles_, i);
+      if (partners[i] == 0) continue;
+      const Neighbours near = neighbours(other, i, partners[i]);
+      partners[i] &= ~near.apart;
+      const unsigned strangers = partners[i] & ~near.all;
+      if (strangers == 0) continue;
+      if (!theirs) theirs.emplace(tree_, other);
+      partners[i] &= ~strangers | directions(i).perhaps_meeting(*theirs, strangers);
+    }
+  }
+
+  const LeafTriangles& triangles() {
+    if (!triangles_) triangles_.emplace(tree_, leaf_);
+    return *triangles_;
+  }
+
+  /// Whether the faces of the leaf are long and thin.
+  bool has_frame() const {
+    return scene_.slabs.has_useful() && scene_.slabs.slabs(0, leaf_).has_axes();
+  }
+
+  const LeafFrame& frame() {
+    if (!frame_) frame_.emplace(triangles(), scene_.slabs.slabs(0, leaf_).axis);
+    return *frame_;
+  }
+
+  const SeparatingDirections& directions(std::size_t i) {
+    if (!directions_[i]) directions_[i].emplace(triangles(), i);
+    return *directions_[i];
+  }
+
+  /// Those faces of a leaf that have a vertex in common with a given one, as lanes, and those of
+  /// them that surely share nothing else with it.
+  struct Neighbours {
+    unsigned all = 0;
+    unsigned apart = 0;
+  };
+
+  Neighbours neighbours(std::size_t other, std::size_t i, unsigned lanes) const {
+    Neighbours found;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const EightIds mine = EightIds::all(tree_.leaf_faces(leaf_).corners[c][i]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const EightIds theirs = EightIds::load(tree_.leaf_faces(other).corners[k]);
+        const unsigned common = (mine == theirs).bits() & lanes;
+        found.all |= common;
+        if (scene_.angles == nullptr) continue;
+        for (unsigned bits = common; bits != 0; bits &= bits - 1) {
+          const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+          const bool is_apart = scene_.angles->are_apart(8 * leaf_ + i, c, 8 * other + lane, k);
+          found.apart |= static_cast<unsigned>(is_apart) << lane;
         }
-        partners[i] = directions_[i]->perhaps_meeting(theirs, partners[i]);
       }
     }
+    return found;
   }
 
   /// Returns the lanes of a leaf whose faces have a proven vertex in common with the face in lane
@@ -228,7 +241,8 @@ class PartnerSearch {
   }
 
   void meet_face(std::size_t a, std::size_t b) {
-    const std::optional<ContactKind> kind = find_kind(tree_, tree_.triangle(a), tree_.triangle(b));
+    const std::optional<ContactKind> kind =
+        find_contact_in_mesh(tree_, tree_.triangle(a), tree_.triangle(b));
     if (!kind) return;
     const Index f = scene_.cut.side.faces[tree_.mesh_face(a)];
     const Index g = scene_.cut.side.faces[tree_.mesh_face(b)];
@@ -260,6 +274,7 @@ class PartnerSearch {
   std::optional<LeafCorners> corners_;
   /// The triangles of the leaf, if many pairs remain.
   std::optional<LeafTriangles> triangles_;
+  std::optional<LeafFrame> frame_;
   std::array<std::optional<SeparatingDirections>, 8> directions_;
 };
 
@@ -305,7 +320,8 @@ class BoundedSearch {
     PairBuffer found(listener_, kPairsInBuffer);
     for (std::size_t i = 0; i < scene_.groups->size(); ++i) {
       const auto [a, b] = scene_.groups->two_slots(i);
-      const auto kind = find_kind(scene_.tree, scene_.tree.triangle(a), scene_.tree.triangle(b));
+      const auto kind =
+          find_contact_in_mesh(scene_.tree, scene_.tree.triangle(a), scene_.tree.triangle(b));
       const std::span<const Index> faces = scene_.groups->faces(i);
       if (kind) found.push(PairProduct{faces, faces, *kind});
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/mesh/side_table.h"
+#include "meshalyzer/spatial/corner_angles.h"
 #include "meshalyzer/spatial/face_groups.h"
 #include "meshalyzer/spatial/face_tree.h"
 #include "meshalyzer/spatial/fan_tree.h"
@@ -27,6 +28,8 @@ struct SelfIntersectionScene {
   /// Non-zero for each file vertex whose faces surely do not intersect (see prove_stars()); empty
   /// if nothing is known.
   std::span<const std::uint8_t> proven = {};
+  /// Angles at crowded vertices; null if there are none.
+  const CornerAngles* angles = nullptr;
   /// The groups of faces represented by others; null if all are searched. It excludes `wanted`.
   const FaceGroups* groups = nullptr;
 };

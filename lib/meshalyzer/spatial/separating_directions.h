@@ -1,20 +1,11 @@
 #pragma once
 
-#include "meshalyzer/spatial/face_tree.h"
+#include "meshalyzer/spatial/leaf_triangles.h"
 
 #include <array>
 #include <cstddef>
 
 namespace meshalyzer {
-
-/// The corners of the faces of one leaf of a FaceTree side by side, in the tree's coordinates.
-/// Leaves with fewer than eight faces repeat the last.
-struct LeafTriangles {
-  /// The coordinates, by corner, coordinate, and face.
-  alignas(16) std::array<std::array<std::array<float, 8>, 3>, 3> corners;
-
-  LeafTriangles(const FaceTree& tree, std::size_t leaf);
-};
 
 /// Tells faces apart whose boxes meet, by directions along which there is a gap between them.
 ///

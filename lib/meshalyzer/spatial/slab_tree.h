@@ -30,6 +30,9 @@ struct Slabs {
   /// worth a test.
   bool is_useful = false;
 
+  /// Whether the faces are long and thin, so that they have a direction in common.
+  [[nodiscard]] bool has_axes() const { return axis[0] != axis[1]; }
+
   /// Tells whether all corners surely lie on one side of one of the slabs, so that no face of the
   /// leaf meets the bundle.
   [[nodiscard]] bool exclude(const LeafCorners& corners) const;
