@@ -32,7 +32,7 @@ std::string trouble_json(const std::string& path, const std::string& what) {
 }
 
 std::size_t n_before(const RepairReport& report) {
-  return n_asked(report.result.before, report.fixes);
+  return report.result.before.count(report.fixes);
 }
 
 std::string file_line(const std::string& path, const RepairReport& report) {

@@ -1,8 +1,8 @@
 #include "page.h"
 
 #include "meshalyzer/io/file.h"
-#include "meshalyzer/report/html/page.h"
 #include "meshalyzer/report/html/repair_changes.h"
+#include "meshalyzer/report/html/repair_page.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -53,7 +53,7 @@ ExitCode find(const Options& options, Soup soup, Streams streams) {
       options, streams, [&] { return text_report(found, options.lists); },
       [&] { return json_report(found); });
   if (told != ExitCode::Done) return told;
-  return n_asked(report, asked) == 0 ? ExitCode::Done : ExitCode::NotGood;
+  return report.count(asked) == 0 ? ExitCode::Done : ExitCode::NotGood;
 }
 
 ExitCode fix(const Options& options, Soup soup, const InputFile& file, Streams streams) {

@@ -1,11 +1,11 @@
 # public_headers(OUT): the headers that are installed, as paths from ROOT: those that the CMakeLists.txt of a module
-# lists in its file set, before the word PRIVATE.
+# lists in its file sets, each before the word PRIVATE.
 function(public_headers out)
   set(headers "")
   file(GLOB modules RELATIVE ${ROOT} ${ROOT}/lib/meshalyzer/*/CMakeLists.txt)
   foreach(list IN LISTS modules)
     file(READ ${ROOT}/${list} text)
-    string(REGEX REPLACE "PRIVATE.*" "" text "${text}")
+    string(REGEX REPLACE "PRIVATE[^)]*" "" text "${text}")
     string(REGEX MATCHALL "[a-z0-9_/]+\\.h" names "${text}")
     get_filename_component(folder ${list} DIRECTORY)
     list(TRANSFORM names PREPEND ${folder}/)

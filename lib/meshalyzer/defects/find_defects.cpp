@@ -121,6 +121,14 @@ DefectReport find_in(const Soup& soup, const PreparedMesh* mesh, const DefectOpt
 
 }  // namespace
 
+std::size_t DefectReport::count(const DefectCodes& codes) const {
+  std::size_t n = 0;
+  for (const DefectCode code : all_defect_codes()) {
+    if (codes.contains(code)) n += count(code);
+  }
+  return n;
+}
+
 std::size_t DefectReport::total() const {
   return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }

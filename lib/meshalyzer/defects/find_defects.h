@@ -34,6 +34,8 @@ struct DefectReport {
   [[nodiscard]] std::size_t count(DefectCode code) const {
     return counts[static_cast<std::size_t>(code)];
   }
+  /// Returns the number of defects of some codes.
+  [[nodiscard]] std::size_t count(const DefectCodes& codes) const;
   /// Returns the number of all defects, whether they are listed or not.
   [[nodiscard]] std::size_t total() const;
   /// Tells whether there are more defects than are listed.

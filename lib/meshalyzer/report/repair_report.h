@@ -1,8 +1,8 @@
 #pragma once
 
 #include "meshalyzer/io/attributes.h"
-#include "meshalyzer/mesh/soup.h"
 #include "meshalyzer/repair/fix_defects.h"
+#include "meshalyzer/report/mesh_name.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,19 +11,6 @@
 #include <vector>
 
 namespace meshalyzer {
-
-/// The names of a mesh and of its elements in reports.
-struct MeshName {
-  /// The path of the file as the user named it.
-  std::string path;
-  Format format = Format::Mesh;
-  Ids vertex_ids;
-  Ids face_ids;
-  std::size_t n_vertices = 0;
-  std::size_t n_faces = 0;
-};
-
-[[nodiscard]] MeshName name_of(const Soup& soup, std::string path);
 
 /// A resulting mesh, as it is on disk, or would be.
 struct FinalMesh {
@@ -75,9 +62,6 @@ struct ToldPatches {
   std::span<const Defect> defects;
   std::span<const PatchOutcome> patches;
 };
-
-/// Returns the number of defects of a mesh with codes that count.
-[[nodiscard]] std::size_t n_asked(const DefectReport& report, const DefectCodes& asked);
 
 /// Returns the number of remaining defects that were to be fixed.
 [[nodiscard]] std::size_t n_remaining(const RepairReport& report);

@@ -2,6 +2,7 @@
 #include <meshalyzer/analysis/analyze.h>
 #include <meshalyzer/io/read.h>
 #include <meshalyzer/mesh/build.h>
+#include <meshalyzer/repair/fix_defects.h>
 #include <string_view>
 
 namespace {
@@ -18,5 +19,5 @@ int main() {
   const meshalyzer::Analysis analysis = meshalyzer::analyze(soup, "tetrahedron.mesh");
   std::cout << cut.mesh.n_vertices() << " vertices, " << cut.mesh.n_faces() << " faces, "
             << (analysis.attributes.closed.value.value_or(false) ? "closed" : "not closed") << '\n';
-  return 0;
+  return meshalyzer::fix_defects(soup).log.steps.empty() ? 0 : 1;
 }

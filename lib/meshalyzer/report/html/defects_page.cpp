@@ -13,7 +13,7 @@ namespace meshalyzer {
 namespace {
 
 Verdict verdict_of(const DefectReport& report, const DefectCodes& asked) {
-  const std::size_t n = n_asked(report, asked);
+  const std::size_t n = report.count(asked);
   if (n != 0) {
     return {Verdict::Kind::Bad, counted(n, "defect", "defects"),
             counts_of_codes([&](DefectCode code) { return report.count(code); }, asked)};

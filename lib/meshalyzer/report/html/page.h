@@ -3,7 +3,7 @@
 #include "meshalyzer/analysis/analysis.h"
 #include "meshalyzer/defects/find_defects.h"
 #include "meshalyzer/picture/scene.h"
-#include "meshalyzer/report/repair_report.h"
+#include "meshalyzer/report/mesh_name.h"
 #include "meshalyzer/set/set_analysis.h"
 
 #include <array>
@@ -73,18 +73,6 @@ struct IndexRow {
 /// Returns the index page of a set, with a link to the page of each mesh.
 /// @param set  The findings about the set, or null if nothing was asked about it.
 [[nodiscard]] std::string html_index(const std::vector<IndexRow>& rows, const SetAnalysis* set);
-
-/// The input of the page of a repair. It only refers to its data.
-struct RepairPage {
-  const RepairReport& report;
-  PageMesh before;
-  /// All meshes of the result as one; its defects are those that remain.
-  PageMesh after;
-};
-
-/// Returns the report of a repair as one HTML page: the defects before, the changes, the remaining
-/// defects, and the mesh before and after.
-[[nodiscard]] std::string html_report(const RepairPage& page);
 
 /// Returns the page that shows the defects of a mesh.
 /// @param asked  The codes that count in the verdict.

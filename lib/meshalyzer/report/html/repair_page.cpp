@@ -1,7 +1,8 @@
+#include "meshalyzer/report/html/repair_page.h"
+
 #include "meshalyzer/report/format_text.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/defect_list.h"
-#include "meshalyzer/report/html/page.h"
 #include "meshalyzer/report/html/page_frame.h"
 #include "meshalyzer/report/text/repair_lines.h"
 #include "meshalyzer/report/text/short_list.h"

@@ -306,7 +306,7 @@ std::string json_report(const FoundDefects& found) {
   begin_report(json);
   write_input(json, found.mesh, found.defects);
   write_fixes(json, found.asked);
-  json.member("remaining", n_asked(found.defects, found.asked));
+  json.member("remaining", found.defects.count(found.asked));
   write_patches(json, {found.mesh, found.defects.defects, found.patches});
   json.end_object();
   return json.take();

@@ -1,7 +1,9 @@
 #pragma once
 
-#include "meshalyzer/report/text/defects_report.h"
+#include "meshalyzer/defects/find_defects.h"
+#include "meshalyzer/report/mesh_name.h"
 #include "meshalyzer/report/text/lines.h"
+#include "meshalyzer/report/text/list_length.h"
 
 #include <string>
 

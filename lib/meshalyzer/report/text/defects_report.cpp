@@ -18,7 +18,7 @@ void append_counts(TextLines& lines, const DefectReport& report, const DefectCod
     lines.line(defect_name(code), count);
   }
   lines.line("defects", report.total());
-  lines.line("asked for", n_asked(report, asked));
+  lines.line("asked for", report.count(asked));
 }
 
 /// Appends the passes that treat the defects found, if there are any.

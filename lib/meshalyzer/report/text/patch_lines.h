@@ -1,7 +1,8 @@
 #pragma once
 
-#include "meshalyzer/report/text/defects_report.h"
+#include "meshalyzer/report/repair_report.h"
 #include "meshalyzer/report/text/lines.h"
+#include "meshalyzer/report/text/list_length.h"
 
 namespace meshalyzer {
 

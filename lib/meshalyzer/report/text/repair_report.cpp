@@ -91,7 +91,7 @@ void append_what_remains(TextLines& lines, const RepairReport& report, const Key
   const std::vector<RefusalGroup> refusals = group_refusals(report, ids);
   const DefectCodes codes = lists == ListLength::Full ? DefectCodes::all() : report.fixes;
   std::size_t n = 0;
-  for (const FinalMesh& mesh : report.meshes) n += n_asked(mesh.remaining, codes);
+  for (const FinalMesh& mesh : report.meshes) n += mesh.remaining.count(codes);
   if (n == 0 && refusals.empty()) return;
   lines.heading("WHAT REMAINS, AND WHY");
   append_refusals(lines, refusals, std::nullopt, lists);
@@ -99,7 +99,7 @@ void append_what_remains(TextLines& lines, const RepairReport& report, const Key
     const FinalMesh& mesh = report.meshes[i];
     const bool is_refused = std::any_of(refusals.begin(), refusals.end(),
                                         [&](const RefusalGroup& group) { return group.mesh == i; });
-    if (!is_refused && n_asked(mesh.remaining, codes) == 0) continue;
+    if (!is_refused && mesh.remaining.count(codes) == 0) continue;
     if (report.meshes.size() > 1) lines.line("mesh", mesh_text(report, i));
     append_refusals(lines, refusals, i, lists);
     append_defects(lines, {mesh.name, mesh.remaining, codes}, lists);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "meshalyzer/report/repair_report.h"
-#include "meshalyzer/report/text/defects_report.h"
+#include "meshalyzer/report/text/list_length.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "meshalyzer/base/grouped_digits.h"
-#include "meshalyzer/report/text/defects_report.h"
+#include "meshalyzer/report/text/list_length.h"
 
 #include <cstddef>
 #include <string>

@@ -1,5 +1,6 @@
+#include "meshalyzer/report/html/repair_page.h"
+
 #include "html/sample_scene.h"
-#include "meshalyzer/report/html/page.h"
 #include "sample_repair.h"
 #include "support/html_faults.h"
 
