@@ -2,7 +2,7 @@
 
 #include "meshalyzer/repair/fix_defects.h"
 #include "meshalyzer/report/boolean_report.h"
-#include "meshalyzer/report/text/defects_report.h"
+#include "meshalyzer/report/text/list_length.h"
 #include "report_options.h"
 
 #include <cstdint>

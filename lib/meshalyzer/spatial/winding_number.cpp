@@ -27,29 +27,60 @@ constexpr double kOnTriangleRoundings = 8.0;
 constexpr double kRounding = 0x1p-48;
 /// Beyond the square root of this distance all triangles count as a point.
 constexpr double kTooFar = 1e60;
+/// Products of smaller numbers might underflow.
+constexpr double kSmallProduct = 1e-100;
 
-/// Returns the share of all directions from a point that meet a triangle; it is positive where its
-/// normal points away (van Oosterom and Strackee 1983, "The solid angle of a plane triangle").
+/// The shares of all directions from a point that meet triangles, added up.
 ///
-/// @param near  A point within this distance is on the triangle.
-double share_of_directions(const Corners& t, const Vec3& point, double near) {
-  const Vec3 a = t[0] - point;
-  const Vec3 b = t[1] - point;
-  const Vec3 c = t[2] - point;
-  const double x = a.norm();
-  const double y = b.norm();
-  const double z = c.norm();
-  const double sine = a.dot(b.cross(c));
-  // The sum is ordered so that exchanging b and c changes no bit.
-  const double cosine = x * (y * z) + (a.dot(b) * z + a.dot(c) * y) + b.dot(c) * x;
-  if (cosine <= 0.0) {
-    const double normal = normal_of(t).norm();
-    if (std::abs(sine) <= near * normal + kRounding * (x * (y * z))) {
-      return 0.0;
+/// Half the solid angle of a triangle is the argument of a complex number (van Oosterom and
+/// Strackee 1983, "The solid angle of a plane triangle"), and a product of numbers has the sum of
+/// their arguments. So the arctangent, which costs more than all else, is taken of many at once.
+class ShareOfDirections {
+ public:
+  /// Adds the share of a triangle; it is positive where its normal points away.
+  ///
+  /// @param near  A point within this distance is on the triangle.
+  void add(const Corners& t, const Vec3& point, double near) {
+    const Vec3 a = t[0] - point;
+    const Vec3 b = t[1] - point;
+    const Vec3 c = t[2] - point;
+    const double x = a.norm();
+    const double y = b.norm();
+    const double z = c.norm();
+    const double sine = a.dot(b.cross(c));
+    // The sum is ordered so that exchanging b and c changes no bit.
+    const double cosine = x * (y * z) + (a.dot(b) * z + a.dot(c) * y) + b.dot(c) * x;
+    if (cosine > 0.0) {
+      multiply(cosine, sine);
+    } else if (std::abs(sine) > near * normal_of(t).norm() + kRounding * (x * (y * z))) {
+      sum_ += std::atan2(sine, cosine);
     }
   }
-  return std::atan2(sine, cosine) / (2.0 * std::numbers::pi);
-}
+
+  [[nodiscard]] double total() const {
+    return (sum_ + std::atan2(imaginary_, real_)) / (2.0 * std::numbers::pi);
+  }
+
+ private:
+  /// Both factors have arguments below a right angle, so that their sum does not wrap round.
+  void multiply(double cosine, double sine) {
+    const double real = real_ * cosine - imaginary_ * sine;
+    const double imaginary = real_ * sine + imaginary_ * cosine;
+    if (real > kSmallProduct) {
+      real_ = real;
+      imaginary_ = imaginary;
+    } else {
+      sum_ += std::atan2(imaginary_, real_);
+      real_ = cosine;
+      imaginary_ = sine;
+    }
+  }
+
+  /// The arguments of the triangles that are not in the product.
+  double sum_ = 0.0;
+  double real_ = 1.0;
+  double imaginary_ = 0.0;
+};
 
 /// The far field of some triangles: the first two terms of the multipole expansion about their
 /// centre.
@@ -64,7 +95,7 @@ struct Dipole {
   Vec3 diagonal = Vec3::Zero();
   Vec3 mixed = Vec3::Zero();
 
-  /// Returns the sum of share_of_directions() over all the triangles.
+  /// Returns the share of directions of all the triangles together.
   [[nodiscard]] double share_from(const Vec3& to_centre, double distance_squared) const {
     const Vec3& r = to_centre;
     const double inverse = 1.0 / distance_squared;
@@ -165,10 +196,14 @@ struct WindingNumbers::Tree {
     }
     const std::size_t n_below = level == 0 ? triangles.size() : levels[level - 1].size();
     const std::size_t end = std::min(kTreeWidth * (i + 1), n_below);
+    if (level == 0) {
+      ShareOfDirections directions;
+      for (std::size_t t = kTreeWidth * i; t < end; ++t) directions.add(triangles[t], point, near);
+      return directions.total();
+    }
     double sum = 0.0;
     for (std::size_t child = kTreeWidth * i; child < end; ++child) {
-      sum += level == 0 ? share_of_directions(triangles[child], point, near)
-                        : share(level - 1, child, point);
+      sum += share(level - 1, child, point);
     }
     return sum;
   }

@@ -2,7 +2,7 @@
 
 #include "meshalyzer/report/refusal_groups.h"
 #include "meshalyzer/report/repair_report.h"
-#include "meshalyzer/report/text/defects_report.h"
+#include "meshalyzer/report/text/list_length.h"
 #include "meshalyzer/report/text/lines.h"
 
 #include <cstddef>
