@@ -2,8 +2,8 @@
 
 #include "meshalyzer/report/refusal_groups.h"
 #include "meshalyzer/report/repair_report.h"
-#include "meshalyzer/report/text/list_length.h"
 #include "meshalyzer/report/text/lines.h"
+#include "meshalyzer/report/text/list_length.h"
 
 #include <cstddef>
 #include <string>
