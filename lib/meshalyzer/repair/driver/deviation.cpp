@@ -38,6 +38,18 @@ struct SideResult {
   std::vector<Index> far;
 };
 
+/// What is asked of the distance between two surfaces.
+struct Asked {
+  double bound = 0.0;
+  DistanceQuestion question = DistanceQuestion::HowFar;
+
+  /// Returns the distance up to which it need not be known better.
+  [[nodiscard]] double near_enough() const {
+    return question == DistanceQuestion::IsWithin ? bound : resolution();
+  }
+  [[nodiscard]] double resolution() const { return SurfaceDistance::kResolution * bound; }
+};
+
 /// Removes the faces whose distance is known, which is not negative, and returns the largest.
 double drop_settled(const std::vector<double>& distances, Side& side) {
   double largest = 0.0;
@@ -50,10 +62,9 @@ double drop_settled(const std::vector<double>& distances, Side& side) {
   return largest;
 }
 
-/// Removes the faces that are nearer than the resolution to a single face of the other mesh, and
-/// returns the largest of their distances.
-double settle_near_faces(Side& side, double bound) {
-  const double resolution = SurfaceDistance::kResolution * bound;
+/// Removes the faces that are near enough to a single face of the other mesh, and returns the
+/// largest of their distances.
+double settle_near_faces(Side& side, const Asked& asked) {
   std::vector<double> distances(side.faces.size(), -1.0);
   parallel_chunks(side.faces.size(), [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
@@ -61,7 +72,7 @@ double settle_near_faces(Side& side, double bound) {
       if (changed.other == kNoIndex) continue;
       const double distance =
           largest_distance(corners_of(side.from, changed.face), corners_of(side.to, changed.other));
-      if (distance <= resolution) distances[i] = distance;
+      if (distance <= asked.near_enough()) distances[i] = distance;
     }
   });
   return drop_settled(distances, side);
@@ -104,10 +115,9 @@ class PartsOfFaces {
   std::vector<Part> parts_;
 };
 
-/// Removes the faces of the input that lie nearer than the resolution to what they were cut into,
-/// and returns the largest of their distances.
-double settle_cut_faces(Side& old_side, const PartsOfFaces& parts, double bound) {
-  const double resolution = SurfaceDistance::kResolution * bound;
+/// Removes the faces of the input that lie near enough to what they were cut into, and returns the
+/// largest of their distances.
+double settle_cut_faces(Side& old_side, const PartsOfFaces& parts, const Asked& asked) {
   std::vector<double> distances(old_side.faces.size(), -1.0);
   parallel_chunks(distances.size(), kFacesPerChunk, [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
@@ -115,9 +125,9 @@ double settle_cut_faces(Side& old_side, const PartsOfFaces& parts, double bound)
       const Corners corners = corners_of(old_side.from, face);
       const std::vector<Corners> pieces = parts.of(face);
       // Where vertices were moved a little after the cut, the pieces fit together but nearly.
-      for (const double slack : {0.0, kMatchingShare * resolution}) {
+      for (const double slack : {0.0, kMatchingShare * asked.resolution()}) {
         const auto distance = distance_from_parts(corners, pieces, slack);
-        if (!distance || *distance > resolution) continue;
+        if (!distance || *distance > asked.near_enough()) continue;
         distances[i] = *distance;
         break;
       }
@@ -204,15 +214,16 @@ Soup surface_with_walls(const Side& old_side, std::span<const InteriorWall> wall
 
 /// Measures what of the input is far from the new surface again, from walls too.
 SideResult measure_with_walls(Side& old_side, const SideResult& without,
-                              std::span<const InteriorWall> walls, double bound) {
+                              std::span<const InteriorWall> walls, const Asked& asked) {
   std::erase_if(old_side.faces, [&](const ChangedFace& changed) {
     return !std::binary_search(without.far.begin(), without.far.end(), changed.face);
   });
-  const Soup soup = surface_with_walls(old_side, walls, bound);
+  const Soup soup = surface_with_walls(old_side, walls, asked.bound);
   const CutMesh cut = build(soup);
   const FaceTree tree(cut);
   const ClosestPoints closest(tree);
-  SideResult result = measure_side(old_side, [&] { return SurfaceDistance(tree, closest, bound); });
+  SideResult result = measure_side(
+      old_side, [&] { return SurfaceDistance(tree, closest, asked.bound, asked.question); });
   result.largest = std::max(result.largest, without.largest_near);
   return result;
 }
@@ -266,19 +277,27 @@ void DeviationMeter::include_patches(const TrackedMesh& tracked) {
 
 DeviationMeter::~DeviationMeter() = default;
 
-DeviationMeter::Result DeviationMeter::measure(const TrackedMesh& tracked, const FaceTree& tree,
-                                               double bound,
-                                               std::span<const InteriorWall> walls) const {
-  ChangedFaces changes = find_changed_faces(input_, tracked);
-  drop_walls(input_, walls, changes.of_input);
-  return measure_changes(std::move(changes), {tracked, tree, bound, walls}, walls);
+DeviationMeter::Result DeviationMeter::measure(const Repaired& repaired) const {
+  return measure_changes(find_measured_faces(repaired), repaired, repaired.walls,
+                         DistanceQuestion::HowFar);
+}
+
+FarFaces DeviationMeter::find_far(const Repaired& repaired) const {
+  return measure_changes(find_measured_faces(repaired), repaired, repaired.walls,
+                         DistanceQuestion::IsWithin)
+      .far;
+}
+
+ChangedFaces DeviationMeter::find_measured_faces(const Repaired& repaired) const {
+  ChangedFaces changed = find_changed_faces(input_, repaired.tracked);
+  drop_walls(input_, repaired.walls, changed.of_input);
+  return changed;
 }
 
 std::vector<double> DeviationMeter::measure_parts(const Repaired& repaired,
                                                   std::span<const Index> part_of,
                                                   std::size_t n_parts) const {
-  ChangedFaces all = find_changed_faces(input_, repaired.tracked);
-  drop_walls(input_, repaired.walls, all.of_input);
+  const ChangedFaces all = find_measured_faces(repaired);
   std::vector<ChangedFaces> parts(n_parts);
   for (const ChangedFace& changed : all.of_input) {
     const Index part = part_of[changed.face];
@@ -295,40 +314,45 @@ std::vector<double> DeviationMeter::measure_parts(const Repaired& repaired,
   }
   std::vector<double> distances(n_parts);
   for (std::size_t i = 0; i < n_parts; ++i) {
-    distances[i] = measure_changes(std::move(parts[i]), repaired, walls[i]).largest;
+    distances[i] =
+        measure_changes(std::move(parts[i]), repaired, walls[i], DistanceQuestion::HowFar).largest;
   }
   return distances;
 }
 
-DeviationMeter::Result DeviationMeter::measure_changes(
-    ChangedFaces changes, const Repaired& repaired, std::span<const InteriorWall> own_walls) const {
+DeviationMeter::Result DeviationMeter::measure_changes(ChangedFaces changes,
+                                                       const Repaired& repaired,
+                                                       std::span<const InteriorWall> own_walls,
+                                                       DistanceQuestion question) const {
   const TrackedMesh& tracked = repaired.tracked;
-  const double bound = repaired.bound;
+  const Asked asked{repaired.bound, question};
   Side old_side{input_, tracked.soup, std::move(changes.of_input)};
   Side new_side{tracked.soup, input_, std::move(changes.of_repaired)};
   Result result;
-  result.largest = settle_near_faces(old_side, bound);
+  result.largest = settle_near_faces(old_side, asked);
   if (!old_side.faces.empty()) {
     const PartsOfFaces parts(tracked, new_side.faces, own_walls);
-    result.largest = std::max(result.largest, settle_cut_faces(old_side, parts, bound));
+    result.largest = std::max(result.largest, settle_cut_faces(old_side, parts, asked));
   }
-  result.largest = std::max(result.largest, settle_near_faces(new_side, bound));
+  result.largest = std::max(result.largest, settle_near_faces(new_side, asked));
   if (!old_side.faces.empty()) {
     const ClosestPoints closest(repaired.tree);
-    SideResult old_result =
-        measure_side(old_side, [&] { return SurfaceDistance(repaired.tree, closest, bound); });
+    SideResult old_result = measure_side(old_side, [&] {
+      return SurfaceDistance(repaired.tree, closest, asked.bound, asked.question);
+    });
     if (!old_result.far.empty() && !repaired.walls.empty()) {
-      old_result = measure_with_walls(old_side, old_result, repaired.walls, bound);
+      old_result = measure_with_walls(old_side, old_result, repaired.walls, asked);
     }
     result.largest = std::max(result.largest, old_result.largest);
-    result.far_input_faces = std::move(old_result.far);
+    result.far.of_input = std::move(old_result.far);
   }
   if (!new_side.faces.empty()) {
     const Surface::Built& input = surface_->of(input_);
-    SideResult new_result =
-        measure_side(new_side, [&] { return SurfaceDistance(input.tree, input.closest, bound); });
+    SideResult new_result = measure_side(new_side, [&] {
+      return SurfaceDistance(input.tree, input.closest, asked.bound, asked.question);
+    });
     result.largest = std::max(result.largest, new_result.largest);
-    result.far_repaired_faces = std::move(new_result.far);
+    result.far.of_repaired = std::move(new_result.far);
   }
   return result;
 }

@@ -14,6 +14,18 @@
 namespace meshalyzer {
 
 struct ChangedFaces;
+enum class DistanceQuestion;
+
+/// Faces of which a point is farther than a bound from the other surface, or may be: where the
+/// farthest is within a thousandth of the bound, or the face lies over thousands of others.
+struct FarFaces {
+  /// Faces of the input, by index, ascending.
+  std::vector<Index> of_input;
+  /// Faces of the tracked mesh, ascending.
+  std::vector<Index> of_repaired;
+
+  [[nodiscard]] bool empty() const { return of_input.empty() && of_repaired.empty(); }
+};
 
 /// Measures how far repaired surfaces are from the input that they were made of.
 ///
@@ -34,6 +46,17 @@ class DeviationMeter {
   /// @complexity O(#F); the next measure() looks at the input anew.
   void include_patches(const TrackedMesh& tracked);
 
+  /// A repaired mesh to be measured. It only refers to its data.
+  struct Repaired {
+    const TrackedMesh& tracked;
+    /// Over the tracked mesh's faces.
+    const FaceTree& tree;
+    /// Finite, at least 0.
+    double bound = 0.0;
+    /// The walls of the input that are gone: it may be near to them instead of the new surface.
+    std::span<const InteriorWall> walls = {};
+  };
+
   /// What lies farther than a bound from the other surface, and how far the rest is.
   struct Result {
     /// An upper bound, but for rounding, of the largest distance of a point of either surface from
@@ -41,16 +64,7 @@ class DeviationMeter {
     /// far, it is off by at most a thousandth of the bound, but for faces that lie over hundreds of
     /// others; it never exceeds the bound there.
     double largest = 0.0;
-    /// Faces of the input, by index, of which a point is farther than the bound from the new
-    /// surface, or may be: where the farthest is within a thousandth of the bound, or the face lies
-    /// over thousands of others. Ascending.
-    std::vector<Index> far_input_faces;
-    /// Faces of the tracked mesh that are farther, or may be. Ascending.
-    std::vector<Index> far_repaired_faces;
-
-    [[nodiscard]] bool is_within() const {
-      return far_input_faces.empty() && far_repaired_faces.empty();
-    }
+    FarFaces far;
   };
 
   /// Only faces that are not the same in both are measured: a face that has its corners where the
@@ -59,25 +73,12 @@ class DeviationMeter {
   ///
   /// The same for any number of threads.
   ///
-  /// @param tree   Over the tracked mesh's faces.
-  /// @param bound  Finite, at least 0.
-  /// @param walls  The walls of the input that are gone: it may be near to them instead of the new
-  /// surface.
   /// @complexity   O(#F), and O(log #F) for each face that has changed. Where
   /// faces only moved by less than a thousandth of the bound, nothing else is looked at.
-  [[nodiscard]] Result measure(const TrackedMesh& tracked, const FaceTree& tree, double bound,
-                               std::span<const InteriorWall> walls = {}) const;
+  [[nodiscard]] Result measure(const Repaired& repaired) const;
 
-  /// A repaired mesh to be measured. Only refers to it.
-  struct Repaired {
-    const TrackedMesh& tracked;
-    /// Over the tracked mesh's faces.
-    const FaceTree& tree;
-    /// Finite, at least 0.
-    double bound = 0.0;
-    /// The walls of the input that are gone.
-    std::span<const InteriorWall> walls;
-  };
+  /// Finds the faces that measure() would find to be far, in a part of the time.
+  [[nodiscard]] FarFaces find_far(const Repaired& repaired) const;
 
   /// Measures parts of the input each by itself: how far its faces are from the new surface, and
   /// what was made of them from the input.
@@ -90,9 +91,13 @@ class DeviationMeter {
 
  private:
   struct Surface;
+  /// Returns the faces that are not the same in both meshes, without those that are walls.
+  [[nodiscard]] ChangedFaces find_measured_faces(const Repaired& repaired) const;
   /// @param own_walls  Those that were parts of the changed faces; others may be near them too.
+  /// @param question   Where it is IsWithin, Result::largest tells nothing.
   [[nodiscard]] Result measure_changes(ChangedFaces changes, const Repaired& repaired,
-                                       std::span<const InteriorWall> own_walls) const;
+                                       std::span<const InteriorWall> own_walls,
+                                       DistanceQuestion question) const;
 
   const Soup& input_;
   std::unique_ptr<Surface> surface_;

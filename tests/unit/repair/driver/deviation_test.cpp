@@ -25,7 +25,8 @@ using Result = DeviationMeter::Result;
 
 Result measure(const Soup& input, const TrackedMesh& tracked, double bound) {
   const CutMesh cut = build(tracked.soup);
-  return DeviationMeter(input).measure(tracked, FaceTree(cut), bound);
+  const FaceTree tree(cut);
+  return DeviationMeter(input).measure({tracked, tree, bound});
 }
 
 TrackedMesh moved(const Soup& input, const Vec3& by) {
@@ -58,7 +59,7 @@ Faces face_range(Index begin, Index end) {
 
 /// The largest distance is known, and so the answer but for a thousandth of the bound.
 void expect_largest(const Result& result, double expected, double bound) {
-  EXPECT_TRUE(result.is_within());
+  EXPECT_TRUE(result.far.empty());
   EXPECT_GE(result.largest, expected * (1 - 1e-14));
   EXPECT_LE(result.largest, expected + 1e-3 * bound);
 }
@@ -66,7 +67,7 @@ void expect_largest(const Result& result, double expected, double bound) {
 TEST(DeviationMeter, UnchangedMeshIsNowhereAway) {
   const Soup input = shapes::torus(2, 0.5, 20, 12);
   const Result result = measure(input, track_mesh(input), 0.0);
-  EXPECT_TRUE(result.is_within());
+  EXPECT_TRUE(result.far.empty());
   EXPECT_EQ(result.largest, 0.0);
 }
 
@@ -75,7 +76,7 @@ TEST(DeviationMeter, FacesTurnedOverOrBegunAtAnotherCornerAreTheSame) {
   TrackedMesh tracked = track_mesh(shapes::flipped(input));
   for (Triangle& t : tracked.soup.triangles) std::rotate(t.begin(), t.begin() + 1, t.end());
   const Result result = measure(input, tracked, 0.0);
-  EXPECT_TRUE(result.is_within());
+  EXPECT_TRUE(result.far.empty());
   EXPECT_EQ(result.largest, 0.0);
 }
 
@@ -89,8 +90,8 @@ TEST(DeviationMeter, RaisedPlaneIsAsFarAsItWasRaised) {
 TEST(DeviationMeter, RaisedPlaneIsFarAllOverWhereTheBoundIsSmaller) {
   const Soup input = shapes::grid(6, 5);
   const Result result = measure(input, moved(input, {0, 0, 0.25}), 0.2499);
-  EXPECT_EQ(result.far_input_faces, face_range(0, 60));
-  EXPECT_EQ(result.far_repaired_faces, face_range(0, 60));
+  EXPECT_EQ(result.far.of_input, face_range(0, 60));
+  EXPECT_EQ(result.far.of_repaired, face_range(0, 60));
   EXPECT_GE(result.largest, 0.25);
 }
 
@@ -103,8 +104,8 @@ TEST(DeviationMeter, PlaneMovedAlongItselfIsFarOnlyAtItsEnds) {
   expect_largest(measure(input, tracked, 0.35), at_corner, 0.35);
   const Result result = measure(input, tracked, 0.29);
   // 2 x 6 faces stand at either end.
-  EXPECT_LE(result.far_input_faces.size(), 12u);
-  EXPECT_GE(result.far_input_faces.size(), 6u);
+  EXPECT_LE(result.far.of_input.size(), 12u);
+  EXPECT_GE(result.far.of_input.size(), 6u);
 }
 
 TEST(DeviationMeter, PlaneCutIntoOtherFacesIsNowhereAway) {
@@ -132,7 +133,7 @@ TEST(DeviationMeter, HoleUnderALargeFaceIsFoundWhereverItIs) {
         if (!is_in_hole) add_face(tracked, t, 0);
       }
       expect_largest(measure(input, tracked, 1.2), 1.0, 1.2);
-      EXPECT_FALSE(measure(input, tracked, 0.9).is_within());
+      EXPECT_FALSE(measure(input, tracked, 0.9).far.empty());
     }
   }
 }
@@ -155,7 +156,7 @@ TEST(DeviationMeter, BumpThatIsLevelledWasAsFarAsItWasHigh) {
   expect_largest(measure(input, tracked, 1.0), 0.7, 1.0);
   const Result result = measure(input, tracked, 0.6);
   // All six faces round the top reach up to it, and nothing else changed.
-  EXPECT_EQ(result.far_input_faces.size(), 6u);
+  EXPECT_EQ(result.far.of_input.size(), 6u);
   EXPECT_GE(result.largest, 0.7);
 }
 
@@ -176,7 +177,7 @@ TEST(DeviationMeter, DuplicatesThatAreDroppedAreNowhereAway) {
     input.triangles.push_back({t[1], t[0], t[2]});
   }
   const Result result = measure(input, without_faces(track_mesh(input), face_range(320, 360)), 0.0);
-  EXPECT_TRUE(result.is_within());
+  EXPECT_TRUE(result.far.empty());
   EXPECT_EQ(result.largest, 0.0);
 }
 
@@ -185,8 +186,8 @@ TEST(DeviationMeter, ComponentThatIsRemovedWasAsFarAsItsFarSide) {
   const TrackedMesh tracked = without_faces(track_mesh(input), face_range(12, 24));
   expect_largest(measure(input, tracked, 6.0), 5.0, 6.0);
   const Result result = measure(input, tracked, 0.1);
-  EXPECT_EQ(result.far_input_faces, face_range(12, 24));
-  EXPECT_TRUE(result.far_repaired_faces.empty());
+  EXPECT_EQ(result.far.of_input, face_range(12, 24));
+  EXPECT_TRUE(result.far.of_repaired.empty());
   EXPECT_GE(result.largest, 5.0);
 }
 
@@ -203,21 +204,21 @@ TEST(DeviationMeter, NewSurfaceIsAsFarAsItsFarSide) {
   const TrackedMesh tracked = with_new_face(input, 3);
   expect_largest(measure(input, tracked, 6.0), 5.0, 6.0);
   const Result result = measure(input, tracked, 4.9);
-  EXPECT_TRUE(result.far_input_faces.empty());
-  EXPECT_EQ(result.far_repaired_faces, Faces{12});
+  EXPECT_TRUE(result.far.of_input.empty());
+  EXPECT_EQ(result.far.of_repaired, Faces{12});
 }
 
 TEST(DeviationMeter, HolePatchesMayBeAnywhere) {
   const Soup input = shapes::cube();
   const Result result = measure(input, with_new_face(input, kNoIndex), 0.1);
-  EXPECT_TRUE(result.is_within());
+  EXPECT_TRUE(result.far.empty());
   EXPECT_EQ(result.largest, 0.0);
 }
 
 TEST(DeviationMeter, HolePatchIsSurfaceToOldFaces) {
   const Soup input = shapes::cube();
   TrackedMesh tracked = without_faces(track_mesh(input), {0});
-  EXPECT_FALSE(measure(input, tracked, 0.01).is_within());
+  EXPECT_FALSE(measure(input, tracked, 0.01).far.empty());
   add_face(tracked, input.triangles[0], kNoIndex);
   EXPECT_EQ(measure(input, tracked, 0.01).largest, 0.0);
 }
@@ -228,7 +229,7 @@ TEST(DeviationMeter, FaceOfZeroAreaCountsAsItsSegment) {
   input.triangles.push_back({8, 9, 10});
   const TrackedMesh tracked = without_faces(track_mesh(input), {12});
   expect_largest(measure(input, tracked, 2.5), 2.0, 2.5);
-  EXPECT_EQ(measure(input, tracked, 1.0).far_input_faces, Faces{12});
+  EXPECT_EQ(measure(input, tracked, 1.0).far.of_input, Faces{12});
 }
 
 TEST(DeviationMeter, FacesInNoComplexAreNotMeasured) {
@@ -242,7 +243,7 @@ TEST(DeviationMeter, FacesInNoComplexAreNotMeasured) {
 TEST(DeviationMeter, WhereNothingIsLeftAllIsInfinitelyFar) {
   const Soup input = shapes::cube();
   const Result gone = measure(input, without_faces(track_mesh(input), face_range(0, 12)), 100.0);
-  EXPECT_EQ(gone.far_input_faces, face_range(0, 12));
+  EXPECT_EQ(gone.far.of_input, face_range(0, 12));
   EXPECT_EQ(gone.largest, std::numeric_limits<double>::infinity());
   // Faces out of nothing.
   const Soup empty = shapes::make(input.positions, {});
@@ -252,7 +253,7 @@ TEST(DeviationMeter, WhereNothingIsLeftAllIsInfinitelyFar) {
   tracked.face_keys = {0};
   const Soup degenerate = shapes::make(input.positions, {{0, 0, 1}});
   const Result made = measure(degenerate, tracked, 100.0);
-  EXPECT_EQ(made.far_repaired_faces, Faces{0});
+  EXPECT_EQ(made.far.of_repaired, Faces{0});
   EXPECT_EQ(made.largest, std::numeric_limits<double>::infinity());
 }
 
@@ -261,8 +262,8 @@ TEST(DeviationMeter, BoundOfZeroLetsNothingMove) {
   TrackedMesh tracked = track_mesh(input);
   tracked.soup.positions[5] *= 1.0 + 1e-12;
   const Result result = measure(input, tracked, 0.0);
-  EXPECT_FALSE(result.far_input_faces.empty());
-  EXPECT_FALSE(result.far_repaired_faces.empty());
+  EXPECT_FALSE(result.far.of_input.empty());
+  EXPECT_FALSE(result.far.of_repaired.empty());
 }
 
 /// Damages of all kinds that a repair might do, except that it would do less.
@@ -291,11 +292,11 @@ void expect_as_sampled(const Soup& input, const TrackedMesh& tracked) {
                                   test::sampled_distance(tracked.soup, input, kSpacing));
   const double bound = 2 * (sampled + kSpacing);
   const Result result = measure(input, tracked, bound);
-  EXPECT_TRUE(result.is_within());
+  EXPECT_TRUE(result.far.empty());
   EXPECT_GE(result.largest, sampled - 1e-14);
   EXPECT_LE(result.largest, sampled + kSpacing + 1e-3 * bound);
-  EXPECT_FALSE(measure(input, tracked, 0.999 * sampled).is_within());
-  EXPECT_TRUE(measure(input, tracked, 1.002 * result.largest).is_within());
+  EXPECT_FALSE(measure(input, tracked, 0.999 * sampled).far.empty());
+  EXPECT_TRUE(measure(input, tracked, 1.002 * result.largest).far.empty());
 }
 
 TEST(DeviationMeter, AgreesWithDenseSamplesOnMangledMeshes) {
@@ -320,11 +321,11 @@ TEST(DeviationMeter, FarFacesAreThoseThatDenseSamplesFindFar) {
     const Soup face = shapes::make(input.positions, {input.triangles[f]});
     const double sampled = test::sampled_distance(face, tracked.soup, spacing);
     const bool is_far =
-        std::binary_search(result.far_input_faces.begin(), result.far_input_faces.end(), f);
+        std::binary_search(result.far.of_input.begin(), result.far.of_input.end(), f);
     EXPECT_TRUE(is_far || sampled <= bound) << f;
     EXPECT_TRUE(!is_far || sampled + spacing > 0.998 * bound) << f;
   }
-  EXPECT_GT(result.far_input_faces.size(), 5u);
+  EXPECT_GT(result.far.of_input.size(), 5u);
 }
 
 TEST(DeviationMeter, SizeOfTheMeshDoesNotMatter) {
@@ -337,7 +338,7 @@ TEST(DeviationMeter, SizeOfTheMeshDoesNotMatter) {
     TrackedMesh scaled = tracked;
     scaled.soup = shapes::scaled(tracked.soup, scale);
     const Result result = measure(shapes::scaled(input, scale), scaled, 3.0 * scale);
-    EXPECT_TRUE(result.is_within());
+    EXPECT_TRUE(result.far.empty());
     EXPECT_NEAR(result.largest / scale, expected, 3e-3);
   }
 }
@@ -361,9 +362,9 @@ TEST(DeviationMeter, ThreadCountDoesNotMatter) {
   const ThreadLimit one(1);
   const Result by_one = measure(input, tracked, 0.01);
   EXPECT_EQ(by_one.largest, by_two.largest);
-  EXPECT_EQ(by_one.far_input_faces, by_two.far_input_faces);
-  EXPECT_EQ(by_one.far_repaired_faces, by_two.far_repaired_faces);
-  EXPECT_FALSE(by_one.is_within());
+  EXPECT_EQ(by_one.far.of_input, by_two.far.of_input);
+  EXPECT_EQ(by_one.far.of_repaired, by_two.far.of_repaired);
+  EXPECT_FALSE(by_one.far.empty());
 }
 
 }  // namespace

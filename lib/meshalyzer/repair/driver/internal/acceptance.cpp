@@ -36,12 +36,12 @@ class AcceptanceCheck {
         rules_(rules),
         rejections_(rejections) {}
 
-  void check_deviation(const DeviationMeter::Result& deviation) {
-    for (const Index face : deviation.far_repaired_faces) {
+  void check_deviation(const FarFaces& far) {
+    for (const Index face : far.of_repaired) {
       reject(operations_on(affected_.faces_after, after_.tracked().face_keys[face]),
              Rejection::TooFar);
     }
-    for (const Index face : deviation.far_input_faces) {
+    for (const Index face : far.of_input) {
       if (reject_operations_on(face) || reject_operations_near(face)) continue;
       std::fill(rejections_.begin(), rejections_.end(), Rejection::TooFar);
     }
@@ -165,10 +165,8 @@ Acceptance check_acceptance(const RepairState& before, const RepairState& after,
   AcceptanceCheck check(before, after, affected, rules, acceptance.rejections);
   check.check_defects();
   check.check_contacts();
-  const DeviationMeter::Result deviation =
-      rules.meter.measure(after.tracked(), after.mesh().tree(), rules.max_deviation, rules.walls);
-  acceptance.deviation = deviation.largest;
-  check.check_deviation(deviation);
+  check.check_deviation(rules.meter.find_far(
+      {after.tracked(), after.mesh().tree(), rules.max_deviation, rules.walls}));
   return acceptance;
 }
 

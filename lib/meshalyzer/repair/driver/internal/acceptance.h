@@ -27,8 +27,6 @@ struct AcceptanceRules {
 struct Acceptance {
   /// #operations.
   std::vector<Rejection> rejections;
-  /// See DeviationMeter::Result::largest.
-  double deviation = 0.0;
 
   [[nodiscard]] bool all_accepted() const;
 };

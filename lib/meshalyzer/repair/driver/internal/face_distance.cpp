@@ -111,6 +111,7 @@ Corners SurfaceDistance::corners_of(Index slot) const {
 
 /// Tells whether more pieces would tell nothing worth knowing.
 bool SurfaceDistance::is_precise(const Estimate& known) const {
+  if (question_ == DistanceQuestion::IsWithin && known.upper <= bound_) return true;
   const double lower = known.upper > bound_ ? known.lower : std::max(found_, known.lower);
   return known.upper <= lower + slack_;
 }
@@ -151,7 +152,9 @@ void SurfaceDistance::divide(const Piece& piece, const Estimate& known) {
   Cut cut = halve_longest_edge(piece.corners);
   double evenness = kLeastEvenness;
   const bool is_halving_due = piece.depth >= kFreeCuts && piece.depth % 2 == 1;
-  const double level = std::min(bound_, std::max(found_, known.lower) + kAim * slack_);
+  const double level = question_ == DistanceQuestion::IsWithin
+                           ? bound_
+                           : std::min(bound_, std::max(found_, known.lower) + kAim * slack_);
   for (std::size_t i = 0; i < known.n_candidates; ++i) {
     const Clip clip = clip_for(piece, known.candidates[i], level);
     if (clip.share > best.share) best = clip;

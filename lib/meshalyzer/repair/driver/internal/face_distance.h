@@ -23,6 +23,15 @@ struct FaceDistance {
   bool is_far = false;
 };
 
+/// The question that is answered of each triangle.
+enum class DistanceQuestion {
+  /// Is it within the bound? That takes a small part of the time; of the largest distance no more
+  /// is known then than that it is at most the bound.
+  IsWithin,
+  /// How far is it?
+  HowFar,
+};
+
 /// Measures how far triangles are from a surface, one after the other.
 ///
 /// Branch and bound, as for Hausdorff distances between meshes (Guthe, Borodin and Klein 2005): a
@@ -37,8 +46,13 @@ class SurfaceDistance {
   static constexpr double kResolution = 1e-3;
 
   /// @param closest  Over `tree`; both must outlive this.
-  SurfaceDistance(const FaceTree& tree, const ClosestPoints& closest, double bound)
-      : tree_(tree), closest_(closest), bound_(bound), slack_(kResolution * bound) {}
+  SurfaceDistance(const FaceTree& tree, const ClosestPoints& closest, double bound,
+                  DistanceQuestion question)
+      : tree_(tree),
+        closest_(closest),
+        bound_(bound),
+        slack_(kResolution * bound),
+        question_(question) {}
 
   /// Returns the answer for a triangle that is within the bound is not more than the resolution
   /// above the largest distance of a point of it, or of a triangle that was measured before; but
@@ -99,6 +113,7 @@ class SurfaceDistance {
   const ClosestPoints& closest_;
   double bound_;
   double slack_;
+  DistanceQuestion question_;
   /// The largest distance that a point was found to have.
   double found_ = 0.0;
   /// An upper bound of the distance of the parts of the current triangle that are done with.

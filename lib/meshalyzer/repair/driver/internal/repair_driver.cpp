@@ -66,9 +66,25 @@ std::vector<double> RepairDriver::measure_parts(std::span<const Index> part_of,
       {state_->tracked(), state_->mesh().tree(), limits_.max_deviation, walls_}, part_of, n_parts);
 }
 
+double RepairDriver::deviation() {
+  if (!is_deviation_known_) {
+    const double largest =
+        meter_->measure({state_->tracked(), state_->mesh().tree(), limits_.max_deviation, walls_})
+            .largest;
+    // All that was applied was found to be within the maximum.
+    deviation_ = std::min(largest, limits_.max_deviation);
+    is_deviation_known_ = true;
+  }
+  return deviation_;
+}
+
+void RepairDriver::raise_deviation(double deviation) {
+  deviation_ = std::max(this->deviation(), deviation);
+}
+
 void RepairDriver::set_checkpoint() {
   banned_ = {};
-  checkpoint_ = {state_->tracked(), log_, deviation_, walls_};
+  checkpoint_ = {state_->tracked(), log_, deviation(), walls_};
   applied_.clear();
 }
 
@@ -136,6 +152,7 @@ void RepairDriver::restart() {
     deviation_ = 0.0;
     walls_.clear();
   }
+  is_deviation_known_ = true;
   applied_.clear();
 }
 
@@ -166,6 +183,8 @@ bool RepairDriver::is_to_stop() {
 void RepairDriver::apply_unchecked(const PlannedPass& pass) {
   const PassResult result = propose(pass, OperationSize::Normal);
   if (result.edits.empty()) return;
+  // What nobody checks is not measured either: the deviation stays that of all before.
+  deviation_ = deviation();
   TrackedMesh tracked = apply_edits(state_->tracked(), result.edits);
   const AffectedElements affected =
       find_affected_elements(state_->tracked(), result.edits, SkippedOperations({}), tracked);
@@ -228,7 +247,7 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
       record_applied({pass, site, skipped, affected, after->tracked()});
       state_ = std::move(after);
       walls_ = std::move(walls);
-      deviation_ = acceptance.deviation;
+      is_deviation_known_ = false;
       include_patches(edits);
       return true;
     }

@@ -44,8 +44,8 @@ class RepairDriver {
     return {state_, &state_->mesh()};
   }
   /// Returns an upper bound of the distance between the input and the tracked mesh, hole patches
-  /// left out.
-  [[nodiscard]] double deviation() const { return deviation_; }
+  /// left out. It is measured when it is asked for.
+  [[nodiscard]] double deviation();
 
   /// Runs the passes in order, each until it proposes nothing more that is accepted, and starts
   /// over until no pass changes anything.
@@ -88,7 +88,7 @@ class RepairDriver {
                                                   std::size_t n_parts) const;
   [[nodiscard]] double max_deviation() const { return limits_.max_deviation; }
   /// Notes a deviation that was measured outside.
-  void raise_deviation(double deviation) { deviation_ = std::max(deviation_, deviation); }
+  void raise_deviation(double deviation);
   /// Tells whether run_plan() was stopped.
   [[nodiscard]] bool is_stopped() const { return is_stopped_; }
 
@@ -160,7 +160,9 @@ class RepairDriver {
   /// What separated no inside from no outside and is gone.
   std::vector<InteriorWall> walls_;
   std::shared_ptr<const RepairState> state_;
+  /// The deviation when it was last measured.
   double deviation_ = 0.0;
+  bool is_deviation_known_ = true;
   RepairListener on_progress_;
   std::function<bool()> wants_to_stop_;
   bool is_stopped_ = false;
