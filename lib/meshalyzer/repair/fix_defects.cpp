@@ -53,10 +53,10 @@ std::vector<RepairedMesh> finished_meshes(RepairDriver& driver, const RepairOpti
   return meshes;
 }
 
-/// Adds a refusal for each code that was to be fixed and remains, where no pass has said why.
+/// Adds a refusal for each code that was to be fixed and remains without a reason from any pass.
 void name_what_has_no_reason(const RepairOptions& options, RepairResult& result) {
   DefectCodes unsaid = options.fixes;
-  // No pass treats these yet: their defects say so themselves.
+  // No pass repairs these yet; their defects state that themselves.
   unsaid.erase(DefectCode::SelfIntersection);
   if (options.borders == Borders::Intended) unsaid.erase(DefectCode::Hole);
   for (const LoggedRefusal& refusal : result.log.refusals) unsaid.erase(refusal.code);

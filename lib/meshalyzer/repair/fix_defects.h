@@ -18,7 +18,7 @@ struct RepairedMesh {
   TrackedMesh tracked;
   /// The defects that it still has.
   DefectReport remaining;
-  /// What is prepared for the mesh, where RepairOptions::keep_prepared asks for it and the mesh is
+  /// The data prepared for the mesh, if RepairOptions::keep_prepared asks for it and the mesh is
   /// the one that the passes have left, neither separated nor renumbered; else null.
   std::shared_ptr<const PreparedMesh> prepared;
 };
@@ -26,21 +26,22 @@ struct RepairedMesh {
 struct RepairResult {
   /// The defects of the input.
   DefectReport before;
-  /// One mesh, or, where disjoint is to be fixed, one for each component, see separate().
+  /// One mesh or, if disjoint is to be fixed, one for each component, see separate().
   std::vector<RepairedMesh> meshes;
   RepairLog log;
   /// The maximum deviation, and an upper bound of the measured one, in the mesh's unit. Hole
-  /// patches, and what later passes make of them together with what is round them, are left out.
+  /// patches do not count, nor do surfaces that later passes make of them and of their
+  /// surroundings.
   double max_deviation = 0.0;
   double deviation = 0.0;
-  /// Tells whether the repair ended because it was asked to, so that more might be repaired.
+  /// Tells whether the repair was stopped early, so that more might be repaired.
   bool is_stopped = false;
-  /// What a person should know of what was done, in sentences.
+  /// Notes for the user about the repair, in sentences.
   std::vector<std::string> notes;
-  /// The counts that are higher than before: only where a graver one has fallen that could not fall
-  /// otherwise ("Never worse" in doc/repair.md).
+  /// The counts that are higher than before: a count rises only if a graver one has fallen that
+  /// could not fall otherwise ("Never worse" in doc/repair.md).
   std::vector<CountRise> rises;
-  /// What became of each listed self-intersection of the input, where RepairOptions::tells_patches
+  /// The outcome for each listed self-intersection of the input, if RepairOptions::tells_patches
   /// asks for it.
   std::vector<PatchOutcome> patches;
 };
@@ -48,11 +49,11 @@ struct RepairResult {
 /// Repairs a mesh as far as possible within a maximum deviation, and reports the remaining defects
 /// (doc/repair.md).
 ///
-/// What is not broken stays bit for bit. Repairing the result again changes nothing. The result is
-/// never worse than the input, see RepairResult::rises.
+/// Sound parts of the mesh stay bit for bit. Repairing the result again changes nothing. The result
+/// is never worse than the input, see RepairResult::rises.
 ///
-/// @throws InvalidArgument  as resolve_tolerances(); for a deviation that is negative or not
-/// finite; and where a position is not finite.
+/// @throws InvalidArgument  as resolve_tolerances(); if the deviation is negative or not finite;
+/// and if a position is not finite.
 [[nodiscard]] RepairResult fix_defects(Soup soup, const RepairOptions& options = {});
 
 }  // namespace meshalyzer

@@ -21,7 +21,7 @@ std::vector<Index> faces_of(const Soup& soup, std::size_t group) {
   return faces;
 }
 
-/// Tells whether a face of the result is what it was, at the places where it was.
+/// Tells whether a face of the result is unchanged, with corners at the same positions.
 bool is_same_face(const Soup& input, const TrackedMesh& tracked, Index before, Index after) {
   if (tracked.face_keys[after] != before) return false;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -7,13 +7,13 @@
 
 namespace meshalyzer {
 
-/// What a repair made of the mesh of one face of a body.
+/// The result of a repair for the mesh of one face of a body.
 struct FaceTracking {
   /// The name of the face's group.
   std::string group;
-  /// The faces of its mesh before, by index in the input.
+  /// The faces of its mesh before the repair, by index in the input.
   std::vector<Index> before;
-  /// The faces of its mesh now, by index in the result.
+  /// The faces of its mesh after the repair, by index in the result.
   std::vector<Index> after;
 };
 

@@ -15,20 +15,21 @@
 
 namespace meshalyzer {
 
-/// What the groups of a file are.
+/// The meaning of the groups of a file.
 enum class Groups : std::uint8_t {
-  /// Names, which faces keep.
+  /// Groups are names, which faces keep.
   Names,
-  /// Faces of a body: their common borders keep every vertex and edge, and get no more of them.
+  /// Groups are the faces of a body: their common borders keep every vertex and edge, and get no
+  /// more of them.
   Faces,
 };
 
-/// Limits that a repair must keep.
+/// The limits that a repair must keep.
 struct RepairLimits {
-  /// No point may move farther than this. A length.
+  /// The maximum distance by which a point may move. A length.
   double max_deviation = 0.0;
-  /// Indexed by vertex key, which may be beyond the end: non-zero for vertices that stay where they
-  /// are and are neither removed nor merged into others (others may be merged into them).
+  /// Indexed by vertex key, which may be beyond the end: non-zero for vertices that stay in place
+  /// and are neither removed nor merged into others (others may be merged into them).
   std::vector<std::uint8_t> fixed_vertices;
   Groups groups = Groups::Names;
 
@@ -38,52 +39,53 @@ struct RepairLimits {
   }
 };
 
-/// Tells how much a pass puts into one operation.
+/// The size of the operations that a pass proposes.
 enum class OperationSize : std::uint8_t {
-  /// All that belongs together.
+  /// An operation holds all changes that belong together.
   Normal,
-  /// No more than is necessary, because larger operations were rejected.
+  /// An operation holds no more than necessary, because larger operations were rejected.
   Smallest,
 };
 
-/// What a pass sees. This holds references only.
+/// The input of a pass. This holds references only.
 struct PassInput {
   /// The mesh before all repairs.
   const Soup& original;
   const TrackedMesh& tracked;
-  /// Prepared from tracked.soup.
+  /// The data prepared from tracked.soup.
   const PreparedMesh& mesh;
   const Tolerances& tolerances;
   const RepairLimits& limits;
   OperationSize operation_size = OperationSize::Normal;
-  /// A pass that takes long asks now and then, and proposes no more when it says yes. May be empty.
+  /// Called now and then by a pass that takes long, which proposes no more once it returns true.
+  /// May be empty.
   std::function<bool()> wants_to_stop = {};
 };
 
 /// A defect that a pass could not repair, and the reason.
 struct Refusal {
   DefectCode code;
-  /// Elements of the soup by index: the lowest vertex or face that names it, as far as it has one.
+  /// The lowest vertex and face that name it, by index in the soup, or kNoIndex.
   Index vertex = kNoIndex;
   Index face = kNoIndex;
-  /// "collapsing it would turn a neighbour over", ...
+  /// The sentence for logs: "collapsing it would turn a neighbour over", ...
   std::string reason;
-  /// The rule of acceptance that no repair would have kept; None where it is something else.
+  /// The rule of acceptance that every repair would have broken; None if the reason is another.
   Rejection rejection = Rejection::None;
 };
 
-/// What a pass proposes.
+/// The proposal of a pass.
 struct PassResult {
   Edits edits;
   std::vector<Refusal> refused;
 };
 
-/// A pass looks at a mesh and proposes changes; it makes none. Pure, and the same for any number
-/// of threads.
+/// A pass examines a mesh and proposes changes, but makes none. It is a pure function, and its
+/// result is the same for any number of threads.
 ///
-/// It touches nothing that is not broken, and proposes nothing for a mesh that has nothing of what
-/// it treats. What it proposes need not be all: it is asked again after that was done, until it
-/// proposes nothing more, so each proposal must bring the end nearer.
+/// It leaves sound elements alone, and proposes nothing for a mesh without the defects that it
+/// repairs. A proposal may be partial: the pass runs again after its edits were applied, until it
+/// proposes nothing more, so each proposal must make progress.
 using PassFunction = std::function<PassResult(const PassInput&)>;
 
 }  // namespace meshalyzer

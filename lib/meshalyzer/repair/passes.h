@@ -12,52 +12,52 @@ namespace meshalyzer {
 
 // The repairs, one a file. Each is a pass (see PassFunction), some with options.
 
-/// Drops what makes no mesh: faces with a corner that no record defines, vertex records that repeat
-/// an id; a face record that repeats an id gets a new one.
+/// Drops records that cannot be part of a mesh: faces with a corner that no record defines, and
+/// vertex records that repeat an id. A face record that repeats an id gets a new one.
 [[nodiscard]] PassResult drop_corrupt(const PassInput& input);
 
-/// Drops all but one of faces with the same three vertices: the first of those that cross most of
-/// their edges against the one other face there. Opposed faces that have no other face at their
-/// edges all go: one alone would be open.
+/// Drops all but one of the faces with the same three vertices, and keeps the first of those that
+/// are oriented consistently with most of their neighbours. Opposed faces that have no other face
+/// at their edges are all dropped, because one alone would be open.
 ///
-/// Where they are a wall between two solids, as many facing one way as the other, and the rest of
-/// the mesh is closed without it, all go if all of the wall is within the deviation of the rest: so
-/// the solids become one. Else one of each direction stays, and that is refused: each solid needs
-/// its side, which split_edges() gives it.
+/// Such faces may be a wall between two solids, with as many faces in one direction as in the
+/// other, and the rest of the mesh closed without it. All of them are dropped if all of the wall is
+/// within the deviation of the rest, and the solids become one. Else one of each direction stays,
+/// and a refusal says so: each solid needs its side, which split_edges() gives it.
 [[nodiscard]] PassResult drop_duplicates(const PassInput& input);
 
-/// Takes away degenerate and flat facets (see find_thin_facets()): drops those that repeat a
-/// vertex; needles and others with a short edge by collapsing it, caps by flipping their longest
-/// edge or by splitting the face beyond it. Never turns a neighbour over, changes the topology or
-/// moves anything beyond the deviation.
+/// Removes degenerate and flat facets (see find_thin_facets()): drops those that repeat a vertex,
+/// collapses the short edge of needles and others, and flips the longest edge of caps or splits the
+/// face beyond it. It never turns a neighbour over, changes the topology or moves a point beyond
+/// the deviation.
 [[nodiscard]] PassResult mend_facets(const PassInput& input);
 
-/// Joins border edges: those at exactly the same place first, then those whose ends are within
-/// `within`, only border to border, and never so that an edge gets a third face. Where several
-/// could be joined, those that leave each solid closed. Where several short edges lie along a long
-/// one, as at T-junctions, the face of the long one is split at their vertices.
+/// Joins border edges, only with border edges, and never so that an edge gets a third face: those
+/// at exactly the same position first, then those whose ends are within `within`. If several could
+/// be joined, those are that leave each solid closed. If several short edges lie along a long one,
+/// as at T-junctions, the face of the long one is split at their vertices.
 ///
-/// @param within  A length; the vertices that are joined move to one of them that is fixed, or has
-/// more faces, or is the lower.
+/// @param within  A length. Of joined vertices the one stays that is fixed, or has more faces, or
+/// is the lower.
 [[nodiscard]] PassResult weld_borders(const PassInput& input, double within);
 
 /// Cuts the mesh at edges with more than two faces, into sheets that are manifold there: faces are
 /// paired round the edge by angle, so that each solid stays closed.
 [[nodiscard]] PassResult split_edges(const PassInput& input);
 
-/// Gives each fan of a vertex with several a copy of its own.
+/// Gives each fan of a vertex with several fans its own copy of the vertex.
 [[nodiscard]] PassResult split_vertices(const PassInput& input);
 
-/// Moves copies of a vertex that are left at one place, and touch, apart by the smallest step for
-/// which the faces round them share no point.
+/// Moves apart copies of a vertex that splitting has left in contact at one position, by the
+/// smallest step after which the faces round them share no point.
 [[nodiscard]] PassResult part_contacts(const PassInput& input);
 
-/// Turns faces until no edge is crossed twice in the same direction, edge component by edge
-/// component, the smaller part of each; components that cannot be are left.
+/// Turns faces until no edge is crossed twice in the same direction. In each edge component the
+/// smaller part is turned; components that cannot be oriented are left.
 [[nodiscard]] PassResult orient_consistently(const PassInput& input);
 
-/// Turns the components that point the wrong way: closed ones by exact parity with nesting, so that
-/// cavities stay cavities; open or self-intersecting ones by votes of winding numbers.
+/// Turns the components that are oriented inside out: closed ones by exact parity with nesting, so
+/// that cavities stay cavities; open or self-intersecting ones by votes of winding numbers.
 [[nodiscard]] PassResult orient_outward(const PassInput& input);
 
 /// Removes foldovers (see find_foldovers()).
@@ -67,21 +67,22 @@ namespace meshalyzer {
 /// weighted by angle.
 [[nodiscard]] PassResult renew_normals(const PassInput& input);
 
-/// Tells how a hole is filled.
+/// The ways to fill a hole.
 enum class FillShape : std::uint8_t {
-  /// Smooth where the hole has more than a few edges and the surface round it bends towards it;
-  /// Linear where it is flat, or ends at a crease.
+  /// The patch is Smooth if the hole has more than a few edges and the surface round it bends
+  /// towards it; it is Linear if the surface is flat or ends at a crease.
   Auto,
-  /// The triangulation of its border that bends least, and of those the one of least area; without
-  /// new vertices, unless only they make a patch that meets nothing.
+  /// The patch is the triangulation of its border that bends least, and of those the one of least
+  /// area. It has no new vertices unless only they make a patch without contacts.
   Linear,
-  /// Refined to the density round it, and faired.
+  /// The patch is refined to the density of its surroundings, and faired.
   Smooth,
 };
 
-/// Tells which open parts get their holes filled.
+/// The open parts whose holes are filled.
 enum class FillSheets : std::uint8_t {
-  /// Only parts that bound a solid: at least half of their surface separates inside from outside.
+  /// Only the holes of parts that bound a solid are filled: at least half of their surface
+  /// separates inside from outside.
   No,
   Yes,
 };
@@ -89,23 +90,23 @@ enum class FillSheets : std::uint8_t {
 struct FillOptions {
   /// Loops with more edges are left open.
   std::size_t max_edges = std::numeric_limits<std::size_t>::max();
-  /// Where a point is given, only the loop nearest to it is filled.
+  /// If a point is given, only the loop nearest to it is filled.
   std::optional<Vec3> at = {};
   FillShape shape = FillShape::Auto;
   FillSheets sheets = FillSheets::No;
 };
 
-/// Fills holes, each with a patch that intersects neither the mesh nor itself, or not at all.
+/// Fills holes with patches that intersect neither the mesh nor themselves, or leaves them open.
 [[nodiscard]] PassResult fill_holes(const PassInput& input, const FillOptions& options);
 
 struct CutOptions {
-  /// Where given, holes that every patch for intersects the mesh are filled all the same, and the
-  /// patches are cut too.
+  /// If given, a hole is filled even if every patch for it intersects the mesh, and the patch is
+  /// cut too.
   std::optional<FillOptions> fill = {};
 };
 
-/// Cuts the faces that intersect along their intersections, and drops what does not bound the solid
-/// that they enclose (see cut_surface()).
+/// Cuts intersecting faces along their intersections, and drops the parts that do not bound the
+/// solid that they enclose (see cut_surface()).
 [[nodiscard]] PassResult cut_intersections(const PassInput& input, const CutOptions& options);
 
 /// Drops vertices that no face uses.
@@ -115,51 +116,51 @@ struct CutOptions {
 [[nodiscard]] PassResult renumber(const PassInput& input);
 
 /// Turns every face over, and the normals of vertices that have one; faces with a corner that no
-/// record defines are left. It must run once only: a second run turns the faces back.
+/// record defines are left. It must run once only, because a second run turns the faces back.
 [[nodiscard]] PassResult flip_all(const PassInput& input);
 
-/// Tells which fragments are dropped: open parts that bound no solid, see bounds_solid().
+/// The fragments that are dropped: open parts that bound no solid, see bounds_solid().
 enum class Fragments : std::uint8_t {
-  /// Parts that hung, in the original mesh, on a surface that bounds a solid, and have a small
-  /// share of its area: fins, faces that hang in a hole, and what is left of walls; and parts of
-  /// which only hole patches are left.
+  /// Parts are dropped that hung, in the original mesh, on a surface that bounds a solid, and have
+  /// a small fraction of its area: fins, faces that hang in a hole, and remainders of walls. Parts
+  /// of which only hole patches are left are dropped too.
   Debris,
-  /// Parts with a small share of the area of the mesh.
+  /// Parts with a small fraction of the area of the mesh are dropped.
   Small,
-  /// All, where anything is left that bounds a solid.
+  /// All fragments are dropped if a part is left that bounds a solid.
   All,
 };
 
-/// Drops fragments: they separate no inside from no outside. The last part of a mesh stays.
+/// Drops fragments, which separate no inside from no outside. The last part of a mesh stays.
 [[nodiscard]] PassResult drop_fragments(const PassInput& input, Fragments which);
 
 /// Makes a thin solid of every open part that bounds none, and of every closed part with one side
-/// only: gives it a second side, and moves both apart.
+/// only, by giving it a second side and moving both apart.
 ///
-/// @param thickness  Of the solid, where the surface is flat; a length above 0.
+/// @param thickness  The thickness of the solid over a flat surface; a length above 0.
 [[nodiscard]] PassResult thicken_sheets(const PassInput& input, double thickness);
 
-/// What replace_broken_solids() replaces, and how far it may go.
+/// The extent of replace_broken_solids(), and its limits.
 struct ReplaceOptions {
-  /// Only what is broken, or all of the mesh.
+  /// Only the broken parts are replaced, or all of the mesh.
   enum class Scope : std::uint8_t { Broken, Whole };
   Scope scope = Scope::Broken;
-  /// Tells whether parts that bound no solid may be lost in it.
+  /// Tells whether parts that bound no solid may be lost.
   enum class Sheets : std::uint8_t { Kept, Dropped };
   Sheets sheets = Sheets::Kept;
-  /// Between the new surface and what it replaces.
+  /// The maximum distance between the new surface and the replaced one.
   double max_deviation = 0.0;
 };
 
-/// What replace_broken_solids() proposes.
+/// The proposal of replace_broken_solids().
 struct Replacement {
   PassResult result;
-  /// Tells how far the new surface and what it replaces are apart at most, where they were sampled.
+  /// The largest distance between the new surface and the replaced one that sampling has found.
   double deviation = 0.0;
 };
 
-/// Replaces the components that are broken, and those that they intersect, by the contour of the
-/// solid that they mean (see contour_mesh()). Walls inside the solid go, and holes are spanned.
+/// Replaces the broken components, and those that they intersect, by the contour of the solid that
+/// they mean (see contour_mesh()). Walls inside the solid are removed, and holes are closed.
 [[nodiscard]] Replacement replace_broken_solids(const PassInput& input,
                                                 const ReplaceOptions& options);
 

@@ -13,7 +13,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Tells whether two faces have the same corners in the same order, whichever comes first.
+/// Tells whether two faces have the same corners in the same cyclic order.
 bool is_same_cycle(Triangle a, const Triangle& b) {
   for (int i = 0; i < 3; ++i) {
     if (a == b) return true;
@@ -22,7 +22,7 @@ bool is_same_cycle(Triangle a, const Triangle& b) {
   return false;
 }
 
-/// Makes one operation of edits that turns a mesh into the result.
+/// Makes edits of one operation that turns a mesh into the result.
 class CombinedEdits {
  public:
   CombinedEdits(const Soup& source, const CombinedSolid& solid)
@@ -49,7 +49,7 @@ class CombinedEdits {
     return face.origin < soup_.n_faces();
   }
 
-  /// Patches are modelled on the first face of the source of which something stays.
+  /// Patches are modelled on the first face of the source of which a part stays.
   void find_model() {
     const auto found = std::find_if(solid_.faces.begin(), solid_.faces.end(),
                                     [&](const CombinedFace& face) { return is_of_source(face); });
@@ -96,7 +96,7 @@ class CombinedEdits {
     }
   }
 
-  /// Vertices that lose their last face go without being named.
+  /// Vertices that lose their last face are dropped without being named.
   void remove_orphans() {
     std::vector<std::uint8_t> is_used(soup_.n_vertices(), 0);
     for (const Triangle& t : soup_.triangles) {
@@ -109,7 +109,7 @@ class CombinedEdits {
     }
   }
 
-  /// Turns the normals of vertices of which every face was turned.
+  /// Turns the normals of vertices all of whose faces were turned.
   void turn_normals() {
     if (soup_.corner_normals.empty()) return;
     enum : std::uint8_t { Unused, Turned, Other };
@@ -133,7 +133,7 @@ class CombinedEdits {
   const Soup& soup_;
   const CombinedSolid& solid_;
   std::vector<std::uint8_t> stays_;
-  /// By vertex that was made: its number among those that are added.
+  /// By added vertex: its number among those that are used.
   std::vector<Index> added_;
   Index model_ = 0;
   Index op_ = 0;
@@ -147,15 +147,15 @@ void number_from_one(TrackedMesh& mesh) {
   mesh.soup.face_ids = {};
 }
 
-/// Makes a key of a second tracked mesh, which tracks the first one's soup, one of the first.
+/// Converts keys of a second tracked mesh, which tracks the first one's soup, to keys of the first.
 ///
 /// @param keys     By element of the soup of the first: its key there.
-/// @param n_known  How many keys the first one has given.
+/// @param n_known  The number of keys that the first one has given.
 Index outer_key(Index key, const std::vector<Index>& keys, std::size_t n_known) {
   return key < keys.size() ? keys[key] : static_cast<Index>(n_known + (key - keys.size()));
 }
 
-/// Tracks back to what the first one tracks.
+/// Makes a mesh track the input of the first one.
 TrackedMesh composed(const TrackedMesh& first, TrackedMesh second) {
   const std::size_t n_vertices = first.n_input_vertices + first.vertex_origins.size();
   const std::size_t n_faces = first.n_input_faces + first.face_origins.size();

@@ -6,32 +6,33 @@
 
 namespace meshalyzer {
 
-/// Makes the mesh that a boolean operation has made a change of a mesh, so that ids, groups and
-/// normals are carried as a repair carries them. Faces that were turned over have their normals
-/// turned too. Vertices that were moved by part_from() are where the result has them; those that no
-/// face uses go, and the records are numbered 1, 2, ..., n.
+/// Tracks the result of a boolean operation as a changed mesh, so that ids, groups and normals are
+/// carried as a repair carries them. Faces that were turned over have their normals turned too.
+/// Vertices that were moved by part_from() are at their positions in the result; those that no face
+/// uses are dropped, and the records are numbered 1, 2, ..., n.
 ///
-/// @param source  The soup of all operands, or of the first alone: then what comes of the others
-///                counts as patches of holes.
+/// @param source  The soup of all operands, or of the first alone: then faces of the others count
+/// as patches of holes.
 [[nodiscard]] TrackedMesh track_combined(const Soup& source, const CombinedSolid& solid);
 
-/// Tells whether a boolean operation has left a mesh as it was: all of its faces, and no others.
+/// Tells whether a boolean operation has left a mesh unchanged, with all of its faces and no
+/// others.
 ///
-/// @param source  As track_combined() takes it.
+/// @param source  The soup as track_combined() takes it.
 [[nodiscard]] bool is_unchanged(const Soup& source, const CombinedSolid& solid);
 
-/// What a boolean operation has made, parted where it touches itself.
+/// The result of a boolean operation, parted where it touches itself.
 struct PartedMesh {
   TrackedMesh mesh;
-  /// Tells whether anything was done, and how far vertices have moved at most.
+  /// The log of the parting, which says whether anything was done and how far vertices have moved.
   bool is_parted = false;
   double largest_move = 0.0;
 };
 
-/// Parts what touches along an edge or at a vertex, as a repair of `non-manifold` does; a mesh that
-/// is manifold stays.
+/// Parts surfaces that touch along an edge or at a vertex, as a repair of `non-manifold` does; a
+/// mesh that is manifold is left unchanged.
 ///
-/// @param max_deviation  No vertex moves farther. A length.
+/// @param max_deviation  The maximum distance by which a vertex may move. A length.
 [[nodiscard]] PartedMesh part_combined(TrackedMesh combined, double max_deviation);
 
 }  // namespace meshalyzer

@@ -12,12 +12,13 @@
 namespace meshalyzer {
 namespace {
 
-/// Beside as many as there are faces: a pair takes about half a millisecond in all, and two
-/// kilobytes.
+/// The maximum number of pairs beyond the number of faces: a pair takes about half a millisecond in
+/// all, and two kilobytes.
 constexpr std::size_t kMorePairsCut = 100'000;
-/// So often, at most, may cuts meet each other: beyond that there are millions of pieces.
+/// The maximum number of times that cuts may meet each other: beyond that there are millions of
+/// pieces.
 constexpr double kMostCrossings = 1e7;
-/// Pockets are forgotten where they have at most this share of the area of what stays.
+/// Pockets are dropped if they have at most this fraction of the area that stays.
 constexpr double kLargestForgotten = 0.25;
 
 PassResult refuse_all(const IntersectingPair& first, const std::string& reason) {
@@ -27,8 +28,8 @@ PassResult refuse_all(const IntersectingPair& first, const std::string& reason) 
   return result;
 }
 
-/// Returns an upper bound of how often cuts meet: the cut between two faces is met by faces that
-/// intersect both.
+/// Returns an upper bound of the number of times that cuts meet: the cut between two faces is met
+/// by faces that intersect both.
 double most_crossings(const Soup& soup, const std::vector<IntersectingPair>& pairs) {
   std::vector<double> n_partners(soup.n_faces(), 0.0);
   for (const IntersectingPair& pair : pairs) {
@@ -42,7 +43,7 @@ double most_crossings(const Soup& soup, const std::vector<IntersectingPair>& pai
   return sum;
 }
 
-/// Why cutting would take too long; empty where it would not.
+/// Returns the reason why cutting would take too long; empty if it would not.
 std::string reason_against(const PreparedMesh& mesh) {
   const auto& pairs = mesh.intersecting_pairs();
   const std::size_t most = kMorePairsCut + mesh.soup().n_faces();

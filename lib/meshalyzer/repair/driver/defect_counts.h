@@ -25,7 +25,7 @@ inline constexpr std::size_t kCountedDefects = 9;
 /// Returns the words for reports: "border edges", ...
 [[nodiscard]] std::string_view name_of(CountedDefect kind);
 
-/// A count that is higher after a repair than before.
+/// A count that is higher after a repair than it was before.
 struct CountRise {
   CountedDefect kind = CountedDefect::BorderEdges;
   std::size_t before = 0;

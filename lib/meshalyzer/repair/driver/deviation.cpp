@@ -20,10 +20,10 @@ namespace {
 
 /// Faces that one task measures.
 constexpr std::size_t kFacesPerChunk = 64;
-/// Corners of the pieces of a cut face are taken for one within this share of the resolution.
+/// Corners of the pieces of a cut face count as one within this fraction of the resolution.
 constexpr double kMatchingShare = 1.0 / 16;
 
-/// The faces of one mesh whose distance from another is asked for.
+/// The faces of one mesh whose distance from the other is to be measured.
 struct Side {
   const Soup& from;
   const Soup& to;
@@ -38,19 +38,19 @@ struct SideResult {
   std::vector<Index> far;
 };
 
-/// What is asked of the distance between two surfaces.
+/// The question that is answered about the distance between two surfaces.
 struct Asked {
   double bound = 0.0;
   DistanceQuestion question = DistanceQuestion::HowFar;
 
-  /// Returns the distance up to which it need not be known better.
+  /// Returns the precision with which a distance must be known.
   [[nodiscard]] double near_enough() const {
     return question == DistanceQuestion::IsWithin ? bound : resolution();
   }
   [[nodiscard]] double resolution() const { return SurfaceDistance::kResolution * bound; }
 };
 
-/// Removes the faces whose distance is known, which is not negative, and returns the largest.
+/// Removes the faces with a known distance, which is not negative, and returns the largest.
 double drop_settled(const std::vector<double>& distances, Side& side) {
   double largest = 0.0;
   std::size_t n_left = 0;
@@ -78,8 +78,8 @@ double settle_near_faces(Side& side, const Asked& asked) {
   return drop_settled(distances, side);
 }
 
-/// What was made of the faces of the input that changed: parts of the new surface, and walls that
-/// are gone.
+/// The parts that the changed faces of the input became: faces of the new surface, and walls that
+/// were removed.
 class PartsOfFaces {
  public:
   PartsOfFaces(const TrackedMesh& tracked, std::span<const ChangedFace> of_repaired,
@@ -115,8 +115,8 @@ class PartsOfFaces {
   std::vector<Part> parts_;
 };
 
-/// Removes the faces of the input that lie near enough to what they were cut into, and returns the
-/// largest of their distances.
+/// Removes the faces of the input that lie near enough to the pieces they were cut into, and
+/// returns the largest of their distances.
 double settle_cut_faces(Side& old_side, const PartsOfFaces& parts, const Asked& asked) {
   std::vector<double> distances(old_side.faces.size(), -1.0);
   parallel_chunks(distances.size(), kFacesPerChunk, [&](Chunk chunk) {
@@ -124,7 +124,7 @@ double settle_cut_faces(Side& old_side, const PartsOfFaces& parts, const Asked& 
       const Index face = old_side.faces[i].face;
       const Corners corners = corners_of(old_side.from, face);
       const std::vector<Corners> pieces = parts.of(face);
-      // Where vertices were moved a little after the cut, the pieces fit together but nearly.
+      // If vertices were moved a little after the cut, the pieces do not fit together exactly.
       for (const double slack : {0.0, kMatchingShare * asked.resolution()}) {
         const auto distance = distance_from_parts(corners, pieces, slack);
         if (!distance || *distance > asked.near_enough()) continue;
@@ -136,7 +136,7 @@ double settle_cut_faces(Side& old_side, const PartsOfFaces& parts, const Asked& 
   return drop_settled(distances, old_side);
 }
 
-/// Measures all faces that are left of a side.
+/// Measures all remaining faces of a side.
 SideResult measure_side(const Side& side, const std::function<SurfaceDistance()>& make_meter) {
   std::vector<FaceDistance> distances(side.faces.size());
   parallel_chunks(side.faces.size(), kFacesPerChunk, [&](Chunk chunk) {
@@ -163,7 +163,7 @@ Corners sorted(Corners corners) {
   return corners;
 }
 
-/// Leaves out faces that are walls as a whole.
+/// Removes faces that are walls as a whole.
 void drop_walls(const Soup& input, std::span<const InteriorWall> walls,
                 std::vector<ChangedFace>& faces) {
   if (walls.empty()) return;
@@ -187,8 +187,9 @@ Box3 box_of(const Corners& corners) {
   return box;
 }
 
-/// What of the new surface, and of the walls, is near the faces of the old side. A wall may be a
-/// part of another face than the one that it is near to: an edge may have been flipped before.
+/// The part of the new surface, and of the walls, that is near the faces of the old side. A wall
+/// may be a part of another face than the one that it is near to: an edge may have been flipped
+/// before.
 Soup surface_with_walls(const Side& old_side, std::span<const InteriorWall> walls, double bound) {
   Box3 near;
   for (const ChangedFace& changed : old_side.faces) {
@@ -212,7 +213,7 @@ Soup surface_with_walls(const Side& old_side, std::span<const InteriorWall> wall
   return soup;
 }
 
-/// Measures what of the input is far from the new surface again, from walls too.
+/// Measures the far faces of the input again, with walls as part of the new surface.
 SideResult measure_with_walls(Side& old_side, const SideResult& without,
                               std::span<const InteriorWall> walls, const Asked& asked) {
   std::erase_if(old_side.faces, [&](const ChangedFace& changed) {
@@ -244,7 +245,7 @@ struct DeviationMeter::Surface {
     return *built;
   }
 
-  /// The input's faces, and then the patches; nothing where there are none.
+  /// The input's faces, then the patches; empty if there are none.
   std::optional<Soup> with_patches;
   std::once_flag is_known;
   std::optional<Built> built;

@@ -16,8 +16,8 @@ namespace meshalyzer {
 struct ChangedFaces;
 enum class DistanceQuestion;
 
-/// Faces of which a point is farther than a bound from the other surface, or may be: where the
-/// farthest is within a thousandth of the bound, or the face lies over thousands of others.
+/// The faces with a point that is farther than a bound from the other surface, or may be: its
+/// distance is within a thousandth of the bound, or the face lies over thousands of others.
 struct FarFaces {
   /// Faces of the input, by index, ascending.
   std::vector<Index> of_input;
@@ -49,52 +49,53 @@ class DeviationMeter {
   /// A repaired mesh to be measured. It only refers to its data.
   struct Repaired {
     const TrackedMesh& tracked;
-    /// Over the tracked mesh's faces.
+    /// The tree over the tracked mesh's faces.
     const FaceTree& tree;
-    /// Finite, at least 0.
+    /// A finite length, at least 0.
     double bound = 0.0;
-    /// The walls of the input that are gone: it may be near to them instead of the new surface.
+    /// The walls of the input that were removed: the input may be near to them instead of the new
+    /// surface.
     std::span<const InteriorWall> walls = {};
   };
 
-  /// What lies farther than a bound from the other surface, and how far the rest is.
+  /// The faces that are farther than a bound from the other surface, and the distance of the rest.
   struct Result {
-    /// An upper bound, but for rounding, of the largest distance of a point of either surface from
-    /// the other, hole patches left out; infinite where there is no other surface. Where nothing is
-    /// far, it is off by at most a thousandth of the bound, but for faces that lie over hundreds of
-    /// others; it never exceeds the bound there.
+    /// An upper bound, except for rounding, of the largest distance of a point of either surface
+    /// from the other, without hole patches; infinite if there is no other surface. If no face is
+    /// far, it exceeds the true value by at most a thousandth of the bound, except at faces that
+    /// lie over hundreds of others; it never exceeds the bound there.
     double largest = 0.0;
     FarFaces far;
   };
 
-  /// Only faces that are not the same in both are measured: a face that has its corners where the
-  /// face it was made of has them, in any order, is the same. Faces of zero area count as the
-  /// segment or point they are, those that are in no complex not at all.
+  /// Only faces that differ between the two meshes are measured: a face is the same if its corners
+  /// are where the corners of the face that it was made of are, in any order. Faces of zero area
+  /// count as the segment or point that they are. Faces that are in no complex do not count.
   ///
-  /// The same for any number of threads.
+  /// The result is the same for any number of threads.
   ///
-  /// @complexity   O(#F), and O(log #F) for each face that has changed. Where
-  /// faces only moved by less than a thousandth of the bound, nothing else is looked at.
+  /// @complexity   O(#F), and O(log #F) for each changed face. If faces moved by less than a
+  /// thousandth of the bound only, no other face is visited.
   [[nodiscard]] Result measure(const Repaired& repaired) const;
 
   /// Finds the faces that measure() would find to be far, in a part of the time.
   [[nodiscard]] FarFaces find_far(const Repaired& repaired) const;
 
-  /// Measures parts of the input each by itself: how far its faces are from the new surface, and
-  /// what was made of them from the input.
+  /// Measures parts of the input separately: the distance of their faces from the new surface, and
+  /// the distance of the faces made of them from the input.
   ///
-  /// @param part_of  #faces of the input: the part that each belongs to, kNoIndex for none.
-  /// @return         #parts: Result::largest of each.
+  /// @param part_of  #faces of the input: the part of each face, or kNoIndex.
+  /// @return         #parts: the value of Result::largest for each.
   [[nodiscard]] std::vector<double> measure_parts(const Repaired& repaired,
                                                   std::span<const Index> part_of,
                                                   std::size_t n_parts) const;
 
  private:
   struct Surface;
-  /// Returns the faces that are not the same in both meshes, without those that are walls.
+  /// Returns the faces that differ between the two meshes, without those that are walls.
   [[nodiscard]] ChangedFaces find_measured_faces(const Repaired& repaired) const;
-  /// @param own_walls  Those that were parts of the changed faces; others may be near them too.
-  /// @param question   Where it is IsWithin, Result::largest tells nothing.
+  /// @param own_walls  The walls that were parts of the changed faces; others may be near them too.
+  /// @param question   If it is IsWithin, Result::largest is meaningless.
   [[nodiscard]] Result measure_changes(ChangedFaces changes, const Repaired& repaired,
                                        std::span<const InteriorWall> own_walls,
                                        DistanceQuestion question) const;

@@ -5,17 +5,17 @@
 
 namespace meshalyzer {
 
-/// Why an operation is rejected, or not even proposed.
+/// The reasons why an operation is rejected, or not even proposed.
 enum class Rejection : std::uint8_t {
   None,
-  /// The surface would deviate from the input by more than the maximum.
+  /// The surface would deviate from the input by more than the maximum deviation.
   TooFar,
-  /// Faces would intersect that did not intersect before, and no other faces of the operation did
-  /// instead of them.
+  /// Faces would intersect that did not intersect before, and that did not inherit the contact from
+  /// other faces of the operation.
   Intersects,
   /// It would create more defective elements of a kind than it removes.
   MoreDefects,
-  /// It was tried, and after all passes the mesh was worse for it.
+  /// It was tried, and the mesh was worse for it after all passes.
   EndsWorse,
 };
 

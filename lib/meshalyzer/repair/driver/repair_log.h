@@ -9,10 +9,9 @@
 
 namespace meshalyzer {
 
-/// An operation that was applied, and all that it changed. Elements are named by key, see
-/// TrackedMesh.
+/// An operation that was applied, and all its changes. Elements are named by key, see TrackedMesh.
 struct LoggedOperation {
-  /// Index into RepairLog::steps.
+  /// The index of its step in RepairLog::steps.
   Index step = 0;
   std::vector<Index> removed_faces;
   std::vector<Index> added_faces;
@@ -20,18 +19,18 @@ struct LoggedOperation {
   std::vector<Index> removed_vertices;
   std::vector<Index> added_vertices;
   std::vector<Index> moved_vertices;
-  /// Largest distance that a vertex, or a corner of a face, was moved. In the mesh's unit.
+  /// The largest distance by which a vertex, or a corner of a face, was moved. In the mesh's unit.
   double distance = 0.0;
 };
 
 /// A step of a repair: a pass that changed something.
 struct LogStep {
-  /// "mend facets", ...
+  /// The name of the pass: "mend facets", ...
   std::string pass;
-  /// What it treats.
+  /// The code of the defect that the pass repairs.
   DefectCode code = DefectCode::Corrupt;
   std::size_t operations = 0;
-  /// Operations that were proposed, and left out again for what they would have done.
+  /// The number of operations that were proposed and rejected for their effects.
   std::size_t undone = 0;
   std::size_t faces_removed = 0;
   std::size_t faces_added = 0;
@@ -42,24 +41,24 @@ struct LogStep {
   double distance = 0.0;
 };
 
-/// A defect that a pass looked at and left, or an operation that was undone, and why.
+/// A defect that a pass examined and left, or an operation that was undone, and the reason.
 struct LoggedRefusal {
   std::string pass;
   DefectCode code = DefectCode::Corrupt;
-  /// Keys, kNoIndex where there is none.
+  /// The keys of the vertex and the face that name it, or kNoIndex.
   Index vertex = kNoIndex;
   Index face = kNoIndex;
   std::string reason;
-  /// The rule of acceptance that stands against a repair; None where it is something else.
+  /// The rule of acceptance that prevents the repair; None if the reason is another.
   Rejection rejection = Rejection::None;
 };
 
-/// All that a repair did and did not do.
+/// The log of a repair: the operations that were applied, and the defects that were left.
 struct RepairLog {
   std::vector<LogStep> steps;
   /// The operations in order of their steps.
   std::vector<LoggedOperation> operations;
-  /// What still is refused in the end.
+  /// The defects that are still refused after the last pass.
   std::vector<LoggedRefusal> refusals;
 };
 

@@ -11,7 +11,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The mesh that is edited, and the faces after the edits.
+/// The edited mesh, and the faces after the edits.
 struct Work {
   const TrackedMesh& tracked;
   const Edits& edits;
@@ -19,15 +19,16 @@ struct Work {
   EditedFaces faces;
 };
 
-/// The numbers that the vertices of a soup, and those added to it, get.
+/// The new numbers of the vertices of a soup, and of those added to it.
 struct VertexMoves {
-  /// #old + #added vertices: the new index of each; kNoIndex for those that go.
+  /// #old + #added vertices: the new index of each; kNoIndex for dropped ones.
   std::vector<Index> new_index;
-  /// Indexed by new vertex: the old one it is, or #old + the number of the added one. Ascending.
+  /// Indexed by new vertex: the old vertex that it is, or #old + the number of the added one.
+  /// Ascending.
   std::vector<Index> sources;
 };
 
-/// Non-zero for each vertex that a face names.
+/// Non-zero for each vertex that a face uses.
 std::vector<std::uint8_t> used_vertices(std::span<const Triangle> triangles, std::size_t n) {
   std::vector<std::uint8_t> used(n, 0);
   for (const Triangle& triangle : triangles) {
@@ -38,7 +39,7 @@ std::vector<std::uint8_t> used_vertices(std::span<const Triangle> triangles, std
   return used;
 }
 
-/// Drops vertices that are asked to go, and those that have lost their last face.
+/// Drops vertices that the edits list, and those that have lost their last face.
 VertexMoves move_vertices(const Work& work) {
   const std::size_t n_old = work.tracked.soup.n_vertices();
   const std::size_t n = n_old + work.edits.added_vertices.size();
@@ -102,7 +103,7 @@ void set_vertex_keys(const Work& work, const VertexMoves& moves, TrackedMesh& re
 
 void set_face_keys(const Work& work, TrackedMesh& result) {
   const std::size_t n_old = work.tracked.soup.n_faces();
-  // Keys in order of the edits, whatever group a face has joined.
+  // Keys follow the order of the edits, whatever groups the faces have joined.
   result.face_origins = work.tracked.face_origins;
   std::vector<Index> added_keys(work.edits.added_faces.size(), kNoIndex);
   for (std::size_t i = 0; i < work.edits.added_faces.size(); ++i) {

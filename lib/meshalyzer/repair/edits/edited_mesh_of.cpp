@@ -38,8 +38,8 @@ class PatchNeighbours {
     find_neighbours();
   }
 
-  /// Returns the input's face that the neighbour of a patch is or was made of; kNoIndex where there
-  /// is none.
+  /// Returns the input's face that the neighbour of a patch is or was made of; kNoIndex if there is
+  /// none.
   [[nodiscard]] Index record_beside(Index face) {
     const auto place = std::lower_bound(faces_.begin(), faces_.end(), face) - faces_.begin();
     return neighbours_[patches_.find(static_cast<Index>(place))];
@@ -78,9 +78,9 @@ class PatchNeighbours {
   const TrackedMesh& tracked_;
   /// The faces of all patches, ascending.
   std::vector<Index> faces_;
-  /// Tells which of them are joined through edges, by their places in that list.
+  /// The sets of these faces that are joined through edges, by their indices in that list.
   DisjointSets patches_;
-  /// A face of a patch at each edge that one has.
+  /// A face of a patch at each edge of a patch.
   std::unordered_map<std::uint64_t, Index> edges_;
   /// The face beside each patch, by the lowest place of the patch.
   std::vector<Index> neighbours_;
@@ -88,8 +88,8 @@ class PatchNeighbours {
 
 /// Finds the face of the input that a changed face lies on.
 ///
-/// An edge that is flipped leaves two faces of which each has one corner beyond the face that it
-/// was, and may lie on the face there alone: a cap has no area that it could keep.
+/// A flipped edge leaves two faces, each with one corner beyond its old face, and may leave a face
+/// that lies on the neighbour alone: a cap has no area to keep.
 class FacesBelow {
  public:
   FacesBelow(const TrackedMesh& tracked, const Soup& input) : tracked_(tracked), input_(input) {}

@@ -5,10 +5,10 @@
 
 namespace meshalyzer {
 
-/// Says of a mesh under repair what records of the input its elements come from, for its file to be
-/// written.
+/// Lists, for a mesh under repair, the records of the input that its elements come from, so that
+/// its file can be written.
 ///
-/// @param input  What was tracked. The result refers to both.
+/// @param input  The mesh that was tracked. The result refers to both.
 /// @complexity   O(#V + #F).
 [[nodiscard]] EditedMesh edited_mesh_of(const TrackedMesh& tracked, const Soup& input);
 

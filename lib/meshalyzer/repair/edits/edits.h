@@ -9,36 +9,37 @@
 
 namespace meshalyzer {
 
-/// A part of a face that goes and is not missed, because it is proved that it separates no inside
-/// from no outside, it has no area, or it is there as a part of another face: the deviation does
-/// not count it as lost.
+/// A part of a face that is removed without being missed, because it is proved that it separates no
+/// inside from no outside, that it has no area, or that it also exists as a part of another face:
+/// the deviation does not count it as lost.
 struct InteriorWall {
   Corners corners;
-  /// The face that it is a part of, of the mesh in question; kNoIndex: of none that there is.
+  /// The face of the mesh in question that it is a part of; kNoIndex if it is a part of none.
   Index face = kNoIndex;
 };
 
-/// Changes of a mesh, as a pass proposes them: a list of operations, each a local change that is
+/// The changes of a mesh that a pass proposes: a list of operations, each a local change that is
 /// made as a whole or not at all.
 ///
 /// Operations of one list must be independent: no two change the same face, or move or replace the
-/// same vertex, and what is left when any of them are taken out is still what the pass wants. All
-/// refers to the soup as it is before; `op` is the number of the operation, from 0.
+/// same vertex, and if some of them are left out, the rest is still a valid proposal. All indices
+/// refer to the soup before the edits; `op` is the number of the operation, from 0.
 struct Edits {
   struct MovedVertex {
     Index op;
     Index vertex;
     Vec3 to;
   };
-  /// Added vertex i is named n_vertices + i by the faces of this list.
+  /// The position of an added vertex. Vertex i of these is named n_vertices + i by the faces of
+  /// this list.
   struct AddedVertex {
     Index op;
     Vec3 position;
-    /// Vertex at whose place it is, or was; kNoIndex: a new one.
+    /// The vertex at whose position it is, or was; kNoIndex for a new one.
     Index copy_of = kNoIndex;
   };
   /// A vertex record to be dropped that no face uses. A vertex that loses its last face is dropped
-  /// anyway, without being listed here.
+  /// anyway and is not listed here.
   struct RemovedVertex {
     Index op;
     Index vertex;
@@ -47,8 +48,9 @@ struct Edits {
     Index op;
     Index face;
   };
-  /// New corners for a face that keeps its id and its place in the file. Corners that stay the same
-  /// vertex keep their normal, wherever they stand now; others that of the corner they replace.
+  /// The new corners of a face that keeps its id and its place in the file. Corners that stay the
+  /// same vertex keep their normal, even at another position; others get that of the corner they
+  /// replace.
   struct ChangedFace {
     Index op;
     Index face;
@@ -60,7 +62,7 @@ struct Edits {
     /// A face of the soup that the new face is modelled on: the new face joins its group, takes its
     /// normals at common corners, and counts as made of it unless fills_hole is set.
     Index like;
-    /// Tells whether it fills a hole: nothing of the old surface was there.
+    /// Tells whether it fills a hole, so that it replaces nothing of the old surface.
     bool fills_hole = false;
   };
   /// A normal for all corners of faces at a vertex that have one.
@@ -69,14 +71,14 @@ struct Edits {
     Index vertex;
     Vec3 normal;
   };
-  /// An id for a record; only where the format names them.
+  /// The id of a record; used only if the format names ids.
   struct ChangedId {
     Index op;
     Index record;
     std::int32_t id;
   };
 
-  /// The wall counts as no longer there when the operation is made.
+  /// The wall counts as removed once the operation is applied.
   struct RemovedWall {
     Index op;
     InteriorWall wall;
@@ -95,7 +97,7 @@ struct Edits {
   std::vector<RemovedWall> interior_walls;
 
   [[nodiscard]] bool empty() const { return n_operations == 0; }
-  /// Begins the next operation, and gives its number.
+  /// Begins the next operation, and returns its number.
   [[nodiscard]] Index begin_operation() { return static_cast<Index>(n_operations++); }
 };
 

@@ -9,11 +9,11 @@ namespace meshalyzer {
 
 /// A mesh under repair that records where each of its elements comes from.
 ///
-/// Elements have keys that outlive all changes: vertex and face records of the input are 0, 1, ...
-/// in file order, what is added later goes on counting.
+/// Elements have keys that outlive all changes: the vertex and face records of the input have 0, 1,
+/// ... in file order, and elements added later continue the numbering.
 struct TrackedMesh {
   Soup soup;
-  /// The keys of vertices and faces, ascending among elements that were never reordered.
+  /// The keys of vertices and faces; ascending unless elements were reordered.
   std::vector<Index> vertex_keys;
   std::vector<Index> face_keys;
   std::size_t n_input_vertices = 0;

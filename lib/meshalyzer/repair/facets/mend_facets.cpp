@@ -25,22 +25,22 @@
 namespace meshalyzer {
 namespace {
 
-/// Steps that depend on each other are put into one operation up to this number.
+/// The maximum number of steps that depend on each other in one operation.
 constexpr std::size_t kMaxStepsTogether = 512;
 
-/// What a repair may cost.
+/// The repairs that are permitted.
 enum class Effort : std::uint8_t {
-  /// Only the thin faces themselves change: short edges are collapsed, caps retracted.
+  /// Only the thin faces themselves change: short edges are collapsed, and caps are retracted.
   Least,
-  /// Also edges of any length are collapsed, and flipped between thin faces.
+  /// Edges of any length are collapsed too, and edges between thin faces are flipped.
   Any,
 };
 
-/// Mends thin faces one after the other, and those that become mendable when others are mended:
-/// with the least effort as far as that goes, then with any.
+/// Mends thin faces one after the other, and then those that become mendable: first with minimal
+/// changes as far as that goes, then with any.
 ///
 /// Each step leaves fewer vertices, or as many and fewer thin faces, or as many of both and a
-/// shorter edge: so it ends.
+/// shorter edge; so the process ends.
 class Mender {
  public:
   Mender(const PassInput& input, std::span<const Index> thin_faces)
@@ -52,7 +52,7 @@ class Mender {
   void mend(std::span<const Index> faces) {
     for (const Index f : faces) push(f);
     mend_queue(Effort::Least);
-    // The next round goes on where this one had to stop.
+    // The next round continues where this one had to stop.
     if (has_deferred_) return;
     std::vector<Index> left;
     for (const auto& [face, outcome] : failed_) left.push_back(face);
@@ -63,7 +63,7 @@ class Mender {
 
   [[nodiscard]] Edits edits() const { return journal_.edits(soup_, mesh_); }
 
-  /// Appends the faces that could not be mended, of those given.
+  /// Appends those of the given faces that could not be mended.
   void report(const std::vector<Defect>& defects, std::vector<Refusal>& refused) const {
     for (const Defect& defect : defects) {
       const Index face = defect.faces.front();
@@ -130,7 +130,7 @@ class Mender {
     return best;
   }
 
-  /// Returns the shortest that can be collapsed.
+  /// Returns the shortest edge that can be collapsed.
   [[nodiscard]] MendAttempt collapse_short_edge(const Triangle& t, const FacetShape& shape) const {
     std::array<std::size_t, 3> order{0, 1, 2};
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -177,7 +177,7 @@ class Mender {
   StepJournal journal_;
   std::deque<Index> queue_;
   std::unordered_set<Index> is_queued_;
-  /// Indexed by face: why it was left, when it was last looked at.
+  /// Indexed by face: the reason why it was left when it was last examined.
   std::unordered_map<Index, MendOutcome> failed_;
   bool has_deferred_ = false;
 };

@@ -19,7 +19,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Regions with more to be put back than this are left: all of it is compared with all.
+/// Regions with more replacement faces than this are left, because all of these are compared with
+/// each other.
 constexpr std::size_t kMaxFaces = 128;
 constexpr std::size_t kMaxAround = 512;
 
@@ -45,11 +46,11 @@ struct VertexMove {
   Index vertex = kNoIndex;
   Vec3 to;
   double quality = -1.0;
-  /// Faces that must stay as they are for it: mesh faces.
+  /// Mesh faces that must stay unchanged for it.
   std::vector<Index> faces;
 };
 
-/// Takes foldovers of a mesh away one by one, as long as they are far enough from each other.
+/// Removes foldovers of a mesh one by one, as long as they are far enough from each other.
 class FoldoverRemover {
  public:
   FoldoverRemover(const PassInput& input, const std::vector<Defect>& foldovers)
@@ -104,11 +105,11 @@ class FoldoverRemover {
   std::vector<std::uint8_t> is_turned_over_;
   /// Non-zero for each mesh face that an operation has changed, or relies on.
   std::vector<std::uint8_t> is_used_;
-  /// Built when first needed.
+  /// The tree is built when it is first needed.
   std::optional<ClosestPoints> closest_;
-  /// Non-zero for each mesh face that closest_ is not to find.
+  /// Non-zero for each mesh face that closest_ is to ignore.
   std::vector<std::uint8_t> is_left_out_;
-  /// Why the region at hand is left.
+  /// The reason why the current region is left.
   std::string_view reason_;
   PassResult result_;
 };
@@ -125,7 +126,7 @@ Region FoldoverRemover::region_of(const Defect& foldover) const {
   return region;
 }
 
-/// Tells whether a vertex may be moved or taken away.
+/// Tells whether a vertex may be moved or removed.
 bool FoldoverRemover::may_change(Index vertex) const {
   if (input_.limits.is_fixed(input_.tracked, vertex) || !is_inner(cut_, vertex)) return false;
   if (input_.limits.groups == Groups::Names || soup_.groups.empty()) return true;
@@ -145,7 +146,7 @@ PlacedFace FoldoverRemover::placed(Index mesh_face) const {
   return {soup_.triangles[face], corners_of(soup_, face)};
 }
 
-/// Takes faces for an operation; not where another one has one of them.
+/// Claims faces for an operation, unless another one has one of them.
 bool FoldoverRemover::claim(const std::vector<Index>& faces) {
   const auto is_taken = [&](Index f) { return is_used_[f] != 0; };
   if (std::any_of(faces.begin(), faces.end(), is_taken)) return false;
@@ -153,10 +154,10 @@ bool FoldoverRemover::claim(const std::vector<Index>& faces) {
   return true;
 }
 
-// Ears: regions that are folded along one line, from border to border, onto a single sheet.
+// Handles ears: regions that are folded along one line, from border to border, onto a single sheet.
 
-/// Tells whether faces that touch the region would still meet each other without it: then it is the
-/// middle of three sheets.
+/// Tells whether faces that touch the region would still intersect each other without it: then it
+/// is the middle of three sheets.
 bool FoldoverRemover::overlaps_itself_below(const Region& region) const {
   std::vector<Index> around;
   for (const Index v : region.vertices) {
@@ -207,7 +208,7 @@ bool FoldoverRemover::drop(const Region& region) {
   return true;
 }
 
-// Dragged vertices: moved back.
+// Handles dragged vertices, which are moved back.
 
 bool FoldoverRemover::move(const Region& region) {
   VertexMove best;
@@ -223,7 +224,8 @@ bool FoldoverRemover::move(const Region& region) {
   return true;
 }
 
-/// Returns the best place for a vertex on the way to the middle of where it sees all its faces.
+/// Returns the best position for a vertex on the way to the middle of the points from which it sees
+/// all its faces.
 VertexMove FoldoverRemover::best_move(Index vertex) const {
   VertexMove best;
   const std::array<Index, 1> vertices{vertex};
@@ -253,8 +255,8 @@ VertexMove FoldoverRemover::best_move(Index vertex) const {
   return best;
 }
 
-/// Returns how well the faces are shaped if all that were turned over turn back, no other turns
-/// over, and none touches any but what still is turned over; else nothing.
+/// Returns the shape quality of the faces if all that were turned over turn back, no other turns
+/// over, and none touches any that does not stay turned over; else nothing.
 std::optional<double> FoldoverRemover::try_move(const FaceDisc& disc,
                                                 const VertexMove& move) const {
   std::vector<PlacedFace> faces;
@@ -277,9 +279,10 @@ std::optional<double> FoldoverRemover::try_move(const FaceDisc& disc,
       {faces, around, input_.tolerances.max_foldover_angle, input_.tolerances.degeneracy});
 }
 
-// All else: the faces at some vertices are taken out, and their outline is triangulated.
+// Handles all other regions: the faces at some vertices are removed, and their outline is
+// triangulated.
 
-/// Takes a vertex away that all of the region is round.
+/// Removes a vertex that all of the region surrounds.
 bool FoldoverRemover::replace_one(const Region& region) {
   return std::any_of(region.vertices.begin(), region.vertices.end(), [&](Index v) {
     const bool is_hub = std::all_of(region.faces.begin(), region.faces.end(), [&](Index f) {
@@ -320,7 +323,7 @@ bool FoldoverRemover::replace(const Region& region, const std::vector<Index>& ve
   return true;
 }
 
-/// Returns a triangulation of the outline of a disc; empty where there is none.
+/// Returns a triangulation of the outline of a disc; empty if there is none.
 std::vector<PlacedFace> FoldoverRemover::replacement_for(const FaceDisc& disc) const {
   const TriMesh& mesh = cut_.mesh;
   std::vector<VertexHandle> vertices;
@@ -346,8 +349,8 @@ std::vector<PlacedFace> FoldoverRemover::replacement_for(const FaceDisc& disc) c
   return replacement;
 }
 
-/// Tells whether a vertex that is taken away is within the deviation of the replacement, or of a
-/// face that stays: it was dragged over those.
+/// Tells whether a removed vertex is within the deviation of the replacement, or of a remaining
+/// face, since it was dragged over those.
 bool FoldoverRemover::is_near(const FaceDisc& disc, const std::vector<PlacedFace>& replacement,
                               Index vertex) {
   const Vec3& point = soup_.positions[vertex];
@@ -373,7 +376,7 @@ void FoldoverRemover::put_replacement(const FaceDisc& disc,
   const Index op = edits.begin_operation();
   for (const Index f : disc.faces) edits.removed_faces.push_back({op, cut_.side.faces[f]});
   for (const PlacedFace& face : replacement) {
-    // The model is the old face at the same edge of the outline, if the face has one.
+    // The model is the old face at the same edge of the outline, if there is one.
     Index like = cut_.side.faces[disc.faces.front()];
     for (const HalfedgeHandle h : disc.outline) {
       const auto& t = face.vertices;

@@ -21,7 +21,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns, by face of the patch, the file face that it is like.
+/// Returns, by face of the patch, the file face that it is modelled on.
 std::vector<Index> likes_of(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patch) {
   const CutMesh& cut = mesh.cut();
   const PatchEdges edges(patch);
@@ -46,8 +46,8 @@ std::vector<Index> likes_of(const PreparedMesh& mesh, const HoleLoop& loop, cons
   return likes;
 }
 
-/// Adds a patch as one operation. Each of its faces is like the face beyond the border edge that
-/// the fewest faces lie between.
+/// Adds a patch as one operation. Each of its faces is modelled on the face beyond the border edge
+/// that is reached through the fewest faces.
 void add_patch(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patch, Edits& edits) {
   const auto n_vertices = static_cast<Index>(mesh.soup().n_vertices());
   const auto shift = static_cast<Index>(edits.added_vertices.size());
@@ -67,15 +67,15 @@ void add_patch(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patc
 /// More loops than this are not joined to one.
 constexpr std::size_t kMaxIslands = 64;
 
-/// Tells which loops may be filled; of the others some may still be joined to one that may.
+/// Tells which loops may be filled; some of the others may still be joined to one of these.
 struct Choice {
   std::vector<std::uint8_t> is_chosen;
   std::vector<std::uint8_t> may_join;
   std::vector<Refusal> refused;
 };
 
-/// Returns how far a point is from the nearest edge between a face that filled a hole and one that
-/// did not.
+/// Returns the distance of a point from the nearest edge between a face that filled a hole and one
+/// that did not.
 double distance_from_patches(const PassInput& input, const Vec3& point) {
   const CutMesh& cut = input.mesh.cut();
   const auto fills_hole = [&](HalfedgeHandle h) {
@@ -96,7 +96,7 @@ double distance_from_patches(const PassInput& input, const Vec3& point) {
   return nearest;
 }
 
-/// Gives a reason for all loops that are not chosen.
+/// Refuses all loops that are not chosen.
 void refuse_others(const PreparedMesh& mesh, std::span<const HoleLoop> loops,
                    const std::string& reason, Choice& choice) {
   for (std::size_t i = 0; i < loops.size(); ++i) {
@@ -104,7 +104,7 @@ void refuse_others(const PreparedMesh& mesh, std::span<const HoleLoop> loops,
   }
 }
 
-/// Leaves only the loop nearest to a point; none where one still nearer was filled before.
+/// Keeps only the loop nearest to a point; none if a still nearer one was filled before.
 void choose_nearest(const PassInput& input, std::span<const HoleLoop> loops, const Vec3& point,
                     Choice& choice) {
   std::vector<double> distances;
@@ -120,7 +120,7 @@ void choose_nearest(const PassInput& input, std::span<const HoleLoop> loops, con
                 choice);
 }
 
-/// Leaves out the loops of sheets.
+/// Removes the loops of sheets.
 void refuse_sheets(const PreparedMesh& mesh, std::span<const HoleLoop> loops, Choice& choice) {
   const Components components = find_edge_components(mesh.cut());
   const std::vector<std::uint8_t> is_solid = bounds_solid(mesh, components);
@@ -160,7 +160,7 @@ Choice choose_loops(const PassInput& input, std::span<const HoleLoop> loops,
 /// A patch, and the loop that it fills.
 struct FilledLoop {
   JoinedLoop loop;
-  /// The numbers of the loops that it joins, ascending.
+  /// The numbers of the loops that it closes, ascending.
   std::vector<std::size_t> members;
   Patch patch;
 };
@@ -184,7 +184,8 @@ class HoleFiller {
   }
 
  private:
-  /// Returns the longest first: an outer loop finds the islands in it before these are looked at.
+  /// Returns the loops, the longest first: an outer loop finds its islands before these are
+  /// examined.
   [[nodiscard]] std::vector<std::size_t> by_length() const {
     std::vector<double> lengths;
     for (const HoleLoop& loop : loops_) lengths.push_back(length_of(soup_, loop));
@@ -215,9 +216,9 @@ class HoleFiller {
     }
   }
 
-  /// Fills a loop together with others, as far as these may be.
+  /// Fills a loop together with others that may be filled.
   ///
-  /// @return Whether it did.
+  /// @return Whether it was filled.
   bool fill_joined(std::size_t i, std::vector<std::size_t> others) {
     std::erase_if(others, [&](std::size_t k) { return choice_.may_join[k] == 0 || !is_free(k); });
     if (others.empty() || others.size() > kMaxIslands) return false;
@@ -250,7 +251,7 @@ class HoleFiller {
     result.refused = std::move(choice_.refused);
     std::sort(failures_.begin(), failures_.end());
     for (auto& [i, reason] : failures_) {
-      // It may have become an island of a later one.
+      // It may have become an island of a later loop.
       if (is_free(i)) {
         result.refused.push_back(refuse_hole(task_.mesh, loops_[i], std::move(reason)));
       }
@@ -263,7 +264,7 @@ class HoleFiller {
   std::span<const HoleLoop> loops_;
   Choice choice_;
   Islands islands_;
-  /// #V, non-zero for those of loops that are filled.
+  /// #V: non-zero for vertices of filled loops.
   std::vector<std::uint8_t> is_used_;
   std::vector<FilledLoop> filled_;
   std::vector<std::pair<std::size_t, std::string>> failures_;

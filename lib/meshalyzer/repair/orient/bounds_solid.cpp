@@ -12,8 +12,8 @@
 namespace meshalyzer {
 namespace {
 
-/// #file faces: 1 for those that must be turned to make the mesh consistent. What no turning makes
-/// consistent stays as it is.
+/// #file faces: 1 for those that must be turned to make the mesh consistent. Parts that no turning
+/// makes consistent stay as they are.
 std::vector<std::uint8_t> which_are_flipped(const PreparedMesh& mesh) {
   std::vector<std::uint8_t> is_flipped(mesh.soup().n_faces(), 0);
   for (const Defect& region : find_flipped(mesh)) {

@@ -13,17 +13,17 @@ namespace meshalyzer {
                                                          const Components& components);
 
 /// Tells for each component whether its surface bounds a solid: whether at least half of its area
-/// separates inside from outside. A face separates where the winding number of its component is, on
-/// its two sides, nearer to 1 and 0, which a closed surface has, than to 1/2 and -1/2, which a flat
-/// sheet has, or to the negatives of these. So a hemisphere bounds a solid, and a long tube does,
-/// but a sheet (terrain, a cloth, half a face scan) or a short ring bounds none.
+/// separates inside from outside. A face separates if the winding numbers of its component on its
+/// two sides are nearer to 1 and 0, as of a closed surface, than to 1/2 and -1/2, as of a flat
+/// sheet, or to the negatives of these. So a hemisphere bounds a solid, and a long tube does, but a
+/// sheet (terrain, a cloth, half a face scan) or a short ring bounds none.
 ///
 /// A component whose orientation is inconsistent is judged as if its flipped edges were repaired,
-/// where they can be. A large component is judged by a few hundred faces.
+/// if they can be. A large component is judged by a few hundred faces.
 ///
-/// @param components  As find_components() or find_edge_components().
-/// @return            #components: 1 for those that do; closed ones (no edge has but one face)
-///                    always do.
+/// @param components  The result of find_components() or find_edge_components().
+/// @return            #components: 1 for those that bound a solid; closed ones (no edge has only
+/// one face) always do.
 /// @complexity        O(#E), and O(#F log #F) for open components.
 [[nodiscard]] std::vector<std::uint8_t> bounds_solid(const PreparedMesh& mesh,
                                                      const Components& components);

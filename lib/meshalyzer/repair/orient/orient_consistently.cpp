@@ -6,8 +6,8 @@ namespace meshalyzer {
 
 PassResult orient_consistently(const PassInput& input) {
   PassResult result;
-  // Only one of two regions on a flipped edge is to be turned: each region may be, or not, on its
-  // own.
+  // Only one of two regions on a flipped edge is to be turned, and each region may be turned by
+  // itself.
   for (const Defect& region : find_flipped(input.mesh)) {
     if (!region.fixable) {
       result.refused.push_back({.code = region.code,

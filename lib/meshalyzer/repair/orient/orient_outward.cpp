@@ -19,11 +19,11 @@
 namespace meshalyzer {
 namespace {
 
-/// The part that a region takes in a vote on which way regions point.
+/// The role of a region in a vote on the orientation of regions.
 enum class RegionRole : std::uint8_t {
-  /// It is closed, and which way it points is known otherwise.
+  /// The region is closed, and its orientation is known otherwise.
   Shell,
-  /// Its faces vote.
+  /// The faces of the region vote.
   Voter,
   /// The region takes no part.
   None,
@@ -38,7 +38,7 @@ struct OutwardQuery {
   std::span<const RegionRole> roles;
 };
 
-/// A point is inside or outside where the winding number is no farther than this from a whole one.
+/// A point is inside or outside if its winding number is no farther than this from an integer.
 constexpr double kSure = 0.25;
 
 /// A region whose faces vote.
@@ -46,7 +46,7 @@ struct Voter {
   Index region = 0;
   SideVotes votes;
   std::vector<SurfaceSample> samples;
-  /// Null where the region bounds no solid, so that nothing is inside it.
+  /// Null if the region bounds no solid, so that nothing is inside it.
   std::unique_ptr<WindingNumbers> surface;
   Box3 box;
 };
@@ -89,11 +89,11 @@ std::vector<Voter> collect_voters(const OutwardQuery& query) {
 /// A region that a point may be inside of.
 struct Around {
   Index region = 0;
-  /// False: the point is on it, or as good as on it.
+  /// False if the point is on the region, or too near to it to tell.
   bool is_sure = false;
 };
 
-/// What may enclose a region: voters that bound a solid, and shells.
+/// The regions that may enclose another one: voters that bound a solid, and shells.
 class EncloserSearch {
  public:
   EncloserSearch(const OutwardQuery& query, std::span<const Voter> voters)
@@ -109,8 +109,8 @@ class EncloserSearch {
                               [](Index region) { return region != kNoIndex; });
   }
 
-  /// Returns the regions that a voter is inside of as far as its samples tell: some are, and none
-  /// is outside.
+  /// Returns the regions that a voter is inside of according to its samples: some samples are
+  /// inside, and none is outside.
   [[nodiscard]] std::vector<Index> enclosers(const Voter& voter) const {
     std::vector<Around> candidates = around(voter, voter.samples.front().point);
     for (std::size_t i = 1; i < voter.samples.size() && !candidates.empty(); ++i) {
@@ -132,7 +132,7 @@ class EncloserSearch {
     return boxes;
   }
 
-  /// The regions that another point is not outside of, either; sure where any point was.
+  /// Returns the regions that another point is not outside of, either; certain if any point was.
   static void keep_common(const std::vector<Around>& others, std::vector<Around>& candidates) {
     std::erase_if(candidates, [&](Around& candidate) {
       const auto same = std::find_if(others.begin(), others.end(), [&](const Around& other) {
@@ -183,7 +183,7 @@ class EncloserSearch {
   bool has_shells_ = false;
 };
 
-/// Patches that cross are not inside each other, however little crosses.
+/// Patches that cross are not inside each other, even if they cross only slightly.
 void drop_crossing(const OutwardQuery& query, std::vector<std::vector<Index>>& enclosers) {
   const SideTable& side = query.mesh.cut().side;
   for (const IntersectingPair& pair : query.mesh.intersecting_pairs()) {
@@ -196,7 +196,7 @@ void drop_crossing(const OutwardQuery& query, std::vector<std::vector<Index>>& e
   }
 }
 
-/// Returns, by region, those that each voter with a clear vote is inside of.
+/// Returns, by region, the regions that each voter with a clear vote is inside of.
 std::vector<std::vector<Index>> find_enclosers(const OutwardQuery& query,
                                                const std::vector<Voter>& voters) {
   const EncloserSearch search(query, voters);
@@ -212,12 +212,12 @@ std::vector<std::vector<Index>> find_enclosers(const OutwardQuery& query,
   return enclosers;
 }
 
-/// Finds the regions that point the wrong way by winding numbers: those that bound a solid, and
-/// clearly have it on the wrong side.
+/// Finds the regions that are inside out by winding numbers: those that bound a solid, and clearly
+/// have it on the wrong side.
 ///
-/// Each region is judged by its own winding number alone, and how many others are round it does not
-/// depend on how they are oriented: so all may be turned at once, or some, and asked again nothing
-/// is turned. Inside an odd number of others, none of which it crosses, a region is the wall of a
+/// Each region is judged by its own winding number alone, and the number of regions round it does
+/// not depend on their orientations: so all of them or some may be turned at once, and a second run
+/// turns none. A region inside an odd number of others, none of which it crosses, is the wall of a
 /// cavity.
 ///
 /// @return #regions: 1 for those to be turned.
@@ -235,7 +235,7 @@ std::vector<std::uint8_t> vote_outward(const OutwardQuery& query) {
   return is_wrong;
 }
 
-/// Finds the regions that point the wrong way. A region with a flipped edge is left: the region
+/// Finds the regions that are inside out. A region with a flipped edge is left, because the region
 /// beyond that edge would have to be turned with it.
 class WrongRegions {
  public:

@@ -24,7 +24,7 @@ void drop_incomplete_faces(const Soup& soup, Edits& edits) {
   for (const Index f : incomplete) edits.removed_faces.push_back({op, f});
 }
 
-/// Nothing refers to a record whose id an earlier one has.
+/// Nothing refers to a record that repeats the id of an earlier one.
 void drop_repeated_vertices(const Soup& soup, Edits& edits) {
   const std::vector<Index> repeated = find_repeated_ids(soup.vertex_ids);
   if (repeated.empty()) return;
@@ -51,7 +51,7 @@ PassResult drop_corrupt(const PassInput& input) {
   drop_incomplete_faces(soup, result.edits);
   drop_repeated_vertices(soup, result.edits);
   rename_repeated_faces(soup, result.edits);
-  // No record is left of a torn line: whatever is written next is without it.
+  // No record exists for a torn line, so that it is missing from any file written.
   if (!soup.torn_lines.empty()) static_cast<void>(result.edits.begin_operation());
   return result;
 }

@@ -18,12 +18,12 @@ namespace {
 
 /// Faces on the same three vertices.
 struct EqualFaces {
-  /// Ascending.
+  /// The faces, ascending.
   std::vector<Index> faces;
   /// Indexed like faces: non-zero for those that face the same way as the first.
   std::vector<std::uint8_t> is_like_first;
 
-  /// Tells whether as many face one way as the other.
+  /// Tells whether equal numbers face each way.
   [[nodiscard]] bool cancel_out() const;
 };
 
@@ -37,7 +37,7 @@ bool crosses(const Triangle& t, Index a, Index b) {
   return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
 }
 
-/// What the faces beside the candidates do at an edge.
+/// The counts of the faces beside the candidates at an edge.
 enum class Rest : std::uint8_t { None, Closed, Otherwise };
 
 class WallFinder {
@@ -105,12 +105,12 @@ class WallFinder {
   std::unordered_map<Index, Index> candidate_of_;
 };
 
-/// Tells of each set whether it is part of a wall between touching solids: sets that cancel out,
-/// joined through edges, round which the rest of the mesh is closed without them. At each edge of
-/// the wall there are two other faces, which cross it in opposite directions, or none, and not none
+/// Finds the walls between touching solids that each set belongs to: sets that cancel out, joined
+/// through edges, without which the rest of the mesh is closed round them. At each edge of a wall
+/// there are two other faces, which cross it in opposite directions, or none, and not none
 /// everywhere.
 ///
-/// @return #sets, the wall each is part of, from 0; kNoIndex for those that are of none.
+/// @return #sets: the wall of each, from 0; kNoIndex for those that belong to none.
 std::vector<Index> find_inner_walls(const WorkingMesh& mesh, std::span<const EqualFaces> sets) {
   return WallFinder(mesh, sets).find();
 }
@@ -124,7 +124,7 @@ EqualFaces look_at(const Soup& soup, const Defect& defect) {
   return set;
 }
 
-/// Decides which of equal faces go, set by set or wall by wall.
+/// Decides which of equal faces are dropped, set by set or wall by wall.
 class DuplicateDropper {
  public:
   DuplicateDropper(const PassInput& input, const std::vector<Defect>& defects)
@@ -153,7 +153,7 @@ class DuplicateDropper {
   }
 
  private:
-  /// Tells whether faces are closed by themselves: one of them alone would be open.
+  /// Tells whether faces are closed by themselves, so that one of them alone would be open.
   [[nodiscard]] bool is_pillow(const EqualFaces& set) const {
     const Triangle& t = mesh_.triangle(set.faces.front());
     const auto has_no_other_face = [&](std::size_t k) {
@@ -162,8 +162,8 @@ class DuplicateDropper {
     return set.cancel_out() && has_no_other_face(0) && has_no_other_face(1) && has_no_other_face(2);
   }
 
-  /// Returns the first of those that fit best to their neighbours: that cross most edges against
-  /// the one other face there.
+  /// Returns the first of those that fit best to their neighbours: that are oriented consistently
+  /// with most of the single other faces at their edges.
   [[nodiscard]] Index best_of(const EqualFaces& set) const {
     return *std::max_element(set.faces.begin(), set.faces.end(), [&](Index f, Index g) {
       return agreement(set, f) < agreement(set, g);
@@ -217,9 +217,9 @@ class DuplicateDropper {
     }
   }
 
-  /// Tells whether all of a face of a wall is surely within the deviation of other faces: all
-  /// corners are theirs, and no point of a face is farther from its nearest corner than its longest
-  /// edge is long.
+  /// Tells whether all of a face of a wall is certainly within the deviation of other faces: all
+  /// its corners belong to them, and no point of a face is farther from its nearest corner than the
+  /// length of its longest edge.
   [[nodiscard]] bool is_near_to_rim(const EqualFaces& set) const {
     const Triangle& t = mesh_.triangle(set.faces.front());
     const FacetShape shape = measure_facet(mesh_.corners(t));

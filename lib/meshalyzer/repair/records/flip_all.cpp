@@ -6,7 +6,7 @@
 namespace meshalyzer {
 namespace {
 
-/// What the corners at one vertex have for a normal.
+/// The kinds of normals that the corners at one vertex have.
 struct NormalThere {
   Index normal = kNoIndex;
   bool is_only_one = true;
@@ -27,7 +27,8 @@ std::vector<NormalThere> normals_at_vertices(const Soup& soup) {
   return there;
 }
 
-/// Turns the normals of vertices that have one; of several at a vertex each would need its own.
+/// Turns the normals of vertices that have one; several normals at a vertex would need one
+/// operation each.
 void turn_normals(const Soup& soup, Index op, PassResult& result) {
   const std::vector<NormalThere> there = normals_at_vertices(soup);
   for (Index v = 0; v < there.size(); ++v) {
@@ -50,7 +51,7 @@ PassResult flip_all(const PassInput& input) {
   const Index op = result.edits.begin_operation();
   for (Index f = 0; f < soup.n_faces(); ++f) {
     const Triangle& t = soup.triangles[f];
-    // Which corner is missing is told elsewhere in the soup.
+    // Another list of the soup tells which corner is missing.
     if (std::find(t.begin(), t.end(), kNoIndex) != t.end()) continue;
     result.edits.changed_faces.push_back({op, f, {t[0], t[2], t[1]}});
   }

@@ -7,7 +7,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns the records whose id is not their place in the file, counted from 1.
+/// Returns the records whose id is not their position in the file, counted from 1.
 std::vector<Edits::ChangedId> wanted_changes(const Ids& ids, std::size_t n) {
   std::vector<Edits::ChangedId> changes;
   for (Index record = 0; record < n; ++record) {
@@ -24,7 +24,7 @@ std::vector<Edits::ChangedId> wanted_changes(const Ids& ids, std::size_t n) {
 PassResult renumber(const PassInput& input) {
   const Soup& soup = input.tracked.soup;
   PassResult result;
-  // The other formats number their records by themselves.
+  // The other formats number their records implicitly.
   if (soup.format != Format::Mesh) return result;
   Edits& edits = result.edits;
   if (soup.missing.empty()) {

@@ -14,14 +14,14 @@
 namespace meshalyzer {
 namespace {
 
-/// Tells which part each element goes to, the parts in their final order.
+/// The part that each element goes to, with the parts in their final order.
 struct Parts {
   std::size_t count = 0;
-  /// #F.
+  /// #F: the part of each face.
   std::vector<Index> of_face;
 };
 
-/// Returns, by vertex, the lowest vertex of its component, itself where it is in none.
+/// Returns, by vertex, the lowest vertex of its component; the vertex itself if it is in none.
 DisjointSets join_vertices(const Soup& soup) {
   DisjointSets vertices(soup.n_vertices());
   for (const Triangle& t : soup.triangles) {
@@ -32,7 +32,7 @@ DisjointSets join_vertices(const Soup& soup) {
   return vertices;
 }
 
-/// Numbers the components in order of their lowest face; face by face, kNoIndex for those in none.
+/// Numbers the components in order of their lowest face, by face; kNoIndex for faces in none.
 Parts number_components(const Soup& soup) {
   DisjointSets vertices = join_vertices(soup);
   std::vector<Index> number(soup.n_vertices(), kNoIndex);
@@ -55,7 +55,7 @@ Parts number_components(const Soup& soup) {
   return parts;
 }
 
-/// Numbers the parts anew, the largest first, and puts what is in none into the first.
+/// Numbers the parts anew, the largest first, and assigns elements in none to the first.
 void sort_by_size(const Soup& soup, Parts& parts) {
   std::vector<std::size_t> n_faces(parts.count);
   for (std::size_t f = 0; f < soup.n_faces(); ++f) {
@@ -106,7 +106,7 @@ std::vector<Index> unused_by(std::span<const Triangle> lists, std::size_t n_reco
   return unused;
 }
 
-/// Returns some of a list's elements.
+/// Returns the elements of a list at the given indices.
 template <typename T>
 std::vector<T> picked(const std::vector<T>& all, std::span<const Index> wanted) {
   std::vector<T> some;
@@ -115,7 +115,7 @@ std::vector<T> picked(const std::vector<T>& all, std::span<const Index> wanted) 
   return some;
 }
 
-/// Returns the origins up to that of the last element that was added, if any was.
+/// Returns the origins up to that of the last added element, if any was added.
 std::vector<Index> origins_for(const std::vector<Index>& keys, std::size_t n_input,
                                const std::vector<Index>& origins) {
   const Index last = keys.empty() ? 0 : *std::max_element(keys.begin(), keys.end());
@@ -133,7 +133,7 @@ class Extractor {
         new_normal_(soup_.normals.size()),
         has_vertex_normals_(has_vertex_normals(soup_)) {}
 
-  /// What becomes of the records that nothing uses.
+  /// The treatment of records that nothing uses.
   enum class Rest { Takes, Leaves };
   TrackedMesh extract(std::span<const Index> faces, Rest rest) {
     const std::vector<Index> vertices = records(soup_.triangles, faces, rest, soup_.n_vertices());
@@ -181,7 +181,7 @@ class Extractor {
     return lists;
   }
 
-  /// Other formats number their records silently.
+  /// Other formats number their records implicitly.
   Ids ids(const Ids& all, std::span<const Index> records) const {
     if (soup_.format != Format::Mesh || records.empty()) return {all.first, {}};
     std::vector<std::int32_t> kept;
@@ -235,7 +235,7 @@ class Extractor {
 
   const TrackedMesh& tracked_;
   const Soup& soup_;
-  /// Number of each record in the part at hand, where it is in it.
+  /// The number of each record in the current part, if it is in it.
   std::vector<Index> new_vertex_;
   std::vector<Index> new_normal_;
   bool has_vertex_normals_;

@@ -13,14 +13,14 @@
 namespace meshalyzer {
 namespace {
 
-/// A fragment is small where it has at most this share of the area of the mesh.
+/// A fragment is small if its area is at most this fraction of that of the mesh.
 constexpr double kSmallShare = 0.1;
-/// A fragment is debris of a solid where it has less than this share of its area, and all that hung
-/// on it together less than that.
+/// A fragment is debris of a solid if its area, and the total area of all that hung on the solid,
+/// is less than this fraction of the solid's.
 constexpr double kDebrisShare = 0.01;
 constexpr double kShareOfAllDebris = 0.05;
 
-/// The components of the mesh as it is, by common edges.
+/// The components of the present mesh, by common edges.
 struct SurfaceParts {
   Components components;
   /// #components.
@@ -59,8 +59,8 @@ std::vector<std::uint8_t> find_sheets(const SurfaceParts& parts, Fragments which
   for (std::size_t i = 0; i < is_dropped.size(); ++i) {
     const bool is_wanted = which == Fragments::All || parts.areas[i] <= kSmallShare * total;
     is_dropped[i] = parts.is_closed[i] == 0 && parts.bounds[i] == 0 && is_wanted ? 1 : 0;
-    // Small sheets do not go for the sake of large ones that enclose nothing either, once these
-    // had their chance to be closed.
+    // Small sheets are not dropped for the sake of large ones that enclose nothing either, once
+    // these have had their chance to be closed.
     is_any_kept =
         is_any_kept || (which == Fragments::All ? parts.bounds[i] != 0 : is_dropped[i] == 0);
   }
@@ -68,8 +68,8 @@ std::vector<std::uint8_t> find_sheets(const SurfaceParts& parts, Fragments which
   return is_dropped;
 }
 
-/// #mesh faces: the component of the original in which the face, or the one that it was made of,
-/// lay; kNoIndex for faces of hole patches.
+/// #mesh faces: the component of the original that contained the face, or the face that it was made
+/// of; kNoIndex for faces of hole patches.
 std::vector<Index> find_origins(const PassInput& input) {
   const CutMesh original = build(input.original);
   const std::vector<Index> component_of =
@@ -83,7 +83,7 @@ std::vector<Index> find_origins(const PassInput& input) {
 }
 
 /// #components: 1 for sheets that hung, in the original, on parts that bound a solid and are much
-/// larger than all of these sheets, and for those that only hole patches are left in.
+/// larger than all of these sheets, and for those in which only hole patches are left.
 std::vector<std::uint8_t> find_debris(const PassInput& input, const SurfaceParts& parts) {
   const std::vector<Index> origins = find_origins(input);
   const std::vector<Index>& part_of = parts.components.of_face;
@@ -91,7 +91,7 @@ std::vector<std::uint8_t> find_debris(const PassInput& input, const SurfaceParts
   for (std::size_t i = 0; i < is_debris.size(); ++i) {
     is_debris[i] = parts.is_closed[i] == 0 && parts.bounds[i] == 0 ? 1 : 0;
   }
-  /// Of what was made of each component of the original.
+  /// The area of the faces made of each component of the original.
   std::vector<double> solid_areas(input.original.n_faces(), 0.0);
   std::vector<double> sheet_areas(input.original.n_faces(), 0.0);
   for (std::size_t f = 0; f < part_of.size(); ++f) {

@@ -12,7 +12,7 @@
 namespace meshalyzer {
 namespace {
 
-/// A replacement that takes more is not made: it would take more than some seconds.
+/// Replacements with a larger grid are not made, because they would take more than some seconds.
 constexpr std::size_t kMaxTetrahedra = 500'000;
 
 /// Returns the faces of a broken solid alone.
@@ -55,7 +55,7 @@ class Replacing {
     const Index op = edits_.begin_operation();
     for (const Index face : solid_.faces) edits_.removed_faces.push_back({op, face});
     for (const Vec3& p : made.soup.positions) edits_.added_vertices.push_back({op, p});
-    // The wall of a cavity points inwards, and so does what replaces it.
+    // The wall of a cavity points inwards, and so must its replacement.
     const bool is_turned = six_volumes(old_) < 0.0;
     for (Index face = 0; face < made.soup.n_faces(); ++face) {
       Triangle t = made.soup.triangles[face];
@@ -92,7 +92,7 @@ std::vector<BrokenSolid> solids_to_replace(const PreparedMesh& mesh, ReplaceOpti
   return {std::move(whole)};
 }
 
-/// Why a solid is not replaced; null where it may be.
+/// The reason why a solid is not replaced; null if it may be.
 const char* reason_against(const BrokenSolid& solid, const ReplaceOptions& options) {
   if (!solid.any_bounds_solid) return "it bounds no solid: it is a sheet";
   if (!solid.all_bound_solid && options.sheets == ReplaceOptions::Sheets::Kept) {

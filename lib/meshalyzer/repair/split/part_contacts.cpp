@@ -17,14 +17,14 @@
 namespace meshalyzer {
 namespace {
 
-/// The factors by which steps grow: a small one for directions that were chosen well, a large one
-/// for others.
+/// The factors between successive steps: a small one for directions that were chosen well, a large
+/// one for others.
 constexpr double kFineGrowth = 2.0;
 constexpr double kCoarseGrowth = 16.0;
-/// Neighbours are looked up within so many times the step.
+/// Neighbours are looked up within this multiple of the step.
 constexpr double kLookupReach = 256.0;
-/// Tells how many units that touch at a place are compared; the one that needs the smallest step is
-/// moved.
+/// The maximum number of touching units at a place that are compared; the one that needs the
+/// smallest step is moved.
 constexpr std::size_t kUnitsAtOnce = 4;
 
 /// Sets of places that have a face in common: an edge touches until both its ends have moved.
@@ -49,7 +49,7 @@ DisjointSets connect_places(const ContactPlaces& contacts) {
   return connected;
 }
 
-/// Moves vertices, place by place, each as the mesh is after those before.
+/// Moves vertices place by place, each in the mesh that the moves before it have left.
 class Parting {
  public:
   Parting(const PassInput& input, const ContactPlaces& contacts)
@@ -77,13 +77,14 @@ class Parting {
   }
 
  private:
-  /// A unit, and where it can go.
+  /// A unit, and the positions to which it can move.
   struct Found {
     Index unit = 0;
     Vec3 to;
   };
 
-  /// Moves units of a place until none touches another, as far as can be; which vertices moved.
+  /// Moves units of a place until none touches another, as far as possible; returns the moved
+  /// vertices.
   std::vector<Index> part(const ContactPlace& place) {
     std::vector<Index> moved;
     std::vector<std::array<Index, 2>> contacts = place.contacts;
@@ -115,7 +116,7 @@ class Parting {
                         [&](Index v) { return input_.limits.is_fixed(input_.tracked, v); });
   }
 
-  /// Returns the last first: those are the copies.
+  /// Returns the units with the last first, because those are the copies.
   [[nodiscard]] std::vector<Index> units_that_may_move(const ContactPlace& place) const {
     std::vector<Index> units;
     for (auto unit = static_cast<Index>(place.units.size()); unit-- > 0;) {
@@ -162,7 +163,7 @@ class Parting {
     return faces;
   }
 
-  /// Returns those of the faces round a unit, the vertex of the unit first.
+  /// Returns the corners of the faces round a unit, each with the vertex of the unit first.
   [[nodiscard]] std::vector<Corners> corners_of(const std::vector<Index>& unit,
                                                 const std::vector<Index>& faces) const {
     std::vector<Corners> corners;
@@ -175,15 +176,15 @@ class Parting {
     return corners;
   }
 
-  /// What is tried at a place; the lists are by place in `units`.
+  /// The data of the attempts at a place; the lists are indexed as `units`.
   struct Trial {
     const ContactPlace& place;
     const std::vector<Index>& units;
     const std::vector<std::vector<Index>>& faces;
   };
 
-  /// A unit that may move, in these directions. Most units need not be looked at, so each is made
-  /// when it is.
+  /// A unit that may move, in these directions. Most units are never needed, so that each is
+  /// created on demand.
   struct Candidate {
     std::vector<Vec3> directions;
     Move move;
@@ -191,10 +192,10 @@ class Parting {
 
   using Directions = std::function<std::vector<Vec3>(std::size_t)>;
 
-  /// Returns the smallest step that does it, whichever unit makes it and in whatever direction.
+  /// Returns the smallest sufficient step, of any unit in any direction.
   [[nodiscard]] std::optional<Found> search(const Trial& trial, const Directions& directions,
                                             double growth) const {
-    // Finite, so that steps come to an end.
+    // The limit is finite, so that the steps come to an end.
     const double max =
         std::min(input_.limits.max_deviation, std::numeric_limits<double>::max() / 2);
     double reach = kLookupReach * first_step_;
@@ -221,7 +222,7 @@ class Parting {
     return std::nullopt;
   }
 
-  /// The length of a step, and the most that it may be once it is rounded.
+  /// The length of a step, and its maximum after rounding.
   struct StepLength {
     double step;
     double max;

@@ -14,8 +14,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Finds out which fans the pairs of incidences leave at each vertex (Guéziec et al. 2001, "Cutting
-/// and stitching: converting sets of polygons to manifold surfaces").
+/// Determines the fans that the pairs of incidences leave at each vertex (Guéziec et al. 2001,
+/// "Cutting and stitching: converting sets of polygons to manifold surfaces").
 class EdgeCutter {
  public:
   explicit EdgeCutter(const PassInput& input)
@@ -47,7 +47,7 @@ class EdgeCutter {
  private:
   /// Tells whether a vertex must not get copies.
   [[nodiscard]] bool is_fixed(Index vertex) const { return !may_be_copied(input_, vertex); }
-  /// Tells whether an edge cannot be split, for neither of its ends can.
+  /// Tells whether an edge cannot be split, because neither of its ends can.
   [[nodiscard]] bool is_held(std::size_t edge) const {
     return is_fixed(incidences_.ends[edge][0]) && is_fixed(incidences_.ends[edge][1]);
   }
@@ -70,8 +70,8 @@ class EdgeCutter {
               fans_.begin() + static_cast<std::ptrdiff_t>(incident_.begin(entry)));
   }
 
-  /// Returns the fans that an incidence is in at the two ends of its edge, which become the
-  /// vertices that it will have.
+  /// Returns the fans of an incidence at the two ends of its edge, which will be the vertices of
+  /// the edge.
   [[nodiscard]] std::array<Index, 2> new_ends(Index incidence) const {
     std::array<Index, 2> fans{};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -83,9 +83,10 @@ class EdgeCutter {
     return fans;
   }
 
-  /// Where pairs of an edge come together again at both its ends, so that both would be between the
-  /// same two vertices, lets their faces go. Each then goes on with that to which it leads round
-  /// the ends: fans have two rims, so no three faces stay together, and fans only get smaller.
+  /// Separates pairs of an edge that come together again at both its ends, so that both would be
+  /// between the same two vertices. Each face is then joined to the one that the fans round the
+  /// ends lead to: fans have two rims, so that no three faces stay together, and fans only become
+  /// smaller.
   void take_apart(std::size_t edge) {
     std::vector<std::pair<std::array<Index, 2>, Index>> by_ends;
     for (Index incidence = incidences_.begin[edge]; incidence < incidences_.begin[edge + 1];
@@ -112,7 +113,7 @@ class EdgeCutter {
     partner_[incidence] = kNoIndex;
   }
 
-  /// Stars at the two ends of an edge belong together.
+  /// The fans at the two ends of an edge are handled together.
   [[nodiscard]] DisjointSets connected_entries() const {
     DisjointSets connected(incident_.size());
     for (const auto& [a, b] : incidences_.ends) {
@@ -128,7 +129,7 @@ class EdgeCutter {
   IncidentFaces incident_;
   /// #incidences: see pair_incidences().
   std::vector<Index> partner_;
-  /// The fan of each incident face, entry after entry.
+  /// The fan of each incident face, entry by entry.
   std::vector<Index> fans_;
 };
 

@@ -65,7 +65,7 @@ class EdgesByPlace {
 
 /// Joins edges at exactly the same place.
 ///
-/// @return #edges: whether each is done with, being joined or refused.
+/// @return #edges: non-zero for each that is finished, by being joined or refused.
 std::vector<std::uint8_t> zip_coincident(WeldState& state, std::span<const Index> places) {
   std::vector<std::uint8_t> is_done(state.edges.size(), 0);
   std::vector<WeldJoin> joins;
@@ -88,7 +88,7 @@ std::vector<std::uint8_t> zip_coincident(WeldState& state, std::span<const Index
   return is_done;
 }
 
-/// Returns the numbers of the edges that are neither done with nor next to another operation.
+/// Returns the numbers of the edges that are neither finished nor next to another operation.
 std::vector<Index> free_edges(const WeldState& state, std::span<const std::uint8_t> is_done) {
   std::vector<Index> wanted;
   for (std::size_t e = 0; e < state.edges.size(); ++e) {
@@ -117,8 +117,8 @@ void zip_near(WeldState& state, std::span<const Index> wanted) {
 
 /// Closes cracks with T-junctions.
 ///
-/// @param present  Edges that were there to be joined.
-/// @param wanted   Those that still are.
+/// @param present  The edges that could have been joined at first.
+/// @param wanted   Those of them that are not joined yet.
 void close_junctions(WeldState& state, std::span<const Index> places,
                      std::span<const Index> present, std::span<const Index> wanted) {
   if (wanted.empty()) return;

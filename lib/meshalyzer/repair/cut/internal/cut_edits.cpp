@@ -12,7 +12,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Why nothing is done to a part.
+/// The reason why a part is left unchanged.
 enum class Obstacle : std::uint8_t { None, Unfinished, Sheet, Fixed, Lost };
 
 std::string reason_of(Obstacle obstacle) {
@@ -31,7 +31,7 @@ std::string reason_of(Obstacle obstacle) {
   return "";
 }
 
-/// Tells whether two faces have the same corners in the same order, whichever comes first.
+/// Tells whether two faces have the same corners in the same cyclic order.
 bool are_same(Triangle a, const Triangle& b) {
   for (int i = 0; i < 3; ++i) {
     if (a == b) return true;
@@ -110,8 +110,8 @@ class CutEdits {
     find_lost_components();
   }
 
-  /// The orientation of an open component, or beside a hole, is not sure enough to take all of it
-  /// for walls within a solid: it may be a cavity.
+  /// The orientation of an open component, or beside a hole, is too uncertain for all of it to be
+  /// taken for walls within a solid: it may be a cavity.
   void find_lost_components() {
     const CutMesh& cut = input_.mesh.cut();
     const Components components = find_edge_components(cut);

@@ -17,7 +17,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Tells how many pairs all rounds may cut, beside this multiple of those of the first.
+/// The maximum number of pairs that all rounds may cut, beside this multiple of those of the first.
 constexpr std::size_t kMorePairs = 1000;
 constexpr std::size_t kTimesFirstPairs = 2;
 
@@ -27,7 +27,7 @@ bool is_flat(const std::vector<Vec3>& positions, const Triangle& t) {
   return are_collinear(positions[t[0]], positions[t[1]], positions[t[2]]);
 }
 
-/// Leaves out pairs that are only not welded, but where they hang together with others.
+/// Removes pairs that are only not welded, unless they are connected with others.
 void drop_unwelded(std::size_t n_faces, Pairs& pairs) {
   DisjointSets groups(n_faces);
   for (const IntersectingPair& pair : pairs) groups.unite(pair.face_a, pair.face_b);
@@ -54,7 +54,7 @@ class CuttingRounds {
   }
 
   CutSurface run() {
-    // Where nothing was left out or added, the first round is prepared already.
+    // If nothing was left out or added, the first round is already prepared.
     const bool is_prepared = soup_.triangles == mesh_.soup().triangles;
     if (!is_prepared || cut_round(mesh_.cut(), mesh_.tree(), mesh_.intersecting_pairs())) {
       while (cut_round()) {
@@ -74,7 +74,7 @@ class CuttingRounds {
     origins_.push_back(number);
   }
 
-  /// Looks for intersecting pairs and cuts them.
+  /// Searches for intersecting pairs and cuts them.
   /// @return Whether another round is needed.
   bool cut_round() {
     const CutMesh cut = build(soup_);
@@ -117,7 +117,7 @@ class CuttingRounds {
     return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
   }
 
-  /// How this round rounds.
+  /// The rounding of new vertices in this round.
   [[nodiscard]] Rounding rounding() const {
     return rounding_of_round(round_,
                              {.extent = extent_,
@@ -175,7 +175,7 @@ class CuttingRounds {
       const bool is_forgotten = fates[i] == PieceFate::Exterior && pockets_ == Pockets::Forgotten;
       const bool is_gone =
           is_forgotten || fates[i] == PieceFate::Interior || fates[i] == PieceFate::Cancelled;
-      // What stays of one face is there for all that lie on it.
+      // The remaining part of one face represents all faces that coincide with it.
       for (const PieceSource& source : sources.subspan(is_gone ? 0 : 1)) {
         add_wall(source.face, arrangement, i);
       }
@@ -221,10 +221,10 @@ class CuttingRounds {
   std::size_t n_pairs_cut_ = 0;
   std::size_t most_pairs_ = 0;
   Index n_added_ = 0;
-  /// What is cut in this round: positions and faces alone.
+  /// The surface that is cut in this round: positions and faces alone.
   Soup soup_;
   std::vector<Index> origins_;
-  /// Tells which faces the last round has made. Ascending.
+  /// The faces that the last round has made, ascending.
   std::vector<Index> new_faces_;
   CutSurface result_;
 };

@@ -12,35 +12,35 @@
 
 namespace meshalyzer {
 
-/// A surface of which the intersecting faces were cut, by its positions and faces alone.
+/// A surface with its intersecting faces cut: positions and faces alone.
 struct CutSurface {
-  /// Vertices of the input keep their numbers; those beyond are new.
+  /// Vertices of the input keep their numbers; later ones are new.
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
   /// #triangles: the face of the input that each is a part of; n_faces + i for patch face i.
   std::vector<Index> origins;
-  /// The walls that are gone, with faces as `origins` names them.
+  /// The walls that were removed, with faces as `origins` names them.
   std::vector<InteriorWall> walls;
-  /// The area of the pockets that went, relative to what stays.
+  /// The area of the dropped pockets, relative to the area that stays.
   double pocket_share = 0.0;
-  /// Faces of the input of which parts stay or go together.
+  /// Sets of faces of the input whose parts stay or are dropped together.
   std::vector<std::array<Index, 2>> ties;
-  /// Faces of the input of which parts still intersect others in the end.
+  /// Faces of the input with parts that still intersect others in the end.
   std::vector<Index> unfinished;
-  /// Faces of the input that intersect others and are of a sheet.
+  /// Faces of the input that intersect others and belong to a sheet.
   std::vector<Index> of_sheets;
 };
 
-/// Cuts the faces that intersect, keeps what bounds the solid, and rounds new vertices, again and
-/// again until no faces intersect: the rounded faces may intersect anew.
+/// Cuts the intersecting faces, keeps the parts that bound the solid, and rounds new vertices. This
+/// is repeated until no faces intersect, because the rounded faces may intersect anew.
 ///
-/// Faces that are only not welded are left alone, as far as they meet no others. Faces of no area
-/// go: what is left of them is cut at their corners.
+/// Faces that are only not welded are left alone if they intersect no others. Faces of no area are
+/// dropped, and the faces round them are cut at their corners.
 ///
-/// It ends early, with what still intersects, when it is to stop, or when rounding makes more pairs
-/// than a multiple of those that there were.
+/// The search ends early, with pairs that still intersect, if it is told to stop, or if rounding
+/// makes more pairs than a multiple of the initial ones.
 ///
-/// @param patches  Faces that are added before, on vertices of the mesh.
+/// @param patches  Faces on vertices of the mesh that are added before cutting.
 [[nodiscard]] CutSurface cut_surface(const PassInput& input,
                                      std::span<const Edits::AddedFace> patches, Pockets pockets);
 

@@ -13,19 +13,19 @@
 namespace meshalyzer {
 namespace {
 
-/// Tells how many pieces are looked at of those that have the same cells on both sides: fewer where
-/// there are so many such patches that all samples together would be more than kSamples.
+/// The number of pieces that are sampled of those with the same cells on both sides: fewer if there
+/// are so many such patches that all samples together would be more than kSamples.
 constexpr std::size_t kMostSamplesOfPatch = 64;
 constexpr std::size_t kLeastSamplesOfPatch = 4;
 constexpr std::size_t kSamples = 4096;
-/// A winding number is whole where it is no farther than this from one. It comes as near as 1/4
+/// A winding number is whole if it is no farther than this from an integer. It comes as near as 1/4
 /// beside a sheet that another one crosses.
 constexpr double kNearWhole = 0.15;
 
-/// What is estimated beside one piece.
+/// The estimate beside one piece.
 struct Sample {
   Index piece = kNoIndex;
-  /// Twice the area that it stands for.
+  /// Twice the area that the sample represents.
   double area = 0.0;
   /// The winding number in front of the piece.
   double front = 0.0;
@@ -59,7 +59,7 @@ void choose_from(const std::vector<Sample>& pieces, std::size_t most,
   }
 }
 
-/// Chooses pieces of each patch.
+/// Selects pieces of each patch.
 std::vector<Sample> choose_samples(const Patches& patches) {
   const std::size_t n_of_patch = std::clamp(kSamples / std::max<std::size_t>(1, patches.size()),
                                             kLeastSamplesOfPatch, kMostSamplesOfPatch);
@@ -68,7 +68,7 @@ std::vector<Sample> choose_samples(const Patches& patches) {
   return samples;
 }
 
-/// Chooses pieces of the patches of each component all together, whatever patch they are of.
+/// Selects pieces of the patches of each component together, whatever their patches.
 std::vector<Sample> choose_few_samples(const Patches& patches) {
   std::vector<Sample> samples;
   std::vector<Sample> of_component;
@@ -96,7 +96,7 @@ void estimate(const ArrangedSoup& a, const WindingNumbers& windings, std::vector
   parallel_chunks(samples.size(), 256, [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       Sample& sample = samples[i];
-      // On the piece itself it is half-way between those on both sides.
+      // On the piece itself, the winding number is half-way between those on both sides.
       sample.front = windings.at(centroid_of(a.arrangement.corners_of(sample.piece))) -
                      0.5 * a.arrangement.multiplicity(sample.piece);
     }
@@ -115,7 +115,7 @@ std::vector<std::uint8_t> find_solids(const Cells& cells, std::span<const Sample
   return solids;
 }
 
-/// Leaves out the patches of sheets, where there are so many that to look at each takes long.
+/// Removes the patches of sheets if there are so many that sampling each would take long.
 void drop_sheets(const ArrangedSoup& a, const WindingNumbers& windings, Patches& patches) {
   if (patches.size() <= kSamples) return;
   std::vector<Sample> samples = choose_few_samples(patches);

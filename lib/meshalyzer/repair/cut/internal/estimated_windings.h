@@ -7,8 +7,8 @@
 
 namespace meshalyzer {
 
-/// Winding numbers of the cells of components that are not closed, by estimates at some points
-/// beside their pieces.
+/// Winding numbers of the cells of components that are not closed, estimated at some points beside
+/// their pieces.
 struct EstimatedWindings {
   /// #cells: the mean, weighted by area; 0 where no piece was sampled.
   std::vector<double> of_cell;
@@ -17,7 +17,7 @@ struct EstimatedWindings {
   std::vector<std::uint8_t> bounds_solid;
 };
 
-/// @param wanted  #components: non-zero for those that are asked for.
+/// @param wanted  #components: non-zero for those that are to be estimated.
 /// @complexity    O(#F log #F) for the first piece, O(log #F) for each other.
 [[nodiscard]] EstimatedWindings estimate_windings(const ArrangedSoup& arranged,
                                                   std::span<const std::uint8_t> wanted);

@@ -8,16 +8,16 @@
 namespace meshalyzer {
 namespace {
 
-/// Estimated winding numbers from here on are surely inside.
+/// Cells with a larger estimated winding number are certainly inside.
 constexpr double kSurelyInside = 0.75;
 
-/// What counts as inside a closed component.
+/// The rule for the inside of a closed component.
 enum class Rule : std::uint8_t {
-  /// What is gone round at least once, in all: a component inside others is a cavity.
+  /// The region with a total winding number of at least one: a component inside others is a cavity.
   InAll,
-  /// What the component itself goes round at least once.
+  /// The region with a winding number of the component itself of at least one.
   Own,
-  /// What it goes round at all.
+  /// The region with any non-zero winding number of the component.
   OwnEitherWay,
 };
 
@@ -44,8 +44,8 @@ class PieceSelection {
   }
 
  private:
-  /// No component is lost: where one rule keeps nothing of it, the next one is tried, and where
-  /// none does, all of it stays.
+  /// No component is lost: if one rule keeps nothing of it, the next one is tried, and if none
+  /// keeps anything, all of it stays.
   void select_exactly() {
     const Windings windings = find_windings(a_, is_closed_);
     std::vector<std::uint8_t> pending = is_closed_;
@@ -59,7 +59,7 @@ class PieceSelection {
       }
     }
     keep_all(pending);
-    // In a cavity it is known what is outside.
+    // In a cavity, the outside is known.
     for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
       const bool is_cavity = windings.others[cells_.component_of[piece]] > 0;
       if (is_cavity && fates_[piece] == PieceFate::Exterior) fates_[piece] = PieceFate::Cancelled;
@@ -81,7 +81,7 @@ class PieceSelection {
     const int own = windings.own[cell];
     const int around = rule == Rule::InAll && windings.others[component] > 0 ? 1 : 0;
     const bool either_way = rule == Rule::OwnEitherWay || pockets_ == Pockets::Kept;
-    // Where cavities overlap there is nothing but cavity.
+    // If cavities overlap, the whole region is a cavity.
     return own + around > 0 || (either_way && around == 0 && own < 0);
   }
 
@@ -137,7 +137,7 @@ class PieceSelection {
   const ArrangedSoup& a_;
   const Cells& cells_;
   Pockets pockets_;
-  /// #components: 1 for those to be selected from.
+  /// #components: 1 for those whose pieces are to be selected.
   std::vector<std::uint8_t> is_closed_;
   std::vector<std::uint8_t> is_open_;
   std::vector<PieceFate> fates_;

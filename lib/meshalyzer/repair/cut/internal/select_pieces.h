@@ -7,38 +7,39 @@
 
 namespace meshalyzer {
 
-/// What becomes of pockets that faces go round the wrong way, as where a surface has been pushed
-/// through itself.
+/// The treatment of pockets, regions that faces surround in the wrong direction, as where a surface
+/// has been pushed through itself.
 enum class Pockets : std::uint8_t {
   Dropped,
   Kept,
-  /// They are dropped, and need not be missed: they bound none of the solid.
+  /// Pockets are dropped, and do not count as lost: they bound no part of the solid.
   Forgotten,
 };
 
-/// What becomes of a piece of an arrangement.
+/// The decision on a piece of an arrangement.
 enum class PieceFate : std::uint8_t {
-  /// It stays as it is.
+  /// The piece stays as it is.
   Kept,
-  /// It stays, turned over.
+  /// The piece stays, turned over.
   Turned,
-  /// It goes, because what is on both sides of it is inside the solid.
+  /// The piece is dropped, because both of its sides are inside the solid.
   Interior,
-  /// It goes, because its faces cancel each other out.
+  /// The piece is dropped, because its faces cancel each other out.
   Cancelled,
-  /// It goes, because what is on both sides of it is outside.
+  /// The piece is dropped, because both of its sides are outside.
   Exterior,
-  /// It stays uncut: nothing tells what of a sheet should go, and cut sheets would only touch.
+  /// The piece stays uncut: nothing tells which parts of a sheet to drop, and cut sheets would only
+  /// touch.
   OfSheet,
 };
 
 /// Decides which pieces bound the solid that the faces enclose.
 ///
-/// In closed components it is what they go round at least once, by exact winding numbers. Of others
-/// that nearly bound a solid it is what they go round about once, by estimates. Sheets are not
-/// selected from.
+/// In closed components, the solid is the region with a winding number of at least one, exactly. In
+/// others that nearly bound a solid, it is the region with a winding number of about one, by
+/// estimates. Sheets are left as they are.
 ///
-/// @param is_cut  #components: non-zero for those that are to be selected from.
+/// @param is_cut  #components: non-zero for those whose pieces are to be selected.
 /// @return        #pieces.
 [[nodiscard]] std::vector<PieceFate> select_pieces(const ArrangedSoup& arranged,
                                                    std::span<const std::uint8_t> is_cut,

@@ -89,7 +89,7 @@ class AcceptanceCheck {
     }
   }
 
-  /// Rejects the operations that affect what was made of a face of the input.
+  /// Rejects the operations that affect the faces made of a face of the input.
   bool reject_operations_on(Index input_face) {
     bool is_rejected = false;
     for (const AffectedElement& entry : affected_.faces_before) {
@@ -100,8 +100,8 @@ class AcceptanceCheck {
     return is_rejected;
   }
 
-  /// Handles a face of the input that an earlier pass has removed: rejects the operations near the
-  /// place where it was.
+  /// Handles a face of the input that an earlier pass has removed: rejects the operations near its
+  /// former position.
   bool reject_operations_near(Index input_face) {
     Box3 near = box_of(rules_.input, input_face);
     near.min().array() -= rules_.max_deviation;

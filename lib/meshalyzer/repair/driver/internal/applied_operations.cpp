@@ -9,7 +9,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns the code of the defects that a pass has to be allowed for it to create such an element.
+/// Returns the code of the defects that a pass must be allowed to create for such an element.
 DefectCode code_of(CountedDefect kind) {
   switch (kind) {
     case CountedDefect::NonManifoldEdges:
@@ -143,7 +143,7 @@ void ban_responsible(const std::vector<AppliedOperation>& operations,
     if (blame == Blame::Last) keep_likeliest(operations, place.kind, responsible);
     const std::set<std::uint64_t> near = site_of(place, input, faces_at);
     for (const Index op : responsible) {
-      // Only the part round the element is banned of a large operation.
+      // Of a large operation only the part round the element is banned.
       OperationSite part;
       const OperationSite& site = operations[op].site;
       std::set_intersection(site.begin(), site.end(), near.begin(), near.end(),

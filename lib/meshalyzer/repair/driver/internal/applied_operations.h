@@ -10,8 +10,8 @@
 
 namespace meshalyzer {
 
-/// The faces and vertices of the input that an operation changes something of: the identities of
-/// faces as 2 f, those of vertices that it moves as 2 v + 1. In ascending order.
+/// The faces and vertices of the input that an operation changes, in ascending order: a face with
+/// identity f is 2 f, a vertex with identity v that moves is 2 v + 1.
 using OperationSite = std::vector<std::uint64_t>;
 
 /// An operation that a driver has applied.
@@ -19,12 +19,11 @@ struct AppliedOperation {
   std::string_view pass;
   DefectCodes may_create;
   OperationSite site;
-  /// The corners of the faces that it affects, before and after: their identities, in ascending
-  /// order.
+  /// The corners of the faces that it affects, before and after, by identity; in ascending order.
   std::vector<Index> vertices;
 };
 
-/// What may not be done again, because a mesh has ended worse for it.
+/// The operations that may not be repeated, because a mesh has ended worse for them.
 class BannedOperations {
  public:
   /// Bans the operations of a pass that change any of these elements.
@@ -42,21 +41,21 @@ class BannedOperations {
   std::set<std::string_view> passes_;
 };
 
-/// Tells which of the operations round a defective element are held responsible for it.
+/// The choice of the operations that are held responsible for a defective element near them.
 enum class Blame : std::uint8_t {
-  /// The last one, of a pass that may create such an element where there is one.
+  /// The last operation of a pass that may create such an element, if there is one.
   Last,
-  /// All of them.
+  /// All operations near the element.
   All,
 };
 
-/// Where a mesh has become worse, and by what.
+/// The elements for which a mesh has become worse, and the operations near them.
 struct WorsePlace {
   CountedDefect kind = CountedDefect::BorderEdges;
   ElementCorners corners;
 };
 
-/// Bans the operations that are responsible for what has made a mesh worse.
+/// Bans the operations that are responsible for a worse mesh.
 ///
 /// @param input  The soup before all operations.
 /// @complexity   O(n log n) for n corners of operations, and O(#F).

@@ -13,7 +13,7 @@ bool has_surface(const Soup& soup, Index face) {
   return is_in_complex(soup.triangles[face]);
 }
 
-/// Tells whether two faces are the same points of space: corners at the same places, in any order.
+/// Tells whether two faces have corners at the same positions, in any order.
 bool is_same_surface(const Corners& a, const Corners& b) {
   return a == b || std::is_permutation(a.begin(), a.end(), b.begin(), b.end());
 }
@@ -40,8 +40,8 @@ std::vector<std::uint8_t> find_same(const Soup& input, const TrackedMesh& tracke
 ChangedFaces find_changed_faces(const Soup& input, const TrackedMesh& tracked) {
   const std::vector<std::uint8_t> same = find_same(input, tracked);
   ChangedFaces changes;
-  // Maps each face of the input to the tracked mesh's face that is the same, else to one that was
-  // made of it.
+  // Maps each face of the input to the same face of the tracked mesh, else to one that was made of
+  // it.
   std::vector<Index> made_of(input.n_faces(), kNoIndex);
   std::vector<std::uint8_t> is_kept(input.n_faces());
   for (Index face = 0; face < same.size(); ++face) {

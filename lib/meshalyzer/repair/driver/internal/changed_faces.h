@@ -6,18 +6,18 @@
 
 namespace meshalyzer {
 
-/// A face that is not the same in both meshes, and one of the other mesh that is likely to be near,
-/// since one was made of the other (kNoIndex: there is none).
+/// A face that differs between the two meshes, and a face of the other mesh that is likely to be
+/// near, because one was made of the other (kNoIndex: there is none).
 struct ChangedFace {
   Index face = 0;
   Index other = kNoIndex;
 };
 
-/// The faces that a repair has changed: those that are not the same points of space before and
-/// after. Faces that are in no complex are left out.
+/// The faces that a repair has changed: those that do not occupy the same points of space before
+/// and after. Faces that are in no complex are left out.
 struct ChangedFaces {
   std::vector<ChangedFace> of_input;
-  /// The faces of hole patches are left out.
+  /// The changed faces after the repair, without the faces of hole patches.
   std::vector<ChangedFace> of_repaired;
 };
 

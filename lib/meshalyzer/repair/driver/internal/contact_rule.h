@@ -8,8 +8,8 @@
 
 namespace meshalyzer {
 
-// What an operation may not do, part one: bring faces into contact. Passes that check their
-// candidates beforehand ask the same predicates as acceptance.h.
+// The first rule for operations: an operation may not bring faces into contact. Passes that check
+// their candidates beforehand use the same predicates as acceptance.h.
 
 /// A face that exists or is proposed: the file numbers of its vertices, and its corners in space.
 struct PlacedFace {
@@ -17,7 +17,7 @@ struct PlacedFace {
   Corners corners;
 };
 
-/// Tells whether the boxes of two faces have no point in common.
+/// Tells whether the boxes of two faces are disjoint.
 [[nodiscard]] inline bool are_boxes_apart(const Corners& a, const Corners& b) {
   for (Eigen::Index k = 0; k < 3; ++k) {
     const auto of_a = std::minmax({a[0][k], a[1][k], a[2][k]});
@@ -30,7 +30,7 @@ struct PlacedFace {
 /// Tells whether two faces share a point that is not part of their common corners. The answer is
 /// exact.
 ///
-/// @param same  Whether two vertices, by number, count as one.
+/// @param same  Returns whether two vertices, by number, count as one.
 template <typename Same>
 [[nodiscard]] bool are_in_contact(const PlacedFace& a, const PlacedFace& b, Same&& same) {
   if (are_boxes_apart(a.corners, b.corners)) return false;

@@ -106,7 +106,7 @@ class Inventory {
     }
   }
 
-  /// Answers as the report does: attributes that need another one are yes only where that is.
+  /// Follows the report: an attribute that presupposes another one requires it.
   void answer_attributes() {
     const auto says_yes = [&](Attribute attribute, bool answer) {
       inventory_.is_yes[static_cast<std::size_t>(attribute)] = answer;

@@ -13,15 +13,15 @@
 
 namespace meshalyzer {
 
-/// A defective element, named by what it was made of, so that those of the input and of a repaired
-/// mesh can be compared.
+/// A defective element, named by the elements of the input that it was made of, so that those of
+/// the input and of a repaired mesh can be compared.
 struct CountedElement {
   CountedDefect kind = CountedDefect::BorderEdges;
-  /// The origins of the vertex or of the ends of the edge (vertex_identity()), or of the face or
-  /// both faces of a pair (face_identity()), in ascending order. The second is kNoIndex where there
+  /// The identities of the vertex or of the ends of the edge (vertex_identity()), or of the face or
+  /// of both faces of a pair (face_identity()), in ascending order. The second is kNoIndex if there
   /// is one only.
   std::array<Index, 2> origins{kNoIndex, kNoIndex};
-  /// The same vertices, or faces, by index in the soup, in any order.
+  /// The same vertices or faces by index in the soup, in any order.
   std::array<Index, 2> members{kNoIndex, kNoIndex};
 
   friend auto operator<=>(const CountedElement& a, const CountedElement& b) {
@@ -33,7 +33,7 @@ struct CountedElement {
   }
 };
 
-/// An attribute of a mesh as a report says it.
+/// An attribute of a mesh, as reports state it.
 enum class Attribute : std::uint8_t { Closed, Manifold, Orientable, Consistent, Outward };
 
 inline constexpr std::size_t kAttributes = 5;
@@ -44,7 +44,7 @@ struct DefectInventory {
   std::vector<CountedElement> elements;
   /// Indexed by CountedDefect.
   std::array<std::size_t, kCountedDefects> counts{};
-  /// Indexed by Attribute: whether the report says yes.
+  /// Indexed by Attribute: whether the mesh has it.
   std::array<bool, kAttributes> is_yes{};
 
   [[nodiscard]] std::size_t count(CountedDefect kind) const {
@@ -56,12 +56,12 @@ struct DefectInventory {
 /// intersecting.
 enum class UnweldedPairs : std::uint8_t { Count, Ignore };
 
-/// Returns what identifies a vertex in the input: its key there, that of the vertex that it is a
-/// copy of, or, where it is new, its own key.
+/// Returns the identity of a vertex in the input: its key there, that of the vertex that it is a
+/// copy of, or, for a new vertex, its own key.
 [[nodiscard]] Index vertex_identity(const TrackedMesh& tracked, Index key);
 
-/// Returns the face of the input that a face, by key, was made of, or its own key where it is part
-/// of a hole patch.
+/// Returns the key of the input's face that a face, by key, was made of; for a face of a hole
+/// patch, its own key.
 [[nodiscard]] Index face_identity(const TrackedMesh& tracked, Index key);
 
 /// The vertices of a defective element, by identity: the vertex, the ends of the edge, or the
@@ -73,7 +73,7 @@ using ElementCorners = std::array<Triangle, 2>;
 /// Lists the defective elements of a mesh. Intersections, zero areas and attributes are exact.
 ///
 /// @param mesh  Prepared from tracked.soup.
-/// @complexity  O(#V + #F), and what PreparedMesh::intersecting_pairs() and shells() cost.
+/// @complexity  O(#V + #F), and the cost of PreparedMesh::intersecting_pairs() and shells().
 [[nodiscard]] DefectInventory list_defective(const TrackedMesh& tracked, const PreparedMesh& mesh,
                                              const Tolerances& tolerances, UnweldedPairs unwelded);
 

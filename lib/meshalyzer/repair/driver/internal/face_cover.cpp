@@ -17,7 +17,7 @@ namespace {
 
 using Segment = std::array<Vec3, 2>;
 
-/// A triangle's inscribed circle.
+/// The inscribed circle of a triangle.
 struct Incircle {
   Vec3 centre;
   double radius = 0.0;
@@ -31,8 +31,8 @@ Incircle incircle_of(const Corners& t) {
   return {(a * t[0] + b * t[1] + c * t[2]) / perimeter, normal_of(t).norm() / perimeter};
 }
 
-/// An edge of a part, the end that comes first in front, and how often parts go along it, those
-/// that go from the other end counted negative.
+/// An edge of a part with its lower end first, and the number of times that parts run along it,
+/// less the times in the other direction.
 struct CountedEdge {
   Segment ends;
   int count = 0;
@@ -43,7 +43,7 @@ CountedEdge count_edge(const Vec3& from, const Vec3& to, int count) {
                                           : CountedEdge{{to, from}, -count};
 }
 
-/// Makes one edge of those between the same ends, and leaves out what cancels.
+/// Merges edges between the same ends, and removes those that cancel.
 void add_up(std::vector<CountedEdge>& edges) {
   std::sort(edges.begin(), edges.end(), [](const CountedEdge& a, const CountedEdge& b) {
     return std::lexicographical_compare(a.ends.begin(), a.ends.end(), b.ends.begin(), b.ends.end(),
@@ -63,8 +63,7 @@ void add_up(std::vector<CountedEdge>& edges) {
   });
 }
 
-/// Returns the edges that the boundaries of the parts, each turned to the side of the normal, add
-/// up to.
+/// Returns the sum of the boundaries of the parts, each turned to the side of the normal.
 std::vector<CountedEdge> sum_of_boundaries(std::span<const Corners> parts, const Vec3& normal) {
   std::vector<CountedEdge> edges;
   edges.reserve(3 * parts.size());
@@ -78,14 +77,14 @@ std::vector<CountedEdge> sum_of_boundaries(std::span<const Corners> parts, const
   return edges;
 }
 
-/// Sorts points and leaves out those at the place of another.
+/// Sorts points and removes repeated ones.
 void sort_unique_points(std::vector<Vec3>& points) {
   std::sort(points.begin(), points.end(), lexicographically_less);
   points.erase(std::unique(points.begin(), points.end()), points.end());
 }
 
-/// Makes one corner of those that are nearer to each other than the slack.
-/// @return How far corners moved.
+/// Merges corners that are nearer to each other than the slack.
+/// @return The largest distance by which a corner moved.
 double merge_corners(std::vector<Corners>& parts, double slack) {
   std::vector<Vec3> points;
   for (const Corners& part : parts) points.insert(points.end(), part.begin(), part.end());
@@ -113,8 +112,8 @@ double merge_corners(std::vector<Corners>& parts, double slack) {
 }
 
 /// Splits edges at the ends of others that are nearer to them than the slack, so that a long edge
-/// cancels the short ones that go along it.
-/// @return How far edges moved.
+/// cancels the short ones along it.
+/// @return The largest distance by which an edge moved.
 double split_at_corners(std::vector<CountedEdge>& edges, double slack) {
   std::vector<Vec3> points;
   for (const CountedEdge& edge : edges) {
@@ -148,7 +147,7 @@ double split_at_corners(std::vector<CountedEdge>& edges, double slack) {
   return moved;
 }
 
-/// Returns how far a segment is from the nearest edge of a face, at its farther end.
+/// Returns the distance of the farther end of a segment from the nearest edge of a face.
 double distance_from_edge(const Segment& segment, const Corners& face) {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -173,9 +172,9 @@ bool contains(const Corners& t, const Vec3& point, const Vec3& direction) {
 
 std::optional<double> distance_from_parts(const Corners& face, std::span<const Corners> parts,
                                           double slack) {
-  /// Tells how much larger the incircle must be than the parts are inaccurate.
+  /// The factor by which the incircle must exceed the inaccuracy of the parts.
   constexpr double kMargin = 4.0;
-  /// So many edges are not compared with each other.
+  /// With more edges than this they are not compared with each other.
   constexpr std::size_t kMostSplitEdges = 1000;
   const Vec3 normal = normal_of(face);
   std::vector<Corners> merged(parts.begin(), parts.end());
@@ -196,7 +195,8 @@ std::optional<double> distance_from_parts(const Corners& face, std::span<const C
                             return contains(part, circle.centre, normal);
                           });
   if (!is_covered) return std::nullopt;
-  // Shrunk towards the incentre the face is as deep as that; nothing moves farther than a corner.
+  // Shrinking the face towards the incentre makes it that deep; no point moves farther than a
+  // corner.
   double farthest = 0.0;
   for (const Vec3& corner : face) farthest = std::max(farthest, (corner - circle.centre).norm());
   return inaccuracy * (1.0 + farthest / circle.radius);

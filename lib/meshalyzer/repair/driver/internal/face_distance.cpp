@@ -9,23 +9,25 @@ namespace meshalyzer {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// A face that was cut into so many pieces need not be measured to the last digit any more, and one
-/// with so many counts as far.
+/// A face cut into this number of pieces need not be measured to the last digit any more, and one
+/// with this number counts as far.
 constexpr std::size_t kPrecisePieces = 2048;
 constexpr std::size_t kMaxPieces = 8192;
-/// A line must cut so much of a piece off to be worth it; an edge must be divided so evenly where
-/// the nearest face changes, or is halved.
+/// A line must cut off at least this fraction of a piece; an edge must be divided at least this
+/// evenly at the change of the nearest face, or is halved.
 constexpr double kLeastShare = 0.02;
 constexpr double kLeastEvenness = 0.3;
-/// Beyond so many cuts every second one halves the longest edge, so that pieces surely shrink.
+/// Beyond this number of cuts every second one halves the longest edge, so that pieces surely
+/// shrink.
 constexpr std::uint32_t kFreeCuts = 16;
-/// The face nearest to the region at a corner is looked for at this part of the way to the middle:
-/// at the corner itself, often a vertex of both surfaces, it would be any of those round it.
+/// The nearest face to the region at a corner is searched from a point at this fraction of the way
+/// to the middle: at the corner itself, often a vertex of both surfaces, it would be any face round
+/// it.
 constexpr double kInwards = 1.0 / 16;
-/// Parts that are closer than this share of the resolution beyond the largest distance found are
+/// Parts that exceed the largest distance found by less than this fraction of the resolution are
 /// not searched further.
 constexpr double kAim = 1.0 / 8;
-/// Steps towards the point where an edge leaves the neighbourhood of a face, at most.
+/// The maximum number of steps towards the point where an edge leaves the neighbourhood of a face.
 constexpr int kMaxEdgeSteps = 24;
 
 /// Returns the length without overflow or underflow of squares.
@@ -33,7 +35,7 @@ double length(const Vec3& v) {
   return std::hypot(v.x(), v.y(), v.z());
 }
 
-/// Returns a point between two, however large these are.
+/// Returns a point between two others, without overflow.
 Vec3 between(const Vec3& a, const Vec3& b, double at) {
   return (1.0 - at) * a + at * b;
 }
@@ -46,10 +48,11 @@ std::array<double, 3> corner_distances(const Corners& from, const Corners& to) {
   return {distance_to(to, from[0]), distance_to(to, from[1]), distance_to(to, from[2])};
 }
 
-/// Returns up to where a segment is near enough to a face, if its begin is and its end is not: at
-/// most `level` from it, and not much less than `target`. 0 is the begin.
+/// Returns the parameter up to which a segment is near enough to a face, if its begin is and its
+/// end is not: the distance there is at most `level`, and not much less than `target`. The begin
+/// has parameter 0.
 ///
-/// Newton's method from the far end, where the distance, being convex, leads past no solution.
+/// Uses Newton's method from the far end: as the distance is convex, it passes no solution.
 double find_exit(const Corners& face, const std::array<Vec3, 2>& segment,
                  const std::array<double, 2>& target_and_level) {
   const auto [target, level] = target_and_level;
@@ -60,7 +63,7 @@ double find_exit(const Corners& face, const std::array<Vec3, 2>& segment,
     if (foot.distance <= level) return at;
     const double slope = (point - foot.point).dot(segment[1] - segment[0]) / foot.distance;
     const double next = at - (foot.distance - target) / slope;
-    // Not so where it grows as slowly as rounding, or overflows.
+    // This fails if the distance grows as slowly as rounding errors, or overflows.
     if (!(next > 0.0 && next < at)) break;
     at = next;
   }
@@ -109,7 +112,7 @@ Corners SurfaceDistance::corners_of(Index slot) const {
   return {tree_.point(t[0]), tree_.point(t[1]), tree_.point(t[2])};
 }
 
-/// Tells whether more pieces would tell nothing worth knowing.
+/// Tells whether further cuts could not improve the answer.
 bool SurfaceDistance::is_precise(const Estimate& known) const {
   if (question_ == DistanceQuestion::IsWithin && known.upper <= bound_) return true;
   const double lower = known.upper > bound_ ? known.lower : std::max(found_, known.lower);
@@ -119,7 +122,7 @@ bool SurfaceDistance::is_precise(const Estimate& known) const {
 SurfaceDistance::Estimate SurfaceDistance::estimate(const Piece& piece) {
   const Corners& t = piece.corners;
   const auto& d = piece.distances;
-  // Divided before it is added, so that nothing overflows.
+  // Dividing before adding avoids overflow.
   const Vec3 middle = t[0] / 3 + t[1] / 3 + t[2] / 3;
   const SurfacePoint at_middle = closest(middle);
   Estimate known;
@@ -145,8 +148,8 @@ void SurfaceDistance::add_candidate(const Piece& piece, Index slot, Estimate& kn
   known.upper = std::min(known.upper, *std::max_element(distances.begin(), distances.end()));
 }
 
-/// Divides a piece so that as much as may be is near enough to one face, and done with; where that
-/// is little, at the middle of its longest edge.
+/// Divides a piece so that as much of it as possible is near enough to one face, and finished; if
+/// that is little, divides it at the middle of its longest edge.
 void SurfaceDistance::divide(const Piece& piece, const Estimate& known) {
   Clip best;
   Cut cut = halve_longest_edge(piece.corners);
@@ -174,7 +177,7 @@ void SurfaceDistance::divide(const Piece& piece, const Estimate& known) {
 }
 
 /// Finds the line that separates the corners near enough to the face from the others; the corner
-/// that is alone on its side is the apex. The share is 0 where all corners are alike.
+/// that is alone on its side is the apex. The fraction is 0 if all corners are on one side.
 SurfaceDistance::Clip SurfaceDistance::clip_for(const Piece& piece, const Candidate& face,
                                                 double level) const {
   const auto is_near = [&](std::size_t i) { return face.distances[i] <= level; };
@@ -197,7 +200,7 @@ SurfaceDistance::Clip SurfaceDistance::clip_for(const Piece& piece, const Candid
   return {};
 }
 
-/// Goes on with what is not near enough.
+/// Continues with the part that is not near enough.
 void SurfaceDistance::keep_remainder(const Piece& piece, const Clip& clip) {
   const std::size_t next = (clip.apex + 1) % 3;
   const std::size_t last = (clip.apex + 2) % 3;

@@ -11,13 +11,13 @@ namespace meshalyzer {
 
 /// Returns the largest distance from a point of one triangle to the nearest point of another.
 ///
-/// The distance from a triangle, or any convex set, is a convex function: of all points of a
-/// triangle a corner is farthest.
+/// The distance from a convex set, such as a triangle, is a convex function, so that its maximum
+/// over a triangle is at a corner.
 [[nodiscard]] double largest_distance(const Corners& from, const Corners& to);
 
-/// Tells how far the points of a triangle are from a surface.
+/// The distance of the points of a triangle from a surface.
 struct FaceDistance {
-  /// An upper bound of the distance of its farthest point.
+  /// An upper bound of the largest distance.
   double largest = 0.0;
   /// Tells whether a point is farther than the bound, or may be.
   bool is_far = false;
@@ -25,8 +25,8 @@ struct FaceDistance {
 
 /// The question that is answered of each triangle.
 enum class DistanceQuestion {
-  /// Is it within the bound? That takes a small part of the time; of the largest distance no more
-  /// is known then than that it is at most the bound.
+  /// Is it within the bound? The answer takes a small part of the time, and tells no more of the
+  /// largest distance than that it is at most the bound.
   IsWithin,
   /// How far is it?
   HowFar,
@@ -34,15 +34,14 @@ enum class DistanceQuestion {
 
 /// Measures how far triangles are from a surface, one after the other.
 ///
-/// Branch and bound, as for Hausdorff distances between meshes (Guthe, Borodin and Klein 2005): a
-/// triangle is cut into pieces until what is known of each is enough. A piece is nowhere farther
-/// than its farthest corner is from any one face of the surface, nor than its middle is from the
-/// surface plus its own radius. From a piece that this says too little of, the part is cut off that
-/// is near enough to one face.
+/// The method is branch and bound, as for Hausdorff distances between meshes (Guthe, Borodin and
+/// Klein 2005): a triangle is cut into pieces until the bounds of each are tight enough. No point
+/// of a piece is farther from the surface than its farthest corner is from any one face, nor than
+/// its middle is from the surface plus its own radius. If these bounds are too loose, the part of a
+/// piece that is near enough to one face is cut off.
 class SurfaceDistance {
  public:
-  /// What is within the bound is told apart from what is not, and measured, to this part of the
-  /// bound.
+  /// The resolution of all answers, as a fraction of the bound.
   static constexpr double kResolution = 1e-3;
 
   /// @param closest  Over `tree`; both must outlive this.
@@ -54,10 +53,10 @@ class SurfaceDistance {
         slack_(kResolution * bound),
         question_(question) {}
 
-  /// Returns the answer for a triangle that is within the bound is not more than the resolution
-  /// above the largest distance of a point of it, or of a triangle that was measured before; but
-  /// for one that lies over so many faces that this would take too long: that is told to be within
-  /// the bound where that much is known, and else to be far.
+  /// Measures a triangle. For one within the bound, the answer exceeds by at most the resolution
+  /// the largest distance of a point of it, or of a triangle that was measured before. A triangle
+  /// over so many faces that this would take too long is reported as within the bound if that is
+  /// proved, else as far.
   [[nodiscard]] FaceDistance measure(const Corners& corners);
 
  private:
@@ -65,33 +64,35 @@ class SurfaceDistance {
     Corners corners;
     /// The distances of the corners from the surface.
     std::array<double, 3> distances{};
-    /// Tells how often it was cut.
+    /// The number of cuts that led to the piece.
     std::uint32_t depth = 0;
   };
-  /// A face of the surface that may be near to all of a piece, and how far its corners are from it.
+  /// A face of the surface that may be near to all of a piece, and the distances of its corners
+  /// from it.
   struct Candidate {
     Index slot = kNoIndex;
     std::array<double, 3> distances{};
   };
-  /// What is known of a piece.
+  /// The bounds of the distance of a piece.
   struct Estimate {
     double lower = 0.0;
     double upper = 0.0;
     std::array<Candidate, 4> candidates;
     std::size_t n_candidates = 0;
   };
-  /// A line across a piece, through the two edges at one corner, the apex: what is on one side of
-  /// it is near enough to a face.
+  /// A line across a piece, through the two edges at one corner, the apex. One side of it is near
+  /// enough to a face.
   struct Clip {
     std::size_t apex = 0;
-    /// Where it crosses the edge to the next corner, and to the one after: 0 at the apex.
+    /// The fractions of the edge to the next corner, and of the edge to the one after, where the
+    /// line crosses them: 0 at the apex.
     std::array<double, 2> at{0.0, 0.0};
     /// Tells whether the apex is on that side.
     bool is_apex_done = false;
-    /// The share of the area that is on that side.
+    /// The fraction of the area on that side.
     double share = 0.0;
   };
-  /// A point of an edge of a piece, from one corner to another.
+  /// A point of an edge of a piece, which runs from one corner to another.
   struct Cut {
     std::size_t from = 0;
     std::size_t to = 0;
@@ -114,9 +115,9 @@ class SurfaceDistance {
   double bound_;
   double slack_;
   DistanceQuestion question_;
-  /// The largest distance that a point was found to have.
+  /// The largest distance of a point found until now.
   double found_ = 0.0;
-  /// An upper bound of the distance of the parts of the current triangle that are done with.
+  /// An upper bound of the distance of the finished parts of the current triangle.
   double done_ = 0.0;
   /// The slot of the latest answer.
   Index hint_ = kNoIndex;

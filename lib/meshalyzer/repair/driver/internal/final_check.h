@@ -9,14 +9,14 @@
 
 namespace meshalyzer {
 
-/// Tells whether a file can hold two vertices at one point.
+/// Tells whether a file can hold two vertices at one position.
 enum class EqualPoints : std::uint8_t {
   Stay,
-  /// They are one vertex in the file: STL names no vertices.
+  /// They are one vertex in the file, because STL names no vertices.
   Merge,
 };
 
-/// What a mesh is in the file that will hold it, and what of it counts.
+/// The file that will hold a mesh, and the kinds of contact that count.
 struct FinalCheck {
   EqualPoints equal_points = EqualPoints::Stay;
   UnweldedPairs unwelded = UnweldedPairs::Count;

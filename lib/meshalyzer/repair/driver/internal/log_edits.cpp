@@ -15,7 +15,7 @@ std::vector<std::uint8_t> present_vertices(const TrackedMesh& tracked) {
   return present;
 }
 
-/// Collects the log entries of a list of edits, one for each operation, skipped ones included.
+/// Collects the log entries of a list of edits, one for each operation, including skipped ones.
 class Operations {
  public:
   explicit Operations(const MadeEdits& made)
@@ -54,7 +54,7 @@ class Operations {
     }
   }
 
-  /// A corner whose vertex is gone has moved to the one that it stands at now.
+  /// A corner whose vertex was dropped has moved to its new vertex.
   void log_corner_moves(const Edits::ChangedFace& changed, LoggedOperation& operation) const {
     const Triangle& old = made_.before.soup.triangles[changed.face];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -100,7 +100,7 @@ class Operations {
 
   const MadeEdits& made_;
   SkippedOperations skipped_;
-  /// Indexed by vertex key: whether it was there before, and is there after.
+  /// Indexed by vertex key: whether the vertex existed before, and exists after.
   std::vector<std::uint8_t> was_;
   std::vector<std::uint8_t> is_;
   std::vector<LoggedOperation> operations_;

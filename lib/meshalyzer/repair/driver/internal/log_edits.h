@@ -22,8 +22,8 @@ struct MadeEdits {
   const AffectedElements& affected;
 };
 
-/// Adds what a pass did to a log: to its last step, where that is of the same pass, else as a new
-/// one.
+/// Adds the changes of a pass to a log: to its last step if that is of the same pass, else as a new
+/// step.
 void log_edits(const std::string& pass, DefectCode code, const MadeEdits& made, RepairLog& log);
 
 }  // namespace meshalyzer

@@ -71,7 +71,7 @@ class MergeCheck {
     return {soup_.positions[t[0]], soup_.positions[t[1]], soup_.positions[t[2]]};
   }
 
-  /// Sorts the sides into buckets by their lower end, and looks at those of each edge together.
+  /// Sorts the sides into buckets by their lower end, and examines those of each edge together.
   void look_at_edges() {
     std::vector<Index> begin(representative_.size() + 1, 0);
     for_each_side([&](Index lower, const JoinedSide&) { ++begin[lower]; });

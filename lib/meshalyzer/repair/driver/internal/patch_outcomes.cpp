@@ -7,7 +7,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Finds out what has become of each patch.
+/// Determines the outcome for each patch.
 class OutcomeFinder {
  public:
   OutcomeFinder(const RepairDriver& driver, const DefectReport& before)
@@ -33,7 +33,8 @@ class OutcomeFinder {
   }
 
  private:
-  /// The outcome of the patch that a face was in, or was made of; null where it is of none.
+  /// Returns the outcome of the patch of a face, or of the face it was made of; null if there is
+  /// none.
   [[nodiscard]] PatchOutcome* outcome_of(Index face_key) {
     if (face_key == kNoIndex) return nullptr;
     const Index origin = driver_.tracked().origin_of_key(face_key);
@@ -68,7 +69,7 @@ class OutcomeFinder {
     }
   }
 
-  /// A refusal may name a face of one patch and be meant for several that hang together.
+  /// A refusal may name a face of one patch and apply to several connected ones.
   void find_reasons() {
     std::string general = "no pass found a way within the maximum deviation";
     if (driver_.is_stopped()) general = "the repair was stopped before";

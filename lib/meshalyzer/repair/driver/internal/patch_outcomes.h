@@ -8,11 +8,11 @@
 
 namespace meshalyzer {
 
-/// Says what has become of each patch of intersecting faces.
+/// Determines the outcome of the repair for each patch of intersecting faces.
 ///
 /// @param before  The defects of the driver's input.
 /// @return        One for each self-intersection that is listed, in their order.
-/// @complexity    O(#F), and as DeviationMeter::measure_parts().
+/// @complexity    O(#F), and the cost of DeviationMeter::measure_parts().
 [[nodiscard]] std::vector<PatchOutcome> find_patch_outcomes(const RepairDriver& driver,
                                                             const DefectReport& before);
 

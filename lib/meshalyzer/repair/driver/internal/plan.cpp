@@ -15,7 +15,7 @@ class Planner {
   void add(PlannedPass pass) {
     if (fixes_.contains(pass.code)) add_always(std::move(pass));
   }
-  /// A pass that treats several codes.
+  /// A pass that repairs several codes.
   void add_for(std::initializer_list<DefectCode> codes, PlannedPass pass) {
     const bool is_wanted = std::any_of(codes.begin(), codes.end(),
                                        [this](DefectCode code) { return fixes_.contains(code); });
@@ -29,8 +29,8 @@ class Planner {
   std::vector<PlannedPass> passes_;
 };
 
-/// Returns passes that join borders within a length: first what is nearer, over growing lengths, so
-/// that a larger one never closes less than a smaller one.
+/// Returns passes that join borders within a length: over growing lengths, so that near borders
+/// come first and a larger length never closes less than a smaller one.
 std::vector<PlannedPass> weld_passes(double within, const Tolerances& tolerances) {
   constexpr double kSmallestShare = 1e-8;
   constexpr double kGrowth = 10.0;
@@ -49,7 +49,7 @@ std::vector<PlannedPass> weld_passes(double within, const Tolerances& tolerances
   return passes;
 }
 
-/// Plans the operations that the user asks for by name, whatever is to be fixed.
+/// Plans the operations that the user asks for by name, independently of the codes to be fixed.
 void plan_operations(const RepairOptions& options, const Tolerances& tolerances, Planner& plan) {
   using enum DefectCode;
   if (options.turn == Turn::Everything) {
@@ -66,7 +66,7 @@ CutOptions cut_options(const RepairOptions& options) {
   const bool fills = options.borders == Borders::Holes && options.fixes.contains(DefectCode::Hole);
   if (!fills) return {};
   CutOptions cut{.fill = options.fill};
-  // What a patch over a sheet cuts off is no solid that the sheet means.
+  // A patch over a sheet encloses a region that the sheet does not mean as a solid.
   if (options.solid) cut.fill->sheets = FillSheets::No;
   return cut;
 }
@@ -80,7 +80,8 @@ void plan_fixes(const RepairOptions& options, const Tolerances& tolerances, Plan
   using enum DefectCode;
   // Cutting a mesh apart leaves contacts, and a fin cut off leaves a border.
   const DefectCodes cuts{Hole, SelfIntersection, Flipped};
-  // A cap bent at a border, or at an edge that is otherwise not as it should be, makes two of one.
+  // Retracting a cap at a border, or at an edge that is otherwise defective, makes two such edges
+  // of one.
   const DefectCodes bends{Hole, NonManifold, Flipped};
   plan.add({"drop corrupt records", Corrupt, drop_corrupt, {Hole}});
   plan.add({"drop duplicates", DuplicateFacet, drop_duplicates, {Hole}});

@@ -9,11 +9,11 @@
 
 namespace meshalyzer {
 
-/// Tells how often a pass is run.
+/// The frequency with which a pass is run.
 enum class Repeat : std::uint8_t {
-  /// The pass runs until it proposes nothing more, and again when others have changed something.
+  /// The pass runs until it proposes nothing more, and again when others have changed the mesh.
   UntilDone,
-  /// Once in all.
+  /// The pass runs once only.
   Once,
 };
 
@@ -21,10 +21,10 @@ enum class Repeat : std::uint8_t {
 struct PlannedPass {
   /// The name for logs: "mend facets", ...
   std::string_view name;
-  /// What it treats.
+  /// The code of the defect that it repairs.
   DefectCode code = DefectCode::Corrupt;
   PassFunction run;
-  /// See AcceptanceRules.
+  /// The defects that it may create, see AcceptanceRules.
   DefectCodes may_create = {};
   Repeat repeat = Repeat::UntilDone;
 };

@@ -5,8 +5,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Orders kinds of contact: welding removes contact along seams, and surfaces that overlap or cross
-/// each other also touch.
+/// Orders kinds of contact by gravity: welding removes contact along seams, and surfaces that
+/// overlap or cross each other also touch.
 std::uint8_t severity_of(ContactKind kind) {
   switch (kind) {
     case ContactKind::Unwelded:

@@ -24,17 +24,17 @@ struct ContactByKey {
 [[nodiscard]] std::vector<ContactByKey> contacts_by_key(const RepairState& state,
                                                         const std::vector<IntersectingPair>& pairs);
 
-/// The contacts of a mesh before a change, face by face and operation by operation.
+/// The contacts of a mesh before a change, by face and by operation.
 class PriorContacts {
  public:
   /// @param affected  Must outlive this.
   PriorContacts(const RepairState& before, const AffectedElements& affected);
 
-  /// Tells whether both faces were in contact, of whatever kind.
+  /// Tells whether both faces were in contact, of any kind.
   [[nodiscard]] bool were_in_contact(const ContactByKey& contact) const;
 
   /// Tells whether the faces of an operation were in contact with a face, of this kind or a worse
-  /// one. All faces that an operation affects count as one here: where a face is flipped, split or
+  /// one. All faces that an operation affects count as one here: if a face is flipped, split or
   /// removed, its neighbours inherit its contacts.
   ///
   /// @param face  A key of the mesh after the change.

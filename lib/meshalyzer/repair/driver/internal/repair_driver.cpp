@@ -11,21 +11,21 @@
 namespace meshalyzer {
 namespace {
 
-/// The repair stops after so many rounds, in case passes undo each other's work for ever.
+/// The repair stops after this number of rounds, in case passes undo each other's work for ever.
 constexpr std::size_t kMaxRounds = 20;
-/// A pass is run so many times in a row at most: each run leaves less to do, but a pass that treats
-/// one of a long chain of defects at a time must not take forever.
+/// The maximum number of successive runs of a pass: each run leaves less to do, but a pass that
+/// repairs one of a long chain of defects at a time must not take forever.
 constexpr std::size_t kMaxRuns = 200;
-/// Rejected operations are removed from a list so many times before all of it is dropped.
+/// Rejected operations are removed from a list this number of times before all of it is dropped.
 constexpr std::size_t kMaxTrials = 10;
-/// Tells how often the operations that have most likely made a mesh worse are banned, then all that
-/// may have, and then pass after pass.
+/// The number of attempts that ban the operations most likely responsible for a worse mesh; later
+/// ones ban all that may be, and then pass after pass.
 constexpr std::size_t kAttemptsByLast = 6;
 constexpr std::size_t kAttemptsByAll = 10;
-/// Where more faces and intersecting pairs than this have been looked at in vain, nothing is tried
-/// any more: what a stage has begun with is kept.
+/// Once this number of faces and intersecting pairs has been examined without success, nothing more
+/// is tried: the mesh at the beginning of the stage is kept.
 constexpr std::size_t kMaxWork = 20'000'000;
-/// After so many stages what was banned stays undone.
+/// After this number of stages, banned operations stay banned.
 constexpr std::size_t kMaxStages = 10;
 
 }  // namespace
@@ -53,7 +53,8 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
     std::optional<DefectInventory> after = run_stage(plan, {check, before});
     if (!after) break;
     before = std::move(*after);
-    // What was banned for the sake of others may be done now, so that nothing is left to do.
+    // Operations that were banned because of others may be possible now; they are tried until none
+    // is left.
     if (banned_.size() == 0) break;
     set_checkpoint();
   }
@@ -321,11 +322,11 @@ std::vector<RepairDriver::Signature> RepairDriver::signatures(const Edits& edits
   for (const auto& edit : edits.changed_faces) add_face(edit.op, edit.face);
   for (const auto& edit : edits.added_faces) add_face(edit.op, edit.like);
   for (const auto& edit : edits.moved_vertices) {
-    // Keys of vertices, told from those of faces by what stands before them.
+    // A prefix distinguishes keys of vertices from those of faces.
     signatures[edit.op].push_back(kNoIndex);
     signatures[edit.op].push_back(tracked.vertex_keys[edit.vertex]);
   }
-  // What declares more of it to be walls is another operation.
+  // An operation that declares more walls is a different operation.
   std::vector<Index> n_walls(edits.n_operations, 0);
   for (const auto& wall : edits.interior_walls) ++n_walls[wall.op];
   for (std::size_t op = 0; op < n_walls.size(); ++op) {

@@ -22,8 +22,8 @@
 
 namespace meshalyzer {
 
-/// Repairs a mesh: runs passes, applies what they propose to a copy, and keeps the operations that
-/// are accepted.
+/// Repairs a mesh: runs passes, applies their edits to a copy, and keeps the operations that are
+/// accepted.
 class RepairDriver {
  public:
   /// Finds the vertices of a tracked mesh that must stay where they are; see
@@ -32,14 +32,14 @@ class RepairDriver {
       std::function<std::vector<std::uint8_t>(const TrackedMesh& tracked, const CutMesh& cut)>;
 
   /// @param limits  The limits without fixed vertices.
-  /// @param fixed   Called before each round, because what was a border may be none any more.
+  /// @param fixed   Called before each round, because a border may have been closed since.
   RepairDriver(Soup input, const Tolerances& tolerances, RepairLimits limits, FixedVertices fixed);
 
   [[nodiscard]] const TrackedMesh& tracked() const { return state_->tracked(); }
   /// Returns the mesh before all repairs.
   [[nodiscard]] const Soup& input() const { return input_; }
   [[nodiscard]] const PreparedMesh& mesh() const { return state_->mesh(); }
-  /// Returns the mesh for one who outlives this driver.
+  /// Returns the mesh for use after the end of this driver.
   [[nodiscard]] std::shared_ptr<const PreparedMesh> shared_mesh() const {
     return {state_, &state_->mesh()};
   }
@@ -50,38 +50,38 @@ class RepairDriver {
   /// Runs the passes in order, each until it proposes nothing more that is accepted, and starts
   /// over until no pass changes anything.
   ///
-  /// Where the mesh that comes out is worse than the input, the operations that are responsible are
-  /// banned, and all is done again without them; and once more from there, with nothing banned,
-  /// until nothing is left to do.
-  /// Where it is stopped while the mesh is worse, it goes back to what it had before.
+  /// If the resulting mesh is worse than the input, the responsible operations are banned, and all
+  /// passes run again without them. Then they run once more from the result, with nothing banned,
+  /// until no pass changes anything. If the repair is stopped while the mesh is worse, it returns
+  /// to the mesh that it had before.
   ///
-  /// @param options  Who hears of the progress, and who may stop it.
+  /// @param options  The receiver of the progress, and the function that may stop the repair.
   void run_plan(const std::vector<PlannedPass>& plan, const RepairOptions& options);
 
-  /// Returns the counts that run_plan() has made higher, all of which find_worsening() excepts.
+  /// Returns the counts that run_plan() has increased, all of which find_worsening() excepts.
   [[nodiscard]] const std::vector<CountRise>& rises() const { return rises_; }
 
-  /// Runs a pass once and applies all that it proposes without checking it, because the user asks
+  /// Runs a pass once and applies all its operations without checking them, because the user asks
   /// for it by name.
   void apply_unchecked(const PlannedPass& pass);
 
-  /// Something that is tried out.
+  /// A change that is tried, and undone if its result is not wanted.
   struct Trial {
-    /// What it begins with, applied unchecked.
+    /// The pass that it begins with, applied unchecked.
     PlannedPass change;
     /// The passes that run afterwards, as those of run_plan() do.
     std::vector<PlannedPass> plan;
-    /// Tells whether the mesh that comes of it is kept.
+    /// Tells whether the resulting mesh is kept.
     std::function<bool(const RepairState&)> is_wanted;
   };
 
-  /// Tries something out, and takes it back where what comes of it is not wanted.
+  /// Tries a change, and undoes it if the resulting mesh is not wanted.
   ///
   /// @return Whether it was kept.
   bool run_trial(const Trial& trial);
 
   [[nodiscard]] const RepairState& state() const { return *state_; }
-  /// Returns what was done until now.
+  /// Returns the log until now.
   [[nodiscard]] const RepairLog& log() const { return log_; }
   /// Measures parts of the input as DeviationMeter::measure_parts() does.
   [[nodiscard]] std::vector<double> measure_parts(std::span<const Index> part_of,
@@ -95,7 +95,7 @@ class RepairDriver {
   [[nodiscard]] RepairLog take_log() { return std::move(log_); }
 
  private:
-  /// The keys of the elements that an operation changes, and how many walls it declares, which
+  /// The keys of the elements that an operation changes, and the number of walls it declares, which
   /// identify it when it is proposed again.
   using Signature = std::vector<Index>;
 
@@ -108,13 +108,13 @@ class RepairDriver {
     const TrackedMesh& after;
   };
 
-  /// What the result of a stage must not be worse than. This holds references only.
+  /// The state that the result of a stage must not be worse than. This holds references only.
   struct StageGate {
     const FinalCheck& check;
     const DefectInventory& before;
   };
 
-  /// Where a stage starts again.
+  /// The state from which a stage starts again.
   struct Checkpoint {
     TrackedMesh tracked;
     RepairLog log;
@@ -126,11 +126,11 @@ class RepairDriver {
   /// Runs the plan from the checkpoint, with more and more operations banned, until the mesh is not
   /// worse than it was there.
   ///
-  /// @return  What is defective in the end; nothing where nothing was changed.
+  /// @return  The defective elements of the result; nothing if nothing was changed.
   std::optional<DefectInventory> run_stage(const std::vector<PlannedPass>& plan,
                                            const StageGate& gate);
   void run_rounds(const std::vector<PlannedPass>& plan);
-  /// Asks whether to stop; once it is so it stays so.
+  /// Asks whether to stop; once the answer is yes, it stays so.
   bool is_to_stop();
   bool run(const PlannedPass& pass);
   [[nodiscard]] PassResult propose(const PlannedPass& pass, OperationSize size) const;
@@ -139,11 +139,11 @@ class RepairDriver {
   /// Bans operations that are responsible for a worse mesh; more of them with each attempt.
   void ban(const DefectInventory& before, const DefectInventory& after, const Worsening& worsening,
            std::size_t attempt);
-  /// Goes back to the checkpoint; what is banned stays banned.
+  /// Returns to the checkpoint; banned operations stay banned.
   void restart();
   void record_applied(const MadeOperations& made);
   [[nodiscard]] std::vector<OperationSite> sites(const Edits& edits) const;
-  /// Returns the walls that are gone after the operations that are not skipped.
+  /// Returns the walls that are removed once the operations that are not skipped are applied.
   [[nodiscard]] std::vector<InteriorWall> walls_with(const Edits& edits,
                                                      std::span<const std::uint8_t> skipped) const;
   /// Lets later edits lie on the hole patches that these edits have added.
@@ -157,7 +157,7 @@ class RepairDriver {
   RepairLimits limits_;
   FixedVertices fixed_;
   std::optional<DeviationMeter> meter_;
-  /// What separated no inside from no outside and is gone.
+  /// The parts of the surface that separated no inside from no outside and were removed.
   std::vector<InteriorWall> walls_;
   std::shared_ptr<const RepairState> state_;
   /// The deviation when it was last measured.
@@ -169,7 +169,7 @@ class RepairDriver {
   RepairLog log_;
   std::vector<AppliedOperation> applied_;
   BannedOperations banned_;
-  /// Nothing where it is the input.
+  /// The tracked mesh; nothing while it is the input.
   std::optional<Checkpoint> checkpoint_;
   std::vector<CountRise> rises_;
 };

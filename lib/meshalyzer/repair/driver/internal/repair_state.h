@@ -11,14 +11,14 @@
 
 namespace meshalyzer {
 
-/// A tracked mesh and all that is known of it. It is neither copied nor moved, because the prepared
-/// mesh refers to the soup.
+/// A tracked mesh and the data computed for it. It is neither copied nor moved, because the
+/// prepared mesh refers to the soup.
 class RepairState {
  public:
   /// Searches the whole mesh for intersecting pairs.
   RepairState(TrackedMesh tracked, const Tolerances& tolerances);
 
-  /// After a change: only the pairs of the faces that it affected are searched.
+  /// Updates the pairs after a change: only the pairs of the faces that it affected are searched.
   RepairState(TrackedMesh tracked, const Tolerances& tolerances, const RepairState& before,
               const AffectedElements& affected);
 
@@ -30,7 +30,7 @@ class RepairState {
   [[nodiscard]] const std::vector<DefectiveElement>& defective_elements() const {
     return defective_elements_;
   }
-  /// Returns the pairs that the last change affected; by index.
+  /// Returns the pairs that the last change affected, by index.
   [[nodiscard]] const std::vector<IntersectingPair>& affected_pairs() const {
     return affected_pairs_;
   }

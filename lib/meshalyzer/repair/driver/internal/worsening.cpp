@@ -13,14 +13,14 @@ std::size_t fall_of(CountedDefect kind, const DefectInventory& before,
   return before.count(kind) - std::min(before.count(kind), after.count(kind));
 }
 
-/// Returns by how much a count may rise.
+/// Returns the permitted increase of a count.
 std::size_t allowed_rise(CountedDefect kind, const DefectInventory& before,
                          const DefectInventory& after) {
   const bool is_left_by_parting = kind == BorderEdges || kind == PinchedVertices;
   return is_left_by_parting ? fall_of(NonManifoldEdges, before, after) : 0;
 }
 
-/// Returns the kinds of elements of which a mesh with an attribute has none.
+/// Returns the kinds of elements that a mesh with an attribute has none of.
 std::vector<CountedDefect> kinds_against(Attribute attribute) {
   switch (attribute) {
     case Attribute::Closed:

@@ -7,29 +7,29 @@
 
 namespace meshalyzer {
 
-// What a whole repair may not do: end with a mesh that is worse than the input.
+// The rule for a whole repair: it may not end with a mesh that is worse than the input.
 
-/// Returns the kinds of which there are more after a repair than before.
+/// Returns the kinds of defective elements that are more numerous after a repair than before.
 [[nodiscard]] std::vector<CountRise> find_rises(const DefectInventory& before,
                                                 const DefectInventory& after);
 
-/// What makes a mesh worse than it was.
+/// The respects in which a mesh is worse than it was.
 struct Worsening {
-  /// The kinds that rise and may not, or by whose elements an attribute is lost.
+  /// The kinds whose count rises and may not, or whose elements cost the mesh an attribute.
   std::vector<CountedDefect> kinds;
-  /// The attributes that were yes and are not any more.
+  /// The attributes that the mesh had and has lost.
   std::vector<Attribute> lost;
 
   [[nodiscard]] bool empty() const { return kinds.empty() && lost.empty(); }
 };
 
-/// Compares a mesh before and after a repair: no attribute that was yes may be lost, and no count
-/// may rise. The exception: each non-manifold edge that is parted may leave one border edge and one
+/// Compares a mesh before and after a repair: no attribute may be lost, and no count may rise.
+/// There is one exception: each non-manifold edge that is split may leave one border edge and one
 /// pinched vertex, since one of an odd number of faces has no partner.
 [[nodiscard]] Worsening find_worsening(const DefectInventory& before, const DefectInventory& after);
 
-/// Returns the elements that have made a mesh worse: those of the kinds that rise which the mesh
-/// did not have before, and among border edges first those that were no non-manifold edges.
+/// Returns the elements that have made a mesh worse: those of the rising kinds that the mesh did
+/// not have before. Border edges that were no non-manifold edges come before those that were.
 [[nodiscard]] std::vector<CountedElement> find_new_elements(const DefectInventory& before,
                                                             const DefectInventory& after,
                                                             const Worsening& worsening);

@@ -8,7 +8,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Old faces that follow each other, and belong to one group.
+/// A run of consecutive old faces that belong to one group.
 struct Run {
   Index group;
   Index begin;
@@ -26,14 +26,14 @@ std::vector<Run> runs_of(const Soup& soup) {
   return runs;
 }
 
-/// Returns the added faces that are made, by run, in their order within each.
+/// Returns the added faces that are not skipped, by run, in their order within each.
 std::vector<std::pair<Index, Index>> added_by_run(const Soup& soup, const Edits& edits,
                                                   const SkippedOperations& skipped) {
   std::vector<std::pair<Index, Index>> added;
   for (std::size_t i = 0; i < edits.added_faces.size(); ++i) {
     if (skipped(edits.added_faces[i].op)) continue;
     const Index group = group_of(soup, edits.added_faces[i].like);
-    // kNoIndex + 1 is 0: the run of those without a group is the first.
+    // kNoIndex + 1 is 0: faces without a group belong to the first run.
     added.emplace_back(group + 1, static_cast<Index>(i));
   }
   std::sort(added.begin(), added.end());

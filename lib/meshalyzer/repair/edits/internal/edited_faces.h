@@ -10,11 +10,11 @@ namespace meshalyzer {
 
 /// The faces of a soup after edits, in their new order, their corners still numbered as in Edits.
 struct EditedFaces {
-  /// For each face: the old face it is, or #old faces + the number of the added one.
+  /// For each face: the old face that it is, or #old faces + the number of the added one.
   std::vector<Index> sources;
   std::vector<Triangle> triangles;
   std::vector<Group> groups;
-  /// #old faces: where each is now; kNoIndex for those that are gone.
+  /// #old faces: the new index of each; kNoIndex for removed ones.
   std::vector<Index> new_index;
 };
 

@@ -11,8 +11,8 @@ namespace {
 
 constexpr Triangle kNoNormals = {kNoIndex, kNoIndex, kNoIndex};
 
-/// Returns the mean of the normals of the old vertices that share a face with each new one; zero
-/// where there is none.
+/// Returns the mean of the normals of the old vertices that share a face with each new one; zero if
+/// there is none.
 std::vector<Vec3> neighbour_means(const Soup& before, const EditedFaces& faces,
                                   std::size_t n_added) {
   const std::size_t n_old = before.n_vertices();
@@ -32,7 +32,7 @@ std::vector<Vec3> neighbour_means(const Soup& before, const EditedFaces& faces,
   return means;
 }
 
-/// Sets the normals of a format with one normal for each vertex.
+/// Sets the normals of formats with one normal for each vertex.
 void set_vertex_normals(const Soup& before, const Edits& edits, const EditedFaces& faces,
                         std::span<const Index> vertices, Soup& result) {
   const std::size_t n_old = before.n_vertices();
@@ -48,8 +48,8 @@ void set_vertex_normals(const Soup& before, const Edits& edits, const EditedFace
   result.corner_normals = result.triangles;
 }
 
-/// Returns the normals of an old face for new corners: those of vertices that stay go where these
-/// do, others stay at their corner.
+/// Returns the normals of an old face for its new corners: a vertex that stays keeps its normal,
+/// any other gets that of the corner that it replaces.
 Triangle carried_over(const Triangle& corners, const Triangle& normals, const Triangle& now) {
   Triangle result = normals;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -72,8 +72,8 @@ std::vector<Index> first_normals(const Soup& soup) {
   return first;
 }
 
-/// Returns the normals of an added face: those of its model where they share a corner, else any of
-/// that vertex; none where a corner has none, since a face has all or none.
+/// Returns the normals of an added face: those of its model at common corners, else any of the
+/// vertex; none if a corner has none, since a face has all or none.
 Triangle normals_of_added(const Soup& before, const Edits& edits, const Edits::AddedFace& face,
                           std::span<const Index> first) {
   Triangle normals = kNoNormals;
@@ -108,7 +108,7 @@ void set_corner_normals(const Soup& before, const Edits& edits, const EditedFace
   }
 }
 
-/// Puts one new normal in the place of all that the corners at a vertex have.
+/// Replaces all normals of the corners at a vertex by one new normal.
 void change_normals(const Edits& edits, const SkippedOperations& skipped,
                     std::span<const Index> vertices, Soup& result) {
   const bool one_a_vertex = has_vertex_normals(result);

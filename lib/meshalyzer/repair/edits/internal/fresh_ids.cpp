@@ -48,7 +48,7 @@ Ids edit_ids(const Ids& old, const EditedRecords& records,
   for (const Index source : records.sources) {
     if (source < records.n_old) kept.push_back(by_record[source]);
   }
-  // New ids never repeat one that a record had which is gone now: the log would be ambiguous.
+  // New ids never repeat one of a dropped record, so that the log is unambiguous.
   const auto fresh = fresh_ids(by_record, records.sources.size() - kept.size());
   std::vector<std::int32_t> ids;
   ids.reserve(records.sources.size());

@@ -11,22 +11,22 @@
 
 namespace meshalyzer {
 
-/// Tells which records there are after edits: of each the old one it is, or a number from n_old on
-/// for a new one.
+/// The records after edits: for each the old record that it is, or a number from n_old on for a new
+/// one.
 struct EditedRecords {
   std::span<const Index> sources;
   std::size_t n_old = 0;
 };
 
-/// Ids that no record has: those after the largest, or, where there are not enough, the smallest
-/// from 1 on that are free.
+/// Returns ids that no record has: those after the largest or, if these do not suffice, the
+/// smallest free ones from 1 on.
 ///
-/// @param taken  In any order.
+/// @param taken  The ids of the records, in any order.
 [[nodiscard]] std::vector<std::int32_t> fresh_ids(const std::vector<std::int32_t>& taken,
                                                   std::size_t n);
 
-/// Returns the ids of records that a file numbers by itself: those that stay keep theirs, new ones
-/// get fresh_ids().
+/// Returns the ids of the records of a file that numbers them: old ones keep theirs, new ones get
+/// fresh_ids().
 [[nodiscard]] Ids edit_ids(const Ids& old, const EditedRecords& records,
                            std::span<const Edits::ChangedId> changed,
                            const SkippedOperations& skipped);

@@ -11,7 +11,7 @@ namespace meshalyzer {
 /// not own it.
 class SkippedOperations {
  public:
-  /// @param skipped  #operations, non-zero for those; empty: none.
+  /// @param skipped  #operations, non-zero for skipped ones; if empty, none is skipped.
   explicit SkippedOperations(std::span<const std::uint8_t> skipped) : skipped_(skipped) {}
 
   [[nodiscard]] bool operator()(Index operation) const {

@@ -14,7 +14,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Surfaces of more faces than this are compared by how far the vertex moves alone.
+/// Beyond this number of faces, surfaces are compared by the movement of the vertex alone.
 constexpr std::size_t kMostFacesCompared = 64;
 
 /// A merge of the ends of an edge.
@@ -63,7 +63,8 @@ class MergeCandidate {
         if (face.is_turned_over(now)) return MendOutcome::TurnsOver;
         continue;
       }
-      // The normal of a thin face is noise: one that gets wider has to look where the others look.
+      // The normal of a thin face is noise: one that becomes wider must face the same side as the
+      // others.
       const Vec3& wanted = mesh_.is_thin(face.number) && !mean.isZero(0) ? mean : face.shape.normal;
       if (!(now.normal.dot(wanted) > 0.0)) return MendOutcome::TurnsOver;
     }
@@ -71,8 +72,8 @@ class MergeCandidate {
                                                          : MendOutcome::Possible;
   }
 
-  /// Returns about how far the surface is from what it was; never less than 0 or more than the
-  /// vertices move.
+  /// Returns the approximate distance of the new surface from the old one; never less than 0 or
+  /// more than the movement of the vertices.
   [[nodiscard]] double deviation() const {
     const double moved = largest_move();
     if (faces_.size() > kMostFacesCompared) return moved;
@@ -106,7 +107,7 @@ class MergeCandidate {
  private:
   struct Face {
     Index number;
-    /// After the merge.
+    /// The faces after the merge.
     Triangle corners;
     bool goes;
     Corners before;
@@ -129,7 +130,7 @@ class MergeCandidate {
     faces_.push_back(face);
   }
 
-  /// Returns the sum of the normals of the faces that have one; zero where none has.
+  /// Returns the sum of the normals of the faces that have one; zero if none has.
   [[nodiscard]] Vec3 mean_normal() const {
     Vec3 sum = Vec3::Zero();
     for (const Face& face : faces_) {
@@ -196,7 +197,7 @@ class EdgeCollapse {
     return rules_.is_between_groups(mesh_, ends_[end]);
   }
 
-  /// Merging the one is the same to the topology as merging the other.
+  /// Merging either end into the other has the same effect on the topology.
   [[nodiscard]] bool is_permitted() {
     for (const std::size_t gone : {std::size_t{1}, std::size_t{0}}) {
       MendStep step;
@@ -213,7 +214,7 @@ class EdgeCollapse {
     return checked({.gone = ends_[gone], .kept = ends_[kept]});
   }
 
-  /// Returns the lower vertex stays, in the middle.
+  /// Returns the merge at the midpoint, in which the lower vertex stays.
   [[nodiscard]] MendAttempt attempt_middle() const {
     const Vec3& a = mesh_.position(ends_[0]);
     const Vec3& b = mesh_.position(ends_[1]);
@@ -236,7 +237,7 @@ class EdgeCollapse {
   std::array<Index, 2> ends_;
   std::array<bool, 2> is_crowded_{};
   std::array<bool, 2> is_fixed_{};
-  /// What the permission relies on.
+  /// The facts that the permission relies on.
   MendStep begun_;
 };
 

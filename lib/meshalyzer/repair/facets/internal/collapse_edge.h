@@ -8,12 +8,12 @@
 
 namespace meshalyzer {
 
-/// Merges the ends of an edge at the place of one of them: of a fixed one, else of the one where
-/// the surface moves less. An edge below the tolerance may be merged in its middle where neither
-/// end will do.
+/// Merges the ends of an edge at the position of one of them: of a fixed one, else of the one where
+/// the surface moves less. If neither will do, an edge below the tolerance may be merged at its
+/// midpoint.
 ///
-/// No face round it is turned over, and none becomes thin, but where more thin faces go than come;
-/// the topology stays.
+/// No face round the edge is turned over, and none becomes thin unless more thin faces are removed
+/// than created; the topology is preserved.
 [[nodiscard]] MendAttempt collapse_edge(const WorkingMesh& mesh, const MendRules& rules,
                                         const std::array<Index, 2>& ends);
 

@@ -13,7 +13,7 @@ FacetShape measure_of_usual_size(const Corners& p) {
   FacetShape shape;
   shape.lengths = side_lengths(p);
   const std::size_t longest = shape.longest_edge();
-  // Seen from the corner opposite to the longest edge the differences are shortest.
+  // From the corner opposite to the longest edge, the differences are shortest.
   const Vec3 normal = accurate_normal(p, (longest + 2) % 3);
   const double twice_area = normal.norm();
   if (twice_area > 0.0) {
@@ -39,8 +39,8 @@ FacetShape measure_facet(const Corners& p) {
   const std::array<double, 3> lengths = side_lengths(p);
   const double longest = *std::max_element(lengths.begin(), lengths.end());
   if ((longest > 1e-100 && longest < 1e100) || longest == 0.0) return measure_of_usual_size(p);
-  // Scaling by a power of two rounds nothing here: no coordinate that counts is much smaller than
-  // the longest edge, nor, being a double, much larger than it.
+  // Scaling by a power of two does not round here: no relevant coordinate is much smaller than the
+  // longest edge, nor, being a double, much larger than it.
   const int exponent = std::isfinite(longest) ? std::ilogb(longest) : 1023;
   FacetShape shape = measure_of_usual_size(times_power_of_two(p, -exponent));
   for (double& length : shape.lengths) length = std::ldexp(length, exponent);

@@ -11,7 +11,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns, by component, how many of its faces are not thin.
+/// Returns the number of faces of each component that are not thin.
 std::vector<Index> count_others(const Components& components, const SideTable& side,
                                 std::span<const Index> thin_faces) {
   std::vector<Index> n_others(components.count, 0);
@@ -20,7 +20,7 @@ std::vector<Index> count_others(const Components& components, const SideTable& s
   return n_others;
 }
 
-/// Returns the places of the vertices of some faces.
+/// Returns the positions of the vertices of some faces.
 std::vector<Vec3> places_of(const Soup& soup, const std::vector<Index>& faces) {
   std::vector<Vec3> places;
   for (const Index f : faces) {
@@ -29,7 +29,7 @@ std::vector<Vec3> places_of(const Soup& soup, const std::vector<Index>& faces) {
   return places;
 }
 
-/// Tells what is near to the rest of the mesh.
+/// Tells which faces are near to the rest of the mesh.
 class RestOfMesh {
  public:
   RestOfMesh(const PassInput& input, const std::vector<Index>& without)

@@ -7,7 +7,7 @@
 
 namespace meshalyzer {
 
-/// Edge components of which every face is thin: there is no surface that could take their place.
+/// An edge component of which every face is thin, so that no surface could take its place.
 struct FlatComponents {
   /// Their faces, ascending.
   std::vector<Index> faces;
@@ -16,7 +16,7 @@ struct FlatComponents {
   std::vector<std::vector<Index>> needless;
 };
 
-/// @param thin_faces  Of the complex, ascending.
+/// @param thin_faces  Thin faces of the complex, ascending.
 /// @complexity        O(#F log #F).
 [[nodiscard]] FlatComponents find_flat_components(const PassInput& input,
                                                   std::span<const Index> thin_faces);

@@ -11,7 +11,7 @@
 namespace meshalyzer {
 namespace {
 
-/// A side of a face at a vertex: the neighbour at its other end, and which face of the faces it is.
+/// A side of a face at a vertex: the neighbour at its other end, and the index of the face.
 using SideAtVertex = std::pair<Index, Index>;
 
 /// Returns all sides, those to the same neighbour side by side.
@@ -70,7 +70,7 @@ std::vector<Index> apexes(const WorkingMesh& mesh, Index a, Index b) {
   return result;
 }
 
-/// Tells whether two vertices have nothing in common but what their edge has.
+/// Tells whether two vertices have nothing in common except the neighbourhood of their edge.
 bool is_link_shared_by_edge_alone(const WorkingMesh& mesh, Index gone, Index kept, MendStep& step) {
   const std::vector<Index> common = apexes(mesh, gone, kept);
   if (has_twice(common)) return false;
@@ -105,7 +105,7 @@ VertexSurroundings look_round(const WorkingMesh& mesh, Index vertex) {
     result.kind = VertexKind::Plain;
   } else if (fans.odd_edges.size() == 2) {
     const std::vector<Index> first = fans_at(fans, fans.odd_edges[0]);
-    // Each fan once at each of the two edges, and no other fan.
+    // Each fan occurs once at each of the two edges, and there is no other fan.
     if (first.size() == n_fans && !has_twice(first) && fans_at(fans, fans.odd_edges[1]) == first) {
       result.kind = VertexKind::Ridge;
       result.along = {fans.odd_edges[0][0].first, fans.odd_edges[1][0].first};
@@ -120,7 +120,7 @@ bool may_merge(const WorkingMesh& mesh, Index gone, Index kept, MendStep& step) 
   if (round.kind == VertexKind::Corner) return false;
   if (!is_link_shared_by_edge_alone(mesh, gone, kept, step)) return false;
   if (round.kind == VertexKind::Plain) return true;
-  // Along the curve, and the curve must not close upon itself: no triangle of three of its edges.
+  // The edge is part of the curve, and the curve must not be a triangle of three of its edges.
   if (round.along[0] != kept && round.along[1] != kept) return false;
   const Index other = round.along[0] == kept ? round.along[1] : round.along[0];
   const std::size_t n_beyond = mesh.faces_at(kept, other).size();

@@ -26,7 +26,7 @@ class MendRules {
     return std::any_of(faces.begin(), faces.end(),
                        [&](Index f) { return group(mesh, f) != first; });
   }
-  /// Tells whether a vertex must stay, and where it is.
+  /// Tells whether a vertex must stay at its position.
   [[nodiscard]] bool is_fixed(const WorkingMesh& mesh, Index vertex) const {
     return input_.limits.is_fixed(input_.tracked, vertex) ||
            (groups() == Groups::Faces && is_between_groups(mesh, vertex));
@@ -36,8 +36,8 @@ class MendRules {
   const PassInput& input_;
 };
 
-/// A vertex with more faces is not taken away: looking round it again and again would take too
-/// long.
+/// A vertex with more faces is not removed, because examining its surroundings again and again
+/// would take too long.
 inline constexpr std::size_t kMostFacesRoundVertex = 1000;
 
 }  // namespace meshalyzer

@@ -11,14 +11,14 @@
 
 namespace meshalyzer {
 
-/// No corners: those of a face that is gone.
+/// The corners of a face that was removed.
 inline constexpr Triangle kNoTriangle = {kNoIndex, kNoIndex, kNoIndex};
 
-/// A small change of a WorkingMesh, and what it relies on.
+/// A small change of a WorkingMesh, and the facts that it relies on.
 struct MendStep {
   struct NewCorners {
     Index face;
-    /// kNoTriangle: the face goes.
+    /// The new corners; kNoTriangle removes the face.
     Triangle corners;
   };
   struct NewFace {
@@ -32,14 +32,15 @@ struct MendStep {
   std::vector<NewCorners> changed;
   std::vector<NewFace> added;
   std::optional<Move> moved;
-  /// Pairs of vertices of which it counts that they are joined, or are not; beside the edges of the
-  /// faces it changes.
+  /// Pairs of vertices for which the step relies on an edge, or on none, between them; beside the
+  /// edges of the faces it changes.
   std::vector<std::array<Index, 2>> read_edges;
-  /// Vertices of which it counts what kind they are.
+  /// Vertices for which the step relies on their kind.
   std::vector<Index> read_vertices;
 };
 
-/// What became of an attempt to mend something; of several, the last in this order is told.
+/// The outcome of an attempt to mend something. Of several attempts, the last in this order is
+/// reported.
 enum class MendOutcome : std::uint8_t {
   /// No rule applies.
   Hopeless,
@@ -52,21 +53,21 @@ enum class MendOutcome : std::uint8_t {
   Possible,
 };
 
-/// "collapsing it would ..."
+/// The sentence for logs: "collapsing it would ..."
 [[nodiscard]] std::string_view mend_reason(MendOutcome outcome);
 
-/// A step that mends something, or why there is none.
+/// A step that mends something, or the reason why there is none.
 struct MendAttempt {
   MendOutcome outcome = MendOutcome::Hopeless;
   MendStep step = {};
-  /// Tells how far the surface would be from what it was, about.
+  /// The approximate distance by which the step would move the surface.
   double deviation = 0.0;
 
   [[nodiscard]] bool is_possible() const { return outcome == MendOutcome::Possible; }
 };
 
-/// Returns the better of two attempts: one that is possible, and of two the one that deviates less,
-/// else the first.
+/// Returns the better of two attempts: the one that is possible; if both are, the one that deviates
+/// less; else the first.
 [[nodiscard]] const MendAttempt& better(const MendAttempt& a, const MendAttempt& b);
 
 }  // namespace meshalyzer

@@ -11,10 +11,10 @@
 namespace meshalyzer {
 namespace {
 
-/// A face beyond the longest edge, and the two that it is split into.
+/// A face beyond the longest edge, and the two faces that it is split into.
 struct SplitFace {
   Index face;
-  /// Opposite to the edge.
+  /// The corner opposite to the edge.
   Index tip;
   std::array<Triangle, 2> halves;
 };
@@ -56,7 +56,7 @@ class Retraction {
     return result;
   }
 
-  /// Does the same as splitting the edge in a new vertex and merging that into the apex.
+  /// This equals splitting the edge at a new vertex and merging that into the apex.
   [[nodiscard]] bool keeps_topology() {
     for (const SplitFace& split : splits_) {
       if (split.tip == apex_ || mesh_.are_joined(split.tip, apex_)) return false;
@@ -69,7 +69,7 @@ class Retraction {
            look_round(mesh_, apex_).kind == VertexKind::Plain;
   }
 
-  /// Returns where groups are faces of a body, their common borders must not be bent.
+  /// Tells whether the step bends no common border of groups that are faces of a body.
   [[nodiscard]] bool keeps_group_borders() const {
     const Index group = rules_.group(mesh_, cap_);
     return rules_.groups() == Groups::Names ||
@@ -104,7 +104,7 @@ class Retraction {
     return (mesh_.position(splits_[0].tip) - mesh_.position(apex_)).stableNorm() < length_;
   }
 
-  /// The cap's record becomes one of the new faces where it is of their group.
+  /// The cap's record becomes one of the new faces if it is of their group.
   void write_step() {
     bool is_cap_free = true;
     const Index group = rules_.group(mesh_, cap_);
@@ -120,7 +120,7 @@ class Retraction {
     if (is_cap_free) step_.changed.push_back({cap_, kNoTriangle});
   }
 
-  /// Begins with the corner that keeps most of the cap's corners where they are.
+  /// Begins with the corner that leaves most of the cap's corners in place.
   [[nodiscard]] Triangle aligned(Triangle t) const {
     const Triangle& old = mesh_.triangle(cap_);
     const auto place = std::find(old.begin(), old.end(), apex_) - old.begin();

@@ -9,7 +9,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Instead of a group: several.
+/// Stands for several groups.
 constexpr Index kMany = kNoIndex - 1;
 
 std::uint64_t edge_key(Index a, Index b) {
@@ -21,7 +21,7 @@ void append_edges(const Triangle& t, std::vector<std::uint64_t>& keys) {
   for (std::size_t k = 0; k < 3; ++k) keys.push_back(edge_key(t[k], t[(k + 1) % 3]));
 }
 
-/// Returns the edges that have more or fewer faces after a step than before, ascending.
+/// Returns the edges with more or fewer faces after a step than before, ascending.
 std::vector<std::uint64_t> changed_edges(const WorkingMesh& mesh, const MendStep& step) {
   std::vector<std::uint64_t> before;
   std::vector<std::uint64_t> after;
@@ -39,7 +39,7 @@ std::vector<std::uint64_t> changed_edges(const WorkingMesh& mesh, const MendStep
   return changed;
 }
 
-/// What each group has come to, in order of its lowest face.
+/// The total effect of each group, in order of its lowest face.
 class EditsWriter {
  public:
   EditsWriter(const Soup& before, const WorkingMesh& after) : before_(before), after_(after) {}
@@ -91,7 +91,7 @@ Index StepJournal::root(Index group) const {
   return group;
 }
 
-/// Joins several groups to one that gets one more step; starts a new group where there are none.
+/// Merges several groups and adds one step to the result; begins a new group if there are none.
 std::optional<Index> StepJournal::join(const std::vector<Index>& groups) {
   std::size_t n_steps = 1;
   for (const Index group : groups) {

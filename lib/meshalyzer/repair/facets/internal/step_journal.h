@@ -13,19 +13,19 @@
 
 namespace meshalyzer {
 
-/// The steps made on a working mesh, gathered into operations that do not depend on each other: a
-/// step that relies on what another has changed is of the same operation.
+/// Groups the steps made on a working mesh into operations that do not depend on each other: a step
+/// that relies on what another has changed belongs to the same operation.
 class StepJournal {
  public:
-  /// @param most_steps  Of one operation.
+  /// @param most_steps  The maximum number of steps of one operation.
   explicit StepJournal(std::size_t most_steps) : most_steps_(most_steps) {}
 
-  /// Returns records a step that is about to be made.
+  /// Records a step that is about to be made.
   ///
-  /// @return  False where it would make an operation too large; then it must not be made now.
+  /// @return  False if the step would make an operation too large; then it must not be made now.
   [[nodiscard]] bool record(const WorkingMesh& mesh, const MendStep& step);
 
-  /// Returns all that the steps have made of a soup.
+  /// Returns the edits of a soup that all steps together make.
   [[nodiscard]] Edits edits(const Soup& before, const WorkingMesh& after) const;
 
  private:

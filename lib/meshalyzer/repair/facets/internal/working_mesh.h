@@ -12,16 +12,16 @@
 
 namespace meshalyzer {
 
-/// The complex of a soup, to try repairs on: connectivity as each vertex's list of faces, whatever
-/// the topology, and which faces are thin. Faces keep their numbers; added ones come after those
-/// of the soup.
+/// The complex of a soup on which repairs are tried. It holds the connectivity as each vertex's
+/// list of faces, whatever the topology, and which faces are thin. Faces keep their numbers; added
+/// ones come after those of the soup.
 class WorkingMesh {
  public:
-  /// @param thin_faces  Of the complex.
+  /// @param thin_faces  Thin faces of the complex.
   /// @complexity        O(#V + #F).
   WorkingMesh(const Soup& soup, std::span<const Index> thin_faces, double tolerance);
 
-  /// Returns all kNoIndex for a face that is gone, or was never in the complex.
+  /// Returns the corners of a face; all are kNoIndex if it was removed or was never in the complex.
   [[nodiscard]] const Triangle& triangle(Index face) const { return triangles_[face]; }
   [[nodiscard]] bool has(Index face) const { return triangles_[face][0] != kNoIndex; }
   [[nodiscard]] std::size_t n_faces() const { return triangles_.size(); }
@@ -30,13 +30,13 @@ class WorkingMesh {
     return {positions_[t[0]], positions_[t[1]], positions_[t[2]]};
   }
   [[nodiscard]] bool is_thin(Index face) const { return is_thin_[face] != 0; }
-  /// Returns the face of the soup that a face is, or was added like.
+  /// Returns the face of the soup that a face is, or was modelled on when it was added.
   [[nodiscard]] Index original(Index face) const {
     return face < n_original_faces_ ? face : likes_[face - n_original_faces_];
   }
 
-  /// Returns the faces at a vertex, in no particular order but always the same. Holds until the
-  /// next step.
+  /// Returns the faces at a vertex, in no particular but a reproducible order. The result is valid
+  /// until the next step.
   [[nodiscard]] std::span<const Index> faces_at(Index vertex) const;
   /// Returns the faces at an edge, in the same sense.
   [[nodiscard]] std::vector<Index> faces_at(Index a, Index b) const;
@@ -44,7 +44,7 @@ class WorkingMesh {
   /// Returns the vertices that share a face with a vertex, ascending.
   [[nodiscard]] std::vector<Index> neighbours(Index vertex) const;
 
-  /// Makes a step.
+  /// Applies a step.
   void make(const MendStep& step);
 
  private:
@@ -59,10 +59,10 @@ class WorkingMesh {
   std::size_t n_original_faces_;
   std::vector<Index> likes_;
   double tolerance_;
-  /// #V + 1: where the faces of each vertex begin, as they were in the beginning.
+  /// #V + 1: where the initial faces of each vertex begin.
   std::vector<Index> begin_;
   std::vector<Index> faces_;
-  /// The faces of vertices where they have changed.
+  /// The faces of those vertices where they have changed.
   std::unordered_map<Index, std::vector<Index>> changed_;
 };
 

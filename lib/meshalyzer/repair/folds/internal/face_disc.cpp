@@ -22,7 +22,7 @@ std::size_t count_vertices(const TriMesh& mesh, std::span<const Index> faces) {
   return vertices.size();
 }
 
-/// Returns sides of the faces with none of them beyond, in order of the vertex they run from.
+/// Returns the sides of the faces with none of them beyond, in order of their first vertices.
 std::vector<HalfedgeHandle> sides_of(const TriMesh& mesh, std::span<const Index> faces) {
   std::vector<HalfedgeHandle> sides;
   for (const Index f : faces) {
@@ -77,7 +77,7 @@ std::optional<FaceDisc> find_disc(const CutMesh& cut, std::span<const Index> ver
   sort_unique(disc.faces);
   disc.outline = outline_of(cut.mesh, disc.faces);
   if (disc.outline.size() < 3) return std::nullopt;
-  // A disc, by V - E + F = 1 with 3 F = 2 E - n for n edges round it.
+  // A disc satisfies V - E + F = 1, with 3 F = 2 E - n for n edges of its outline.
   const std::size_t inside = count_vertices(cut.mesh, disc.faces) - disc.outline.size();
   const bool is_disc = disc.faces.size() + 2 == disc.outline.size() + 2 * inside;
   if (!is_disc || inside != vertices.size()) return std::nullopt;

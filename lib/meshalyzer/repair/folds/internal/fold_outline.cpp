@@ -33,7 +33,7 @@ double area(const std::vector<Vec2>& polygon) {
   return sum;
 }
 
-/// Returns the part of a convex polygon that is on the left of the line from a to b.
+/// Returns the part of a convex polygon on the left of the line from a to b.
 std::vector<Vec2> left_part(const std::vector<Vec2>& polygon, const Vec2& a, const Vec2& b) {
   std::vector<Vec2> part;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -49,7 +49,7 @@ std::vector<Vec2> left_part(const std::vector<Vec2>& polygon, const Vec2& a, con
   return part;
 }
 
-/// A plane in which an outline is measured: its middle at the origin, its reach about 1.
+/// The plane in which an outline is measured: its middle is the origin, its extent about 1.
 struct Plane {
   Vec3 origin;
   double scale;
@@ -134,7 +134,7 @@ class OutlineCutter {
 
   std::span<const Vec3> points_;
   const MayJoin& may_join_;
-  /// What is left of the outline.
+  /// The vertices that remain of the outline.
   std::vector<Index> left_;
   PlaneView view_;
 };
@@ -149,7 +149,7 @@ std::optional<Vec3> middle_of_kernel(std::span<const Vec3> outline) {
     kernel = left_part(kernel, plane->place(outline[i]),
                        plane->place(outline[(i + 1) % outline.size()]));
   }
-  // Less room than this is lost in rounding.
+  // A smaller region would be lost in rounding.
   constexpr double kLeastArea = 1e-12;
   if (!(area(kernel) > kLeastArea)) return std::nullopt;
   Vec2 middle = Vec2::Zero();

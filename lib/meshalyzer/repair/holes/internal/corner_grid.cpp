@@ -21,7 +21,7 @@ CornerGrid::CornerGrid(const std::vector<Point>& points, const std::vector<Index
   if (!box.isEmpty()) {
     low_ = box.min();
     const Point size = box.sizes();
-    // About as many cells as points, but no more of them in a row than there are points.
+    // There are about as many cells as points, but no more cells in a row than points.
     const double n = static_cast<double>(listed.size());
     const double cell = std::max(std::sqrt(size.x() * size.y() / n), size.maxCoeff() / n);
     per_length_ = cell > 0.0 ? 1.0 / cell : 0.0;
@@ -54,7 +54,7 @@ std::array<std::size_t, 2> CornerGrid::rows_of(const std::array<Point, 3>& trian
 
 std::array<std::size_t, 2> CornerGrid::columns_of(const std::array<Point, 3>& triangle,
                                                   std::size_t row) const {
-  // A little wider than the row, for rounding; in cells.
+  // The range is a little wider than the row, for rounding; in cells.
   const double below = static_cast<double>(row) - 0.01;
   const double above = static_cast<double>(row) + 1.01;
   double left = std::numeric_limits<double>::infinity();

@@ -10,19 +10,19 @@
 
 namespace meshalyzer {
 
-/// Points of a plane in square cells, to find those in a box.
+/// Points of a plane in square cells, to find those in a triangle.
 class CornerGrid {
  public:
   using Point = Eigen::Vector2d;
 
-  /// @param points  Only referred to by number later on.
-  /// @param listed  Which of them the grid holds.
+  /// @param points  Points, which the grid names by number only.
+  /// @param listed  The points that the grid holds.
   CornerGrid(const std::vector<Point>& points, const std::vector<Index>& listed);
 
   /// Calls `visit` with the number of each point in a triangle, and of some near it, until it
   /// returns true.
   ///
-  /// @return Whether it did.
+  /// @return Whether it returned true.
   template <typename Visit>
   bool any_near(const std::array<Point, 3>& triangle, Visit&& visit) const {
     const auto [first_row, last_row] = rows_of(triangle);
@@ -39,11 +39,12 @@ class CornerGrid {
   }
 
  private:
-  /// Column and row; a point outside counts to the nearest cell.
+  /// The column and the row of a point; one outside counts to the nearest cell.
   [[nodiscard]] std::array<std::size_t, 2> cell_of(const Point& p) const;
   /// Returns the first and the last row that a triangle reaches.
   [[nodiscard]] std::array<std::size_t, 2> rows_of(const std::array<Point, 3>& triangle) const;
-  /// Returns the first and the last column that it reaches in a row, and one more on each side.
+  /// Returns the first and the last column that it reaches in a row, with a margin of one on each
+  /// side.
   [[nodiscard]] std::array<std::size_t, 2> columns_of(const std::array<Point, 3>& triangle,
                                                       std::size_t row) const;
 

@@ -8,8 +8,8 @@
 
 namespace meshalyzer {
 
-/// The edges that a mesh has between vertices of hole loops: a patch must not have one of them as
-/// an inner edge, or it would get more than two faces.
+/// The edges of a mesh between vertices of hole loops. A patch must not have one of them as an
+/// inner edge, or it would get more than two faces.
 class ExistingEdges {
  public:
   /// @complexity O(#V + #E + n log n), n the number of such edges.
@@ -21,7 +21,7 @@ class ExistingEdges {
   [[nodiscard]] bool contains(Index a, Index b) const;
 
  private:
-  /// Both vertices in one, the smaller first; ascending.
+  /// Both vertices in one number, the smaller first; ascending.
   std::vector<std::uint64_t> edges_;
 };
 

@@ -12,15 +12,16 @@
 namespace meshalyzer {
 namespace {
 
-/// Loops of up to so many edges get more rounds of tries, since each takes next to no time.
+/// Loops of up to this number of edges get more rounds of tries, since each takes little time.
 constexpr std::size_t kCheapLoop = 64;
 constexpr std::size_t kRoundsWhereCheap = 4;
 constexpr std::size_t kRounds = 2;
-/// Loops of at most so many edges are filled without new vertices where the shape may be chosen.
+/// Loops of at most this number of edges are filled without new vertices if the shape may be
+/// chosen.
 constexpr std::size_t kFewEdges = 5;
 /// A patch with a smaller mean angle between it and the surface round it, in radians, is smooth.
 constexpr double kSmoothBend = std::numbers::pi / 6.0;
-/// A fan round one new vertex is tried for loops of up to so many edges.
+/// Loops of up to this number of edges are also tried with a fan round one new vertex.
 constexpr std::size_t kMaxFan = 64;
 
 class LoopFiller {
@@ -55,12 +56,12 @@ class LoopFiller {
 
  private:
   [[nodiscard]] std::size_t n_rounds() const {
-    // That loops belong together is a guess, of which there may be many.
+    // The connection of loops is a guess, and there may be many.
     if (!rules_.bridges.empty()) return 1;
     return polygon_.size() <= kCheapLoop ? kRoundsWhereCheap : kRounds;
   }
 
-  /// Tries triangulations by all weights, again and again without those triangles that met
+  /// Tries triangulations by all weights, again and again without the triangles that intersected
   /// something.
   [[nodiscard]] std::optional<Patch> try_triangulations() {
     constexpr std::array kWeights{LoopWeight::BendThenArea, LoopWeight::Area, LoopWeight::Flat};
@@ -80,7 +81,7 @@ class LoopFiller {
     return std::nullopt;
   }
 
-  /// Returns a new vertex in the middle of the loop, and a triangle to each edge.
+  /// Returns a new vertex in the middle of the loop, with a triangle for each edge.
   [[nodiscard]] std::optional<Patch> try_fan() {
     if (polygon_.size() > kMaxFan || !rules_.bridges.empty()) return std::nullopt;
     const Soup& soup = task_.mesh.soup();
@@ -101,7 +102,7 @@ class LoopFiller {
     return loop_.size() > kFewEdges && bends_into_hole(task_.mesh, loop_, patch);
   }
 
-  /// Tells whether a smooth patch may take the place of the one that it was made of.
+  /// Tells whether a smooth patch may replace the one that it was made of.
   [[nodiscard]] bool is_smooth_enough(const Patch& smooth, const Patch& patch) const {
     return task_.shape == FillShape::Smooth ||
            mean_rim_bend(task_.mesh, loop_, smooth) <=
@@ -126,7 +127,7 @@ class LoopFiller {
   LoopRules rules_;
   Filling filling_;
   bool has_tried_ = false;
-  /// The first triangulation, and what is wrong with the last patch.
+  /// The first triangulation, and the faults of the last patch.
   std::optional<Patch> first_;
   PatchFaults faults_;
 };

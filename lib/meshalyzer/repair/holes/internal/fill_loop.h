@@ -11,7 +11,7 @@
 
 namespace meshalyzer {
 
-/// What filling a loop takes.
+/// The data that filling a loop needs.
 struct FillTask {
   const PreparedMesh& mesh;
   const ExistingEdges& existing;
@@ -20,21 +20,21 @@ struct FillTask {
   FillShape shape = FillShape::Auto;
 };
 
-/// What became of a loop.
+/// The outcome of filling a loop.
 struct Filling {
-  /// Meets neither the mesh nor itself.
+  /// The patch, which intersects neither the mesh nor itself.
   std::optional<Patch> patch;
-  /// Why there is none.
+  /// The reason why there is none.
   std::string reason;
-  /// File faces that the first patch that was tried meets. Ascending.
+  /// The file faces that the first patch tried intersects. Ascending.
   std::vector<Index> met_faces;
 };
 
-/// Returns the patch that is tried first; nothing where no triangulation is possible.
+/// Returns the patch that is tried first; nothing if no triangulation is possible.
 [[nodiscard]] std::optional<Patch> first_patch(const FillTask& task, const JoinedLoop& loop);
 
-/// Looks for a patch: the best triangulation; others that avoid those of its triangles that meet
-/// something; and where none will do, patches with new vertices.
+/// Searches for a patch: tries the best triangulation, then others without those of its triangles
+/// that intersect something, and if none is free of intersections, patches with new vertices.
 [[nodiscard]] Filling fill_loop(const FillTask& task, const JoinedLoop& loop);
 
 }  // namespace meshalyzer

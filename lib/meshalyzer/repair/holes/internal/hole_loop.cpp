@@ -39,7 +39,7 @@ class BorderHalfedges {
   std::vector<HalfedgeHandle> edges_;
 };
 
-/// Returns the chain walked backwards, with the half-edges of its edges.
+/// Returns the chain in reverse, with the half-edges of its edges.
 HoleLoop make_loop(const BoundaryChain& chain, const BorderHalfedges& border) {
   HoleLoop loop;
   loop.vertices.assign(chain.vertices.rbegin(), chain.vertices.rend());
@@ -51,8 +51,8 @@ HoleLoop make_loop(const BoundaryChain& chain, const BorderHalfedges& border) {
   return loop;
 }
 
-/// Tells whether all faces beyond run along their edge the same way as seen on a walk round the
-/// loop.
+/// Tells whether all faces beyond have the same direction along their edges, as seen on a walk
+/// round the loop.
 bool runs_one_way(const CutMesh& cut, const HoleLoop& loop) {
   for (std::size_t i = 0; i < loop.halfedges.size(); ++i) {
     if (file_ends(cut, loop.halfedges[i])[1] != loop.vertices[i]) return false;
@@ -60,7 +60,7 @@ bool runs_one_way(const CutMesh& cut, const HoleLoop& loop) {
   return true;
 }
 
-/// Returns why a chain cannot be filled; empty where nothing speaks against it.
+/// Returns the reason why a chain cannot be filled; empty if it can.
 std::string objection(const CutMesh& cut, const BoundaryChain& chain, const HoleLoop& loop) {
   if (!chain.is_closed) return "it ends at an edge with more than two faces";
   if (loop.size() < 3) return "it is a slit of two edges";

@@ -7,11 +7,11 @@
 
 namespace meshalyzer {
 
-/// A closed walk along border edges, in the direction in which a patch runs along them: against the
-/// faces beyond.
+/// A closed walk along border edges, in the direction of the edges of a patch: against the faces
+/// beyond.
 struct HoleLoop {
   /// File vertices; edge i runs from vertex i to the next, the last one back to the first. A loop
-  /// of several joined by bridges names the ends of bridges more than once.
+  /// made of several by bridges names the ends of bridges more than once.
   std::vector<Index> vertices;
   /// Indexed by edge: the half-edge of the face beyond, which runs against it; not valid for a
   /// bridge.
@@ -23,16 +23,16 @@ struct HoleLoop {
   }
 };
 
-/// The loops that a mesh has, and those border chains that are none.
+/// The loops of a mesh, and those border chains that form none.
 struct HoleLoops {
   std::vector<HoleLoop> loops;
   std::vector<Refusal> refused;
 };
 
-/// Finds the loops of border edges that can be filled as far as their edges tell: they close, run
-/// one way round, and have at least three edges.
+/// Finds the loops of border edges that their edges allow to be filled: they close, have one
+/// direction all round, and have at least three edges.
 ///
-/// @return  In the order of find_boundary_chains().
+/// @return  The loops in the order of find_boundary_chains().
 [[nodiscard]] HoleLoops find_hole_loops(const PreparedMesh& mesh);
 
 /// Returns a refusal that names a loop by its lowest vertex and lowest face.

@@ -7,8 +7,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Tells how far a loop may be from a patch that it lies on, as a share of the diagonal of the
-/// patch's loop.
+/// The maximum distance of a loop from a patch that it lies on, as a fraction of the diagonal of
+/// the patch's loop.
 constexpr double kReach = 1e-3;
 
 std::vector<Box3> boxes_of(const Soup& soup, std::span<const HoleLoop> loops) {

@@ -7,10 +7,10 @@
 namespace meshalyzer {
 namespace {
 
-/// Pairs of vertices that are looked at for all bridges of a joined loop, at most.
+/// The maximum number of pairs of vertices that are compared for all bridges of a joined loop.
 constexpr std::size_t kMaxPairs = 100'000'000;
 
-/// A way from one loop to another.
+/// A connection from one loop to another.
 struct Bridge {
   std::size_t corner_a = 0;
   std::size_t corner_b = 0;
@@ -35,7 +35,7 @@ Bridge find_bridge(const Soup& soup, const ExistingEdges& existing, const HoleLo
   return best;
 }
 
-/// Adds all edges of a loop, from a corner on round to the same corner again.
+/// Appends all edges of a loop, from a corner round to the same corner again.
 void append_round(const HoleLoop& from, std::size_t corner, HoleLoop& to) {
   for (std::size_t i = 0; i < from.size(); ++i) {
     const std::size_t at = (corner + i) % from.size();

@@ -13,16 +13,16 @@
 namespace meshalyzer {
 namespace {
 
-/// Tells how much longer the square of a thin ear's chord counts: it is cut later, but not so late
-/// that others grow across the loop meanwhile.
+/// The factor for the squared chord of a thin ear: it is cut later, but not so late that others
+/// grow across the loop meanwhile.
 constexpr double kThinFactor = 16.0;
 
-/// What an ear must be like to be cut; each demands less than the one before.
+/// The requirements for an ear to be cut; each demands less than the one before.
 enum class Demand : std::uint8_t { ConvexAndEmpty, Convex, Nothing };
 
-/// A triangle of a corner and its two neighbours, as they were when it was made.
+/// The triangle of a corner and its two neighbours at the time when it was made.
 struct Ear {
-  /// The square of the chord's length; more for a thin ear.
+  /// The squared length of the chord, larger for a thin ear.
   double cost = 0.0;
   Index tip = 0;
   Index before = 0;
@@ -34,9 +34,10 @@ struct Ear {
   }
 };
 
-/// Returns the view in which a loop is seen best.
+/// Returns the projection that shows a loop best.
 PlaneView choose_view(const std::vector<Vec3>& points) {
-  // Relative to one of the points, so that a loop far from the origin keeps its digits.
+  // Positions are relative to one of the points, so that a loop far from the origin keeps its
+  // digits.
   Vec3 area = Vec3::Zero();
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
     area += normal_of(points[0], points[i], points[i + 1]);
@@ -65,13 +66,13 @@ class EarCutter {
     is_left_.assign(n, 1);
   }
 
-  /// Cuts until so many corners are left, or none can be cut.
+  /// Cuts ears until the given number of corners is left, or none can be cut.
   void run(std::size_t n_wanted) {
     Demand demand = Demand::ConvexAndEmpty;
     while (n_left_ > n_wanted) {
       const std::size_t n_before = n_left_;
       cut_all(demand, n_wanted);
-      // Cutting may make ears of corners that were looked at in vain, but seldom many.
+      // Cutting may make ears of corners that were rejected before, but seldom many.
       if (n_before - n_left_ > n_before / 16) continue;
       if (demand == Demand::Nothing) return;
       demand = demand == Demand::ConvexAndEmpty ? Demand::Convex : Demand::Nothing;
@@ -81,7 +82,7 @@ class EarCutter {
   /// Returns the triangles cut so far.
   [[nodiscard]] std::vector<Triangle> take_triangles() { return std::move(triangles_); }
 
-  /// Returns the loop that is left.
+  /// Returns the remaining loop.
   [[nodiscard]] LoopPolygon rest() const {
     LoopPolygon rest{.vertices = {}, .points = {}, .normals = {}, .thin = polygon_.thin};
     for (const Index i : corners_left()) {
@@ -101,7 +102,8 @@ class EarCutter {
     return left;
   }
 
-  /// Cuts ears as demanded, until so many corners are left or each has been looked at.
+  /// Cuts ears that meet a requirement, until the given number of corners is left or each has been
+  /// examined.
   void cut_all(Demand demand, std::size_t n_wanted) {
     std::vector<Index> left = corners_left();
     std::size_t n_in_grid = left.size();
@@ -159,7 +161,7 @@ class EarCutter {
     return demand == Demand::Convex || is_empty(ear, grid);
   }
 
-  /// Tells whether no other corner of what is left lies in the ear.
+  /// Tells whether no other remaining corner lies in the ear.
   [[nodiscard]] bool is_empty(const Ear& ear, const CornerGrid& grid) const {
     const Corners places = places_of(ear);
     Eigen::AlignedBox2d box(flat_[ear.tip]);
@@ -189,7 +191,7 @@ class EarCutter {
   const LoopPolygon& polygon_;
   const LoopRules& rules_;
   PlaneView view_;
-  /// Indexed by corner: of the face beyond the edge to the next corner left.
+  /// Indexed by corner: the normal of the face beyond the edge to the next remaining corner.
   std::vector<Vec3> normals_;
   std::size_t n_left_;
   std::vector<Index> before_;

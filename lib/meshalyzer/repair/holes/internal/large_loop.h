@@ -8,17 +8,17 @@
 
 namespace meshalyzer {
 
-/// Loops of up to so many edges are for triangulate_loop() alone.
+/// Loops of up to this number of edges are left to triangulate_loop().
 inline constexpr std::size_t kSmallLoop = 192;
 
 /// Triangulates a loop of any size: cuts ears off it, those with the shortest chord first, until
 /// triangulate_loop() can do the rest; with LoopWeight::Flat until three corners are left.
 ///
-/// Ears are cut as from the loop's projection along the axis that shows it best, exactly: where
-/// that is a simple polygon, no two triangles overlap in it. Where it is none, the ears that are
-/// left when no other is are taken as they come.
+/// Ears are cut in the loop's projection along the axis that shows it best, exactly: if that is a
+/// simple polygon, no two triangles overlap in it. If it is none, the remaining ears are cut in
+/// order once no proper ear is left.
 ///
-/// @return      As triangulate_loop().
+/// @return      The triangles as triangulate_loop() returns them.
 /// @complexity  O(n log n) for loops whose corners are about evenly spread.
 [[nodiscard]] std::optional<std::vector<Triangle>> triangulate_large_loop(
     const LoopPolygon& polygon, const LoopRules& rules);

@@ -12,14 +12,14 @@
 namespace meshalyzer {
 namespace {
 
-/// Steps of the bend: they end at 41, 60, 76, 90, 104, 120, 139 and 180 degrees.
+/// The limits of the steps of the bend are 41, 60, 76, 90, 104, 120, 139 and 180 degrees.
 constexpr double kBendSteps = 8.0;
-/// Share of the sum of squared edges in the cost of a triangle. Triangulations of one plane region
-/// all have one area: this prefers those with short edges, above rounding errors and below any
-/// overlap worth the name.
+/// The share of the sum of squared edges in the cost of a triangle. All triangulations of a plane
+/// region have the same area: this prefers short edges, by more than rounding errors and less than
+/// any notable overlap.
 constexpr double kObliquity = 1e-7;
 /// A triangle with a smaller ratio of twice its area to the square of its longest edge may be
-/// collinear for all that floating point can tell.
+/// collinear within floating-point accuracy.
 constexpr double kDoubtfulRatio = 1e-12;
 
 /// Returns the exponent of the power of two that brings the largest coordinate to about 1.
@@ -31,7 +31,7 @@ int scale_of(const Soup& soup, const HoleLoop& loop) {
   return largest > 0.0 ? -std::ilogb(largest) : 0;
 }
 
-/// Returns the unit normal; zero where there is none, or it overflows.
+/// Returns the unit normal; zero if there is none, or if it overflows.
 Vec3 finite_unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 normal = accurate_normal(a, b, c);
   const double length = normal.stableNorm();
@@ -103,7 +103,7 @@ CandidateTriangle measure_candidate(const Vec3& a, const Vec3& b, const Vec3& c,
   } else {
     triangle.normal = normal / twice_area;
   }
-  // The shortest altitude is that on the longest edge.
+  // The shortest altitude is the one on the longest edge.
   if (twice_area < thin * std::sqrt(longest)) triangle.fault = TriangleFault::Thin;
   return triangle;
 }

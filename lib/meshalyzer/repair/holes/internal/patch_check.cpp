@@ -37,7 +37,7 @@ bool is_torn(const Soup& soup, const CutMesh& cut) {
          cut.side.non_manifold_edges.size() != 0 || cut.side.flipped_edges.size() != 0;
 }
 
-/// Adds what a patch and the mesh have of each other.
+/// Adds the common faces of a patch and the mesh.
 void find_meetings_with_mesh(const PreparedMesh& mesh, const PatchSoup& patch, const FaceTree& tree,
                              PatchFaults& faults) {
   const BoxMeetings meetings(tree, mesh.tree());
@@ -98,7 +98,7 @@ PatchFaults check_patch(const PreparedMesh& mesh, const Patch& patch) {
 }
 
 std::vector<std::uint8_t> keep_apart(const PreparedMesh& mesh, std::span<const Patch> patches) {
-  // One mesh of all patches: they have no vertex in common, but for the names of added ones.
+  // All patches form one mesh: they have no common vertex except the numbers of added ones.
   Patch all;
   std::vector<Index> patch_of;
   const auto n_vertices = static_cast<Index>(mesh.soup().n_vertices());
@@ -120,7 +120,8 @@ std::vector<std::uint8_t> keep_apart(const PreparedMesh& mesh, std::span<const P
     const auto [first, second] = std::minmax(patch_of[pair.face_a], patch_of[pair.face_b]);
     if (first != second) clashes.push_back({second, first});
   }
-  // Ordered by the later patch: whether the earlier one is kept is known by then.
+  // The pairs are ordered by the later patch, so that it is already known whether the earlier one
+  // is kept.
   std::sort(clashes.begin(), clashes.end());
   for (const auto& [later, earlier] : clashes) {
     if (is_kept[earlier] != 0) is_kept[later] = 0;

@@ -14,9 +14,9 @@ struct Patch {
   std::vector<Vec3> added;
 };
 
-/// What is wrong with a patch.
+/// The faults of a patch.
 struct PatchFaults {
-  /// Tells whether it alone is not a consistently oriented manifold.
+  /// Tells whether the patch by itself is not a consistently oriented manifold.
   bool is_torn = false;
   /// The faces of the patch, by index, that are in contact with the mesh or with each other.
   /// Ascending.
@@ -29,20 +29,20 @@ struct PatchFaults {
 
 /// Checks, exactly, that a patch intersects neither the mesh nor itself (doc/definitions.md). A
 /// contact at nothing but two copies of one vertex does not count: the faces beyond the border have
-/// it already, and to part the copies is another pass's matter.
+/// it already, and another pass parts the copies.
 ///
 /// @complexity  O(n log #F + candidates).
 [[nodiscard]] PatchFaults check_patch(const PreparedMesh& mesh, const Patch& patch);
 
-/// Finds the patches that meet one before them in the list which itself is kept: 1 for those that
-/// do not and are kept.
+/// Finds the patches that intersect an earlier one that is kept: the result is 1 for patches that
+/// are kept.
 [[nodiscard]] std::vector<std::uint8_t> keep_apart(const PreparedMesh& mesh,
                                                    std::span<const Patch> patches);
 
 /// A patch as a mesh of its own.
 struct PatchSoup {
   Soup soup;
-  /// Indexed by vertex of the soup: what the patch names it; ascending.
+  /// Indexed by vertex of the soup: the vertex of the patch that it is; ascending.
   std::vector<Index> vertices;
 };
 

@@ -12,14 +12,14 @@
 namespace meshalyzer {
 namespace {
 
-/// Liepa's alpha: how much denser than the surroundings a patch may become.
+/// The factor by which a patch may become denser than its surroundings: Liepa's alpha.
 const double kDensity = std::sqrt(2.0);
 constexpr std::size_t kMaxNewVertices = 50'000;
-/// Each round splits a triangle once at most, which about halves the edges' lengths in two.
+/// Each round splits a triangle once at most, which about halves the edges' lengths in two rounds.
 constexpr std::size_t kMaxSplitRounds = 40;
 constexpr std::size_t kMaxSweeps = 20;
 
-/// Returns mean length of the mesh's edges at a vertex.
+/// Returns the mean length of the mesh's edges at a vertex.
 double mean_edge_length(const TriMesh& mesh, VertexHandle v) {
   double sum = 0.0;
   std::size_t n = 0;
@@ -69,8 +69,8 @@ class Refiner {
     return patch_.spacing[static_cast<std::size_t>(v.idx())];
   }
 
-  /// Learns the lengths of edges round the loop, and makes them greater where they would make too
-  /// many vertices.
+  /// Computes the target lengths round the loop, and enlarges them if they would require too many
+  /// vertices.
   void read_spacing(const PreparedMesh& mesh, const HoleLoop& loop) {
     std::unordered_map<Index, double> length_at;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -85,14 +85,15 @@ class Refiner {
       patch_.spacing.push_back(length);
       mean_square += length * length / static_cast<double>(patch_.names.size());
     }
-    // A vertex has two equilateral triangles with an area of sqrt(3) / 4 of the square each.
+    // A vertex corresponds to two equilateral triangles, each with an area of sqrt(3) / 4 of the
+    // squared edge.
     const double n_expected = area_of(mesh_) / (0.5 * std::sqrt(3.0) * mean_square);
     const double excess = n_expected / static_cast<double>(kMaxNewVertices);
     if (!(excess > 1.0)) return;
     for (double& s : patch_.spacing) s *= std::sqrt(excess);
   }
 
-  /// Puts a vertex into each triangle that is too large.
+  /// Inserts a vertex into each triangle that is too large.
   ///
   /// @return Whether there was any.
   bool split_faces() {
@@ -151,12 +152,12 @@ class Refiner {
       const Vec3 to_b = mesh_.point(d.b) - mesh_.point(v);
       return to_a.dot(to_b) / std::max(to_a.cross(to_b).norm(), std::numeric_limits<double>::min());
     };
-    // The sine of the sum has the sign of the sum of cotangents. A little more than zero, so that
-    // rounding never flips an edge to and fro.
+    // The sine of the sum has the sign of the sum of cotangents. The limit is a little above zero,
+    // so that rounding never flips an edge to and fro.
     return cot(d.left) + cot(d.right) < -1e-9;
   }
 
-  /// Tells whether both triangles after a flip look to the same side as those before.
+  /// Tells whether both triangles after a flip face the same side as those before.
   [[nodiscard]] bool stays_upright(const Diamond& d) const {
     const Vec3& a = mesh_.point(d.a);
     const Vec3& b = mesh_.point(d.b);

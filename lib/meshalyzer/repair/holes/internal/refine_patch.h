@@ -11,7 +11,7 @@ struct WorkingPatch {
   TriMesh mesh;
   /// Indexed by vertex: its file vertex; vertices beyond the end are new.
   std::vector<Index> names;
-  /// Indexed by vertex: how long the edges there should be; empty before the first refinement.
+  /// Indexed by vertex: the target length of its edges; empty before the first refinement.
   std::vector<double> spacing = {};
 
   [[nodiscard]] bool is_new(VertexHandle v) const {
@@ -20,14 +20,14 @@ struct WorkingPatch {
 };
 
 /// Splits and flips until triangles are about as large as the faces round the loop (Liepa 2003,
-/// "Filling holes in meshes", section 4): a vertex is put into a triangle where it comes to lie
-/// farther from the corners than the edges there are long, and edges are flipped where the angles
-/// opposite add up to more than 180 degrees.
+/// "Filling holes in meshes", section 4): a vertex is inserted into a triangle if its distance from
+/// the corners exceeds the target length of the edges there, and edges are flipped if the opposite
+/// angles add up to more than 180 degrees.
 ///
-/// A patch that was moved since it was refined is refined further where it has grown.
+/// A patch that was moved since its last refinement is refined further where it has grown.
 ///
 /// No edge is made that the mesh has, and no more than some 50,000 vertices: larger patches stay
-/// coarser than what is round them.
+/// coarser than their surroundings.
 ///
 /// @complexity  O(n log n) for n triangles.
 void refine_patch(const PreparedMesh& mesh, const HoleLoop& loop, const ExistingEdges& existing,

@@ -13,14 +13,14 @@
 namespace meshalyzer {
 namespace {
 
-/// With a smaller mean angle between patch and surface a hole is flat.
+/// A hole with a smaller mean angle between patch and surface is flat.
 constexpr double kFlatRim = std::numbers::pi / 180.0;
 /// Faces with a larger angle between them than 50 degrees meet at a crease.
 constexpr double kCosineOfCrease = 0.643;
-/// The share of the bend that the surface must account for.
+/// The fraction of the bend that the surface must account for.
 constexpr double kExplainedShare = 1.0 / 3.0;
 
-/// An edge of a hole, with the face beyond and that of the patch.
+/// An edge of a hole, with the face beyond it and the face of the patch.
 struct RimEdge {
   FaceHandle beyond;
   double length = 0.0;
@@ -65,8 +65,8 @@ std::vector<RimEdge> rim_edges(const PreparedMesh& mesh, const HoleLoop& loop, c
   return rim;
 }
 
-/// Returns the curvature of the surface beyond an edge in the direction across it: that for which
-/// the turns of the normals of the faces round the one beyond fit best. Faces beyond a crease do
+/// Returns the curvature of the surface beyond an edge in the direction across it: the value that
+/// fits the turns of the normals of the faces round the one beyond best. Faces beyond a crease do
 /// not count.
 double curvature_across(const TriMesh& mesh, const RimEdge& edge) {
   const Vec3 middle = centroid_of(face_corners(mesh, edge.beyond));
@@ -106,7 +106,7 @@ double mean_rim_bend(const PreparedMesh& mesh, const HoleLoop& loop, const Patch
 }
 
 bool bends_into_hole(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patch) {
-  // The radius of a round hole.
+  // The radius of a round hole of this length.
   const double to_middle = 2.0 * area_of(mesh.soup(), patch) / length_of(mesh.soup(), loop);
   double bends = 0.0;
   double expected = 0.0;

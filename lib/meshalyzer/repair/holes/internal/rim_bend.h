@@ -10,13 +10,13 @@ namespace meshalyzer {
 [[nodiscard]] double mean_rim_bend(const PreparedMesh& mesh, const HoleLoop& loop,
                                    const Patch& patch);
 
-/// Tells whether the surface round a hole bends as if it went on across the hole, so that a smooth
-/// patch is nearer to what is missing than the given one, which is without new vertices.
+/// Tells whether the surface round a hole bends as if it continued across the hole, so that a
+/// smooth patch is a better guess than the given one, which is without new vertices.
 ///
-/// The curvature across each edge of the hole, taken from the faces beyond, tells how far the
-/// surface would turn on its way to the middle of the hole. Where this makes up less than a third
-/// of the bend at the edge of the patch, the edge is a crease, such as the rim of a tube or a
-/// corner of a box. Where there is about no bend the hole is flat.
+/// The curvature across each edge of the hole, taken from the faces beyond, predicts how far the
+/// surface would turn on its way to the middle of the hole. If this makes up less than a third of
+/// the bend at the edge of the patch, the edge is a crease, such as the rim of a tube or a corner
+/// of a box. If there is about no bend, the hole is flat.
 ///
 /// @complexity  O(#edges of the loop x valence).
 [[nodiscard]] bool bends_into_hole(const PreparedMesh& mesh, const HoleLoop& loop,

@@ -17,9 +17,9 @@
 namespace meshalyzer {
 namespace {
 
-/// Weights are those of the surface as it was before: so often they are computed anew.
+/// The weights are those of the previous surface: they are recomputed this number of times.
 constexpr std::size_t kReweightings = 4;
-/// Cotangents of needles' angles are held within these.
+/// Cotangents of the angles of needles are clamped to this range.
 constexpr double kLeastWeight = 1e-3;
 constexpr double kGreatestWeight = 1e3;
 
@@ -34,7 +34,7 @@ struct Surroundings {
   std::size_t n_new = 0;
   std::size_t n_loop = 0;
 
-  /// Returns vertices with all their faces here.
+  /// Returns the number of vertices with all their faces here.
   [[nodiscard]] std::size_t n_whole() const { return n_new + n_loop; }
 };
 
@@ -99,7 +99,7 @@ class SurroundingsMaker {
   std::unordered_map<Index, Index> numbers_;
 };
 
-/// Moves and scales the points so that the loop is about of size 1 round the origin.
+/// Translates and scales the points so that the loop has a size of about 1 at the origin.
 struct Frame {
   Vec3 centre;
   double size = 1.0;
@@ -152,9 +152,9 @@ SparseMatrix make_laplacian(const Surroundings& all) {
   return scale.asDiagonal() * laplacian;
 }
 
-/// Puts the new vertices where the energy is least for the weights of the present surface.
+/// Moves the new vertices to the minimum of the energy, for the weights of the present surface.
 ///
-/// @return Whether there is such a place.
+/// @return Whether there is a minimum.
 bool relax(Surroundings& all) {
   const SparseMatrix laplacian = make_laplacian(all);
   const auto n_new = static_cast<Eigen::Index>(all.n_new);
@@ -177,11 +177,11 @@ bool relax(Surroundings& all) {
   return true;
 }
 
-/// Moves the new vertices of a patch to where the surface is bent as evenly as it can be: it
-/// minimises the bi-Laplacian energy with cotangent weights, the loop and the faces beyond it
-/// staying as they are (Botsch et al. 2010, "Polygon Mesh Processing", section 4.3; Liepa 2003).
+/// Moves the new vertices of a patch so that the surface is bent as evenly as possible: minimises
+/// the bi-Laplacian energy with cotangent weights, while the loop and the faces beyond it stay
+/// unchanged (Botsch et al. 2010, "Polygon Mesh Processing", section 4.3; Liepa 2003).
 ///
-/// @return      Whether there is such a place for each; if not, all stay.
+/// @return      Whether there is a minimum; if not, all vertices stay.
 /// @complexity  That of a sparse factorisation of n rows, about O(n^1.5).
 bool fair_patch(const PreparedMesh& mesh, const HoleLoop& loop, WorkingPatch& patch) {
   Surroundings all = SurroundingsMaker(mesh, patch).run(loop);
@@ -207,7 +207,7 @@ std::optional<Patch> smooth_patch(const PreparedMesh& mesh, const HoleLoop& loop
   if (working.mesh.n_vertices() != working.names.size()) return std::nullopt;
   refine_patch(mesh, loop, existing, working);
   if (!fair_patch(mesh, loop, working)) return std::nullopt;
-  // A patch that bulges now is coarser than what is round it.
+  // A patch that has bulged is coarser than its surroundings.
   refine_patch(mesh, loop, existing, working);
   if (!fair_patch(mesh, loop, working)) return std::nullopt;
 

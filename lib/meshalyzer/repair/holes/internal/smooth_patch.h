@@ -7,12 +7,12 @@
 
 namespace meshalyzer {
 
-/// Refines a patch to the density of the mesh round it, and fairs it: its new vertices go on as the
-/// mesh round it is bent (Liepa 2003, "Filling holes in meshes").
+/// Refines a patch to the density of the mesh round it, and fairs it: its new vertices continue the
+/// curvature of the surroundings (Liepa 2003, "Filling holes in meshes").
 ///
 /// @param patch  A triangulation of the loop, and a manifold.
-/// @return       Nothing where the patch needs no new vertex, or the fair surface is out of reach
-/// of numbers.
+/// @return       Nothing if the patch needs no new vertex, or if the fair surface cannot be
+/// computed in floating point.
 [[nodiscard]] std::optional<Patch> smooth_patch(const PreparedMesh& mesh, const HoleLoop& loop,
                                                 const ExistingEdges& existing, const Patch& patch);
 

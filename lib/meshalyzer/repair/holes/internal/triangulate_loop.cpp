@@ -8,7 +8,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Tells how good a triangulation is: the less the better, the first figures first.
+/// The cost of a triangulation: the less the better, the first figures first.
 struct Weight {
   std::uint32_t n_collinear = 0;
   std::uint32_t n_thin = 0;
@@ -33,9 +33,9 @@ Weight joined(const Weight& a, const Weight& b) {
 /// The best triangulation of the part of the loop between two of its corners.
 struct Part {
   Weight weight;
-  /// Corner of the triangle on the chord that cuts the part off.
+  /// The corner of the triangle on the chord that cuts the part off.
   std::uint32_t tip = 0;
-  /// The normal of that triangle; for a single edge, of the face beyond.
+  /// The normal of that triangle; for a single edge, that of the face beyond.
   Vec3 normal = Vec3::Zero();
 
   [[nodiscard]] bool is_possible() const { return weight.n_collinear != kImpossible.n_collinear; }
@@ -84,7 +84,7 @@ class Triangulator {
     return found;
   }
 
-  /// Two parts and the triangle between them.
+  /// Combines two parts and the triangle between them.
   [[nodiscard]] Part with_triangle(const Weight& parts, std::size_t i, std::size_t k,
                                    std::size_t j) {
     const CandidateTriangle triangle = measure_candidate(polygon_.points[i], polygon_.points[k],
@@ -123,7 +123,7 @@ class Triangulator {
   const LoopPolygon& polygon_;
   const LoopRules& rules_;
   std::size_t n_;
-  /// The part between corners i < j is at j (j - 1) / 2 + i.
+  /// The index of the part between corners i < j is j (j - 1) / 2 + i.
   std::vector<Part> parts_;
 };
 

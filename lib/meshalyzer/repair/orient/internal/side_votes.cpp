@@ -10,12 +10,12 @@ namespace meshalyzer {
 namespace {
 
 constexpr std::size_t kMaxSamples = 192;
-/// Half-way between a flat sheet (0) and a closed surface (1/2): the winding number on a face,
-/// which is half-way between those on its two sides.
+/// The threshold half-way between a flat sheet (0) and a closed surface (1/2), for the winding
+/// number on a face, which is half-way between those on its two sides.
 constexpr double kSeparates = 0.25;
 
 Vec3 middle_of(const Corners& t) {
-  // Summed so that exchanging the last two changes no bit.
+  // The order of the sum makes exchanging the last two change no bit.
   return t[0] / 3 + (t[1] / 3 + t[2] / 3);
 }
 

@@ -9,7 +9,7 @@
 
 namespace meshalyzer {
 
-// Private to the repair module: which side of a surface is inside, estimated from samples.
+// Private to the repair module: estimates from samples which side of a surface is inside.
 
 /// The mesh faces of each part, ascending.
 class FacesByPart {
@@ -26,38 +26,39 @@ class FacesByPart {
   std::vector<Index> faces_;
 };
 
-/// Returns the corners of a face when it is turned over.
+/// Returns the corners of a face in reverse orientation.
 [[nodiscard]] constexpr Triangle turned_over(const Triangle& t) {
   return {t[0], t[2], t[1]};
 }
 
-/// A point of a surface that speaks for so much of its area, which is measured in some unit of the
+/// A sample point of a surface and the share of the area that it represents, in a unit of the
 /// surface's own.
 struct SurfaceSample {
   Vec3 point = Vec3::Zero();
   double area = 0.0;
 };
 
-/// Middles of faces: of all that have an area where there are not many; else of some, a larger one
-/// more likely, chosen at equal steps through the area in the order given.
+/// Samples the middles of faces: of all that have an area if they are few; else of some, larger
+/// ones with a higher probability, chosen at equal steps through the area in the order given.
 ///
-/// @return Few hundred at most. The same when faces are turned over by exchanging their last two
-/// corners.
+/// @return A few hundred samples at most; the same if faces are turned over by exchanging their
+/// last two corners.
 [[nodiscard]] std::vector<SurfaceSample> sample_surface(std::span<const Corners> triangles);
 
-/// The area of a surface by what its winding number is on both sides. A closed surface has 1 behind
-/// its faces and 0 in front, a flat sheet 1/2 and -1/2: each face counts as what it is nearer to.
+/// The area of a surface by its winding numbers on both sides. A closed surface has 1 behind its
+/// faces and 0 in front, a flat sheet 1/2 and -1/2: each face counts as the nearer of these.
 struct SideVotes {
   double area = 0.0;
-  /// Where it separates, the inside being behind the faces.
+  /// The area that separates with the inside behind the faces.
   double outward = 0.0;
-  /// The same, the inside being in front of them.
+  /// The area that separates with the inside in front of the faces.
   double inward = 0.0;
 
   /// Tells whether at least half of the surface separates.
   [[nodiscard]] bool bounds_solid() const { return area > 0.0 && outward + inward >= area / 2; }
   [[nodiscard]] bool is_outward() const { return outward > inward; }
-  /// Tells whether half of it says one thing, and not half as much the other.
+  /// Tells whether at least half of the surface votes one way, and less than half as much the
+  /// other.
   [[nodiscard]] bool is_clear() const {
     const double more = is_outward() ? outward : inward;
     const double less = is_outward() ? inward : outward;
@@ -65,7 +66,7 @@ struct SideVotes {
   }
 };
 
-/// @param surface  Of the surface that was sampled.
+/// @param surface  The surface that was sampled.
 /// @complexity     O(#samples log #F).
 [[nodiscard]] SideVotes count_votes(const WindingNumbers& surface,
                                     std::span<const SurfaceSample> samples);

@@ -17,7 +17,7 @@ class BrokenComponents {
       : mesh_(mesh), cut_(mesh.cut()), is_broken_(mesh.components().count) {}
 
   std::vector<std::uint8_t> find() {
-    // Where the complex is not manifold or not consistently oriented, the cut mesh has borders too.
+    // If the complex is not manifold or not consistently oriented, the cut mesh has borders too.
     for (const HalfedgeHandle h : cut_.mesh.halfedges()) {
       const HalfedgeHandle opposite = cut_.mesh.opposite_halfedge_handle(h);
       if (!cut_.mesh.is_boundary(h) && cut_.mesh.is_boundary(opposite)) {
@@ -46,7 +46,7 @@ class BrokenComponents {
     return accurate_normal(a, b, c).isZero(0.0);
   }
 
-  /// Copies of one vertex belong to one component, so it is enough to look at the first.
+  /// Copies of one vertex belong to one component, so that examining the first suffices.
   void mark_pinched() {
     for (const Index v : cut_.side.non_manifold_vertices) {
       const VertexHandle vertex(static_cast<int>(v));

@@ -7,7 +7,7 @@
 
 namespace meshalyzer {
 
-/// Components of a mesh that hang together because they intersect.
+/// Components of a mesh that are connected by intersections.
 struct BrokenSolid {
   /// Its faces, by index into the soup, ascending.
   std::vector<Index> faces;
@@ -19,11 +19,11 @@ struct BrokenSolid {
 /// Finds the components that are not closed, not manifold, not consistently oriented, intersect
 /// themselves or others, or have faces of zero area, and unites those that intersect each other.
 ///
-/// @return     In order of their lowest face.
-/// @complexity As PreparedMesh::intersecting_pairs() and bounds_solid().
+/// @return     The broken solids in order of their lowest face.
+/// @complexity The cost of PreparedMesh::intersecting_pairs() and bounds_solid().
 [[nodiscard]] std::vector<BrokenSolid> find_broken_solids(const PreparedMesh& mesh);
 
-/// Takes the whole mesh as one broken solid; without faces where it has none.
+/// Returns the whole mesh as one broken solid, which is without faces if the mesh has none.
 [[nodiscard]] BrokenSolid whole_mesh_as_solid(const PreparedMesh& mesh);
 
 }  // namespace meshalyzer

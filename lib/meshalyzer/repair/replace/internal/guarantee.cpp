@@ -12,7 +12,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Tells whether a mesh is good but for the numbers of its records.
+/// Tells whether a mesh is good except for the numbers of its records.
 bool is_good(const DefectInventory& found) {
   const auto yes = [&](Attribute attribute) {
     return found.is_yes[static_cast<std::size_t>(attribute)];
@@ -56,7 +56,7 @@ class Guarantee {
            solids.front().faces.size() == driver_.mesh().cut().side.faces.size();
   }
 
-  /// Keeps what comes of a pass, and of a plan after it, where that is good.
+  /// Keeps the result of a pass, and of a plan after it, if it is good.
   bool try_pass(const PlannedPass& pass, std::vector<PlannedPass> plan) {
     return driver_.run_trial(
         {.change = pass, .plan = std::move(plan), .is_wanted = [&](const RepairState& state) {
@@ -64,10 +64,10 @@ class Guarantee {
          }});
   }
 
-  /// Makes thin solids of sheets, where there is nothing but sheets.
+  /// Makes thin solids of sheets, if the mesh consists of sheets only.
   bool thicken() {
     const double left = max_deviation_ - driver_.deviation();
-    // Thinner where thick sheets would meet.
+    // Thinner solids are tried in case thick ones intersect.
     for (const double share : {0.5, 0.05, 0.005}) {
       const double thickness = share * left;
       const PlannedPass pass{"thicken sheets", DefectCode::Hole, [&](const PassInput& input) {
@@ -82,7 +82,7 @@ class Guarantee {
     return false;
   }
 
-  /// Replaces what is broken, or all.
+  /// Replaces the broken parts, or all of the mesh.
   bool replace(ReplaceOptions::Scope scope) {
     const ReplaceOptions how{
         .scope = scope,

@@ -16,14 +16,14 @@ namespace {
 struct FaceRoundEdge {
   /// The ends of the edge, the lower first.
   std::array<Index, 2> ends{};
-  /// The position of the face in the list, and of the corner from which it goes along the edge.
+  /// The index of the face in the list, and of the corner from which it runs along the edge.
   std::size_t face = 0;
   std::size_t corner = 0;
   /// The direction of the face as seen along the edge.
   double angle = 0.0;
 };
 
-/// An edge at which a rim ends, as the rim goes along it.
+/// An edge at which a rim ends, in the direction of the rim.
 struct RimEnd {
   Index from = kNoIndex;
   Index to = kNoIndex;
@@ -69,7 +69,7 @@ class Thickening {
     });
   }
 
-  /// Sorts the faces at an edge round it.
+  /// Sorts the faces at an edge by angle.
   void sort_round(std::span<FaceRoundEdge> edge) const {
     const Vec3& from = soup_.positions[edge.front().ends[0]];
     const Vec3 axis = (soup_.positions[edge.front().ends[1]] - from).normalized();
@@ -107,8 +107,8 @@ class Thickening {
     }
   }
 
-  /// Joins the side of a face that looks ahead, round the edge, to the one that looks back of the
-  /// next.
+  /// Joins the side of a face that faces forward round the edge to the side of the next face that
+  /// faces back.
   void join(const FaceRoundEdge& a, const FaceRoundEdge& b) {
     const std::size_t ahead = goes_along(a) ? kFront : kBehind;
     const std::size_t back = goes_along(b) ? kBehind : kFront;
@@ -163,7 +163,7 @@ class Thickening {
     ends_.push_back({d, b, f});
   }
 
-  /// Closes what rims leave open where more than two meet, as at the end of an edge with three
+  /// Closes the gaps that rims leave where more than two meet, as at the end of an edge with three
   /// faces.
   void close_rims() {
     std::map<std::pair<Index, Index>, std::size_t> open;
@@ -193,7 +193,7 @@ class Thickening {
   const Soup& soup_;
   std::span<const Index> faces_;
   std::vector<FaceRoundEdge> edges_;
-  /// Faces at borders, and the corner from which they go along.
+  /// Faces at borders, and the corner from which they run along.
   std::vector<std::pair<std::size_t, std::size_t>> borders_;
   std::vector<RimEnd> ends_;
   /// The sets of corners of sides that are one vertex, see name().

@@ -17,8 +17,8 @@ bool precedes(const Vec3& a, const Vec3& b) {
   return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
 }
 
-/// The corners of two faces that are at one place but not one vertex, and how many are at one
-/// place.
+/// The corners of two faces that are at one position but not one vertex, and the number of corners
+/// at one position.
 struct SharedPlaces {
   std::vector<Link> links;
   std::size_t count = 0;
@@ -124,7 +124,8 @@ class PlaceMaker {
     return static_cast<Index>(incident_.entry_of(vertex));
   }
 
-  /// Sets are named by their lowest elements, so that all are numbered as they are met.
+  /// Sets are named by their lowest elements, so that they are numbered in the order of their first
+  /// occurrence.
   void number_units() {
     place_.resize(incident_.size());
     unit_.resize(incident_.size());

@@ -8,12 +8,13 @@
 
 namespace meshalyzer {
 
-// Private to part_contacts(): where faces touch that were cut apart.
+// Private to part_contacts(): the positions where faces touch that were cut apart.
 
-/// Vertices at one place whose faces touch there, though no border edges could be welded.
+/// Vertices at one position whose faces touch there, though no border edges could be welded.
 struct ContactPlace {
-  /// Vertices that move together: mostly one; several where border edges at the same place join
-  /// them, which are for weld_borders(). Each ascending, in order of their lowest vertices.
+  /// The units: vertices that move together, mostly one. A unit has several if border edges at the
+  /// same position, which weld_borders() is to join, connect them. Each is ascending; they are in
+  /// order of their lowest vertices.
   std::vector<std::vector<Index>> units;
   /// Pairs of units, by number, whose faces touch; ascending.
   std::vector<std::array<Index, 2>> contacts;
@@ -22,12 +23,12 @@ struct ContactPlace {
 struct ContactPlaces {
   /// The vertices of all units.
   IncidentFaces incident;
-  /// In order of their lowest vertices.
+  /// The places in order of their lowest vertices.
   std::vector<ContactPlace> places;
 };
 
-/// Finds the places where faces touch that would not if vertices at identical places were one:
-/// pairs of kind Unwelded, and faces that lie on each other with all three corners.
+/// Finds the positions where faces touch that would not if vertices at identical positions were
+/// one: pairs of kind Unwelded, and faces that coincide with all three corners.
 [[nodiscard]] ContactPlaces find_contact_places(const PreparedMesh& mesh);
 
 }  // namespace meshalyzer

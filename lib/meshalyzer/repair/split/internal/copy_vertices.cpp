@@ -11,11 +11,11 @@ namespace {
 struct NewCorner {
   Index face = 0;
   Index entry = 0;
-  /// The fan beyond the first.
+  /// The number of the fan, not counting the first.
   Index fan = 0;
 };
 
-/// Returns them in order of their faces, then of their entries.
+/// Returns the corners in order of their faces, then of their entries.
 std::vector<NewCorner> find_new_corners(const IncidentFaces& incident,
                                         std::span<const Index> fans) {
   std::vector<NewCorner> corners;
@@ -38,7 +38,7 @@ class VertexCopier {
   VertexCopier(const Soup& soup, const IncidentFaces& incident)
       : soup_(soup), incident_(incident) {}
 
-  /// Adds the copies of each vertex; a set of vertices shares one operation.
+  /// Adds the copies of each vertex; the vertices of a set share one operation.
   void add_copies(std::span<const Index> fans, DisjointSets& together) {
     operation_.assign(incident_.size(), kNoIndex);
     first_copy_.assign(incident_.size(), 0);

@@ -12,10 +12,10 @@ namespace meshalyzer {
 ///
 /// @param fans      The fan of each incident face, as find_fans_at() returns them, entry after
 /// entry.
-/// @param together  Sets of entries that are to be one operation; those that change the same face
+/// @param together  Sets of entries that are to be one operation; sets that change the same face
 /// are joined.
-/// @return          One operation for each set that has something to cut, in order of their lowest
-///                  vertices.
+/// @return          One operation for each set with something to cut, in order of their lowest
+/// vertices.
 [[nodiscard]] Edits copy_vertices(const Soup& soup, const IncidentFaces& incident,
                                   std::span<const Index> fans, DisjointSets together);
 

@@ -17,11 +17,11 @@ namespace {
 
 /// The manifold components of a complex: its parts between edges with more than two faces.
 struct ManifoldComponents {
-  /// #mesh faces: the component of each; faces joined through edges with two, whichever way
-  /// oriented.
+  /// #mesh faces: the component of each. Faces are joined through edges with two faces, whatever
+  /// their orientations.
   std::vector<Index> of_face;
-  /// For each component, the share of border edges among the edges of its rim; 0 where it has no
-  /// rim.
+  /// For each component, the fraction of border edges among the edges of its boundary; 0 if it has
+  /// none.
   std::vector<double> openness;
 };
 
@@ -77,7 +77,7 @@ FaceAtEdge face_at_edge(const Soup& soup, const std::array<Index, 2>& ends, Inde
           .crossing = t[(i + 1) % 3] == ends[0] ? Crossing::Along : Crossing::Against};
 }
 
-/// The pairing of each edge for itself.
+/// The pairing of each edge by itself.
 struct SinglePairings {
   /// #incidences: see pair_incidences().
   std::vector<Index> partner;
@@ -110,12 +110,12 @@ SinglePairings pair_each(const PreparedMesh& mesh, const EdgeIncidences& inciden
   return result;
 }
 
-/// Tells how edges follow each other: for each incidence, what it goes on as beyond the lower (0)
-/// and the higher (1) end of its edge; kNoIndex where the chain ends. All incidences of an edge go
-/// on, or none.
+/// Tells how edges follow each other: for each incidence, the one that continues it beyond the
+/// lower (0) and the higher (1) end of its edge; kNoIndex where the chain ends. All incidences of
+/// an edge continue, or none.
 using Continuations = std::array<std::vector<Index>, 2>;
 
-/// An incidence at a vertex, and the fan on whose rim it is.
+/// An incidence at a vertex, and the fan with that boundary edge.
 struct IncidenceEnd {
   Index fan = 0;
   Index incidence = 0;

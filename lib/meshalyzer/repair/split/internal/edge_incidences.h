@@ -10,7 +10,7 @@
 
 namespace meshalyzer {
 
-// Private to split_edges(): the edges with more than two faces, and which of these go on together.
+// Private to split_edges(): the edges with more than two faces, and the pairing of these faces.
 
 /// The edges of a file with more than two faces. An incidence is one of these faces at one of these
 /// edges.
@@ -19,7 +19,7 @@ struct EdgeIncidences {
   std::vector<std::array<Index, 2>> ends;
   /// #edges + 1: where the incidences of each edge begin.
   std::vector<Index> begin{0};
-  /// #incidences: file face, ascending within an edge.
+  /// #incidences: the file face of each, ascending within an edge.
   std::vector<Index> faces;
   /// #incidences.
   std::vector<Index> edge_of;
@@ -28,7 +28,7 @@ struct EdgeIncidences {
   [[nodiscard]] std::size_t n_faces(std::size_t edge) const {
     return begin[edge + 1] - begin[edge];
   }
-  /// Returns the edge between two vertices, which must be one of these.
+  /// Returns the number of the edge between two vertices, which must be in this list.
   [[nodiscard]] std::size_t edge_between(Index a, Index b) const;
 };
 
@@ -37,11 +37,11 @@ struct EdgeIncidences {
 /// Returns the vertices at the ends of these edges, ascending.
 [[nodiscard]] std::vector<Index> ends_of_edges(const EdgeIncidences& incidences);
 
-/// Returns pairs the incidences of each edge as pair_round_edge() does.
+/// Pairs the incidences of each edge as pair_round_edge() does.
 ///
-/// A chain of edges, from one to the next at vertices where two of them meet and each face goes on
-/// from one to the other through its fan, is paired as one of its edges asks for: one where
-/// orientations alternate, if any; of several the longest, then the first.
+/// A chain of edges runs from one to the next at vertices where two of them meet and each face
+/// continues from one to the other through its fan. It is paired as one of its edges requires: one
+/// where orientations alternate, if any; of several the longest, then the first.
 ///
 /// @param incident  The faces at the vertices of ends_of_edges().
 /// @return       #incidences: the incidence of the same edge that each is joined to, or kNoIndex.

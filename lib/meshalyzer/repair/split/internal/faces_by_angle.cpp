@@ -11,13 +11,13 @@
 namespace meshalyzer {
 namespace {
 
-/// Where a half-plane lies, counter-clockwise from the first one.
+/// The half of the plane that a half-plane's trace lies in, counter-clockwise from the first one.
 enum class Half : std::uint8_t { First, Left, Opposite, Right };
 
 /// Half-planes that end at an edge, each through a point.
 class HalfPlanes {
  public:
-  /// @param first  Not in line with a and b.
+  /// @param first  A point that is not collinear with a and b.
   HalfPlanes(const Vec3& a, const Vec3& b, const Vec3& first)
       : a_(a), b_(b), first_(first), axis_(*projection_axis(a, b, first)) {}
 
@@ -50,7 +50,7 @@ class Protractor {
     y_ = z.cross(x_);
   }
 
-  /// @param half  Bounds the answer, which is 0 where there is no telling.
+  /// @param half  Limits the answer, which is 0 if it cannot be determined.
   [[nodiscard]] double angle(const Vec3& apex, Half half) const {
     if (half == Half::First) return 0.0;
     if (half == Half::Opposite) return std::numbers::pi;
@@ -76,8 +76,8 @@ class Protractor {
 
 /// Faces at one angle, in the order given.
 struct Tie {
-  /// Faces that begin a solid, ascending, and those that end one, descending: of surfaces that lie
-  /// on each other the lower goes with the lower at all their edges.
+  /// Faces that begin a solid, ascending, and those that end one, descending: of coincident
+  /// surfaces the lower is paired with the lower at all their edges.
   std::vector<FaceByAngle> against;
   std::vector<FaceByAngle> along;
 
@@ -100,9 +100,9 @@ Crossing append(const Tie& tie, Crossing last, std::vector<FaceByAngle>& order) 
   return last;
 }
 
-/// Lists the faces of all ties, beginning behind one that is not mixed, if any, for there it is
-/// known whether material follows. Where all are mixed, solids touch each other all round, and the
-/// first face listed has its material before it: the tie of the last ends with what belongs to it.
+/// Lists the faces of all ties, beginning after one that is not mixed, if any, because it is known
+/// whether material follows there. If all are mixed, solids touch each other all round, and the
+/// first face listed has its material before it: the tie of the last one ends with its counterpart.
 std::vector<FaceByAngle> alternate(const std::vector<Tie>& ties) {
   const auto found =
       std::find_if(ties.begin(), ties.end(), [](const Tie& tie) { return !tie.is_mixed(); });

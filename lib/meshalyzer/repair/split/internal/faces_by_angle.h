@@ -9,20 +9,20 @@ namespace meshalyzer {
 
 // Private to pair_round_edge().
 
-/// A face in its order round an edge.
+/// The position of a face in the order round an edge.
 struct FaceByAngle {
-  /// Its place in the list given.
+  /// Its index in the list given.
   Index face = 0;
-  /// Radians, 0 to 2 pi, never less than that of the one before: an estimate, for choices that are
-  /// a matter of taste. The order is exact.
+  /// Radians, 0 to 2 pi, never less than that of the one before. This is an estimate for choices
+  /// between equally valid results; the order itself is exact.
   double angle = 0.0;
 };
 
-/// The faces at an edge.
+/// The faces at an edge, by angle.
 struct FacesByAngle {
-  /// Counter-clockwise as seen from b.
+  /// The faces in counter-clockwise order as seen from b.
   std::vector<FaceByAngle> order;
-  /// Faces whose apex is collinear with the edge, in the order given.
+  /// The faces whose apex is collinear with the edge, in the order given.
   std::vector<Index> without_angle;
 };
 

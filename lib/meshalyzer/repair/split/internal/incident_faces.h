@@ -14,7 +14,7 @@ namespace meshalyzer {
 /// one entry for each vertex.
 class IncidentFaces {
  public:
-  /// @param vertices  Ascending, each once.
+  /// @param vertices  File vertices, ascending, each once.
   /// @complexity      O(log #copies + n log n) a vertex of n faces.
   IncidentFaces(const CutMesh& cut, std::vector<Index> vertices);
 
@@ -57,8 +57,8 @@ struct Spoke {
 /// the edge, and returns for each the number of the spoke that it is joined to, or kNoIndex.
 using JoinWideEdge = std::function<std::vector<Index>(std::span<const Spoke>)>;
 
-/// Finds the fans at a vertex: faces joined through edges with two faces, whichever way they are
-/// oriented, and through edges with more as `join` decides.
+/// Finds the fans at a vertex: faces joined through edges with two faces, whatever their
+/// orientations, and through edges with more as `join` decides.
 ///
 /// @return  The fan of each face of the entry, numbered from 0 in order of their lowest faces.
 [[nodiscard]] std::vector<Index> find_fans_at(const Soup& soup, const IncidentFaces& incident,

@@ -19,8 +19,8 @@ Box3 grown(const Box3& box, double by) {
   return {box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by)};
 }
 
-/// Returns a point in the coordinates of the tree's boxes, which are within -1 ... 1 but for
-/// rounding; what is far outside is brought nearer, for infinity is where empty boxes are.
+/// Returns a point in the coordinates of the tree's boxes, which are within -1 ... 1 except for
+/// rounding; points far outside are brought nearer, because empty boxes are at infinity.
 std::array<float, 3> mapped(const FaceTree& tree, const Vec3& point) {
   std::array<float, 3> result = tree.map(point);
   for (float& x : result) x = std::clamp(x, -4.0F, 4.0F);
@@ -112,7 +112,7 @@ bool Move::is_moving(Index vertex) const {
   return std::binary_search(vertices_.begin(), vertices_.end(), vertex);
 }
 
-/// Tells whether a face has a corner at the place of the vertices, but none of them.
+/// Tells whether a face has a corner at the position of the vertices, but none of them.
 bool Move::is_at_place(Index face) const {
   const Triangle& t = mesh_.triangle(face);
   return std::any_of(t.begin(), t.end(), [&](Index v) {
@@ -147,7 +147,7 @@ bool Move::touched_before(const Pair& pair) const {
   };
   const auto [p, q, n_common] =
       align_faces(mesh_.triangle(pair[0]), mesh_.triangle(pair[1]), is_one);
-  // Faces that lie on each other, corner on corner, are to be parted too.
+  // Faces that coincide, corner on corner, are to be parted too.
   if (n_common == 3) return p == q;
   return find_contact(mesh_.corners(p), mesh_.corners(q), static_cast<Common>(n_common))
       .has_value();

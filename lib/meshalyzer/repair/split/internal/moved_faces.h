@@ -11,7 +11,7 @@ namespace meshalyzer {
 
 // Private to part_contacts().
 
-/// A mesh some of whose vertices are being moved by little.
+/// A mesh in which some vertices are moved by small distances.
 class MovedMesh {
  public:
   explicit MovedMesh(const PreparedMesh& mesh) : mesh_(mesh), positions_(mesh.soup().positions) {}
@@ -24,44 +24,45 @@ class MovedMesh {
 
   void move(std::span<const Index> vertices, const Vec3& to);
 
-  /// Returns faces of the complex that may share a point with a box, whatever has moved; ascending.
+  /// Returns the faces of the complex that may share a point with a box after all moves, ascending.
   [[nodiscard]] std::vector<Index> faces_near(const Box3& box) const;
 
  private:
   const PreparedMesh& mesh_;
   std::vector<Vec3> positions_;
-  /// Tells how far any vertex has been moved along an axis.
+  /// The largest distance by which any vertex has been moved along an axis.
   double reach_ = 0.0;
 };
 
-/// Vertices at one place that are to be moved as one, and what they may come to touch.
+/// Vertices at one position that are to be moved together, and the faces that they may come to
+/// touch.
 class Move {
  public:
   /// @param mesh      Must outlive this unchanged.
-  /// @param vertices  At one place; ascending.
-  /// @param faces     All that use them, ascending.
-  /// @param reach     How far they may be moved.
+  /// @param vertices  Vertices at one position, ascending.
+  /// @param faces     All faces that use them, ascending.
+  /// @param reach     The maximum distance by which they may be moved.
   Move(const MovedMesh& mesh, std::span<const Index> vertices, std::span<const Index> faces,
        double reach);
 
   [[nodiscard]] double reach() const { return reach_; }
 
-  /// Tells whether so many faces are near that looking at all of them, for every place of a mesh,
-  /// would never end: a heap of faces across each other. Then nothing is accepted.
+  /// Tells whether so many faces are near that checking all of them, for every position of a mesh,
+  /// would take too long, as in a heap of faces across each other. Then no move is accepted.
   [[nodiscard]] bool is_crowded() const { return is_crowded_; }
 
-  /// Tells whether the vertices can go there: no face is turned over or loses its area, and none
-  /// shares a point with another, but for what they have in common by id, or elsewhere by place,
-  /// and for those that do so already, vertices at one place counting as one.
+  /// Tells whether the vertices can be moved to a position: no face is turned over or loses its
+  /// area, and none shares a point with another, except for their common vertices by id, or
+  /// elsewhere by position, and except for pairs that do so already, with vertices at one position
+  /// counting as one.
   ///
-  /// This is not const, because it remembers what was in the way in order to check that first the
-  /// next time.
+  /// This is not const, because it remembers the obstacle in order to check it first the next time.
   ///
-  /// @param to  Within reach.
+  /// @param to  A position within reach.
   [[nodiscard]] bool is_accepted(const Vec3& to);
 
  private:
-  /// A face that moves, and another.
+  /// A face that moves, and another that it may touch.
   using Pair = std::array<Index, 2>;
 
   [[nodiscard]] Box3 box_of(Index face) const;
@@ -77,7 +78,7 @@ class Move {
   std::span<const Index> faces_;
   double reach_;
   bool is_crowded_ = false;
-  /// The pairs that may come into contact, the likeliest first.
+  /// The pairs that may come into contact, the most likely first.
   std::vector<Pair> pairs_;
 };
 

@@ -13,17 +13,18 @@
 namespace meshalyzer {
 namespace {
 
-/// Among more faces than this nothing is weighed up: that takes quadratic time and more.
+/// Among more faces than this no costs are compared, because that takes at least quadratic time.
 constexpr std::size_t kMaxWeighed = 32;
 
-/// What being open counts against a pair, as against being folded by half a turn.
+/// The cost of an open component, relative to that of a fold by half a turn.
 constexpr double kOpenPenalty = 2.0;
 
-/// Two faces that might be joined, by their places in the order, and what speaks against it.
+/// Two faces that might be joined, by their indices in the order, and the cost of joining them.
 struct Candidate {
   bool is_other_component = false;
   double cost = 0.0;
-  /// Places from one to the other: of faces at the same angles the inner ones go first.
+  /// The number of places from one to the other: of faces at the same angles the inner ones come
+  /// first.
   std::size_t span = 0;
   std::size_t first = 0;
   std::size_t second = 0;
@@ -70,7 +71,7 @@ class EdgeMatcher {
     partner_[j] = i;
   }
 
-  /// Joins each face that ends material to the last before it that began some and is not joined.
+  /// Joins each face that ends material to the last unjoined one before it that began some.
   void match_nested() {
     std::vector<std::size_t> open;
     for (std::size_t turn = 0; turn < 2; ++turn) {
@@ -85,8 +86,8 @@ class EdgeMatcher {
     }
   }
 
-  /// Returns the places of faces that are not joined, by runs of equal crossing; the last run and
-  /// the first are one where they can be.
+  /// Returns the places of unjoined faces, by runs of equal crossing; the last run and the first
+  /// are merged if they can be.
   [[nodiscard]] std::vector<std::vector<std::size_t>> runs() const {
     std::vector<std::vector<std::size_t>> runs;
     for (std::size_t i = 0; i < n_places(); ++i) {
@@ -101,7 +102,7 @@ class EdgeMatcher {
     return runs;
   }
 
-  /// Joins, time and again, one face of each run that begins material to one of the run behind it.
+  /// Repeatedly joins one face of each run that begins material to one of the run behind it.
   void match_opposite() {
     bool goes_on = true;
     while (goes_on) {
@@ -136,7 +137,7 @@ class EdgeMatcher {
     return join_cheapest(candidates);
   }
 
-  /// Joins faces that are oriented alike, which makes flipped edges.
+  /// Joins faces with the same orientation, which makes flipped edges.
   void match_alike() {
     bool goes_on = true;
     while (goes_on) {
@@ -151,8 +152,8 @@ class EdgeMatcher {
     }
   }
 
-  /// Joins faces of zero area to each other or to what is left: of the same component first, then
-  /// those that are oriented against each other.
+  /// Joins faces of zero area to each other or to remaining ones: of the same component first, then
+  /// those with opposite orientations.
   void match_without_angle() {
     for (const Index i : by_angle_.without_angle) {
       if (partner_[i] != kNoIndex) continue;
@@ -187,7 +188,8 @@ class EdgeMatcher {
             .second = j};
   }
 
-  /// Joins the best of these pairs that passes through none that is joined; whether there was one.
+  /// Joins the best of these pairs that passes through no joined pair; returns whether there was
+  /// one.
   bool join_cheapest(std::vector<Candidate>& candidates) {
     std::sort(candidates.begin(), candidates.end(),
               [](const Candidate& p, const Candidate& q) { return p.key() < q.key(); });

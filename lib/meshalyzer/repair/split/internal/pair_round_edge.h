@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-/// Tells which way a face crosses an edge from a to b.
+/// The direction in which a face crosses an edge from a to b.
 enum class Crossing : std::uint8_t {
   /// a comes before b in its corners.
   Along,
@@ -20,35 +20,37 @@ struct FaceAtEdge {
   /// The corner that is not on the edge.
   Vec3 apex = Vec3::Zero();
   Crossing crossing = Crossing::Along;
-  /// The same number for faces that hang together elsewhere; kNoIndex: nothing is known.
+  /// The same number for faces that are connected elsewhere; kNoIndex if that is unknown.
   Index component = kNoIndex;
-  /// 0: the component has no border; 1: it has nothing else. A fin is open, a wall is not.
+  /// The openness of the face's component: 0 if it has no border, 1 if it has nothing else. A fin
+  /// is open, a wall is not.
   double openness = 0.0;
 };
 
-/// Tells how the faces at an edge go on across it.
+/// The pairing of the faces at an edge.
 struct EdgePairing {
-  /// #faces: the one that each is joined to; kNoIndex: none, it ends there.
+  /// #faces: the one that each is joined to; kNoIndex if it ends there.
   std::vector<Index> partner;
   /// Tells whether faces that begin a solid alternate with those that end one all the way round:
-  /// then each is joined to the other side of the material between them, and nobody had to choose.
+  /// then each is joined to the other side of the material between them, and the pairing is unique.
   bool alternates = false;
 };
 
-/// Returns pairs the faces at an edge from a to b, so that each solid stays closed.
+/// Pairs the faces at an edge from a to b, so that each solid stays closed.
 ///
 /// Faces are sorted by their angle round the edge, exactly; those at one angle so that they
-/// alternate as far as they can, then in the order given. Two that face away from what is between
-/// them have material there, and are joined: solids that share the edge come apart.
+/// alternate as far as possible, then in the order given. Two that face away from the space between
+/// them have material there, and are joined: solids that share the edge are separated.
 ///
-/// Where orientations do not alternate, one of each run of faces that are oriented alike is joined:
-/// those that are least open and have the least material between them; or, where the number is odd
-/// and one must be a fin or an inner wall, those of one component first, then those that are least
-/// open and go on most evenly. What is left is paired in the same way, then faces oriented alike.
-/// No pair passes through another. Faces of zero area have no angle and come last.
+/// If orientations do not alternate, one of each run of faces with the same orientation is joined:
+/// those that are least open and have the least material between them; or, if the number is odd and
+/// one must be a fin or an inner wall, those of one component first, then those that are least open
+/// and continue most smoothly. The remaining faces are paired in the same way, then faces with the
+/// same orientation. No pair passes through another. Faces of zero area have no angle and come
+/// last.
 ///
-/// @complexity O(n log n) for n that alternate; above 32 faces none are joined that are oriented
-/// alike.
+/// @complexity O(n log n) for n faces that alternate; above 32 faces no two of the same orientation
+/// are joined.
 [[nodiscard]] EdgePairing pair_round_edge(const Vec3& a, const Vec3& b,
                                           std::span<const FaceAtEdge> faces);
 

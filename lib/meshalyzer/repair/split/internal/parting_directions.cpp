@@ -7,13 +7,14 @@
 namespace meshalyzer {
 namespace {
 
-/// Steps of the search for the direction behind all faces: its error goes down like their inverse.
+/// The number of steps of the search for the direction behind all faces: its error decreases like
+/// the inverse of that.
 constexpr std::size_t kSearchSteps = 64;
 /// Below this, no direction is behind all faces.
 constexpr double kMinDepth = 1e-6;
 
-/// Returns the direction from p to q, its longest coordinate 1; zero where p and q coincide or the
-/// difference overflows.
+/// Returns the direction from p to q, with a longest coordinate of 1; zero if p and q coincide or
+/// the difference overflows.
 Vec3 direction(const Vec3& p, const Vec3& q) {
   const Vec3 d = q - p;
   const double size = d.cwiseAbs().maxCoeff();
@@ -30,9 +31,10 @@ std::vector<Vec3> inward_normals(std::span<const Corners> faces) {
   return result;
 }
 
-/// Returns the direction whose smallest product with unit vectors is largest: that of the point
+/// Returns the direction that maximises the smallest product with unit vectors: that of the point
 /// nearest to the origin in their convex hull (Gilbert 1966, "An iterative procedure for computing
-/// the minimum of a quadratic form on a convex set"). Zero where no product is positive for all.
+/// the minimum of a quadratic form on a convex set"). Zero if no direction has only positive
+/// products.
 Vec3 deepest_direction(std::span<const Vec3> vectors) {
   Vec3 nearest = Vec3::Zero();
   for (const Vec3& v : vectors) nearest += v / static_cast<double>(vectors.size());
@@ -50,7 +52,7 @@ Vec3 deepest_direction(std::span<const Vec3> vectors) {
   return is_behind_all ? nearest : Vec3(Vec3::Zero());
 }
 
-/// Adds a direction and the one against it.
+/// Adds a direction and the opposite one.
 void append_both(const Vec3& d, std::vector<Vec3>& directions) {
   const Vec3 unit = direction(Vec3::Zero(), d);
   if (unit.isZero(0.0)) return;

@@ -13,7 +13,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Coordinates are told apart to so many times the largest; finer cells would tell nothing.
+/// The least width of cells as a fraction of the largest coordinate, about the precision of
+/// doubles.
 constexpr double kFinestCell = 1e-15;
 /// The number of pairs of points in common cells that is always accepted, and the number that is
 /// added for each point.
@@ -33,7 +34,7 @@ NearPoints::NearPoints(std::span<const Vec3> positions, std::span<const Index> p
   const double finest = std::max(kFinestCell * largest_coordinate(positions, points),
                                  std::numeric_limits<double>::min());
   while (true) {
-    // Cells are so wide that what is within reach is in at most two of them along each axis.
+    // Cells are so wide that points within reach are in at most two of them along each axis.
     width_ = std::max(2.01 * reach_, finest);
     sort_into_cells(points);
     if (!is_crowded() || width_ <= finest) return;
@@ -157,7 +158,7 @@ class CandidateSearch {
     return (positions_[a] - positions_[b]).stableNorm();
   }
 
-  /// Sorts those of one edge, and leaves one for each other edge.
+  /// Sorts those of one edge, and keeps one for each other edge.
   static void keep_better_runs(std::size_t begin, std::vector<WeldJoin>& joins) {
     const auto first = joins.begin() + static_cast<std::ptrdiff_t>(begin);
     std::sort(first, joins.end(), [](const WeldJoin& a, const WeldJoin& b) {

@@ -11,18 +11,18 @@
 
 namespace meshalyzer {
 
-// Private to weld_borders(): which border edges are near each other.
+// Private to weld_borders(): searches for border edges that are near each other.
 
-/// Finds the points that are near others.
+/// Finds the points within reach of others.
 class NearPoints {
  public:
-  /// @param points  By index into `positions`; each once.
-  /// @param reach   Above 0. Where points are so dense that too many would be within it of each
-  ///                other, it is halved until they are few.
+  /// @param points  Indices into `positions`, each once.
+  /// @param reach   A length above 0. If points are so dense that too many would be within it of
+  /// each other, it is halved until they are few.
   /// @complexity    O(n log n).
   NearPoints(std::span<const Vec3> positions, std::span<const Index> points, double reach);
 
-  /// Returns the length that counts.
+  /// Returns the reach in use.
   [[nodiscard]] double reach() const { return reach_; }
 
   /// Calls `visit` for all points within reach of one of `positions`, itself included if it is
@@ -31,7 +31,7 @@ class NearPoints {
   void for_each_near(Index vertex, Visit&& visit) const {
     for_each_near(vertex, reach_, std::forward<Visit>(visit));
   }
-  /// The same for a length of no more than reach().
+  /// Does the same for a length of no more than reach().
   template <typename Visit>
   void for_each_near(Index vertex, double reach, Visit&& visit) const {
     const Vec3& p = positions_[vertex];
@@ -57,7 +57,7 @@ class NearPoints {
     Cell high;
     for (std::size_t i = 0; i < 3; ++i) {
       const double x = p[static_cast<Eigen::Index>(i)];
-      // A little more, for rounding.
+      // A margin for rounding.
       low[i] = cell_of(x - 1.001 * reach_);
       high[i] = cell_of(x + 1.001 * reach_);
     }
@@ -71,11 +71,11 @@ class NearPoints {
   std::span<const Vec3> positions_;
   double reach_;
   double width_ = 0.0;
-  /// Points by cell, and where each cell that has any begins.
+  /// Points by cell, and where each non-empty cell begins.
   std::vector<Index> points_;
   std::vector<Cell> cells_;
   std::vector<Index> begin_;
-  /// Open addressing: indices into cells_.
+  /// A hash table with open addressing: indices into cells_.
   std::vector<Index> slots_;
 };
 
@@ -83,11 +83,11 @@ class NearPoints {
 struct NearEdges {
   std::span<const Vec3> positions;
   std::span<const WeldEdge> edges;
-  /// #V, see find_weld_places().
+  /// #V: the places as find_weld_places() returns them.
   std::span<const Index> places;
   /// The edges at each place.
   const EdgesAtPlaces& at_places;
-  /// The places, to find those near a point.
+  /// The index that finds the places near a point.
   const NearPoints& near;
 };
 
@@ -95,17 +95,17 @@ struct NearEdges {
 struct WeldCandidates {
   /// The pairs in ascending order, the lower edge first, each once.
   std::vector<WeldJoin> joins;
-  /// Tells how far apart ends may be.
+  /// The length within which ends must be.
   double reach = 0.0;
 };
 
-/// Finds the pairs of edges of different faces, both ends of one within reach of the ends of the
-/// other. Where an edge could be joined with another in both directions only the better one is
-/// listed, in doubt the one where they run against each other.
+/// Finds the pairs of edges of different faces with both ends of one within reach of the ends of
+/// the other. If an edge could be joined with another in both directions, only the better one is
+/// listed, in doubt the one in which they run against each other.
 ///
-/// @param wanted  Which edges to look at, ascending.
-/// @param reach   Above 0. Where edges are so short that too many would be within it of each other,
-///                it is halved until they are few.
+/// @param wanted  The edges to search for, ascending.
+/// @param reach   A length above 0. If edges are so short that too many would be within it of each
+/// other, it is halved until they are few.
 /// @complexity    O(#wanted + found).
 [[nodiscard]] WeldCandidates find_weld_candidates(std::span<const Vec3> positions,
                                                   std::span<const WeldEdge> edges,

@@ -12,7 +12,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Each reach is so many times the one before.
+/// The factor between successive reaches.
 constexpr double kReachStep = 8.0;
 constexpr int kReachSteps = 12;
 
@@ -28,7 +28,7 @@ class ChainWalk {
         end_(mesh.positions[to(edge)]),
         backwards_((start_ - end_).stableNormalized()) {}
 
-  /// Returns the chain of the shortest reach; nothing where there are several.
+  /// Returns the chain of the shortest reach; nothing if there are several.
   [[nodiscard]] std::optional<WeldChain> chain() {
     if (!has_company()) return std::nullopt;
     const double longest = reach_;
@@ -42,11 +42,11 @@ class ChainWalk {
   }
 
  private:
-  /// Tells whether all is looked at as it is, or as if all edges ran the other way.
+  /// The direction in which edges are followed: as they are, or as if all were reversed.
   enum class Way : std::uint8_t { AsIs, Reversed };
 
-  /// Returns a chain is followed from the end of the edge, unless many more edges are there than at
-  /// its start: a fan of a million faces has as many edges at its tip.
+  /// A chain is followed from the end of the edge, unless many more edges are there than at its
+  /// start: a fan of a million faces has as many edges at its tip.
   [[nodiscard]] static Way way_along(const NearEdges& mesh, const WeldEdge& edge) {
     constexpr std::size_t kManyMore = 8;
     const std::size_t n_at_start = mesh.at_places[mesh.places[edge.from]].size();
@@ -112,7 +112,7 @@ class ChainWalk {
            (p - mesh_.positions[from(f)]).dot(backwards_) > 0.0;
   }
 
-  /// Returns the edge that goes on where this one ends; nothing where there are several.
+  /// Returns the edge that continues this one at its end; nothing if there are several.
   [[nodiscard]] std::optional<Index> next_edge(Index f) const {
     std::optional<Index> next;
     const Index end = to(f);

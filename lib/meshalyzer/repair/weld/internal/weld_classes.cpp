@@ -70,11 +70,11 @@ bool WeldClasses::may_join(Index a, Index b) {
   return a_stays ? can_go(b, representative_[a]) : can_go(a, representative_[b]);
 }
 
-/// Tells whether all of a set can go to the place of a vertex.
+/// Tells whether all of a set can move to the position of a vertex.
 bool WeldClasses::can_go(Index root, Index to) const {
   const PassInput& input = rules_.input;
   const std::vector<Vec3>& positions = input.tracked.soup.positions;
-  // All members can go to the place of the one that stays so far.
+  // All members can move to the position of the present representative.
   if (positions[representative_[root]] == positions[to]) return true;
   if (input.limits.is_fixed(input.tracked, representative_[root])) return false;
   Index v = root;

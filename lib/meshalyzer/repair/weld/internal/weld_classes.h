@@ -10,7 +10,7 @@
 
 namespace meshalyzer {
 
-// Private to weld_borders(): which vertices are merged.
+// Private to weld_borders(): the vertices that are merged.
 
 /// Returns how many faces of the complex use each vertex.
 [[nodiscard]] std::vector<Index> count_faces_at_vertices(const Soup& soup);
@@ -20,11 +20,11 @@ namespace meshalyzer {
 struct WeldRules {
   const PassInput& input;
   std::span<const Index> faces_at_vertices;
-  /// No vertex is joined with one that is farther away. A length.
+  /// The length within which vertices must be to be joined.
   double reach = 0.0;
 };
 
-/// Tells whether it is `a` that stays of two: that which is fixed, or of more faces, or the lower.
+/// Tells whether `a` stays of two: the fixed one, or the one with more faces, or the lower.
 [[nodiscard]] bool is_preferred(const WeldRules& rules, Index a, Index b);
 
 /// Sets of vertices that are merged, each at the position of its representative.
@@ -32,16 +32,16 @@ class WeldClasses {
  public:
   explicit WeldClasses(const WeldRules& rules);
 
-  /// Joins the ends of two edges, unless a vertex would have to go too far, a fixed one would have
-  /// to move, or the face of either would get two corners in one.
+  /// Joins the ends of two edges, unless a vertex would have to move too far, a fixed one would
+  /// have to move, or two corners of the face of either would become one.
   ///
-  /// @return Why it was not done; empty where it was.
+  /// @return The reason why it was not done; empty if it was.
   [[nodiscard]] std::string_view join(const WeldEdge& a, const WeldEdge& b, EdgeRun run);
 
-  /// #V: the vertex that stays of those that each becomes one with.
+  /// #V: the vertex that stays of those that each vertex is merged with.
   [[nodiscard]] std::vector<Index> representatives();
   [[nodiscard]] bool are_joined(Index a, Index b) { return sets_.find(a) == sets_.find(b); }
-  /// Tells whether it is joined with no other.
+  /// Tells whether a vertex is joined with no other.
   [[nodiscard]] bool is_alone(Index v) const { return next_[v] == v; }
 
  private:

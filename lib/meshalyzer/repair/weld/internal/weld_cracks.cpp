@@ -17,7 +17,7 @@ constexpr std::size_t kMaxCrackEdges = 64;
 /// Where more edges than these meet, as at the tip of a fan, no crack is followed.
 constexpr std::size_t kMaxPartners = 16;
 
-/// One side of a crack, followed from its beginning: along its edges, or against them.
+/// One side of a crack, followed from its beginning, along its edges or against them.
 struct CrackSide {
   bool runs_along = true;
   std::vector<EdgeSplit> splits;
@@ -36,8 +36,8 @@ class CrackWalk {
     begin(b_, against);
   }
 
-  /// Returns the crack up to the next place where the chains meet; nothing where they part before,
-  /// or one of them has no vertices on the way.
+  /// Returns the crack up to the next place where the chains meet; nothing if they part before, or
+  /// if one of them has no vertices on the way.
   [[nodiscard]] std::optional<WeldCrack> crack() {
     while (!are_near(next(a_), next(b_))) {
       if (a_.splits.size() + b_.splits.size() > kMaxCrackEdges) return std::nullopt;
@@ -56,7 +56,7 @@ class CrackWalk {
     side.vertices.push_back(side.runs_along ? e.from : e.to);
   }
 
-  /// Returns the vertex at the far end of the edge that a side has come to.
+  /// Returns the vertex at the far end of the current edge of a side.
   [[nodiscard]] Index next(const CrackSide& side) const {
     const WeldEdge& e = mesh_.edges[side.splits.back().edge];
     return side.runs_along ? e.to : e.from;
@@ -68,7 +68,7 @@ class CrackWalk {
 
   /// Assigns the next vertex of a side to the edge of the other one, if it lies along that.
   ///
-  /// @return Whether it does, and the side goes on behind it.
+  /// @return Whether it does, and the side continues behind it.
   [[nodiscard]] bool pass_vertex(CrackSide& side, CrackSide& other) const {
     const Index vertex = next(side);
     const Index begin = other.splits.back().inner.empty() ? other.vertices.back()
@@ -92,7 +92,7 @@ class CrackWalk {
            closest_on_triangle({a, b, b}, p).distance <= mesh_.near.reach();
   }
 
-  /// Returns the edge of a side behind a vertex; nothing where there is not just one.
+  /// Returns the edge of a side behind a vertex; nothing unless there is exactly one.
   [[nodiscard]] std::optional<Index> next_edge(const CrackSide& side, Index vertex) const {
     std::optional<Index> found;
     for (const Index e : mesh_.at_places[mesh_.places[vertex]]) {
@@ -103,7 +103,7 @@ class CrackWalk {
     return found;
   }
 
-  /// Returns the crack; nothing where a vertex or face is met twice.
+  /// Returns the crack; nothing if a vertex or face occurs twice.
   [[nodiscard]] std::optional<WeldCrack> made_crack() {
     WeldCrack crack{.ends = {{{a_.vertices.front(), b_.vertices.front()},
                               {a_.vertices.back(), b_.vertices.back()}}},
@@ -139,7 +139,7 @@ class CrackWalk {
   CrackSide b_;
 };
 
-/// Returns the edges that run to a place near the start of an edge; none where there are many.
+/// Returns the edges that run to a place near the start of an edge; none if there are many.
 std::vector<Index> partners_of(const NearEdges& mesh, Index edge) {
   std::vector<Index> partners;
   bool are_many = false;

@@ -18,14 +18,14 @@ struct EdgeSplit {
   std::vector<Index> inner;
 };
 
-/// A crack between two chains of border edges that have no vertices in common but for their ends.
+/// A crack between two chains of border edges that have no vertices in common except their ends.
 struct WeldCrack {
   /// The vertices of the chains that are to be joined at both ends of the crack.
   std::array<std::array<Index, 2>, 2> ends{};
   std::vector<EdgeSplit> splits;
   /// All vertices of both chains.
   std::vector<Index> vertices;
-  /// The faces along both chains, as far as they matter.
+  /// The faces along both chains that take part in closing it.
   std::vector<Index> faces;
 };
 
@@ -34,7 +34,7 @@ struct WeldCrack {
 /// side that it is within reach of.
 ///
 /// @param wanted  The edges to look at, ascending: those of `mesh.at_places`.
-/// @return        In the order of their first edges. Cracks may overlap.
+/// @return        The cracks in the order of their first edges. They may overlap.
 [[nodiscard]] std::vector<WeldCrack> find_interleaved_cracks(const NearEdges& mesh,
                                                              std::span<const Index> wanted);
 

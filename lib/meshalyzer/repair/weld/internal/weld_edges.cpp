@@ -68,7 +68,7 @@ EdgesAtPlaces list_edges_at_places(std::span<const WeldEdge> edges, std::span<co
   Index sum = 0;
   for (Index& begin : lists.begin) begin = sum += begin;
   lists.edges.resize(sum);
-  // Filled from their ends, in descending order, each list ends up ascending and begin right.
+  // Filling each list from its end, in descending order, makes it ascending and leaves begin right.
   for (auto e = wanted.rbegin(); e != wanted.rend(); ++e) {
     for (const Index v : {edges[*e].from, edges[*e].to}) lists.edges[--lists.begin[places[v]]] = *e;
   }

@@ -10,7 +10,7 @@ namespace meshalyzer {
 
 // Private to weld_borders(): the border edges of a mesh, and pairs of them.
 
-/// A border edge as its face runs along it. All by index in the file.
+/// A border edge in the direction of its face. Elements are named by index in the file.
 struct WeldEdge {
   Index from = 0;
   Index to = 0;
@@ -19,9 +19,9 @@ struct WeldEdge {
   Index face = 0;
 };
 
-/// Tells how two edges that are to become one run.
+/// The relative direction of two edges that are to become one.
 enum class EdgeRun : std::uint8_t {
-  /// Against each other, as the faces of a consistent mesh do.
+  /// The edges run against each other, as in a consistently oriented mesh.
   Opposite,
   Same,
 };
@@ -31,11 +31,11 @@ struct WeldJoin {
   Index first = 0;
   Index second = 0;
   EdgeRun run = EdgeRun::Opposite;
-  /// The larger of the distances of their ends.
+  /// The larger of the distances between their ends.
   double distance = 0.0;
 };
 
-/// Returns the vertex of `second` that `first.from` (`first.to`) becomes one with.
+/// Returns the vertex of `second` that `first.from` (`first.to`) is merged with.
 [[nodiscard]] inline Index partner_of_from(const WeldEdge& second, EdgeRun run) {
   return run == EdgeRun::Opposite ? second.to : second.from;
 }
@@ -43,20 +43,20 @@ struct WeldJoin {
   return run == EdgeRun::Opposite ? second.from : second.to;
 }
 
-/// Returns the border edges of a mesh, but for those of faces with two corners at one place:
-/// welding would take such faces away, and that is for others to do.
+/// Returns the border edges of a mesh, except those of faces with two corners at one position:
+/// welding would remove such faces, which is the task of other passes.
 ///
-/// @return In order of the mesh's edges.
+/// @return The edges in order of the mesh's edges.
 [[nodiscard]] std::vector<WeldEdge> find_weld_edges(const PreparedMesh& mesh);
 
 /// Returns the lowest end of one of these edges at the place of each end.
 ///
-/// @return     #V; kNoIndex for vertices that are no ends.
+/// @return     #V: the representative; kNoIndex for vertices that are no ends.
 /// @complexity O(#V + #edges).
 [[nodiscard]] std::vector<Index> find_weld_places(std::span<const Vec3> positions,
                                                   std::span<const WeldEdge> edges);
 
-/// The edges at each place, flat.
+/// The edges at each place, in one list.
 struct EdgesAtPlaces {
   /// #V + 1: where the edges of each place begin, by the vertex that names it.
   std::vector<Index> begin;
@@ -67,8 +67,8 @@ struct EdgesAtPlaces {
   }
 };
 
-/// @param wanted  Which of the edges to list, by number, ascending.
-/// @param places  As find_weld_places() returns them.
+/// @param wanted  The edges to list, by number, ascending.
+/// @param places  The places as find_weld_places() returns them.
 [[nodiscard]] EdgesAtPlaces list_edges_at_places(std::span<const WeldEdge> edges,
                                                  std::span<const Index> wanted,
                                                  std::span<const Index> places);

@@ -16,13 +16,13 @@
 namespace meshalyzer {
 namespace {
 
-/// Isolated by so many times their own distance, edges belong together whatever else is near.
+/// Edges isolated by this multiple of their own distance belong together, whatever else is near.
 constexpr double kIsolation = 8.0;
 
-/// Candidates sorted into groups of edges that hang together through them.
+/// Candidates sorted into groups of edges that are connected by them.
 class CandidateGroups {
  public:
-  /// @param chosen  Which candidates, ascending.
+  /// @param chosen  The candidates to sort, ascending.
   CandidateGroups(std::span<const WeldJoin> candidates, std::vector<Index> chosen,
                   std::size_t n_edges)
       : order_(std::move(chosen)) {
@@ -91,8 +91,8 @@ class Matching {
     }
   }
 
-  /// Where the reach is so long that one edge is near many: pairs edges that are near each other
-  /// and, up to some times their distance, near no others.
+  /// If the reach is so long that one edge is near many: pairs edges that are near each other and
+  /// near no others within a multiple of their distance.
   void pair_up_isolated() {
     std::vector<Index> rest = crowded_;
     for (const Unclear& group : unclear_) {
@@ -107,12 +107,12 @@ class Matching {
       if (rest.empty()) return;
       const CandidateGroups groups(candidates_, rest, state_.edges.size());
       for (std::size_t i = 0; i < groups.size(); ++i) pair_up_if_isolated(groups[i], longest);
-      // Down to the farthest pair the groups stay the same.
+      // The groups stay the same down to the distance of the farthest pair.
       longest = std::min(longest, farthest_of(rest)) / kIsolation;
     }
   }
 
-  /// @param longest  No edge of another group is within this.
+  /// @param longest  A length within which there is no edge of another group.
   void pair_up_if_isolated(std::span<const Index> group, double longest) {
     const double distance = farthest_of(group);
     if (distance * kIsolation > longest || !are_all_near(group)) return;
@@ -134,7 +134,7 @@ class Matching {
     return farthest;
   }
 
-  /// Returns those that may be joined still, in the same order.
+  /// Returns those that may still be joined, in the same order.
   [[nodiscard]] std::vector<Index> still_free(std::span<const Index> candidates) const {
     std::vector<Index> found;
     for (const Index c : candidates) {
@@ -144,7 +144,7 @@ class Matching {
     return found;
   }
 
-  /// Returns how many candidates of a group are those of its lowest edge: the first ones.
+  /// Returns the number of candidates of a group's lowest edge, which are its first ones.
   [[nodiscard]] std::size_t n_of_lowest(std::span<const Index> group) const {
     const Index lowest = candidates_[group[0]].first;
     std::size_t n = 0;
@@ -170,7 +170,7 @@ class Matching {
     return pairing;
   }
 
-  /// @return As WeldClasses::join().
+  /// @return The reason as WeldClasses::join() returns it.
   std::string_view try_join(const WeldJoin& join) {
     const std::string_view reason =
         classes_.join(state_.edges[join.first], state_.edges[join.second], join.run);
@@ -180,10 +180,10 @@ class Matching {
     return {};
   }
 
-  /// A candidate as things are; the best one is the least.
+  /// A candidate in the present state; the best one is the least.
   struct Offer {
     EdgeRun run = EdgeRun::Opposite;
-    /// Tells how many of the two pairs of ends are not joined yet: a slit closes from its tips.
+    /// The number of the two pairs of ends that are not joined yet: a slit closes from its tips.
     std::uint8_t n_apart = 0;
     double distance = 0.0;
     Index candidate = 0;
@@ -192,7 +192,7 @@ class Matching {
     friend bool operator>(const Offer& a, const Offer& b) { return a.key() > b.key(); }
   };
 
-  /// Takes the best offer again and again; offers next to what was joined get better.
+  /// Repeatedly takes the best offer; offers next to joined edges improve.
   void zip(std::span<const Index> rest) {
     list_by_ends(rest);
     std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
@@ -213,7 +213,7 @@ class Matching {
     }
   }
 
-  /// Returns the ends of two edges that are not joined yet, by twos.
+  /// Returns the ends of two edges that are not joined yet, in pairs.
   [[nodiscard]] std::vector<Index> separate_ends(const WeldJoin& join) {
     const WeldEdge& a = state_.edges[join.first];
     const WeldEdge& b = state_.edges[join.second];
@@ -234,7 +234,7 @@ class Matching {
     std::sort(by_ends_.begin(), by_ends_.end());
   }
 
-  /// Returns those of an end that may be joined still.
+  /// Returns those of an end that may still be joined.
   [[nodiscard]] std::vector<Index> at_end(Index vertex) const {
     std::vector<Index> found;
     auto entry = std::lower_bound(by_ends_.begin(), by_ends_.end(), std::pair(vertex, Index{0}));

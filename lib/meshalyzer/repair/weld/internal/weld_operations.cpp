@@ -12,15 +12,15 @@
 namespace meshalyzer {
 namespace {
 
-/// Rejected joins over the largest distances are dropped first. After so many
-/// trials the whole cluster of a rejected join is dropped, so that the search ends.
+/// Rejected joins over the largest distances are dropped first. After this number of trials the
+/// whole cluster of a rejected join is dropped, so that the search ends.
 constexpr std::size_t kMaxJoinTrials = 8;
-/// Where joins are rejected together, they are added in steps: each step adds joins over up to so
-/// many times the smallest distance, and the last one adds all that are left.
+/// If joins are rejected together, they are added in steps: each step adds joins up to this
+/// multiple of the smallest distance, and the last one adds all remaining joins.
 constexpr double kJoinStep = 8.0;
 constexpr std::size_t kMaxJoinSteps = 6;
 
-/// Joins as they would be made.
+/// The merges that joins would make.
 struct JoinedMesh {
   /// For each vertex, the one that represents all those that it is joined with.
   std::vector<Index> representative;
@@ -39,7 +39,7 @@ std::vector<Index> find_affected_faces(const Soup& soup, const WeldClasses& clas
   return affected;
 }
 
-/// Makes the joins that the rules allow, and forgets the others.
+/// Makes the joins that the rules permit, and drops the others.
 JoinedMesh make_joins(WeldState& state, std::vector<WeldJoin>& joins) {
   WeldClasses classes(state.rules);
   const auto is_impossible = [&](const WeldJoin& join) {
@@ -54,7 +54,7 @@ JoinedMesh make_joins(WeldState& state, std::vector<WeldJoin>& joins) {
           .affected = find_affected_faces(state.rules.input.tracked.soup, classes)};
 }
 
-/// Returns the vertices, by those that stay, that must be joined together or not at all.
+/// Returns the vertices, by their representatives, that must be joined together or not at all.
 DisjointSets find_clusters(const WeldState& state, const JoinedMesh& joined,
                            std::span<const WeldJoin> joins) {
   const std::vector<Index>& representative = joined.representative;
@@ -62,7 +62,7 @@ DisjointSets find_clusters(const WeldState& state, const JoinedMesh& joined,
   for (const WeldJoin& join : joins) {
     const WeldEdge& edge = state.edges[join.first];
     const WeldEdge& other = state.edges[join.second];
-    // The tip of a slit, which is one vertex already, does not tie it to others.
+    // The tip of a slit, which is already one vertex, does not connect it to others.
     if (edge.from == partner_of_from(other, join.run)) continue;
     if (edge.to == partner_of_to(other, join.run)) continue;
     clusters.unite(representative[edge.from], representative[edge.to]);
@@ -91,7 +91,7 @@ class JoinSelection {
  public:
   explicit JoinSelection(WeldState& state) : state_(state) {}
 
-  /// Keeps those over the smallest distances where joins are rejected together.
+  /// If joins are rejected together, keeps those over the smallest distances.
   ///
   /// @param joins  Receives the joins that are kept.
   [[nodiscard]] JoinedMesh select(std::vector<WeldJoin>& joins) {
@@ -149,7 +149,7 @@ class JoinSelection {
     }
   }
 
-  /// #V: by the vertex that stays, the largest distance of the joins of those it stays for.
+  /// #V: by representative, the largest distance of the joins that it represents.
   [[nodiscard]] std::vector<double> farthest_joins(const JoinedMesh& joined,
                                                    std::span<const WeldJoin> joins) const {
     std::vector<double> farthest(joined.representative.size(), 0.0);
@@ -167,8 +167,8 @@ class JoinSelection {
     return {joined.representative[edge.from], joined.representative[edge.to]};
   }
 
-  /// Refuses a join with a rejected vertex, where it is the one over the largest distance there.
-  /// Two faces that become one have no sides that should be joined.
+  /// Refuses a join with a rejected vertex if it is the one over the largest distance there. Two
+  /// faces that become one have no sides that should be joined.
   [[nodiscard]] bool drop(const WeldJoin& join, const JoinedMesh& joined,
                           std::span<const MergeRejection> rejections,
                           std::span<const double> farthest) {
@@ -184,7 +184,7 @@ class JoinSelection {
   WeldState& state_;
 };
 
-/// Numbers the operations in order of the lowest vertex of each, and writes them down.
+/// Numbers the operations in order of the lowest vertex of each, and writes their edits.
 void write_edits(const Soup& soup, std::span<const Index> representative, DisjointSets& clusters,
                  Edits& edits) {
   std::vector<Index> op_of_cluster(representative.size(), kNoIndex);

@@ -11,24 +11,25 @@
 
 namespace meshalyzer {
 
-// Private to weld_borders(): from joins to edits.
+// Private to weld_borders(): conversion of joins to edits.
 
-/// What the stages of a weld have in common.
+/// The data that the stages of a weld share.
 struct WeldState {
   const WeldRules& rules;
   std::span<const WeldEdge> edges;
-  /// #V: vertices of faces that an operation touches already; their edges wait for the next time.
+  /// #V: non-zero for vertices of faces that an operation affects already; their edges wait for the
+  /// next run.
   std::vector<std::uint8_t> is_busy;
   PassResult result;
 };
 
-/// Notes that a pair of edges is left as it is.
+/// Records that a pair of edges is left as it is.
 void refuse(WeldState& state, const WeldJoin& join, std::string_view reason);
 
 /// Makes operations of the joins that check_merges() accepts; the others are refused. Joins that
-/// hang together, or touch the same face, are one operation.
+/// are connected, or affect the same face, are one operation.
 ///
-/// @param joins  Each edge once at most, no busy vertex.
+/// @param joins  The joins, with each edge once at most and no busy vertex.
 void add_weld_operations(WeldState& state, std::vector<WeldJoin> joins);
 
 }  // namespace meshalyzer

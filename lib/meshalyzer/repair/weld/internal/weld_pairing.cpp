@@ -79,7 +79,8 @@ class AnglePairing {
  private:
   [[nodiscard]] const WeldEdge& edge(std::size_t i) const { return edges_[at_place_[i].edge]; }
   [[nodiscard]] const Vec3& apex(std::size_t i) const { return positions_[edge(i).third]; }
-  // Edges that are near each other but not at one place are all taken to be where the first is.
+  // Edges that are near each other but not at one position are all treated as if they were at the
+  // first.
   [[nodiscard]] const Vec3& start() const { return positions_[edge(0).from]; }
   [[nodiscard]] const Vec3& end() const { return positions_[edge(0).to]; }
 

@@ -9,33 +9,33 @@
 
 namespace meshalyzer {
 
-// Private to weld_borders(): which of the border edges at one place belong together.
+// Private to weld_borders(): the pairing of the border edges at one position.
 
-/// One of the border edges at a place: its number, and how it runs against the first of them.
+/// One of the border edges at a position: its number, and its direction relative to the first.
 struct EdgeAtPlace {
   Index edge = 0;
   EdgeRun run = EdgeRun::Same;
 };
 
-/// Tells which edges to join, and why others are not.
+/// The pairs to join, and the reasons why others are not joined.
 struct Pairing {
-  /// Their distances are for the caller to tell.
+  /// The pairs; the caller sets their distances.
   std::vector<WeldJoin> joins;
-  /// Empty where nothing is refused.
+  /// The refusals; empty if nothing is refused.
   std::string_view refusal;
 };
 
-/// Pairs the border edges at one place.
+/// Pairs the border edges at one position.
 ///
-/// Two are joined, but for those of one direction whose faces lie on each other. More are joined as
-/// pair_round_edge() pairs their faces, where those that begin a solid alternate with those that
-/// end one; where they do not, none is joined. Only the lowest of faces with the same corners
-/// and orientation counts, and such faces with opposite orientations are not joined.
+/// Two edges are joined, unless they have one direction and their faces coincide. More are joined
+/// as pair_round_edge() pairs their faces if those that begin a solid alternate with those that end
+/// one; if they do not, none is joined. Only the lowest of faces with the same corners and
+/// orientation counts, and such faces with opposite orientations are not joined.
 ///
-/// @param at_place  At least two, ascending by edge; the first one's run is Same.
-/// @param reach     How far apart ends at one place may be: pairs of more than two whose faces lie
-///                  within that of each other are refused, for their order is left to chance. 0:
-///                  they are at the very same place.
+/// @param at_place  At least two, ascending by edge; the first has run Same.
+/// @param reach     The maximum distance between ends. Pairs of more than two whose faces lie
+/// within it of each other are refused, because their order is left to chance. 0 if the ends
+/// coincide.
 [[nodiscard]] Pairing pair_edges_at_place(const Soup& soup, std::span<const WeldEdge> edges,
                                           std::span<const EdgeAtPlace> at_place, double reach);
 

@@ -16,7 +16,7 @@
 namespace meshalyzer {
 namespace {
 
-/// The faces at each vertex, flat.
+/// The faces at each vertex, in one list.
 class FacesAtVertices {
  public:
   explicit FacesAtVertices(const Soup& soup) : begin_(soup.n_vertices() + 1, 0) {
@@ -45,20 +45,20 @@ class FacesAtVertices {
   std::vector<Index> faces_;
 };
 
-/// Two vertices that become one, the one that stays first; equal where they are one already.
+/// Two vertices that become one, the one that stays first; equal if they already are one.
 struct JoinedPair {
   Index stays = 0;
   Index goes = 0;
 };
 
-/// A face that is split, and its parts by the vertices that are there now. The first part stands in
-/// for the face.
+/// A face that is split, and its parts, with the present vertices as corners. The first part
+/// replaces the face.
 struct FaceSplit {
   Index face = 0;
   std::vector<Triangle> parts;
 };
 
-/// Tells how a crack is closed.
+/// The way in which a crack is closed.
 struct Closing {
   /// The pairs at both ends of the crack.
   std::array<JoinedPair, 2> ends;
@@ -124,8 +124,7 @@ class Splitter {
          .reason = std::string(reason)});
   }
 
-  /// Returns which vertices stay, and what becomes of the faces; nothing where the ends may not be
-  /// joined.
+  /// Returns the vertices that stay and the new faces; nothing if the ends may not be joined.
   [[nodiscard]] std::optional<Closing> plan(const WeldCrack& crack) const {
     const std::optional<JoinedPair> first = join(crack.ends[0][0], crack.ends[0][1]);
     const std::optional<JoinedPair> last = join(crack.ends[1][0], crack.ends[1][1]);
@@ -175,7 +174,7 @@ class Splitter {
   [[nodiscard]] Corners corners(const Triangle& t) const {
     return {soup_.positions[t[0]], soup_.positions[t[1]], soup_.positions[t[2]]};
   }
-  /// Tells whether all parts face to the side that the whole faces do, and have an area.
+  /// Tells whether all parts face the same side as the whole faces, and have an area.
   [[nodiscard]] bool parts_face_one_way(const Closing& closing) const {
     return std::all_of(closing.faces.begin(), closing.faces.end(), [&](const FaceSplit& split) {
       const Corners whole = corners(soup_.triangles[split.face]);
@@ -187,7 +186,7 @@ class Splitter {
     });
   }
 
-  /// Tells whether a vertex that an edge gets has an edge to the third corner of its face already.
+  /// Tells whether a vertex that an edge gets already has an edge to the third corner of its face.
   [[nodiscard]] bool meets_itself_elsewhere(const WeldCrack& crack) const {
     return std::any_of(crack.splits.begin(), crack.splits.end(), [&](const EdgeSplit& split) {
       const Index third = state_.edges[split.edge].third;
@@ -217,8 +216,8 @@ class Splitter {
     return faces;
   }
 
-  /// Returns what joining the ends would do to the faces there, the parts in the place of the
-  /// whole.
+  /// Returns the violations that joining the ends would cause for the faces there, with the parts
+  /// in place of the whole faces.
   [[nodiscard]] MergeRejection rejection_of(const Closing& closing) const {
     std::vector<Triangle> triangles;
     for (const FaceSplit& split : closing.faces) {
@@ -235,7 +234,7 @@ class Splitter {
     return rejection_of(triangles, vertices, closing);
   }
 
-  /// Does the same, of a mesh of these faces and vertices only.
+  /// Does the same for a mesh of these faces and vertices only.
   [[nodiscard]] MergeRejection rejection_of(std::span<const Triangle> triangles,
                                             std::span<const Index> vertices,
                                             const Closing& closing) const {

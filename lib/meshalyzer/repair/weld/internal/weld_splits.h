@@ -10,11 +10,11 @@ namespace meshalyzer {
 
 // Private to weld_borders(): closing cracks with T-junctions.
 
-/// Makes operations that split faces at a crack at the vertices of the other side, and so close it:
-/// the ends of both sides are joined, and the corners that a face gets are the other side's own.
-/// Where groups are faces of a body, an edge between two of them gets no vertex.
+/// Makes operations that close a crack by splitting the faces along it at the vertices of the other
+/// side: the ends of both sides are joined, and faces get vertices of the other side as corners. If
+/// groups are faces of a body, an edge between two of them gets no vertex.
 ///
-/// Cracks with a busy vertex wait for the next time.
+/// Cracks with a busy vertex wait for the next run.
 void add_split_operations(WeldState& state, std::span<const WeldCrack> cracks);
 
 }  // namespace meshalyzer
