@@ -8,8 +8,8 @@
 
 namespace meshalyzer::test {
 
-/// What is wrong with an arrangement of a soup, judged over the rationals and by brute force; empty
-/// where it is right:
+/// Returns the first fault of an arrangement of a soup, judged over the rationals and by brute
+/// force; empty if there is none. Faults are:
 ///
 /// - two pieces have more in common than their vertices and edges by index;
 /// - a piece lies outside a face that it is said to be of, or is turned the other way than said;
@@ -19,8 +19,9 @@ namespace meshalyzer::test {
 /// - an edge that is said to lie on a curve is no edge of a piece.
 [[nodiscard]] std::string arrangement_fault(const Soup& soup, const Arrangement& arrangement);
 
-/// The first of `n` random points at which the winding number of the pieces is not that of the
-/// faces; empty where there is none. Only for closed chains with coordinates up to some ten.
+/// Returns the first of `n` random points at which the winding number of the pieces differs from
+/// that of the faces; empty if there is none. The soup must be a closed chain with coordinates up
+/// to some ten.
 [[nodiscard]] std::string winding_fault(const Soup& soup, const Arrangement& arrangement,
                                         std::size_t n);
 

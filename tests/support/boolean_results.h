@@ -14,7 +14,7 @@
 
 namespace meshalyzer::test {
 
-/// Turned about an axis through the origin.
+/// Turns a soup about an axis through the origin.
 [[nodiscard]] inline Soup rotated(Soup soup, double angle, const Vec3& axis) {
   const Eigen::AngleAxisd turn(angle, axis.normalized());
   for (Vec3& p : soup.positions) p = turn * p;
@@ -42,7 +42,7 @@ namespace meshalyzer::test {
   return analyzed(soup).characteristics.volume.value.value();
 }
 
-/// The corners of faces by place, each beginning with its lowest corner.
+/// Returns the corners of faces by position, each beginning with its lowest corner.
 [[nodiscard]] inline std::multiset<std::array<std::array<double, 3>, 3>> places_of(
     const Soup& soup) {
   std::multiset<std::array<std::array<double, 3>, 3>> all;

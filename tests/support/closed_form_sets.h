@@ -4,11 +4,11 @@
 
 #include <cstddef>
 
-/// Small sets whose distances are known from a formula, those of all vertices unless said
+/// Small sets whose distances are known from a formula: those of all vertices unless stated
 /// otherwise.
 ///
-/// A length given is best a small multiple of a power of two: then nothing is rounded, in the
-/// coordinates, in their differences, in the sums of their squares, or in the roots of these.
+/// A length given should be a small multiple of a power of two: then nothing is rounded, neither in
+/// the coordinates, nor in their differences, the sums of their squares, or the roots of these.
 namespace meshalyzer::test {
 
 /// Two boxes of 4 x 4 x 1, face to face `gap` apart: `gap` from the vertices that face the other
@@ -46,9 +46,9 @@ namespace meshalyzer::test {
 /// the outer corners of the tube (6, 6, 1/2) gap, at 17/2 gap. gap from the rod's vertices.
 [[nodiscard]] PackedSet rod_in_square_tube(double gap);
 
-/// What a tube of rod_in_round_tube() is like.
+/// The shape of a tube of rod_in_round_tube().
 struct RoundTube {
-  /// Sides of the tube and of the rod, at least 3.
+  /// The number of sides of the tube and of the rod, at least 3.
   std::size_t n_sides = 16;
   double rod_radius = 1.0;
   double bore_radius = 1.5;
@@ -69,7 +69,7 @@ struct SpherePair {
   double radius_a = 1.0;
   double radius_b = 1.0;
   double distance = 3.0;
-  /// Of shapes::icosphere().
+  /// The subdivision level of shapes::icosphere().
   std::size_t level = 3;
 };
 

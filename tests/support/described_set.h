@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-/// What is known of a set as text, every number to the last bit: to compare with each other.
+/// Returns a text of all figures of a set, every number to the last bit, for comparisons.
 namespace meshalyzer::test {
 
 class Describer {
@@ -78,7 +78,7 @@ class Describer {
   return text.text();
 }
 
-/// Not all of it, but a figure of each part.
+/// Prints one figure of each part, not all of it.
 [[nodiscard]] inline std::string described(const Analysis& mesh) {
   const Characteristics& c = mesh.characteristics;
   Describer text;
@@ -123,7 +123,7 @@ inline void describe(const SetSeparation& separation, Describer& text) {
   return text.text();
 }
 
-/// Everything, with room for all of it.
+/// Prints everything, with room for all of it.
 inline SetOptions asking_all() {
   SetOptions options;
   options.request.between.intersections = true;

@@ -6,8 +6,8 @@
 
 namespace meshalyzer::test {
 
-/// Whether the true distance from a point to a triangle, over the rationals, is `distance` but for
-/// this error. A triangle of zero area is the segment or point that it is.
+/// Tells whether the true distance from a point to a triangle, over the rationals, is `distance` up
+/// to this error. A triangle of zero area is the segment or point that it is.
 [[nodiscard]] bool is_rational_distance(double distance, const std::array<Vec3, 3>& corners,
                                         const Vec3& point, double error);
 

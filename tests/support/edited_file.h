@@ -15,11 +15,11 @@
 
 namespace meshalyzer {
 
-/// A file under edits: elements of its mesh are changed one by one, as repair does, and the file is
-/// written again.
+/// A file under edits: elements of its mesh are changed one by one, as a repair does, and the file
+/// is written again.
 class EditedFile {
  public:
-  /// @param name  Decides the format, as that of a file.
+  /// @param name  A file name, whose ending decides the format.
   EditedFile(const std::string& bytes, const std::string& name)
       : bytes_(PlainContent(bytes, name).bytes()),
         name_(name),
@@ -87,7 +87,7 @@ class EditedFile {
     return rewrite_as(mesh_, bytes_, format, encoding);
   }
   [[nodiscard]] std::string rewritten_bytes() { return rewritten().value().bytes; }
-  /// What the file says after edits.
+  /// Returns the text of the file after the edits.
   [[nodiscard]] Soup read_back() { return parse_mesh(rewritten_bytes(), name_); }
 
  private:
@@ -95,7 +95,7 @@ class EditedFile {
   static void erase(std::vector<T>& list, Index i) {
     if (!list.empty()) list.erase(list.begin() + i);
   }
-  /// Where the records are named.
+  /// The place where the records are named.
   static void add_id(Ids& ids) {
     if (!ids.named.empty()) {
       ids.named.push_back(1 + *std::max_element(ids.named.begin(), ids.named.end()));
@@ -117,7 +117,7 @@ inline ElementOrigin beside(Index record) {
   return {ElementOrigin::Relation::Beside, record};
 }
 
-/// A text in which one part is replaced.
+/// Returns a text in which one part is replaced.
 inline std::string with(std::string text, const std::string& old, const std::string& now) {
   const std::size_t at = text.find(old);
   return at == std::string::npos ? "nothing to replace" : text.replace(at, old.size(), now);

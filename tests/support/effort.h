@@ -7,9 +7,9 @@
 
 namespace meshalyzer::test {
 
-/// The tests of very many cases take one of so many: all of them, unless the environment's
-/// MESHALYZER_TEST_ONE_OF says otherwise, as it does under sanitizers, where all is some ten times
-/// slower.
+/// Tests of very many cases run one of this number of cases: all of them, unless the environment
+/// variable MESHALYZER_TEST_ONE_OF says otherwise, as it does under sanitizers, which are some ten
+/// times slower.
 [[nodiscard]] inline std::size_t one_of() {
   static const std::size_t number = [] {
     const char* const said = std::getenv("MESHALYZER_TEST_ONE_OF");

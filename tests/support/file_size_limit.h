@@ -5,7 +5,7 @@
 
 namespace meshalyzer {
 
-/// While it lives, no file may grow beyond so many bytes: a disk that fills up.
+/// While it lives, no file may grow beyond this number of bytes, as on a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {

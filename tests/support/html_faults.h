@@ -6,14 +6,14 @@
 
 namespace meshalyzer::test {
 
-/// What is wrong with an HTML document, stricter than browsers are: elements that are not closed or
-/// closed out of order, attributes without quotes or given twice, stray '<' and '&', ids that occur
-/// twice or are referred to and do not exist, table heads without a scope, headings that leave out
-/// a level, handlers in attributes, elements where they may not be, control characters and bytes
-/// that are not UTF-8. Empty where nothing is.
+/// Returns the faults of an HTML document by stricter rules than those of browsers: elements that
+/// are not closed or closed out of order, attributes without quotes or given twice, stray '<' and
+/// '&', ids that occur twice or are referred to and do not exist, table heads without a scope,
+/// headings that leave out a level, handlers in attributes, elements in forbidden places, control
+/// characters and bytes that are not UTF-8. Empty if there are none.
 [[nodiscard]] std::vector<std::string> html_faults(std::string_view html);
 
-/// The text of a script element of an id; empty where there is none.
+/// Returns the text of the script element with an id; empty if there is none.
 [[nodiscard]] std::string_view script_of(std::string_view html, std::string_view id);
 
 }  // namespace meshalyzer::test

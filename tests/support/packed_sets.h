@@ -9,7 +9,7 @@
 
 namespace meshalyzer::test {
 
-/// How two objects lie to each other that are not apart.
+/// The relation of two objects that are not apart.
 enum class Relation : std::uint8_t {
   /// Faces of the two cross, and neither object lies in the other.
   Crossing,
@@ -28,45 +28,45 @@ struct KnownPair {
   friend bool operator==(const KnownPair&, const KnownPair&) = default;
 };
 
-/// How far a vertex is from the nearest point of any other object; negative inside the solid of
-/// one.
+/// The distance of a vertex from the nearest point of any other object; negative inside the solid
+/// of one.
 struct KnownDistance {
   Index object = 0;
   Index vertex = 0;
   double distance = 0.0;
 };
 
-/// A set of objects, each good by itself, and what is true of it by construction.
+/// A set of objects, each good by itself, and the figures known by construction.
 struct PackedSet {
   std::vector<Soup> objects;
-  /// One file name an object, ascending.
+  /// The file names, one an object, ascending.
   std::vector<std::string> names;
   /// All pairs of objects that are not apart.
   std::vector<KnownPair> pairs;
   /// Objects that are apart are no nearer to each other than this.
   double gap = 0.0;
-  /// Of some vertices, or of all: each function says which.
+  /// The distances of some vertices, or of all; each function says which.
   std::vector<KnownDistance> distances;
-  /// The true distances are those given plus something from 0 to this. 0: they are right to the
-  /// last bit, where the function does not speak of rounding.
+  /// The true distances exceed those given by 0 to this. 0: they are right to the last bit, unless
+  /// the function mentions rounding.
   double slack = 0.0;
 };
 
-/// What to pack. Lengths are in the objects' largest radius.
+/// The set to pack. Lengths are in units of the objects' largest radius.
 struct PackOptions {
   std::size_t n_objects = 27;
-  /// About: the nearest number that the shape allows.
+  /// The approximate number: the nearest that the shape permits is taken.
   std::size_t faces_per_object = 200;
-  /// In (0, 2]. PackedSet::gap will be this.
+  /// The distance of objects, in (0, 2]. It becomes PackedSet::gap.
   double gap = 0.25;
   std::uint32_t seed = 1;
-  /// How many neighbours cross, the spike of one `overlap` deep in the other.
+  /// The number of neighbours that cross, the spike of one `overlap` deep in the other.
   std::size_t n_crossing = 0;
-  /// How many neighbours touch in one point, a vertex of either.
+  /// The number of neighbours that touch in one point, a vertex of either.
   std::size_t n_touching = 0;
-  /// How many of the objects lie inside another one.
+  /// The number of objects inside another one.
   std::size_t n_contained = 0;
-  /// In (0, 1/2]. A multiple of 2^-20 keeps the crossing spikes exact.
+  /// The depth of crossing spikes, in (0, 1/2]. A multiple of 2^-20 keeps them exact.
   double overlap = 0.125;
 };
 
@@ -81,8 +81,8 @@ struct PackOptions {
 /// neighbours along x as are to cross, to touch and to hold objects.
 [[nodiscard]] PackedSet pack_tubes(const PackOptions& options);
 
-/// Spheres with smooth dents on a cubic lattice, one an object, else as pack_tubes(). Of the
-/// contained objects no distances are given.
+/// Packs spheres with smooth dents on a cubic lattice, one an object, otherwise like pack_tubes().
+/// The contained objects have no distances.
 [[nodiscard]] PackedSet pack_blobs(const PackOptions& options);
 
 /// The name of the file of one of `n` objects: its number from 1, with zeros in front, so that name

@@ -5,44 +5,45 @@
 
 #include <cstddef>
 
-/// Holes punched into meshes, so that what was there is known.
+/// Holes punched into meshes, so that the lost surface is known.
 namespace meshalyzer::test {
 
 /// A mesh that has lost the faces near one of its vertices.
 struct PunchedMesh {
   Soup open;
-  /// The faces that were there, by the vertices of `open`.
+  /// The lost faces, by the vertices of `open`.
   Soup lost;
-  /// Where the hole is, and how large: twice the largest distance of a lost vertex from there.
+  /// The middle and the size of the hole: twice the largest distance of a lost vertex from the
+  /// middle.
   Vec3 place = Vec3::Zero();
   double diameter = 0.0;
 };
 
-/// Takes all faces whose three corners are within a radius of a vertex.
+/// Removes all faces whose three corners are within a radius of a vertex.
 [[nodiscard]] PunchedMesh punch(const Soup& closed, Index vertex, double radius);
 
-/// How a hole is filled here.
+/// The ways to fill a hole here.
 enum class Filling : std::uint8_t {
-  /// By the pass, as it chooses by itself.
+  /// The pass fills it, in the shape that it chooses.
   Auto,
   Linear,
   Smooth,
-  /// By the triangulation of the border that has the least area.
+  /// The triangulation of the border that has the least area fills it.
   LeastArea,
 };
 
-/// The distances between a patch and what was there, as shares of the diameter of the hole.
+/// The distances between a patch and the lost surface, as fractions of the diameter of the hole.
 struct FillError {
-  /// Of points spread evenly over the patch from what was there.
+  /// The mean distance of points spread evenly over the patch from the lost surface.
   double mean = 0.0;
-  /// Of any sample of either from the other.
+  /// The largest distance of any sample of either from the other.
   double largest = 0.0;
   std::size_t n_faces = 0;
 };
 
-/// Fills the hole and measures.
+/// Fills the hole and measures the distances.
 ///
-/// @return  Infinite errors where no patch was found.
+/// @return  Infinite errors if no patch was found.
 [[nodiscard]] FillError fill_error(const PunchedMesh& punched, Filling filling);
 
 }  // namespace meshalyzer::test

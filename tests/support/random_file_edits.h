@@ -10,7 +10,7 @@
 
 namespace meshalyzer {
 
-/// Edits a file as repair might, a few times; `next` gives numbers below its argument.
+/// Edits a file as a repair might, a few times; `next` returns numbers below its argument.
 inline void edit_at_random(EditedFile& file, const std::function<Index(std::size_t)>& next) {
   const std::size_t n_records = file.soup().n_faces();
   for (Index i = next(6); i > 0 && file.soup().n_faces() > 1; --i) {
@@ -44,7 +44,7 @@ inline void edit_at_random(EditedFile& file, const std::function<Index(std::size
   file.drop_unused_vertices();
 }
 
-/// Whether two faces name the same places, in the same direction.
+/// Tells whether two faces have the same corners by position, in the same direction.
 inline bool is_same_face(std::array<Vec3, 3> a, const std::array<Vec3, 3>& b) {
   for (int turn = 0; turn < 3; ++turn) {
     if (a == b) return true;
@@ -53,8 +53,8 @@ inline bool is_same_face(std::array<Vec3, 3> a, const std::array<Vec3, 3>& b) {
   return false;
 }
 
-/// Whether what is read of an edited file is the mesh that was written: every face where the file
-/// says that it is, and, but in STL, every vertex in its order.
+/// Tells whether an edited file, read again, is the mesh that was written: every face where the
+/// file says that it is and, except in STL, every vertex in its order.
 inline bool says_what_was_written(EditedFile& file, const RewrittenFile& written,
                                   const Soup& read) {
   const Soup& soup = file.soup();

@@ -8,13 +8,14 @@
 
 namespace meshalyzer {
 
-/// A whole number below n. Not std::uniform_int_distribution, which differs between libraries.
+/// Returns an integer below n. It does not use std::uniform_int_distribution, which differs between
+/// libraries.
 [[nodiscard]] inline Index below(std::mt19937& random, Index n) {
   return static_cast<Index>(random() % n);
 }
 
-/// A surface that has lost some faces and had others given twice or turned over: of `rarity` faces
-/// about one each.
+/// Returns a surface in which about one of `rarity` faces was lost, one repeated and one turned
+/// over.
 [[nodiscard]] inline Soup damaged(Soup soup, Index rarity, std::mt19937& random) {
   std::vector<Triangle> kept;
   for (Triangle t : soup.triangles) {

@@ -10,7 +10,7 @@
 
 namespace meshalyzer::test {
 
-/// Geometry over the rationals, with CGAL's constructions. For oracles alone.
+/// Geometry over the rationals with CGAL's constructions, for oracles only.
 using Rational = CGAL::Gmpq;
 using RationalKernel = CGAL::Simple_cartesian<Rational>;
 using RationalPoint = RationalKernel::Point_3;
@@ -20,10 +20,10 @@ using RationalFigure = std::variant<RationalPoint, RationalSegment, RationalTria
 
 [[nodiscard]] RationalPoint rational_point(const Vec3& v);
 
-/// The convex hull of three points as the simplest figure.
+/// Returns the convex hull of three points as the simplest figure.
 [[nodiscard]] RationalFigure hull_of(const std::array<RationalPoint, 3>& p);
 
-/// The corners of the intersection of two figures (a convex set).
+/// Returns the corners of the intersection of two figures (a convex set).
 [[nodiscard]] std::vector<RationalPoint> intersect(const RationalFigure& a,
                                                    const RationalFigure& b);
 

@@ -10,19 +10,22 @@ namespace meshalyzer::test {
 /// The corners of a triangle.
 using Triangle3 = std::array<Vec3, 3>;
 
-/// What orient3d() must say: the sign of the determinant |b-a, c-a, d-a| over the rationals.
+/// Returns the expected result of orient3d(): the sign of the determinant |b-a, c-a, d-a| over the
+/// rationals.
 [[nodiscard]] Sign rational_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// What orient2d() must say: the sign of a component of (b-a) x (c-a) over the rationals.
+/// Returns the expected result of orient2d(): the sign of a component of (b-a) x (c-a) over the
+/// rationals.
 [[nodiscard]] Sign rational_orient2d(Axis dropped, const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Whether a finite vector is the true (b-a) x (c-a) but for an error of this share of its length.
+/// Tells whether a finite vector is the true (b-a) x (c-a) up to an error of this fraction of its
+/// length.
 [[nodiscard]] bool is_rational_normal(const Vec3& normal, const Triangle3& corners, double error);
 
-/// Whether the largest component of the true (b-a) x (c-a) lies between these magnitudes.
+/// Tells whether the largest component of the true (b-a) x (c-a) lies between these magnitudes.
 [[nodiscard]] bool is_rational_normal_within(const Triangle3& corners, double low, double high);
 
-/// The sign of the sum of det(a, b, c) over triangles, given as three corners each.
+/// Returns the sign of the sum of det(a, b, c) over triangles, given as three corners each.
 [[nodiscard]] Sign rational_volume_sign(std::span<const Vec3> corners);
 
 }  // namespace meshalyzer::test

@@ -11,30 +11,30 @@
 
 namespace meshalyzer {
 
-/// What a pass made of a mesh.
+/// The result of a pass.
 struct PassRun {
   TrackedMesh tracked;
-  /// By the last round.
+  /// The refusals of the last round.
   std::vector<Refusal> refused;
   std::size_t operations = 0;
   std::size_t rounds = 0;
 };
 
-/// The box of all vertices of a soup.
+/// Returns the box of all vertices of a soup.
 [[nodiscard]] inline Box3 box_of(const Soup& soup) {
   Box3 box;
   for (const Vec3& p : soup.positions) box.extend(p);
   return box;
 }
 
-/// Limits that let a pass do anything up to a hundredth of the diagonal.
+/// Returns limits that permit any change up to a hundredth of the diagonal.
 [[nodiscard]] inline RepairLimits wide_limits(const Soup& soup) {
   return {.max_deviation = 0.01 * box_of(soup).diagonal().norm(),
           .fixed_vertices = {},
           .groups = Groups::Names};
 }
 
-/// Asks a pass until it proposes nothing more, and does all that it proposes.
+/// Runs a pass until it proposes nothing more, and applies all its edits.
 [[nodiscard]] inline PassRun run_pass(const Soup& soup, const PassFunction& pass,
                                       const RepairLimits& limits,
                                       const ToleranceOptions& tolerances = {}) {

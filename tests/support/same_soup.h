@@ -9,14 +9,14 @@
 
 namespace meshalyzer {
 
-/// Whether two lists of vectors have the same bits: -0.0 is not 0.0 here.
+/// Tells whether two lists of vectors have the same bits: -0.0 differs from 0.0 here.
 inline bool same_bits(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Vec3& p, const Vec3& q) {
     return std::memcmp(p.data(), q.data(), 3 * sizeof(double)) == 0;
   });
 }
 
-/// Whether two lists of `n` records have the same ids, however they are kept.
+/// Tells whether two lists of `n` records have the same ids, however they are stored.
 inline bool same_ids(const Ids& a, const Ids& b, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) {
     if (a.of(static_cast<Index>(i)) != b.of(static_cast<Index>(i))) {
@@ -26,8 +26,8 @@ inline bool same_ids(const Ids& a, const Ids& b, std::size_t n) {
   return true;
 }
 
-/// Whether two soups are the same mesh to the last bit. Lines, and how many polygons the triangles
-/// were, may differ: they are of the text, not of the mesh.
+/// Tells whether two soups are the same mesh to the last bit. Lines, and the number of polygons
+/// that were triangulated, may differ: they belong to the text, not to the mesh.
 inline bool same_soup(const Soup& a, const Soup& b) {
   const auto same_group = [](const Group& g, const Group& h) {
     return g.name == h.name && g.first_face == h.first_face;

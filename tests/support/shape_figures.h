@@ -10,7 +10,7 @@
 
 namespace meshalyzer {
 
-/// A shape and what is true of it, from the formulas in shapes.h.
+/// A shape and its true figures, from the formulas in shapes.h.
 struct ShapeFigures {
   std::string name;
   Soup soup;
@@ -23,21 +23,21 @@ struct ShapeFigures {
   std::size_t non_manifold_vertices = 0;
   std::size_t pinched_vertices = 0;
   bool manifold = true;
-  /// Without a value where the shape is not manifold.
+  /// Empty if the shape is not manifold.
   std::optional<bool> orientable = true;
   std::optional<bool> consistent = true;
-  /// Without a value where the shape is not closed, or encloses no volume.
+  /// Empty if the shape is not closed, or encloses no volume.
   std::optional<bool> outward = true;
   std::optional<std::int64_t> genus = 0;
-  /// Without a value where no formula tells.
+  /// Empty if no formula is known.
   std::optional<double> area = std::nullopt;
-  /// Without a value where the shape bounds no solid.
+  /// Empty if the shape bounds no solid.
   std::optional<double> volume = std::nullopt;
 
   [[nodiscard]] bool is_closed() const { return border_edges == 0; }
 };
 
-/// Every shape of shapes.h.
+/// Returns every shape of shapes.h.
 [[nodiscard]] std::vector<ShapeFigures> all_shapes();
 
 }  // namespace meshalyzer

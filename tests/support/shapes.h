@@ -13,7 +13,7 @@
 /// unless said otherwise.
 namespace meshalyzer::shapes {
 
-/// A soup of these records and nothing else.
+/// Returns a soup of these records and nothing else.
 [[nodiscard]] Soup make(std::vector<Vec3> positions, std::vector<Triangle> triangles);
 
 /// The corner of the unit cube at the origin: (0,0,0), (1,0,0), (0,1,0), (0,0,1).
@@ -74,11 +74,11 @@ namespace meshalyzer::shapes {
 /// twice. Three edges with four faces each. V 5, E 9, F 8.
 [[nodiscard]] Soup two_tetrahedra_sharing_face();
 
-/// Which way the inner one of two nested shells points.
+/// The orientation of the inner one of two nested shells.
 enum class InnerShell : std::uint8_t {
-  /// Away from itself, as if the outer one were not there.
+  /// The inner shell points outward, as if the outer one did not exist.
   Outward,
-  /// Into itself: the wall of a cavity.
+  /// The inner shell points inward: it is the wall of a cavity.
   Cavity,
 };
 
@@ -102,31 +102,31 @@ enum class InnerShell : std::uint8_t {
 /// 0.28 of all pairs of them intersect, and nearly all of these cross. The same on every platform.
 [[nodiscard]] Soup tangle(std::size_t n);
 
-/// Both meshes in one file, b's records after a's. No vertex is shared.
+/// Joins both meshes in one file, b's records after a's. No vertex is shared.
 [[nodiscard]] Soup merged(Soup a, const Soup& b);
 
 [[nodiscard]] Soup translated(Soup soup, const Vec3& by);
 
-/// Scaled about the origin.
+/// Scales a mesh about the origin.
 [[nodiscard]] Soup scaled(Soup soup, double factor);
 
-/// Every face turned over.
+/// Turns every face over.
 [[nodiscard]] Soup flipped(Soup soup);
 
-/// Only these faces turned over.
+/// Turns only these faces over.
 [[nodiscard]] Soup flipped(Soup soup, std::span<const Index> faces);
 
-/// Without these faces; all vertices stay.
+/// Removes these faces; all vertices stay.
 [[nodiscard]] Soup without_faces(Soup soup, std::span<const Index> faces);
 
-/// The same faces in another order, each beginning with another corner. The same seed gives the
-/// same order on every platform.
+/// Returns the same faces in another order, each beginning with another corner. The same seed gives
+/// the same order on every platform.
 [[nodiscard]] Soup shuffled_faces(Soup soup, std::uint32_t seed);
 
-/// The permutation that renumbered_vertices() uses: new index of each old one.
+/// Returns the permutation that renumbered_vertices() uses: the new index of each old one.
 [[nodiscard]] std::vector<Index> permutation(std::size_t n, std::uint32_t seed);
 
-/// The same mesh with its vertices in another order.
+/// Returns the same mesh with its vertices in another order.
 [[nodiscard]] Soup renumbered_vertices(Soup soup, std::uint32_t seed);
 
 }  // namespace meshalyzer::shapes

@@ -8,7 +8,7 @@
 
 namespace meshalyzer::test {
 
-/// A closed tube of n sides along a diagonal of space, its faces much longer than wide.
+/// Returns a closed tube of n sides along a diagonal of space, with faces much longer than wide.
 inline Soup sliver_tube(std::size_t n, const Vec3& along) {
   Soup soup;
   const Vec3 u = along.unitOrthogonal();

@@ -8,8 +8,8 @@
 
 namespace meshalyzer {
 
-/// A soup of these faces over n vertices on a curve where no three are in line: for tests of
-/// connectivity alone.
+/// Returns a soup of these faces over n vertices on a curve without three collinear ones, for tests
+/// of connectivity only.
 [[nodiscard]] inline Soup soup_of(std::size_t n_vertices, std::vector<Triangle> triangles) {
   Soup soup;
   for (std::size_t i = 0; i < n_vertices; ++i) {

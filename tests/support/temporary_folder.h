@@ -9,7 +9,7 @@
 
 namespace meshalyzer {
 
-/// A new folder that is removed with all that is in it.
+/// A new folder that is removed with all its content.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

@@ -6,7 +6,7 @@
 
 namespace meshalyzer::test {
 
-/// The tubes of pack_tubes(), made one at a time: a large set need not be in memory.
+/// Makes the tubes of pack_tubes() one at a time, so that a large set need not be in memory.
 ///
 /// Why the gap holds: take straight upright prisms inscribed in circles of radius 1, on a lattice
 /// so wide that they are `clearance` apart, and move each horizontal plane by the offset of the
@@ -25,7 +25,7 @@ class TubePacking {
 
   [[nodiscard]] const PackingPlan& plan() const { return plan_; }
   [[nodiscard]] Soup object(std::size_t i) const;
-  /// As PackedSet::distances.
+  /// The distances as PackedSet::distances has them.
   [[nodiscard]] std::vector<KnownDistance> distances() const;
 
  private:
@@ -45,16 +45,16 @@ class TubePacking {
   PackOptions options_;
   std::size_t n_spokes_ = 0;
   std::size_t n_rings_ = 0;
-  /// By how many rings a tube may begin later than others of its layer.
+  /// The number of rings by which a tube may begin later than others of its layer.
   std::size_t shift_ = 0;
-  /// Rings on either side of a layer's middle where the helix rests.
+  /// The number of rings on either side of a layer's middle where the helix rests.
   std::size_t band_ = 0;
-  /// Rings from one layer to the next.
+  /// The number of rings from one layer to the next.
   std::size_t layer_ = 0;
   double height_of_ring_ = 0.0;
   double clearance_ = 0.0;
   PackingPlan plan_;
-  /// By ring: where the axis of a tube is that would stand on the origin.
+  /// By ring: the position of the axis of a tube at the origin.
   std::vector<Vec3> axis_;
 };
 

@@ -19,8 +19,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Regions with more replacement faces than this are left, because all of these are compared with
-/// each other.
+/// Regions with more replacement faces are left, because all of these are compared in pairs.
 constexpr std::size_t kMaxFaces = 128;
 constexpr std::size_t kMaxAround = 512;
 
@@ -224,8 +223,7 @@ bool FoldoverRemover::move(const Region& region) {
   return true;
 }
 
-/// Returns the best position for a vertex on the way to the middle of the points from which it sees
-/// all its faces.
+/// Returns the best position for a vertex on the way to the middle of those that see all its faces.
 VertexMove FoldoverRemover::best_move(Index vertex) const {
   VertexMove best;
   const std::array<Index, 1> vertices{vertex};
@@ -279,8 +277,7 @@ std::optional<double> FoldoverRemover::try_move(const FaceDisc& disc,
       {faces, around, input_.tolerances.max_foldover_angle, input_.tolerances.degeneracy});
 }
 
-// Handles all other regions: the faces at some vertices are removed, and their outline is
-// triangulated.
+// Handles other regions: the faces at some vertices are removed, and their outline triangulated.
 
 /// Removes a vertex that all of the region surrounds.
 bool FoldoverRemover::replace_one(const Region& region) {
