@@ -4,7 +4,7 @@
 #include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/boolean/combine_solids.h"
-#include "meshalyzer/boolean/part_from.h"
+#include "meshalyzer/boolean/make_disjoint.h"
 #include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/mesh/build.h"
@@ -136,16 +136,17 @@ class CombinationRun {
   void subtract(std::size_t i, const std::vector<Soup>& soups) {
     const Soup all = concatenate(soups);
     const Operands operands = operands_of(all, soups);
-    CombinedSolid solid = combine_solids(operands, difference_rule(), combine_options(all));
-    report_.n_pairs += solid.n_pairs;
+    const PartedDifference left =
+        subtract_and_part(operands, others_nearby(), combine_options(all));
+    report_.n_pairs += left.solid.n_pairs;
     std::optional<std::string> path;
     if (options_.output) {
       const auto name = std::filesystem::path(operands_.files[i]->path()).filename();
       path = (std::filesystem::path(*options_.output) / name).string();
     }
-    add_operands({soups.front(), std::vector<Index>(soups.front().n_faces(), 0), 1}, solid);
-    if (solid.outcome == CombineOutcome::Done) move_off(i, operands, solid);
-    if (const std::optional<Soup> disk = add_result({solid, all, {source(i)}, true}, path)) {
+    add_operands({soups.front(), std::vector<Index>(soups.front().n_faces(), 0), 1}, left.solid);
+    note_moved(i, left.n_moved);
+    if (const std::optional<Soup> disk = add_result({left.solid, all, {source(i)}, true}, path)) {
       check_apart(i, *disk);
       finals_[i] = *disk;
     }
@@ -170,17 +171,10 @@ class CombinationRun {
     be_at_least(ExitCode::NotGood);
   }
 
-  /// Moves the rest of file i away from the meshes before it.
-  void move_off(std::size_t i, const Operands& operands, CombinedSolid& solid) {
-    const PartedVertices moved =
-        part_from(solid, operands, others_nearby(), combine_options(operands.soup).max_deviation);
-    if (moved.vertices.empty()) return;
-    for (std::size_t k = 0; k < moved.vertices.size(); ++k) {
-      solid.positions[moved.vertices[k]] = moved.positions[k];
-    }
-    solid.largest_move += moved.largest_move;
-    report_.notes.push_back(operands_.files[i]->path() + ": " +
-                            std::to_string(moved.vertices.size()) +
+  /// Notes how much of file i was moved off the meshes before it.
+  void note_moved(std::size_t i, std::size_t n_moved) {
+    if (n_moved == 0) return;
+    report_.notes.push_back(operands_.files[i]->path() + ": " + std::to_string(n_moved) +
                             " vertices were moved off the meshes before it");
   }
 

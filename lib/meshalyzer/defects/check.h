@@ -52,6 +52,9 @@ struct CheckResult {
 
 /// Finds the clashes between two meshes: all pairs of faces, one of each, that share a point.
 ///
+/// Where both bound solids, make_disjoint() in meshalyzer/boolean mends them: it gives what they
+/// have in common to the first. combine_solids() makes one solid of both.
+///
 /// @return  The same as find_intersections().
 [[nodiscard]] std::vector<IntersectingPair> check_pair(const Soup& a, const Soup& b);
 

@@ -84,6 +84,7 @@ void append_meetings(TextLines& lines, const SetAnalysis& set, OffenderStyle sty
   if (found.n_pairs() == 0) {
     return;
   }
+  lines.line("mended by", "meshfixer --subtract-in-order (makes them disjoint) or --union (one)");
   lines.line("pairs of meshes that intersect, one a row", "all");
   append_table(lines.text(), meetings_table(set));
   if (style != OffenderStyle::None) {

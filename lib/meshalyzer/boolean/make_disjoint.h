@@ -1,0 +1,52 @@
+#pragma once
+
+#include "meshalyzer/boolean/combine_solids.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace meshalyzer {
+
+/// What is left of a solid, moved off what was taken away from it.
+struct PartedDifference {
+  CombinedSolid solid;
+  /// How many vertices were moved.
+  std::size_t n_moved = 0;
+};
+
+/// Takes all other operands away from the first and moves what is left off them, see part_from().
+///
+/// @param others  What the other operands are now: as they were, or moved by little themselves.
+/// @complexity    As combine_solids() and part_from().
+[[nodiscard]] PartedDifference subtract_and_part(const Operands& operands, const Soup& others,
+                                                 const CombineOptions& options = {});
+
+/// What has become of one of several solids that were made disjoint.
+struct DisjointSolid {
+  /// The solid without what is inside of those before it; empty where all of it is.
+  Soup soup;
+  /// Unless this is Done the soup is the solid as it was.
+  CombineOutcome outcome = CombineOutcome::Done;
+  /// An upper bound of how far any vertex was moved.
+  double largest_move = 0.0;
+};
+
+/// Makes solids disjoint whose surfaces cross or touch, or of which one lies in another: each loses
+/// what is inside of those before it, and is moved off them by the smallest step after which
+/// check_pair() finds nothing. The first stays as it is, and so does each that meets none before
+/// it.
+///
+/// To make one solid of all, combine them by union_rule().
+///
+/// @param solids   Each without a fault that find_solid_fault() names.
+/// @param options  Their max_deviation is also how far a vertex is moved at most: with 0 solids
+///   keep touching where they have a wall in common.
+/// @return         One for each solid; the same for any number of threads.
+/// @throws InvalidArgument  where combine_solids() does.
+/// @complexity     As subtract_and_part() for each solid, with those before it whose boxes it
+/// meets.
+[[nodiscard]] std::vector<DisjointSolid> make_disjoint(std::span<const Soup> solids,
+                                                       const CombineOptions& options = {});
+
+}  // namespace meshalyzer
