@@ -97,7 +97,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
          "Faces that are there twice, folds, and seams that were never welded, are mended as what "
          "they are. The others are cut where they meet, and what does not bound the solid that the "
          "faces enclose goes: exactly where they are closed, by estimates where they nearly are; "
-         "sheets are left.",
+         "sheets are left, but for those inside solids that they cross.",
      .fix_summary = "meshfixer mends it",
      .passes = "weld borders, drop duplicates, remove foldovers or cut intersections",
      .fixed_by_default = true},

@@ -1,9 +1,8 @@
 #include "meshalyzer/repair/fix_defects.h"
 
 #include "meshalyzer/base/error.h"
-#include "meshalyzer/base/numbers.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/exact/normal.h"
+#include "meshalyzer/repair/driver/internal/dropped_parts.h"
 #include "meshalyzer/repair/driver/internal/fixed_vertices.h"
 #include "meshalyzer/repair/driver/internal/patch_outcomes.h"
 #include "meshalyzer/repair/driver/internal/plan.h"
@@ -77,26 +76,6 @@ void name_what_has_no_reason(const RepairOptions& options, RepairResult& result)
   }
 }
 
-/// Names each fragment that was dropped, with its area.
-void name_dropped_fragments(const Soup& input, RepairResult& result) {
-  for (const LoggedOperation& operation : result.log.operations) {
-    if (result.log.steps[operation.step].pass != "drop fragments") continue;
-    double area = 0.0;
-    std::size_t n = 0;
-    for (const Index key : operation.removed_faces) {
-      if (key >= input.n_faces() || !is_in_complex(input.triangles[key])) continue;
-      const auto [a, b, c] = corners_of(input, key);
-      area += accurate_normal(a, b, c).norm() / 2.0;
-      ++n;
-    }
-    if (n == 0) continue;
-    result.notes.push_back("dropped, because it encloses nothing: a fragment of area " +
-                           shortest(area) + ", with face " +
-                           std::to_string(input.face_ids.of(operation.removed_faces.front())) +
-                           (n == 1 ? "" : " and " + std::to_string(n - 1) + " more"));
-  }
-}
-
 }  // namespace
 
 RepairResult fix_defects(Soup soup, const RepairOptions& options) {
@@ -132,7 +111,7 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   result.is_stopped = driver.is_stopped();
   result.rises = driver.rises();
   result.log = driver.take_log();
-  name_dropped_fragments(driver.input(), result);
+  append_dropped_parts(driver.input(), driver.tracked(), result.log, result.notes);
   name_what_has_no_reason(options, result);
   return result;
 }

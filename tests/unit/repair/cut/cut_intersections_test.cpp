@@ -113,6 +113,51 @@ TEST(CutIntersections, SheetsThatCrossAreLeftAndNamed) {
   EXPECT_EQ(run.refused[0].code, DefectCode::SelfIntersection);
 }
 
+/// Sheets in a cube of side 4, one above the other and nearly as wide, so that little of the cube
+/// separates whole winding numbers by estimates, and a bar of width 1 through all.
+Soup crossed_sheets(const Vec3& shift_of_sheets) {
+  Soup soup = shapes::merged(shapes::cube(4), box({1, 1, -1}, {2, 2, 5}));
+  for (const double z : {0.5, 1.5, 2.5, 3.5}) {
+    const Soup sheet = shapes::scaled(shapes::grid(2, 2), 1.75);
+    soup = shapes::merged(std::move(soup),
+                          shapes::translated(sheet, Vec3(0.25, 0.25, z) + shift_of_sheets));
+  }
+  return soup;
+}
+
+TEST(CutIntersections, SheetsWithinTheSolidsThatTheyCrossGoWithTheirWalls) {
+  // What of the bar is outside of the cube is 2 long.
+  EXPECT_NEAR(volume(expect_good(crossed_sheets({0, 0, 0}))), 64.0 + 2.0, 1e-9);
+}
+
+TEST(CutIntersections, SheetsThatGoAreNamedWithTheirAreas) {
+  // Each is 3.5 wide.
+  const std::vector<std::string> notes = fix_defects(crossed_sheets({0, 0, 0})).notes;
+  ASSERT_EQ(notes.size(), 4U);
+  for (const std::string& note : notes) {
+    EXPECT_NE(note.find("it lies inside a solid: a sheet of area 12.25, "), std::string::npos);
+  }
+}
+
+TEST(CutIntersections, SheetsThatLeaveTheSolidStayWithAllThatTheyCross) {
+  const Soup soup = crossed_sheets({0.5, 0, 0});
+  const PassRun run = cut_all(soup);
+  EXPECT_EQ(run.operations, 0U);
+  EXPECT_FALSE(run.refused.empty());
+  EXPECT_EQ(run.tracked.soup.n_faces(), soup.n_faces());
+}
+
+TEST(CutIntersections, SheetsInACavityAreNotInsideTheSolid) {
+  // The cavity is the cube, turned, so that nothing goes round the sheets in all but in the bar.
+  Soup soup = shapes::merged(box({-1, -1, -2}, {5, 5, 5.5}), crossed_sheets({0, 0, 0}));
+  for (Index face = 12; face < 24; ++face)
+    std::swap(soup.triangles[face][0], soup.triangles[face][1]);
+  const RepairResult result = fix_defects(soup);
+  EXPECT_EQ(result.meshes[0].remaining.count(DefectCode::SelfIntersection),
+            result.before.count(DefectCode::SelfIntersection));
+  EXPECT_EQ(result.meshes[0].tracked.soup.n_faces(), soup.n_faces());
+}
+
 TEST(CutIntersections, SoManyFacesThroughOnePlaceAreNotCut) {
   // 300 faces round the origin: each of 44,850 cuts is met by up to 298 others.
   Soup soup;

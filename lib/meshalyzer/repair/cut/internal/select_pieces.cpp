@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/cut/internal/select_pieces.h"
 
+#include "meshalyzer/repair/cut/internal/closed_part.h"
 #include "meshalyzer/repair/cut/internal/estimated_windings.h"
 
 #include <array>
@@ -39,6 +40,7 @@ class PieceSelection {
 
   std::vector<PieceFate> run() {
     select_exactly();
+    select_around_sheets();
     select_by_estimates();
     return std::move(fates_);
   }
@@ -83,6 +85,18 @@ class PieceSelection {
     const bool either_way = rule == Rule::OwnEitherWay || pockets_ == Pockets::Kept;
     // If cavities overlap, the whole region is a cavity.
     return own + around > 0 || (either_way && around == 0 && own < 0);
+  }
+
+  /// Selects, exactly, from solids that sheets cross, where all of these sheets lies inside them.
+  void select_around_sheets() {
+    const ClosedPart closed = find_closed_part(a_, is_open_);
+    decide(closed.encloses_rest, [&](Index, Index cell) {
+      const int winding = closed.windings[cell];
+      return winding >= 1 || (pockets_ == Pockets::Kept && winding < 0);
+    });
+    for (std::size_t c = 0; c < is_open_.size(); ++c) {
+      if (closed.encloses_rest[c] != 0) is_open_[c] = 0;
+    }
   }
 
   void select_by_estimates() {

@@ -1,0 +1,160 @@
+#include "meshalyzer/repair/cut/internal/closed_part.h"
+
+#include "meshalyzer/arrangement/exact_ray.h"
+#include "meshalyzer/base/disjoint_sets.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// An edge of a face: its vertices, the lower first, and 1 where the face crosses it in this
+/// direction, else -1.
+struct FaceEdge {
+  std::array<Index, 2> ends;
+  Index face = kNoIndex;
+  int sign = 1;
+};
+
+std::vector<FaceEdge> sorted_edges(const Soup& soup) {
+  std::vector<FaceEdge> edges;
+  edges.reserve(3 * soup.n_faces());
+  for (Index face = 0; face < soup.n_faces(); ++face) {
+    const Triangle& t = soup.triangles[face];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
+      edges.push_back({{low, high}, face, low == t[k] ? 1 : -1});
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const FaceEdge& a, const FaceEdge& b) {
+    return a.ends != b.ends ? a.ends < b.ends : a.face < b.face;
+  });
+  return edges;
+}
+
+/// #faces: 1 for those that form closed chains with the faces that they are connected to by edges.
+std::vector<std::uint8_t> faces_of_closed_chains(const Soup& soup) {
+  const std::vector<FaceEdge> edges = sorted_edges(soup);
+  DisjointSets chains(soup.n_faces());
+  std::vector<Index> open_at;
+  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+    int sum = 0;
+    for (end = begin; end < edges.size() && edges[end].ends == edges[begin].ends; ++end) {
+      chains.unite(edges[begin].face, edges[end].face);
+      sum += edges[end].sign;
+    }
+    if (sum != 0) open_at.push_back(edges[begin].face);
+  }
+  std::vector<std::uint8_t> is_open(soup.n_faces(), 0);
+  for (const Index face : open_at) is_open[chains.find(face)] = 1;
+  std::vector<std::uint8_t> is_closed(soup.n_faces());
+  for (Index face = 0; face < soup.n_faces(); ++face) {
+    is_closed[face] = is_open[chains.find(face)] == 0 ? 1 : 0;
+  }
+  return is_closed;
+}
+
+/// Finds the winding numbers of closed chains, as if the sheets were not there.
+class ClosedPartSearch {
+ public:
+  ClosedPartSearch(const ArrangedSoup& arranged, std::span<const std::uint8_t> wanted)
+      : a_(arranged),
+        wanted_(wanted),
+        is_closed_face_(faces_of_closed_chains(arranged.soup)),
+        pieces_(arranged.cells),
+        is_known_(arranged.cells.count, 0) {
+    result_.windings.assign(a_.cells.count, 0);
+    result_.encloses_rest.assign(a_.cells.n_components, 0);
+  }
+
+  ClosedPart run() {
+    // A ray must cross the faces of components that are not closed as a whole, too.
+    Cells cells = a_.cells;
+    for (std::size_t c = 0; c < wanted_.size(); ++c) {
+      if (wanted_[c] != 0) cells.is_closed[c] = 1;
+    }
+    const ArrangedSoup with_rays{a_.soup, a_.cut, a_.tree, a_.arrangement, cells};
+    for (Index piece = 0; piece < a_.arrangement.pieces.size(); ++piece) {
+      const Index component = a_.cells.component_of[piece];
+      if (wanted_[component] == 0 || !is_of_closed_chain(piece)) continue;
+      if (std::exchange(result_.encloses_rest[component], 1) == 0) begin_at(piece, with_rays);
+    }
+    for (Index piece = 0; piece < a_.arrangement.pieces.size(); ++piece) {
+      const bool is_inside = result_.windings[a_.cells.front(piece)] >= 1;
+      const Index component = a_.cells.component_of[piece];
+      if (!is_inside && !is_of_closed_chain(piece)) result_.encloses_rest[component] = 0;
+    }
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool is_of_closed_chain(Index piece) const {
+    const auto sources = a_.arrangement.sources_of(piece);
+    return std::any_of(sources.begin(), sources.end(), [&](const PieceSource& source) {
+      return is_closed_face_[source.face] != 0;
+    });
+  }
+
+  /// Returns how often closed chains cover a piece.
+  [[nodiscard]] int multiplicity(Index piece) const {
+    int sum = 0;
+    for (const PieceSource& source : a_.arrangement.sources_of(piece)) {
+      if (is_closed_face_[source.face] != 0) sum += source.sign;
+    }
+    return sum;
+  }
+
+  void begin_at(Index piece, const ArrangedSoup& with_rays) {
+    const PieceRay ray = follow_ray(with_rays, piece);
+    const Index component = a_.cells.component_of[piece];
+    int winding = 0;
+    for (const auto& [face, sign] : ray.crossings) {
+      const Index crossed = a_.cells.component_of[a_.arrangement.pieces_of(face)[0]];
+      if (crossed == component && is_closed_face_[face] != 0) winding += sign;
+    }
+    set(ray.cell, winding);
+    while (!pending_.empty()) spread(std::exchange(pending_, {}));
+  }
+
+  void set(Index cell, int winding) {
+    if (std::exchange(is_known_[cell], 1) != 0) return;
+    result_.windings[cell] = winding;
+    pending_.push_back(cell);
+  }
+
+  /// Propagates the numbers of cells across their pieces.
+  void spread(const std::vector<Index>& cells) {
+    for (const Index cell : cells) {
+      const int winding = result_.windings[cell];
+      for (const Index piece : pieces_.of(cell)) {
+        const int step = multiplicity(piece);
+        if (a_.cells.front(piece) == cell) set(a_.cells.behind(piece), winding + step);
+        if (a_.cells.behind(piece) == cell) set(a_.cells.front(piece), winding - step);
+      }
+    }
+  }
+
+  const ArrangedSoup& a_;
+  std::span<const std::uint8_t> wanted_;
+  /// #faces: 1 for those of closed chains.
+  std::vector<std::uint8_t> is_closed_face_;
+  CellPieces pieces_;
+  ClosedPart result_;
+  std::vector<std::uint8_t> is_known_;
+  std::vector<Index> pending_;
+};
+
+}  // namespace
+
+ClosedPart find_closed_part(const ArrangedSoup& arranged, std::span<const std::uint8_t> wanted) {
+  if (std::none_of(wanted.begin(), wanted.end(), [](auto is_wanted) { return is_wanted != 0; })) {
+    return {std::vector<std::uint8_t>(arranged.cells.n_components, 0),
+            std::vector<int>(arranged.cells.count, 0)};
+  }
+  return ClosedPartSearch(arranged, wanted).run();
+}
+
+}  // namespace meshalyzer
