@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <numeric>
 
@@ -24,11 +25,29 @@ Edges histogram_edges(double min, double max) {
   return edges;
 }
 
-std::size_t bin_of(const Edges& edges, double value) {
-  const auto first_inner = edges.begin() + 1;
-  return static_cast<std::size_t>(std::upper_bound(first_inner, edges.end() - 1, value) -
-                                  first_inner);
-}
+/// Finds the bins of values.
+class BinSearch {
+ public:
+  explicit BinSearch(const Edges& edges) : edges_(edges) {
+    const double per_half_width = Histogram::kBins / (edges.back() / 2 - edges.front() / 2);
+    if (std::isfinite(per_half_width)) per_half_width_ = per_half_width;
+  }
+
+  /// Returns the bin of a value that is not outside of all. Rounding may put the first guess next
+  /// to it.
+  [[nodiscard]] std::size_t bin_of(double value) const {
+    const double guess = (value / 2 - edges_.front() / 2) * per_half_width_;
+    auto bin = static_cast<std::size_t>(std::min(guess, Histogram::kBins - 1.0));
+    while (value < edges_[bin]) --bin;
+    while (bin + 1 < Histogram::kBins && value >= edges_[bin + 1]) ++bin;
+    return bin;
+  }
+
+ private:
+  const Edges& edges_;
+  /// The number of bins by half of the width of all; 0 if they are too narrow for that.
+  double per_half_width_ = 0.0;
+};
 
 struct ExtentPart {
   double min = 0.0;
@@ -52,10 +71,11 @@ struct SpreadPart {
 };
 
 SpreadPart spread_of(std::span<const double> values, double mean, const Edges& edges) {
+  const BinSearch bins(edges);
   SpreadPart part;
   for (const double value : values) {
     part.squared_deviations.add((value - mean) * (value - mean));
-    ++part.counts[bin_of(edges, value)];
+    ++part.counts[bins.bin_of(value)];
   }
   return part;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 
 namespace meshalyzer {
 namespace {
@@ -29,6 +30,45 @@ struct CelledPoint {
   std::array<std::int64_t, 3> cell{};
   Index point = 0;
 };
+
+/// From this many points on it pays to distribute them before they are sorted.
+constexpr std::size_t kManyPoints = 1000;
+
+bool comes_before(const KeyedPoint& a, const KeyedPoint& b) {
+  return a.coordinate < b.coordinate;
+}
+
+/// Puts points into as many intervals of equal width, one interval after the other.
+///
+/// @param per_unit  The number of intervals by width; finite.
+/// @return          Where each interval ends.
+std::vector<Index> distribute(std::span<KeyedPoint> points, double low, double per_unit) {
+  const auto interval = [&](const KeyedPoint& p) {
+    return std::min(static_cast<std::size_t>((p.coordinate - low) * per_unit), points.size() - 1);
+  };
+  std::vector<Index> places(points.size(), 0);
+  for (const KeyedPoint& p : points) ++places[interval(p)];
+  std::exclusive_scan(places.begin(), places.end(), places.begin(), Index{0});
+  const std::vector<KeyedPoint> copies(points.begin(), points.end());
+  for (const KeyedPoint& p : copies) points[places[interval(p)]++] = p;
+  return places;
+}
+
+/// Sorts in linear time where the coordinates are spread out.
+void sort_by_coordinate(std::span<KeyedPoint> points) {
+  const auto [low, high] = std::minmax_element(points.begin(), points.end(), comes_before);
+  const double per_unit = static_cast<double>(points.size()) / (high->coordinate - low->coordinate);
+  if (points.size() < kManyPoints || !std::isnormal(per_unit)) {
+    std::sort(points.begin(), points.end(), comes_before);
+    return;
+  }
+  std::size_t begin = 0;
+  for (const Index end : distribute(points, low->coordinate, per_unit)) {
+    const std::span<KeyedPoint> interval = points.subspan(begin, end - begin);
+    std::sort(interval.begin(), interval.end(), comes_before);
+    begin = end;
+  }
+}
 
 /// At most this many points are compared each with each.
 constexpr std::size_t kFewPoints = 16;
@@ -80,8 +120,7 @@ class CoincidenceSearch {
     if (points.size() < 2) return;
     if (axis == 3) return compare(points);
     for (KeyedPoint& p : points) p.coordinate = positions_[p.point][axis];
-    std::sort(points.begin(), points.end(),
-              [](const KeyedPoint& a, const KeyedPoint& b) { return a.coordinate < b.coordinate; });
+    sort_by_coordinate(points);
     std::size_t begin = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
       if (!is_apart(points[i - 1].coordinate, points[i].coordinate)) continue;

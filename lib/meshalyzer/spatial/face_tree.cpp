@@ -92,9 +92,11 @@ TreeBox TreeBox::around(const EightBoxes& boxes) {
 }
 
 FaceTree::FaceTree(const CutMesh& cut) : points_(cut.mesh.points(), cut.mesh.n_vertices()) {
-  const std::vector<Triangle> triangles = unbuild(cut);
-  choose_map(triangles);
-  order_faces(triangles);
+  {
+    const std::vector<Triangle> triangles = unbuild(cut);
+    choose_map(triangles);
+    order_faces(triangles);
+  }
   box_faces();
   box_levels();
 }
@@ -108,11 +110,14 @@ std::array<float, 3> FaceTree::map(const Vec3& point) const {
 }
 
 void FaceTree::choose_map(std::span<const Triangle> triangles) {
-  for (const Triangle& t : triangles) {
-    for (const Index v : t) {
-      bounds_.extend(points_[v]);
+  const auto boxes = map_chunks<Box3>(triangles.size(), [&](Chunk chunk) {
+    Box3 box;
+    for (const Triangle& t : triangles.subspan(chunk.begin, chunk.end - chunk.begin)) {
+      for (const Index v : t) box.extend(points_[v]);
     }
-  }
+    return box;
+  });
+  for (const Box3& box : boxes) bounds_.extend(box);
   if (bounds_.isEmpty()) {
     return;
   }
@@ -174,13 +179,15 @@ void FaceTree::box_levels() {
     const std::vector<EightBoxes>& below = levels_.back();
     std::vector<EightBoxes> level((below.size() + kTreeWidth - 1) / kTreeWidth,
                                   EightBoxes::empty());
-    for (std::size_t i = 0; i < below.size(); ++i) {
-      const TreeBox box = TreeBox::around(below[i]);
-      for (std::size_t k = 0; k < 3; ++k) {
-        level[i / kTreeWidth].min[k][i % kTreeWidth] = box.low[k];
-        level[i / kTreeWidth].max[k][i % kTreeWidth] = box.high[k];
+    parallel_chunks(below.size(), [&](Chunk chunk) {
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+        const TreeBox box = TreeBox::around(below[i]);
+        for (std::size_t k = 0; k < 3; ++k) {
+          level[i / kTreeWidth].min[k][i % kTreeWidth] = box.low[k];
+          level[i / kTreeWidth].max[k][i % kTreeWidth] = box.high[k];
+        }
       }
-    }
+    });
     levels_.push_back(std::move(level));
   }
 }

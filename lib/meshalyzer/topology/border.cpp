@@ -19,9 +19,12 @@ struct BorderEdge {
 
 std::vector<HalfedgeHandle> find_border_edges(const CutMesh& cut) {
   const TriMesh& mesh = cut.mesh;
-  const std::vector<EdgeKind> kinds = classify_edges(cut);
+  // Most meshes have no border: these need no kinds.
+  std::vector<EdgeKind> kinds;
   std::vector<BorderEdge> borders;
   for (const EdgeHandle e : mesh.all_edges()) {
+    if (!mesh.is_boundary(e)) continue;
+    if (kinds.empty()) kinds = classify_edges(cut);
     if (kinds[static_cast<std::size_t>(e.idx())] != EdgeKind::Border) continue;
     const HalfedgeHandle first = mesh.halfedge_handle(e, 0);
     const HalfedgeHandle inner = mesh.is_boundary(first) ? mesh.halfedge_handle(e, 1) : first;

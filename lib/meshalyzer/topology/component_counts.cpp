@@ -30,7 +30,11 @@ class Counter {
   }
 
   void add_edges() {
-    for (const EdgeHandle e : cut_.mesh.all_edges()) ++at(cut_.mesh.halfedge_handle(e, 0)).edges;
+    if (counts_.size() == 1) {
+      counts_.front().edges = cut_.mesh.n_edges();
+    } else {
+      for (const EdgeHandle e : cut_.mesh.all_edges()) ++at(cut_.mesh.halfedge_handle(e, 0)).edges;
+    }
     add_cuts(cut_.side.flipped_edges, &ComponentCounts::flipped_edges);
     add_cuts(cut_.side.non_manifold_edges, &ComponentCounts::non_manifold_edges);
   }

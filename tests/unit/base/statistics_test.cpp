@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numeric>
@@ -116,6 +118,26 @@ TEST(Summarize, HistogramCountsEveryFiniteValueOnce) {
   std::vector<double> values = shuffled_counting(50000);
   values.push_back(kInfinity);
   EXPECT_EQ(counted(summarize(values).histogram), 50000U);
+}
+
+TEST(Summarize, EachValueIsInTheBinBetweenItsEdges) {
+  // The values are the edges of the bins, and their neighbours, of ranges of any width.
+  for (const double width : {5e-324, 1e-300, 1e-16, 0.3, 7.0, 1e300}) {
+    std::vector<double> ends{0.1, 0.1 + width};
+    const auto edges = summarize(ends).histogram.edges;
+    std::vector<double> values;
+    for (const double edge : edges) {
+      for (const double value : {std::nextafter(edge, -1e308), edge, std::nextafter(edge, 1e308)}) {
+        values.push_back(std::clamp(value, edges.front(), edges.back()));
+      }
+    }
+    std::array<std::size_t, Histogram::kBins> expected{};
+    for (const double value : values) {
+      const auto above = std::upper_bound(edges.begin() + 1, edges.end() - 1, value);
+      ++expected[static_cast<std::size_t>(above - edges.begin()) - 1];
+    }
+    EXPECT_EQ(summarize(values).histogram.counts, expected) << width;
+  }
 }
 
 TEST(Summarize, TheWidestRangeOfDoublesDoesNotOverflow) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -99,6 +100,25 @@ TEST(FindIndistinguishableVertices, AgreesWithAllPairsOnRandomPoints) {
     for (Vec3& p : positions) p = Vec3(uniform(random), uniform(random), uniform(random));
     for (std::size_t i = 0; i < 20; ++i) {
       positions.push_back(positions[random() % 200] +
+                          4e-11 * Vec3(uniform(random), uniform(random), uniform(random)));
+    }
+    expect_agreement(positions);
+  }
+}
+
+TEST(FindIndistinguishableVertices, AgreesWithAllPairsOnThousandsOfPoints) {
+  // Spread evenly, nearly all in a thousandth of the range, and with the widest range there is.
+  const double largest = std::numeric_limits<double>::max();
+  for (const double far : {3.0, 3000.0, largest}) {
+    SCOPED_TRACE(far);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform(-3, 3);
+    std::vector<Vec3> positions{{-far, 0, 0}, {far, 0, 0}};
+    while (positions.size() < 2000) {
+      positions.emplace_back(uniform(random), uniform(random), uniform(random));
+    }
+    for (std::size_t i = 0; i < 100; ++i) {
+      positions.push_back(positions[2 + random() % 1998] +
                           4e-11 * Vec3(uniform(random), uniform(random), uniform(random)));
     }
     expect_agreement(positions);

@@ -1,6 +1,7 @@
 #include "meshalyzer/analysis/internal/complex_topology.h"
 
 #include "meshalyzer/analysis/internal/edge_lists.h"
+#include "meshalyzer/base/parallel.h"
 #include "meshalyzer/topology/border.h"
 #include "meshalyzer/topology/boundary.h"
 #include "meshalyzer/topology/duplicate_faces.h"
@@ -10,9 +11,10 @@
 
 namespace meshalyzer {
 
-ComplexTopology analyze_topology(const PreparedMesh& mesh, Offenders& offenders) {
+namespace {
+
+void count_components(const PreparedMesh& mesh, ComplexTopology& topology) {
   const CutMesh& cut = mesh.cut();
-  ComplexTopology topology;
   const Components edge_components = find_edge_components(cut);
   const Orientability orientability = find_orientability(cut, edge_components);
   const std::vector<BoundaryLoop> boundaries = find_boundary_loops(cut);
@@ -24,15 +26,31 @@ ComplexTopology analyze_topology(const PreparedMesh& mesh, Offenders& offenders)
   topology.n_edge_components = edge_components.count;
   topology.n_boundaries = boundaries.size();
   topology.orientable = orientability.orientable;
+}
 
+void list_edges_and_vertices(const CutMesh& cut, Offenders& offenders) {
   offenders.border_edges = list_edges(cut, find_border_edges(cut));
   offenders.non_manifold_edges = list_cut_edges(cut, cut.side.non_manifold_edges);
   offenders.flipped_edges = list_cut_edges(cut, cut.side.flipped_edges);
   offenders.non_manifold_vertices = cut.side.non_manifold_vertices;
   offenders.pinched_vertices = find_pinched_vertices(cut);
+}
+
+void list_duplicates(const CutMesh& cut, Offenders& offenders) {
   for (const FaceHandle f : find_duplicate_faces(cut)) {
     offenders.duplicate_faces.push_back(cut.side.face(f));
   }
+}
+
+}  // namespace
+
+ComplexTopology analyze_topology(const PreparedMesh& mesh, Offenders& offenders) {
+  ComplexTopology topology;
+  parallel_invoke({[&] { count_components(mesh, topology); },
+                   [&] {
+                     list_edges_and_vertices(mesh.cut(), offenders);
+                     list_duplicates(mesh.cut(), offenders);
+                   }});
   return topology;
 }
 

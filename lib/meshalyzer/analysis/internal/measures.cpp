@@ -2,6 +2,7 @@
 
 #include "meshalyzer/analysis/internal/by_component.h"
 #include "meshalyzer/analysis/internal/edge_lists.h"
+#include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/sum.h"
 #include "meshalyzer/geometry/coincidence.h"
 #include "meshalyzer/geometry/edge_measures.h"
@@ -211,10 +212,11 @@ class Measurer {
 void measure(const CutMesh& cut, const Components& components, const AnalysisOptions& options,
              Analysis& analysis) {
   Measurer measurer(cut, components, options, analysis);
-  const std::vector<FaceHandle> zero_area = measurer.measure_all_faces();
-  measurer.measure_lengths();
-  measurer.measure_angles(zero_area);
-  measurer.measure_valences();
+  parallel_invoke({[&] { measurer.measure_angles(measurer.measure_all_faces()); },
+                   [&] {
+                     measurer.measure_lengths();
+                     measurer.measure_valences();
+                   }});
 }
 
 }  // namespace meshalyzer
