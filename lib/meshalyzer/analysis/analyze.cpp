@@ -6,6 +6,7 @@
 #include "meshalyzer/analysis/internal/complex_topology.h"
 #include "meshalyzer/analysis/internal/integrity.h"
 #include "meshalyzer/analysis/internal/measures.h"
+#include "meshalyzer/analysis/internal/volume.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 
 #include <algorithm>

@@ -26,8 +26,9 @@ struct SignedVolume {
 /// Returns the signed volume of each part: the sum of det(a, b, c) / 6 over its faces.
 ///
 /// It is the enclosed volume only for a closed, consistently oriented part; for others it depends
-/// on the position of the origin. The sum is compensated and taken about the centre of the part's
-/// box, so that a mesh far from the origin keeps its digits.
+/// on the position of the origin, so that an analysis states no volume for an open mesh. The sum is
+/// compensated and taken about the centre of the part's box, so that a mesh far from the origin
+/// keeps its digits.
 ///
 /// @param boxes  The result of bounding_boxes().
 /// @complexity   O(#F); exact arithmetic is needed only for parts whose sign floating point cannot

@@ -1,6 +1,6 @@
 #include "meshalyzer/analysis/internal/attributes.h"
 
-#include "meshalyzer/base/sum.h"
+#include "meshalyzer/analysis/internal/volume.h"
 #include "meshalyzer/topology/genus.h"
 
 #include <algorithm>
@@ -16,31 +16,16 @@ Answer yes_or_no(bool value) {
   return {.value = value, .reason = {}};
 }
 
-template <typename Result>
-Result none(std::string_view reason) {
+Answer none(std::string_view reason) {
   return {.value = std::nullopt, .reason = std::string(reason)};
-}
-
-/// Returns the reason why a mesh bounds no solid; empty if it does.
-std::string reason_of_no_solid(const Attributes& attributes) {
-  if (!attributes.closed.value) {
-    return kNoFaces;
-  }
-  if (!*attributes.closed.value) {
-    return "the mesh is not closed";
-  }
-  if (!*attributes.manifold.value) {
-    return kNotManifold;
-  }
-  return *attributes.consistent.value ? "" : "the mesh is not consistently oriented";
 }
 
 Answer answer_outward(const Analysis& analysis, const Attributes& attributes) {
   if (const std::string reason = reason_of_no_solid(attributes); !reason.empty()) {
-    return none<Answer>(reason);
+    return none(reason);
   }
   if (analysis.characteristics.is_search_stopped && analysis.components.size() > 1) {
-    return none<Answer>("the search for intersecting pairs ended at its time limit");
+    return none("the search for intersecting pairs ended at its time limit");
   }
   bool outward = true;
   std::size_t undecided = 0;
@@ -49,9 +34,9 @@ Answer answer_outward(const Analysis& analysis, const Attributes& attributes) {
     outward = outward && c.outward.value_or(true);
   }
   if (outward && undecided != 0) {
-    return none<Answer>(undecided == 1 && analysis.components.size() == 1
-                            ? "it encloses no volume"
-                            : "components that enclose no volume: " + std::to_string(undecided));
+    return none(undecided == 1 && analysis.components.size() == 1
+                    ? "it encloses no volume"
+                    : "components that enclose no volume: " + std::to_string(undecided));
   }
   return yes_or_no(outward);
 }
@@ -108,7 +93,7 @@ Attributes answer_attributes(const Analysis& analysis, bool orientable) {
   Attributes attributes;
   const Characteristics& c = analysis.characteristics;
   if (analysis.components.empty()) {
-    const Answer unknown = none<Answer>(kNoFaces);
+    const Answer unknown = none(kNoFaces);
     return {unknown, unknown, unknown, unknown, unknown};
   }
   attributes.closed = yes_or_no(c.border_edges == 0);
@@ -117,25 +102,11 @@ Attributes answer_attributes(const Analysis& analysis, bool orientable) {
     attributes.orientable = yes_or_no(orientable);
     attributes.consistent = yes_or_no(c.flipped_edges == 0);
   } else {
-    attributes.orientable = none<Answer>(kNotManifold);
-    attributes.consistent = none<Answer>(kNotManifold);
+    attributes.orientable = none(kNotManifold);
+    attributes.consistent = none(kNotManifold);
   }
   attributes.outward = answer_outward(analysis, attributes);
   return attributes;
-}
-
-Measure<double> total_volume(const Analysis& analysis) {
-  if (const std::string reason = reason_of_no_solid(analysis.attributes); !reason.empty()) {
-    return none<Measure<double>>(reason);
-  }
-  CompensatedSum sum;
-  for (const ComponentAnalysis& c : analysis.components) {
-    if (!c.volume) {
-      return none<Measure<double>>("it is too large for a double");
-    }
-    sum.add(*c.volume);
-  }
-  return {.value = sum.value(), .reason = {}};
 }
 
 void answer_genus(Analysis& analysis) {

@@ -22,9 +22,6 @@ void count_elements(const Soup& soup, const ComplexTopology& topology, Analysis&
 /// @param orientable  True if its faces can be given a consistent orientation.
 [[nodiscard]] Attributes answer_attributes(const Analysis& analysis, bool orientable);
 
-/// Returns the volume of the mesh, the sum of those of its components, if it bounds a solid.
-[[nodiscard]] Measure<double> total_volume(const Analysis& analysis);
-
 /// Adds up the genus of the components, unless orphan vertices forbid it ("Characteristics: counts"
 /// in doc/definitions.md).
 ///
