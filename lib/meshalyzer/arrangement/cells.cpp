@@ -1,15 +1,86 @@
 #include "meshalyzer/arrangement/cells.h"
 
-#include "meshalyzer/arrangement/piece_edges.h"
 #include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/parallel.h"
 #include "meshalyzer/exact/exact_point.h"
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
+
+/// An edge of a piece, as stored at its lower vertex.
+struct EdgeUse {
+  Index high = kNoIndex;
+  Index piece = kNoIndex;
+  /// The corner of the piece opposite to the edge.
+  Index apex = kNoIndex;
+  /// 1 if the piece traverses the edge from the lower vertex to the higher one, else -1.
+  Sign direction = 1;
+};
+
+/// The edges of pieces, grouped by their lower vertices.
+class PieceEdges {
+ public:
+  /// @complexity O(#vertices + #pieces), apart from sorting round each vertex.
+  explicit PieceEdges(const Arrangement& arrangement);
+
+  [[nodiscard]] std::size_t n_vertices() const { return begin_.size() - 1; }
+  /// Returns all uses of edges with this lower vertex, ascending by higher vertex, then by piece.
+  [[nodiscard]] std::span<EdgeUse> of(std::size_t vertex) {
+    return std::span(uses_).subspan(begin_[vertex], begin_[vertex + 1] - begin_[vertex]);
+  }
+
+ private:
+  std::vector<std::size_t> begin_;
+  std::vector<EdgeUse> uses_;
+};
+
+PieceEdges::PieceEdges(const Arrangement& arrangement)
+    : begin_(arrangement.positions.size() + 1, 0), uses_(3 * arrangement.pieces.size()) {
+  for (const Triangle& t : arrangement.pieces) {
+    for (std::size_t k = 0; k < 3; ++k) ++begin_[std::min(t[k], t[(k + 1) % 3]) + 1];
+  }
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+  for (Index piece = 0; piece < arrangement.pieces.size(); ++piece) {
+    const Triangle& t = arrangement.pieces[piece];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index from = t[k];
+      const Index to = t[(k + 1) % 3];
+      uses_[next[std::min(from, to)]++] = {.high = std::max(from, to),
+                                           .piece = piece,
+                                           .apex = t[(k + 2) % 3],
+                                           .direction = from < to ? 1 : -1};
+    }
+  }
+  parallel_chunks(n_vertices(), [&](Chunk chunk) {
+    for (std::size_t v = chunk.begin; v < chunk.end; ++v) {
+      const std::span<EdgeUse> uses = of(v);
+      std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
+        return std::pair(a.high, a.piece) < std::pair(b.high, b.piece);
+      });
+    }
+  });
+}
+
+/// Calls `body` with the uses of each edge, edge by edge.
+template <typename Body>
+void for_each_edge(PieceEdges& edges, const Body& body) {
+  for (std::size_t v = 0; v < edges.n_vertices(); ++v) {
+    const std::span<EdgeUse> uses = edges.of(v);
+    for (std::size_t first = 0; first < uses.size();) {
+      std::size_t end = first + 1;
+      while (end < uses.size() && uses[end].high == uses[first].high) ++end;
+      body(uses.subspan(first, end - first));
+      first = end;
+    }
+  }
+}
 
 /// The order of pieces round an edge.
 class RadialOrder {
