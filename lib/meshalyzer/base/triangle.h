@@ -23,6 +23,12 @@ namespace meshalyzer {
   return (t[0] + t[1] + t[2]) / 3.0;
 }
 
+[[nodiscard]] inline Box3 box_of(const Corners& t) {
+  Box3 box;
+  for (const Vec3& corner : t) box.extend(corner);
+  return box;
+}
+
 /// Returns the lengths of the edges from corner k to corner k + 1; they overflow only where the
 /// true lengths do.
 [[nodiscard]] inline std::array<double, 3> side_lengths(const Corners& t) {

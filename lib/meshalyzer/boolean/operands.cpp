@@ -1,6 +1,7 @@
 #include "meshalyzer/boolean/operands.h"
 
 #include "meshalyzer/base/sum.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/topology/components.h"
 
@@ -141,7 +142,7 @@ std::vector<double> volumes_of(const Operands& operands) {
     }
   };
   for_each_face([&](Index operand, const std::array<Vec3, 3>& corners) {
-    for (const Vec3& p : corners) boxes[operand].extend(p);
+    boxes[operand].extend(box_of(corners));
   });
   // Each volume is computed about a nearby point, so that a solid far from the origin keeps its
   // digits.

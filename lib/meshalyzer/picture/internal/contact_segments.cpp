@@ -1,5 +1,6 @@
 #include "meshalyzer/picture/internal/contact_segments.h"
 
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/spatial/triangle_distance.h"
 
@@ -24,10 +25,7 @@ constexpr int kProjections = 64;
 class PairScale {
  public:
   PairScale(const Corners& p, const Corners& q) {
-    Box3 box;
-    for (const Corners* t : {&p, &q}) {
-      for (const Vec3& corner : *t) box.extend(corner);
-    }
+    const Box3 box = box_of(p).extend(box_of(q));
     // Halves are added and subtracted, because sum and difference of the coordinates may overflow.
     middle_ = box.min() / 2 + box.max() / 2;
     const double half = (box.max() / 2 - box.min() / 2).maxCoeff();

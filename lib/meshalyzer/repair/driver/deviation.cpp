@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/lexicographic.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/repair/driver/internal/changed_faces.h"
 #include "meshalyzer/repair/driver/internal/face_cover.h"
@@ -179,12 +180,6 @@ void drop_walls(const Soup& input, std::span<const InteriorWall> walls,
     return std::binary_search(all.begin(), all.end(), sorted(corners_of(input, changed.face)),
                               less);
   });
-}
-
-Box3 box_of(const Corners& corners) {
-  Box3 box;
-  for (const Vec3& corner : corners) box.extend(corner);
-  return box;
 }
 
 /// The part of the new surface, and of the walls, that is near the faces of the old side. A wall

@@ -1,4 +1,5 @@
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/prepared/shells.h"
 #include "meshalyzer/repair/orient/internal/side_votes.h"
@@ -53,9 +54,7 @@ struct Voter {
 
 Voter make_voter(Index region, std::vector<Corners> triangles) {
   Voter voter{.region = region, .votes = {}, .samples = {}, .surface = nullptr, .box = {}};
-  for (const Corners& t : triangles) {
-    for (const Vec3& p : t) voter.box.extend(p);
-  }
+  for (const Corners& t : triangles) voter.box.extend(box_of(t));
   voter.samples = sample_surface(triangles);
   auto surface = std::make_unique<WindingNumbers>(std::move(triangles));
   voter.votes = count_votes(*surface, voter.samples);

@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/split/internal/moved_faces.h"
 
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/repair/driver/internal/contact_rule.h"
 #include "meshalyzer/repair/driver/internal/orientation_rule.h"
 #include "meshalyzer/spatial/align_faces.h"
@@ -63,16 +64,16 @@ Move::Move(const MovedMesh& mesh, std::span<const Index> vertices, std::span<con
            double reach)
     : mesh_(mesh), vertices_(vertices), faces_(faces), reach_(reach) {
   const std::size_t max_pairs = kFreePairs + faces.size() * faces.size();
+  const auto box = [&](Index face) { return box_of(mesh_.corners(mesh_.triangle(face))); };
   Box3 around;
-  for (const Index face : faces_) around.extend(box_of(face));
+  for (const Index face : faces_) around.extend(box(face));
   const std::vector<Index> others = mesh_.faces_near(grown(around, reach));
   std::vector<Box3> boxes(others.size());
-  std::transform(others.begin(), others.end(), boxes.begin(),
-                 [&](Index face) { return box_of(face); });
+  std::transform(others.begin(), others.end(), boxes.begin(), box);
   for (const Index face : faces_) {
-    const Box3 box = grown(box_of(face), reach);
+    const Box3 near = grown(box(face), reach);
     for (std::size_t i = 0; i < others.size(); ++i) {
-      if (!box.intersects(boxes[i])) continue;
+      if (!near.intersects(boxes[i])) continue;
       const bool moves_too = std::binary_search(faces_.begin(), faces_.end(), others[i]);
       if (!moves_too || others[i] > face) pairs_.push_back({face, others[i]});
     }
@@ -100,12 +101,6 @@ bool Move::is_accepted(const Vec3& to) {
     }
   }
   return true;
-}
-
-Box3 Move::box_of(Index face) const {
-  Box3 box;
-  for (const Vec3& corner : mesh_.corners(mesh_.triangle(face))) box.extend(corner);
-  return box;
 }
 
 bool Move::is_moving(Index vertex) const {

@@ -65,7 +65,6 @@ class Move {
   /// A face that moves, and another that it may touch.
   using Pair = std::array<Index, 2>;
 
-  [[nodiscard]] Box3 box_of(Index face) const;
   [[nodiscard]] bool is_moving(Index vertex) const;
   [[nodiscard]] bool is_at_place(Index face) const;
   [[nodiscard]] Corners moved_corners(const Triangle& t, const Vec3& to) const;
