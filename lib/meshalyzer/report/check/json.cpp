@@ -172,7 +172,7 @@ void define_file(SchemaDefinitions& schema) {
       {"vertices", "", count},
       {"faces", "", count},
       {"counts", "one for each code that was found", list_of("count")},
-      {"findings", "errors before warnings, so many of a code as --max says", list_of("finding")}};
+      {"findings", "errors before warnings, the first ones of each code", list_of("finding")}};
   file.members.insert(file.members.end(), parts.begin(), parts.end());
   schema.define("mesh", file);
 }
