@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-Box3 box_of(const Soup& soup, Index face) {
+Box3 box_of_face(const Soup& soup, Index face) {
   Box3 box;
   for (const Index v : soup.triangles[face]) {
     if (v != kNoIndex) box.extend(soup.positions[v]);
@@ -103,14 +103,14 @@ class AcceptanceCheck {
   /// Handles a face of the input that an earlier pass has removed: rejects the operations near its
   /// former position.
   bool reject_operations_near(Index input_face) {
-    Box3 near = box_of(rules_.input, input_face);
+    Box3 near = box_of_face(rules_.input, input_face);
     near.min().array() -= rules_.max_deviation;
     near.max().array() += rules_.max_deviation;
     bool is_rejected = false;
     const TrackedMesh& tracked = before_.tracked();
     for (std::size_t f = 0; f < tracked.face_keys.size(); ++f) {
       const auto entries = operations_on(affected_.faces_before, tracked.face_keys[f]);
-      if (entries.empty() || !near.intersects(box_of(tracked.soup, static_cast<Index>(f)))) {
+      if (entries.empty() || !near.intersects(box_of_face(tracked.soup, static_cast<Index>(f)))) {
         continue;
       }
       reject(entries, Rejection::TooFar);
