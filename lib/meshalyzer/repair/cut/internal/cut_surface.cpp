@@ -77,6 +77,7 @@ class CuttingRounds {
   /// Searches for intersecting pairs and cuts them.
   /// @return Whether another round is needed.
   bool cut_round() {
+    if (round_ > 0 && new_faces_.empty()) return false;
     const CutMesh cut = build(soup_);
     const FaceTree tree(cut);
     return cut_round(cut, tree,
@@ -191,7 +192,10 @@ class CuttingRounds {
           add_wall(face, arrangement, i);
           continue;
         }
-        new_faces_.push_back(static_cast<Index>(triangles.size()));
+        // Sheets are left as they are in the end, so that nothing is gained by cutting them on.
+        if (fates[i] != PieceFate::OfSheet) {
+          new_faces_.push_back(static_cast<Index>(triangles.size()));
+        }
       }
       triangles.push_back(t);
       origins.push_back(origins_[face]);
@@ -224,7 +228,7 @@ class CuttingRounds {
   /// The surface that is cut in this round: positions and faces alone.
   Soup soup_;
   std::vector<Index> origins_;
-  /// The faces that the last round has made, ascending.
+  /// The faces that the last round has made, ascending, without those of sheets.
   std::vector<Index> new_faces_;
   CutSurface result_;
 };
