@@ -5,6 +5,7 @@
 #include "meshalyzer/repair/edits/apply_edits.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -158,10 +159,14 @@ void RepairDriver::restart() {
 }
 
 void RepairDriver::run_rounds(const std::vector<PlannedPass>& plan) {
+  std::vector<std::optional<IdleRun>> idle_runs(plan.size());
+  std::size_t n_changes = 0;
   for (std::size_t round = 0; round < kMaxRounds; ++round) {
-    bool has_changed = false;
+    const std::size_t n_changes_before = n_changes;
     log_.refusals.clear();
-    limits_.fixed_vertices = fixed_(state_->tracked(), state_->mesh().cut());
+    std::vector<std::uint8_t> fixed = fixed_(state_->tracked(), state_->mesh().cut());
+    if (fixed != limits_.fixed_vertices) idle_runs.assign(plan.size(), std::nullopt);
+    limits_.fixed_vertices = std::move(fixed);
     for (std::size_t i = 0; i < plan.size(); ++i) {
       if (round > 0 && plan[i].repeat == Repeat::Once) continue;
       if (is_to_stop()) return;
@@ -170,9 +175,24 @@ void RepairDriver::run_rounds(const std::vector<PlannedPass>& plan) {
                       .round = round + 1,
                       .done = static_cast<double>(i) / static_cast<double>(plan.size())});
       }
-      has_changed = run(plan[i]) || has_changed;
+      run_unless_idle(plan[i], n_changes, idle_runs[i]);
     }
-    if (!has_changed) return;
+    if (n_changes == n_changes_before) return;
+  }
+}
+
+void RepairDriver::run_unless_idle(const PlannedPass& pass, std::size_t& n_changes,
+                                   std::optional<IdleRun>& idle_run) {
+  std::vector<LoggedRefusal>& refusals = log_.refusals;
+  if (idle_run && idle_run->n_changes_before == n_changes) {
+    refusals.insert(refusals.end(), idle_run->refusals.begin(), idle_run->refusals.end());
+    return;
+  }
+  const auto n_refusals = static_cast<std::ptrdiff_t>(refusals.size());
+  if (run(pass)) {
+    ++n_changes;
+  } else {
+    idle_run = {n_changes, {refusals.begin() + n_refusals, refusals.end()}};
   }
 }
 

@@ -122,6 +122,13 @@ class RepairDriver {
     std::vector<InteriorWall> walls;
   };
 
+  /// A run of a pass that changed nothing: it would change nothing again until the mesh changes.
+  struct IdleRun {
+    /// The number of runs before it that changed the mesh.
+    std::size_t n_changes_before = 0;
+    std::vector<LoggedRefusal> refusals;
+  };
+
   void set_checkpoint();
   /// Runs the plan from the checkpoint, with more and more operations banned, until the mesh is not
   /// worse than it was there.
@@ -130,6 +137,12 @@ class RepairDriver {
   std::optional<DefectInventory> run_stage(const std::vector<PlannedPass>& plan,
                                            const StageGate& gate);
   void run_rounds(const std::vector<PlannedPass>& plan);
+  /// Runs a pass, unless it changed nothing when it ran last and nothing has changed since.
+  ///
+  /// @param n_changes  The number of runs that changed the mesh.
+  /// @param idle_run   The last run of the pass that changed nothing.
+  void run_unless_idle(const PlannedPass& pass, std::size_t& n_changes,
+                       std::optional<IdleRun>& idle_run);
   /// Asks whether to stop; once the answer is yes, it stays so.
   bool is_to_stop();
   bool run(const PlannedPass& pass);
