@@ -30,18 +30,32 @@ class ChainWalk {
 
   /// Returns the chain of the shortest reach; nothing if there are several.
   [[nodiscard]] std::optional<WeldChain> chain() {
-    if (!has_company()) return std::nullopt;
+    const std::vector<FirstEdge> firsts = first_edges();
+    if (firsts.empty()) return std::nullopt;
     const double longest = reach_;
     for (int step = kReachSteps; step >= 0; --step) {
       reach_ = longest * std::pow(kReachStep, -step);
-      std::vector<WeldChain> found = chains();
-      if (found.size() == 1) return std::move(found.front());
-      if (!found.empty()) return std::nullopt;
+      std::optional<WeldChain> found;
+      for (const FirstEdge& first : firsts) {
+        if (first.reach > reach_) continue;
+        std::optional<WeldChain> chain = follow(first.edge);
+        if (!chain) continue;
+        if (found) return std::nullopt;
+        found = std::move(chain);
+      }
+      if (found) return found;
     }
     return std::nullopt;
   }
 
  private:
+  /// An edge that a chain may begin with.
+  struct FirstEdge {
+    Index edge = 0;
+    /// The shortest reach for which it may.
+    double reach = 0.0;
+  };
+
   /// The direction in which edges are followed: as they are, or as if all were reversed.
   enum class Way : std::uint8_t { AsIs, Reversed };
 
@@ -60,29 +74,17 @@ class ChainWalk {
     return way_ == Way::AsIs ? mesh_.edges[f].to : mesh_.edges[f].from;
   }
 
-  template <typename Visit>
-  void for_each_first_edge(Visit&& visit) const {
-    mesh_.near.for_each_near(to(edge_), reach_, [&](Index place) {
+  /// Returns the edges with which a chain may begin near the end of the edge.
+  [[nodiscard]] std::vector<FirstEdge> first_edges() const {
+    std::vector<FirstEdge> firsts;
+    mesh_.near.for_each_near(to(edge_), [&](Index place) {
       for (const Index f : mesh_.at_places[place]) {
-        if (mesh_.places[from(f)] == place) visit(f);
+        if (mesh_.places[from(f)] != place || !lies_along(f)) continue;
+        const double to_end = (mesh_.positions[place] - end_).stableNorm();
+        firsts.push_back({f, std::max(to_end, distance_of_end(f))});
       }
     });
-  }
-
-  /// Tells whether a chain may begin near the end of the edge at all.
-  [[nodiscard]] bool has_company() const {
-    bool has = false;
-    for_each_first_edge([&](Index f) { has = has || lies_along(f); });
-    return has;
-  }
-
-  /// Returns all chains that begin near the end of the edge.
-  [[nodiscard]] std::vector<WeldChain> chains() const {
-    std::vector<WeldChain> found;
-    for_each_first_edge([&](Index f) {
-      if (auto chain = follow(f)) found.push_back(std::move(*chain));
-    });
-    return found;
+    return firsts;
   }
 
   [[nodiscard]] std::optional<WeldChain> follow(Index first) const {
@@ -107,9 +109,13 @@ class ChainWalk {
 
   [[nodiscard]] bool lies_along(Index f) const {
     if (mesh_.edges[f].face == mesh_.edges[edge_].face) return false;
-    const Vec3& p = mesh_.positions[to(f)];
-    return closest_on_triangle({start_, end_, end_}, p).distance <= reach_ &&
-           (p - mesh_.positions[from(f)]).dot(backwards_) > 0.0;
+    const Vec3 step = mesh_.positions[to(f)] - mesh_.positions[from(f)];
+    return step.dot(backwards_) > 0.0 && distance_of_end(f) <= reach_;
+  }
+
+  /// Returns the distance between the end of another edge and this one.
+  [[nodiscard]] double distance_of_end(Index f) const {
+    return closest_on_triangle({start_, end_, end_}, mesh_.positions[to(f)]).distance;
   }
 
   /// Returns the edge that continues this one at its end; nothing if there are several.
