@@ -5,9 +5,9 @@
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/boolean/combine_solids.h"
 #include "meshalyzer/boolean/make_disjoint.h"
-#include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/mesh/build.h"
+#include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/repair/combine/track_combined.h"
 #include "meshalyzer/report/json/boolean_report.h"
 #include "meshalyzer/report/text/boolean_report.h"
@@ -65,7 +65,7 @@ class CombinationRun {
 
   ExitCode run() {
     if (options_.operation == BooleanOperation::SubtractInOrder) {
-      subtract_in_order();
+      subtract_each_in_order();
     } else {
       combine_into_one();
     }
@@ -116,28 +116,19 @@ class CombinationRun {
   }
 
   /// Subtracts from the solid of each file those of the files before it.
-  void subtract_in_order() {
-    std::vector<Box3> boxes;
-    for (const Soup& soup : operands_.soups) boxes.push_back(used_box(soup));
-    finals_.resize(n_files());
-    for (std::size_t i = 0; i < n_files(); ++i) {
-      std::vector<Soup> soups{operands_.soups[i]};
-      nearby_.clear();
-      for (std::size_t j = 0; j < i; ++j) {
-        if (!boxes[i].intersects(boxes[j])) continue;
-        soups.push_back(operands_.soups[j]);
-        nearby_.push_back(j);
-      }
-      subtract(i, soups);
-    }
+  void subtract_each_in_order() {
+    subtract_in_order(operands_.soups,
+                      [this](std::size_t i, const std::vector<Soup>& soups, const Soup& others) {
+                        return subtract(i, soups, others);
+                      });
   }
 
   /// Subtracts all other meshes from the first, which is that of file i.
-  void subtract(std::size_t i, const std::vector<Soup>& soups) {
+  /// @return The mesh as it is on disk; an empty one if there is none.
+  Soup subtract(std::size_t i, const std::vector<Soup>& soups, const Soup& others) {
     const Soup all = concatenate(soups);
     const Operands operands = operands_of(all, soups);
-    const PartedDifference left =
-        subtract_and_part(operands, others_nearby(), combine_options(all));
+    const PartedDifference left = subtract_and_part(operands, others, combine_options(all));
     report_.n_pairs += left.solid.n_pairs;
     std::optional<std::string> path;
     if (options_.output) {
@@ -146,24 +137,17 @@ class CombinationRun {
     }
     add_operands({soups.front(), std::vector<Index>(soups.front().n_faces(), 0), 1}, left.solid);
     note_moved(i, left.n_moved);
-    if (const std::optional<Soup> disk = add_result({left.solid, all, {source(i)}, true}, path)) {
-      check_apart(i, *disk);
-      finals_[i] = *disk;
-    }
-  }
-
-  /// Returns the results of earlier files that are near the current one.
-  [[nodiscard]] Soup others_nearby() const {
-    std::vector<Soup> others;
-    for (const std::size_t i : nearby_) others.push_back(finals_[i]);
-    return concatenate(others);
+    std::optional<Soup> disk = add_result({left.solid, all, {source(i)}, true}, path);
+    if (!disk) return {};
+    check_apart(i, *disk, others);
+    return std::move(*disk);
   }
 
   /// Reports if a mesh, as it is on disk, intersects one before it.
-  void check_apart(std::size_t i, const Soup& disk) {
+  void check_apart(std::size_t i, const Soup& disk, const Soup& others) {
     const CutMesh mesh = build(disk);
-    const CutMesh others = build(others_nearby());
-    const std::size_t n = find_intersections(mesh, FaceTree(mesh), others, FaceTree(others)).size();
+    const CutMesh before = build(others);
+    const std::size_t n = find_intersections(mesh, FaceTree(mesh), before, FaceTree(before)).size();
     if (n == 0) return;
     report_.notes.push_back(operands_.files[i]->path() + ": " + std::to_string(n) +
                             " pairs of faces still meet a mesh before it: no step within the "
@@ -316,9 +300,6 @@ class CombinationRun {
   Streams streams_;
   StopRequest stop_;
   BooleanReport report_;
-  /// The results so far, by file, if each must not touch those before it.
-  std::vector<Soup> finals_;
-  std::vector<std::size_t> nearby_;
   ExitCode gravest_ = ExitCode::Done;
 };
 

@@ -1,6 +1,7 @@
 #include "repair_laws.h"
 
 #include "meshalyzer/mesh/build.h"
+#include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/mesh/validate.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "plain_counts.h"

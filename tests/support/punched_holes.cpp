@@ -1,5 +1,6 @@
 #include "support/punched_holes.h"
 
+#include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/repair/edits/apply_edits.h"
 #include "meshalyzer/repair/holes/internal/fill_loop.h"
 #include "meshalyzer/repair/holes/internal/large_loop.h"

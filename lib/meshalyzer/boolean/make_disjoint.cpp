@@ -1,24 +1,11 @@
 #include "meshalyzer/boolean/make_disjoint.h"
 
 #include "meshalyzer/boolean/part_from.h"
+#include "meshalyzer/mesh/used_box.h"
 
 #include <utility>
 
 namespace meshalyzer {
-namespace {
-
-/// The box of all faces.
-Box3 box_of_faces(const Soup& soup) {
-  Box3 box;
-  for (Index face = 0; face < soup.n_faces(); ++face) {
-    if (!is_in_complex(soup.triangles[face])) continue;
-    for (const Vec3& corner : corners_of(soup, face)) box.extend(corner);
-  }
-  return box;
-}
-
-}  // namespace
-
 PartedDifference subtract_and_part(const Operands& operands, const Soup& others,
                                    const CombineOptions& options) {
   PartedDifference result{combine_solids(operands, difference_rule(), options), 0};
@@ -32,33 +19,39 @@ PartedDifference subtract_and_part(const Operands& operands, const Soup& others,
   return result;
 }
 
-std::vector<DisjointSolid> make_disjoint(std::span<const Soup> solids,
-                                         const CombineOptions& options) {
-  std::vector<DisjointSolid> results;
+std::vector<Soup> subtract_in_order(std::span<const Soup> solids, const SubtractStep& subtract) {
+  std::vector<Soup> results;
   std::vector<Box3> boxes;
   for (std::size_t i = 0; i < solids.size(); ++i) {
-    boxes.push_back(box_of_faces(solids[i]));
+    boxes.push_back(used_box(solids[i]));
     std::vector<Soup> operands{solids[i]};
     std::vector<Soup> others;
     for (std::size_t j = 0; j < i; ++j) {
       if (!boxes[i].intersects(boxes[j])) continue;
       operands.push_back(solids[j]);
-      others.push_back(results[j].soup);
+      others.push_back(results[j]);
     }
-    DisjointSolid& result = results.emplace_back();
-    if (others.empty()) {
-      result.soup = solids[i];
-      continue;
-    }
-    const Soup all = concatenate(operands);
-    const CombinedSolid solid =
-        subtract_and_part(operands_of(all, operands), concatenate(others), options).solid;
-    result.outcome = solid.outcome;
-    const bool is_done = solid.outcome == CombineOutcome::Done;
-    result.soup = is_done ? as_soup(solid) : solids[i];
-    if (is_done) result.largest_move = solid.largest_move;
+    results.push_back(subtract(i, operands, concatenate(others)));
   }
   return results;
+}
+
+std::vector<DisjointSolid> make_disjoint(std::span<const Soup> solids,
+                                         const CombineOptions& options) {
+  std::vector<DisjointSolid> made(solids.size());
+  std::vector<Soup> soups = subtract_in_order(
+      solids, [&](std::size_t i, const std::vector<Soup>& operands, const Soup& others) {
+        if (operands.size() == 1) return operands.front();
+        const Soup all = concatenate(operands);
+        const CombinedSolid solid =
+            subtract_and_part(operands_of(all, operands), others, options).solid;
+        made[i].outcome = solid.outcome;
+        if (solid.outcome != CombineOutcome::Done) return operands.front();
+        made[i].largest_move = solid.largest_move;
+        return as_soup(solid);
+      });
+  for (std::size_t i = 0; i < made.size(); ++i) made[i].soup = std::move(soups[i]);
+  return made;
 }
 
 }  // namespace meshalyzer

@@ -3,6 +3,7 @@
 #include "meshalyzer/boolean/combine_solids.h"
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,21 @@ struct PartedDifference {
 /// @complexity    As combine_solids() and part_from().
 [[nodiscard]] PartedDifference subtract_and_part(const Operands& operands, const Soup& others,
                                                  const CombineOptions& options = {});
+
+/// Subtracts from one of several solids those before it that it may meet.
+///
+/// @param number    The number of the solid.
+/// @param operands  The solid, then those before it whose boxes meet its box, all as they were.
+/// @param others    What has become of the latter, in one soup.
+/// @return          What has become of the solid.
+using SubtractStep =
+    std::function<Soup(std::size_t number, const std::vector<Soup>& operands, const Soup& others)>;
+
+/// Subtracts from each solid those before it, by one step for each in order, and returns the
+/// results of the steps.
+///
+/// @complexity  O(n^2) tests of boxes, and the steps.
+std::vector<Soup> subtract_in_order(std::span<const Soup> solids, const SubtractStep& subtract);
 
 /// What has become of one of several solids that were made disjoint.
 struct DisjointSolid {

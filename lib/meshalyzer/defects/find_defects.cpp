@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/defects/finders.h"
+#include "meshalyzer/mesh/used_box.h"
 
 #include <algorithm>
 #include <functional>

@@ -2,7 +2,6 @@
 
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/numbers.h"
-#include "meshalyzer/base/parallel.h"
 
 #include <cmath>
 #include <string_view>
@@ -54,21 +53,6 @@ std::string named(const NamedLength& length) {
 }
 
 }  // namespace
-
-Box3 used_box(const Soup& soup) {
-  const auto boxes = map_chunks<Box3>(soup.n_faces(), [&](Chunk chunk) {
-    Box3 box;
-    for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
-      const Triangle& t = soup.triangles[f];
-      if (!is_in_complex(t)) continue;
-      for (const Index v : t) box.extend(soup.positions[v]);
-    }
-    return box;
-  });
-  Box3 box;
-  for (const Box3& part : boxes) box.extend(part);
-  return box;
-}
 
 Tolerances resolve_tolerances(const ToleranceOptions& options, const Box3& box) {
   require_valid(options);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/mesh/soup.h"
+#include "meshalyzer/base/types.h"
 
 #include <optional>
 #include <string>
@@ -35,15 +35,10 @@ struct Tolerances {
   double max_foldover_angle = 1.0;
 };
 
-/// Returns the box of the vertices that faces of the complex use; default tolerances are a share of
-/// its diagonal. It is empty if there are none.
-///
-/// @complexity O(#F).
-[[nodiscard]] Box3 used_box(const Soup& soup);
-
 /// Fills in the tolerances that a user has not set.
 ///
-/// @param box  The result of used_box(); if it is empty, defaults are 0.
+/// @param box  The result of used_box(), of whose diagonal default tolerances are a share; if it is
+/// empty, they are 0.
 /// @throws InvalidArgument  for a negative or not finite length, or an angle outside 0 ... 180.
 [[nodiscard]] Tolerances resolve_tolerances(const ToleranceOptions& options, const Box3& box);
 

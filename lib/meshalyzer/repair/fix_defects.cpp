@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/defects/finders.h"
+#include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/repair/driver/internal/dropped_parts.h"
 #include "meshalyzer/repair/driver/internal/fixed_vertices.h"
 #include "meshalyzer/repair/driver/internal/patch_outcomes.h"

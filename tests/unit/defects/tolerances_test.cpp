@@ -2,7 +2,6 @@
 
 #include "meshalyzer/base/error.h"
 #include "support/constants.h"
-#include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -77,21 +76,6 @@ TEST(Inconsistencies, ToleranceBelowDegeneracyIsNamed) {
 TEST(Inconsistencies, EqualOrLargerTolerancesAreConsistent) {
   EXPECT_TRUE(inconsistencies({.degeneracy = 0.5, .slit = 0.5, .height = 0.5}).empty());
   EXPECT_TRUE(inconsistencies({.degeneracy = 0.5, .slit = 0.6, .height = 7.0}).empty());
-}
-
-TEST(UsedBox, OnlyVerticesOfFacesInTheComplexCount) {
-  Soup soup = shapes::cube(2.0, Vec3(1, 1, 1));
-  soup.positions.emplace_back(100, 100, 100);
-  soup.triangles.push_back({8, 8, 0});
-  soup.triangles.push_back({8, 1, kNoIndex});
-  const Box3 box = used_box(soup);
-  EXPECT_EQ(box.min(), Vec3(1, 1, 1));
-  EXPECT_EQ(box.max(), Vec3(3, 3, 3));
-}
-
-TEST(UsedBox, IsEmptyWithoutFaces) {
-  EXPECT_TRUE(used_box({}).isEmpty());
-  EXPECT_TRUE(used_box(shapes::make({Vec3(1, 2, 3)}, {})).isEmpty());
 }
 
 }  // namespace

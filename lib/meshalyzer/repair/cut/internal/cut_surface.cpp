@@ -5,8 +5,8 @@
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/base/triangle.h"
-#include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/mesh/build.h"
+#include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/spatial/self_intersection_of.h"
 
