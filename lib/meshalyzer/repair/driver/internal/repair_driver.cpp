@@ -68,15 +68,18 @@ std::vector<double> RepairDriver::measure_parts(std::span<const Index> part_of,
       {state_->tracked(), state_->mesh().tree(), limits_.max_deviation, walls_}, part_of, n_parts);
 }
 
+void RepairDriver::update_deviation() {
+  if (is_deviation_known_) return;
+  const double largest =
+      meter_->measure({state_->tracked(), state_->mesh().tree(), limits_.max_deviation, walls_})
+          .largest;
+  // All that was applied was found to be within the maximum.
+  deviation_ = std::min(largest, limits_.max_deviation);
+  is_deviation_known_ = true;
+}
+
 double RepairDriver::deviation() {
-  if (!is_deviation_known_) {
-    const double largest =
-        meter_->measure({state_->tracked(), state_->mesh().tree(), limits_.max_deviation, walls_})
-            .largest;
-    // All that was applied was found to be within the maximum.
-    deviation_ = std::min(largest, limits_.max_deviation);
-    is_deviation_known_ = true;
-  }
+  update_deviation();
   return deviation_;
 }
 
@@ -204,8 +207,8 @@ bool RepairDriver::is_to_stop() {
 void RepairDriver::apply_unchecked(const PlannedPass& pass) {
   const PassResult result = propose(pass, OperationSize::Normal);
   if (result.edits.empty()) return;
-  // What nobody checks is not measured either: the deviation stays that of all before.
-  deviation_ = deviation();
+  // A change that is not checked is not measured either: the deviation stays as it was before.
+  update_deviation();
   TrackedMesh tracked = apply_edits(state_->tracked(), result.edits);
   const AffectedElements affected =
       find_affected_elements(state_->tracked(), result.edits, SkippedOperations({}), tracked);

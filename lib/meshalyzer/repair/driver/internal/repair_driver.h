@@ -129,6 +129,8 @@ class RepairDriver {
     std::vector<LoggedRefusal> refusals;
   };
 
+  /// Measures the deviation if it is not known.
+  void update_deviation();
   void set_checkpoint();
   /// Runs the plan from the checkpoint, with more and more operations banned, until the mesh is not
   /// worse than it was there.
