@@ -86,8 +86,8 @@ class SegmentInsertion {
     collect_border();
     slots_ = removed_;
     made_.clear();
-    cut_ears(left_, 1);
-    cut_ears(right_, -1);
+    triangulate_side(left_, 1);
+    triangulate_side(right_, -1);
     link_made();
   }
 
@@ -111,10 +111,11 @@ class SegmentInsertion {
     return stays ? twin : kNoIndex;
   }
 
-  /// Triangulates the polygon between a chain and the segment by cutting ears. Each vertex of the
-  /// chain sees the segment, so that each convex corner is an ear.
+  /// Triangulates the polygon between a chain and the segment by cutting ears. This must not be the
+  /// EarCutter of holes: the corners are exact points that no double holds, and each of them sees
+  /// the segment, so that each convex corner is an ear and one pass with a stack cuts them all.
   /// @param side  The side of the segment on which the chain lies.
-  void cut_ears(std::span<const Index> chain, Sign side) {
+  void triangulate_side(std::span<const Index> chain, Sign side) {
     stack_.clear();
     for (const Index vertex : chain) {
       while (stack_.size() > 1) {

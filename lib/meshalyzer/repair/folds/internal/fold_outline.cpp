@@ -3,6 +3,7 @@
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/exact/plane_view.h"
+#include "meshalyzer/repair/holes/internal/ear_cutter.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -77,67 +78,12 @@ std::optional<Plane> plane_of(std::span<const Vec3> outline) {
   return plane;
 }
 
-/// Cuts ears off an outline.
-class OutlineCutter {
- public:
-  OutlineCutter(std::span<const Vec3> outline, const MayJoin& may_join)
-      : points_(outline), may_join_(may_join), left_(outline.size()) {
-    for (std::size_t i = 0; i < left_.size(); ++i) left_[i] = static_cast<Index>(i);
-    const Vec3 normal = normal_of_outline(outline);
-    view_.dropped = longest_axis(normal);
-    view_.sense = normal[static_cast<Eigen::Index>(view_.dropped)] > 0.0 ? 1 : -1;
-  }
-
-  std::vector<Triangle> run() {
-    std::vector<Triangle> triangles;
-    while (left_.size() >= 3) {
-      const std::optional<std::size_t> ear = best_ear();
-      if (!ear) return {};
-      triangles.push_back(triangle_at(*ear));
-      if (left_.size() == 3) break;
-      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(*ear));
-    }
-    return triangles;
-  }
-
- private:
-  [[nodiscard]] Triangle triangle_at(std::size_t i) const {
-    const std::size_t n = left_.size();
-    return {left_[(i + n - 1) % n], left_[i], left_[(i + 1) % n]};
-  }
-  [[nodiscard]] Corners corners_of(const Triangle& t) const {
-    return {points_[t[0]], points_[t[1]], points_[t[2]]};
-  }
-
-  [[nodiscard]] bool is_ear(const Triangle& t) const {
-    const Corners corners = corners_of(t);
-    if (view_.turn(corners[0], corners[1], corners[2]) <= 0) return false;
-    if (left_.size() > 3 && !may_join_(t[0], t[2])) return false;
-    return std::none_of(left_.begin(), left_.end(), [&](Index p) {
-      return p != t[0] && p != t[1] && p != t[2] && view_.covers(corners, points_[p]);
-    });
-  }
-
-  [[nodiscard]] std::optional<std::size_t> best_ear() const {
-    std::optional<std::size_t> best;
-    double best_quality = -1.0;
-    for (std::size_t i = 0; i < left_.size(); ++i) {
-      const Triangle t = triangle_at(i);
-      if (!is_ear(t)) continue;
-      const double quality = shape_quality(corners_of(t));
-      if (quality <= best_quality) continue;
-      best = i;
-      best_quality = quality;
-    }
-    return best;
-  }
-
-  std::span<const Vec3> points_;
-  const MayJoin& may_join_;
-  /// The vertices that remain of the outline.
-  std::vector<Index> left_;
-  PlaneView view_;
-};
+/// Returns the view along an axis in which an outline is counter-clockwise.
+PlaneView view_of(std::span<const Vec3> outline) {
+  const Vec3 normal = normal_of_outline(outline);
+  const Axis axis = longest_axis(normal);
+  return {axis, normal[static_cast<Eigen::Index>(axis)] > 0.0 ? 1 : -1};
+}
 
 }  // namespace
 
@@ -158,7 +104,20 @@ std::optional<Vec3> middle_of_kernel(std::span<const Vec3> outline) {
 }
 
 std::vector<Triangle> cut_ears(std::span<const Vec3> outline, const MayJoin& may_join) {
-  return OutlineCutter(outline, may_join).run();
+  const EarRules best_shaped_first{
+      .cost =
+          [outline](const Triangle& t) {
+            return -shape_quality({outline[t[0]], outline[t[1]], outline[t[2]]});
+          },
+      .allows = [&may_join](const Triangle& t) { return may_join(t[0], t[2]); }};
+  EarCutter cutter(outline, view_of(outline), best_shaped_first);
+  while (cutter.n_left() > 2) {
+    // One ear at a time, since each may make better ones possible.
+    const std::size_t n_before = cutter.n_left();
+    cutter.cut(EarDemand::ConvexAndEmpty, n_before - 1);
+    if (cutter.n_left() == n_before) return {};
+  }
+  return cutter.triangles();
 }
 
 double shape_quality(const Corners& t) {
