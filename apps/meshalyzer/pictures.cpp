@@ -5,16 +5,55 @@
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/picture/scene.h"
+#include "meshalyzer/picture/separation_values.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
-#include "separation_ply.h"
+#include "meshalyzer/set/separation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
+
+/// The input of the picture of an object.
+struct SeparationPicture {
+  /// The mesh file.
+  const std::string& path;
+  const ObjectSeparation& separation;
+  /// The distance with the last colour; by default the largest one.
+  std::optional<double> largest;
+};
+
+/// Returns a scale that begins at 0, not at the smallest value, so that near objects look near.
+ColourScale scale_from_zero(const std::vector<double>& values, std::optional<double> largest) {
+  const ColourScale all = scale_for(values);
+  if (all.min < 0.0) {
+    const double farthest = std::max(-all.min, all.max);
+    return {Palette::Diverging, -farthest, farthest};
+  }
+  return {Palette::Sequential, 0.0, largest.value_or(all.max)};
+}
+
+/// Writes a picture of a mesh: the mesh with the separation of each vertex as its quality and
+/// colour.
+///
+/// Distances are shown with viridis from 0 on; if a vertex lies inside another mesh, with a
+/// diverging map that is white at 0. Vertices without a distance are grey and have quality NaN.
+///
+/// @param file  The file, which is replaced if it exists; its folder must exist.
+/// @throws IoError if a file cannot be read or written.
+void write_separation_ply(const std::string& file, const SeparationPicture& picture) {
+  const Soup soup = read_mesh(picture.path);
+  const Field field{FieldName::Separation, FieldPlace::Vertices, FieldKind::Magnitude,
+                    separation_values(soup, picture.separation)};
+  const FieldColours colours{field.name, scale_from_zero(field.values, picture.largest)};
+  write_field(file, {soup, field, colours});
+}
 
 std::optional<double> smallest(const ObjectSeparation* separation) {
   std::optional<double> least;

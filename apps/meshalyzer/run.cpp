@@ -3,19 +3,58 @@
 #include "interrupt.h"
 #include "meshalyzer/set/analyze_files.h"
 #include "meshalyzer/set/set_run.h"
-#include "outcome.h"
 #include "outputs.h"
 #include "pictures.h"
 #include "progress.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <ostream>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace meshalyzer {
 namespace {
+
+/// Determines the exit status of a run, and reports errors as they happen.
+class Outcome : public RunListener {
+ public:
+  explicit Outcome(std::ostream& err) : err_(err) {}
+
+  void on_mesh(Index number, const Analysis& mesh) override;
+  void on_unreadable(Index number, const std::string& why) override;
+  void complain(const std::string& message);
+
+  [[nodiscard]] std::size_t n_files_done() const { return n_files_done_; }
+  [[nodiscard]] ExitCode exit_code() const;
+
+ private:
+  std::ostream& err_;
+  std::size_t n_files_done_ = 0;
+  bool all_good_ = true;
+  bool trouble_ = false;
+};
+
+void Outcome::on_mesh(Index, const Analysis& mesh) {
+  ++n_files_done_;
+  all_good_ = all_good_ && (!mesh.goodness || mesh.goodness->good);
+}
+
+void Outcome::on_unreadable(Index, const std::string& why) {
+  ++n_files_done_;
+  complain(why);
+}
+
+void Outcome::complain(const std::string& message) {
+  err_ << message << '\n';
+  trouble_ = true;
+}
+
+ExitCode Outcome::exit_code() const {
+  return trouble_ ? ExitCode::Trouble : all_good_ ? ExitCode::Done : ExitCode::NotGood;
+}
 
 /// Forwards all findings to several listeners, one after the other.
 class Audience : public RunListener {

@@ -1,16 +1,77 @@
 #include "check/command.h"
 
 #include "arguments.h"
-#include "check/check_values.h"
+#include "meshalyzer/base/numbers.h"
 #include "meshalyzer/checks/profile.h"
+#include "meshalyzer/checks/selection.h"
 #include "option_table.h"
 #include "report_options.h"
 #include "values.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
+
+// The parsers for the values of the options of `check`. All throw UsageError if a text is no valid
+// value.
+
+[[noreturn]] void refuse_value(const std::string& option, const std::string& what,
+                               const std::string& text) {
+  throw UsageError(option + " needs " + what + ", not '" + text + "'");
+}
+
+std::string to_profile_name(const std::string& text, const std::string& option) {
+  if (find_profile(text) == nullptr) {
+    std::vector<std::string_view> names;
+    for (const CheckProfile& profile : check_profiles()) names.push_back(profile.name);
+    throw UsageError(option + " needs solid, print, simulation, sheet or exchange, not '" + text +
+                     "'" + did_you_mean(text, names));
+  }
+  return text;
+}
+
+CheckFormat to_check_format(const std::string& text, const std::string& option) {
+  const std::optional<CheckFormat> format = check_format(text);
+  if (!format) {
+    std::vector<std::string_view> names;
+    for (const CheckFormat each : all_check_formats()) names.push_back(check_format_name(each));
+    throw UsageError(option + " needs one of " + names_of(all_check_formats(), check_format_name) +
+                     ", not '" + text + "'" + did_you_mean(text, names));
+  }
+  return *format;
+}
+
+ColourChoice to_colour_choice(const std::string& text, const std::string& option) {
+  if (text == "always") return ColourChoice::Always;
+  if (text == "never") return ColourChoice::Never;
+  if (text != "auto") refuse_value(option, "auto, always or never", text);
+  return ColourChoice::OnTerminal;
+}
+
+/// Returns a function that appends the value to a list.
+OptionTable::Take append_to(std::vector<std::string>& list) {
+  return [&list](const std::string& text, const std::string&) { list.push_back(text); };
+}
+
+/// Returns a function that appends the codes "a,b,c" to a list; each must exist.
+OptionTable::Take append_codes(std::vector<std::string>& list) {
+  return [&list](const std::string& text, const std::string& option) {
+    std::istringstream codes(text);
+    for (std::string code; std::getline(codes, code, ',');) {
+      if (!is_check_code(code)) {
+        const std::string nearest = nearest_check_code(code);
+        throw UsageError(option + ": no code is called '" + code + "'" +
+                         (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+      }
+      list.push_back(code);
+    }
+  };
+}
 
 std::string profile_help() {
   std::string text = "what is asked of the meshes:";
