@@ -51,13 +51,13 @@ std::vector<Series> make_series() {
   return all;
 }
 
-/// Of a quantity on a mesh; relative, or in degrees.
+/// The errors of a quantity on a mesh; relative, or in degrees.
 struct Error {
   double typical = 0.0;
   double largest = 0.0;
 };
 
-/// Without the sphere, which has no principal directions and comes first.
+/// Leaves out the sphere, which has no principal directions and comes first.
 std::span<const Series> but_spheres(std::span<const Series> all) {
   return all.subspan(shapes::kMeshings.size());
 }
@@ -102,7 +102,7 @@ Error error_of(const Case& c, VertexArea area, Column column, Truth truth) {
   return error.error();
 }
 
-/// Of k1 and k2 together.
+/// Returns the error of k1 and k2 together.
 Error principal_error(const Case& c, const std::vector<PrincipalEstimate>& estimates) {
   RelativeError error;
   for (std::size_t v = 0; v < c.truth.size(); ++v) {
@@ -158,7 +158,7 @@ std::vector<Method> methods() {
   return all;
 }
 
-/// What is measured of a mesh, and its name in a table.
+/// A figure that is measured of a mesh, and its name in a table.
 struct Measure {
   std::string name;
   std::function<Error(const Case&)> error;

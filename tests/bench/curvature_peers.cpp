@@ -24,7 +24,7 @@ std::array<VertexHandle, 3> corners(const TriMesh& mesh, FaceHandle f) {
   return {mesh.from_vertex_handle(h), mesh.to_vertex_handle(h), mesh.to_vertex_handle(next)};
 }
 
-/// By Max 1999.
+/// Returns vertex normals by Max 1999.
 std::vector<Vec3> vertex_normals(const TriMesh& mesh) {
   std::vector<Vec3> normals(mesh.n_vertices(), Vec3::Zero());
   for (const FaceHandle f : mesh.faces()) {
@@ -94,7 +94,7 @@ std::vector<PrincipalEstimate> meyer(const TriMesh& mesh) {
   return result;
 }
 
-/// Of a normal curvature a x^2 + 2 b x y + c y^2 in the frame of a vertex.
+/// Returns the estimate of a normal curvature a x^2 + 2 b x y + c y^2 in the frame of a vertex.
 PrincipalEstimate from_form(double a, double b, double c, const Eigen::Matrix3d& frame) {
   Eigen::Matrix2d hessian;
   hessian << -a, -b, -b, -c;

@@ -8,7 +8,7 @@
 namespace meshalyzer::bench {
 namespace {
 
-/// Of the length of an edge: far below the default tolerance.
+/// A share of the length of an edge, far below the default tolerance.
 constexpr double kTiny = 1e-9;
 
 /// One place to be damaged: a face, and the mesh before any damage.

@@ -75,7 +75,7 @@ BENCHMARK_CAPTURE(curvature, shuffled, "shuffled")
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
 
-/// What a page shows of a big mesh, with its defects known.
+/// Makes the scene of a page of a big mesh, with its defects known.
 void scene_with_all_fields(benchmark::State& state) {
   const Soup& soup = soup_of("damaged");
   const PreparedMesh mesh(soup);

@@ -4,16 +4,16 @@
 
 namespace meshalyzer::bench {
 
-/// What polynomial z(x, y) is fitted round a vertex, in the frame of its normal.
+/// The kind of polynomial z(x, y) that is fitted round a vertex, in the frame of its normal.
 struct FitOptions {
   /// So many edges away.
   std::size_t rings = 1;
   /// 2 or 3.
   int degree = 2;
-  /// Whether the polynomial goes through the vertex at right angles to the normal given, or both
-  /// are fitted too.
+  /// Tells whether the polynomial goes through the vertex at right angles to the normal given, or
+  /// both are fitted too.
   enum class Low : std::uint8_t { Fixed, Fitted } constant_and_linear = Low::Fixed;
-  /// Whether its slopes are to fit those of the neighbours' normals.
+  /// Tells whether its slopes are to fit those of the neighbours' normals.
   enum class Slopes : std::uint8_t { Free, OfNormals } slopes = Slopes::Free;
 };
 

@@ -1,4 +1,4 @@
-"""What the tests of pages share: opening one, reading pixels, and that no page complains or asks for anything."""
+"""Shared by the tests of pages: opens a page, reads pixels, and checks that no page logs an error or requests anything."""
 
 import base64
 import unittest

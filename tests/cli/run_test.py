@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What run.py takes for the lines that a case holds, and that it says which is missing and never rewrites them."""
+"""Checks how run.py reads the lines that a case holds, that it says which line is missing, and that it never rewrites them."""
 
 import os
 import pathlib

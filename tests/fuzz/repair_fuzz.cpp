@@ -89,7 +89,7 @@ Soup read_soup(Bytes& bytes) {
   return soup;
 }
 
-/// Whether each face that is not there any more is in the log.
+/// Tells whether each face that is not there any more is in the log.
 bool names_all_that_went(const Soup& input, const RepairResult& result) {
   std::vector<std::uint8_t> is_known(input.n_faces(), 0);
   const auto know = [&](const std::vector<Index>& keys) {

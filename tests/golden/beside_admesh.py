@@ -22,7 +22,7 @@ import time
 from repair_table import meshes_in, reasons, run
 
 BEGIN, END = "<!-- admesh -->\n", "\n<!-- end of admesh -->"
-# What ADMesh counts of its own work.
+# The figures that ADMesh counts of its own work.
 ADMESH_COUNTS = ["Edges fixed", "Facets removed", "Facets added", "Facets reversed", "Backwards edges"]
 
 

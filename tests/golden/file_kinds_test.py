@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Asks the same of meshes whose files are packed, marked, wrongly named or of a rarer kind, and compares the answers.
+"""Asks the same questions about meshes whose files are packed, marked, wrongly named or of a rarer kind, and compares the answers.
 
 usage: file_kinds_test.py MESHALYZER MESHFIXER FOLDER
 """

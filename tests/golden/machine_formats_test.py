@@ -23,7 +23,7 @@ except ImportError:
 
 LEVELS = {"none", "note", "warning", "error"}
 
-# Of each object the members that it must have (!) and may have: a type, a set of values, a shape, or a list of one of these.
+# The members that each object must have (!) and may have: a type, a set of values, a shape, or a list of one of these.
 MESSAGE = {"text!": str}
 LOCATION = {"physicalLocation": {"artifactLocation": {"uri": str}, "region": {"startLine": int}}}
 RULE = {"id!": str, "shortDescription": MESSAGE, "fullDescription": MESSAGE}

@@ -1,4 +1,4 @@
-"""What meshfixer does with whole files: nothing but what was repaired changes, in place and in folders too."""
+"""Checks that meshfixer changes only the repaired parts of whole files, in place and in folders too."""
 
 import json
 import os

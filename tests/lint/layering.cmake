@@ -1,5 +1,5 @@
 # Fails where a module includes one that it may not, or a public header more than OpenMesh, Eigen and std.
-# What a module may include is said once, in the table of doc/architecture.md: rows `| io | base, mesh | ... |`.
+# The modules that a module may include stand once, in the table of doc/architecture.md: rows `| io | base, mesh | ... |`.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/public_headers.cmake)
 

@@ -29,7 +29,7 @@ def types_of(text):
         namespace, kind = NAMESPACE.search(head), TYPE.search(head)
         if kind and None not in scopes:
             yield (*scopes, kind.group(1))
-        # What is in a type or a function is of no other file.
+        # Names within a type or a function clash with no other file.
         scopes.append(namespace.group(1) if namespace else None)
 
 

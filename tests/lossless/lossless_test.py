@@ -75,7 +75,7 @@ class Lossless(unittest.TestCase):
             self.assertEqual(self.fixed(name, content), content, name)
 
     def test_a_filled_hole_only_adds_lines(self):
-        # How many faces there are is said in a line of its own; and the last line of one file has no end.
+        # The number of faces stands in a line of its own, and the last line of one file has no end.
         counts = {"ascii.ply": ("element face 23\n", "element face 25\n"), "colours.off": ("26 23 48\n", "26 25 48\n"),
                   "texture.off": ("26 23 0\n", "26 25 0\n"), "inria.mesh": ("Triangles 2\n", "Triangles 4\n")}
         for name, content in made_up_files(has_hole=True).items():

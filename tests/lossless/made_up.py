@@ -9,7 +9,7 @@ import sys
 
 POINTS = [p for p in itertools.product((0, 1, 2), repeat=3) if p != (1, 1, 1)]
 NUMBERS = {p: i for i, p in enumerate(POINTS)}
-# Which quad the files with a hole do not have: the second of the last side.
+# The quad that the files with a hole do not have is the second of the last side.
 MISSING = 21
 
 

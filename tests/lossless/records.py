@@ -3,7 +3,7 @@ import collections
 import re
 import struct
 
-# What colours and texture coordinates are called in PLY files.
+# The names of colours and texture coordinates in PLY files.
 COLOURS = {"red", "green", "blue", "alpha", "diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha", "r", "g", "b", "a"}
 TEXTURE = {"texcoord", "texcoords", "s", "t", "u", "v", "texture_u", "texture_v"}
 OWN = {"x", "y", "z", "nx", "ny", "nz", "vertex_indices", "vertex_index"}

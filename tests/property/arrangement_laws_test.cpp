@@ -24,7 +24,7 @@ Place place(const Vec3& p) {
   return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
 }
 
-/// What an arrangement is, whatever its records are numbered.
+/// The content of an arrangement, independent of the numbering of its records.
 struct Figures {
   std::multiset<Place> made;
   std::multiset<std::pair<Place, Place>> curves;

@@ -95,7 +95,7 @@ int euler_characteristic(const ExactSolid& solid) {
          static_cast<int>(solid.boundary.size());
 }
 
-/// What a rule makes of boxes on a grid of unit cells, found cell by cell.
+/// The result of a rule for boxes on a grid of unit cells, found cell by cell.
 class CellModel {
  public:
   static constexpr int kSize = 12;
@@ -120,11 +120,11 @@ class CellModel {
     return static_cast<int>(std::count(is_inside_.begin(), is_inside_.end(), true));
   }
 
-  /// Of its boundary, as a complex of unit squares.
+  /// Returns the Euler characteristic of its boundary, a complex of unit squares.
   [[nodiscard]] int euler_characteristic() const {
     int sum = 0;
     for_each_place([&](int x, int y, int z) {
-      // Of the eight parts of the dual cell: a vertex, three edges and three squares begin here.
+      // Seven of the eight parts of the dual cell begin here: a vertex, three edges, three squares.
       for (int span = 0; span < 7; ++span) {
         const std::array<int, 3> extent{span & 1, span >> 1 & 1, span >> 2 & 1};
         const int dimension = extent[0] + extent[1] + extent[2];
@@ -152,7 +152,7 @@ class CellModel {
     return x >= 0 && y >= 0 && z >= 0 && is_inside_[number(x, y, z)];
   }
 
-  /// Whether the cells round a vertex, edge or square are inside and outside.
+  /// Tells whether the cells round a vertex, edge or square are inside and outside.
   [[nodiscard]] bool is_on_boundary(const std::array<int, 3>& at,
                                     const std::array<int, 3>& extent) const {
     int n = 0;

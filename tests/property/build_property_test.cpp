@@ -90,7 +90,7 @@ Canonical canonical(const CutMesh& cut, const std::vector<Index>& face_names) {
   return result;
 }
 
-/// That build() holds its promises on this soup, and on the same faces in another order.
+/// Expects that build() holds its promises on this soup, and on the same faces in another order.
 void expect_sound(const Soup& soup, std::uint32_t seed) {
   const CutMesh cut = build(soup);
   EXPECT_EQ(validate(cut, soup), std::vector<std::string>{});

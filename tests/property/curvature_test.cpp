@@ -184,7 +184,7 @@ TEST(CurvatureError, MeanOfASphereByVoronoiCellsIsWithinThreePerMille) {
   EXPECT_NEAR(sum / static_cast<double>(c.mean.size()), 1.0, 0.003);
 }
 
-/// Whether two unit tangents are the same or opposite, where k1 and k2 tell them apart.
+/// Tells whether two unit tangents are the same or opposite, where k1 and k2 tell them apart.
 void expect_same_line(const Vec3& a, const Vec3& b) {
   EXPECT_LT(a.cross(b).norm(), 1e-7);
 }

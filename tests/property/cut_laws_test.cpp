@@ -50,7 +50,8 @@ std::vector<RationalPoint> rational_places(const Arrangement& a) {
   return places;
 }
 
-/// What is gone round at least once, by brute force over the rationals.
+/// Returns the moments of the region with a winding number of at least one, by brute force over
+/// the rationals.
 Moments true_moments(const Soup& soup) {
   return test::moments_inside(triangles_of(rational_places(soup.positions), soup.triangles));
 }
@@ -74,7 +75,7 @@ std::optional<Moments> kept_moments(const Soup& soup) {
   return test::moments_enclosed(triangles_of(rational_places(arrangement), kept));
 }
 
-/// What is left after all rounds of cutting and rounding.
+/// Returns the moments of the solid that is left after all rounds of cutting and rounding.
 Moments cut_moments(const Soup& soup) {
   const TrackedMesh tracked = track_mesh(soup);
   const PreparedMesh mesh(tracked.soup);
@@ -139,7 +140,7 @@ TEST(CutLaws, KeptPiecesOfRandomChainsEncloseWhatBruteForceSays) {
     if (!effort.runs_next()) continue;
     const std::optional<Moments> kept = kept_moments(soup);
     const Moments truth = true_moments(soup);
-    // Of what is nowhere gone round once something is kept all the same.
+    // Something may be kept although no region has a winding number of one.
     if (!kept || truth[0] == 0) continue;
     EXPECT_EQ(*kept, truth) << i;
     SCOPED_TRACE(i);

@@ -61,7 +61,7 @@ void permute(Ids& ids, const std::vector<Index>& place) {
   for (std::size_t i = 0; i < old.size(); ++i) ids.named[place[i]] = old[i];
 }
 
-/// Whether one id has several records: then it matters which comes first.
+/// Tells whether one id has several records: then it matters which comes first.
 bool names_a_vertex_twice(const Soup& soup) {
   const std::set<std::int32_t> distinct(soup.vertex_ids.named.begin(), soup.vertex_ids.named.end());
   return distinct.size() != soup.vertex_ids.named.size();
@@ -163,8 +163,8 @@ const std::vector<Flavour>& flavours() {
   return all;
 }
 
-/// Whether a format can hold all of a soup: none a corner without a vertex, only the native one a
-/// second record of a vertex, and STL nothing but faces.
+/// Tells whether a format can hold all of a soup: none a corner without a vertex, only the native
+/// one a second record of a vertex, and STL nothing but faces.
 bool can_hold(Format format, const Soup& soup) {
   return soup.missing.empty() && (format == Format::Mesh || !names_a_vertex_twice(soup)) &&
          (format != Format::Stl || soup.n_faces() != 0);

@@ -32,9 +32,9 @@ struct MeshFigures {
 
 [[nodiscard]] MeshFigures figures_of(const Analysis& analysis);
 
-/// How much figures may differ.
+/// The differences that figures may have.
 struct FigureTolerance {
-  /// By what the lengths of the second mesh are longer.
+  /// The factor by which the lengths of the second mesh are longer.
   double scale = 1.0;
   /// Relative error of reals.
   double relative = 0.0;

@@ -22,7 +22,7 @@
 namespace meshalyzer {
 namespace {
 
-/// What a log names, by key.
+/// The elements that a log names, by key.
 struct Named {
   std::set<Index> removed_faces, added_faces, changed_faces;
   std::set<Index> removed_vertices, added_vertices, moved_vertices;

@@ -10,13 +10,13 @@ namespace meshalyzer {
 /// Repairing what came out changes nothing, and nothing is logged.
 void expect_done(const RepairResult& result, const RepairOptions& options);
 
-/// What remains and should have been fixed is named, with a reason, in the log.
+/// Expects that the log names, with a reason, every remaining defect that should have been fixed.
 void expect_reasons(const RepairResult& result, const RepairOptions& options);
 
 /// Faces and vertices that have come, gone or changed are in the log.
 void expect_log_complete(const Soup& input, const RepairResult& result);
 
-/// What the log does not name is bit for bit what it was.
+/// Expects that elements that the log does not name are unchanged bit for bit.
 void expect_rest_untouched(const Soup& input, const RepairResult& result);
 
 /// No count of defects is higher than before, and the mesh is still closed, manifold, consistent

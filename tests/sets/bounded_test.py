@@ -1,4 +1,4 @@
-"""What many intersecting pairs cost: lists are cut, counts are not, memory does not grow with them, time can be limited."""
+"""Checks the cost of many intersecting pairs: lists are cut, counts are not, memory does not grow with them, time can be limited."""
 
 import json
 import random

@@ -1,4 +1,4 @@
-"""What the tests of sets share: a folder of their own, sets in it, and runs of the program there.
+"""Shared by the tests of sets: a folder of their own, sets in it, and runs of the program there.
 
 The environment names the program (MESHALYZER), the meshes (MESHES) and the maker of larger sets (WRITE_PACKED_SET).
 """
@@ -21,7 +21,7 @@ SHEET = "Vertex 1 30 0 0\nVertex 2 30 1 0\nVertex 3 30 0 1\nFace 1 1 2 3\n"
 """A mesh that is not good: it is not closed. No mesh of the sets is near it."""
 
 NO_MESH = "Vertex 1 0 0 0\nFace 1 1\n"
-"""What cannot be read."""
+"""Content that cannot be read."""
 
 
 class SetTest(unittest.TestCase):

@@ -1,4 +1,4 @@
-"""How far a run is stands on a terminal only, and leaves nothing behind."""
+"""Checks that the progress of a run is shown on a terminal only, and leaves nothing behind."""
 
 import os
 import pty

@@ -1,4 +1,4 @@
-"""What is written does not depend on the number of threads nor on the memory that may be used."""
+"""Checks that output depends neither on the number of threads nor on the memory limit."""
 
 import unittest
 

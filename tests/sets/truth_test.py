@@ -1,4 +1,4 @@
-"""What is found between the meshes of the sets in meshes/ is what their expected_sets.json says of them."""
+"""Checks that the findings between the meshes of the sets in meshes/ are those of their expected_sets.json."""
 
 import json
 import math

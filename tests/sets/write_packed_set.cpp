@@ -16,7 +16,7 @@ struct Arguments {
   test::PackOptions options;
 };
 
-/// Of everything that two objects can be to each other there is some.
+/// The set has examples of every relation that two objects can have.
 std::optional<Arguments> parse(std::span<char*> words) {
   if (words.size() != 4) {
     return std::nullopt;

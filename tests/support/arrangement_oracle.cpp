@@ -180,8 +180,8 @@ class Judge {
     });
   }
 
-  /// Whether the plane of one piece, or the line along one of its edges in that plane, has all
-  /// of the other beyond it but for common vertices on it.
+  /// Tells whether the plane of one piece, or the line along one of its edges in that plane, has
+  /// all of the other beyond it but for common vertices on it.
   [[nodiscard]] bool are_apart(std::size_t i, std::size_t j) const {
     const Corners3 p = corners(a_.pieces[i]);
     if (CGAL::collinear(p[0], p[1], p[2])) return false;
@@ -236,7 +236,7 @@ int orientation(const Spot& a, const Spot& b, const Spot& c, const Spot& d) {
   return static_cast<int>(CGAL::orientation(a.exact, b.exact, c.exact, d.exact));
 }
 
-/// How often a segment crosses a triangle against its normal; nothing where it grazes.
+/// Returns how often a segment crosses a triangle against its normal; nothing where it grazes.
 std::optional<int> crossing(const std::array<Spot, 3>& t, const Spot& from, const Spot& to) {
   const int before = orientation(t[0], t[1], t[2], from);
   const int behind = orientation(t[0], t[1], t[2], to);
@@ -250,7 +250,7 @@ std::optional<int> crossing(const std::array<Spot, 3>& t, const Spot& from, cons
   return behind;
 }
 
-/// How often a segment crosses triangles, each counted as often as said.
+/// Returns how often a segment crosses triangles, each counted as often as it is listed.
 template <typename Multiplicity>
 std::optional<int> crossings(const std::vector<Spot>& spots, std::span<const Triangle> triangles,
                              const Multiplicity& multiplicity, const std::array<Spot, 2>& ends) {

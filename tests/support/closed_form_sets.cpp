@@ -100,7 +100,7 @@ Soup joined(const std::vector<Ring>& rings) {
 /// A prism whose first 2n vertices are its corners, followed by the middles of its ends.
 Soup prism(double radius, std::size_t n) {
   Soup soup = joined({polygon(radius, -1, n), polygon(radius, 1, n)});
-  // Not back down from the upper ring to the lower one.
+  // The surface does not go back down from the upper ring to the lower one.
   soup.triangles.resize(2 * n);
   soup.positions.emplace_back(0, 0, -1);
   soup.positions.emplace_back(0, 0, 1);
@@ -112,7 +112,7 @@ Soup prism(double radius, std::size_t n) {
   return soup;
 }
 
-/// How far the nearest facet of a sphere about the origin is from it.
+/// Returns the distance of the nearest facet of a sphere about the origin from it.
 double inradius(const Soup& sphere) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [a, b, c] : sphere.triangles) {

@@ -64,7 +64,7 @@ struct RoundTube {
 /// @throws InvalidArgument if there are fewer than three sides, or the radii do not ascend from 0.
 [[nodiscard]] PackedSet rod_in_round_tube(const RoundTube& tube);
 
-/// What two_spheres() makes; the second sphere is `distance` away along x.
+/// The input of two_spheres(); the second sphere is `distance` away along x.
 struct SpherePair {
   double radius_a = 1.0;
   double radius_b = 1.0;

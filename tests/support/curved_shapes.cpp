@@ -28,7 +28,7 @@ struct Derivatives {
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
 };
 
-/// Of (sqrt(x^2 + y^2) - R)^2 + z^2 - 1, halved.
+/// Returns the derivatives of (sqrt(x^2 + y^2) - R)^2 + z^2 - 1, halved.
 Derivatives torus_derivatives(const Vec3& p) {
   const double rho = std::hypot(p.x(), p.y());
   const Vec3 radial(p.x() / rho, p.y() / rho, 0.0);
@@ -52,7 +52,7 @@ Derivatives derivatives(Surface surface, const Vec3& p) {
     case Surface::Cylinder:
       return {Vec3(p.x(), p.y(), 0.0), Vec3(1.0, 1.0, 0.0).asDiagonal()};
     case Surface::Catenoid:
-      // Of x^2 + y^2 - cosh^2 z, halved; cosh^2 z is (1 + cosh 2z) / 2.
+      // The function is x^2 + y^2 - cosh^2 z, halved; cosh^2 z is (1 + cosh 2z) / 2.
       return {Vec3(p.x(), p.y(), -std::sinh(2 * p.z()) / 2),
               Vec3(1.0, 1.0, -std::cosh(2 * p.z())).asDiagonal()};
     case Surface::MonkeySaddle: {
@@ -161,7 +161,7 @@ Soup stretched_sphere(Surface surface, std::size_t level, double jitter, std::mt
   return soup;
 }
 
-/// Whether the triangle has no angle below 20 degrees.
+/// Tells whether the triangle has no angle below 20 degrees.
 bool is_fat(const std::array<Vec3, 3>& p) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 a = (p[(i + 1) % 3] - p[i]).normalized();
@@ -171,7 +171,7 @@ bool is_fat(const std::array<Vec3, 3>& p) {
   return true;
 }
 
-/// Whether the two faces at an edge may be exchanged for the two on its opposite corners.
+/// Tells whether the two faces at an edge may be exchanged for the two on its opposite corners.
 bool can_flip(const TriMesh& mesh, EdgeHandle e) {
   const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
   const HalfedgeHandle o = mesh.halfedge_handle(e, 1);

@@ -26,7 +26,7 @@ Rational squared_to_segment(const Vector& a, const Vector& b) {
   return (a + along * Rational(at / along.squared_length())).squared_length();
 }
 
-/// Whether the origin is inside the prism on the triangle.
+/// Tells whether the origin is inside the prism on the triangle.
 bool is_in_prism(const std::array<Vector, 3>& t, const Vector& normal) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (CGAL::cross_product(t[i], t[(i + 1) % 3]) * normal < 0) return false;

@@ -373,7 +373,8 @@ Soup tangle(std::size_t n) {
 }
 
 std::vector<Index> permutation(std::size_t n, std::uint32_t seed) {
-  // By hand: the standard's shuffle and distributions differ from library to library.
+  // This shuffles by hand, because the standard's shuffle and distributions differ between
+  // libraries.
   std::mt19937 random(seed);
   std::vector<Index> place(n);
   for (std::size_t i = 0; i < n; ++i) {

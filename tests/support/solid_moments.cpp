@@ -75,7 +75,7 @@ Numbers heights_of(const std::vector<RationalCorners>& triangles) {
 struct Side {
   std::array<Rational, 2> x;
   std::array<Rational, 2> y;
-  /// How much oftener a place right of it is gone round than one left of it.
+  /// The winding number on its right minus that on its left.
   int step = 0;
 
   [[nodiscard]] Rational x_at(const Rational& at) const {

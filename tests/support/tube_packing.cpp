@@ -35,7 +35,7 @@ Vec3 on_circle(std::size_t spoke, std::size_t n_spokes) {
   return {std::cos(angle), std::sin(angle), 0.0};
 }
 
-/// How deep the dents of one tube are, 0 ... 1: two waves that run round it and along.
+/// The depth of the dents of a tube, 0 ... 1: two waves that run round it and along.
 class Dents {
  public:
   explicit Dents(std::uint32_t seed) {
@@ -76,7 +76,7 @@ void add_faces(Soup& soup, std::size_t n_rings, std::size_t n_spokes) {
 }  // namespace
 
 TubePacking::TubePacking(const PackOptions& options) : options_(checked(options)) {
-  // As many rings and spokes as make edges of about equal length; #F = 2 rings spokes.
+  // The numbers of rings and spokes make edges of about equal length; #F = 2 rings spokes.
   const double faces = real(options.faces_per_object);
   const double spokes = std::round(std::sqrt(faces * kPi / kLength) / 4);
   n_spokes_ = 4 * static_cast<std::size_t>(std::max(1.0, spokes));

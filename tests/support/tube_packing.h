@@ -54,7 +54,7 @@ class TubePacking {
   double height_of_ring_ = 0.0;
   double clearance_ = 0.0;
   PackingPlan plan_;
-  /// By ring: the position of the axis of a tube at the origin.
+  /// The position of the axis of a tube at the origin, indexed by ring.
   std::vector<Vec3> axis_;
 };
 

@@ -17,7 +17,7 @@ void expect_undefined(const Answer& answer, const std::string& reason) {
   EXPECT_EQ(answer.reason, reason);
 }
 
-/// That no attribute, volume or genus is defined.
+/// Expects that no attribute, volume or genus is defined.
 void expect_nothing_defined(const Analysis& analysis) {
   const Attributes& a = analysis.attributes;
   for (const Answer& answer : {a.closed, a.manifold, a.orientable, a.consistent, a.outward}) {

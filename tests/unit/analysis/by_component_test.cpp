@@ -23,7 +23,7 @@ void expect_same(const Summary& a, const Summary& b) {
   EXPECT_DOUBLE_EQ(a.total, b.total);
 }
 
-/// That a component of a mesh has the figures that it has alone in a file.
+/// Expects that a component of a mesh has the figures that it has alone in a file.
 void expect_component(const Analysis& whole, std::size_t i, const Soup& alone) {
   SCOPED_TRACE(i);
   const Analysis part = analyze(alone, "alone");

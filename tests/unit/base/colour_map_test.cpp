@@ -107,7 +107,7 @@ Triple linear(const Colour& colour) {
   return {channel(colour.red), channel(colour.green), channel(colour.blue)};
 }
 
-/// Of linear sRGB (Ottosson 2020).
+/// Converts from linear sRGB (Ottosson 2020).
 Triple oklab(const Triple& rgb) {
   constexpr Matrix kCones{{{0.4122214708, 0.5363325363, 0.0514459929},
                            {0.2119034982, 0.6806995451, 0.1073969566},

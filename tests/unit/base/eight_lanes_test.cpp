@@ -56,7 +56,7 @@ std::array<std::uint32_t, 8> portable_bits_of(const portable::EightFloats& numbe
 
 TEST(EightLanes, ArithmeticOfRegistersAndOfThePortablePathGivesTheSameBits) {
   Random random(2);
-  // Without NaN, whose sign and payload nobody asks for.
+  // NaN is left out, because its sign and payload do not matter.
   constexpr std::array<float, 8> kNumbers{0.0F,         -0.0F,          0x1p-149F, 1.0F,
                                           -0x1.8p-126F, 0x1.fffffep99F, -3e-20F,   0.1F};
   for (int round = 0; round < 2000; ++round) {

@@ -27,7 +27,8 @@ Numbers random_numbers(std::size_t n, std::uint64_t largest) {
   return numbers;
 }
 
-/// Whether the nth number is where sorting would put it, none after it is less, and none is lost.
+/// Tells whether the nth number is where sorting would put it, none after it is less, and none is
+/// lost.
 void expect_selected(const Numbers& numbers, std::size_t nth) {
   Numbers sorted = numbers;
   std::sort(sorted.begin(), sorted.end());

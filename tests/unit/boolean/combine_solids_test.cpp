@@ -68,7 +68,7 @@ TEST(CombineSolids, CommonWallOfAUnionGoesAndThatOfADifferenceStays) {
   const std::vector<Soup> meshes{shapes::cube(), shapes::cube(1, {1, 0, 0})};
   const CombinedSolid both = combine(meshes, union_rule());
   EXPECT_EQ(volume(both), 2.0);
-  // Of each cube ten faces stay, none of them cut.
+  // Ten faces of each cube stay, none of them cut.
   EXPECT_EQ(both.faces.size(), 20U);
   EXPECT_EQ(volume(combine(meshes, difference_rule())), 1.0);
   EXPECT_TRUE(combine(meshes, intersection_rule()).faces.empty());
@@ -85,7 +85,7 @@ TEST(CombineSolids, CavityOfAnOperandStaysACavity) {
                                  shapes::cube(1, {-1, 0, 0})};
   const CombinedSolid solid = combine(meshes, union_rule());
   EXPECT_EQ(volume(solid), 27.0);
-  // What fills the cavity takes its wall away.
+  // The solid that fills the cavity removes its wall.
   EXPECT_EQ(volume(combine({meshes[0], shapes::cube(1, {1, 1, 1})}, union_rule())), 27.0);
 }
 

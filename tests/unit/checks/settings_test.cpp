@@ -11,7 +11,7 @@
 namespace meshalyzer {
 namespace {
 
-/// What is wrong with a settings file.
+/// Returns the error of a settings file.
 std::string fault_of(std::string_view text) {
   try {
     static_cast<void>(parse_settings(text, "dir/.meshalyzer.toml"));

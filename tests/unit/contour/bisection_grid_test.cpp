@@ -30,7 +30,7 @@ std::int64_t six_volumes(const GridTetrahedron& t) {
 
 using Face = std::array<std::uint64_t, 3>;
 
-/// How many tetrahedra each face has.
+/// Returns the number of tetrahedra at each face.
 std::map<Face, int> faces_of(const BisectionGrid& grid) {
   std::map<Face, int> count;
   for (const Index number : grid.leaves()) {

@@ -85,7 +85,7 @@ TEST(FindFlipped, EachPatchIsADefectOfItsOwnInOrder) {
 }
 
 TEST(FindFlipped, ComponentsAreJudgedEachByItself) {
-  // Of the second cube all but one face are turned: that one is to be.
+  // All faces of the second cube but one are turned, so that one is to be turned.
   std::vector<Index> turned{3};
   for (Index f = 12; f < 24; ++f) {
     if (f != 20) turned.push_back(f);

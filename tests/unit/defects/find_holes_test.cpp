@@ -12,7 +12,7 @@ namespace {
 
 using Edge = std::array<Index, 2>;
 
-/// As find_defects() looks for them: slits first.
+/// Finds holes as find_defects() does: slits first.
 std::vector<Defect> holes_of(const Soup& soup) {
   const PreparedMesh mesh(soup);
   return find_holes(mesh, find_slits(mesh, {.slit = 1e-9}));

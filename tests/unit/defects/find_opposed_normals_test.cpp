@@ -126,7 +126,7 @@ TEST(FindOpposedNormals, AllFansOfAPinchedVertexHaveASay) {
 }
 
 TEST(FindOpposedNormals, VertexOfVeryManyFacesAndNormalsTakesNotTheSquareOfThem) {
-  // Of the faces round the apex the last alone agrees with all the normals.
+  // Only the last of the faces round the apex agrees with all the normals.
   constexpr Index kSides = 20000;
   Soup soup = shapes::make({Vec3(0, 0, 0)}, {});
   for (Index i = 0; i <= kSides; ++i) {

@@ -22,7 +22,7 @@ RationalPoint place_of(const ExactPoint& p) {
   return {Rational(p.numerator[0]) / w, Rational(p.numerator[1]) / w, Rational(p.numerator[2]) / w};
 }
 
-/// Whether no double is nearer to x, and the rest is what is missing.
+/// Tells whether no double is nearer to x, and the rest is what is missing.
 bool is_rounded_well(const Rational& x, double rounded, double rest) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   const Rational error = x - Rational(rounded);

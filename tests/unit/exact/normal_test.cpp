@@ -16,7 +16,8 @@ constexpr std::uint32_t kSeed = 20261121;
 constexpr int kRounds = 1000;
 constexpr double kError = 1e-9;
 
-/// That the normal is right, where doubles can hold it, and zero exactly for collinear points.
+/// Expects that the normal is right, where doubles can hold it, and zero exactly for collinear
+/// points.
 void expect_accurate(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 normal = accurate_normal(a, b, c);
   if (test::is_rational_normal_within({a, b, c}, 1e-290, 1e300)) {

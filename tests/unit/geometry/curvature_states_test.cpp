@@ -17,7 +17,7 @@ namespace {
 
 using enum CurvatureState;
 
-/// That the columns are filled as the states say.
+/// Expects that the columns are filled as the states say.
 void expect_figures_where_defined(const Curvature& c) {
   for (std::size_t v = 0; v < c.state.size(); ++v) {
     const bool is_defined = c.state[v] == Defined;

@@ -11,7 +11,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Of a single face.
+/// Returns the shape of a single face.
 FaceShape shape_of(const Vec3& a, const Vec3& b, const Vec3& c) {
   return measure_face_shapes(build(shapes::make({a, b, c}, {{0, 1, 2}})).mesh).at(0);
 }

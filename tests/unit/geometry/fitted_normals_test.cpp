@@ -24,7 +24,7 @@ double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return sine;
 }
 
-/// How far fitted normals are from the true ones of an irregular mesh.
+/// Returns how far fitted normals are from the true ones of an irregular mesh.
 double error_at(shapes::Surface surface, std::size_t level) {
   const shapes::CurvedShape shape = curved_shape(surface, shapes::Meshing::Irregular, level);
   const CutMesh cut = build(shape.soup);

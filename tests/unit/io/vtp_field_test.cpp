@@ -51,7 +51,7 @@ class VtpFile {
     return tag_in(text_, '<' + name);
   }
 
-  /// What stands between a tag and its end.
+  /// Returns the text between a tag and its end.
   [[nodiscard]] std::string_view element(const std::string& name) const {
     const std::string_view all = text_;
     const std::size_t begin = all.find('<' + name);

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-// What OpenMesh's own circulators make of the arrays that build() writes.
+// These tests run OpenMesh's own circulators on the arrays that build() writes.
 namespace meshalyzer {
 namespace {
 

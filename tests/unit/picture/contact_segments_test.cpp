@@ -26,7 +26,7 @@ Corners scaled(const Corners& t, double factor) {
   return {t[0] * factor, t[1] * factor, t[2] * factor};
 }
 
-/// Whether a segment has these ends, in whatever order, but for rounding.
+/// Tells whether a segment has these ends, in whatever order, but for rounding.
 void expect_ends(const Segment& segment, const Vec3& a, const Vec3& b, double error = 1e-9) {
   const bool turned = (segment[0] - a).norm() > (segment[1] - a).norm();
   EXPECT_LE((segment[turned ? 1 : 0] - a).norm(), error) << segment[0] << "\n" << segment[1];
@@ -246,7 +246,7 @@ TEST(ContactSegments, SegmentsThatCrossAtASmallAngleMeetInAPoint) {
 }
 
 TEST(ContactSegments, SegmentInTheFaceBehindItIsCutByItsBorder) {
-  // As the second of the pair, so that the first alone has a plane; both ends are off the face.
+  // It is the second of the pair, so that only the first has a plane; both ends are off the face.
   const Corners lying{Vec3(-1, 1, 0), Vec3(5, 1, 0), Vec3(0, 1, 0)};
   expect_ends(contact(kFlat, lying, ContactKind::Touching)[0], Vec3(0, 1, 0), Vec3(3, 1, 0));
   expect_ends(contact(lying, kFlat, ContactKind::Touching)[0], Vec3(0, 1, 0), Vec3(3, 1, 0));

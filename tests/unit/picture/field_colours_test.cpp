@@ -89,7 +89,7 @@ TEST(ScaleOf, SignedValuesAreSymmetricAboutNought) {
   for (int i = -50; i <= 149; ++i) {
     values.push_back(i);
   }
-  // Of 200 the 196th smallest is 145, the 4th -47.
+  // The 196th smallest of 200 values is 145, the 4th -47.
   const ColourScale scale = scale_of(signed_values(values));
   EXPECT_EQ(scale.palette, Palette::Diverging);
   expect_range(scale, -145, 145);

@@ -148,7 +148,7 @@ TEST(MakeHighlights, FlatFacetHasAnOutlineAndAPoint) {
 }
 
 TEST(MakeHighlights, FacesAreThoseOfTheDetail) {
-  // Of two duplicates one is drawn, as the second face of the detail.
+  // One of two duplicates is drawn, as the second face of the detail.
   Soup soup = shapes::grid(2, 1);
   soup.triangles.push_back(soup.triangles[2]);
   const std::vector<Highlight> highlights =

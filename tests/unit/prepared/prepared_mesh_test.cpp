@@ -83,7 +83,7 @@ TEST(PreparedMesh, PairsCanBeTakenAwayAtTheEnd) {
   EXPECT_FALSE(taken.empty());
 }
 
-/// What the pairs of a mesh say in numbers, by a loop over all of them.
+/// Counts the pairs of a mesh by a loop over all of them.
 IntersectionCounts counted(const PreparedMesh& mesh, const std::vector<IntersectingPair>& pairs) {
   IntersectionCounts counts;
   counts.kinds.add(pairs);

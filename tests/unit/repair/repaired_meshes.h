@@ -26,7 +26,7 @@ inline const Soup& only_mesh(const RepairResult& result) {
   return n;
 }
 
-/// Whether a mesh is closed, manifold, oriented outwards and embedded.
+/// Tells whether a mesh is closed, manifold, oriented outwards and embedded.
 [[nodiscard]] inline bool is_good(const Soup& soup) {
   const PreparedMesh mesh(soup);
   const CutMesh& cut = mesh.cut();
@@ -40,13 +40,13 @@ inline const Soup& only_mesh(const RepairResult& result) {
   return mesh.intersecting_pairs().empty();
 }
 
-/// Whether a note has this in it.
+/// Tells whether a note has this in it.
 [[nodiscard]] inline bool is_noted(const RepairResult& result, std::string_view what) {
   return std::any_of(result.notes.begin(), result.notes.end(),
                      [&](const std::string& note) { return note.find(what) != std::string::npos; });
 }
 
-/// Whether a refusal of this code has this in its reason.
+/// Tells whether a refusal of this code has this in its reason.
 [[nodiscard]] inline bool is_refused(const RepairResult& result, DefectCode code,
                                      std::string_view why) {
   return std::any_of(result.log.refusals.begin(), result.log.refusals.end(),

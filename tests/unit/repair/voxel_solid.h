@@ -49,7 +49,7 @@ class VoxelSolid {
     return soup;
   }
 
-  /// How many parts the cubes fall into that are joined through common squares.
+  /// Returns the number of parts of the cubes that are joined through common squares.
   [[nodiscard]] std::size_t n_parts() const {
     std::vector<std::uint8_t> seen(is_full_.size(), 0);
     std::size_t n = 0;

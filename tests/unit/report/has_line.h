@@ -6,7 +6,7 @@
 
 namespace meshalyzer::test {
 
-/// Whether a report has exactly this line.
+/// Tells whether a report has exactly this line.
 inline testing::Matcher<std::string> HasLine(const std::string& line) {
   return testing::AnyOf(testing::StartsWith(line + "\n"), testing::HasSubstr("\n" + line + "\n"));
 }

@@ -49,7 +49,7 @@ inline SetAnalysis sample_set() {
   return set;
 }
 
-/// What was found from b.mesh of sample_set().
+/// Returns the findings of b.mesh of sample_set().
 inline ObjectFindings sample_findings() {
   ObjectFindings findings;
   findings.owner = 1;

@@ -60,7 +60,8 @@ bool is_on(const Vec3& p, const Corners& t) {
   });
 }
 
-/// Whether the segment p q meets a triangle that p is not on; nothing where it meets its border.
+/// Tells whether the segment p q meets a triangle that p is not on; nothing where it meets its
+/// border.
 std::optional<bool> meets(const Vec3& p, const Vec3& q, const Corners& t) {
   const Sign side = rational_orient3d(t[0], t[1], t[2], q);
   if (side == 0) {
@@ -78,7 +79,7 @@ std::optional<bool> meets(const Vec3& p, const Vec3& q, const Corners& t) {
   return low == high;
 }
 
-/// Whether the segment p q meets an odd number of faces; nothing where it meets a border.
+/// Tells whether the segment p q meets an odd number of faces; nothing where it meets a border.
 std::optional<bool> meets_odd(const Vec3& p, const Vec3& q, const Soup& soup,
                               const std::vector<Triangle>& faces) {
   bool is_odd = false;

@@ -22,7 +22,7 @@ namespace meshalyzer::test {
 [[nodiscard]] Side direct_side(const Soup& soup, const std::vector<Triangle>& faces,
                                const Vec3& point);
 
-/// By asking closest_on_triangle() for every face.
+/// Finds it by asking closest_on_triangle() for every face.
 [[nodiscard]] ObjectSeparation direct_separation(const std::vector<Soup>& objects, Index object,
                                                  const SeparationOptions& options = {});
 

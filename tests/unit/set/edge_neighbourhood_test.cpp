@@ -42,7 +42,7 @@ Marks direct_marks(const Soup& soup, const std::vector<double>& length_to, doubl
   return marks;
 }
 
-/// Whether sums in another order could be on the other side of a length.
+/// Tells whether sums in another order could be on the other side of a length.
 bool is_close(const std::vector<double>& lengths, double length) {
   return std::any_of(lengths.begin(), lengths.end(),
                      [&](double x) { return std::abs(x - length) < 1e-9; });

@@ -37,7 +37,7 @@ void expect_same(const ObjectSeparation& a, const ObjectSeparation& b) {
   }
 }
 
-/// How often each thing happened, so that a test can say that it met it.
+/// Counts of each case, so that a test can make sure that it occurred.
 struct Seen {
   std::size_t inside = 0;
   std::size_t touching = 0;

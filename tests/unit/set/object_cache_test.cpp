@@ -26,7 +26,7 @@ std::unique_ptr<const SetObject> cube(std::size_t) {
 struct Cubes {
   explicit Cubes(std::uint64_t limit_in_cubes) : cache(20, limit_in_cubes * size, cube) {}
 
-  /// Whether it had to be loaded.
+  /// Tells whether it had to be loaded.
   bool loads(std::size_t object) {
     const std::size_t before = cache.n_loads();
     (void)cache.get(object);

@@ -119,7 +119,7 @@ TEST(FindMeeting, ObjectsThatCrossDoNotIncludeEachOther) {
   const Soup outer = cube_at(0, 3);
   EXPECT_EQ(inclusion(cube_at(2, 2), outer), Inclusion::None);
   EXPECT_GT(count(meeting_of(cube_at(2, 2), outer), ContactKind::Crossing), 0U);
-  // Not even with another component inside.
+  // This holds even with another component inside.
   EXPECT_EQ(inclusion(shapes::merged(cube_at(2, 2), cube_at(0.5, 1)), outer), Inclusion::None);
 }
 

@@ -36,7 +36,7 @@ class SoupFiles {
   std::vector<std::string> paths_;
 };
 
-/// What listeners were told.
+/// The calls that a listener received.
 struct Told {
   std::map<Index, Analysis> meshes;
   std::map<Index, std::string> troubles;
@@ -69,7 +69,7 @@ class Recorder : public RunListener, public EarlierFindings {
   Told told;
   /// One line a call: "mesh 3", "trouble 4", "findings 2", "files 3/5 36", "between 1/5 12".
   std::vector<std::string> calls;
-  /// What the calls say.
+  /// The content of the calls.
   std::string text;
 
   void on_mesh(Index number, const Analysis& mesh) override {
@@ -98,7 +98,7 @@ class Recorder : public RunListener, public EarlierFindings {
     return find(known.findings, owner);
   }
 
-  /// Whether two calls ever came at the same time.
+  /// Tells whether two calls ever came at the same time.
   [[nodiscard]] bool was_called_at_once() const { return was_called_at_once_; }
 
  protected:

@@ -27,7 +27,7 @@ std::vector<Soup> packed() {
       .objects;
 }
 
-/// What a whole run tells and returns.
+/// The calls and the result of a whole run.
 struct Whole {
   Told told;
   std::string set;
@@ -39,7 +39,7 @@ Whole whole_run(const SoupFiles& files, const SetOptions& options) {
   return {recorder.told, set};
 }
 
-/// What the runs of all shards tell.
+/// Returns the calls of the runs of all shards.
 std::vector<Told> shard_runs(const SoupFiles& files, SetOptions options, std::size_t count) {
   std::vector<Told> parts;
   for (std::size_t number = 0; number < count; ++number) {
@@ -59,7 +59,7 @@ Told together(const std::vector<Told>& parts) {
   return all;
 }
 
-/// As it comes back from where it was written down.
+/// Returns findings as they are read back from where they were written.
 Told without_values(Told told) {
   for (auto& [number, mesh] : told.meshes) {
     mesh.values = {};

@@ -306,7 +306,7 @@ TEST(AnalyzeSet, FileThatGoesAwayMeanwhileIsAnError) {
   const std::string& path = files.paths()[0];
   Meddler meddler(2, [&] { std::remove(path.c_str()); });
   EXPECT_EQ(trouble_of(files, asking(false, true), meddler).find(path + ": "), 0U);
-  // What came before it in the order in space was told.
+  // The findings before it in the order in space were reported.
   EXPECT_EQ(meddler.told.findings.count(2), 1U);
 }
 

@@ -78,7 +78,7 @@ TEST(BoxTreeOrder, LargestAndSmallestCoordinatesKeepTheirOrder) {
   }
 }
 
-/// What the tree says of each box but the empty ones, themselves left out.
+/// Returns the answers of the tree for each box that is not empty, without the box itself.
 Meetings meetings(const std::vector<Box3>& boxes) {
   const BoxTree tree(boxes);
   Meetings meeting(boxes.size());

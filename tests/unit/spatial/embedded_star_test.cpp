@@ -33,7 +33,7 @@ bool is_proven(const Ring& ring) {
   return is_surely_embedded({.arms = arms, .is_closed = ring.is_closed});
 }
 
-/// Whether two faces share more than what they have in common, exactly.
+/// Tells whether two faces share more than what they have in common, exactly.
 bool meets_itself(const Ring& ring) {
   const std::size_t n = ring.link.size();
   const std::size_t n_faces = ring.is_closed ? n : n - 1;

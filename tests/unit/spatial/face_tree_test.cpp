@@ -11,7 +11,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Whether node `i` of a level, as boxed by its parent, holds all boxes of its own.
+/// Tells whether node `i` of a level, as boxed by its parent, holds all boxes of its own.
 bool parent_holds_child(const FaceTree& tree, std::size_t level, std::size_t i) {
   const TreeBox box = TreeBox::around(tree.node(level - 1, i));
   const EightBoxes& parent = tree.node(level, i / 8);

@@ -36,7 +36,7 @@ Faces all_of(const Soup& soup) {
   return faces;
 }
 
-/// Those pairs of the whole mesh that have one of the faces.
+/// Returns the pairs of the whole mesh that have one of the faces.
 Pairs filtered(const Pairs& pairs, const Faces& faces) {
   const auto is_given = [&](Index f) { return std::binary_search(faces.begin(), faces.end(), f); };
   Pairs kept;

@@ -17,7 +17,7 @@ bool has_vertex(const Triangle& t, Index v) {
   return std::find(t.begin(), t.end(), v) != t.end();
 }
 
-/// Whether a face runs along an edge from its smaller to its larger vertex.
+/// Tells whether a face runs along an edge from its smaller to its larger vertex.
 bool runs_upwards(const Triangle& t, const Edge& edge) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (t[k] == edge.first && t[(k + 1) % 3] == edge.second) return true;

@@ -32,7 +32,7 @@ struct Complex {
 /// ... by first appearance.
 [[nodiscard]] std::vector<Index> components(const Complex& complex);
 
-/// As components(), for faces that share an edge.
+/// Does the same as components() for faces that share an edge.
 [[nodiscard]] std::vector<Index> edge_components(const Complex& complex);
 
 /// The border edges, put together where they belong to the same boundary.
@@ -42,8 +42,8 @@ struct Complex {
 /// two-face edges at the vertex.
 [[nodiscard]] std::vector<Index> pinched_vertices(const Complex& complex);
 
-/// Whether some choice of faces to turn makes all two-face edges consistent, where only the edges
-/// of faces of this edge component count. Tries all choices: for a few faces only.
+/// Tells whether some choice of faces to turn makes all two-face edges consistent, where only the
+/// edges of faces of this edge component count. Tries all choices: for a few faces only.
 [[nodiscard]] bool is_orientable(const Complex& complex, Index edge_component);
 
 /// A few faces on a few vertices at random, some of them degenerate. The seed decides.

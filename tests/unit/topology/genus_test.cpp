@@ -13,7 +13,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Of a mesh of one component without orphans.
+/// Returns the genus of a mesh of one component without orphans.
 std::optional<std::int64_t> genus_of(const Soup& soup) {
   const CutMesh cut = build(soup);
   return genus({.vertices = soup.n_vertices(),

@@ -46,7 +46,7 @@ TEST(TrackCombined, PartOfAFaceIsMadeOfIt) {
   for (Index f = 0; f < tracked.soup.n_faces(); ++f) {
     EXPECT_LT(tracked.origin_of_face(f), cut.all.n_faces());
   }
-  // Of ids 1, 2, ..., n.
+  // The ids are 1, 2, ..., n.
   EXPECT_TRUE(tracked.soup.vertex_ids.named.empty());
   EXPECT_EQ(tracked.soup.vertex_ids.first, 1);
 }

@@ -126,7 +126,7 @@ Soup crossed_sheets(const Vec3& shift_of_sheets) {
 }
 
 TEST(CutIntersections, SheetsWithinTheSolidsThatTheyCrossGoWithTheirWalls) {
-  // What of the bar is outside of the cube is 2 long.
+  // The part of the bar outside of the cube is 2 long.
   EXPECT_NEAR(volume(expect_good(crossed_sheets({0, 0, 0}))), 64.0 + 2.0, 1e-9);
 }
 

@@ -12,7 +12,7 @@
 namespace meshalyzer {
 namespace {
 
-/// What is said of edits of a soup; distances do not matter.
+/// Returns the acceptance of edits of a soup; distances do not matter.
 std::vector<Rejection> harms_of(const Soup& soup, const Edits& edits,
                                 const DefectCodes& may_create = {}) {
   const Tolerances tolerances = resolve_tolerances({}, box_of(soup));

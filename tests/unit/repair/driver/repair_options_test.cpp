@@ -71,7 +71,7 @@ TEST(RepairOptions, WhatWouldMoveIsRefusedWhereNothingMay) {
   EXPECT_EQ(count_after(result, DegenerateFacet), 2U);
   EXPECT_TRUE(is_refused(result, DegenerateFacet, "deviation"));
   EXPECT_EQ(result.deviation, 0.0);
-  // What moves nothing is done.
+  // A repair that moves nothing is done.
   EXPECT_EQ(only_mesh(fix_defects(unwelded(shapes::cube()), options)).n_vertices(), 8U);
 }
 
@@ -241,7 +241,7 @@ TEST(RepairOptions, EverythingIsTurnedOnceWhereAskedFor) {
   const Soup turned = only_mesh(fix_defects(cube_with_normals(), options));
   EXPECT_NEAR(volume_of(turned), -1.0, 1e-15);
   EXPECT_EQ(turned.normals[7], -cube_with_normals().normals[7]);
-  // What is turned inwards is turned back where that is to be fixed.
+  // A component that is turned inwards is turned back where that is to be fixed.
   options.fixes = {Inward};
   EXPECT_NEAR(volume_of(only_mesh(fix_defects(shapes::cube(), options))), 1.0, 1e-15);
 }

@@ -139,7 +139,7 @@ TEST(ApplyEdits, NormalsOfVerticesFollowTheirVertices) {
   EXPECT_EQ(after.soup.corner_normals, after.soup.triangles);
   ASSERT_EQ(after.soup.normals.size(), 6U);
   EXPECT_EQ(after.soup.normals[4], Vec3(0, 0, 1));
-  // Of the other old vertices of its faces there is vertex 0 alone.
+  // Vertex 0 is the only other old vertex of its faces.
   EXPECT_EQ(after.soup.normals[5], Vec3(1, 0, 0));
 }
 

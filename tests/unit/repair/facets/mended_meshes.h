@@ -17,7 +17,7 @@
 
 namespace meshalyzer {
 
-/// What mending facets must not change.
+/// The figures of a mesh that mending facets must not change.
 struct TopologyCounts {
   std::size_t components = 0;
   std::size_t boundaries = 0;

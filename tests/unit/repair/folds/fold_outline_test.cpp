@@ -59,7 +59,7 @@ TEST(CutEars, LooksAlongTheNormal) {
 }
 
 TEST(CutEars, KeepsOffForbiddenEdges) {
-  // Of the two diagonals of a square one is left, then none.
+  // One of the two diagonals of a square is left, then none.
   const auto only_one = [](Index a, Index b) { return a + b != 2; };
   const std::vector<Triangle> triangles = cut_ears(kSquare, only_one);
   ASSERT_EQ(triangles.size(), 2U);

@@ -33,7 +33,7 @@ RepairLimits limits_with_fixed(double max_deviation, const std::vector<Index>& f
   return limits;
 }
 
-/// Whether nothing in a mesh is folded, meets anything, or is cut.
+/// Tells whether nothing in a mesh is folded, meets anything, or is cut.
 void expect_clean(const Soup& soup) {
   const PreparedMesh mesh(soup);
   EXPECT_TRUE(mesh.intersecting_pairs().empty());

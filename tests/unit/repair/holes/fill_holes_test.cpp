@@ -223,7 +223,7 @@ TEST(FillHoles, TakesOneOfTwoHolesThatTouchAfterTheOther) {
     if (std::find(t.begin(), t.end(), Index{40}) != t.end()) at_vertex.push_back(f);
   }
   ASSERT_EQ(at_vertex.size(), 6U);
-  // Of six faces round a vertex two that have only it in common.
+  // These are two of six faces round a vertex that have only the vertex in common.
   std::vector<Index> gone{at_vertex[0]};
   for (const Index f : at_vertex) {
     const Triangle& a = sphere.triangles[at_vertex[0]];

@@ -46,7 +46,7 @@ inline void expect_filled(const Soup& soup) {
          static_cast<std::int64_t>(c.faces);
 }
 
-/// Whether all records of the input are still there bit for bit and in order: filling adds.
+/// Tells whether all records of the input are still there bit for bit and in order: filling adds.
 [[nodiscard]] inline bool keeps_input(const Soup& input, const TrackedMesh& tracked) {
   const Soup& soup = tracked.soup;
   if (soup.n_vertices() < input.n_vertices()) return false;

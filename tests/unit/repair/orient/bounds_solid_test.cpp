@@ -20,7 +20,7 @@ Answers answers(const Soup& soup) {
   return bounds_solid(mesh, find_components(mesh.cut()));
 }
 
-/// Without the faces that lie wholly below a height.
+/// Returns a mesh without the faces that lie wholly below a height.
 Soup above(Soup soup, double z) {
   std::vector<Index> below;
   for (std::size_t f = 0; f < soup.n_faces(); ++f) {

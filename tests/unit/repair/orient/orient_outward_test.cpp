@@ -17,7 +17,7 @@ namespace {
 
 using shapes::InnerShell;
 
-/// What the pass makes of a soup; asked again it has nothing to do.
+/// Returns the result of the pass for a soup; a second run has nothing to do.
 Soup outward(const Soup& soup) {
   const PassRun run = run_pass(soup, orient_outward);
   EXPECT_LE(run.rounds, 1U);
@@ -138,7 +138,7 @@ TEST(OrientOutward, OpenWallThatTouchesTheOneRoundItIsACavity) {
 }
 
 TEST(OrientOutward, OpenBoxThatReachesOutOfAnotherIsNoCavity) {
-  // By a corner that is too small for any sample to see.
+  // They overlap by a corner that is too small for any sample to see.
   Soup spike = shapes::merged(shapes::cube(4.0, Vec3::Constant(-2.0)), open_box(1.0));
   spike.positions[8] = Vec3::Constant(-2.001);
   EXPECT_TRUE(same_soup(outward(spike), spike));

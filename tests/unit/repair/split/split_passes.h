@@ -37,7 +37,7 @@ namespace meshalyzer {
   return PreparedMesh(soup).intersecting_pairs().size();
 }
 
-/// By component, ascending.
+/// Returns the volume of each component, ascending.
 [[nodiscard]] inline std::vector<double> volumes(const Soup& soup) {
   const CutMesh cut = build(soup);
   const Components components = find_components(cut);
@@ -59,8 +59,8 @@ namespace meshalyzer {
   return cut.side.non_manifold_edges.size() == 0 && cut.side.non_manifold_vertices.empty();
 }
 
-/// Whether one mesh is the other with copies of some vertices: each face has its corners at the
-/// very same places, the first vertices are the same, and none is alone.
+/// Tells whether one mesh is the other with copies of some vertices: each face has its corners at
+/// the very same places, the first vertices are the same, and none is alone.
 [[nodiscard]] inline bool is_cut_version(const Soup& cut, const Soup& whole) {
   if (cut.triangles.size() != whole.triangles.size()) return false;
   if (!std::equal(whole.positions.begin(), whole.positions.end(), cut.positions.begin())) {

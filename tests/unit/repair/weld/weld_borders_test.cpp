@@ -209,7 +209,7 @@ TEST(WeldBorders, SolidThatAPillowTouchesIsClosed) {
   const Soup mended = welded(unwelded(soup), 0.0);
   const SeamTopology cube = seam_topology_of(shapes::cube());
   const SeamTopology after = seam_topology_of(mended);
-  // Of the pillow nothing is joined: that would make a face and its opposite.
+  // Nothing of the pillow is joined: that would make a face and its opposite.
   EXPECT_EQ(after.border_edges, 6U);
   EXPECT_EQ(after.edges, cube.edges + 6);
   EXPECT_EQ(after.components, 3U);

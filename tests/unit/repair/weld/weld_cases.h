@@ -15,7 +15,7 @@
 #include <vector>
 
 namespace meshalyzer {
-/// What welding is to change, and what it is not.
+/// The numbers that welding is to change, and those that it is not to change.
 struct SeamTopology {
   std::size_t vertices = 0;
   std::size_t edges = 0;

@@ -148,7 +148,7 @@ TEST(WeldBorders, CrackWithVerticesThatDoNotFaceEachOtherIsClosed) {
     const Soup torn = interleaved_crack(gap, {0.3, 0.7}, {0.5});
     const PassRun run = run_pass(torn, weld(0.002));
     EXPECT_EQ(run.operations, 1U);
-    // As CrackWithJunctionsIsClosed.
+    // The mesh is that of CrackWithJunctionsIsClosed.
     const SeamTopology expected{
         .vertices = 7, .edges = 14, .faces = 8, .border_edges = 4, .components = 1};
     EXPECT_EQ(seam_topology_of(run.tracked.soup), expected);

@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Of the source tree.
+/// Reads a file of the source tree.
 std::string text_of(const std::string& asset) {
   std::string path = MESHALYZER_MESHES;
   path += "/../lib/meshalyzer/report/html/assets/";

@@ -27,7 +27,7 @@ std::string page_of(const Analysis& analysis, const std::string& index = "",
   return html_report(MeshPage{analysis, {name, defects, scene}, index});
 }
 
-/// What stands before the scripts.
+/// Returns the part of a page before the scripts.
 std::string content_of(const std::string& html) {
   return html.substr(0, html.find("<script"));
 }

@@ -39,7 +39,7 @@ inline Scene sample_scene() {
   return scene;
 }
 
-/// What it is of: vertices 10, 20, 30, 40 and faces 7, 9.
+/// Returns the name of the mesh of the scene, with vertices 10, 20, 30, 40 and faces 7, 9.
 inline MeshName sample_name(std::string path = "folder/sample.mesh") {
   return {.path = std::move(path),
           .format = Format::Mesh,

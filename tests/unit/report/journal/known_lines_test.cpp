@@ -17,7 +17,7 @@ using test::SmallJournal;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// How many lines of a journal hold for a subject.
+/// Returns how many lines of a journal are valid for a subject.
 std::size_t n_holding(const std::string& file, const JournalSubject& subject) {
   KnownLines known(subject);
   known.add(file);

@@ -24,7 +24,7 @@ class SmallJournal {
   [[nodiscard]] const std::string& path(std::size_t number) const { return paths_[number]; }
   [[nodiscard]] std::string file() const { return folder_.file("journal.ndjson"); }
   [[nodiscard]] std::string file(const std::string& name) const { return folder_.file(name); }
-  /// Of the files as they are now.
+  /// Returns the subject of the files as they are now.
   [[nodiscard]] JournalSubject subject(const Request& request = {}) const {
     return {stamped(paths_), request};
   }
