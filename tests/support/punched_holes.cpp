@@ -3,7 +3,7 @@
 #include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/repair/edits/apply_edits.h"
 #include "meshalyzer/repair/holes/internal/fill_loop.h"
-#include "meshalyzer/repair/holes/internal/large_loop.h"
+#include "meshalyzer/repair/holes/internal/triangulate_large_loop.h"
 #include "meshalyzer/spatial/triangle_distance.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "meshalyzer/repair/holes/internal/triangulate_loop.h"
 
-#include "meshalyzer/repair/holes/internal/large_loop.h"
+#include "meshalyzer/repair/holes/internal/triangulate_large_loop.h"
 #include "unit/repair/holes/hole_cases.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "meshalyzer/repair/holes/internal/fill_loop.h"
 
-#include "meshalyzer/repair/holes/internal/large_loop.h"
 #include "meshalyzer/repair/holes/internal/rim_bend.h"
 #include "meshalyzer/repair/holes/internal/smooth_patch.h"
+#include "meshalyzer/repair/holes/internal/triangulate_large_loop.h"
 
 #include <algorithm>
 #include <array>

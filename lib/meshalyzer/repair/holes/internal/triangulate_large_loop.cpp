@@ -1,4 +1,4 @@
-#include "meshalyzer/repair/holes/internal/large_loop.h"
+#include "meshalyzer/repair/holes/internal/triangulate_large_loop.h"
 
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/exact/plane_view.h"
