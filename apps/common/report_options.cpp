@@ -6,7 +6,7 @@ namespace meshalyzer {
 
 void declare_json(OptionTable& table, ReportOptions& options) {
   table.option_or("-", "--json[=FILE]", into(options.json),
-                  "as JSON in place of text; or as JSON in FILE, and as text");
+                  "the report as JSON in place of text; with FILE, as JSON in FILE and as text");
 }
 
 void declare_unpack_ratio(OptionTable& table, std::uint64_t& ratio) {
@@ -17,9 +17,11 @@ void declare_unpack_ratio(OptionTable& table, std::uint64_t& ratio) {
 void declare_conduct(OptionTable& table, ReportOptions& options) {
   const auto be_quiet = [&options] { options.progress = ReportOptions::Progress::Never; };
   table.option("--threads N", into(options.threads, to_thread_count),
-               "at most N threads; 0, the default: one a core");
-  table.flag("--quiet", be_quiet, "nothing on standard error but what is wrong");
-  table.flag("--no-progress", be_quiet, "no progress on standard error (only a terminal has it)");
+               "use at most N threads; 0, the default: one for each core");
+  table.flag("--quiet", be_quiet, "write only errors to standard error");
+  table.flag("--no-progress", be_quiet,
+             "show no progress on standard error (it is shown only on "
+             "a terminal)");
   declare_unpack_ratio(table, options.max_unpack_ratio);
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 void declare_questions(OptionTable& table, Options& options) {
   MeshRequest& mesh = options.mesh;
-  table.group("What is done");
+  table.group("Tasks");
   table.flag(
       "-a,--attributes", [&mesh] { mesh.scope = Scope::AttributesOnly; }, "only the attributes");
   table.option("-g,--good AR,ANGLE,LEN", into(mesh.goodness, to_thresholds),
@@ -34,7 +34,7 @@ void declare_questions(OptionTable& table, Options& options) {
 
 void declare_names(OptionTable& table, Options& options) {
   MeshRequest& mesh = options.mesh;
-  table.group("Which elements are named, by their ids in the file");
+  table.group("Elements to name, by their ids in the file");
   table.flag(
       "-p,--offenders", [&options] { options.offenders = OffenderStyle::Ids; },
       "every offending element");
@@ -53,7 +53,7 @@ void declare_names(OptionTable& table, Options& options) {
 
 void declare_separation(OptionTable& table, Options& options) {
   SeparationOptions& separation = options.separation;
-  table.group("How separation is measured (-s)");
+  table.group("Separation (-s)");
   table.option("--search-radius R", into(separation.search_radius, to_length),
                "vertices with nothing within R are counted, not measured");
   table.option("--search-cone DEG", into(separation.search_cone_degrees, to_cone),
@@ -61,9 +61,9 @@ void declare_separation(OptionTable& table, Options& options) {
   table.option("--include-self R", into(separation.include_self, to_length),
                "also the mesh's own surface, but for faces with a vertex that is reached along "
                "edges within R: the width of a fold");
-  table.flag("--force", options.force, "although a mesh is not good");
+  table.flag("--force", options.force, "measure although a mesh is not good");
   table.option("--separation-ply DIR", into(options.separation_ply),
-               "a PLY of each mesh in DIR, its vertices coloured by it");
+               "write a PLY of each mesh to DIR, its vertices coloured by separation");
 }
 
 void declare_pictures(OptionTable& table, Options& options) {
@@ -71,33 +71,34 @@ void declare_pictures(OptionTable& table, Options& options) {
   table.group("Pictures");
   table.option("--html FILE", into(options.html),
                "the report as one page that opens in any browser, offline, with a 3D view, every "
-               "defect in a list and shown in place; of several meshes an index, the pages in "
-               "FILE_pages/");
+               "defect in a list and shown in place; for several meshes an index, and their "
+               "pages in FILE_pages/");
   table.option("--export FILE", into(wanted.file),
-               "a field as quality and colour of the vertices of a .ply, .obj or .vtp; of several "
-               "meshes a file each, in a folder called as FILE without its ending; needs --field");
+               "write a field as quality and colour of the vertices of a .ply, .obj or .vtp; "
+               "several meshes get a file each, in a folder named like FILE without its ending; "
+               "needs --field");
   table.option("--field F", into(wanted.field, to_field),
                "which: " + names_of(all_field_names(), field_name) + " (needs -s)");
   table.option("--palette NAME", into(wanted.palette, to_palette),
-               "viridis, diverging, jet or hot in place of what suits F");
+               "viridis, diverging, jet or hot, in place of the palette that suits F");
 }
 
 void declare_reports(OptionTable& table, Options& options) {
   declare_json(table, options);
-  table.flag("--summary", options.summary, "a line a mesh, in place of its report");
+  table.flag("--summary", options.summary, "one line for each mesh in place of its report");
 }
 
 void declare_journal(OptionTable& table, Options& options) {
   table.option_or("-", "--ndjson[=FILE]", into(options.ndjson),
-                  "a line of JSON for each mesh as it is done, and for what is between it and the "
-                  "others, in place of text; or in FILE, a journal, and the report as text; lines "
-                  "that are there of an earlier run, and still hold, stay");
+                  "a line of JSON for each mesh as soon as it is done, and for its findings with "
+                  "other meshes, in place of text; with FILE the lines go to this journal, and "
+                  "the report is text; lines of an earlier run that are still valid stay");
   table.option("--resume FILE", into(options.resume),
-               "go on with a journal: what is in it, of files that have not changed since, is not "
-               "done again");
+               "go on with a journal: files in it that have not changed since are not analysed "
+               "again");
   table.option("--shard K/N", into(options.shard, to_shard),
-               "only part K of N of the work; needs --ndjson=FILE, of which `meshalyzer merge` "
-               "makes the report of the whole");
+               "do only part K of N of the work; needs --ndjson=FILE, from which `meshalyzer "
+               "merge` makes the report of the whole");
 }
 
 void declare_bounds(OptionTable& table, Options& options) {
@@ -142,9 +143,10 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
                  "meshalyzer check models\n"
                  "meshalyzer --html cow.html cow.obj\n"
                  "meshalyzer -p -g 100,5,0.1 cow.obj\n"
-                 "meshalyzer -i -s --json=set.json neurons\n\n"
+                 "meshalyzer -i -s --json=set.json neurons\n"
+                 "\n"
                  "Exit status: 0 done (with -g: good); 1 with -g: not good; 2 wrong usage; 3 an "
-                 "input could not be read, or the report not be written; 130 interrupted.",
+                 "input could not be read, or the report could not be written; 130 interrupted.",
        .version = "meshalyzer " MESHALYZER_VERSION "\n"});
   Options& options = command.options;
   table.arguments(
@@ -155,7 +157,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   declare_names(table, options);
   declare_separation(table, options);
   declare_pictures(table, options);
-  table.group("How it is told");
+  table.group("Reports");
   declare_reports(table, options);
   declare_journal(table, options);
   declare_bounds(table, options);
@@ -172,19 +174,22 @@ CommandLine parse_merge_command_line(int argc, const char* const* argv) {
   CommandLine command;
   OptionTable table(
       {.calls = {"meshalyzer merge [options] FILE.ndjson..."},
-       .purpose = "Makes the report of a run of the journals of its parts (--shard), or of a "
-                  "whole one: the same, byte for byte, as the run would have printed. What was "
-                  "asked stands in the journals; the options only say how to tell it.",
+       .purpose = "Makes the report of a run from the journals of its parts (--shard), or from "
+                  "the journal of a whole run: byte for byte the report that the run would have "
+                  "printed. The journals say what was asked; the options only say how to report "
+                  "it.",
        .footer = "Examples:\n"
                  "meshalyzer merge --summary part1.ndjson part2.ndjson\n"
-                 "meshalyzer merge --json=set.json part*.ndjson\n\n"
-                 "The statistics over all faces of a set are made of the mesh files, which must "
-                 "be where they were and unchanged.\n\n"
+                 "meshalyzer merge --json=set.json part*.ndjson\n"
+                 "\n"
+                 "The statistics over all faces of a set are computed from the mesh files, which "
+                 "must be where they were and unchanged.\n"
+                 "\n"
                  "Exit status: 0 done (with -g: good); 1 with -g: not good; 2 wrong usage; 3 a "
                  "part is missing, or a file cannot be read.",
        .version = ""});
   table.arguments("FILE", command.options.paths, "");
-  table.group("How it is told");
+  table.group("Reports");
   declare_reports(table, command.options);
   declare_work(table, command.options);
   command.answer = table.parse(argc, argv);

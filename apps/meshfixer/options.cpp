@@ -28,37 +28,37 @@ bool names_operation(const Said& said, const RepairOptions& repair) {
 }
 
 void declare_actions(OptionTable& table, Options& options, Said& said) {
-  table.group("What is done");
+  table.group("Tasks");
   table.option("-o,--output OUT", into(options.output, to_output),
-               "where the repaired mesh goes: a mesh file, or - for standard output (the report "
-               "then goes to standard error), or a folder, for any number of meshes; a name "
-               "without an ending is that of a folder, and so is one that ends with /");
+               "write the repaired mesh to OUT: a mesh file, or - for standard output (the "
+               "report then goes to standard error), or a folder, for any number of meshes; a "
+               "name without an ending is that of a folder, and so is one that ends with /");
   table.flag(
       "--in-place", [&options] { options.target = Options::Target::InPlace; },
-      "write over the inputs: each stays as it was until its new file is complete, and where "
+      "write over the inputs: each stays as it was until its new file is complete, and also if "
       "nothing is changed");
   table.flag(
       "--backup", [&options] { options.backup = Options::Backup::Original; },
-      "with --in-place: keep what is written over as FILE.orig");
+      "with --in-place: keep each file that is written over as FILE.orig");
   table.flag("--find", said.find,
              "only report the defects; of these, --fix and --no-fix say which count for the exit "
              "status");
   table.flag("--dry-run", said.dry_run, "repair and report, but write nothing");
   table.flag(
       "--strict-attributes", [&options] { options.loss = Options::Loss::Refuse; },
-      "write nothing, with exit status 1, where OUT cannot hold all that IN says beside the mesh, "
-      "such as texture coordinates");
+      "write nothing, with exit status 1, if OUT cannot hold all attributes of IN, such as "
+      "texture coordinates");
   table.option("--fix LIST", into(said.fix, to_codes),
-               "only these, by code: " + names_of(all_defect_codes(), defect_name) +
+               "fix only these defects, by code: " + names_of(all_defect_codes(), defect_name) +
                    "; or default (all but disjoint and numbering), or all");
-  table.option("--no-fix LIST", into(said.no_fix, to_codes), "all of these but those named");
+  table.option("--no-fix LIST", into(said.no_fix, to_codes), "do not fix these");
   table.flag("--solid", options.repair.solid,
-             "the result is to be a solid: holes of sheets are filled too, open fragments that "
-             "enclose nothing are dropped, each told with its area");
+             "make the result a solid: fill holes of sheets too, and drop open fragments that "
+             "enclose nothing, each reported with its area");
   table.flag("--guarantee", options.repair.guarantee,
-             "what is not good in the end is replaced by a new surface within the maximum "
-             "deviation, or it is said that none was found; with --solid, where there is nothing "
-             "but sheets they become thin solids");
+             "replace the parts that are not good in the end by a new surface within the maximum "
+             "deviation, or report that none was found; with --solid, sheets become thin solids "
+             "if there is nothing else");
 }
 
 void declare_operations(OptionTable& table, Options& options, Said& said) {
@@ -69,12 +69,13 @@ void declare_operations(OptionTable& table, Options& options, Said& said) {
       "--flip", [&repair] { repair.turn = Turn::Everything; }, "turn every face over");
   table.flag("--renumber", said.renumber, "number vertices and faces 1, 2, ..., n");
   table.flag("--drop-orphans", said.drop_orphans,
-             "drop vertices that no face uses. These four alone where nothing else is asked for");
+             "drop vertices that no face uses. If nothing else is asked for, only these four are "
+             "done");
   table.flag("--separate", said.separate,
-             "one file a component: OUT_1, OUT_2, ..., largest first; so too where disjoint is "
-             "fixed, as by --fix all");
+             "write one file for each component: OUT_1, OUT_2, ..., largest first; fixing "
+             "disjoint does the same, as with --fix all");
   table.option("--keep-largest N", into(repair.keep_largest, to_count_from_one),
-               "only the N components with most faces");
+               "keep only the N components with most faces");
 }
 
 void declare_booleans(OptionTable& table, Said& said) {
@@ -84,13 +85,13 @@ void declare_booleans(OptionTable& table, Said& said) {
         name, [&said, operation] { said.operations.push_back(operation); }, text);
   };
   declare("--union", BooleanOperation::Union,
-          "what is inside any input; of one input, its components are combined");
-  declare("--intersection", BooleanOperation::Intersection, "what is inside all inputs");
+          "the solid inside any input; the components of a single input are combined");
+  declare("--intersection", BooleanOperation::Intersection, "the solid inside all inputs");
   declare("--difference", BooleanOperation::Difference,
-          "what is inside the first input and no other one");
+          "the solid inside the first input and no other one");
   declare("--subtract-in-order", BooleanOperation::SubtractInOrder,
-          "each input without those before it, a file each in the folder OUT; they are moved "
-          "apart where they would touch");
+          "each input without those before it, written to files in the folder OUT; they are "
+          "moved apart where they would touch");
 }
 
 /// Returns a function that takes a value of an option for holes.
@@ -106,7 +107,7 @@ void declare_holes(OptionTable& table, Options& options, Said& said) {
   FillOptions& fill = repair.fill;
   table.flag(
       "--keep-borders", [&repair] { repair.borders = Borders::Intended; },
-      "borders are meant: no hole is filled, and their vertices stay where they are");
+      "borders are intended: no hole is filled, and border vertices stay where they are");
   table.flag(
       "--by-group", [&repair] { repair.groups = Groups::Faces; },
       "the groups of the file are faces of a body: their common borders keep every vertex and "
@@ -118,8 +119,8 @@ void declare_holes(OptionTable& table, Options& options, Said& said) {
   table.option(
       "--fill-shape SHAPE", of_holes(said, into(fill.shape, to_fill_shape)),
       "linear (no new vertices), smooth (refined and faired), or auto (the default): smooth "
-      "where the surface bends towards the hole; asked for by any of these three or --fix, "
-      "holes of sheets (surfaces that mean no solid) are filled too");
+      "where the surface bends towards the hole. With any of these three options, or --fix, "
+      "holes of sheets (surfaces that bound no solid) are filled too");
   table.flag(
       "--keep-contact", [&repair] { repair.contact = Contact::Keep; },
       "copies of a vertex that was split stay in one place");
@@ -137,42 +138,43 @@ std::string default_text(double value) {
 void declare_limits(OptionTable& table, Options& options) {
   RepairOptions& repair = options.repair;
   ToleranceOptions& tolerances = repair.tolerances;
-  table.group("How far it may go");
+  table.group("Limits");
   table.option("--max-deviation D", into(repair.max_deviation, to_deviation),
                "no point of the old surface ends up farther than D from the new one, and outside "
                "of hole patches none of the new one from the old; D is a length, or a share of "
                "the diagonal as in " +
                    default_text(repair.max_deviation.value * 100.0) + "%, the default");
-  table.option(
-      "--tolerance T", into(tolerances.tolerance, to_length),
-      "of all three below; default " + default_text(kDefaultTolerance) + " of the diagonal");
+  table.option("--tolerance T", into(tolerances.tolerance, to_length),
+               "all three tolerances below; default " + default_text(kDefaultTolerance) +
+                   " of the diagonal");
   table.option("--degen-tolerance T", into(tolerances.degeneracy, to_length),
                "edges and altitudes below it are degenerate");
   table.option("--slit-tolerance T", into(tolerances.slit, to_length),
                "border edges within it are at one place");
   table.option("--height-tolerance T", into(tolerances.height, to_length),
-               "a foldover is within it of what it lies on");
-  table.option("--max-foldover-angle DEG", into(tolerances.max_foldover_angle, to_foldover_angle),
-               "of a fold; default " + default_text(tolerances.max_foldover_angle));
+               "a foldover is within it of the surface that it lies on");
+  table.option(
+      "--max-foldover-angle DEG", into(tolerances.max_foldover_angle, to_foldover_angle),
+      "the largest angle of a fold; default " + default_text(tolerances.max_foldover_angle));
   table.option("--time-limit S", into(options.time_limit, to_seconds),
-               "after S seconds write what has been reached, checked, and say what remains; Ctrl-C "
-               "does the same, and a second one aborts");
+               "after S seconds write the mesh as repaired so far, checked, and report the "
+               "defects that remain; Ctrl-C does the same, and a second one aborts");
 }
 
 void declare_reports(OptionTable& table, Options& options) {
-  table.group("How it is told");
+  table.group("Reports");
   table.flag(
       "-p", [&options] { options.lists = ListLength::Full; },
-      "name every element and every change, and what remains but was not asked for");
+      "name every element and every change, and the remaining defects that were not to be fixed");
   table.option("--max-defects N", into(options.repair.max_defects, to_count),
-               "list so many defects at most; 0, the default: all");
+               "list at most N defects; 0, the default, lists all");
   declare_json(table, options);
   table.option_or("-", "--ndjson[=FILE]", into(options.ndjson),
-                  "of many files: a line of JSON for each as soon as it is done, in place of text; "
-                  "or in FILE, beside text");
+                  "for many files: a line of JSON for each as soon as it is done, in place of "
+                  "text; with FILE the lines go there, beside text");
   table.option("--html FILE", into(options.html, to_page),
-               "as one page that opens in any browser, offline, with a 3D view before and after, "
-               "every defect in a list and shown in place");
+               "the report as one page that opens in any browser, offline, with a 3D view before "
+               "and after, every defect in a list and shown in place");
   declare_conduct(table, options);
 }
 
@@ -333,8 +335,8 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
                  "meshfixer --union [options] PATH... -o OUT"},
        .purpose =
            "Finds what is wrong with a triangle mesh, repairs it as far as it can within a "
-           "maximum deviation, writes a new file, and says what remains wrong with it. "
-           "The input is never changed but by --in-place; what is not broken stays bit for bit.",
+           "maximum deviation, writes a new file, and reports the defects that remain. The input "
+           "is never changed but by --in-place; sound parts stay unchanged bit for bit.",
        .footer = "Examples:\n"
                  "meshfixer --find cow.obj\n"
                  "meshfixer cow.obj -o cow_fixed.obj\n"

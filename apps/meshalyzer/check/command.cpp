@@ -74,7 +74,7 @@ OptionTable::Take append_codes(std::vector<std::string>& list) {
 }
 
 std::string profile_help() {
-  std::string text = "what is asked of the meshes:";
+  std::string text = "the requirements on the meshes:";
   for (const CheckProfile& profile : check_profiles()) {
     text.append("\n").append(profile.name).append(": ").append(profile.description);
   }
@@ -82,22 +82,22 @@ std::string profile_help() {
 }
 
 void declare_files(OptionTable& table, CheckCommand& command) {
-  table.group("Which files");
+  table.group("Files");
   table.repeatable(
       "--exclude GLOB", append_to(command.excluded),
-      "leave out what fits, in folders: a name (*_old.stl) or a path within the folder "
+      "leave out files in folders that fit: a name (*_old.stl) or a path within the folder "
       "(scans/*.ply); once for each GLOB");
   table.option("--stdin-filename NAME", into(command.stdin_name),
-               "what standard input (-) is called; the ending says its format");
+               "the name of standard input (-); its ending determines the format");
 }
 
 void declare_criteria(OptionTable& table, CheckCommand& command) {
   CheckSettings& settings = command.settings;
-  table.group("What is good");
+  table.group("Criteria");
   table.option("--profile NAME", into(settings.profile, to_profile_name), profile_help());
   table.repeatable("--select CODES", append_codes(settings.selected),
                    "look for these defects and limits only: a,b,c, or all; see doc/defects.md");
-  table.repeatable("--ignore CODES", append_codes(settings.ignored), "do not look for these");
+  table.repeatable("--ignore CODES", append_codes(settings.ignored), "leave out these");
   for (const LimitInfo& info : limit_table()) {
     std::string help = info.sense == LimitSense::AtLeast ? "at least N: " : "at most N: ";
     table.option(std::string("--").append(info.name).append(" N"),
@@ -107,16 +107,16 @@ void declare_criteria(OptionTable& table, CheckCommand& command) {
                "take settings from FILE, not from the .meshalyzer.toml that is nearest to each "
                "file, in its folder or in one above; see doc/check.md");
   table.option("--baseline FILE", into(command.baseline),
-               "accept the findings in FILE, made by --format json --max 0: they are known by "
-               "place and code, and only new ones are told");
+               "accept the findings in FILE, made by --format json --max 0: they are recognised "
+               "by place and code, and only new ones are reported");
   table.flag("--isolated", command.is_isolated, "take no settings from files");
 }
 
 void declare_telling(OptionTable& table, CheckCommand& command) {
-  table.group("How it is told");
+  table.group("Reports");
   table.flag("--diff", command.is_comparison,
-             "what is better or worse in the second of two meshes than in the first: findings "
-             "that are gone, and new ones; exit status 1 where there is a new one");
+             "compare two meshes: report the findings of the first that the second does not "
+             "have, and the new ones of the second; exit status 1 where there is a new one");
   table.option("--format NAME", into(command.format, to_check_format),
                names_of(all_check_formats(), check_format_name));
   table.option(
@@ -126,7 +126,7 @@ void declare_telling(OptionTable& table, CheckCommand& command) {
   table.option("--color WHEN", into(command.colour, to_colour_choice),
                "auto (on a terminal, unless NO_COLOR is set), always or never");
   table.option("--threads N", into(command.threads, to_thread_count),
-               "how many work at most (all cores)");
+               "use at most N threads (all cores)");
   table.option("--memory-limit SIZE", into(command.memory_limit, to_bytes),
                "stay below it (500M, 4G) where the largest few meshes allow it");
   declare_unpack_ratio(table, command.max_unpack_ratio);

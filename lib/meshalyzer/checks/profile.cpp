@@ -66,20 +66,21 @@ CheckCriteria exchange() {
 const std::array<CheckProfile, 5>& profiles() {
   static const std::array<CheckProfile, 5> table{
       {{"solid",
-        "closed, manifold, outward, no intersection, nothing degenerate, no unused or misnumbered "
-        "records: what reports call good",
+        "closed, manifold and outward, nothing intersecting or degenerate, no unused or "
+        "misnumbered records: good in the sense of reports",
         solid()},
        {"print",
-        "a solid that slicers take: also no folds and no faces that are all but degenerate; "
-        "unused records and their numbers do not matter",
+        "a solid that slicers take: no folds and no nearly degenerate faces either; unused "
+        "records and numbering do not matter",
         print()},
        {"simulation",
-        "as print, no unused vertex, and angles of faces of at least 5 degrees, aspect ratios up "
-        "to 20, angles at edges of at least 5 degrees",
+        "a print mesh without unused vertices, with angles of faces of at least 5 degrees, "
+        "aspect ratios up to 20, angles at edges of at least 5 degrees",
         simulation()},
-       {"sheet", "as solid, but borders are meant: terrain, cloth, scans", sheet()},
+       {"sheet", "a solid, but borders are allowed: terrain, cloth, scans", sheet()},
        {"exchange",
-        "records that other programs read the same way: borders and intersections do not matter",
+        "records that other programs read in the same way; borders and intersections do not "
+        "matter",
         exchange()}}};
   return table;
 }

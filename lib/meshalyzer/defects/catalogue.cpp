@@ -10,9 +10,9 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .name = "disjoint",
      .summary = "a component beside the largest one",
      .severity = Severity::Warning,
-     .meaning = "The mesh has more than one component (faces joined through shared vertices). One "
-                "defect a component beyond the largest; the largest has the most faces, and of "
-                "equal ones it is the first.",
+     .meaning = "The mesh has more than one component (faces joined through shared vertices). "
+                "There is one defect for each component beyond the largest; the largest has the "
+                "most faces, and of equal ones it is the first.",
      .value = "The component's number of faces.",
      .measured = {.before = "", .one = "face", .many = "faces"},
      .elements = "The component's first face, and the middle of it.",
@@ -25,23 +25,22 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .name = "foldover",
      .summary = "faces folded back onto the surface",
      .severity = Severity::Error,
-     .meaning =
-         "A region of faces is folded back onto its surroundings: its normals are opposed to "
-         "those of its neighbours, the edges round it are folds, whose smaller face angle "
-         "is at most the max fold-over angle, and it lies within the height tolerance of "
-         "them.",
+     .meaning = "A region of faces is folded back onto its surroundings: its normals are opposed "
+                "to those of its neighbours, and it lies within the height tolerance of them. "
+                "The edges round it are folds, whose smaller face angle is at most the max "
+                "fold-over angle.",
      .value = "The largest distance of the region from its surroundings; limit: the height "
               "tolerance.",
      .measured = {.before = "height"},
      .elements = "The faces of the region, the edges of the folds, and a point of the region.",
-     .fix = "A vertex of the region is moved back to where its faces unfold, or taken away and its "
-            "place closed.",
+     .fix = "A vertex of the region is moved back to where its faces unfold, or it is removed "
+            "and its place is closed.",
      .fix_summary = "meshfixer unfolds it",
      .passes = "remove foldovers",
      .fixed_by_default = true},
     {.code = DefectCode::FlatFacet,
      .name = "flat-facet",
-     .summary = "a face that is all but a line",
+     .summary = "a face that is nearly a line",
      .severity = Severity::Error,
      .meaning = "A face has an altitude below the degeneracy tolerance, but no edge below it. A "
                 "face of zero area (exact) is always flat.",
@@ -55,7 +54,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .fixed_by_default = true},
     {.code = DefectCode::DegenerateFacet,
      .name = "degenerate-facet",
-     .summary = "a face with an edge of all but no length",
+     .summary = "a face with an edge of nearly no length",
      .severity = Severity::Error,
      .meaning =
          "A face has an edge shorter than the degeneracy tolerance, or names a vertex twice. "
@@ -66,8 +65,8 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .measured = {.before = "shortest edge"},
      .elements = "The face, its edges that are too short, the vertex that it names twice, and the "
                  "middle of the shortest edge.",
-     .fix = "A face that names a vertex twice is dropped; else the short edge is collapsed to a "
-            "point.",
+     .fix = "A face that names a vertex twice is dropped; otherwise the short edge is collapsed "
+            "to a point.",
      .fix_summary = "meshfixer collapses it",
      .passes = "mend facets",
      .fixed_by_default = true},
@@ -88,16 +87,16 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .name = "self-intersection",
      .summary = "faces that run into each other",
      .severity = Severity::Error,
-     .meaning = "Faces share a point that is not on a vertex or edge which both have. One defect a "
-                "connected patch of intersecting faces.",
+     .meaning = "Faces share a point that is not on a vertex or edge which both have. There is "
+                "one defect for each connected patch of intersecting faces.",
      .value = "The number of intersecting pairs in the patch.",
      .measured = {.before = "", .one = "pair", .many = "pairs"},
      .elements = "The faces, the pairs with their kinds, and a point of the patch.",
-     .fix =
-         "Faces that are there twice, folds, and seams that were never welded, are mended as what "
-         "they are. The others are cut where they meet, and what does not bound the solid that the "
-         "faces enclose goes: exactly where they are closed, by estimates where they nearly are; "
-         "sheets are left, but for those inside solids that they cross.",
+     .fix = "Duplicate faces, folds, and seams that were never welded, are mended as such. Other "
+            "faces are cut where they meet, and the pieces that do not bound the solid that the "
+            "faces enclose are dropped: by exact winding numbers where the faces are closed, by "
+            "estimates where they nearly are. Sheets are left, except those that lie inside "
+            "solids that they cross.",
      .fix_summary = "meshfixer mends it",
      .passes = "weld borders, drop duplicates, remove foldovers or cut intersections",
      .fixed_by_default = true},
@@ -105,14 +104,15 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .name = "non-manifold",
      .summary = "an edge or vertex where sheets of faces meet",
      .severity = Severity::Error,
-     .meaning = "An edge has more than two faces; or the faces round a vertex that is on no such "
+     .meaning = "An edge has more than two faces, or the faces round a vertex that is on no such "
                 "edge are more than one fan.",
      .value = "The number of faces at the edge, or of fans at the vertex.",
      .measured = {.before = "", .one = "faces at it", .many = "faces at it"},
      .elements = "The edge or the vertex, the faces there, and its place.",
-     .fix = "The mesh is cut at the edge, its faces paired by angle so that each solid stays "
-            "closed; each fan gets a vertex of its own. The copies are moved apart by the smallest "
-            "step after which nothing touches, unless the option `keep-contact` is given.",
+     .fix = "The mesh is cut at the edge, and its faces are paired by angle so that each solid "
+            "stays closed; each fan gets a vertex of its own. The copies are moved apart by the "
+            "smallest step after which nothing touches, unless the option `keep-contact` is "
+            "given.",
      .fix_summary = "meshfixer splits it",
      .passes = "split edges, split vertices and part contacts",
      .fixed_by_default = true},
@@ -121,31 +121,31 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .summary = "a normal of the file that points into the mesh",
      .severity = Severity::Warning,
      .meaning = "A normal that the file gives at a vertex points into the mesh: its dot product "
-                "with the normal of every face at the vertex is below 0 (exact). Of several "
-                "normals at a vertex one is enough. Faces of zero area have no say.",
+                "with the normal of every face at the vertex is below 0 (exact). If a vertex has "
+                "several normals, one such normal is enough. Faces of zero area do not count.",
      .value = "",
      .elements = "The vertex, and its place.",
-     .fix = "The normals at the vertex are made anew from its faces.",
-     .fix_summary = "meshfixer makes it anew",
+     .fix = "The normals at the vertex are computed anew from its faces.",
+     .fix_summary = "meshfixer renews it",
      .passes = "renew normals",
      .fixed_by_default = true},
     {.code = DefectCode::Corrupt,
      .name = "corrupt",
      .summary = "records that make no mesh",
      .severity = Severity::Error,
-     .meaning = "The data make no mesh: faces name a vertex that no record defines (one defect a "
-                "missing id); records repeat an id (one defect an id); a coordinate is NaN or "
-                "infinite; a line of a `.mesh` file is the remains of a torn record. Files with "
-                "such a coordinate are refused when they are read; where a program made the mesh, "
-                "nothing that depends on positions is looked for.",
+     .meaning = "The data make no mesh: faces name a vertex that no record defines (one defect "
+                "for each missing id), records repeat an id (one defect for each id), a "
+                "coordinate is NaN or infinite, or a line of a `.mesh` file is the remains of a "
+                "torn record. Files with such a coordinate are refused when they are read; if a "
+                "program made the mesh, the search finds no defect that depends on positions.",
      .value = "The number of records that have the id.",
      .measured = {.before = "", .one = "records", .many = "records"},
-     .elements = "The faces that name the missing vertex, and a corner of them that there is; the "
+     .elements = "The faces that name the missing vertex, and a defined corner of them; the "
                  "records that have the id, and their places; the vertex whose position is not "
-                 "finite. The id or line is told in words.",
+                 "finite. The message gives the id or line in words.",
      .fix = "Faces with a missing vertex and repeated vertex records are dropped, a face record "
-            "that repeats an id gets a new one, torn lines are not written. Positions that are not "
-            "finite cannot be mended.",
+            "that repeats an id gets a new one, and torn lines are not written. Positions that "
+            "are not finite cannot be mended.",
      .fix_summary = "meshfixer mends it",
      .passes = "drop corrupt records",
      .fixed_by_default = true},
@@ -153,13 +153,13 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .name = "hole",
      .summary = "a border loop",
      .severity = Severity::Error,
-     .meaning = "A border: a chain of edges with one face each, that is no slit. One defect a "
-                "boundary.",
+     .meaning = "A chain of edges with one face each forms a border that is no slit. There is "
+                "one defect for each boundary.",
      .value = "The length of the boundary.",
      .measured = {.before = "length"},
      .elements = "The border edges in walking order, and a point of the border.",
-     .fix = "Filled by a patch that intersects nothing. A sheet, which means no solid, is left "
-            "open unless filling is asked for by name.",
+     .fix = "The hole is filled by a patch that intersects nothing. A sheet, which bounds no "
+            "solid, is left open unless filling is asked for by name.",
      .fix_summary = "meshfixer fills it",
      .passes = "fill holes",
      .fixed_by_default = true},
@@ -167,9 +167,10 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .name = "flipped",
      .summary = "faces turned against their neighbours",
      .severity = Severity::Error,
-     .meaning = "Both faces of an edge cross it in the same direction. One defect a patch of faces "
-                "that must be turned for all to be consistent, the smaller side by area; one, not "
-                "fixable, for a component that no turning makes consistent.",
+     .meaning = "Both faces of an edge cross it in the same direction. There is one defect for "
+                "each patch of faces that must be turned for all to be consistent, which is the "
+                "smaller side by area. A component that no turning makes consistent has one "
+                "defect, which is not fixable.",
      .value = "",
      .elements = "The faces to be turned, the edges crossed twice in the same direction, and a "
                  "point of them.",
@@ -181,8 +182,8 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .name = "inward",
      .summary = "a closed component that is inside out",
      .severity = Severity::Error,
-     .meaning = "A closed, manifold and consistent component points the wrong way: into its solid, "
-                "or, the wall of a cavity, out of the cavity.",
+     .meaning = "A closed, manifold and consistent component points the wrong way: into its "
+                "solid or, if it is the wall of a cavity, out of the cavity.",
      .value = "The component's volume.",
      .measured = {.before = "volume"},
      .elements = "The component's first face, and a point of it.",
@@ -194,13 +195,14 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .name = "duplicate-facet",
      .summary = "faces with the same three vertices",
      .severity = Severity::Error,
-     .meaning = "Faces have the same three vertices, in whatever order. One defect a set of equal "
-                "faces.",
+     .meaning = "Faces have the same three vertices, in whatever order. There is one defect for "
+                "each set of equal faces.",
      .value = "The number of faces in the set.",
      .measured = {.before = "", .one = "faces", .many = "faces"},
      .elements = "The faces, and the middle of them.",
-     .fix = "Of those that face the same way all but the first are dropped. Of a wall between two "
-            "solids that is there once for each, each solid keeps its own, and they come apart.",
+     .fix = "If several faces face the same way, all but the first are dropped. If two solids "
+            "have a wall in common, with a face for each, each solid keeps its own, and the "
+            "solids are moved apart.",
      .fix_summary = "meshfixer drops the copies",
      .passes = "drop duplicates",
      .fixed_by_default = true},
@@ -208,7 +210,8 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .name = "orphan-vertex",
      .summary = "a vertex that no face uses",
      .severity = Severity::Warning,
-     .meaning = "A vertex that no face uses. A record that repeats an id is none: it is `corrupt`.",
+     .meaning = "No face uses the vertex. A record that repeats an id is not an orphan, but "
+                "`corrupt`.",
      .value = "",
      .elements = "The vertex, and its place.",
      .fix = "The vertex is dropped.",
@@ -219,12 +222,12 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .name = "numbering",
      .summary = "ids that do not count 1, 2, 3, ...",
      .severity = Severity::Warning,
-     .meaning = "Ids are not 1, 2, ..., n in file order: one defect for the vertices and one for "
-                "the faces. Only `.mesh` names its ids.",
-     .value = "The first id that is not as it should be; limit: what it should be.",
+     .meaning = "Ids are not 1, 2, ..., n in file order. There is one defect for the vertices "
+                "and one for the faces. Only `.mesh` files have ids of their own.",
+     .value = "The first id that is wrong; limit: the correct id.",
      .measured = {.before = "id"},
      .elements = "The vertex or face that has this id, and its place.",
-     .fix = "Only where asked for: the option `renumber` counts anew.",
+     .fix = "Only where asked for: the option `renumber` numbers them anew.",
      .fix_summary = "meshfixer renumbers where asked to",
      .passes = "renumber",
      .fixed_by_default = false},

@@ -12,22 +12,22 @@ constexpr std::string_view kIntroduction =
 
 # Defects
 
-What `meshfixer --find`, and `find_defects` in the library, can say is wrong with a mesh. What the words mean is said in
-[definitions.md](definitions.md). A defect is a value: its code, how severe it is, the vertices, edges and faces that it is about
-(by the ids of the file), where to look, what was measured and what the limit is, and whether `meshfixer` has a fix for it.
+This page lists the defects that `meshfixer --find`, and `find_defects` in the library, find in a mesh. [definitions.md](definitions.md)
+defines the words. A defect is a value: its code, how severe it is, the vertices, edges and faces that it is about
+(by the ids of the file), a place to look at, the measured value and its limit, and whether `meshfixer` has a fix for it.
 Codes are never renamed.
 
 Defects are listed by code, in the order below, then by their lowest element. The list is the same for any number of threads.
 
-**Severity.** An `error` means that the mesh bounds no solid, or that a program which trusts it may fail on it. With a
-`warning` it means what it should, but is not as neat as it could be.
+**Severity.** An `error` means that the mesh bounds no solid, or that a program which trusts it may fail on it. A
+`warning` means that the surface is as intended, but that the file could be tidier.
 
-**How many.** With a `max_defects` other than 0 no more than that are listed, the first ones. The counts by code stay
+**How many.** If `max_defects` is not 0, only that many defects are listed, the first ones. The counts by code stay
 complete, and the report says that the list was cut.
 
 ## Tolerances
 
-| tolerance | what for | default |
+| tolerance | meaning | default |
 |---|---|---|
 | degeneracy | an edge or altitude shorter than this is degenerate | 1e-8 of the diagonal |
 | slit | ends of border edges within this are at one place | 1e-8 of the diagonal |
@@ -35,11 +35,11 @@ complete, and the report says that the list was cut.
 | max fold-over angle | an edge whose smaller face angle is at most this is a fold | 1 degree |
 
 Lengths are in the unit of the mesh. The diagonal is that of the bounding box of the vertices that faces use. One tolerance
-may be given for all three lengths, or one for each, which then counts more. A slit or height tolerance below the degeneracy
+may be given for all three lengths, or one for each, which then takes precedence. A slit or height tolerance below the degeneracy
 tolerance is inconsistent, and a warning says so: what counts as a point in one place would be a gap in another.
 
-A tolerance of 0 asks for what is exactly so: a face is flat when its corners are on one line, an edge is degenerate, and
-two ends of border edges belong together, when they are at one place.
+With a tolerance of 0 the conditions are exact: a face is flat when its corners are on one line, an edge is degenerate when
+its ends are at one place, and so are two ends of border edges that belong together.
 
 ## Check levels
 
@@ -48,8 +48,8 @@ two ends of border edges belong together, when they are at one place.
 | level | the mesh must have no |
 |---|---|
 | `none` | anything is valid |
-| `basic` | `non-manifold`, `degenerate-facet`, `flat-facet`, `vertex-normal`. Where it is the mesh of a single face of a body also no `disjoint`, and its border must match the polylines given |
-| `full` | what `basic` asks for, and also no `slit` and no `self-intersection` |
+| `basic` | `non-manifold`, `degenerate-facet`, `flat-facet`, `vertex-normal`. The mesh of a single face of a body must have no `disjoint` either, and its border must match the given polylines |
+| `full` | all of `basic`, and also no `slit` and no `self-intersection` |
 )";
 
 void append_row(std::string& text, std::string_view name, std::string_view content) {

@@ -13,7 +13,7 @@ std::string_view rejection_reason(Rejection rejection) {
     case Rejection::MoreDefects:
       return "undone: it would make more defects than it mends";
     case Rejection::EndsWorse:
-      return "undone: in the end the mesh would be worse for it";
+      return "undone: it would make the final mesh worse";
   }
   return "";
 }

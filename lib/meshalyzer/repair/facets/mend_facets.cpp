@@ -286,7 +286,7 @@ void mend_in_complex(const PassInput& input, const std::vector<Defect>& defects,
     }
     result.refused.push_back(
         {defect.code, kNoIndex, f,
-         "all faces of its component are flat, and nothing else is where it is"});
+         "all faces of its component are flat, and no other surface is where it is"});
   }
 }
 

@@ -124,31 +124,33 @@ void define_finding(SchemaDefinitions& schema) {
   const std::string real(schema_type::kReal);
   schema.define(
       "finding",
-      {.description = "something that is wrong with a mesh",
+      {.description = "a fault of a mesh",
        .members = {
            {"code", "", code_type()},
            {"severity", "", severity_type()},
            {"message", "one sentence without full stop", text},
-           {"fix", "what mends it; null where nothing does", R"("type": ["string", "null"])"},
+           {"fix", "how meshfixer mends it; null where it does not",
+            R"("type": ["string", "null"])"},
            {"line", "of the record that the message names first; null where there are no lines",
             R"("type": ["integer", "null"], "minimum": 1)"},
            {"vertices", "ids of the file, the first few", ids},
            {"faces", "ids of the file, the first few", ids},
            {"position", "", R"("type": ["array", "null"], "items": {"type": "number"})"},
-           {"value", "what was measured", real},
-           {"limit", "what it passes", real}}});
+           {"value", "the measured value", real},
+           {"limit", "the limit that the value passes", real}}});
 }
 
 void define_count(SchemaDefinitions& schema) {
   const std::string count(schema_type::kCount);
-  schema.define("count",
-                {.description = "how often something was found",
-                 .members = {{"code", "", code_type()},
-                             {"severity", "", severity_type()},
-                             {"count", "whether listed or not", count},
-                             {"at_least", "there may be more, since the search ended early",
-                              std::string(schema_type::kTruth)},
-                             {"fixable", "those that meshfixer mends", count}}});
+  schema.define("count", {.description = "how often something was found",
+                          .members = {{"code", "", code_type()},
+                                      {"severity", "", severity_type()},
+                                      {"count", "whether listed or not", count},
+                                      {"at_least",
+                                       "whether there may be more, since the search ended "
+                                       "early",
+                                       std::string(schema_type::kTruth)},
+                                      {"fixable", "those that meshfixer mends", count}}});
 }
 
 void define_error(SchemaDefinitions& schema) {
@@ -184,7 +186,7 @@ void define_totals(SchemaDefinitions& schema) {
     totals.members.push_back({std::string(key), "", std::string(schema_type::kCount)});
   }
   totals.members.push_back(
-      {"at_least", "there may be more errors", std::string(schema_type::kTruth)});
+      {"at_least", "whether there may be more errors", std::string(schema_type::kTruth)});
   schema.define("totals", totals);
 }
 

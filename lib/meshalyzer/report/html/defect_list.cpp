@@ -153,8 +153,9 @@ void append_changes_section(HtmlWriter& html, std::span<const TitledMesh> meshes
   const HtmlSection section(html, "changes", "Changes");
   html.element(
       "p", {{"class", "hint"}},
-      "Press one to see where it is: before, what was dropped, cut or changed; after, what "
-      "came of it, and the seams along which faces meet that lay apart.");
+      "Press one to see where it is: the mesh before shows the faces that were dropped, cut or "
+      "changed; the mesh after shows their replacements, and the seams along which separate "
+      "faces were joined.");
   for (std::size_t scene = 0; scene < meshes.size(); ++scene) {
     if (meshes[scene].mesh.changes.empty()) continue;
     html.element("h3", meshes[scene].title);

@@ -58,7 +58,7 @@ void read_components(const JsonNode& list, Analysis& analysis) {
 /// Defines "component".
 void define_component(SchemaDefinitions& schema) {
   SchemaObject object{
-      .description = "statistics are told where the mesh has 2 to 1000 components",
+      .description = "statistics are given if the mesh has 2 to 1000 components",
       .members = {{"first_face", "id of its lowest face", std::string(schema_type::kInteger)}}};
   append_members(object.members, ComponentAnalysis(), kComponentFields);
   object.members.push_back(non_finite_member());
@@ -108,7 +108,7 @@ void define_integrity(SchemaDefinitions& schema) {
                             .members = {{"good", "", std::string(schema_type::kTruthOrNull)},
                                         {"reasons", "", std::string(schema_type::kTexts)}}});
   constexpr auto kSometimes = SchemaMember::Presence::Sometimes;
-  SchemaObject object{.description = "whether the file says what it means"};
+  SchemaObject object{.description = "whether the records of the file are complete and consistent"};
   append_members(object.members, Integrity(), kIntegrityFields);
   object.members.push_back({"first_torn_line", "only where there are any",
                             R"("type": "integer", "minimum": 1)", kSometimes});
@@ -254,7 +254,7 @@ std::vector<SchemaMember> file_members() {
   const std::vector<SchemaMember> format = format_members();
   members.insert(members.end(), format.begin(), format.end());
   members.push_back(
-      {"merged_points", "STL: corners whose point had been met before, bit by bit", count});
+      {"merged_points", "STL: corners whose point occurred before, bit by bit", count});
   members.push_back(
       {"polygons", "faces of more than three corners, each fanned into triangles", count});
   return members;

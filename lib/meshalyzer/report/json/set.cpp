@@ -155,7 +155,7 @@ Members verdict_members() {
        R"("prefixItems": [{"$ref": "#/$defs/name"}, )"
        R"({"type": "array", "items": {"type": "string"}}]})"},
       {"is_good",
-       "no mesh is not good and, where that was asked for, none intersects or is inside "
+       "whether every mesh is good and, where that was asked for, none intersects or is inside "
        "another; null where only the attributes were asked for",
        std::string(schema_type::kTruthOrNull)}};
 }

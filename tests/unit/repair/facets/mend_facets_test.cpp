@@ -263,7 +263,7 @@ TEST(MendFacets, ComponentOfFlatFacesAloneIsRefused) {
   ASSERT_EQ(run.refused.size(), 1U);
   EXPECT_EQ(run.refused[0].face, 12U);
   EXPECT_EQ(run.refused[0].reason,
-            "all faces of its component are flat, and nothing else is where it is");
+            "all faces of its component are flat, and no other surface is where it is");
 }
 
 TEST(MendFacets, SpeckBesideTheSurfaceIsDroppedAndOneFarFromItRefused) {

@@ -22,11 +22,11 @@ std::string reason_of(Obstacle obstacle) {
     case Obstacle::Unfinished:
       return "rounding the points of the cut makes faces intersect again and again";
     case Obstacle::Sheet:
-      return "the surface is a sheet: nothing tells what of it should go";
+      return "the surface is a sheet: nothing tells which part of it to drop";
     case Obstacle::Fixed:
       return "it meets a vertex that must stay as it is";
     case Obstacle::Lost:
-      return "a component that may be a cavity would go as a whole";
+      return "a component that may be a cavity would be dropped as a whole";
   }
   return "";
 }

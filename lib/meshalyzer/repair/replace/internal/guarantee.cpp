@@ -33,7 +33,9 @@ class Guarantee {
 
   std::vector<std::string> run() {
     if (is_good(driver_.state())) return {};
-    if (driver_.tracked().soup.n_faces() == 0) return {"no solid: there is no face to make one of"};
+    if (driver_.tracked().soup.n_faces() == 0) {
+      return {"no solid: there is no face to make one from"};
+    }
     if (!(max_deviation_ > 0.0)) {
       return {"not replaced: a replacement needs a maximum deviation above 0"};
     }
@@ -102,7 +104,7 @@ class Guarantee {
     }
     driver_.raise_deviation(before + made.deviation);
     notes_.push_back(
-        "what was still broken, or the mesh round it, was replaced by a new surface, " +
+        "the part that was still broken, or the mesh round it, was replaced by a new surface, " +
         shortest(made.deviation) + " from the old one at most where it was sampled (" +
         std::to_string(n_before) + " -> " + std::to_string(driver_.tracked().soup.n_faces()) +
         " faces)");

@@ -36,7 +36,7 @@ WeldClasses::WeldClasses(const WeldRules& rules)
 }
 
 std::string_view WeldClasses::join(const WeldEdge& a, const WeldEdge& b, EdgeRun run) {
-  constexpr std::string_view kTooFar = "their ends would have to go too far";
+  constexpr std::string_view kTooFar = "their ends would have to move too far";
   const std::array<Index, 2> of_a{sets_.find(a.from), sets_.find(a.to)};
   const std::array<Index, 2> of_b{sets_.find(partner_of_from(b, run)),
                                   sets_.find(partner_of_to(b, run))};

@@ -79,7 +79,7 @@ class Splitter {
     if (is_any_busy(crack)) return;
     if (parts_groups(crack)) return refuse(crack, "the edge between two groups may get no vertex");
     const std::optional<Closing> closing = plan(crack);
-    if (!closing) return refuse(crack, "the ends of the crack would have to go too far");
+    if (!closing) return refuse(crack, "the ends of the crack would have to move too far");
     if (!parts_face_one_way(*closing)) return refuse(crack, reason_of(MergeRejection::TurnOver));
     if (meets_itself_elsewhere(crack)) return refuse(crack, reason_of(MergeRejection::NonManifold));
     if (const MergeRejection rejection = rejection_of(*closing);
