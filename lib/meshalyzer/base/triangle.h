@@ -40,6 +40,17 @@ namespace meshalyzer {
   return std::max({lengths[0], lengths[1], lengths[2]});
 }
 
+/// Returns the two halves of a triangle, cut from the middle of its longest edge to the opposite
+/// corner; of edges of equal length the first counts.
+[[nodiscard]] inline std::array<Corners, 2> halves_of(const Corners& t) {
+  const std::array<double, 3> squares{(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(),
+                                      (t[0] - t[2]).squaredNorm()};
+  const auto k =
+      static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) - squares.begin());
+  const Vec3 middle = (t[k] + t[(k + 1) % 3]) / 2.0;
+  return {Corners{t[k], middle, t[(k + 2) % 3]}, Corners{middle, t[(k + 1) % 3], t[(k + 2) % 3]}};
+}
+
 /// Multiplies a point by a power of two, which rounds nothing but coordinates that underflow.
 [[nodiscard]] inline Vec3 times_power_of_two(const Vec3& p, int exponent) {
   return {std::ldexp(p[0], exponent), std::ldexp(p[1], exponent), std::ldexp(p[2], exponent)};

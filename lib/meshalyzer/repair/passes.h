@@ -109,6 +109,22 @@ struct CutOptions {
 /// solid that they enclose (see cut_surface()).
 [[nodiscard]] PassResult cut_intersections(const PassInput& input, const CutOptions& options);
 
+/// Tells whether a pass may drop open components that bound a solid.
+enum class LostParts : std::uint8_t { Refused, Allowed };
+
+struct SelfUnionOptions {
+  /// The holes that are filled before.
+  FillOptions fill;
+  LostParts lost = LostParts::Refused;
+};
+
+/// Fills holes with patches that may intersect the mesh, cuts all of it along its intersections,
+/// and keeps the boundary of the region with a winding number other than zero: the union of the
+/// mesh with itself (Zhou et al. 2016, "Mesh arrangements for solid geometry").
+///
+/// Unlike cut_intersections() it proposes one operation for all of the mesh, or none.
+[[nodiscard]] PassResult self_union(const PassInput& input, const SelfUnionOptions& options);
+
 /// Drops vertices that no face uses.
 [[nodiscard]] PassResult drop_orphans(const PassInput& input);
 

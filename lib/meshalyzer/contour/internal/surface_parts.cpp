@@ -26,13 +26,12 @@ class FaceDivision {
       const Corners t = open.back();
       open.pop_back();
       const Vec3 middle = centroid_of(t);
-      const std::size_t longest = longest_edge(t);
-      const double length = (t[(longest + 1) % 3] - t[longest]).norm();
+      const double length = longest_side(t);
       if (length > resolution_.spacing ||
           (may_change_inside && length > resolution_.least_piece && changes_inside(t, middle))) {
-        const Vec3 half = (t[longest] + t[(longest + 1) % 3]) / 2.0;
-        open.push_back({half, t[(longest + 1) % 3], t[(longest + 2) % 3]});
-        open.push_back({t[longest], half, t[(longest + 2) % 3]});
+        const auto [first, second] = halves_of(t);
+        open.push_back(second);
+        open.push_back(first);
       } else if (separates(middle)) {
         parts.separating.push_back(middle);
       } else {
@@ -47,13 +46,6 @@ class FaceDivision {
   }
 
  private:
-  static std::size_t longest_edge(const Corners& t) {
-    const std::array<double, 3> squares{(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(),
-                                        (t[0] - t[2]).squaredNorm()};
-    return static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) -
-                                    squares.begin());
-  }
-
   [[nodiscard]] bool separates(const Vec3& p) const {
     return region_.contains(p + step_) != region_.contains(p - step_);
   }

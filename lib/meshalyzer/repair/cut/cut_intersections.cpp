@@ -5,6 +5,7 @@
 #include "meshalyzer/repair/passes.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,7 +58,25 @@ std::string reason_against(const PreparedMesh& mesh) {
   return "";
 }
 
+/// Cuts a surface and keeps its pockets; drops small ones if rounding makes it impossible to keep
+/// them.
+CutSurface cut_keeping_pockets(const PassInput& input, std::span<const Edits::AddedFace> patches) {
+  CutSurface surface = cut_surface(input, patches, Pockets::Kept);
+  if (surface.unfinished.empty()) return surface;
+  CutSurface solid = cut_surface(input, patches, Pockets::Forgotten);
+  const bool is_better = solid.unfinished.empty() && solid.pocket_share <= kLargestForgotten;
+  return is_better ? solid : surface;
+}
+
 }  // namespace
+
+PassResult self_union(const PassInput& input, const SelfUnionOptions& options) {
+  if (const std::string reason = reason_against(input.mesh); !reason.empty()) {
+    return refuse_all(input.mesh.intersecting_pairs().front(), reason);
+  }
+  const std::vector<Edits::AddedFace> patches = crossing_patches(input, options.fill);
+  return cut_edits_as_one(input, patches, cut_keeping_pockets(input, patches), options.lost);
+}
 
 PassResult cut_intersections(const PassInput& input, const CutOptions& options) {
   const auto& pairs = input.mesh.intersecting_pairs();
@@ -77,13 +96,7 @@ PassResult cut_intersections(const PassInput& input, const CutOptions& options) 
   if (input.operation_size == OperationSize::Normal) {
     return cut_edits(input, patches, cut_surface(input, patches, Pockets::Dropped));
   }
-  CutSurface surface = cut_surface(input, patches, Pockets::Kept);
-  if (!surface.unfinished.empty()) {
-    CutSurface solid = cut_surface(input, patches, Pockets::Forgotten);
-    const bool is_better = solid.unfinished.empty() && solid.pocket_share <= kLargestForgotten;
-    if (is_better) surface = std::move(solid);
-  }
-  return cut_edits(input, patches, surface);
+  return cut_edits(input, patches, cut_keeping_pockets(input, patches));
 }
 
 }  // namespace meshalyzer

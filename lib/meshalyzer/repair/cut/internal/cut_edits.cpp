@@ -55,13 +55,34 @@ class CutEdits {
     find_changes();
     join_parts();
     find_obstacles();
+    return edits();
+  }
+
+  PassResult make_as_one(LostParts lost) {
+    find_changes();
+    join_parts();
+    find_obstacles();
+    if (lost == LostParts::Allowed) {
+      std::replace(obstacles_.begin(), obstacles_.end(), Obstacle::Lost, Obstacle::None);
+    }
+    for (const Index face : changed_) {
+      const Obstacle obstacle = obstacles_[parts_.find(face)];
+      if (obstacle == Obstacle::None) continue;
+      refuse(face, obstacle);
+      return std::move(result_);
+    }
+    for (Index face = 1; face < obstacles_.size(); ++face) parts_.unite(0, face);
+    return edits();
+  }
+
+ private:
+  PassResult edits() {
     remove_faces();
     add_faces();
     add_walls();
     return std::move(result_);
   }
 
- private:
   void find_changes() {
     is_same_.assign(surface_.triangles.size(), 0);
     std::vector<std::uint8_t> stays(soup_.n_faces(), 0);
@@ -222,6 +243,11 @@ class CutEdits {
 PassResult cut_edits(const PassInput& input, std::span<const Edits::AddedFace> patches,
                      const CutSurface& surface) {
   return CutEdits(input, patches, surface).make();
+}
+
+PassResult cut_edits_as_one(const PassInput& input, std::span<const Edits::AddedFace> patches,
+                            const CutSurface& surface, LostParts lost) {
+  return CutEdits(input, patches, surface).make_as_one(lost);
 }
 
 }  // namespace meshalyzer

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "meshalyzer/repair/cut/internal/cut_surface.h"
-#include "meshalyzer/repair/pass.h"
+#include "meshalyzer/repair/passes.h"
 
 namespace meshalyzer {
 
@@ -13,5 +13,11 @@ namespace meshalyzer {
 [[nodiscard]] PassResult cut_edits(const PassInput& input,
                                    std::span<const Edits::AddedFace> patches,
                                    const CutSurface& surface);
+
+/// Makes one operation of all that cutting has made of a mesh, or refuses all of it if a part of it
+/// meets an obstacle.
+[[nodiscard]] PassResult cut_edits_as_one(const PassInput& input,
+                                          std::span<const Edits::AddedFace> patches,
+                                          const CutSurface& surface, LostParts lost);
 
 }  // namespace meshalyzer

@@ -56,4 +56,15 @@ DefectInventory list_defective_in_file(const RepairState& state, const Tolerance
   return list_defective(tracked, state.mesh(), tolerances, check.unwelded);
 }
 
+bool is_good_in_file(const RepairState& state, const Tolerances& tolerances,
+                     const FinalCheck& check) {
+  const DefectInventory found = list_defective_in_file(state, tolerances, check);
+  const auto yes = [&](Attribute attribute) {
+    return found.is_yes[static_cast<std::size_t>(attribute)];
+  };
+  return yes(Attribute::Closed) && yes(Attribute::Manifold) && yes(Attribute::Consistent) &&
+         yes(Attribute::Outward) &&
+         std::all_of(found.counts.begin(), found.counts.end(), [](auto n) { return n == 0; });
+}
+
 }  // namespace meshalyzer

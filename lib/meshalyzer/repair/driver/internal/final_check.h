@@ -30,4 +30,8 @@ struct FinalCheck {
                                                      const Tolerances& tolerances,
                                                      const FinalCheck& check);
 
+/// Tells whether a mesh is good as its file will hold it, except for the numbers of its records.
+[[nodiscard]] bool is_good_in_file(const RepairState& state, const Tolerances& tolerances,
+                                   const FinalCheck& check);
+
 }  // namespace meshalyzer

@@ -76,7 +76,8 @@ PlannedPass drop(Fragments which) {
           [which](const PassInput& input) { return drop_fragments(input, which); }};
 }
 
-void plan_fixes(const RepairOptions& options, const Tolerances& tolerances, Planner& plan) {
+void plan_fixes_before_cutting(const RepairOptions& options, const Tolerances& tolerances,
+                               Planner& plan) {
   using enum DefectCode;
   // Cutting a mesh apart leaves contacts, and a fin cut off leaves a border.
   const DefectCodes cuts{Hole, SelfIntersection, Flipped};
@@ -100,6 +101,10 @@ void plan_fixes(const RepairOptions& options, const Tolerances& tolerances, Plan
   }
   plan.add({"orient outward", Inward, orient_outward});
   plan.add(drop(Fragments::Debris));
+}
+
+void plan_fixes_from_cutting(const RepairOptions& options, Planner& plan) {
+  using enum DefectCode;
   if (options.contact == Contact::Part) {
     plan.add({"part contacts", NonManifold, part_contacts});
   }
@@ -126,10 +131,19 @@ std::vector<PlannedPass> plan_after_replacement(const RepairOptions& options) {
   return plan.take();
 }
 
+std::vector<PlannedPass> plan_before_cutting(const RepairOptions& options,
+                                             const Tolerances& tolerances) {
+  Planner plan(options.fixes);
+  plan_operations(options, tolerances, plan);
+  plan_fixes_before_cutting(options, tolerances, plan);
+  return plan.take();
+}
+
 std::vector<PlannedPass> plan_passes(const RepairOptions& options, const Tolerances& tolerances) {
   Planner plan(options.fixes);
   plan_operations(options, tolerances, plan);
-  plan_fixes(options, tolerances, plan);
+  plan_fixes_before_cutting(options, tolerances, plan);
+  plan_fixes_from_cutting(options, plan);
   return plan.take();
 }
 

@@ -37,6 +37,12 @@ struct PlannedPass {
 [[nodiscard]] std::vector<PlannedPass> plan_passes(const RepairOptions& options,
                                                    const Tolerances& tolerances);
 
+/// Returns those of these passes that come before intersections are cut and contacts parted.
+///
+/// @param tolerances  Must outlive the plan.
+[[nodiscard]] std::vector<PlannedPass> plan_before_cutting(const RepairOptions& options,
+                                                           const Tolerances& tolerances);
+
 /// Returns the passes for a mesh of which parts were replaced by closed surfaces.
 [[nodiscard]] std::vector<PlannedPass> plan_after_replacement(const RepairOptions& options);
 

@@ -70,16 +70,20 @@ std::vector<double> RepairDriver::measure_parts(std::span<const Index> part_of,
 
 void RepairDriver::update_deviation() {
   if (is_deviation_known_) return;
-  const double largest =
-      meter_->measure({state_->tracked(), state_->mesh().tree(), limits_.max_deviation, walls_})
-          .largest;
   // All that was applied was found to be within the maximum.
-  deviation_ = std::min(largest, limits_.max_deviation);
-  is_deviation_known_ = true;
+  deviation_ = std::min(measure_deviation(), limits_.max_deviation);
 }
 
 double RepairDriver::deviation() {
   update_deviation();
+  return deviation_;
+}
+
+double RepairDriver::measure_deviation() {
+  deviation_ =
+      meter_->measure({state_->tracked(), state_->mesh().tree(), limits_.max_deviation, walls_})
+          .largest;
+  is_deviation_known_ = true;
   return deviation_;
 }
 
@@ -95,8 +99,13 @@ void RepairDriver::set_checkpoint() {
 
 bool RepairDriver::run_trial(const Trial& trial) {
   set_checkpoint();
+  if (!trial.from_input.empty()) {
+    return_to_input();
+    run_rounds(trial.from_input);
+  }
+  const std::vector<Index> face_keys = state_->tracked().face_keys;
   apply_unchecked(trial.change);
-  if (state_->tracked().face_keys != checkpoint_->tracked.face_keys) {
+  if (state_->tracked().face_keys != face_keys) {
     run_rounds(trial.plan);
     if (!is_stopped_ && trial.is_wanted(*state_)) return true;
   }
@@ -144,19 +153,23 @@ void RepairDriver::ban(const DefectInventory& before, const DefectInventory& aft
 }
 
 void RepairDriver::restart() {
+  if (!checkpoint_) return return_to_input();
   meter_.emplace(input_);
-  if (checkpoint_) {
-    state_ = std::make_shared<RepairState>(checkpoint_->tracked, tolerances_);
-    meter_->include_patches(state_->tracked());
-    log_ = checkpoint_->log;
-    deviation_ = checkpoint_->deviation;
-    walls_ = checkpoint_->walls;
-  } else {
-    state_ = std::make_shared<RepairState>(track_mesh(input_), tolerances_);
-    log_ = {};
-    deviation_ = 0.0;
-    walls_.clear();
-  }
+  state_ = std::make_shared<RepairState>(checkpoint_->tracked, tolerances_);
+  meter_->include_patches(state_->tracked());
+  log_ = checkpoint_->log;
+  deviation_ = checkpoint_->deviation;
+  walls_ = checkpoint_->walls;
+  is_deviation_known_ = true;
+  applied_.clear();
+}
+
+void RepairDriver::return_to_input() {
+  meter_.emplace(input_);
+  state_ = std::make_shared<RepairState>(track_mesh(input_), tolerances_);
+  log_ = {};
+  deviation_ = 0.0;
+  walls_.clear();
   is_deviation_known_ = true;
   applied_.clear();
 }
@@ -216,6 +229,7 @@ void RepairDriver::apply_unchecked(const PlannedPass& pass) {
             {state_->tracked(), result.edits, {}, tracked, affected}, log_);
   walls_ = walls_with(result.edits, std::vector<std::uint8_t>(result.edits.n_operations, 0));
   state_ = std::make_shared<RepairState>(std::move(tracked), tolerances_);
+  include_patches(result.edits);
 }
 
 PassResult RepairDriver::propose(const PlannedPass& pass, OperationSize size) const {

@@ -46,6 +46,9 @@ class RepairDriver {
   /// Returns an upper bound of the distance between the input and the tracked mesh, hole patches
   /// left out. It is measured when it is asked for.
   [[nodiscard]] double deviation();
+  /// Measures this distance even if it may be larger than the maximum, after a change that was
+  /// applied unchecked.
+  double measure_deviation();
 
   /// Runs the passes in order, each until it proposes nothing more that is accepted, and starts
   /// over until no pass changes anything.
@@ -67,7 +70,9 @@ class RepairDriver {
 
   /// A change that is tried, and undone if its result is not wanted.
   struct Trial {
-    /// The pass that it begins with, applied unchecked.
+    /// If there are any, the trial starts from the input with these passes.
+    std::vector<PlannedPass> from_input = {};
+    /// The pass that is then applied unchecked.
     PlannedPass change;
     /// The passes that run afterwards, as those of run_plan() do.
     std::vector<PlannedPass> plan;
@@ -156,6 +161,8 @@ class RepairDriver {
            std::size_t attempt);
   /// Returns to the checkpoint; banned operations stay banned.
   void restart();
+  /// Returns to the input, and keeps the checkpoint.
+  void return_to_input();
   void record_applied(const MadeOperations& made);
   [[nodiscard]] std::vector<OperationSite> sites(const Edits& edits) const;
   /// Returns the walls that are removed once the operations that are not skipped are applied.

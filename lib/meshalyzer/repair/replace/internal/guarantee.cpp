@@ -4,6 +4,7 @@
 #include "meshalyzer/repair/driver/internal/final_check.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/replace/internal/broken_solids.h"
+#include "meshalyzer/repair/replace/internal/unite_from_input.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -11,16 +12,6 @@
 
 namespace meshalyzer {
 namespace {
-
-/// Tells whether a mesh is good except for the numbers of its records.
-bool is_good(const DefectInventory& found) {
-  const auto yes = [&](Attribute attribute) {
-    return found.is_yes[static_cast<std::size_t>(attribute)];
-  };
-  return yes(Attribute::Closed) && yes(Attribute::Manifold) && yes(Attribute::Consistent) &&
-         yes(Attribute::Outward) &&
-         std::all_of(found.counts.begin(), found.counts.end(), [](auto n) { return n == 0; });
-}
 
 class Guarantee {
  public:
@@ -40,15 +31,16 @@ class Guarantee {
       return {"not replaced: a replacement needs a maximum deviation above 0"};
     }
     using Scope = ReplaceOptions::Scope;
-    const bool is_done = (options_.solid && thicken()) || replace(Scope::Broken) ||
-                         (!is_all_broken() && replace(Scope::Whole));
+    const bool is_done = (options_.solid && thicken()) || unite(BehindHoles::Kept) ||
+                         replace(Scope::Broken) || (!is_all_broken() && replace(Scope::Whole)) ||
+                         (options_.solid && unite(BehindHoles::Dropped));
     if (!is_done) note_failure();
     return std::move(notes_);
   }
 
  private:
   [[nodiscard]] bool is_good(const RepairState& state) const {
-    return meshalyzer::is_good(list_defective_in_file(state, tolerances_, check_));
+    return is_good_in_file(state, tolerances_, check_);
   }
 
   /// Tells whether all of the mesh is one broken solid, so that nothing is left to try.
@@ -82,6 +74,13 @@ class Guarantee {
       return true;
     }
     return false;
+  }
+
+  bool unite(BehindHoles behind_holes) {
+    std::string note = unite_from_input(driver_, options_, tolerances_, behind_holes);
+    if (note.empty()) return false;
+    notes_.push_back(std::move(note));
+    return true;
   }
 
   /// Replaces the broken parts, or all of the mesh.

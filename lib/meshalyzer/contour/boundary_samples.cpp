@@ -1,0 +1,88 @@
+#include "meshalyzer/contour/boundary_samples.h"
+
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/triangle.h"
+#include "meshalyzer/spatial/winding_number.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meshalyzer {
+namespace {
+
+/// The distance between samples, as a share of the diagonal.
+constexpr double kSpacing = 1.0 / 128.0;
+/// Winding numbers up to the first are certainly outside, from the second on certainly inside.
+constexpr double kOutside = 0.25;
+constexpr double kInside = 0.75;
+
+/// Finds samples on single pieces.
+class BoundarySampler {
+ public:
+  BoundarySampler(const Soup& mesh, double reach)
+      : windings_(faces_in_complex(mesh)), spacing_(kSpacing * extent_of(mesh)), reach_(reach) {}
+
+  /// Appends the samples on a piece, which is halved along its longest edges until it is small.
+  void sample(const Corners& piece, std::vector<Vec3>& samples) const {
+    const Vec3 normal = normal_of(piece);
+    const double length = normal.norm();
+    if (!(length > 0.0)) return;
+    const Vec3 step = normal * (reach_ / length);
+    std::vector<Corners> open{piece};
+    while (!open.empty()) {
+      const Corners t = open.back();
+      open.pop_back();
+      if (longest_side(t) > spacing_) {
+        const auto [first, second] = halves_of(t);
+        open.push_back(second);
+        open.push_back(first);
+      } else if (const Vec3 middle = centroid_of(t); is_boundary(middle, step)) {
+        samples.push_back(middle);
+      }
+    }
+  }
+
+ private:
+  static std::vector<Corners> faces_in_complex(const Soup& mesh) {
+    std::vector<Corners> faces;
+    for (Index f = 0; f < mesh.n_faces(); ++f) {
+      if (is_in_complex(mesh.triangles[f])) faces.push_back(corners_of(mesh, f));
+    }
+    return faces;
+  }
+
+  static double extent_of(const Soup& mesh) {
+    Box3 box;
+    for (const Corners& face : faces_in_complex(mesh)) box.extend(box_of(face));
+    return box.isEmpty() ? 0.0 : box.diagonal().norm();
+  }
+
+  [[nodiscard]] bool is_boundary(const Vec3& p, const Vec3& step) const {
+    const double front = std::abs(windings_.at(p + step));
+    const double behind = std::abs(windings_.at(p - step));
+    return std::min(front, behind) <= kOutside && std::max(front, behind) >= kInside;
+  }
+
+  WindingNumbers windings_;
+  double spacing_;
+  double reach_;
+};
+
+}  // namespace
+
+std::vector<Vec3> sample_boundary(const Soup& mesh, std::span<const Corners> pieces, double reach) {
+  constexpr std::size_t kPieces = 64;
+  if (pieces.empty()) return {};
+  const BoundarySampler sampler(mesh, reach);
+  std::vector<std::vector<Vec3>> of_chunk(n_chunks(pieces.size(), kPieces));
+  parallel_chunks(pieces.size(), kPieces, [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      sampler.sample(pieces[i], of_chunk[chunk.number]);
+    }
+  });
+  std::vector<Vec3> all;
+  for (const auto& samples : of_chunk) all.insert(all.end(), samples.begin(), samples.end());
+  return all;
+}
+
+}  // namespace meshalyzer

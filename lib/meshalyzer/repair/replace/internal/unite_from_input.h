@@ -1,0 +1,29 @@
+#pragma once
+
+#include "meshalyzer/defects/tolerances.h"
+#include "meshalyzer/repair/driver/internal/repair_driver.h"
+#include "meshalyzer/repair/driver/options.h"
+
+#include <cstdint>
+#include <string>
+
+namespace meshalyzer {
+
+/// Tells whether parts that lie inside the solid once its holes are filled may be dropped, however
+/// far they are from its surface.
+enum class BehindHoles : std::uint8_t { Kept, Dropped };
+
+/// If a mesh that means a solid is not good after a repair, starts again from the input, and
+/// replaces all of it by its union with itself (self_union()). A repair part by part may fail where
+/// this does not, because a part that is left as it is obstructs others.
+///
+/// The result is kept only if it is good as its file will hold it and within the maximum deviation.
+/// The parts that were dropped, although they bounded the solid by winding number, are sampled:
+/// their distance from the result counts as deviation.
+///
+/// @return A sentence that says what was done; empty if nothing was.
+[[nodiscard]] std::string unite_from_input(RepairDriver& driver, const RepairOptions& options,
+                                           const Tolerances& tolerances,
+                                           BehindHoles behind_holes);
+
+}  // namespace meshalyzer

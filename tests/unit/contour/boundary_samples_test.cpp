@@ -1,0 +1,59 @@
+#include "meshalyzer/contour/boundary_samples.h"
+
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+std::vector<Corners> faces_of(const Soup& soup) {
+  std::vector<Corners> faces;
+  for (Index f = 0; f < soup.n_faces(); ++f) faces.push_back(corners_of(soup, f));
+  return faces;
+}
+
+Soup without_top(Soup cube, double height) {
+  std::erase_if(cube.triangles, [&](const Triangle& t) {
+    return std::all_of(t.begin(), t.end(), [&](Index v) { return cube.positions[v][2] == height; });
+  });
+  return cube;
+}
+
+TEST(SampleBoundary, LiesAllOverAClosedSurfaceWhicheverWayItPoints) {
+  for (const Soup& cube : {shapes::cube(2), shapes::flipped(shapes::cube(2))}) {
+    const std::vector<Vec3> samples = sample_boundary(cube, faces_of(cube), 1e-3);
+    // At most 1/128 of the diagonal apart, in two dimensions, on an area of 24.
+    const double spacing = 2 * std::sqrt(3.0) / 128;
+    EXPECT_GE(static_cast<double>(samples.size()), 24 / (spacing * spacing));
+    for (const Vec3& p : samples) {
+      const double off = std::min(p.minCoeff(), 2 - p.maxCoeff());
+      EXPECT_NEAR(off, 0, 1e-12);
+    }
+  }
+}
+
+TEST(SampleBoundary, LeavesOutWallsInsideTheSolid) {
+  const Soup inner = shapes::cube(1, {1, 1, 1});
+  const Soup both = shapes::merged(shapes::cube(3), inner);
+  EXPECT_TRUE(sample_boundary(both, faces_of(inner), 1e-3).empty());
+}
+
+TEST(SampleBoundary, LeavesOutWhatIsNearAHole) {
+  // A wall that ends in the middle of the opening has winding numbers of about a half there.
+  const Soup open = without_top(shapes::cube(2), 2);
+  const Soup wall = shapes::make({{0.9, 0.9, 1.9}, {1.1, 0.9, 1.9}, {1, 1.1, 1.9}}, {{0, 1, 2}});
+  EXPECT_FALSE(sample_boundary(open, faces_of(open), 1e-3).empty());
+  EXPECT_TRUE(sample_boundary(open, faces_of(wall), 1e-3).empty());
+}
+
+TEST(SampleBoundary, OfNothingIsNothing) {
+  EXPECT_TRUE(sample_boundary(shapes::cube(), {}, 1e-3).empty());
+}
+
+}  // namespace
+}  // namespace meshalyzer

@@ -1,0 +1,70 @@
+#include "meshalyzer/repair/replace/internal/unite_from_input.h"
+
+#include "support/run_pass.h"
+#include "support/shapes.h"
+#include "unit/repair/repaired_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// A driver that has not repaired anything yet, and the result of the function.
+class UniteFromInput : public ::testing::Test {
+ protected:
+  static constexpr double kMaxDeviation = 0.01;
+
+  std::string unite(const Soup& soup) {
+    const Tolerances tolerances = resolve_tolerances({}, box_of(soup));
+    driver_.emplace(soup, tolerances,
+                    RepairLimits{.max_deviation = kMaxDeviation, .fixed_vertices = {}},
+                    [](const TrackedMesh&, const CutMesh&) { return std::vector<std::uint8_t>(); });
+    return unite_from_input(*driver_, options_, tolerances, BehindHoles::Kept);
+  }
+
+  [[nodiscard]] const Soup& mesh() const { return driver_->tracked().soup; }
+
+  RepairOptions options_;
+  std::optional<RepairDriver> driver_;
+};
+
+const Soup kCrossing = shapes::merged(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
+
+TEST_F(UniteFromInput, MakesCrossingCubesOneGoodSolid) {
+  EXPECT_FALSE(unite(kCrossing).empty());
+  EXPECT_TRUE(is_good(mesh()));
+  EXPECT_NEAR(volume_of(mesh()), 15, 1e-9);
+  EXPECT_LT(driver_->deviation(), 1e-9);
+}
+
+TEST_F(UniteFromInput, ClosesAnOpenCubeThatCrossesAnother) {
+  EXPECT_FALSE(
+      unite(shapes::merged(shapes::open_cube(), shapes::cube(1, {0.5, 0.5, 0.5}))).empty());
+  EXPECT_TRUE(is_good(mesh()));
+  EXPECT_NEAR(volume_of(mesh()), 2 - 0.125, 1e-9);
+}
+
+TEST_F(UniteFromInput, LeavesAloneWhatIsGood) {
+  EXPECT_TRUE(unite(shapes::cube()).empty());
+}
+
+TEST_F(UniteFromInput, LeavesAloneWhatHoldsASheet) {
+  const Soup sheet = shapes::make({{5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}});
+  const Soup soup = shapes::merged(kCrossing, sheet);
+  EXPECT_TRUE(unite(soup).empty());
+  EXPECT_EQ(mesh().triangles, soup.triangles);
+}
+
+TEST_F(UniteFromInput, LeavesAloneWhatMayNotBeCut) {
+  options_.fixes.erase(DefectCode::SelfIntersection);
+  EXPECT_TRUE(unite(kCrossing).empty());
+  EXPECT_EQ(mesh().triangles, kCrossing.triangles);
+}
+
+}  // namespace
+}  // namespace meshalyzer
