@@ -135,7 +135,7 @@ TEST(CutIntersections, SheetsThatGoAreNamedWithTheirAreas) {
   const std::vector<std::string> notes = fix_defects(crossed_sheets({0, 0, 0})).notes;
   ASSERT_EQ(notes.size(), 4U);
   for (const std::string& note : notes) {
-    EXPECT_NE(note.find("it lies inside a solid: a sheet of area 12.25, "), std::string::npos);
+    EXPECT_NE(note.find("it lies inside a solid: an open part of area 12.25, "), std::string::npos);
   }
 }
 

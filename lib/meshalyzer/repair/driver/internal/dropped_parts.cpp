@@ -47,7 +47,10 @@ void append_fragments(const Soup& input, const RepairLog& log, std::vector<std::
 std::vector<Index> faces_removed_by_cuts(const TrackedMesh& repaired, const RepairLog& log) {
   std::vector<Index> faces;
   for (const LoggedOperation& operation : log.operations) {
-    if (!is_of_pass(log, operation, "cut intersections")) continue;
+    if (!is_of_pass(log, operation, "cut intersections") &&
+        !is_of_pass(log, operation, "unite with itself")) {
+      continue;
+    }
     for (const Index key : operation.removed_faces) {
       const Index origin = repaired.origin_of_key(key);
       if (origin != kNoIndex) faces.push_back(origin);
@@ -77,7 +80,7 @@ void append_sheets_inside(const Soup& input, const TrackedMesh& repaired, const 
   }
   for (const std::vector<Index>& faces : dropped) {
     if (faces.empty()) continue;
-    notes.push_back("dropped, because it lies inside a solid: a sheet of area " +
+    notes.push_back("dropped, because it lies inside a solid: an open part of area " +
                     part_text(input, faces));
   }
 }
