@@ -71,7 +71,7 @@ TEST(NeverWorse, VertexWhoseCopiesCannotBePartedIsNotSplit) {
   EXPECT_TRUE(std::any_of(result.log.refusals.begin(), result.log.refusals.end(),
                           [](const LoggedRefusal& refusal) {
                             return refusal.pass == "split vertices" &&
-                                   refusal.reason.find("would be worse") != std::string::npos;
+                                   refusal.reason.find("final mesh worse") != std::string::npos;
                           }));
 }
 
