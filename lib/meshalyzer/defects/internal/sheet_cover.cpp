@@ -14,6 +14,11 @@ using Polygon = std::vector<Vec3>;
 /// The search for a cover of one face ends after this many pieces or faces passed over.
 constexpr std::size_t kMaxPieces = 4096;
 constexpr std::size_t kMaxPassedOver = 1024;
+/// All searches together end after this many lookups, and this many for each face of the mesh. A
+/// sheet on its own copy takes one for each of its faces; in a mesh that one vertex far away
+/// stretches, so that everything is within the tolerance, each takes long.
+constexpr std::size_t kMaxLookups = 10'000;
+constexpr std::size_t kMaxLookupsPerFace = 4;
 
 /// Returns the possible error of distances, because cuts are computed in floating point.
 double rounding_of(const Box3& box) {
@@ -72,7 +77,8 @@ SheetCover::SheetCover(const PreparedMesh& mesh, std::span<const Index> patch_of
       closest_(mesh.tree()),
       patch_of_face_(patch_of_face),
       tolerance_(tolerance + rounding_of(mesh.tree().bounds())),
-      excluded_(mesh_.n_faces(), 0) {}
+      excluded_(mesh_.n_faces(), 0),
+      n_lookups_left_(kMaxLookups + kMaxLookupsPerFace * mesh_.n_faces()) {}
 
 std::optional<double> SheetCover::measure(const SheetQuery& query) {
   for (const Index f : query.faces) excluded_[f] = 1;
@@ -126,7 +132,8 @@ std::optional<Corners> SheetCover::find_below(const Polygon& piece, const SheetQ
                                               const Vec3& normal) {
   const Vec3 point = middle(piece);
   if (!point.allFinite()) return std::nullopt;
-  while (passed_over_.size() < kMaxPassedOver) {
+  while (passed_over_.size() < kMaxPassedOver && n_lookups_left_ > 0) {
+    --n_lookups_left_;
     const auto found = closest_.find({.point = point, .within = tolerance_, .excluded = excluded_});
     if (!found) return std::nullopt;
     if (lies_below(found->mesh_face, query, normal)) {

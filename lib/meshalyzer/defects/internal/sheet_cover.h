@@ -4,6 +4,7 @@
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/spatial/closest_point.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -55,6 +56,7 @@ class SheetCover {
   std::vector<std::uint8_t> excluded_;
   /// The faces that are excluded only while one face of the sheet is measured.
   std::vector<Index> passed_over_;
+  std::size_t n_lookups_left_;
 };
 
 }  // namespace meshalyzer
