@@ -205,11 +205,9 @@ void RepairDriver::run_unless_idle(const PlannedPass& pass, std::size_t& n_chang
     return;
   }
   const auto n_refusals = static_cast<std::ptrdiff_t>(refusals.size());
-  if (run(pass)) {
-    ++n_changes;
-  } else {
-    idle_run = {n_changes, {refusals.begin() + n_refusals, refusals.end()}};
-  }
+  const bool has_changed = run(pass);
+  if (!has_changed) idle_run = {n_changes, {refusals.begin() + n_refusals, refusals.end()}};
+  if (has_changed) ++n_changes;
 }
 
 bool RepairDriver::is_to_stop() {
