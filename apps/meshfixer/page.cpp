@@ -46,6 +46,14 @@ class Shift {
   Index faces_;
 };
 
+/// Appends the defects of a code, by the records of the joined mesh.
+void append_shifted(const DefectList& defects, DefectCode code, const Shift& shift,
+                    DefectList& all) {
+  for (std::size_t i = 0; i < defects.size(); ++i) {
+    if (defects.code_of(i) == code) all.push_back(shift(defects[i]));
+  }
+}
+
 /// Joins several meshes to one that is drawn.
 Soup join(const std::vector<FinalSoup>& finals) {
   Soup all;
@@ -74,20 +82,22 @@ JoinedReport join(const std::vector<FinalMesh>& meshes) {
   all.name.vertex_ids.first = first.vertex_ids.first;
   all.name.face_ids.first = first.face_ids.first;
   all.defects.tolerances = meshes.front().remaining.tolerances;
+  std::vector<Shift> shifts;
   for (const auto& [name, report, vertex_records, face_records] : meshes) {
-    const Shift shift(all.name.n_vertices, all.name.n_faces);
+    shifts.emplace_back(all.name.n_vertices, all.name.n_faces);
     append_ids(name.vertex_ids, name.n_vertices, all.name.vertex_ids);
     append_ids(name.face_ids, name.n_faces, all.name.face_ids);
     all.name.n_vertices += name.n_vertices;
     all.name.n_faces += name.n_faces;
-    std::transform(report.defects.begin(), report.defects.end(),
-                   std::back_inserter(all.defects.defects), shift);
     for (std::size_t code = 0; code < kDefectCodes; ++code) {
       all.defects.counts[code] += report.counts[code];
     }
   }
-  std::stable_sort(all.defects.defects.begin(), all.defects.defects.end(),
-                   [](const Defect& a, const Defect& b) { return a.code < b.code; });
+  for (const DefectCode code : all_defect_codes()) {
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+      append_shifted(meshes[i].remaining.defects, code, shifts[i], all.defects.defects);
+    }
+  }
   return all;
 }
 

@@ -178,6 +178,36 @@ void add_sliver_tube(Soup& soup, std::size_t faces) {
                         2);  // the second ring does not go back to the first
 }
 
+/// A beam of three edges along a diagonal of space, closed. Two of its edges are arched and have a
+/// vertex every unit of length, a strip between them; the third has its ends only, so that the
+/// walls beside it are fans round its first end.
+void add_beam(Soup& soup, std::size_t faces) {
+  const std::size_t steps = std::max<std::size_t>(1, faces / 4);
+  const auto length = static_cast<double>(steps);
+  const Vec3 along = Vec3(1, 1.1, 0.9).normalized();
+  const Vec3 up = along.unitOrthogonal();
+  const Vec3 aside = along.cross(up);
+  for (std::size_t i = 0; i <= steps; ++i) {
+    const double x = static_cast<double>(i);
+    const double height = 10 + 0.02 * x * (length - x) / length;
+    soup.positions.emplace_back(x * along + height * up - 5 * aside);
+    soup.positions.emplace_back(x * along + height * up + 5 * aside);
+  }
+  const auto first = static_cast<Index>(soup.n_vertices());
+  soup.positions.insert(soup.positions.end(), {Vec3(0, 0, 0), length * along});
+  for (Index i = 0; i < 2 * steps; i += 2) {
+    soup.triangles.push_back({i, i + 1, i + 2});
+    soup.triangles.push_back({i + 1, i + 3, i + 2});
+    soup.triangles.push_back({first, i, i + 2});
+    soup.triangles.push_back({first, i + 3, i + 1});
+  }
+  const auto last = static_cast<Index>(2 * steps);
+  soup.triangles.insert(soup.triangles.end(), {{first, 1, 0},
+                                               {first, last, first + 1},
+                                               {first, first + 1, last + 1},
+                                               {first + 1, last, last + 1}});
+}
+
 void add_fan(Soup& soup, std::size_t faces) {
   const std::size_t n = faces / 2;
   soup.positions = {Vec3(0, 0, 0.1), Vec3(0, 0, -0.1)};
@@ -218,6 +248,15 @@ void add_shards(Soup& soup, std::size_t faces) {
     soup.positions.insert(soup.positions.end(),
                           {corner, corner + Vec3(0.5, 0.1, 0.2), corner + Vec3(0.1, 0.6, 0.3)});
     soup.triangles.push_back({first, first + 1, first + 2});
+  }
+}
+
+void add_orphans(Soup& soup, std::size_t orphans) {
+  soup.positions = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
+  soup.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  for (std::size_t i = 0; i < orphans; ++i) {
+    soup.positions.emplace_back(static_cast<double>(i % 1000), static_cast<double>(i / 1000 % 1000),
+                                2.0 + static_cast<double>(i / 1000000));
   }
 }
 
@@ -277,6 +316,8 @@ Soup big_mesh(std::string_view kind, std::size_t faces) {
     add_bolts(soup, faces);
   } else if (kind == "slivers") {
     add_sliver_tube(soup, faces);
+  } else if (kind == "beam") {
+    add_beam(soup, faces);
   } else if (kind == "crossing") {
     add_wavy_torus(soup, faces / 2, Vec3::Zero());
     add_wavy_torus(soup, faces / 2, Vec3(1.5, 0.3, 0.4));
@@ -286,6 +327,8 @@ Soup big_mesh(std::string_view kind, std::size_t faces) {
     add_onion(soup, faces);
   } else if (kind == "shards") {
     add_shards(soup, faces);
+  } else if (kind == "orphans") {
+    add_orphans(soup, faces);
   } else if (kind == "tangle") {
     add_tangle(soup, faces);
   } else {

@@ -10,8 +10,9 @@ int main(int argc, char** argv) {
   try {
     const auto faces = argc == 4 ? meshalyzer::parse_integer(argv[2]) : std::nullopt;
     if (!faces || *faces < 1) {
-      std::cerr << "usage: make_mesh wavy|shuffled|damaged|flat|subdivided|cad|slivers|crossing|fan"
-                   "|onion|shards|tangle FACES FILE\n";
+      std::cerr
+          << "usage: make_mesh wavy|shuffled|damaged|flat|subdivided|cad|slivers|beam|crossing"
+             "|fan|onion|shards|orphans|tangle FACES FILE\n";
       return 2;
     }
     meshalyzer::write_mesh(meshalyzer::bench::big_mesh(argv[1], static_cast<std::size_t>(*faces)),

@@ -96,6 +96,7 @@ int main(int argc, char** argv) {
   compare("subdivided", {"subdivided", 1400000});
   compare("crossing", {"crossing", 1040000});
   compare("cad", {"cad", 77000});
+  compare("slivers", {"beam", 20000});
   for (int i = 1; i < argc; ++i) {
     compare(argv[i], {argv[i]});
   }

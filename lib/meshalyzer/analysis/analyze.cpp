@@ -4,6 +4,7 @@
 #include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/analysis/internal/attributes.h"
 #include "meshalyzer/analysis/internal/complex_topology.h"
+#include "meshalyzer/analysis/internal/describe_components.h"
 #include "meshalyzer/analysis/internal/integrity.h"
 #include "meshalyzer/analysis/internal/measures.h"
 #include "meshalyzer/analysis/internal/volume.h"
@@ -36,13 +37,6 @@ void keep_what_reports_need(std::shared_ptr<Soup> soup, const AnalysisOptions& o
   }
 }
 
-void box_components(const std::vector<Box3>& boxes, Analysis& analysis) {
-  for (std::size_t c = 0; c < boxes.size(); ++c) {
-    analysis.components[c].bounding_box = boxes[c];
-    analysis.characteristics.bounding_box.extend(boxes[c]);
-  }
-}
-
 void count_pairs(const PreparedMesh& mesh, Analysis& analysis) {
   const IntersectionCounts& counts = mesh.intersection_counts();
   Characteristics& c = analysis.characteristics;
@@ -50,22 +44,28 @@ void count_pairs(const PreparedMesh& mesh, Analysis& analysis) {
   c.unwelded_pairs = counts.kinds.of(ContactKind::Unwelded);
   c.intersecting_faces = static_cast<std::size_t>(
       std::count(counts.intersects.begin(), counts.intersects.end(), std::uint8_t{1}));
-  for (std::size_t i = 0; i < analysis.components.size(); ++i) {
-    analysis.components[i].intersecting_pairs = counts.of_component[i];
-  }
 }
 
-/// Sets whether each closed, manifold, consistent component points outward, its volume, and which
-/// component directly encloses it. A component that encloses no volume points nowhere; one whose
-/// volume is too large for a double has no volume.
-void describe_shells(const std::vector<Shell>& shells, std::vector<ComponentAnalysis>& components) {
-  for (std::size_t c = 0; c < components.size(); ++c) {
-    components[c].volume = shells[c].volume;
-    components[c].outward = shells[c].outward;
-    if (shells[c].inside != kNoIndex) {
-      components[c].inside = shells[c].inside;
-    }
+/// Takes over what the mesh knows of its components and pairs; if the mesh is not to be kept, it is
+/// freed, before the components are described.
+void describe_parts(std::shared_ptr<PreparedMesh> mesh, const AnalysisOptions& options,
+                    ComponentFindings found, Analysis& analysis) {
+  static_cast<void>(mesh->shells());
+  analysis.characteristics.is_search_stopped = mesh->was_intersection_search_stopped();
+  const bool has_pairs = options.scope == Scope::Everything;
+  if (options.keep_mesh) {
+    found.boxes = mesh->component_boxes();
+    found.shells = mesh->shells();
+    if (has_pairs) analysis.offenders.intersecting_pairs = mesh->intersecting_pairs();
+    analysis.mesh = std::move(mesh);
+  } else {
+    found.boxes = std::move(*mesh).component_boxes();
+    found.shells = std::move(*mesh).shells();
+    if (has_pairs) analysis.offenders.intersecting_pairs = std::move(*mesh).intersecting_pairs();
+    mesh.reset();
   }
+  for (const Box3& box : found.boxes) analysis.characteristics.bounding_box.extend(box);
+  analysis.components = describe_components(found);
 }
 
 /// Completes an analysis whose counts and measures are known: answers the attributes and judges the
@@ -107,41 +107,36 @@ Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options) {
   analysis.integrity = check_integrity(soup, analysis.offenders);
   phase("half-edges");
   auto file = std::make_shared<Soup>(std::move(soup));
-  const auto mesh = std::make_shared<PreparedMesh>(file);
+  auto mesh = std::make_shared<PreparedMesh>(file);
   mesh->limit_intersecting_pairs(pair_limits(options, options.wants_to_stop));
+  count_records(*file, analysis.characteristics);
+  keep_what_reports_need(std::exchange(file, nullptr), options, *mesh, analysis);
   phase("topology");
   ComplexTopology topology = analyze_topology(*mesh, analysis.offenders);
-  // This frees memory: a mesh may have a million components, and nothing else needs their counts.
-  analysis.components = analyze_components(std::exchange(topology.counts, {}));
-  count_elements(*file, topology, analysis);
-  keep_what_reports_need(std::exchange(file, nullptr), options, *mesh, analysis);
+  count_elements(topology, analysis);
 
-  box_components(mesh->component_boxes(), analysis);
+  ComponentFindings found{.counts = std::move(topology.counts)};
   if (everything) {
     phase("measures");
-    measure(mesh->cut(), mesh->components(), options, analysis);
+    found.measures = measure(mesh->cut(), mesh->components(), options, analysis);
   }
   if (everything && options.curvature) {
     phase("curvature");
     analysis.curvature = curvature_statistics(mesh->cut(), *options.curvature);
   }
+  // The volume of a single component does not depend on the tree, so that they need not be in
+  // memory together.
+  if (mesh->components().count == 1) static_cast<void>(mesh->shells());
   if (everything || options.judge_fitness) {
     phase("face tree");
     static_cast<void>(mesh->tree());
     phase("self-intersection");
     count_pairs(*mesh, analysis);
+    found.intersecting_pairs = mesh->intersection_counts().of_component;
   }
   phase("solids");
-  describe_shells(mesh->shells(), analysis.components);
-  analysis.characteristics.is_search_stopped = mesh->was_intersection_search_stopped();
+  describe_parts(std::move(mesh), options, std::move(found), analysis);
   conclude(options, topology.orientable, analysis);
-  if (options.keep_mesh) {
-    analysis.mesh = mesh;
-  }
-  if (everything) {
-    analysis.offenders.intersecting_pairs =
-        options.keep_mesh ? mesh->intersecting_pairs() : std::move(*mesh).intersecting_pairs();
-  }
   return analysis;
 }
 

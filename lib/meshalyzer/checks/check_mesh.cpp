@@ -95,18 +95,18 @@ class Findings {
 
   /// @param report  The report, which must list all defects.
   void add_defects(const DefectReport& report, Severity severity) {
-    auto defect = report.defects.begin();
+    const DefectList& defects = report.defects;
+    std::size_t end = 0;
     for (const DefectCode code : all_defect_codes()) {
-      const auto begin = defect;
-      defect += static_cast<std::ptrdiff_t>(report.count(code));
-      if (begin == defect || catalogue_entry(code).severity != severity) continue;
+      const std::size_t begin = end;
+      end += report.count(code);
+      if (begin == end || catalogue_entry(code).severity != severity) continue;
       FindingCount& found = count(defect_name(code), severity, report.count(code));
       found.is_at_least = is_of_pairs(code) && mesh_.are_intersecting_pairs_cut();
-      found.fixable = static_cast<std::size_t>(
-          std::count_if(begin, defect, [](const Defect& each) { return each.fixable; }));
-      std::for_each(
-          begin, begin + static_cast<std::ptrdiff_t>(n_listed(report.count(code))),
-          [this](const Defect& each) { file_.findings.push_back(finding_of(each, mesh_.soup())); });
+      for (std::size_t i = begin; i < end; ++i) found.fixable += defects.is_fixable(i) ? 1 : 0;
+      for (std::size_t i = begin; i < begin + n_listed(report.count(code)); ++i) {
+        file_.findings.push_back(finding_of(defects[i], mesh_.soup()));
+      }
     }
   }
 

@@ -26,14 +26,15 @@ bool is_finite(const Vec3& position) {
   return position.allFinite();
 }
 
-void add_positions(const Soup& soup, std::vector<Defect>& defects) {
+void add_positions(const Soup& soup, DefectList& defects) {
   if (has_finite_positions(soup)) return;
   for (Index v = 0; v < soup.n_vertices(); ++v) {
     if (is_finite(soup.positions[v])) continue;
-    Defect& defect = defects.emplace_back(make_defect(DefectCode::Corrupt));
+    Defect defect = make_defect(DefectCode::Corrupt);
     defect.vertices = {v};
     defect.detail = "a coordinate is not a finite number";
     defect.fixable = false;
+    defects.push_back(defect);
   }
 }
 
@@ -59,50 +60,57 @@ std::vector<std::vector<Index>> find_namesakes(const Ids& ids) {
   return sets;
 }
 
-void add_repeated_ids(const Soup& soup, std::vector<Defect>& defects) {
+void add_repeated_ids(const Soup& soup, DefectList& defects) {
   for (std::vector<Index>& records : find_namesakes(soup.vertex_ids)) {
-    Defect& defect = defects.emplace_back(make_defect(DefectCode::Corrupt));
+    Defect defect = make_defect(DefectCode::Corrupt);
     for (const Index v : records) defect.positions.push_back(soup.positions[v]);
     defect.value = static_cast<double>(records.size());
     defect.detail =
         sentence("vertex id ", soup.vertex_ids.of(records[0]), " is given more than once");
     defect.vertices = std::move(records);
+    defects.push_back(defect);
   }
   for (std::vector<Index>& records : find_namesakes(soup.face_ids)) {
-    Defect& defect = defects.emplace_back(make_defect(DefectCode::Corrupt));
+    Defect defect = make_defect(DefectCode::Corrupt);
     defect.positions = middle_of_face(soup, records[0]);
     defect.value = static_cast<double>(records.size());
     defect.detail = sentence("face id ", soup.face_ids.of(records[0]), " is given more than once");
     defect.faces = std::move(records);
+    defects.push_back(defect);
   }
 }
 
-void add_missing_vertices(const Soup& soup, std::vector<Defect>& defects) {
+void add_missing_vertices(const Soup& soup, DefectList& defects) {
   std::vector<std::pair<std::int64_t, Index>> references;
   for (const MissingReference& r : soup.missing) references.emplace_back(r.id, r.face);
   sort_unique(references);
-  std::vector<Defect> found;
+  // The places of the first reference to each id, in order of the faces there.
+  std::vector<std::size_t> firsts;
   for (std::size_t i = 0; i < references.size(); ++i) {
-    const auto [id, face] = references[i];
-    if (i == 0 || references[i - 1].first != id) {
-      found.push_back(make_defect(DefectCode::Corrupt));
-      found.back().detail = sentence("there is no vertex ", id, "");
-    }
-    Defect& defect = found.back();
-    defect.faces.push_back(face);
-    if (defect.positions.empty()) defect.positions = middle_of_face(soup, face);
+    if (i == 0 || references[i - 1].first != references[i].first) firsts.push_back(i);
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Defect& a, const Defect& b) { return a.faces[0] < b.faces[0]; });
-  defects.insert(defects.end(), std::make_move_iterator(found.begin()),
-                 std::make_move_iterator(found.end()));
+  std::stable_sort(firsts.begin(), firsts.end(), [&](std::size_t a, std::size_t b) {
+    return references[a].second < references[b].second;
+  });
+  for (std::size_t i : firsts) {
+    const std::int64_t id = references[i].first;
+    Defect defect = make_defect(DefectCode::Corrupt);
+    defect.detail = sentence("there is no vertex ", id, "");
+    for (; i < references.size() && references[i].first == id; ++i) {
+      const Index face = references[i].second;
+      defect.faces.push_back(face);
+      if (defect.positions.empty()) defect.positions = middle_of_face(soup, face);
+    }
+    defects.push_back(defect);
+  }
 }
 
-void add_torn_lines(const Soup& soup, std::vector<Defect>& defects) {
+void add_torn_lines(const Soup& soup, DefectList& defects) {
   for (const std::uint32_t line : soup.torn_lines) {
-    Defect& defect = defects.emplace_back(make_defect(DefectCode::Corrupt));
+    Defect defect = make_defect(DefectCode::Corrupt);
     defect.line = line;
     defect.detail = sentence("line ", line, " is the remains of a torn record");
+    defects.push_back(defect);
   }
 }
 
@@ -118,8 +126,8 @@ bool has_finite_positions(const Soup& soup) {
   return std::all_of(parts.begin(), parts.end(), [](char finite) { return finite != 0; });
 }
 
-std::vector<Defect> find_corrupt(const Soup& soup) {
-  std::vector<Defect> defects;
+DefectList find_corrupt(const Soup& soup) {
+  DefectList defects;
   add_positions(soup, defects);
   add_repeated_ids(soup, defects);
   add_missing_vertices(soup, defects);

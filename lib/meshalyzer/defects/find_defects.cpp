@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -16,12 +15,12 @@ namespace {
 /// The defects that were found, by code.
 class Findings {
  public:
-  [[nodiscard]] std::vector<Defect>& operator[](DefectCode code) {
+  [[nodiscard]] DefectList& operator[](DefectCode code) {
     return lists_[static_cast<std::size_t>(code)];
   }
 
  private:
-  std::array<std::vector<Defect>, kDefectCodes> lists_;
+  std::array<DefectList, kDefectCodes> lists_;
 };
 
 /// Runs the finders of the codes that are asked for.
@@ -70,14 +69,13 @@ class Search {
   }
 
   void search_thin_facets(const PreparedMesh& mesh) {
-    for (Defect& defect : find_thin_facets(mesh, tolerances_)) {
-      const DefectCode code = defect.code;
-      if (asks(code)) findings_[code].push_back(std::move(defect));
+    for (const Defect& defect : find_thin_facets(mesh, tolerances_)) {
+      if (asks(defect.code)) findings_[defect.code].push_back(defect);
     }
   }
 
   void search_borders(const PreparedMesh& mesh) {
-    std::vector<Defect> slits = find_slits(mesh, tolerances_);
+    DefectList slits = find_slits(mesh, tolerances_);
     if (asks(DefectCode::Hole)) findings_[DefectCode::Hole] = find_holes(mesh, slits);
     if (asks(DefectCode::Slit)) findings_[DefectCode::Slit] = std::move(slits);
   }
@@ -97,13 +95,11 @@ class Search {
 DefectReport make_report(Findings findings, Tolerances tolerances, std::size_t max_defects) {
   DefectReport report;
   for (const DefectCode code : all_defect_codes()) {
-    std::vector<Defect>& found = findings[code];
+    DefectList& found = findings[code];
     report.counts[static_cast<std::size_t>(code)] = found.size();
     const std::size_t room = max_defects == 0 ? found.size() : max_defects - report.defects.size();
-    const auto last = found.begin() + static_cast<std::ptrdiff_t>(std::min(room, found.size()));
-    report.defects.insert(report.defects.end(), std::make_move_iterator(found.begin()),
-                          std::make_move_iterator(last));
-    found = {};
+    const std::size_t n = std::min(room, found.size());
+    report.defects.append(std::exchange(found, {}), n);
   }
   report.tolerances = tolerances;
   report.warnings = inconsistencies(tolerances);

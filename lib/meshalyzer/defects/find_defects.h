@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/defects/defect.h"
+#include "meshalyzer/defects/defect_list.h"
 #include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 
@@ -23,7 +23,7 @@ struct DefectOptions {
 /// The defects of a mesh.
 struct DefectReport {
   /// Sorted by code, then by lowest element.
-  std::vector<Defect> defects;
+  DefectList defects;
   /// The number of defects of each code, whether they are listed or not.
   std::array<std::size_t, kDefectCodes> counts{};
   /// The tolerances that the finders used.

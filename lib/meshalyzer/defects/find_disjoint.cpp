@@ -27,18 +27,19 @@ std::vector<Part> find_parts(const PreparedMesh& mesh) {
 
 }  // namespace
 
-std::vector<Defect> find_disjoint(const PreparedMesh& mesh) {
+DefectList find_disjoint(const PreparedMesh& mesh) {
   const std::vector<Part> parts = find_parts(mesh);
   const auto largest =
       std::max_element(parts.begin(), parts.end(),
                        [](const Part& a, const Part& b) { return a.n_faces < b.n_faces; });
-  std::vector<Defect> defects;
+  DefectList defects;
   for (auto part = parts.begin(); part != parts.end(); ++part) {
     if (part == largest) continue;
-    Defect& defect = defects.emplace_back(make_defect(DefectCode::Disjoint));
+    Defect defect = make_defect(DefectCode::Disjoint);
     defect.faces = {part->face};
     defect.positions = middle_of_face(mesh.soup(), part->face);
     defect.value = static_cast<double>(part->n_faces);
+    defects.push_back(defect);
   }
   return defects;
 }

@@ -2,6 +2,7 @@
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
+#include "meshalyzer/defects/internal/items_by_group.h"
 #include "meshalyzer/defects/internal/places.h"
 #include "meshalyzer/topology/duplicate_faces.h"
 
@@ -56,21 +57,28 @@ std::vector<Copy> find_copies(const Soup& soup, const std::vector<Triangle>& rep
 
 }  // namespace
 
-std::vector<Defect> find_duplicate_facets(const PreparedMesh& mesh) {
+DefectList find_duplicate_facets(const PreparedMesh& mesh) {
   const std::vector<Triangle> repeated = find_repeated_triangles(mesh);
   if (repeated.empty()) return {};
-  std::vector<Defect> defects;
-  std::vector<Index> defect_of(repeated.size(), kNoIndex);
-  for (const Copy& copy : find_copies(mesh.soup(), repeated)) {
-    Index& number = defect_of[copy.triangle];
-    if (number == kNoIndex) {
-      number = static_cast<Index>(defects.size());
-      defects.push_back(make_defect(DefectCode::DuplicateFacet));
-      defects.back().positions = middle_of_face(mesh.soup(), copy.face);
-    }
-    defects[number].faces.push_back(copy.face);
+  const std::vector<Copy> copies = find_copies(mesh.soup(), repeated);
+  // Sets of equal faces are numbered in order of their first face.
+  std::vector<Index> number(repeated.size(), kNoIndex);
+  Index n_sets = 0;
+  std::vector<Index> set_of;
+  set_of.reserve(copies.size());
+  for (const Copy& copy : copies) {
+    if (number[copy.triangle] == kNoIndex) number[copy.triangle] = n_sets++;
+    set_of.push_back(number[copy.triangle]);
   }
-  for (Defect& defect : defects) defect.value = static_cast<double>(defect.faces.size());
+  const ItemsByGroup sets(set_of, n_sets);
+  DefectList defects;
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    Defect defect = make_defect(DefectCode::DuplicateFacet);
+    for (const Index i : sets[s]) defect.faces.push_back(copies[i].face);
+    defect.positions = middle_of_face(mesh.soup(), defect.faces.front());
+    defect.value = static_cast<double>(defect.faces.size());
+    defects.push_back(defect);
+  }
   return defects;
 }
 

@@ -3,6 +3,7 @@
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
+#include "meshalyzer/defects/internal/items_by_group.h"
 #include "meshalyzer/defects/internal/places.h"
 #include "meshalyzer/geometry/face_measures.h"
 #include "meshalyzer/topology/components.h"
@@ -12,6 +13,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace meshalyzer {
@@ -113,61 +116,86 @@ class Regions {
 class Listing {
  public:
   Listing(const PreparedMesh& mesh, const Regions& regions)
-      : mesh_(mesh), regions_(regions), defect_of_(regions.n_patches(), kNoIndex) {}
+      : mesh_(mesh), regions_(regions), number_(regions.n_patches(), kNoIndex) {}
 
-  std::vector<Defect> list() {
-    const SideTable& side = mesh_.cut().side;
-    for (std::size_t f = 0; f < side.faces.size(); ++f) {
-      const Index patch = regions_.patch_of(f);
-      if (regions_.is_turned(patch) || regions_.is_one_sided(patch)) {
-        defect_at(patch).faces.push_back(side.faces[f]);
-      }
+  DefectList list() {
+    const std::vector<Index> defect_of_face = number_faces();
+    const std::vector<Index> defect_of_edge = number_edges();
+    const ItemsByGroup faces(defect_of_face, is_fixable_.size());
+    const ItemsByGroup edges(defect_of_edge, is_fixable_.size());
+    DefectList defects;
+    for (std::size_t i = 0; i < is_fixable_.size(); ++i) {
+      defects.push_back(describe(faces[i], edges[i], is_fixable_[i] != 0));
     }
-    for (std::size_t i = 0; i < side.flipped_edges.size(); ++i) {
-      list_edge(side.flipped_edges[i]);
-    }
-    return std::move(defects_);
+    return defects;
   }
 
  private:
-  Defect& defect_at(Index patch) {
+  /// Returns the number of the defect that a patch belongs to; new ones are numbered as they come.
+  Index number_of(Index patch) {
     const bool one_sided = regions_.is_one_sided(patch);
-    Index& number = defect_of_[one_sided ? regions_.region_of(patch) : patch];
+    Index& number = number_[one_sided ? regions_.region_of(patch) : patch];
     if (number == kNoIndex) {
-      number = static_cast<Index>(defects_.size());
-      defects_.push_back(make_defect(DefectCode::Flipped));
-      defects_.back().fixable = !one_sided;
+      number = static_cast<Index>(is_fixable_.size());
+      is_fixable_.push_back(one_sided ? 0 : 1);
     }
-    return defects_[number];
+    return number;
   }
 
-  /// Adds a flipped edge to the defect of the one of its two patches that is to be reversed, or of
-  /// the region if that is one-sided.
-  void list_edge(const CutEdge& edge) {
+  /// Returns the defect of each mesh face, kNoIndex if it stays as it is.
+  std::vector<Index> number_faces() {
+    std::vector<Index> defect_of(mesh_.cut().side.faces.size(), kNoIndex);
+    for (std::size_t f = 0; f < defect_of.size(); ++f) {
+      const Index patch = regions_.patch_of(f);
+      if (regions_.is_turned(patch) || regions_.is_one_sided(patch)) {
+        defect_of[f] = number_of(patch);
+      }
+    }
+    return defect_of;
+  }
+
+  /// Returns the defect of each flipped edge: that of the one of its two patches that is to be
+  /// reversed, or of the region if that is one-sided.
+  std::vector<Index> number_edges() {
     const CutMesh& cut = mesh_.cut();
     const auto patch_at = [&](HalfedgeHandle h) {
       return regions_.patch_of(static_cast<std::size_t>(cut.mesh.face_handle(h).idx()));
     };
-    const Index first = patch_at(edge.halfedges[0]);
-    const Index second = patch_at(edge.halfedges[1]);
-    Defect& defect = defect_at(regions_.is_turned(second) ? second : first);
-    std::array<Index, 2> ends = file_ends(cut, edge.halfedges[0]);
-    std::sort(ends.begin(), ends.end());
-    if (defect.edges.empty()) {
-      defect.positions = {middle_of_edge(mesh_.soup(), ends)};
+    std::vector<Index> defect_of;
+    for (std::size_t i = 0; i < cut.side.flipped_edges.size(); ++i) {
+      const auto halfedges = cut.side.flipped_edges[i].halfedges;
+      const Index second = patch_at(halfedges[1]);
+      defect_of.push_back(number_of(regions_.is_turned(second) ? second : patch_at(halfedges[0])));
     }
-    defect.edges.push_back(ends);
+    return defect_of;
+  }
+
+  [[nodiscard]] Defect describe(std::span<const Index> faces, std::span<const Index> edges,
+                                bool is_fixable) const {
+    const CutMesh& cut = mesh_.cut();
+    Defect defect = make_defect(DefectCode::Flipped);
+    defect.fixable = is_fixable;
+    for (const Index f : faces) defect.faces.push_back(cut.side.faces[f]);
+    for (const Index e : edges) {
+      std::array<Index, 2> ends = file_ends(cut, cut.side.flipped_edges[e].halfedges[0]);
+      std::sort(ends.begin(), ends.end());
+      if (defect.edges.empty()) defect.positions = {middle_of_edge(mesh_.soup(), ends)};
+      defect.edges.push_back(ends);
+    }
+    return defect;
   }
 
   const PreparedMesh& mesh_;
   const Regions& regions_;
-  std::vector<Index> defect_of_;
-  std::vector<Defect> defects_;
+  /// #patches: the defect of each patch, or of the region that it names; kNoIndex for none.
+  std::vector<Index> number_;
+  /// #defects: 0 for those of one-sided regions.
+  std::vector<std::uint8_t> is_fixable_;
 };
 
 }  // namespace
 
-std::vector<Defect> find_flipped(const PreparedMesh& mesh) {
+DefectList find_flipped(const PreparedMesh& mesh) {
   if (mesh.cut().side.flipped_edges.size() == 0) {
     return {};
   }

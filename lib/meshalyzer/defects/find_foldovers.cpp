@@ -269,7 +269,7 @@ Defect describe(const PreparedMesh& mesh, const Patch& patch, double height_tole
 
 }  // namespace
 
-std::vector<Defect> find_foldovers(const PreparedMesh& mesh, const Tolerances& tolerances) {
+DefectList find_foldovers(const PreparedMesh& mesh, const Tolerances& tolerances) {
   const std::vector<HalfedgeHandle> folds =
       find_folds(mesh.cut().mesh, tolerances.max_foldover_angle);
   if (folds.empty()) return {};
@@ -280,7 +280,7 @@ std::vector<Defect> find_foldovers(const PreparedMesh& mesh, const Tolerances& t
   for (Patch& patch : patches) {
     if (has_room(patches, patch)) patch.distance = cover.measure({patch.faces, patch.neighbours});
   }
-  std::vector<Defect> defects;
+  DefectList defects;
   for (const Index i : choose_foldovers(patches, cover)) {
     defects.push_back(describe(mesh, patches[i], tolerances.height));
   }

@@ -23,7 +23,7 @@ std::vector<Edge> edges_of(const CutMesh& cut, const BoundaryLoop& loop) {
 }
 
 /// Returns the edges of all slits, sorted.
-std::vector<Edge> slit_edges(const std::vector<Defect>& slits) {
+std::vector<Edge> slit_edges(const DefectList& slits) {
   std::vector<Edge> edges;
   for (const Defect& slit : slits) edges.insert(edges.end(), slit.edges.begin(), slit.edges.end());
   std::sort(edges.begin(), edges.end());
@@ -49,8 +49,8 @@ double length(const Soup& soup, const std::vector<Edge>& edges) {
 
 }  // namespace
 
-std::vector<Defect> find_holes(const PreparedMesh& mesh, const std::vector<Defect>& slits) {
-  std::vector<Defect> defects;
+DefectList find_holes(const PreparedMesh& mesh, const DefectList& slits) {
+  DefectList defects;
   const std::vector<BoundaryLoop> loops = find_boundary_loops(mesh.cut());
   if (loops.empty()) return defects;
   const std::vector<Edge> slit = slit_edges(slits);
@@ -60,10 +60,11 @@ std::vector<Defect> find_holes(const PreparedMesh& mesh, const std::vector<Defec
       return std::binary_search(slit.begin(), slit.end(), edge);
     });
     if (is_slit) continue;
-    Defect& defect = defects.emplace_back(make_defect(DefectCode::Hole));
+    Defect defect = make_defect(DefectCode::Hole);
     defect.positions = {centre(mesh.soup(), edges)};
     defect.value = length(mesh.soup(), edges);
     defect.edges = std::move(edges);
+    defects.push_back(defect);
   }
   return defects;
 }

@@ -18,9 +18,9 @@ Defect inward_component(const Soup& soup, Index first_face, const Shell& shell) 
 
 }  // namespace
 
-std::vector<Defect> find_inward(const PreparedMesh& mesh) {
+DefectList find_inward(const PreparedMesh& mesh) {
   const Components& components = mesh.components();
-  std::vector<Defect> defects;
+  DefectList defects;
   std::size_t n_seen = 0;
   for (std::size_t f = 0; f < components.of_face.size() && n_seen < components.count; ++f) {
     // Components are numbered in order of their lowest face.

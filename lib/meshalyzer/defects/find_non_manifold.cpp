@@ -14,22 +14,22 @@
 namespace meshalyzer {
 namespace {
 
-std::vector<Defect> find_crowded_edges(const PreparedMesh& mesh) {
+DefectList find_crowded_edges(const PreparedMesh& mesh) {
   const CutMesh& cut = mesh.cut();
   const CutEdges& edges = cut.side.non_manifold_edges;
-  std::vector<Defect> defects;
-  defects.reserve(edges.size());
+  DefectList defects;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const auto halfedges = edges[i].halfedges;
     auto ends = file_ends(cut, halfedges[0]);
     std::sort(ends.begin(), ends.end());
-    Defect& defect = defects.emplace_back(make_defect(DefectCode::NonManifold));
+    Defect defect = make_defect(DefectCode::NonManifold);
     defect.edges = {ends};
     for (const HalfedgeHandle h : halfedges) {
       defect.faces.push_back(cut.side.face(cut.mesh.face_handle(h)));
     }
     defect.positions = {middle_of_edge(mesh.soup(), ends)};
     defect.value = static_cast<double>(halfedges.size());
+    defects.push_back(defect);
   }
   return defects;
 }
@@ -58,19 +58,19 @@ std::size_t count_sets(DisjointSets& sets, const std::vector<VertexHandle>& vert
   return names.size();
 }
 
-std::vector<Defect> find_pinches(const PreparedMesh& mesh) {
+DefectList find_pinches(const PreparedMesh& mesh) {
   const CutMesh& cut = mesh.cut();
   const std::vector<Index> pinched = find_pinched_vertices(cut);
   if (pinched.empty()) return {};
   DisjointSets fans = join_through_flipped_edges(cut);
-  std::vector<Defect> defects;
-  defects.reserve(pinched.size());
+  DefectList defects;
   for (const Index v : pinched) {
-    Defect& defect = defects.emplace_back(make_defect(DefectCode::NonManifold));
+    Defect defect = make_defect(DefectCode::NonManifold);
     defect.vertices = {v};
     defect.faces = faces_at(cut, v);
     defect.positions = {mesh.soup().positions[v]};
     defect.value = static_cast<double>(count_sets(fans, mesh_vertices(cut, v)));
+    defects.push_back(defect);
   }
   return defects;
 }
@@ -81,13 +81,11 @@ Index lowest_vertex(const Defect& defect) {
 
 }  // namespace
 
-std::vector<Defect> find_non_manifold(const PreparedMesh& mesh) {
-  std::vector<Defect> edges = find_crowded_edges(mesh);
-  std::vector<Defect> vertices = find_pinches(mesh);
-  std::vector<Defect> defects;
-  defects.reserve(edges.size() + vertices.size());
-  std::merge(std::make_move_iterator(edges.begin()), std::make_move_iterator(edges.end()),
-             std::make_move_iterator(vertices.begin()), std::make_move_iterator(vertices.end()),
+DefectList find_non_manifold(const PreparedMesh& mesh) {
+  const DefectList edges = find_crowded_edges(mesh);
+  const DefectList vertices = find_pinches(mesh);
+  DefectList defects;
+  std::merge(edges.begin(), edges.end(), vertices.begin(), vertices.end(),
              std::back_inserter(defects),
              [](const Defect& a, const Defect& b) { return lowest_vertex(a) < lowest_vertex(b); });
   return defects;

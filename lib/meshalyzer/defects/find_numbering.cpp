@@ -25,20 +25,22 @@ Defect wrong_number(const Ids& ids, Index record) {
 
 }  // namespace
 
-std::vector<Defect> find_numbering(const Soup& soup) {
-  std::vector<Defect> defects;
+DefectList find_numbering(const Soup& soup) {
+  DefectList defects;
   if (soup.format != Format::Mesh) return defects;
   const Index vertex = first_out_of_order(soup.vertex_ids, soup.n_vertices());
   if (vertex != soup.n_vertices()) {
-    Defect& defect = defects.emplace_back(wrong_number(soup.vertex_ids, vertex));
+    Defect defect = wrong_number(soup.vertex_ids, vertex);
     defect.vertices = {vertex};
     defect.positions = {soup.positions[vertex]};
+    defects.push_back(defect);
   }
   const Index face = first_out_of_order(soup.face_ids, soup.n_faces());
   if (face != soup.n_faces()) {
-    Defect& defect = defects.emplace_back(wrong_number(soup.face_ids, face));
+    Defect defect = wrong_number(soup.face_ids, face);
     defect.faces = {face};
     defect.positions = middle_of_face(soup, face);
+    defects.push_back(defect);
   }
   return defects;
 }

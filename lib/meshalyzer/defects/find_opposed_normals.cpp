@@ -94,19 +94,20 @@ bool has_opposed_normal(const PreparedMesh& mesh, std::span<const GivenNormal> s
 
 }  // namespace
 
-std::vector<Defect> find_opposed_normals(const PreparedMesh& mesh) {
+DefectList find_opposed_normals(const PreparedMesh& mesh) {
   const Soup& soup = mesh.soup();
   if (soup.corner_normals.empty()) return {};
   const std::vector<GivenNormal> suspects = find_suspects(soup);
-  std::vector<Defect> defects;
+  DefectList defects;
   for (auto first = suspects.begin(); first != suspects.end();) {
     const Index vertex = first->vertex;
     const auto last = std::find_if(
         first, suspects.end(), [&](const GivenNormal& given) { return given.vertex != vertex; });
     if (has_opposed_normal(mesh, {first, last})) {
-      Defect& defect = defects.emplace_back(make_defect(DefectCode::VertexNormal));
+      Defect defect = make_defect(DefectCode::VertexNormal);
       defect.vertices = {vertex};
       defect.positions = {soup.positions[vertex]};
+      defects.push_back(defect);
     }
     first = last;
   }

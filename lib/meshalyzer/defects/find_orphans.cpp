@@ -6,7 +6,7 @@
 
 namespace meshalyzer {
 
-std::vector<Defect> find_orphans(const Soup& soup) {
+DefectList find_orphans(const Soup& soup) {
   std::vector<std::uint8_t> is_known(soup.n_vertices(), 0);
   for (const Triangle& t : soup.triangles) {
     for (const Index v : t) {
@@ -14,12 +14,13 @@ std::vector<Defect> find_orphans(const Soup& soup) {
     }
   }
   for (const Index record : find_repeated_ids(soup.vertex_ids)) is_known[record] = 1;
-  std::vector<Defect> defects;
+  DefectList defects;
   for (Index v = 0; v < is_known.size(); ++v) {
     if (is_known[v] != 0) continue;
-    Defect& defect = defects.emplace_back(make_defect(DefectCode::OrphanVertex));
+    Defect defect = make_defect(DefectCode::OrphanVertex);
     defect.vertices = {v};
     defect.positions = {soup.positions[v]};
+    defects.push_back(defect);
   }
   return defects;
 }

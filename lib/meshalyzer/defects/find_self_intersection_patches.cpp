@@ -2,6 +2,7 @@
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
+#include "meshalyzer/defects/internal/items_by_group.h"
 #include "meshalyzer/defects/internal/places.h"
 
 #include <algorithm>
@@ -49,23 +50,27 @@ DisjointSets join(const Soup& soup, std::span<const Index> faces,
 
 }  // namespace
 
-std::vector<Defect> find_self_intersection_patches(const PreparedMesh& mesh) {
+DefectList find_self_intersection_patches(const PreparedMesh& mesh) {
   const std::vector<IntersectingPair>& pairs = mesh.intersecting_pairs();
   if (pairs.empty()) return {};
   const std::vector<Index> faces = faces_of(pairs);
-  const std::vector<Index> patch = join(mesh.soup(), faces, pairs).number_all().of;
-  std::vector<Defect> defects;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (patch[i] == defects.size()) {
-      Defect& defect = defects.emplace_back(make_defect(DefectCode::SelfIntersection));
-      defect.positions = middle_of_face(mesh.soup(), faces[i]);
-    }
-    defects[patch[i]].faces.push_back(faces[i]);
-  }
+  const DisjointSets::Numbers patches = join(mesh.soup(), faces, pairs).number_all();
+  std::vector<Index> patch_of_pair;
+  patch_of_pair.reserve(pairs.size());
   for (const IntersectingPair& pair : pairs) {
-    defects[patch[place_in(faces, pair.face_a)]].pairs.push_back(pair);
+    patch_of_pair.push_back(patches.of[place_in(faces, pair.face_a)]);
   }
-  for (Defect& defect : defects) defect.value = static_cast<double>(defect.pairs.size());
+  const ItemsByGroup faces_of_patch(patches.of, patches.count);
+  const ItemsByGroup pairs_of_patch(patch_of_pair, patches.count);
+  DefectList defects;
+  for (std::size_t patch = 0; patch < patches.count; ++patch) {
+    Defect defect = make_defect(DefectCode::SelfIntersection);
+    for (const Index i : faces_of_patch[patch]) defect.faces.push_back(faces[i]);
+    for (const Index i : pairs_of_patch[patch]) defect.pairs.push_back(pairs[i]);
+    defect.positions = middle_of_face(mesh.soup(), defect.faces.front());
+    defect.value = static_cast<double>(defect.pairs.size());
+    defects.push_back(defect);
+  }
   return defects;
 }
 

@@ -2,6 +2,7 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
+#include "meshalyzer/defects/internal/items_by_group.h"
 #include "meshalyzer/defects/internal/places.h"
 #include "meshalyzer/spatial/segment_grid.h"
 #include "meshalyzer/topology/border.h"
@@ -89,7 +90,7 @@ class Slits {
   /// Joins pairs that have a vertex in common to chains.
   void join_at_vertices(std::size_t n_vertices);
   /// Returns one defect for each chain.
-  [[nodiscard]] std::vector<Defect> chains(const Soup& soup, double tolerance);
+  [[nodiscard]] DefectList chains(const Soup& soup, double tolerance);
 
  private:
   static constexpr double kNone = std::numeric_limits<double>::infinity();
@@ -111,22 +112,29 @@ void Slits::join_at_vertices(std::size_t n_vertices) {
   }
 }
 
-std::vector<Defect> Slits::chains(const Soup& soup, double tolerance) {
-  std::vector<Defect> defects;
+DefectList Slits::chains(const Soup& soup, double tolerance) {
+  // Chains are numbered in order of their first edge.
   std::vector<Index> number(edges_.size(), kNoIndex);
+  std::vector<Index> chain_of(edges_.size(), kNoIndex);
+  Index n_chains = 0;
   for (Index e = 0; e < edges_.size(); ++e) {
     if (!is_slit(e)) continue;
-    const Index root = sets_.find(e);
-    if (number[root] == kNoIndex) {
-      number[root] = static_cast<Index>(defects.size());
-      Defect& defect = defects.emplace_back(make_defect(DefectCode::Slit));
-      defect.positions = {middle_of_edge(soup, edges_[e].ends)};
-      defect.value = 0.0;
-      defect.limit = tolerance;
+    Index& chain = number[sets_.find(e)];
+    if (chain == kNoIndex) chain = n_chains++;
+    chain_of[e] = chain;
+  }
+  const ItemsByGroup chains(chain_of, n_chains);
+  DefectList defects;
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    Defect defect = make_defect(DefectCode::Slit);
+    defect.positions = {middle_of_edge(soup, edges_[chains[c].front()].ends)};
+    defect.value = 0.0;
+    defect.limit = tolerance;
+    for (const Index e : chains[c]) {
+      defect.edges.push_back(edges_[e].ends);
+      defect.value = std::max(*defect.value, gaps_[e]);
     }
-    Defect& defect = defects[number[root]];
-    defect.edges.push_back(edges_[e].ends);
-    defect.value = std::max(*defect.value, gaps_[e]);
+    defects.push_back(defect);
   }
   return defects;
 }
@@ -221,7 +229,7 @@ void pair_near(const Soup& soup, std::span<const BorderEdge> edges, std::span<co
 
 }  // namespace
 
-std::vector<Defect> find_slits(const PreparedMesh& mesh, const Tolerances& tolerances) {
+DefectList find_slits(const PreparedMesh& mesh, const Tolerances& tolerances) {
   const Soup& soup = mesh.soup();
   const std::vector<BorderEdge> edges = border_edges(mesh.cut());
   if (edges.empty()) return {};

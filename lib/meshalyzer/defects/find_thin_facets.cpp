@@ -79,8 +79,8 @@ class ThinFacetFinder {
   ThinFacetFinder(const Soup& soup, double tolerance)
       : soup_(soup), tolerance_(tolerance), glance_(tolerance) {}
 
-  [[nodiscard]] std::vector<Defect> find_in(Chunk chunk) const {
-    std::vector<Defect> found;
+  [[nodiscard]] DefectList find_in(Chunk chunk) const {
+    DefectList found;
     for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
       const Triangle& t = soup_.triangles[f];
       if (std::find(t.begin(), t.end(), kNoIndex) != t.end()) continue;
@@ -93,7 +93,7 @@ class ThinFacetFinder {
  private:
   [[nodiscard]] bool is_short(double length) const { return length < tolerance_ || length == 0.0; }
 
-  void look_closely(Index face, const Corners& p, std::vector<Defect>& found) const {
+  void look_closely(Index face, const Corners& p, DefectList& found) const {
     const std::array<double, 3> lengths = edge_lengths(p);
     const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
     if (is_short(*shortest)) {
@@ -102,11 +102,12 @@ class ThinFacetFinder {
     }
     const double altitude = shortest_altitude(p, *longest);
     if (!is_short(altitude)) return;
-    Defect& defect = found.emplace_back(make_defect(DefectCode::FlatFacet));
+    Defect defect = make_defect(DefectCode::FlatFacet);
     defect.faces = {face};
     defect.positions = middle_of_face(soup_, face);
     defect.value = altitude;
     defect.limit = tolerance_;
+    found.push_back(defect);
   }
 
   /// Returns the defect of a degenerate facet. If it names a vertex twice, that vertex is at an
@@ -140,15 +141,15 @@ class ThinFacetFinder {
 
 }  // namespace
 
-std::vector<Defect> find_thin_facets(const PreparedMesh& mesh, const Tolerances& tolerances) {
+DefectList find_thin_facets(const PreparedMesh& mesh, const Tolerances& tolerances) {
   const Soup& soup = mesh.soup();
   const ThinFacetFinder finder(soup, tolerances.degeneracy);
-  auto parts = map_chunks<std::vector<Defect>>(soup.n_faces(),
-                                               [&](Chunk chunk) { return finder.find_in(chunk); });
-  std::vector<Defect> defects;
-  for (std::vector<Defect>& part : parts) {
-    defects.insert(defects.end(), std::make_move_iterator(part.begin()),
-                   std::make_move_iterator(part.end()));
+  auto parts =
+      map_chunks<DefectList>(soup.n_faces(), [&](Chunk chunk) { return finder.find_in(chunk); });
+  DefectList defects;
+  for (DefectList& part : parts) {
+    const std::size_t n = part.size();
+    defects.append(std::move(part), n);
   }
   return defects;
 }

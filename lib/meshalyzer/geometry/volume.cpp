@@ -5,6 +5,7 @@
 #include "meshalyzer/exact/volume_sign.h"
 #include "meshalyzer/geometry/face_measures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -16,6 +17,15 @@ namespace {
 struct Term {
   double value;
   double magnitude;
+};
+
+/// Enough that threads have work, and few enough for a cache.
+constexpr std::size_t kTermsAtOnce = std::size_t{1} << 16U;
+
+/// The terms of successive faces.
+struct FaceTerms {
+  std::size_t first = 0;
+  std::span<Term> terms;
 };
 
 Term term(const Corners& p, const Vec3& origin) {
@@ -30,24 +40,34 @@ struct PartSum {
   double magnitude = 0.0;
 };
 
-std::vector<PartSum> sum_terms(const TriMesh& mesh, const FaceParts& parts,
-                               std::span<const Box3> boxes) {
-  std::vector<Term> terms(mesh.n_faces());
-  parallel_chunks(terms.size(), [&](Chunk chunk) {
+/// Computes the terms of `terms.size()` faces from the first on, in parallel.
+void compute_terms(const TriMesh& mesh, const FaceParts& parts, std::span<const Box3> boxes,
+                   FaceTerms out) {
+  parallel_chunks(out.terms.size(), [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      if (parts.of_face[i] == kNoIndex) {
-        continue;
-      }
-      const Box3& box = boxes[parts.of_face[i]];
-      terms[i] =
-          term(face_corners(mesh, FaceHandle(static_cast<int>(i))), box.min() / 2 + box.max() / 2);
+      const Index part = parts.of_face[out.first + i];
+      if (part == kNoIndex) continue;
+      const Box3& box = boxes[part];
+      out.terms[i] = term(face_corners(mesh, FaceHandle(static_cast<int>(out.first + i))),
+                          box.min() / 2 + box.max() / 2);
     }
   });
+}
+
+/// Adds up the terms in order of the faces, some at a time, so that few are in memory.
+std::vector<PartSum> sum_terms(const TriMesh& mesh, const FaceParts& parts,
+                               std::span<const Box3> boxes) {
+  std::vector<Term> room(std::min(mesh.n_faces(), kTermsAtOnce));
   std::vector<PartSum> sums(parts.count);
-  for (std::size_t i = 0; i < terms.size(); ++i) {
-    if (parts.of_face[i] != kNoIndex) {
-      sums[parts.of_face[i]].value.add(terms[i].value);
-      sums[parts.of_face[i]].magnitude += terms[i].magnitude;
+  for (std::size_t first = 0; first < mesh.n_faces(); first += room.size()) {
+    const std::span<Term> terms =
+        std::span(room).first(std::min(room.size(), mesh.n_faces() - first));
+    compute_terms(mesh, parts, boxes, {first, terms});
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      const Index part = parts.of_face[first + i];
+      if (part == kNoIndex) continue;
+      sums[part].value.add(terms[i].value);
+      sums[part].magnitude += terms[i].magnitude;
     }
   }
   return sums;

@@ -158,7 +158,7 @@ class SceneMaker {
   void note_defects() {
     std::array<std::size_t, kDefectCodes> n_lit{};
     for (const LitDefect& lit : lit_.all()) {
-      ++n_lit[static_cast<std::size_t>(report_.defects[lit.number].code)];
+      ++n_lit[static_cast<std::size_t>(report_.defects.code_of(lit.number))];
     }
     for (const DefectCode code : all_defect_codes()) {
       const std::size_t lit = n_lit[static_cast<std::size_t>(code)];

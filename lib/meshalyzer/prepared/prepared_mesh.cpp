@@ -56,11 +56,16 @@ const Components& PreparedMesh::components() const {
   return components_.get([this] { return find_components(cut_); });
 }
 
-const std::vector<Box3>& PreparedMesh::component_boxes() const {
+const std::vector<Box3>& PreparedMesh::component_boxes() const& {
   return component_boxes_.get([this] {
     const Components& parts = components();
     return bounding_boxes(cut_.mesh, {.of_face = parts.of_face, .count = parts.count});
   });
+}
+
+std::vector<Box3> PreparedMesh::component_boxes() && {
+  static_cast<void>(std::as_const(*this).component_boxes());
+  return component_boxes_.take();
 }
 
 const std::vector<IntersectingPair>& PreparedMesh::intersecting_pairs() const& {
@@ -114,8 +119,13 @@ IntersectionCounts PreparedMesh::count_intersecting_pairs(
   return counts;
 }
 
-const std::vector<Shell>& PreparedMesh::shells() const {
+const std::vector<Shell>& PreparedMesh::shells() const& {
   return shells_.get([this] { return find_shells(*this); });
+}
+
+std::vector<Shell> PreparedMesh::shells() && {
+  static_cast<void>(std::as_const(*this).shells());
+  return shells_.take();
 }
 
 }  // namespace meshalyzer

@@ -60,7 +60,9 @@ class PreparedMesh {
   /// Returns the box of each component: see bounding_boxes().
   ///
   /// @complexity O(#F) time.
-  [[nodiscard]] const std::vector<Box3>& component_boxes() const;
+  [[nodiscard]] const std::vector<Box3>& component_boxes() const&;
+  /// Moves the boxes out for a caller that needs nothing else any more.
+  [[nodiscard]] std::vector<Box3> component_boxes() &&;
 
   /// Returns the intersecting pairs of faces, see find_self_intersections(), or the first of them
   /// if limit_intersecting_pairs() was called. It uses the tree.
@@ -100,7 +102,9 @@ class PreparedMesh {
   /// Returns the role of each component as the wall of a solid: see find_shells(). It builds the
   /// tree and finds the intersecting pairs only if there are several components and one of them is
   /// a shell.
-  [[nodiscard]] const std::vector<Shell>& shells() const;
+  [[nodiscard]] const std::vector<Shell>& shells() const&;
+  /// Moves the shells out for a caller that needs nothing else any more.
+  [[nodiscard]] std::vector<Shell> shells() &&;
 
  private:
   [[nodiscard]] std::vector<IntersectingPair> search_intersecting_pairs() const;

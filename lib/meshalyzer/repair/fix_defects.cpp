@@ -61,8 +61,10 @@ void name_what_has_no_reason(const RepairOptions& options, RepairResult& result)
   if (options.borders == Borders::Intended) unsaid.erase(DefectCode::Hole);
   for (const LoggedRefusal& refusal : result.log.refusals) unsaid.erase(refusal.code);
   for (const RepairedMesh& mesh : result.meshes) {
-    for (const Defect& defect : mesh.remaining.defects) {
-      if (!unsaid.contains(defect.code)) continue;
+    const DefectList& defects = mesh.remaining.defects;
+    for (std::size_t i = 0; i < defects.size(); ++i) {
+      if (!unsaid.contains(defects.code_of(i))) continue;
+      const Defect defect = defects[i];
       unsaid.erase(defect.code);
       LoggedRefusal& refusal = result.log.refusals.emplace_back();
       refusal.pass = "every pass";

@@ -59,7 +59,7 @@ struct FoundDefects {
 struct ToldPatches {
   const MeshName& mesh;
   /// The defects of the mesh, among which the patches are.
-  std::span<const Defect> defects;
+  const DefectList& defects;
   std::span<const PatchOutcome> patches;
 };
 

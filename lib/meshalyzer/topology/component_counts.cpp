@@ -31,7 +31,7 @@ class Counter {
 
   void add_edges() {
     if (counts_.size() == 1) {
-      counts_.front().edges = cut_.mesh.n_edges();
+      counts_.front().edges = static_cast<Index>(cut_.mesh.n_edges());
     } else {
       for (const EdgeHandle e : cut_.mesh.all_edges()) ++at(cut_.mesh.halfedge_handle(e, 0)).edges;
     }
@@ -43,7 +43,7 @@ class Counter {
     for (const BoundaryLoop& boundary : input_.boundaries) {
       ComponentCounts& counts = at(boundary.halfedges.front());
       ++counts.boundaries;
-      counts.border_edges += boundary.halfedges.size();
+      counts.border_edges += static_cast<Index>(boundary.halfedges.size());
     }
   }
 
@@ -74,12 +74,12 @@ class Counter {
   ComponentCounts& at(VertexHandle v) { return at(cut_.mesh.halfedge_handle(v)); }
 
   /// Counts the edges of a list, and subtracts the mesh edges that cutting added.
-  void add_cuts(const CutEdges& edges, std::size_t ComponentCounts::*count) {
+  void add_cuts(const CutEdges& edges, Index ComponentCounts::*count) {
     for (std::size_t i = 0; i < edges.size(); ++i) {
       const auto halfedges = edges[i].halfedges;
       ComponentCounts& counts = at(halfedges[0]);
       ++(counts.*count);
-      counts.edges -= halfedges.size() - 1;
+      counts.edges -= static_cast<Index>(halfedges.size() - 1);
     }
   }
 

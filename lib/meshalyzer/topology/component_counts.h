@@ -5,7 +5,6 @@
 #include "meshalyzer/topology/components.h"
 #include "meshalyzer/topology/orientation.h"
 
-#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -24,20 +23,21 @@ struct ComponentCountsInput {
   std::span<const BoundaryLoop> boundaries;
 };
 
-/// The topological counts of one component of a complex.
+/// The topological counts of one component of a complex. They are indices, as a mesh with a million
+/// components has a million of them.
 struct ComponentCounts {
   /// The index of its lowest face record.
   Index first_face = kNoIndex;
-  std::size_t faces = 0;
+  Index faces = 0;
   /// The number of file vertices that its faces use.
-  std::size_t vertices = 0;
-  std::size_t edges = 0;
-  std::size_t edge_components = 0;
-  std::size_t boundaries = 0;
-  std::size_t border_edges = 0;
-  std::size_t non_manifold_edges = 0;
-  std::size_t non_manifold_vertices = 0;
-  std::size_t flipped_edges = 0;
+  Index vertices = 0;
+  Index edges = 0;
+  Index edge_components = 0;
+  Index boundaries = 0;
+  Index border_edges = 0;
+  Index non_manifold_edges = 0;
+  Index non_manifold_vertices = 0;
+  Index flipped_edges = 0;
   /// Tells whether the faces of each of its edge components can be given a consistent orientation.
   bool orientable = true;
 };

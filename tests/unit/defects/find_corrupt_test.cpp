@@ -30,7 +30,7 @@ TEST(FindCorrupt, EveryMissingIdIsOneDefectWithTheFacesThatNameIt) {
   soup.triangles[2][0] = kNoIndex;
   soup.triangles[3] = {kNoIndex, kNoIndex, kNoIndex};
   soup.missing = {{1, 1, 70}, {1, 2, 70}, {2, 0, 60}, {3, 0, 50}, {3, 1, 70}, {3, 2, 50}};
-  const std::vector<Defect> defects = find_corrupt(soup);
+  const DefectList defects = find_corrupt(soup);
   ASSERT_EQ(defects.size(), 3U);
   EXPECT_EQ(defects[0].code, DefectCode::Corrupt);
   EXPECT_EQ(defects[0].severity, Severity::Error);
@@ -49,7 +49,7 @@ TEST(FindCorrupt, EveryRepeatedIdIsOneDefectWithAllItsRecords) {
   Soup soup = shapes::tetrahedron();
   soup.vertex_ids.named = {5, 3, 5, 5};
   soup.face_ids.named = {8, 2, 2, 8};
-  const std::vector<Defect> defects = find_corrupt(soup);
+  const DefectList defects = find_corrupt(soup);
   ASSERT_EQ(defects.size(), 3U);
   EXPECT_EQ(defects[0].detail, "vertex id 5 is given more than once");
   EXPECT_EQ(defects[0].vertices, (std::vector<Index>{0, 2, 3}));
@@ -65,7 +65,7 @@ TEST(FindCorrupt, EveryRepeatedIdIsOneDefectWithAllItsRecords) {
 TEST(FindCorrupt, EveryTornLineIsOneDefectWithoutAPlace) {
   Soup soup = shapes::tetrahedron();
   soup.torn_lines = {3, 12};
-  const std::vector<Defect> defects = find_corrupt(soup);
+  const DefectList defects = find_corrupt(soup);
   ASSERT_EQ(defects.size(), 2U);
   EXPECT_EQ(defects[0].detail, "line 3 is the remains of a torn record");
   EXPECT_EQ(defects[1].detail, "line 12 is the remains of a torn record");
@@ -76,7 +76,7 @@ TEST(FindCorrupt, EveryPositionThatIsNotFiniteIsOneDefectThatCannotBeMended) {
   Soup soup = shapes::grid(100, 100);
   soup.positions[9000].y() = kInfinity;
   soup.positions[17].z() = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<Defect> defects = find_corrupt(soup);
+  const DefectList defects = find_corrupt(soup);
   ASSERT_EQ(defects.size(), 2U);
   EXPECT_EQ(defects[0].vertices, std::vector<Index>{17});
   EXPECT_EQ(defects[1].vertices, std::vector<Index>{9000});

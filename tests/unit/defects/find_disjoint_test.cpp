@@ -6,7 +6,7 @@
 namespace meshalyzer {
 namespace {
 
-std::vector<Defect> disjoint_in(const Soup& soup) {
+DefectList disjoint_in(const Soup& soup) {
   return find_disjoint(PreparedMesh(soup));
 }
 
@@ -24,7 +24,7 @@ TEST(FindDisjoint, AllButTheLargestAreNamedByTheirFirstFace) {
   const Soup soup =
       shapes::merged(shapes::merged(shapes::tetrahedron(), shapes::cube(1.0, Vec3(5, 0, 0))),
                      shapes::translated(shapes::tetrahedron(), Vec3(9, 0, 0)));
-  const std::vector<Defect> defects = disjoint_in(soup);
+  const DefectList defects = disjoint_in(soup);
   ASSERT_EQ(defects.size(), 2U);
   EXPECT_EQ(defects[0].code, DefectCode::Disjoint);
   EXPECT_EQ(defects[0].severity, Severity::Warning);
@@ -39,7 +39,7 @@ TEST(FindDisjoint, AllButTheLargestAreNamedByTheirFirstFace) {
 
 TEST(FindDisjoint, OfEqualComponentsTheFirstIsTheLargest) {
   const Soup soup = shapes::merged(shapes::cube(), shapes::cube(1.0, Vec3(5, 0, 0)));
-  const std::vector<Defect> defects = disjoint_in(soup);
+  const DefectList defects = disjoint_in(soup);
   ASSERT_EQ(defects.size(), 1U);
   EXPECT_EQ(defects[0].faces, std::vector<Index>{12});
 }
@@ -48,7 +48,7 @@ TEST(FindDisjoint, FacesAreNamedAsInTheFileWhereSomeAreNotInTheComplex) {
   Soup soup = shapes::tetrahedron();
   soup.triangles.insert(soup.triangles.begin(), Triangle{0, 0, 1});
   soup = shapes::merged(soup, shapes::cube(1.0, Vec3(5, 0, 0)));
-  const std::vector<Defect> defects = disjoint_in(soup);
+  const DefectList defects = disjoint_in(soup);
   ASSERT_EQ(defects.size(), 1U);
   EXPECT_EQ(defects[0].faces, std::vector<Index>{1});
 }

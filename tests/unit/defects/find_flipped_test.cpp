@@ -14,12 +14,12 @@ namespace {
 
 using Edges = std::vector<std::array<Index, 2>>;
 
-std::vector<Defect> flipped_in(const Soup& soup) {
+DefectList flipped_in(const Soup& soup) {
   return find_flipped(PreparedMesh(soup));
 }
 
 /// All the faces of the defects, ascending.
-std::vector<Index> faces_of(const std::vector<Defect>& defects) {
+std::vector<Index> faces_of(const DefectList& defects) {
   std::vector<Index> faces;
   for (const Defect& defect : defects) {
     faces.insert(faces.end(), defect.faces.begin(), defect.faces.end());
@@ -37,7 +37,7 @@ TEST(FindFlipped, ConsistentMeshesHaveNone) {
 
 TEST(FindFlipped, OneFaceTurnedOverIsOnePatch) {
   const Soup cube = shapes::cube();
-  const std::vector<Defect> defects = flipped_in(shapes::flipped(cube, std::array{Index{7}}));
+  const DefectList defects = flipped_in(shapes::flipped(cube, std::array{Index{7}}));
   ASSERT_EQ(defects.size(), 1U);
   EXPECT_EQ(defects[0].code, DefectCode::Flipped);
   EXPECT_TRUE(defects[0].fixable);
@@ -55,7 +55,7 @@ TEST(FindFlipped, SmallerSideByAreaIsToBeTurnedThoughItHasMoreFaces) {
   const Soup soup = shapes::make(
       {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1.01, 0.5, 0}, {1.01, 0, 0}, {1.01, 1, 0}},
       {{0, 1, 2}, {0, 2, 3}, {1, 2, 4}, {5, 1, 4}, {2, 6, 4}});
-  const std::vector<Defect> defects = flipped_in(soup);
+  const DefectList defects = flipped_in(soup);
   ASSERT_EQ(defects.size(), 1U);
   EXPECT_EQ(defects[0].faces, (std::vector<Index>{2, 3, 4}));
   EXPECT_EQ(defects[0].edges, (Edges{{1, 2}}));
@@ -78,7 +78,7 @@ TEST(FindFlipped, EachPatchIsADefectOfItsOwnInOrder) {
   // Opposite corners of the grid are apart.
   const Soup soup = shapes::grid(4, 4);
   const auto last = static_cast<Index>(soup.n_faces() - 1);
-  const std::vector<Defect> defects = flipped_in(shapes::flipped(soup, std::array{last, Index{0}}));
+  const DefectList defects = flipped_in(shapes::flipped(soup, std::array{last, Index{0}}));
   ASSERT_EQ(defects.size(), 2U);
   EXPECT_EQ(defects[0].faces, std::vector<Index>{0});
   EXPECT_EQ(defects[1].faces, std::vector<Index>{last});
@@ -96,7 +96,7 @@ TEST(FindFlipped, ComponentsAreJudgedEachByItself) {
 
 TEST(FindFlipped, OneSidedComponentIsOneDefectThatNobodyCanFix) {
   const Soup soup = shapes::merged(shapes::moebius_strip(7), shapes::cube(1.0, {9, 0, 0}));
-  const std::vector<Defect> defects = flipped_in(soup);
+  const DefectList defects = flipped_in(soup);
   ASSERT_EQ(defects.size(), 1U);
   EXPECT_FALSE(defects[0].fixable);
   EXPECT_EQ(defects[0].faces.size(), 14U);
@@ -105,7 +105,7 @@ TEST(FindFlipped, OneSidedComponentIsOneDefectThatNobodyCanFix) {
 
 TEST(FindFlipped, OneSidedComponentDoesNotHideOthers) {
   const Soup soup = shapes::merged(shapes::moebius_strip(7), shapes::cube(1.0, {9, 0, 0}));
-  const std::vector<Defect> defects = flipped_in(shapes::flipped(soup, std::array{Index{15}}));
+  const DefectList defects = flipped_in(shapes::flipped(soup, std::array{Index{15}}));
   ASSERT_EQ(defects.size(), 2U);
   EXPECT_FALSE(defects[0].fixable);
   EXPECT_TRUE(defects[1].fixable);
@@ -120,7 +120,7 @@ TEST(FindFlipped, EdgeOfThreeFacesAsksNothing) {
 TEST(FindFlipped, PartsThatOnlySuchAnEdgeJoinsAreJudgedEachByItself) {
   // Either tetrahedron has four faces; of the second three are turned.
   const Soup soup = shapes::two_tetrahedra_sharing_edge();
-  const std::vector<Defect> defects =
+  const DefectList defects =
       flipped_in(shapes::flipped(soup, std::array{Index{4}, Index{5}, Index{6}}));
   for (const Index face : faces_of(defects)) EXPECT_GE(face, 4U);
   EXPECT_FALSE(defects.empty());

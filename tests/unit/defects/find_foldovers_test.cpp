@@ -17,11 +17,11 @@ namespace {
 
 using shapes::grid_vertex;
 
-std::vector<Defect> foldovers_of(const Soup& soup, const Tolerances& tolerances) {
+DefectList foldovers_of(const Soup& soup, const Tolerances& tolerances) {
   return find_foldovers(PreparedMesh(soup), tolerances);
 }
 
-std::vector<Defect> foldovers_of(const Soup& soup) {
+DefectList foldovers_of(const Soup& soup) {
   return foldovers_of(soup, {.height = 1e-7, .max_foldover_angle = 1.0});
 }
 
@@ -55,7 +55,7 @@ TEST(FindFoldovers, VertexDraggedOverAnEdgeOfItsRingMakesOne) {
   const std::vector<Index> turned = faces_turned_over(soup);
   ASSERT_EQ(turned.size(), 1U);
   for (const Soup& sheet : {soup, tilted(soup), shapes::flipped(soup)}) {
-    const std::vector<Defect> found = foldovers_of(sheet);
+    const DefectList found = foldovers_of(sheet);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].code, DefectCode::Foldover);
     EXPECT_EQ(found[0].faces, turned);
@@ -71,7 +71,7 @@ TEST(FindFoldovers, VertexDraggedOverAnEdgeOfItsRingMakesOne) {
 
 TEST(FindFoldovers, DoesNotDependOnTheOrderOfFaces) {
   const Soup soup = shapes::shuffled_faces(shapes::dragged_vertex(), 7);
-  const std::vector<Defect> found = foldovers_of(soup);
+  const DefectList found = foldovers_of(soup);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].faces, faces_turned_over(soup));
 }
@@ -96,7 +96,7 @@ TEST(FindFoldovers, HeightAboveTheToleranceIsNone) {
 }
 
 TEST(FindFoldovers, ValueIsWithinTheToleranceAndAboveWhatIsThere) {
-  const std::vector<Defect> found =
+  const DefectList found =
       foldovers_of(shapes::dragged_vertex(0.0005), {.height = 0.001, .max_foldover_angle = 1.0});
   ASSERT_EQ(found.size(), 1U);
   EXPECT_GE(*found[0].value, 0.0001);
@@ -128,7 +128,7 @@ TEST(FindFoldovers, RandomlyDraggedVertexTurnsOverJustTheFacesFound) {
 
 TEST(FindFoldovers, CornerFoldedOverIsOne) {
   const Soup soup = shapes::dog_ear();
-  const std::vector<Defect> found = foldovers_of(soup);
+  const DefectList found = foldovers_of(soup);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].faces, faces_turned_over(soup));
   EXPECT_EQ(found[0].edges.size(), 1U);
@@ -137,7 +137,7 @@ TEST(FindFoldovers, CornerFoldedOverIsOne) {
 TEST(FindFoldovers, MiddleSheetOfThreeIsTheOne) {
   // From 0 to 6, back to 4, and on to 8: sheets of 6, 2 and 4 squares' length.
   const Soup soup = shapes::folded_strip(12, std::array{6.0, 8.0});
-  const std::vector<Defect> found = foldovers_of(soup);
+  const DefectList found = foldovers_of(soup);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].faces, faces_turned_over(soup));
   EXPECT_EQ(found[0].faces.size(), 8U);
@@ -145,14 +145,14 @@ TEST(FindFoldovers, MiddleSheetOfThreeIsTheOne) {
 }
 
 TEST(FindFoldovers, ShorterEndOfAFoldedStripIsTheOne) {
-  const std::vector<Defect> found = foldovers_of(shapes::folded_strip(7, std::array{5.0}));
+  const DefectList found = foldovers_of(shapes::folded_strip(7, std::array{5.0}));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].faces.size(), 8U);
 }
 
 TEST(FindFoldovers, HemFoldedTwiceIsTwo) {
   // 1 on 2 on 9: the first lies on the second, which lies on the rest.
-  const std::vector<Defect> found = foldovers_of(shapes::folded_strip(12, std::array{9.0, 11.0}));
+  const DefectList found = foldovers_of(shapes::folded_strip(12, std::array{9.0, 11.0}));
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].faces.size() + found[1].faces.size(), 12U);
 }
@@ -206,7 +206,7 @@ TEST(FindFoldovers, SurvivesExtremeCoordinates) {
 
 TEST(FindFoldovers, ToleranceBeyondTheMeshEndsSoon) {
   // With everything within the tolerance only opposed normals tell.
-  const std::vector<Defect> found =
+  const DefectList found =
       foldovers_of(shapes::dragged_vertex(), {.height = 100.0, .max_foldover_angle = 1.0});
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].faces, faces_turned_over(shapes::dragged_vertex()));

@@ -13,7 +13,7 @@ namespace {
 using Edge = std::array<Index, 2>;
 
 /// Finds holes as find_defects() does: slits first.
-std::vector<Defect> holes_of(const Soup& soup) {
+DefectList holes_of(const Soup& soup) {
   const PreparedMesh mesh(soup);
   return find_holes(mesh, find_slits(mesh, {.slit = 1e-9}));
 }
@@ -25,7 +25,7 @@ TEST(FindHoles, ClosedMeshHasNone) {
 }
 
 TEST(FindHoles, MissingTopIsOneWithItsCentreAndLength) {
-  const std::vector<Defect> found = holes_of(shapes::open_cube());
+  const DefectList found = holes_of(shapes::open_cube());
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].code, DefectCode::Hole);
   // In walking order round the top.
@@ -37,8 +37,7 @@ TEST(FindHoles, MissingTopIsOneWithItsCentreAndLength) {
 
 TEST(FindHoles, EachBoundaryIsOne) {
   const std::array<Index, 2> faces{0, 100};
-  const std::vector<Defect> found =
-      holes_of(shapes::without_faces(shapes::uv_sphere(12, 12), faces));
+  const DefectList found = holes_of(shapes::without_faces(shapes::uv_sphere(12, 12), faces));
   ASSERT_EQ(found.size(), 2U);
   EXPECT_LT(found[0].edges.front(), found[1].edges.front());
 }
@@ -57,12 +56,12 @@ TEST(FindHoles, BoundaryThatIsWhollyASlitIsNone) {
       if (v == 12) v = copy;
     }
   }
-  const std::vector<Defect> found = holes_of(soup);
+  const DefectList found = holes_of(soup);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].value, 16.0);
   // Opened, it is a hole like others.
   soup.positions[copy][1] += 0.1;
-  const std::vector<Defect> opened = holes_of(soup);
+  const DefectList opened = holes_of(soup);
   ASSERT_EQ(opened.size(), 2U);
   EXPECT_EQ(opened[1].edges.size(), 4U);
 }
@@ -78,7 +77,7 @@ TEST(FindHoles, ChainBetweenNonManifoldEdgesIsOne) {
 }
 
 TEST(FindHoles, LengthSurvivesExtremeCoordinates) {
-  const std::vector<Defect> found = holes_of(shapes::scaled(shapes::open_cube(), 0x1p1000));
+  const DefectList found = holes_of(shapes::scaled(shapes::open_cube(), 0x1p1000));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].value, 0x1p1002);
   EXPECT_EQ(found[0].positions[0], Vec3(0x1p999, 0x1p999, 0x1p1000));

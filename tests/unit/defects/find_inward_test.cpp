@@ -12,12 +12,12 @@ namespace {
 
 using shapes::InnerShell;
 
-std::vector<Defect> inward_in(const Soup& soup) {
+DefectList inward_in(const Soup& soup) {
   return find_inward(PreparedMesh(soup));
 }
 
 /// The lowest face of each defect.
-std::vector<Index> named_by(const std::vector<Defect>& defects) {
+std::vector<Index> named_by(const DefectList& defects) {
   std::vector<Index> faces;
   for (const Defect& defect : defects) {
     EXPECT_EQ(defect.code, DefectCode::Inward);
@@ -38,13 +38,13 @@ TEST(FindInward, OutwardMeshesHaveNone) {
 }
 
 TEST(FindInward, CubeInsideOutIsOneWithItsVolume) {
-  const std::vector<Defect> defects = inward_in(shapes::flipped(shapes::cube(2.0)));
+  const DefectList defects = inward_in(shapes::flipped(shapes::cube(2.0)));
   EXPECT_EQ(named_by(defects), Faces{0});
   EXPECT_NEAR(defects.at(0).value.value(), -8.0, 1e-12);
 }
 
 TEST(FindInward, OutwardShellInAnotherIsInwardSinceCavitiesPointIn) {
-  const std::vector<Defect> defects = inward_in(shapes::nested_cubes(InnerShell::Outward));
+  const DefectList defects = inward_in(shapes::nested_cubes(InnerShell::Outward));
   EXPECT_EQ(named_by(defects), Faces{12});
   EXPECT_NEAR(defects.at(0).value.value(), 1.0, 1e-12);
 }
@@ -99,7 +99,7 @@ TEST(FindInward, ShellOneBitThickIsDecided) {
 }
 
 TEST(FindInward, VolumeTooLargeForADoubleHasNoValue) {
-  const std::vector<Defect> defects = inward_in(shapes::flipped(shapes::cube(1e300)));
+  const DefectList defects = inward_in(shapes::flipped(shapes::cube(1e300)));
   EXPECT_EQ(named_by(defects), Faces{0});
   EXPECT_FALSE(defects.at(0).value.has_value());
 }

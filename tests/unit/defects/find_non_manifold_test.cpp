@@ -11,7 +11,7 @@ namespace {
 
 using Edges = std::vector<std::array<Index, 2>>;
 
-std::vector<Defect> non_manifold_in(const Soup& soup) {
+DefectList non_manifold_in(const Soup& soup) {
   return find_non_manifold(PreparedMesh(soup));
 }
 
@@ -29,7 +29,7 @@ TEST(FindNonManifold, MeshThatIsNotOrientableIsManifold) {
 
 TEST(FindNonManifold, EdgeOfManyFacesIsNamedWithThemAndItsEndsAreNot) {
   const Soup soup = shapes::fan_of_three();
-  const std::vector<Defect> defects = non_manifold_in(soup);
+  const DefectList defects = non_manifold_in(soup);
   ASSERT_EQ(defects.size(), 1U);
   EXPECT_EQ(defects[0].code, DefectCode::NonManifold);
   EXPECT_EQ(defects[0].edges, (Edges{{0, 1}}));
@@ -51,7 +51,7 @@ TEST(FindNonManifold, PinchedVertexIsNamedWithItsFans) {
     const Triangle& t = soup.triangles[f];
     if (t[0] == pinch || t[1] == pinch || t[2] == pinch) faces.push_back(f);
   }
-  const std::vector<Defect> defects = non_manifold_in(soup);
+  const DefectList defects = non_manifold_in(soup);
   ASSERT_EQ(defects.size(), 1U);
   EXPECT_EQ(defects[0].vertices, std::vector<Index>{pinch});
   EXPECT_TRUE(defects[0].edges.empty());
@@ -66,7 +66,7 @@ TEST(FindNonManifold, FanThatIsCutAtAFlippedEdgeIsOneFan) {
   const std::vector<Vec3> positions{Vec3(0, 0, 0), Vec3(1, 0, 0),  Vec3(1, 1, 0),
                                     Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(-1, -1, 0)};
   for (const Triangle& second : {Triangle{0, 3, 2}, Triangle{0, 1, 3}}) {
-    const std::vector<Defect> defects =
+    const DefectList defects =
         non_manifold_in(shapes::make(positions, {{0, 1, 2}, second, {0, 4, 5}}));
     ASSERT_EQ(defects.size(), 1U);
     EXPECT_EQ(defects[0].vertices, std::vector<Index>{0});
@@ -76,7 +76,7 @@ TEST(FindNonManifold, FanThatIsCutAtAFlippedEdgeIsOneFan) {
 }
 
 TEST(FindNonManifold, EveryEdgeOfADoubledWallIsListedOnce) {
-  const std::vector<Defect> defects = non_manifold_in(shapes::two_tetrahedra_sharing_face());
+  const DefectList defects = non_manifold_in(shapes::two_tetrahedra_sharing_face());
   ASSERT_EQ(defects.size(), 3U);
   for (const Defect& defect : defects) {
     EXPECT_EQ(defect.value, 4.0);
@@ -89,7 +89,7 @@ TEST(FindNonManifold, EdgesAndVerticesAreInOrderOfTheirLowestVertex) {
   const Soup soup = shapes::merged(
       shapes::merged(shapes::fan_of_three(), shapes::two_tetrahedra_sharing_vertex()),
       shapes::fan_of_three());
-  const std::vector<Defect> defects = non_manifold_in(soup);
+  const DefectList defects = non_manifold_in(soup);
   ASSERT_EQ(defects.size(), 3U);
   EXPECT_EQ(defects[0].edges, (Edges{{0, 1}}));
   EXPECT_EQ(defects[1].vertices, std::vector<Index>{5});

@@ -27,7 +27,7 @@ TEST(FindNumbering, FormatsThatNumberSilentlyAreRight) {
 TEST(FindNumbering, FirstWrongIdNamesTheOneDefectOfTheVertices) {
   Soup soup = shapes::tetrahedron();
   soup.vertex_ids.named = {1, 2, 4, 3};
-  const std::vector<Defect> defects = find_numbering(soup);
+  const DefectList defects = find_numbering(soup);
   ASSERT_EQ(defects.size(), 1U);
   EXPECT_EQ(defects[0].code, DefectCode::Numbering);
   EXPECT_EQ(defects[0].severity, Severity::Warning);
@@ -42,7 +42,7 @@ TEST(FindNumbering, FacesAreADefectOfTheirOwn) {
   Soup soup = shapes::tetrahedron();
   soup.vertex_ids.first = 0;
   soup.face_ids.named = {1, 2, 3, 3};
-  const std::vector<Defect> defects = find_numbering(soup);
+  const DefectList defects = find_numbering(soup);
   ASSERT_EQ(defects.size(), 2U);
   EXPECT_EQ(defects[0].vertices, std::vector<Index>{0});
   EXPECT_EQ(defects[0].value, 0.0);
@@ -56,7 +56,7 @@ TEST(FindNumbering, FacesAreADefectOfTheirOwn) {
 TEST(FindNumbering, FaceWithoutAnyVertexHasNoPlace) {
   Soup soup = shapes::make({}, {{kNoIndex, kNoIndex, kNoIndex}});
   soup.face_ids.first = 7;
-  const std::vector<Defect> defects = find_numbering(soup);
+  const DefectList defects = find_numbering(soup);
   ASSERT_EQ(defects.size(), 1U);
   EXPECT_TRUE(defects[0].positions.empty());
 }

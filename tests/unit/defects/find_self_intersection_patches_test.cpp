@@ -8,7 +8,7 @@
 namespace meshalyzer {
 namespace {
 
-std::vector<Defect> patches_of(const Soup& soup) {
+DefectList patches_of(const Soup& soup) {
   return find_self_intersection_patches(PreparedMesh(soup));
 }
 
@@ -25,7 +25,7 @@ TEST(FindSelfIntersectionPatches, MeshWithoutHasNone) {
 }
 
 TEST(FindSelfIntersectionPatches, CrossingFacesAreOneThatIsFixable) {
-  const std::vector<Defect> found = patches_of(crossing());
+  const DefectList found = patches_of(crossing());
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].code, DefectCode::SelfIntersection);
   EXPECT_EQ(found[0].faces, (std::vector<Index>{0, 1}));
@@ -37,7 +37,7 @@ TEST(FindSelfIntersectionPatches, CrossingFacesAreOneThatIsFixable) {
 
 TEST(FindSelfIntersectionPatches, FacesThatAreApartAreSeveral) {
   const Soup soup = shapes::merged(crossing(), shapes::translated(crossing(), {10, 0, 0}));
-  const std::vector<Defect> found = patches_of(soup);
+  const DefectList found = patches_of(soup);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].faces, (std::vector<Index>{0, 1}));
   EXPECT_EQ(found[1].faces, (std::vector<Index>{2, 3}));
@@ -51,7 +51,7 @@ TEST(FindSelfIntersectionPatches, PairsWithACommonVertexAreOne) {
       if (v == 6) v = 1;
     }
   }
-  const std::vector<Defect> found = patches_of(soup);
+  const DefectList found = patches_of(soup);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].faces, (std::vector<Index>{0, 1, 2, 3}));
   EXPECT_EQ(found[0].value, 2.0);
@@ -59,16 +59,16 @@ TEST(FindSelfIntersectionPatches, PairsWithACommonVertexAreOne) {
 
 TEST(FindSelfIntersectionPatches, MattersOfOtherFixesAreFixable) {
   // Back to back on the same vertices.
-  const std::vector<Defect> duplicate = patches_of(shapes::pillow());
+  const DefectList duplicate = patches_of(shapes::pillow());
   ASSERT_EQ(duplicate.size(), 1U);
   EXPECT_TRUE(duplicate[0].fixable);
   // Two squares side by side that were never welded.
-  const std::vector<Defect> unwelded = patches_of(
+  const DefectList unwelded = patches_of(
       shapes::merged(shapes::grid(1, 1), shapes::translated(shapes::grid(1, 1), {1, 0, 0})));
   ASSERT_EQ(unwelded.size(), 1U);
   EXPECT_TRUE(unwelded[0].fixable);
   // Folded back on each other.
-  const std::vector<Defect> folded = patches_of(
+  const DefectList folded = patches_of(
       shapes::make({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.7, 0}}, {{0, 1, 2}, {1, 0, 3}}));
   ASSERT_EQ(folded.size(), 1U);
   EXPECT_TRUE(folded[0].fixable);
@@ -77,7 +77,7 @@ TEST(FindSelfIntersectionPatches, MattersOfOtherFixesAreFixable) {
 TEST(FindSelfIntersectionPatches, PairsOfSeveralKindsAreOne) {
   Soup soup = crossing();
   soup.triangles.push_back({0, 1, 2});
-  const std::vector<Defect> found = patches_of(soup);
+  const DefectList found = patches_of(soup);
   ASSERT_EQ(found.size(), 1U);
   // 0 and 2 are the same face, and 1 crosses both.
   EXPECT_EQ(found[0].value, 3.0);

@@ -18,7 +18,7 @@ namespace {
 
 using Edge = std::array<Index, 2>;
 
-std::vector<Defect> slits_of(const Soup& soup, double tolerance) {
+DefectList slits_of(const Soup& soup, double tolerance) {
   return find_slits(PreparedMesh(soup), {.slit = tolerance});
 }
 
@@ -60,7 +60,7 @@ TEST(FindSlits, WeldedOrFarApartMeshHasNone) {
 }
 
 TEST(FindSlits, EdgesAtExactlyTheSamePlaceAreOneAlsoWithoutTolerance) {
-  const std::vector<Defect> found = slits_of(two_squares(0.0), 0.0);
+  const DefectList found = slits_of(two_squares(0.0), 0.0);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].code, DefectCode::Slit);
   EXPECT_EQ(found[0].edges, (std::vector<Edge>{{1, 2}, {4, 7}}));
@@ -83,7 +83,7 @@ TEST(FindSlits, EdgesThatRunTheSameWayCountToo) {
 
 TEST(FindSlits, GapIsMeasuredAgainstTheTolerance) {
   const double gap = 0x1p-10;
-  const std::vector<Defect> found = slits_of(two_squares(gap), gap);
+  const DefectList found = slits_of(two_squares(gap), gap);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].value, gap);
   EXPECT_TRUE(slits_of(two_squares(gap), 0.999 * gap).empty());
@@ -100,7 +100,7 @@ TEST(FindSlits, TipOfASlitCounts) {
   // The same with both squares joined at the lower end of the slit.
   Soup soup = two_squares(0.0);
   for (Triangle& t : soup.triangles) std::replace(t.begin(), t.end(), Index{4}, Index{1});
-  const std::vector<Defect> found = slits_of(soup, 0.0);
+  const DefectList found = slits_of(soup, 0.0);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].edges, (std::vector<Edge>{{1, 2}, {1, 7}}));
 }
@@ -109,7 +109,7 @@ TEST(FindSlits, ChainJoinedAtVerticesIsOne) {
   // Two sheets of 1 x 4 squares side by side: four pairs of edges.
   const Soup soup =
       shapes::merged(shapes::grid(1, 4), shapes::translated(shapes::grid(1, 4), {1, 0, 0}));
-  const std::vector<Defect> found = slits_of(soup, 0.0);
+  const DefectList found = slits_of(soup, 0.0);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].edges.size(), 8U);
 }
@@ -119,7 +119,7 @@ TEST(FindSlits, PairsWithoutCommonVertexAreSeveral) {
   const Soup soup =
       shapes::merged(two_squares(0.0), shapes::translated(shapes::grid(1, 1), {-1, 0, 0}));
   // The edge 0-3 and that of the third square, 9-11, are not joined with the others: 1-2 and 4-7.
-  const std::vector<Defect> found = slits_of(soup, 0.0);
+  const DefectList found = slits_of(soup, 0.0);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].edges.front(), (Edge{0, 3}));
   EXPECT_EQ(found[1].edges.front(), (Edge{1, 2}));
@@ -148,7 +148,7 @@ TEST(FindSlits, UnweldedMeshIsSlitAlongAllItsEdges) {
     for (const Index v : t) soup.positions.push_back(sphere.positions[v]);
     soup.triangles.push_back({first, first + 1, first + 2});
   }
-  const std::vector<Defect> found = slits_of(soup, 0.0);
+  const DefectList found = slits_of(soup, 0.0);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].edges.size(), 3 * soup.n_faces());
 }
@@ -197,7 +197,7 @@ TEST(FindSlits, EdgesWithOneMiddleAreFoundInNoTime) {
     soup.positions.emplace_back(0, 0, 1.0 + i);
     soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
-  const std::vector<Defect> found = slits_of(soup, 1e-6);
+  const DefectList found = slits_of(soup, 1e-6);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].edges, (std::vector<Edge>{{0, 1}, {3 * count, 3 * count + 1}}));
 }

@@ -10,7 +10,7 @@
 namespace meshalyzer {
 namespace {
 
-std::vector<Defect> thin_in(const Soup& soup, double tolerance) {
+DefectList thin_in(const Soup& soup, double tolerance) {
   return find_thin_facets(PreparedMesh(soup), {.degeneracy = tolerance});
 }
 
@@ -29,7 +29,7 @@ Soup needle(double width) {
   return triangle({0, 0, 0}, {1, 0, 0}, {0, width, 0});
 }
 
-void expect_one(const std::vector<Defect>& defects, DefectCode code, double value) {
+void expect_one(const DefectList& defects, DefectCode code, double value) {
   ASSERT_EQ(defects.size(), 1U);
   EXPECT_EQ(defects[0].code, code);
   EXPECT_EQ(defects[0].faces, std::vector<Index>{0});
@@ -44,7 +44,7 @@ TEST(FindThinFacets, GoodFacesAreNot) {
 }
 
 TEST(FindThinFacets, AltitudeBelowTheToleranceIsFlat) {
-  const std::vector<Defect> defects = thin_in(cap(0.25), 0.5);
+  const DefectList defects = thin_in(cap(0.25), 0.5);
   expect_one(defects, DefectCode::FlatFacet, 0.25);
   EXPECT_EQ(defects[0].limit, 0.5);
   EXPECT_EQ(defects[0].severity, Severity::Error);
@@ -57,7 +57,7 @@ TEST(FindThinFacets, AltitudeOfJustTheToleranceIsNot) {
 }
 
 TEST(FindThinFacets, EdgeBelowTheToleranceIsDegenerateAndNotFlatToo) {
-  const std::vector<Defect> defects = thin_in(needle(0.25), 0.5);
+  const DefectList defects = thin_in(needle(0.25), 0.5);
   expect_one(defects, DefectCode::DegenerateFacet, 0.25);
   EXPECT_EQ(defects[0].edges, (std::vector<std::array<Index, 2>>{{0, 2}}));
   EXPECT_EQ(defects[0].positions[0], Vec3(0, 0.125, 0));
@@ -70,14 +70,14 @@ TEST(FindThinFacets, EdgeOfJustTheToleranceIsFlatOnly) {
 }
 
 TEST(FindThinFacets, AllShortEdgesAreListed) {
-  const std::vector<Defect> defects = thin_in(triangle({0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}), 0.5);
+  const DefectList defects = thin_in(triangle({0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}), 0.5);
   ASSERT_EQ(defects.size(), 1U);
   EXPECT_EQ(defects[0].edges, (std::vector<std::array<Index, 2>>{{0, 1}, {0, 2}, {1, 2}}));
 }
 
 TEST(FindThinFacets, RepeatedVertexIsDegenerateWhereverItStands) {
   for (const Triangle& t : {Triangle{1, 1, 0}, Triangle{0, 1, 1}, Triangle{1, 0, 1}}) {
-    const std::vector<Defect> defects =
+    const DefectList defects =
         thin_in(shapes::make({Vec3(0, 0, 0), Vec3(8, 0, 0)}, {t}), 0.5);
     expect_one(defects, DefectCode::DegenerateFacet, 0.0);
     EXPECT_EQ(defects[0].vertices, std::vector<Index>{1});
@@ -114,7 +114,7 @@ TEST(FindThinFacets, ZeroAreaIsSeenWhereRoundingHidesIt) {
 }
 
 TEST(FindThinFacets, SamePlaceUnderTwoNumbersIsDegenerateAtToleranceZero) {
-  const std::vector<Defect> defects = thin_in(triangle({1, 2, 3}, {1, 2, 3}, {4, 5, 7}), 0.0);
+  const DefectList defects = thin_in(triangle({1, 2, 3}, {1, 2, 3}, {4, 5, 7}), 0.0);
   expect_one(defects, DefectCode::DegenerateFacet, 0.0);
   EXPECT_EQ(defects[0].edges, (std::vector<std::array<Index, 2>>{{0, 1}}));
 }
@@ -175,7 +175,7 @@ TEST(FindThinFacets, AgreesWithLongDoublesOnRandomFaces) {
     const Long area = std::abs((Long{b.x()} - Long{a.x()}) * (Long{c.y()} - Long{a.y()}) -
                                (Long{b.y()} - Long{a.y()}) * (Long{c.x()} - Long{a.x()}));
     constexpr double kTolerance = 0.05;
-    const std::vector<Defect> defects = thin_in(triangle(a, b, c), kTolerance);
+    const DefectList defects = thin_in(triangle(a, b, c), kTolerance);
     n_thin += defects.size();
     if (area / longest >= kTolerance) {
       EXPECT_TRUE(defects.empty());
@@ -192,7 +192,7 @@ TEST(FindThinFacets, FacesAreInFileOrderWhateverTheirNumber) {
   Soup soup = shapes::grid(100, 100);
   const std::size_t n = soup.n_faces();
   for (Index f = 0; f < n; f += 7) soup.triangles[f][2] = soup.triangles[f][1];
-  const std::vector<Defect> defects = thin_in(soup, 0.1);
+  const DefectList defects = thin_in(soup, 0.1);
   ASSERT_EQ(defects.size(), (n + 6) / 7);
   for (std::size_t i = 0; i < defects.size(); ++i) {
     EXPECT_EQ(defects[i].faces[0], static_cast<Index>(7 * i));

@@ -67,9 +67,10 @@ TEST(LitDefects, SeedsOfErrorsComeBeforeThoseOfWarnings) {
   const PreparedMesh mesh(soup);
   DefectReport report = find_defects(mesh);
   ASSERT_EQ(report.defects[0].code, DefectCode::Disjoint);
-  Defect& thin = report.defects.emplace_back();
+  Defect thin;
   thin.code = DefectCode::FlatFacet;
   thin.faces = {7};
+  report.defects.push_back(thin);
   const LitDefects lit(mesh, report, {});
   const Seeds seeds = lit.seeds(soup);
   EXPECT_EQ(seeds.faces, (std::vector<Index>{7, 320, 321}));

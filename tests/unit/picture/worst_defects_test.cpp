@@ -22,7 +22,7 @@ Soup strip() {
                       {{1, 0, 2}, {1, 2, 3}, {3, 2, 4}, {3, 4, 5}});
 }
 
-DefectReport report_of(std::vector<Defect> defects) {
+DefectReport report_of(DefectList defects) {
   DefectReport report;
   report.defects = std::move(defects);
   return report;
@@ -70,10 +70,8 @@ TEST(WorstDefects, ErrorGoesBeforeWarningThenTheFirstCode) {
   same_edge.edges = {{2, 1}};
   const std::vector<double> expected{value(DefectCode::Slit), value(DefectCode::Slit),
                                      value(DefectCode::Inward), value(DefectCode::Disjoint)};
-  std::vector<Defect> defects{warning, later, earlier, same_edge};
-  EXPECT_EQ(worst_defects(strip(), report_of(defects)), expected);
-  std::reverse(defects.begin(), defects.end());
-  EXPECT_EQ(worst_defects(strip(), report_of(defects)), expected);
+  EXPECT_EQ(worst_defects(strip(), report_of({warning, later, earlier, same_edge})), expected);
+  EXPECT_EQ(worst_defects(strip(), report_of({same_edge, earlier, later, warning})), expected);
 }
 
 TEST(WorstDefects, FacesWithoutAllCornersHaveTheirOwn) {

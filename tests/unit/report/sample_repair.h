@@ -2,6 +2,9 @@
 
 #include "meshalyzer/report/repair_report.h"
 
+#include <utility>
+#include <vector>
+
 namespace meshalyzer {
 
 /// A made-up repair: of the vertices 10, 20, 30, 40 the third is gone, and one was added; of the
@@ -46,10 +49,21 @@ inline RepairReport sample_report(const RepairResult& result) {
 }
 
 /// Adds a defect to a report, which counts it too.
-inline Defect& add_defect(DefectReport& report, DefectCode code) {
+inline void add_defect(DefectReport& report, DefectCode code, Defect defect = {}) {
   ++report.counts[static_cast<std::size_t>(code)];
-  Defect& defect = report.defects.emplace_back();
   defect.code = code;
+  report.defects.push_back(defect);
+}
+
+inline Defect defect_of_faces(std::vector<Index> faces) {
+  Defect defect;
+  defect.faces = std::move(faces);
+  return defect;
+}
+
+inline Defect defect_of_vertices(std::vector<Index> vertices) {
+  Defect defect;
+  defect.vertices = std::move(vertices);
   return defect;
 }
 
@@ -60,7 +74,7 @@ inline PatchOutcome& add_patch(RepairResult& result) {
   patch.passes = {"split edges", "cut intersections"};
   patch.distance = 0.25;
   patch.is_mended = true;
-  add_defect(result.before, DefectCode::SelfIntersection).faces = {0, 1};
+  add_defect(result.before, DefectCode::SelfIntersection, defect_of_faces({0, 1}));
   return patch;
 }
 

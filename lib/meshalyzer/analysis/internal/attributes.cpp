@@ -1,7 +1,6 @@
 #include "meshalyzer/analysis/internal/attributes.h"
 
 #include "meshalyzer/analysis/internal/volume.h"
-#include "meshalyzer/topology/genus.h"
 
 #include <algorithm>
 #include <string_view>
@@ -43,42 +42,16 @@ Answer answer_outward(const Analysis& analysis, const Attributes& attributes) {
 
 }  // namespace
 
-std::vector<ComponentAnalysis> analyze_components(std::span<const ComponentCounts> counts) {
-  std::vector<ComponentAnalysis> analyses(counts.size());
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    const ComponentCounts& n = counts[i];
-    ComponentAnalysis& c = analyses[i];
-    c.first_face = n.first_face;
-    c.faces = n.faces;
-    c.vertices = n.vertices;
-    c.edges = n.edges;
-    c.edge_components = n.edge_components;
-    c.boundaries = n.boundaries;
-    c.border_edges = n.border_edges;
-    c.non_manifold_edges = n.non_manifold_edges;
-    c.non_manifold_vertices = n.non_manifold_vertices;
-    c.flipped_edges = n.flipped_edges;
-    c.closed = n.border_edges == 0;
-    c.manifold = n.non_manifold_edges == 0 && n.non_manifold_vertices == 0;
-    if (c.manifold) {
-      c.orientable = n.orientable;
-      c.consistent = n.flipped_edges == 0;
-    }
-    if (c.manifold && n.orientable) {
-      c.genus = genus(
-          {.vertices = n.vertices, .edges = n.edges, .faces = n.faces, .boundaries = n.boundaries});
-    }
-  }
-  return analyses;
+void count_records(const Soup& soup, Characteristics& characteristics) {
+  characteristics.vertices = soup.n_vertices();
+  characteristics.faces = soup.n_faces();
 }
 
-void count_elements(const Soup& soup, const ComplexTopology& topology, Analysis& analysis) {
+void count_elements(const ComplexTopology& topology, Analysis& analysis) {
   Characteristics& c = analysis.characteristics;
   const Offenders& offenders = analysis.offenders;
-  c.vertices = soup.n_vertices();
-  c.faces = soup.n_faces();
   c.edges = topology.n_edges;
-  c.components = analysis.components.size();
+  c.components = topology.counts.size();
   c.edge_components = topology.n_edge_components;
   c.boundaries = topology.n_boundaries;
   c.border_edges = offenders.border_edges.size();

@@ -3,19 +3,15 @@
 #include "meshalyzer/analysis/analysis.h"
 #include "meshalyzer/analysis/internal/complex_topology.h"
 
-#include <span>
-
 namespace meshalyzer {
 
-/// Answers for each component what its counts determine: closed, manifold, orientable, consistent,
-/// genus.
-[[nodiscard]] std::vector<ComponentAnalysis> analyze_components(
-    std::span<const ComponentCounts> counts);
+/// Fills in the counts of Characteristics that are of the file's records.
+void count_records(const Soup& soup, Characteristics& characteristics);
 
-/// Fills in the counts of Characteristics that follow from topology and integrity.
+/// Fills in the counts of Characteristics that follow from topology.
 ///
-/// @param analysis  The analysis, whose components and offenders are set.
-void count_elements(const Soup& soup, const ComplexTopology& topology, Analysis& analysis);
+/// @param analysis  The analysis, whose offenders are set.
+void count_elements(const ComplexTopology& topology, Analysis& analysis);
 
 /// Returns the five attributes of the mesh, from its counts and those of its components.
 ///

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <iterator>
 #include <numeric>
 
 namespace meshalyzer {
@@ -39,12 +41,12 @@ std::span<const HalfedgeHandle> find_cut_edge(const CutMesh& cut, const CutEdges
   return found ? edges[low].halfedges : std::span<const HalfedgeHandle>();
 }
 
-/// Returns all faces of the complex at an edge, ascending.
-std::vector<Index> faces_at(const CutMesh& cut, HalfedgeHandle h) {
-  std::vector<Index> faces;
+/// Appends all faces of the complex at an edge, ascending.
+void append_faces_at(const CutMesh& cut, HalfedgeHandle h, std::vector<Index>& faces) {
+  const auto n_before = static_cast<std::ptrdiff_t>(faces.size());
   const HalfedgeHandle opposite = cut.mesh.opposite_halfedge_handle(h);
   if (!cut.mesh.is_boundary(h) && !cut.mesh.is_boundary(opposite)) {
-    faces = {file_face(cut, h), file_face(cut, opposite)};
+    faces.insert(faces.end(), {file_face(cut, h), file_face(cut, opposite)});
   } else {
     const Ends ends = ascending_ends(cut, h);
     for (const CutEdges* edges : {&cut.side.non_manifold_edges, &cut.side.flipped_edges}) {
@@ -52,12 +54,11 @@ std::vector<Index> faces_at(const CutMesh& cut, HalfedgeHandle h) {
         faces.push_back(file_face(cut, each));
       }
     }
-    if (faces.empty()) {
+    if (std::ssize(faces) == n_before) {
       faces.push_back(file_face(cut, cut.mesh.is_boundary(h) ? opposite : h));
     }
   }
-  std::sort(faces.begin(), faces.end());
-  return faces;
+  std::sort(faces.begin() + n_before, faces.end());
 }
 
 }  // namespace
@@ -67,15 +68,16 @@ EdgeList list_edges(const CutMesh& cut, std::span<const HalfedgeHandle> edges,
   std::vector<Ends> ends(edges.size());
   std::transform(edges.begin(), edges.end(), ends.begin(),
                  [&](HalfedgeHandle h) { return ascending_ends(cut, h); });
-  std::vector<std::size_t> order(edges.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return ends[a] < ends[b]; });
+  std::vector<Index> order(edges.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return ends[a] < ends[b]; });
   EdgeList list;
-  for (const std::size_t i : order) {
-    const std::vector<Index> faces = faces_at(cut, edges[i]);
+  list.ends.reserve(edges.size());
+  list.faces.reserve(edges.size());
+  list.begin.reserve(edges.size() + 1);
+  for (const Index i : order) {
     list.ends.push_back(ends[i]);
-    list.faces.insert(list.faces.end(), faces.begin(), faces.end());
+    append_faces_at(cut, edges[i], list.faces);
     list.begin.push_back(static_cast<Index>(list.faces.size()));
     if (!values.empty()) {
       list.values.push_back(values[i]);

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -22,7 +23,11 @@ class Measurer {
  public:
   Measurer(const CutMesh& cut, const Components& components, const AnalysisOptions& options,
            Analysis& analysis)
-      : cut_(cut), components_(components), options_(options), analysis_(analysis) {
+      : cut_(cut),
+        components_(components),
+        options_(options),
+        analysis_(analysis),
+        sums_{std::vector<double>(components.count), std::vector<Index>(components.count)} {
     if (components.count >= 2 && components.count <= Analysis::kMaxComponentStatistics) {
       analysis.component_statistics.resize(components.count);
     }
@@ -34,7 +39,7 @@ class Measurer {
     sum_areas(faces.area);
     for (const FaceHandle f : faces.zero_area) {
       analysis_.offenders.zero_area_faces.push_back(cut_.side.face(f));
-      ++analysis_.components[component_of(f)].zero_area_faces;
+      ++sums_.zero_area_faces[component_of(f)];
     }
     analysis_.characteristics.zero_area_faces = faces.zero_area.size();
     if (options_.aspect_above) {
@@ -112,6 +117,8 @@ class Measurer {
         [](auto& of) -> auto& { return of.vertex_valence; }, std::move(values), component);
   }
 
+  [[nodiscard]] ComponentMeasures take_sums() { return std::move(sums_); }
+
  private:
   [[nodiscard]] Index component_of(FaceHandle f) const {
     return components_.of_face[static_cast<std::size_t>(f.idx())];
@@ -123,7 +130,7 @@ class Measurer {
       sums[components_.of_face[i]].add(areas[i]);
     }
     for (std::size_t c = 0; c < sums.size(); ++c) {
-      analysis_.components[c].area = sums[c].value();
+      sums_.area[c] = sums[c].value();
     }
   }
 
@@ -205,18 +212,20 @@ class Measurer {
   const Components& components_;
   const AnalysisOptions& options_;
   Analysis& analysis_;
+  ComponentMeasures sums_;
 };
 
 }  // namespace
 
-void measure(const CutMesh& cut, const Components& components, const AnalysisOptions& options,
-             Analysis& analysis) {
+ComponentMeasures measure(const CutMesh& cut, const Components& components,
+                          const AnalysisOptions& options, Analysis& analysis) {
   Measurer measurer(cut, components, options, analysis);
   parallel_invoke({[&] { measurer.measure_angles(measurer.measure_all_faces()); },
                    [&] {
                      measurer.measure_lengths();
                      measurer.measure_valences();
                    }});
+  return measurer.take_sums();
 }
 
 }  // namespace meshalyzer

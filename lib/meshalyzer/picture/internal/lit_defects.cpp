@@ -13,15 +13,29 @@ bool is_thin(DefectCode code) {
   return code == DefectCode::FlatFacet || code == DefectCode::DegenerateFacet;
 }
 
-/// Returns the first defects of each code.
-std::vector<LitDefect> first_of_each_code(const DefectReport& report, std::size_t max) {
+/// Returns the places of the first defects of each code.
+std::vector<std::size_t> first_of_each_code(const DefectList& defects, std::size_t max) {
   std::array<std::size_t, kDefectCodes> taken{};
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < defects.size(); ++i) {
+    if (taken[static_cast<std::size_t>(defects.code_of(i))]++ < max) places.push_back(i);
+  }
+  return places;
+}
+
+std::vector<Defect> unpack(const DefectList& defects, std::span<const std::size_t> places) {
+  std::vector<Defect> unpacked;
+  for (const std::size_t place : places) unpacked.push_back(defects[place]);
+  return unpacked;
+}
+
+/// Lights all elements of some defects.
+std::vector<LitDefect> light(std::span<const Defect> defects, std::span<const std::size_t> places) {
   std::vector<LitDefect> lit;
-  for (std::size_t i = 0; i < report.defects.size(); ++i) {
-    const Defect& defect = report.defects[i];
-    if (taken[static_cast<std::size_t>(defect.code)]++ >= max) continue;
+  for (std::size_t i = 0; i < defects.size(); ++i) {
+    const Defect& defect = defects[i];
     LitDefect& one = lit.emplace_back();
-    one.number = i;
+    one.number = places[i];
     one.faces = defect.faces;
     one.edges = defect.edges;
     one.pairs = defect.pairs;
@@ -67,16 +81,13 @@ class ComponentFaces {
 
 /// Gives each defect that is a component all faces of that component.
 std::vector<std::vector<Index>> expand_components(const PreparedMesh& mesh,
-                                                  const DefectReport& report,
+                                                  std::span<const Defect> defects,
                                                   std::vector<LitDefect>& lit, std::size_t max) {
-  const auto is_one = [&](const LitDefect& one) {
-    return names_component(report.defects[one.number]);
-  };
-  if (std::none_of(lit.begin(), lit.end(), is_one)) return {};
+  if (std::none_of(defects.begin(), defects.end(), names_component)) return {};
   ComponentFaces components(mesh);
   std::vector<Index> list_of(lit.size(), kNoIndex);
   for (std::size_t i = 0; i < lit.size(); ++i) {
-    if (is_one(lit[i])) list_of[i] = components.list_of(lit[i].faces[0]);
+    if (names_component(defects[i])) list_of[i] = components.list_of(lit[i].faces[0]);
   }
   std::vector<std::vector<Index>> lists = components.fill(mesh.soup(), max);
   for (std::size_t i = 0; i < lit.size(); ++i) {
@@ -153,17 +164,20 @@ std::vector<LitDefect> lit_changes(std::span<const ChangedPlace> changes,
 }
 
 LitDefects::LitDefects(const PreparedMesh& mesh, const DefectReport& report,
-                       const SceneLimits& limits)
-    : report_(report), lit_(first_of_each_code(report, limits.max_defects_of_a_code)) {
-  components_ = expand_components(mesh, report, lit_, limits.max_elements_of_a_defect);
+                       const SceneLimits& limits) {
+  const std::vector<std::size_t> places =
+      first_of_each_code(report.defects, limits.max_defects_of_a_code);
+  defects_ = unpack(report.defects, places);
+  lit_ = light(defects_, places);
+  components_ = expand_components(mesh, defects_, lit_, limits.max_elements_of_a_defect);
   cut_to_limits(lit_, limits);
 }
 
 Seeds LitDefects::seeds(const Soup& soup) const {
   std::vector<const LitDefect*> left;
   for (const Severity severity : {Severity::Error, Severity::Warning}) {
-    for (const LitDefect& lit : lit_) {
-      if (report_.defects[lit.number].severity == severity) left.push_back(&lit);
+    for (std::size_t i = 0; i < lit_.size(); ++i) {
+      if (defects_[i].severity == severity) left.push_back(&lit_[i]);
     }
   }
   Seeds seeds;

@@ -40,7 +40,7 @@ struct LitDefect {
 [[nodiscard]] std::vector<LitDefect> lit_changes(std::span<const ChangedPlace> changes,
                                                  const SceneLimits& limits);
 
-/// Chooses the defects of a report that are highlighted. The mesh and the report must outlive it.
+/// Chooses the defects of a report that are highlighted.
 class LitDefects {
  public:
   LitDefects(const PreparedMesh& mesh, const DefectReport& report, const SceneLimits& limits);
@@ -55,7 +55,8 @@ class LitDefects {
   [[nodiscard]] Seeds seeds(const Soup& soup) const;
 
  private:
-  const DefectReport& report_;
+  /// The chosen defects, to whose lists lit_ refers.
+  std::vector<Defect> defects_;
   std::vector<LitDefect> lit_;
   /// The faces of each component that is a defect, as many as may be highlighted.
   std::vector<std::vector<Index>> components_;

@@ -138,7 +138,7 @@ class Mender {
   [[nodiscard]] Edits edits() const { return journal_.edits(soup_, mesh_); }
 
   /// Appends those of the given faces that could not be mended.
-  void report(const std::vector<Defect>& defects, std::vector<Refusal>& refused) const {
+  void report(const DefectList& defects, std::vector<Refusal>& refused) const {
     for (const Defect& defect : defects) {
       const Index face = defect.faces.front();
       const auto found = failed_.find(face);
@@ -262,8 +262,7 @@ void drop(const std::vector<Index>& faces, Edits& edits) {
   for (const Index f : faces) edits.removed_faces.push_back({op, f});
 }
 
-void mend_in_complex(const PassInput& input, const std::vector<Defect>& defects,
-                     PassResult& result) {
+void mend_in_complex(const PassInput& input, const DefectList& defects, PassResult& result) {
   std::vector<Index> thin;
   for (const Defect& defect : defects) thin.push_back(defect.faces.front());
   const FlatComponents flat = find_flat_components(input, thin);
@@ -293,12 +292,12 @@ void mend_in_complex(const PassInput& input, const std::vector<Defect>& defects,
 }  // namespace
 
 PassResult mend_facets(const PassInput& input) {
-  std::vector<Defect> in_complex;
+  DefectList in_complex;
   std::vector<Index> rejected;
-  for (Defect& defect : find_thin_facets(input.mesh, input.tolerances)) {
+  for (const Defect& defect : find_thin_facets(input.mesh, input.tolerances)) {
     const Index f = defect.faces.front();
     if (is_in_complex(input.tracked.soup.triangles[f])) {
-      in_complex.push_back(std::move(defect));
+      in_complex.push_back(defect);
     } else {
       rejected.push_back(f);
     }

@@ -52,7 +52,7 @@ struct VertexMove {
 /// Removes foldovers of a mesh one by one, as long as they are far enough from each other.
 class FoldoverRemover {
  public:
-  FoldoverRemover(const PassInput& input, const std::vector<Defect>& foldovers)
+  FoldoverRemover(const PassInput& input, const DefectList& foldovers)
       : input_(input),
         soup_(input.mesh.soup()),
         cut_(input.mesh.cut()),
@@ -390,7 +390,7 @@ void FoldoverRemover::put_replacement(const FaceDisc& disc,
 }  // namespace
 
 PassResult remove_foldovers(const PassInput& input) {
-  const std::vector<Defect> foldovers = find_foldovers(input.mesh, input.tolerances);
+  const DefectList foldovers = find_foldovers(input.mesh, input.tolerances);
   if (foldovers.empty()) return {};
   FoldoverRemover remover(input, foldovers);
   for (const Defect& foldover : foldovers) remover.treat(foldover);

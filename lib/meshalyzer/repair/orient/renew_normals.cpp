@@ -8,7 +8,7 @@ namespace meshalyzer {
 
 PassResult renew_normals(const PassInput& input) {
   PassResult result;
-  const std::vector<Defect> opposed = find_opposed_normals(input.mesh);
+  const DefectList opposed = find_opposed_normals(input.mesh);
   if (opposed.empty()) return result;
   const std::vector<Vec3> normals = vertex_normals(input.mesh.cut());
   for (const Defect& defect : opposed) {

@@ -127,7 +127,7 @@ EqualFaces look_at(const Soup& soup, const Defect& defect) {
 /// Decides which of equal faces are dropped, set by set or wall by wall.
 class DuplicateDropper {
  public:
-  DuplicateDropper(const PassInput& input, const std::vector<Defect>& defects)
+  DuplicateDropper(const PassInput& input, const DefectList& defects)
       : max_deviation_(input.limits.max_deviation), mesh_(input.tracked.soup, {}, 0.0) {
     is_in_set_.resize(input.tracked.soup.n_faces(), 0);
     for (const Defect& defect : defects) {
@@ -242,7 +242,7 @@ class DuplicateDropper {
 }  // namespace
 
 PassResult drop_duplicates(const PassInput& input) {
-  const std::vector<Defect> defects = find_duplicate_facets(input.mesh);
+  const DefectList defects = find_duplicate_facets(input.mesh);
   if (defects.empty()) return {};
   return DuplicateDropper(input, defects).run();
 }

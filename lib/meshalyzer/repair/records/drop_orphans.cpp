@@ -7,7 +7,7 @@ namespace meshalyzer {
 
 PassResult drop_orphans(const PassInput& input) {
   PassResult result;
-  const std::vector<Defect> orphans = find_orphans(input.tracked.soup);
+  const DefectList orphans = find_orphans(input.tracked.soup);
   if (input.tracked.soup.triangles.empty() && !orphans.empty()) {
     result.refused.push_back({DefectCode::OrphanVertex, orphans.front().vertices.front(), kNoIndex,
                               "there is no face: without them the file would hold nothing"});

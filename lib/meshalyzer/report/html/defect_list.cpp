@@ -36,9 +36,9 @@ HtmlElement highlight_button(HtmlWriter& html, std::size_t scene, std::size_t hi
 }
 
 /// The defects of one mesh of the page.
-class DefectList {
+class DefectSection {
  public:
-  DefectList(const PageMesh& mesh, std::size_t scene)
+  DefectSection(const PageMesh& mesh, std::size_t scene)
       : mesh_(mesh), scene_(scene), highlights_(mesh.defects.defects.size()) {
     for (std::size_t i = 0; i < mesh.scene.highlights.size(); ++i) {
       highlights_[mesh.scene.highlights[i].number] = i;
@@ -91,13 +91,13 @@ class DefectList {
 
   /// @return The number of listed defects.
   std::size_t append_defects_of(HtmlWriter& html, DefectCode code) const {
-    const std::vector<Defect>& defects = mesh_.defects.defects;
+    const DefectList& defects = mesh_.defects.defects;
     std::size_t i = 0;
-    while (i < defects.size() && defects[i].code != code) ++i;
+    while (i < defects.size() && defects.code_of(i) != code) ++i;
     if (i == defects.size()) return 0;
     std::size_t n = 0;
     const HtmlElement list(html, "ol");
-    for (; i < defects.size() && defects[i].code == code && n < kListedOfACode; ++i, ++n) {
+    for (; i < defects.size() && defects.code_of(i) == code && n < kListedOfACode; ++i, ++n) {
       const HtmlElement item(html, "li");
       append_defect(html, i);
     }
@@ -171,7 +171,7 @@ void append_defects_section(HtmlWriter& html, std::span<const TitledMesh> meshes
   if (is_any_lit) html.element("p", {{"class", "hint"}}, "Press one to see where it is.");
   for (std::size_t scene = 0; scene < meshes.size(); ++scene) {
     if (meshes.size() > 1) html.element("h3", meshes[scene].title);
-    DefectList(meshes[scene].mesh, scene).append(html);
+    DefectSection(meshes[scene].mesh, scene).append(html);
   }
 }
 

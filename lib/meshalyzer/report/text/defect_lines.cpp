@@ -114,14 +114,14 @@ void append_tolerances(LineSink& lines, const DefectReport& report) {
 }
 
 void append_defects(TextLines& lines, const ListedDefects& listed, ListLength lists) {
-  auto defect = listed.report.defects.begin();
-  const auto end = listed.report.defects.end();
+  const DefectList& defects = listed.report.defects;
+  std::size_t i = 0;
   for (const DefectCode code : all_defect_codes()) {
     std::size_t n = 0;
-    for (; defect != end && defect->code == code; ++defect) {
+    for (; i < defects.size() && defects.code_of(i) == code; ++i) {
       const bool is_told = lists == ListLength::Full || n < kShortList;
       if (!is_told || !listed.codes.contains(code)) continue;
-      lines.line(defect_name(code), defect_text(*defect, listed.mesh, lists));
+      lines.line(defect_name(code), defect_text(defects[i], listed.mesh, lists));
       ++n;
     }
     const std::size_t left_out = listed.codes.contains(code) ? listed.report.count(code) - n : 0;

@@ -24,8 +24,8 @@ void append_counts(TextLines& lines, const DefectReport& report, const DefectCod
 /// Appends the passes that treat the defects found, if there are any.
 void append_fixes(TextLines& lines, const DefectReport& report) {
   DefectCodes fixable;
-  for (const Defect& defect : report.defects) {
-    if (defect.fixable) fixable.insert(defect.code);
+  for (std::size_t i = 0; i < report.defects.size(); ++i) {
+    if (report.defects.is_fixable(i)) fixable.insert(report.defects.code_of(i));
   }
   for (const DefectCode code : all_defect_codes()) {
     if (!fixable.contains(code)) continue;

@@ -188,7 +188,7 @@ TEST(RemoveFoldovers, PleatOfSeveralVerticesIsMended) {
   // Three vertices of a row dragged over the next one: a region of several faces.
   Soup soup = shapes::grid(8, 8);
   for (std::size_t x = 3; x <= 5; ++x) soup.positions[grid_vertex(8, x, 3)] += Vec3(0.05, 1.2, 0.0);
-  const std::vector<Defect> before =
+  const DefectList before =
       find_foldovers(PreparedMesh(soup), {.height = 1e-6, .max_foldover_angle = 1.0});
   ASSERT_EQ(before.size(), 1U);
   EXPECT_GT(before[0].faces.size(), 3U);

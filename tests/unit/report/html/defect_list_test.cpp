@@ -1,6 +1,7 @@
 #include "meshalyzer/report/html/defect_list.h"
 
 #include "html/sample_scene.h"
+#include "meshalyzer/defects/catalogue.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -51,8 +52,10 @@ TEST(AppendDefectsSection, DefectThatIsNotDrawnIsTextAlone) {
 
 TEST(AppendDefectsSection, ElementsStandApartFromPlaceAndMeasure) {
   DefectReport defects = sample_defects();
-  defects.defects[0].positions = {{1.0, 2.0, 0.5}};
-  defects.defects[0].value = 3.25;
+  Defect hole = defects.defects[0];
+  hole.positions = {{1.0, 2.0, 0.5}};
+  hole.value = 3.25;
+  defects.defects = {hole};
   EXPECT_THAT(list_of(defects, sample_scene()),
               HasSubstr("<span class=\"elements\">edge 10-20</span> "
                         "<span class=\"measured\">at 1 2 0.5; length 3.25</span></button>"));
@@ -88,8 +91,9 @@ TEST(AppendDefectsSection, DefectsThatWereOnlyCountedAreSaidNotToBeListed) {
 
 TEST(AppendDefectsSection, LongListIsCut) {
   DefectReport report;
-  report.defects.resize(kListedOfACode + 1);
-  for (Defect& defect : report.defects) defect.code = DefectCode::OrphanVertex;
+  for (std::size_t i = 0; i < kListedOfACode + 1; ++i) {
+    report.defects.push_back(make_defect(DefectCode::OrphanVertex));
+  }
   report.counts[static_cast<std::size_t>(DefectCode::OrphanVertex)] = kListedOfACode + 1;
   const std::string html = list_of(report, {});
   EXPECT_EQ(count_of(html, "<li>"), kListedOfACode);
@@ -98,9 +102,10 @@ TEST(AppendDefectsSection, LongListIsCut) {
 
 TEST(AppendDefectsSection, CutListDoesNotHideTheNextCode) {
   DefectReport report;
-  report.defects.resize(kListedOfACode + 2);
-  for (Defect& defect : report.defects) defect.code = DefectCode::OrphanVertex;
-  report.defects.back().code = DefectCode::Numbering;
+  for (std::size_t i = 0; i < kListedOfACode + 1; ++i) {
+    report.defects.push_back(make_defect(DefectCode::OrphanVertex));
+  }
+  report.defects.push_back(make_defect(DefectCode::Numbering));
   report.counts[static_cast<std::size_t>(DefectCode::OrphanVertex)] = kListedOfACode + 1;
   report.counts[static_cast<std::size_t>(DefectCode::Numbering)] = 1;
   EXPECT_THAT(list_of(report, {}), HasSubstr("<li><span class=\"elements\">numbering</span></li>"));

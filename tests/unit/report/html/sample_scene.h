@@ -52,9 +52,10 @@ inline MeshName sample_name(std::string path = "folder/sample.mesh") {
 /// A hole round the vertices 10 and 20, and three duplicates that are counted but not listed.
 inline DefectReport sample_defects() {
   DefectReport report;
-  Defect& hole = report.defects.emplace_back();
+  Defect hole;
   hole.code = DefectCode::Hole;
   hole.edges = {{0, 1}};
+  report.defects.push_back(hole);
   report.counts[static_cast<std::size_t>(DefectCode::Hole)] = 1;
   report.counts[static_cast<std::size_t>(DefectCode::DuplicateFacet)] = 3;
   return report;

@@ -99,13 +99,14 @@ TEST(RepairJson, RefusalNamesTheOutputAndItsMesh) {
 TEST(RepairJson, DefectHasElementsByIdAndNullForWhatIsNotMeasured) {
   const RepairResult result = sample_result();
   RepairReport report = sample_report(result);
-  Defect& defect = add_defect(report.meshes[0].remaining, DefectCode::SelfIntersection);
+  Defect defect;
   defect.faces = {0, 1};
   defect.edges = {{1, 2}};
   defect.pairs = {{0, 1, ContactKind::Touching}};
   defect.positions = {{0.1, 0, 0}};
   defect.limit = std::numeric_limits<double>::infinity();
   defect.fixable = false;
+  add_defect(report.meshes[0].remaining, DefectCode::SelfIntersection, defect);
   const json mesh = json::parse(json_report(report))["meshes"][0];
   EXPECT_EQ(mesh["total"], 1);
   EXPECT_EQ(mesh["defects"][0], json::parse(R"({"code": "self-intersection", "severity": "error",

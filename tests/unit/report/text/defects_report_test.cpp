@@ -51,8 +51,8 @@ TEST(DefectsReport, FileAndTolerancesAreTold) {
 
 TEST(DefectsReport, WhatDoesNotCountIsListedAllTheSame) {
   DefectReport report;
-  add_defect(report, DefectCode::Disjoint).faces = {3};
-  add_defect(report, DefectCode::Hole).vertices = {1};
+  add_defect(report, DefectCode::Disjoint, defect_of_faces({3}));
+  add_defect(report, DefectCode::Hole, defect_of_vertices({1}));
   const std::string text = report_of(report);
   EXPECT_THAT(text, HasLine("disjoint: 1 (not asked for)"));
   EXPECT_THAT(text, HasLine("hole: 1"));

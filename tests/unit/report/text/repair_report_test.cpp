@@ -125,7 +125,7 @@ TEST(RepairReport, PlacesLeftForOneReasonAreOneLine) {
 TEST(RepairReport, WhatRemainsAndWasNotAskedForIsListedOnlyInFull) {
   const RepairResult result = sample_result();
   RepairReport report = sample_report(result);
-  add_defect(report.meshes[0].remaining, DefectCode::Disjoint).faces = {2};
+  add_defect(report.meshes[0].remaining, DefectCode::Disjoint, defect_of_faces({2}));
   EXPECT_THAT(text_report(report, ListLength::Short), Not(HasSubstr("WHAT REMAINS")));
   EXPECT_THAT(text_report(report, ListLength::Full), HasLine("disjoint: component of face 3"));
 }
@@ -136,7 +136,7 @@ TEST(RepairReport, OfSeveralMeshesOnlyThoseWithSomethingLeftAreNamed) {
   RepairReport report = sample_report(result);
   report.meshes.push_back(report.meshes[0]);
   report.meshes[1].name.path = "other.obj";
-  add_defect(report.meshes[1].remaining, DefectCode::Hole).vertices = {1};
+  add_defect(report.meshes[1].remaining, DefectCode::Hole, defect_of_vertices({1}));
   const std::string text = text_report(report, ListLength::Short);
   EXPECT_THAT(text, HasLine("written: out.obj"));
   EXPECT_THAT(text, HasLine("written: other.obj"));

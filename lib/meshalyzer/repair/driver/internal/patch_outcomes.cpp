@@ -13,8 +13,8 @@ class OutcomeFinder {
   OutcomeFinder(const RepairDriver& driver, const DefectReport& before)
       : driver_(driver), part_of_(driver.input().n_faces(), kNoIndex) {
     for (std::size_t i = 0; i < before.defects.size(); ++i) {
-      const Defect& defect = before.defects[i];
-      if (defect.code != DefectCode::SelfIntersection) continue;
+      if (before.defects.code_of(i) != DefectCode::SelfIntersection) continue;
+      const Defect defect = before.defects[i];
       for (const Index face : defect.faces) part_of_[face] = static_cast<Index>(outcomes_.size());
       PatchOutcome& outcome = outcomes_.emplace_back();
       outcome.defect = i;
