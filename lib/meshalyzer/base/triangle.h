@@ -42,7 +42,7 @@ namespace meshalyzer {
 
 /// Returns the two halves of a triangle, cut from the middle of its longest edge to the opposite
 /// corner; of edges of equal length the first counts.
-[[nodiscard]] inline std::array<Corners, 2> halves_of(const Corners& t) {
+[[nodiscard]] inline std::array<Corners, 2> halve_longest_edge(const Corners& t) {
   const std::array<double, 3> squares{(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(),
                                       (t[0] - t[2]).squaredNorm()};
   const auto k =

@@ -11,16 +11,18 @@ namespace meshalyzer {
 namespace {
 
 /// The distance between samples, as a share of the diagonal.
-constexpr double kSpacing = 1.0 / 128.0;
+constexpr double kSampleSpacing = 1.0 / 128.0;
 /// Winding numbers up to the first are certainly outside, from the second on certainly inside.
-constexpr double kOutside = 0.25;
-constexpr double kInside = 0.75;
+constexpr double kClearlyOutside = 0.25;
+constexpr double kClearlyInside = 0.75;
 
 /// Finds samples on single pieces.
 class BoundarySampler {
  public:
   BoundarySampler(const Soup& mesh, double reach)
-      : windings_(faces_in_complex(mesh)), spacing_(kSpacing * extent_of(mesh)), reach_(reach) {}
+      : windings_(faces_in_complex(mesh)),
+        spacing_(kSampleSpacing * extent_of(mesh)),
+        reach_(reach) {}
 
   /// Appends the samples on a piece, which is halved along its longest edges until it is small.
   void sample(const Corners& piece, std::vector<Vec3>& samples) const {
@@ -33,7 +35,7 @@ class BoundarySampler {
       const Corners t = open.back();
       open.pop_back();
       if (longest_side(t) > spacing_) {
-        const auto [first, second] = halves_of(t);
+        const auto [first, second] = halve_longest_edge(t);
         open.push_back(second);
         open.push_back(first);
       } else if (const Vec3 middle = centroid_of(t); is_boundary(middle, step)) {
@@ -60,7 +62,7 @@ class BoundarySampler {
   [[nodiscard]] bool is_boundary(const Vec3& p, const Vec3& step) const {
     const double front = std::abs(windings_.at(p + step));
     const double behind = std::abs(windings_.at(p - step));
-    return std::min(front, behind) <= kOutside && std::max(front, behind) >= kInside;
+    return std::min(front, behind) <= kClearlyOutside && std::max(front, behind) >= kClearlyInside;
   }
 
   WindingNumbers windings_;

@@ -29,7 +29,7 @@ class FaceDivision {
       const double length = longest_side(t);
       if (length > resolution_.spacing ||
           (may_change_inside && length > resolution_.least_piece && changes_inside(t, middle))) {
-        const auto [first, second] = halves_of(t);
+        const auto [first, second] = halve_longest_edge(t);
         open.push_back(second);
         open.push_back(first);
       } else if (separates(middle)) {

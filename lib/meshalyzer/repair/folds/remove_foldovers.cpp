@@ -31,7 +31,7 @@ bool contains(const std::vector<Index>& sorted, Index item) {
 }
 
 /// A foldover by its elements in the mesh.
-struct Region {
+struct FoldedRegion {
   /// Mesh faces, ascending.
   std::vector<Index> faces;
   /// File vertices of these, ascending.
@@ -64,7 +64,7 @@ class FoldoverRemover {
   }
 
   void treat(const Defect& foldover) {
-    const Region region = region_of(foldover);
+    const FoldedRegion region = region_of(foldover);
     reason_ = kNoWay;
     if (move(region) || (reaches_border(cut_, region.faces) && drop(region)) ||
         replace_one(region) || replace_all(region)) {
@@ -77,21 +77,21 @@ class FoldoverRemover {
   [[nodiscard]] PassResult take() { return std::move(result_); }
 
  private:
-  [[nodiscard]] Region region_of(const Defect& foldover) const;
+  [[nodiscard]] FoldedRegion region_of(const Defect& foldover) const;
   [[nodiscard]] bool may_change(Index vertex) const;
   [[nodiscard]] PlacedFace placed(Index mesh_face) const;
   [[nodiscard]] bool claim(const std::vector<Index>& faces);
 
-  bool drop(const Region& region);
-  [[nodiscard]] bool overlaps_itself_below(const Region& region) const;
+  bool drop(const FoldedRegion& region);
+  [[nodiscard]] bool overlaps_itself_below(const FoldedRegion& region) const;
 
-  bool move(const Region& region);
+  bool move(const FoldedRegion& region);
   [[nodiscard]] VertexMove best_move(Index vertex) const;
   [[nodiscard]] std::optional<double> try_move(const FaceDisc& disc, const VertexMove& move) const;
 
-  bool replace_one(const Region& region);
-  bool replace_all(const Region& region);
-  bool replace(const Region& region, const std::vector<Index>& vertices);
+  bool replace_one(const FoldedRegion& region);
+  bool replace_all(const FoldedRegion& region);
+  bool replace(const FoldedRegion& region, const std::vector<Index>& vertices);
   [[nodiscard]] std::vector<PlacedFace> replacement_for(const FaceDisc& disc) const;
   [[nodiscard]] bool is_near(const FaceDisc& disc, const std::vector<PlacedFace>& replacement,
                              Index vertex);
@@ -113,8 +113,8 @@ class FoldoverRemover {
   PassResult result_;
 };
 
-Region FoldoverRemover::region_of(const Defect& foldover) const {
-  Region region;
+FoldedRegion FoldoverRemover::region_of(const Defect& foldover) const {
+  FoldedRegion region;
   region.name = foldover.faces.front();
   for (const Index f : foldover.faces) {
     region.faces.push_back(static_cast<Index>(cut_.side.mesh_face(f)));
@@ -157,7 +157,7 @@ bool FoldoverRemover::claim(const std::vector<Index>& faces) {
 
 /// Tells whether faces that touch the region would still intersect each other without it: then it
 /// is the middle of three sheets.
-bool FoldoverRemover::overlaps_itself_below(const Region& region) const {
+bool FoldoverRemover::overlaps_itself_below(const FoldedRegion& region) const {
   std::vector<Index> around;
   for (const Index v : region.vertices) {
     for (const FaceHandle f : cut_.mesh.vf_range(VertexHandle(static_cast<int>(v)))) {
@@ -177,7 +177,7 @@ bool FoldoverRemover::overlaps_itself_below(const Region& region) const {
   return false;
 }
 
-bool FoldoverRemover::drop(const Region& region) {
+bool FoldoverRemover::drop(const FoldedRegion& region) {
   const std::vector<HalfedgeHandle> outline = outline_of(cut_.mesh, region.faces);
   const bool is_ear = !outline.empty() && has_one_crease(cut_, outline) &&
                       region.vertices.size() * 2 == region.faces.size() + outline.size() + 2;
@@ -209,7 +209,7 @@ bool FoldoverRemover::drop(const Region& region) {
 
 // Handles dragged vertices, which are moved back.
 
-bool FoldoverRemover::move(const Region& region) {
+bool FoldoverRemover::move(const FoldedRegion& region) {
   VertexMove best;
   for (const Index v : region.vertices) {
     if (!may_change(v)) continue;
@@ -280,7 +280,7 @@ std::optional<double> FoldoverRemover::try_move(const FaceDisc& disc,
 // Handles other regions: the faces at some vertices are removed, and their outline triangulated.
 
 /// Removes a vertex that all of the region surrounds.
-bool FoldoverRemover::replace_one(const Region& region) {
+bool FoldoverRemover::replace_one(const FoldedRegion& region) {
   return std::any_of(region.vertices.begin(), region.vertices.end(), [&](Index v) {
     const bool is_hub = std::all_of(region.faces.begin(), region.faces.end(), [&](Index f) {
       const Triangle& t = soup_.triangles[cut_.side.faces[f]];
@@ -290,11 +290,11 @@ bool FoldoverRemover::replace_one(const Region& region) {
   });
 }
 
-bool FoldoverRemover::replace_all(const Region& region) {
+bool FoldoverRemover::replace_all(const FoldedRegion& region) {
   return region.vertices.size() <= kMaxFaces && replace(region, region.vertices);
 }
 
-bool FoldoverRemover::replace(const Region& region, const std::vector<Index>& vertices) {
+bool FoldoverRemover::replace(const FoldedRegion& region, const std::vector<Index>& vertices) {
   if (!std::all_of(vertices.begin(), vertices.end(), [&](Index v) { return may_change(v); })) {
     return false;
   }

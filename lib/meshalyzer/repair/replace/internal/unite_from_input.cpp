@@ -14,14 +14,14 @@ namespace meshalyzer {
 namespace {
 
 /// The sides of a dropped piece are examined at this distance, as a share of the maximum deviation.
-constexpr double kReach = 1.0 / 16.0;
+constexpr double kSideReach = 1.0 / 16.0;
 
 /// Returns samples of those removed parts of the mesh that bound its solid.
 std::vector<Vec3> lost_boundary(const PassInput& input, const Edits& edits) {
   std::vector<Corners> pieces;
   pieces.reserve(edits.interior_walls.size());
   for (const auto& removed : edits.interior_walls) pieces.push_back(removed.wall.corners);
-  return sample_boundary(input.tracked.soup, pieces, kReach * input.limits.max_deviation);
+  return sample_boundary(input.tracked.soup, pieces, kSideReach * input.limits.max_deviation);
 }
 
 class UnionFromInput {
