@@ -77,8 +77,7 @@ TEST(FindThinFacets, AllShortEdgesAreListed) {
 
 TEST(FindThinFacets, RepeatedVertexIsDegenerateWhereverItStands) {
   for (const Triangle& t : {Triangle{1, 1, 0}, Triangle{0, 1, 1}, Triangle{1, 0, 1}}) {
-    const DefectList defects =
-        thin_in(shapes::make({Vec3(0, 0, 0), Vec3(8, 0, 0)}, {t}), 0.5);
+    const DefectList defects = thin_in(shapes::make({Vec3(0, 0, 0), Vec3(8, 0, 0)}, {t}), 0.5);
     expect_one(defects, DefectCode::DegenerateFacet, 0.0);
     EXPECT_EQ(defects[0].vertices, std::vector<Index>{1});
     EXPECT_TRUE(defects[0].edges.empty());

@@ -23,7 +23,6 @@ enum class BehindHoles : std::uint8_t { Kept, Dropped };
 ///
 /// @return A sentence that says what was done; empty if nothing was.
 [[nodiscard]] std::string unite_from_input(RepairDriver& driver, const RepairOptions& options,
-                                           const Tolerances& tolerances,
-                                           BehindHoles behind_holes);
+                                           const Tolerances& tolerances, BehindHoles behind_holes);
 
 }  // namespace meshalyzer
