@@ -25,13 +25,17 @@ Soup without_top(Soup cube, double height) {
 }
 
 TEST(SampleBoundary, LiesAllOverAClosedSurfaceWhicheverWayItPoints) {
-  for (const Soup& cube : {shapes::cube(2), shapes::flipped(shapes::cube(2))}) {
-    const std::vector<Vec3> samples = sample_boundary(cube, faces_of(cube), 1e-3);
-    // At most 1/128 of the diagonal apart, in two dimensions, on an area of 24.
-    const double spacing = 2 * std::sqrt(3.0) / 128;
-    EXPECT_GE(static_cast<double>(samples.size()), 24 / (spacing * spacing));
+  // A bar of 2 x 1/8 x 1/8.
+  Soup bar = shapes::cube(2);
+  for (Vec3& p : bar.positions) p = p.cwiseProduct(Vec3(1, 1.0 / 16, 1.0 / 16));
+  for (const Soup& soup : {bar, shapes::flipped(bar)}) {
+    const std::vector<Vec3> samples = sample_boundary(soup, faces_of(soup), 1e-3);
+    // At most 1/128 of the diagonal apart, in two dimensions.
+    const double spacing = Vec3(2, 0.125, 0.125).norm() / 128;
+    const double area = 4 * 2 * 0.125 + 2 * 0.125 * 0.125;
+    EXPECT_GE(static_cast<double>(samples.size()), area / (spacing * spacing));
     for (const Vec3& p : samples) {
-      const double off = std::min(p.minCoeff(), 2 - p.maxCoeff());
+      const double off = std::min({p.minCoeff(), 2 - p[0], 0.125 - p[1], 0.125 - p[2]});
       EXPECT_NEAR(off, 0, 1e-12);
     }
   }
