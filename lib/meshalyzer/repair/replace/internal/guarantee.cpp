@@ -31,9 +31,13 @@ class Guarantee {
       return {"not replaced: a replacement needs a maximum deviation above 0"};
     }
     using Scope = ReplaceOptions::Scope;
-    const bool is_done = (options_.solid && thicken()) || unite(BehindHoles::Kept) ||
+    // A new surface, which would keep what is behind holes, needs a part of the deviation.
+    const bool may_replace = driver_.deviation() < max_deviation_;
+    const bool may_drop = options_.solid && !may_replace;
+    const bool is_done = (options_.solid && thicken()) ||
+                         unite(may_drop ? BehindHoles::Dropped : BehindHoles::Kept) ||
                          replace(Scope::Broken) || (!is_all_broken() && replace(Scope::Whole)) ||
-                         (options_.solid && unite(BehindHoles::Dropped));
+                         (options_.solid && may_replace && unite(BehindHoles::Dropped));
     if (!is_done) note_failure();
     return std::move(notes_);
   }
