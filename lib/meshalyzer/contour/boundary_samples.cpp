@@ -2,6 +2,8 @@
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/triangle.h"
+#include "meshalyzer/contour/internal/faces_in_complex.h"
+#include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/spatial/winding_number.h"
 
 #include <algorithm>
@@ -21,7 +23,7 @@ class BoundarySampler {
  public:
   BoundarySampler(const Soup& mesh, double reach)
       : windings_(faces_in_complex(mesh)),
-        spacing_(kSampleSpacing * extent_of(mesh)),
+        spacing_(kSampleSpacing * used_box(mesh).diagonal().norm()),
         reach_(reach) {}
 
   /// Appends the samples on a piece, which is halved along its longest edges until it is small.
@@ -45,20 +47,6 @@ class BoundarySampler {
   }
 
  private:
-  static std::vector<Corners> faces_in_complex(const Soup& mesh) {
-    std::vector<Corners> faces;
-    for (Index f = 0; f < mesh.n_faces(); ++f) {
-      if (is_in_complex(mesh.triangles[f])) faces.push_back(corners_of(mesh, f));
-    }
-    return faces;
-  }
-
-  static double extent_of(const Soup& mesh) {
-    Box3 box;
-    for (const Corners& face : faces_in_complex(mesh)) box.extend(box_of(face));
-    return box.isEmpty() ? 0.0 : box.diagonal().norm();
-  }
-
   [[nodiscard]] bool is_boundary(const Vec3& p, const Vec3& step) const {
     const double front = std::abs(windings_.at(p + step));
     const double behind = std::abs(windings_.at(p - step));

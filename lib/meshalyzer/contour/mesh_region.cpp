@@ -1,6 +1,7 @@
 #include "meshalyzer/contour/mesh_region.h"
 
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/contour/internal/faces_in_complex.h"
 
 #include <algorithm>
 #include <bit>
@@ -15,14 +16,6 @@ namespace {
 constexpr double kInside = 0.5;
 /// Points whose winding numbers differ by less than this from kInside lie at a hole.
 constexpr double kMidway = 0.25;
-
-std::vector<Corners> faces_in_complex(const Soup& soup) {
-  std::vector<Corners> result;
-  for (Index f = 0; f < soup.n_faces(); ++f) {
-    if (is_in_complex(soup.triangles[f])) result.push_back(corners_of(soup, f));
-  }
-  return result;
-}
 
 /// Returns where a segment meets a triangle, as a share of its length, up to rounding (Möller and
 /// Trumbore 1997, "Fast, minimum storage ray/triangle intersection").
