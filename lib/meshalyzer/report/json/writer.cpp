@@ -3,6 +3,7 @@
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/report/utf8.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -35,6 +36,14 @@ void append_escaped(std::string& out, char c) {
   } else {
     out += c;
   }
+}
+
+/// Returns the number of characters at the beginning of a text that stand in JSON as they are:
+/// printable ones of ASCII but quotation marks and backslashes.
+std::size_t n_plain(std::string_view text) {
+  const auto is_plain = [](char c) { return c >= ' ' && c < 0x7F && c != '"' && c != '\\'; };
+  return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_plain) -
+                                  text.begin());
 }
 
 }  // namespace
@@ -99,6 +108,10 @@ void JsonWriter::literal(std::string_view text) {
 void JsonWriter::quoted(std::string_view text) {
   text_ += '"';
   for (std::size_t i = 0; i < text.size();) {
+    const std::size_t plain = n_plain(text.substr(i));
+    text_ += text.substr(i, plain);
+    i += plain;
+    if (i == text.size()) break;
     const std::size_t length = utf8_sequence_length(text, i);
     if (length == 1) {
       append_escaped(text_, text[i]);
