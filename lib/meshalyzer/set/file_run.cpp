@@ -4,6 +4,7 @@
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/parallel_in_order.h"
 #include "meshalyzer/io/read.h"
+#include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/set/files_at_once.h"
 
 #include <new>
@@ -12,18 +13,6 @@
 
 namespace meshalyzer {
 namespace {
-
-Box3 box_of(const Soup& soup) {
-  Box3 box;
-  for (const Triangle& t : soup.triangles) {
-    if (is_in_complex(t)) {
-      for (const Index v : t) {
-        box.extend(soup.positions[v]);
-      }
-    }
-  }
-  return box;
-}
 
 FileResult unreadable(std::string why) {
   FileResult result;
@@ -125,7 +114,7 @@ FileResult FileRun::glance_at(Index number) const {
   FileResult result;
   if (looks_between()) {
     const Soup soup = read_mesh(paths_[number]);
-    result.box = box_of(soup);
+    result.box = used_box(soup);
     result.n_faces = soup.n_faces();
   }
   return result;
