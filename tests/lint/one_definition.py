@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Fails where two files define a type of one name in one namespace. The linker then takes one of the two for both in all
-that templates make of them, and says nothing. In an unnamed namespace a type is of its file alone, but a unity build takes a
-module for one file.
+that templates make of them, and says nothing. In an unnamed namespace a type is of its file alone, but a unity build takes
+some modules for one file: each UNIT names these, as lib/CMakeLists.txt does.
 
-usage: one_definition.py ROOT
+usage: one_definition.py ROOT UNIT...
 """
 import collections
 import pathlib
@@ -35,6 +35,7 @@ def types_of(text):
 
 def main():
     root = pathlib.Path(sys.argv[1])
+    unit_of = {module: unit for unit in sys.argv[2:] for module in unit.split()}
     files_of = collections.defaultdict(list)
     for folder in ('lib', 'apps'):
         for path in sorted((root / folder).rglob('*')):
@@ -42,7 +43,8 @@ def main():
                 file = path.relative_to(root)
                 for name in types_of(path.read_text()):
                     whole_name = '::'.join(part for part in name if part)
-                    for unit in [file.parts[:3]] + ([] if '' in name else [()]):
+                    part = file.parts[2] if folder == 'lib' else file.parts[1]
+                    for unit in [(folder, unit_of.get(part, part))] + ([] if '' in name else [()]):
                         files_of[unit, whole_name].append(str(file))
     if len(files_of) < 100:
         sys.exit(f'only {len(files_of)} types found')

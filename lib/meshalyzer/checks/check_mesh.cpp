@@ -88,9 +88,9 @@ bool is_of_pairs(DefectCode code) {
 }
 
 /// Collects the findings about one mesh.
-class Findings {
+class FileFindingsBuilder {
  public:
-  Findings(const PreparedMesh& mesh, const CheckCriteria& criteria, FileFindings& file)
+  FileFindingsBuilder(const PreparedMesh& mesh, const CheckCriteria& criteria, FileFindings& file)
       : mesh_(mesh), criteria_(criteria), file_(file) {}
 
   /// @param report  The report, which must list all defects.
@@ -149,7 +149,7 @@ FileFindings check_mesh(Soup soup, std::string path, const CheckCriteria& criter
   file.faces = mesh.soup().n_faces();
   const DefectReport report =
       find_defects(mesh, {.codes = criteria.codes, .tolerances = criteria.tolerances});
-  Findings findings(mesh, criteria, file);
+  FileFindingsBuilder findings(mesh, criteria, file);
   findings.add_defects(report, Severity::Error);
   findings.add_beyond_limits();
   findings.add_defects(report, Severity::Warning);

@@ -31,13 +31,13 @@ constexpr std::array<LimitInfo, kLimitKinds> kLimitTable{{
      "the number of components"},
 }};
 
-constexpr bool is_in_order() {
+constexpr bool has_limits_in_order() {
   for (std::size_t i = 0; i < kLimitKinds; ++i) {
     if (kLimitTable[i].kind != static_cast<LimitKind>(i)) return false;
   }
   return true;
 }
-static_assert(is_in_order());
+static_assert(has_limits_in_order());
 
 /// Tells which values are beyond a limit.
 class Bound {

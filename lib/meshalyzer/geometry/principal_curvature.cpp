@@ -15,7 +15,7 @@ namespace {
 /// one radian across the vertex, their directions are only rounding errors.
 constexpr double kCancelled = 1e-12;
 
-std::size_t index(FaceHandle face) {
+std::size_t index_of(FaceHandle face) {
   return static_cast<std::size_t>(face.idx());
 }
 
@@ -125,7 +125,7 @@ PrincipalCurvature average(const Fitted& faces, VertexHandle v, const Vec3& norm
     if (faces.mesh.is_boundary(h)) {
       continue;
     }
-    const std::size_t face = index(faces.mesh.face_handle(h));
+    const std::size_t face = index_of(faces.mesh.face_handle(h));
     const FaceShape& shape = faces.shapes[face];
     const double share = faces.shares[face][corner_left_by(faces.mesh, h)];
     if (share == 0.0) {

@@ -15,10 +15,10 @@ namespace {
 /// They are rounded up, so that multiplying by 255 gives the same step whether a reader rounds or
 /// truncates.
 std::array<std::string, 256> make_intensities() {
-  constexpr unsigned kUnit = 10'000;
+  constexpr unsigned kSteps = 10'000;
   std::array<std::string, 256> texts;
   for (unsigned step = 0; step < texts.size(); ++step) {
-    append_shortest(texts[step], (step * kUnit + 254) / 255 / double{kUnit});
+    append_shortest(texts[step], (step * kSteps + 254) / 255 / double{kSteps});
   }
   return texts;
 }

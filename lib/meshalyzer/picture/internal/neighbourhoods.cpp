@@ -7,9 +7,9 @@ namespace meshalyzer {
 namespace {
 
 /// The faces at each vertex, in one flat list.
-class FacesAtVertices {
+class DrawnFacesAtVertices {
  public:
-  FacesAtVertices(const Soup& soup, std::span<const Index> faces)
+  DrawnFacesAtVertices(const Soup& soup, std::span<const Index> faces)
       : begin_(soup.n_vertices() + 1, 0), faces_(3 * faces.size()) {
     for (const Index f : faces) {
       for (const Index v : soup.triangles[f]) ++begin_[v];
@@ -57,7 +57,7 @@ class Walk {
 
   /// Continues from the vertices in the order in which they were visited, so that faces come ring
   /// by ring.
-  void go_on(const FacesAtVertices& faces) {
+  void go_on(const DrawnFacesAtVertices& faces) {
     for (std::size_t i = 0; i < queue_.size() && !is_full(); ++i) {
       for (const Index f : faces[queue_[i]]) take_face(f);
     }
@@ -85,7 +85,7 @@ std::vector<Index> faces_round(const Soup& soup, std::span<const Index> drawable
   Walk walk(soup, max_faces);
   for (const Index f : seeds.faces) walk.take_face(f);
   for (const Index v : seeds.vertices) walk.take_vertex(v);
-  walk.go_on(FacesAtVertices(soup, drawable));
+  walk.go_on(DrawnFacesAtVertices(soup, drawable));
   return walk.taken_in_order();
 }
 
