@@ -26,6 +26,9 @@ constexpr double kLookupReach = 256.0;
 /// The maximum number of touching units at a place that are compared; the one that needs the
 /// smallest step is moved.
 constexpr std::size_t kUnitsAtOnce = 4;
+/// The maximum number of pairs of faces that are checked at a place: most need some hundreds, one
+/// in ten thousand more than these.
+constexpr std::size_t kMostChecks = 8'192;
 
 /// Sets of places that have a face in common: an edge touches until both its ends have moved.
 DisjointSets connect_places(const ContactPlaces& contacts) {
@@ -64,7 +67,7 @@ class Parting {
   [[nodiscard]] PassResult part_all() {
     DisjointSets connected = connect_places(contacts_);
     std::vector<Index> operation(contacts_.places.size(), kNoIndex);
-    for (Index i = 0; i < contacts_.places.size(); ++i) {
+    for (Index i = 0; i < contacts_.places.size() && !is_to_stop(); ++i) {
       const std::vector<Index> moved = part(contacts_.places[i]);
       if (moved.empty()) continue;
       Index& op = operation[connected.find(i)];
@@ -77,6 +80,8 @@ class Parting {
   }
 
  private:
+  [[nodiscard]] bool is_to_stop() const { return input_.wants_to_stop && input_.wants_to_stop(); }
+
   /// A unit, and the positions to which it can move.
   struct Found {
     Index unit = 0;
@@ -89,6 +94,7 @@ class Parting {
     std::vector<Index> moved;
     std::vector<std::array<Index, 2>> contacts = place.contacts;
     std::vector<Index> candidates = units_that_may_move(place);
+    n_checks_left_ = kMostChecks;
     while (!contacts.empty()) {
       const std::vector<Index> units = next_to_move(candidates, contacts);
       if (units.empty()) {
@@ -140,7 +146,7 @@ class Parting {
   }
 
   [[nodiscard]] std::optional<Found> find_move(const ContactPlace& place,
-                                               const std::vector<Index>& units) const {
+                                               const std::vector<Index>& units) {
     std::vector<std::vector<Index>> faces;
     for (const Index unit : units) faces.push_back(faces_of(place.units[unit]));
     const Trial trial{.place = place, .units = units, .faces = faces};
@@ -194,13 +200,13 @@ class Parting {
 
   /// Returns the smallest sufficient step, of any unit in any direction.
   [[nodiscard]] std::optional<Found> search(const Trial& trial, const Directions& directions,
-                                            double growth) const {
+                                            double growth) {
     // The limit is finite, so that the steps come to an end.
     const double max =
         std::min(input_.limits.max_deviation, std::numeric_limits<double>::max() / 2);
     double reach = kLookupReach * first_step_;
     std::vector<std::optional<Candidate>> candidates(trial.units.size());
-    for (double step = first_step_; step <= max; step *= growth) {
+    for (double step = first_step_; step <= max && n_checks_left_ > 0; step *= growth) {
       if (step > reach) {
         reach = kLookupReach * step;
         candidates = std::vector<std::optional<Candidate>>(trial.units.size());
@@ -230,12 +236,15 @@ class Parting {
 
   [[nodiscard]] std::optional<Vec3> place_to_go(Candidate& candidate,
                                                 const std::vector<Index>& unit,
-                                                const StepLength& length) const {
+                                                const StepLength& length) {
     const Vec3& from = mesh_.position(unit.front());
     for (const Vec3& direction : candidate.directions) {
       const Vec3 to = from + length.step * direction;
       const double distance = (to - from).stableNorm();
-      if (distance > 0.0 && distance <= length.max && candidate.move.is_accepted(to)) return to;
+      if (distance > 0.0 && distance <= length.max &&
+          candidate.move.is_accepted(to, n_checks_left_)) {
+        return to;
+      }
     }
     return std::nullopt;
   }
@@ -253,6 +262,8 @@ class Parting {
   const ContactPlaces& contacts_;
   MovedMesh mesh_;
   double first_step_ = 0.0;
+  /// The number of pairs of faces that may still be checked at the current place.
+  std::size_t n_checks_left_ = 0;
   PassResult result_;
 };
 

@@ -113,7 +113,9 @@ void plan_fixes_from_cutting(const RepairOptions& options, Planner& plan) {
             [cut = cut_options(options)](const PassInput& input) {
               return cut_intersections(input, cut);
             },
-            {NonManifold, FlatFacet, DegenerateFacet, Foldover, Flipped, Hole}});
+            {NonManifold, FlatFacet, DegenerateFacet, Foldover, Flipped, Hole},
+            Repeat::UntilDone,
+            true});
   plan.add(drop(options.solid ? Fragments::All : Fragments::Debris));
   plan.add({"renew normals", VertexNormal, renew_normals});
   plan.add({"drop orphans", OrphanVertex, drop_orphans});

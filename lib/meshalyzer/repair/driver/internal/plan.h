@@ -27,6 +27,8 @@ struct PlannedPass {
   /// The defects that it may create, see AcceptanceRules.
   DefectCodes may_create = {};
   Repeat repeat = Repeat::UntilDone;
+  /// Tells whether it takes a time that grows with the number of intersecting pairs.
+  bool takes_time_for_pairs = false;
 };
 
 /// Returns the passes that a repair needs, in the order in which they help each other: first those

@@ -5,6 +5,7 @@
 #include "meshalyzer/repair/edits/apply_edits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -26,8 +27,17 @@ constexpr std::size_t kAttemptsByAll = 10;
 /// Once this number of faces and intersecting pairs has been examined without success, nothing more
 /// is tried: the mesh at the beginning of the stage is kept.
 constexpr std::size_t kMaxWork = 20'000'000;
+/// A pass that takes time for each intersecting pair and has changed nothing is not tried again
+/// where there are at least this number of pairs, and no more than this fraction more or less.
+constexpr std::size_t kManyPairs = 10'000;
+constexpr double kAlikeShare = 0.1;
 /// After this number of stages, banned operations stay banned.
 constexpr std::size_t kMaxStages = 10;
+
+bool are_many_alike(std::size_t n_pairs, std::size_t n_before) {
+  const auto n = static_cast<double>(n_pairs);
+  return n_pairs >= kManyPairs && std::abs(n - static_cast<double>(n_before)) <= kAlikeShare * n;
+}
 
 }  // namespace
 
@@ -99,6 +109,7 @@ void RepairDriver::set_checkpoint() {
 
 bool RepairDriver::run_trial(const Trial& trial) {
   set_checkpoint();
+  vain_run_.reset();
   if (!trial.from_input.empty()) {
     return_to_input();
     run_rounds(trial.from_input);
@@ -153,6 +164,7 @@ void RepairDriver::ban(const DefectInventory& before, const DefectInventory& aft
 }
 
 void RepairDriver::restart() {
+  too_far_.clear();
   if (!checkpoint_) return return_to_input();
   meter_.emplace(input_);
   state_ = std::make_shared<RepairState>(checkpoint_->tracked, tolerances_);
@@ -204,10 +216,24 @@ void RepairDriver::run_unless_idle(const PlannedPass& pass, std::size_t& n_chang
     refusals.insert(refusals.end(), idle_run->refusals.begin(), idle_run->refusals.end());
     return;
   }
+  const std::size_t n_pairs =
+      pass.takes_time_for_pairs ? state_->mesh().intersecting_pairs().size() : 0;
+  if (vain_run_ && are_many_alike(n_pairs, vain_run_->n_pairs)) {
+    refusals.insert(refusals.end(), vain_run_->refusals.begin(), vain_run_->refusals.end());
+    return;
+  }
   const auto n_refusals = static_cast<std::ptrdiff_t>(refusals.size());
-  const bool has_changed = run(pass);
-  if (!has_changed) idle_run = {n_changes, {refusals.begin() + n_refusals, refusals.end()}};
-  if (has_changed) ++n_changes;
+  if (run(pass)) {
+    ++n_changes;
+    return;
+  }
+  idle_run = {n_changes, {refusals.begin() + n_refusals, refusals.end()}};
+  if (!pass.takes_time_for_pairs) return;
+  vain_run_ = {n_pairs, idle_run->refusals};
+  // Only keys of the input name the same faces after a restart.
+  std::erase_if(vain_run_->refusals, [&](const LoggedRefusal& refusal) {
+    return refusal.face >= state_->tracked().n_input_faces;
+  });
 }
 
 bool RepairDriver::is_to_stop() {
@@ -237,14 +263,14 @@ PassResult RepairDriver::propose(const PlannedPass& pass, OperationSize size) co
 
 bool RepairDriver::run(const PlannedPass& pass) {
   bool has_changed = false;
-  std::set<Signature> rejected;
+  ProposedBefore before;
   const std::size_t max_runs = pass.repeat == Repeat::Once ? 1 : kMaxRuns;
   OperationSize size = OperationSize::Normal;
   for (std::size_t i = 0; i < max_runs && !is_to_stop(); ++i) {
     const PassResult result = propose(pass, size);
-    if (!result.edits.empty() && apply_accepted(pass, result.edits, rejected)) {
+    if (!result.edits.empty() && apply_accepted(pass, result.edits, before)) {
       has_changed = true;
-    } else if (!rejected.empty() && size != OperationSize::Smallest) {
+    } else if (!before.rejected.empty() && size != OperationSize::Smallest) {
       // One bad step may have caused the rejection of all steps of its operation.
       size = OperationSize::Smallest;
     } else {
@@ -256,16 +282,23 @@ bool RepairDriver::run(const PlannedPass& pass) {
 }
 
 bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
-                                  std::set<Signature>& rejected) {
-  const std::vector<Signature> signature = signatures(edits);
+                                  ProposedBefore& before) {
+  const TrackedMesh& tracked_before = state_->tracked();
+  const std::vector<OperationSignature> signature = signatures_of(tracked_before, edits);
+  const std::vector<OperationHash> hash = hashes_of(tracked_before, edits);
+  const std::vector<OperationSite> site = sites_of(tracked_before, edits);
   std::vector<std::uint8_t> skipped(edits.n_operations, 0);
-  const std::vector<OperationSite> site = sites(edits);
   for (std::size_t op = 0; op < skipped.size(); ++op) {
     const bool is_banned = banned_.contains(pass.name, site[op]);
-    if (is_banned && rejected.insert(signature[op]).second) {
+    if (is_banned && before.rejected.insert(signature[op]).second) {
       log_rejection(pass, signature[op], Rejection::EndsWorse);
     }
-    skipped[op] = rejected.contains(signature[op]);
+    const bool is_rejected = before.rejected.contains(signature[op]);
+    const bool is_far = !is_rejected && too_far_.contains(hash[op]);
+    if (is_far && before.too_far.insert(signature[op]).second) {
+      log_rejection(pass, signature[op], Rejection::TooFar);
+    }
+    skipped[op] = is_rejected || is_far;
   }
   for (std::size_t trial = 0; trial < kMaxTrials && !is_to_stop(); ++trial) {
     if (std::all_of(skipped.begin(), skipped.end(), [](auto s) { return s != 0; })) return false;
@@ -290,7 +323,8 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
     for (std::size_t op = 0; op < skipped.size(); ++op) {
       if (skipped[op] != 0 || acceptance.rejections[op] == Rejection::None) continue;
       skipped[op] = 1;
-      rejected.insert(signature[op]);
+      before.rejected.insert(signature[op]);
+      if (acceptance.rejections[op] == Rejection::TooFar) too_far_.insert(hash[op]);
       log_rejection(pass, signature[op], acceptance.rejections[op]);
     }
   }
@@ -312,23 +346,6 @@ void RepairDriver::record_applied(const MadeOperations& made) {
   }
 }
 
-std::vector<OperationSite> RepairDriver::sites(const Edits& edits) const {
-  std::vector<OperationSite> sites(edits.n_operations);
-  const TrackedMesh& tracked = state_->tracked();
-  const auto add_face = [&](Index op, Index face) {
-    sites[op].push_back(2 * std::uint64_t{face_identity(tracked, tracked.face_keys[face])});
-  };
-  for (const auto& edit : edits.removed_faces) add_face(edit.op, edit.face);
-  for (const auto& edit : edits.changed_faces) add_face(edit.op, edit.face);
-  for (const auto& edit : edits.added_faces) add_face(edit.op, edit.like);
-  for (const auto& edit : edits.moved_vertices) {
-    const Index key = tracked.vertex_keys[edit.vertex];
-    sites[edit.op].push_back(2 * std::uint64_t{vertex_identity(tracked, key)} + 1);
-  }
-  for (OperationSite& site : sites) sort_unique(site);
-  return sites;
-}
-
 std::vector<InteriorWall> RepairDriver::walls_with(const Edits& edits,
                                                    std::span<const std::uint8_t> skipped) const {
   std::vector<InteriorWall> walls = walls_;
@@ -347,29 +364,6 @@ void RepairDriver::include_patches(const Edits& edits) {
   if (has_patches) meter_->include_patches(state_->tracked());
 }
 
-std::vector<RepairDriver::Signature> RepairDriver::signatures(const Edits& edits) const {
-  std::vector<Signature> signatures(edits.n_operations);
-  const TrackedMesh& tracked = state_->tracked();
-  const auto add_face = [&](Index op, Index face) {
-    signatures[op].push_back(tracked.face_keys[face]);
-  };
-  for (const auto& edit : edits.removed_faces) add_face(edit.op, edit.face);
-  for (const auto& edit : edits.changed_faces) add_face(edit.op, edit.face);
-  for (const auto& edit : edits.added_faces) add_face(edit.op, edit.like);
-  for (const auto& edit : edits.moved_vertices) {
-    // A prefix distinguishes keys of vertices from those of faces.
-    signatures[edit.op].push_back(kNoIndex);
-    signatures[edit.op].push_back(tracked.vertex_keys[edit.vertex]);
-  }
-  // An operation that declares more walls is a different operation.
-  std::vector<Index> n_walls(edits.n_operations, 0);
-  for (const auto& wall : edits.interior_walls) ++n_walls[wall.op];
-  for (std::size_t op = 0; op < n_walls.size(); ++op) {
-    if (!signatures[op].empty()) signatures[op].push_back(n_walls[op]);
-  }
-  return signatures;
-}
-
 void RepairDriver::log_refusals(const PlannedPass& pass, const std::vector<Refusal>& refused) {
   const TrackedMesh& tracked = state_->tracked();
   for (const Refusal& refusal : refused) {
@@ -383,7 +377,7 @@ void RepairDriver::log_refusals(const PlannedPass& pass, const std::vector<Refus
   }
 }
 
-void RepairDriver::log_rejection(const PlannedPass& pass, const Signature& signature,
+void RepairDriver::log_rejection(const PlannedPass& pass, const OperationSignature& signature,
                                  Rejection rejection) {
   LoggedRefusal& logged = log_.refusals.emplace_back();
   logged.pass = pass.name;

@@ -5,6 +5,7 @@
 #include "meshalyzer/repair/driver/internal/acceptance.h"
 #include "meshalyzer/repair/driver/internal/applied_operations.h"
 #include "meshalyzer/repair/driver/internal/final_check.h"
+#include "meshalyzer/repair/driver/internal/operation_names.h"
 #include "meshalyzer/repair/driver/internal/plan.h"
 #include "meshalyzer/repair/driver/internal/repair_state.h"
 #include "meshalyzer/repair/driver/internal/worsening.h"
@@ -100,9 +101,13 @@ class RepairDriver {
   [[nodiscard]] RepairLog take_log() { return std::move(log_); }
 
  private:
-  /// The keys of the elements that an operation changes, and the number of walls it declares, which
-  /// identify it when it is proposed again.
-  using Signature = std::vector<Index>;
+  /// The operations that a pass proposes again, though they were rejected.
+  struct ProposedBefore {
+    /// Those that were rejected in this run of the pass.
+    std::set<OperationSignature> rejected;
+    /// Those that an earlier run has found to move the surface too far.
+    std::set<OperationSignature> too_far;
+  };
 
   /// The operations of a pass that were applied. This holds references only.
   struct MadeOperations {
@@ -134,6 +139,12 @@ class RepairDriver {
     std::vector<LoggedRefusal> refusals;
   };
 
+  /// The last run of a pass that takes time for each intersecting pair and changed nothing.
+  struct VainRun {
+    std::size_t n_pairs = 0;
+    std::vector<LoggedRefusal> refusals;
+  };
+
   /// Measures the deviation if it is not known.
   void update_deviation();
   void set_checkpoint();
@@ -144,7 +155,8 @@ class RepairDriver {
   std::optional<DefectInventory> run_stage(const std::vector<PlannedPass>& plan,
                                            const StageGate& gate);
   void run_rounds(const std::vector<PlannedPass>& plan);
-  /// Runs a pass, unless it changed nothing when it ran last and nothing has changed since.
+  /// Runs a pass, unless it changed nothing when it ran last and nothing has changed since, or next
+  /// to nothing if it would take long.
   ///
   /// @param n_changes  The number of runs that changed the mesh.
   /// @param idle_run   The last run of the pass that changed nothing.
@@ -155,7 +167,7 @@ class RepairDriver {
   bool run(const PlannedPass& pass);
   [[nodiscard]] PassResult propose(const PlannedPass& pass, OperationSize size) const;
   /// Applies the operations that are accepted, and tells whether there were any.
-  bool apply_accepted(const PlannedPass& pass, const Edits& edits, std::set<Signature>& rejected);
+  bool apply_accepted(const PlannedPass& pass, const Edits& edits, ProposedBefore& before);
   /// Bans operations that are responsible for a worse mesh; more of them with each attempt.
   void ban(const DefectInventory& before, const DefectInventory& after, const Worsening& worsening,
            std::size_t attempt);
@@ -164,15 +176,14 @@ class RepairDriver {
   /// Returns to the input, and keeps the checkpoint.
   void return_to_input();
   void record_applied(const MadeOperations& made);
-  [[nodiscard]] std::vector<OperationSite> sites(const Edits& edits) const;
   /// Returns the walls that are removed once the operations that are not skipped are applied.
   [[nodiscard]] std::vector<InteriorWall> walls_with(const Edits& edits,
                                                      std::span<const std::uint8_t> skipped) const;
   /// Lets later edits lie on the hole patches that these edits have added.
   void include_patches(const Edits& edits);
-  [[nodiscard]] std::vector<Signature> signatures(const Edits& edits) const;
   void log_refusals(const PlannedPass& pass, const std::vector<Refusal>& refused);
-  void log_rejection(const PlannedPass& pass, const Signature& signature, Rejection rejection);
+  void log_rejection(const PlannedPass& pass, const OperationSignature& signature,
+                     Rejection rejection);
 
   Soup input_;
   Tolerances tolerances_;
@@ -191,6 +202,10 @@ class RepairDriver {
   RepairLog log_;
   std::vector<AppliedOperation> applied_;
   BannedOperations banned_;
+  std::optional<VainRun> vain_run_;
+  /// The operations that moved the surface too far. What else is repaired hardly changes that, so
+  /// that they are not tried again.
+  std::set<OperationHash> too_far_;
   /// The tracked mesh; nothing while it is the input.
   std::optional<Checkpoint> checkpoint_;
   std::vector<CountRise> rises_;

@@ -84,12 +84,14 @@ Move::Move(const MovedMesh& mesh, std::span<const Index> vertices, std::span<con
                         [&](const Pair& pair) { return is_at_place(pair[1]); });
 }
 
-bool Move::is_accepted(const Vec3& to) {
+bool Move::is_accepted(const Vec3& to, std::size_t& n_checks_left) {
   if (is_crowded_) return false;
   for (const Index face : faces_) {
     if (!keeps_its_side(mesh_.triangle(face), to)) return false;
   }
   for (std::size_t i = 0; i < pairs_.size();) {
+    if (n_checks_left == 0) return false;
+    --n_checks_left;
     if (!would_touch(pairs_[i], to)) {
       ++i;
     } else if (touched_before(pairs_[i])) {

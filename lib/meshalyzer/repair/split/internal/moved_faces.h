@@ -4,6 +4,7 @@
 #include "meshalyzer/spatial/triangle_contact.h"
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -58,8 +59,10 @@ class Move {
   ///
   /// This is not const, because it remembers the obstacle in order to check it first the next time.
   ///
-  /// @param to  A position within reach.
-  [[nodiscard]] bool is_accepted(const Vec3& to);
+  /// @param to             A position within reach.
+  /// @param n_checks_left  The number of pairs of faces that may still be checked; it is reduced by
+  /// those that are. If it does not suffice, the position is not accepted.
+  [[nodiscard]] bool is_accepted(const Vec3& to, std::size_t& n_checks_left);
 
  private:
   /// A face that moves, and another that it may touch.

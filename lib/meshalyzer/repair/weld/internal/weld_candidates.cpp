@@ -2,13 +2,16 @@
 
 #include "meshalyzer/base/hash.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/repair/weld/internal/halve_reach.h"
 #include "meshalyzer/spatial/segment_grid.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -33,13 +36,16 @@ NearPoints::NearPoints(std::span<const Vec3> positions, std::span<const Index> p
     : positions_(positions), reach_(std::min(reach, std::numeric_limits<double>::max() / 8)) {
   const double finest = std::max(kFinestCell * largest_coordinate(positions, points),
                                  std::numeric_limits<double>::min());
-  while (true) {
+  const auto sort_within = [&](double within) {
     // Cells are so wide that points within reach are in at most two of them along each axis.
-    width_ = std::max(2.01 * reach_, finest);
+    width_ = std::max(2.01 * within, finest);
     sort_into_cells(points);
-    if (!is_crowded() || width_ <= finest) return;
-    reach_ /= 2;
-  }
+  };
+  reach_ = halve_until(reach_, [&](double within) {
+    sort_within(within);
+    return !is_crowded() || width_ <= finest;
+  });
+  if (width_ != std::max(2.01 * reach_, finest)) sort_within(reach_);
 }
 
 std::int64_t NearPoints::cell_of(double coordinate) const {
@@ -104,6 +110,10 @@ std::span<const Index> NearPoints::members_of(const Cell& cell) const {
 
 namespace {
 
+/// The number of candidates that is always accepted, and the number that is added for each edge.
+constexpr std::size_t kFewCandidates = 100'000;
+constexpr std::size_t kFewCandidatesPerEdge = 16;
+
 class CandidateSearch {
  public:
   CandidateSearch(std::span<const Vec3> positions, std::span<const WeldEdge> edges,
@@ -116,25 +126,37 @@ class CandidateSearch {
   }
 
   [[nodiscard]] WeldCandidates run(double reach) const {
-    while (true) {
-      const SegmentGrid grid(segments_, reach);
-      if (!grid.is_crowded() || reach / 2 == 0.0) {
-        return {.joins = candidates(grid, reach), .reach = reach};
-      }
-      reach /= 2;
-    }
+    // Only edges at one place, which are joined before, are crowded within the least reach too;
+    // then there are none.
+    WeldCandidates found;
+    found.reach = halve_until(reach, [&](double within) {
+      const SegmentGrid grid(segments_, within);
+      if (grid.is_crowded()) return false;
+      std::vector<WeldJoin> joins = candidates(grid, within);
+      if (joins.size() > most_candidates()) return false;
+      found.joins = std::move(joins);
+      return true;
+    });
+    return found;
   }
 
  private:
+  [[nodiscard]] std::size_t most_candidates() const {
+    return kFewCandidates + kFewCandidatesPerEdge * segments_.size();
+  }
+
+  /// Returns all candidates within reach; some of them if they are more than most_candidates().
   [[nodiscard]] std::vector<WeldJoin> candidates(const SegmentGrid& grid, double reach) const {
+    std::atomic<std::size_t> n_found = 0;
     const auto found = map_chunks<std::vector<WeldJoin>>(segments_.size(), [&](Chunk chunk) {
       std::vector<WeldJoin> joins;
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      for (std::size_t i = chunk.begin; i < chunk.end && n_found <= most_candidates(); ++i) {
         const std::size_t n_before = joins.size();
         grid.visit_near(segments_[i], [&](Index j) {
           if (j > i) consider(wanted_[i], wanted_[j], reach, joins);
         });
         keep_better_runs(n_before, joins);
+        n_found += joins.size() - n_before;
       }
       return joins;
     });
@@ -148,14 +170,21 @@ class CandidateSearch {
     const WeldEdge& b = edges_[second];
     if (a.face == b.face) return;
     for (const EdgeRun run : {EdgeRun::Opposite, EdgeRun::Same}) {
-      const double distance =
-          std::max(length(a.from, partner_of_from(b, run)), length(a.to, partner_of_to(b, run)));
+      const Index from = partner_of_from(b, run);
+      const Index to = partner_of_to(b, run);
+      if (are_surely_far(a.from, from, reach) || are_surely_far(a.to, to, reach)) continue;
+      const double distance = std::max(length(a.from, from), length(a.to, to));
       if (distance <= reach) joins.push_back({first, second, run, distance});
     }
   }
 
   [[nodiscard]] double length(Index a, Index b) const {
     return (positions_[a] - positions_[b]).stableNorm();
+  }
+
+  /// A cheap test, with a margin for rounding: most pairs of a crowd are far from each other.
+  [[nodiscard]] bool are_surely_far(Index a, Index b, double reach) const {
+    return (positions_[a] - positions_[b]).cwiseAbs().maxCoeff() > 1.001 * reach;
   }
 
   /// Sorts those of one edge, and keeps one for each other edge.

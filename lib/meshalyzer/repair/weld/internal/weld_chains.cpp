@@ -15,6 +15,8 @@ namespace {
 /// The factor between successive reaches.
 constexpr double kReachStep = 8.0;
 constexpr int kReachSteps = 12;
+/// Where more edges than these may begin a chain, as in a crowd of short edges, none is followed.
+constexpr std::size_t kMostFirstEdges = 64;
 
 /// Follows chains along one edge.
 class ChainWalk {
@@ -31,7 +33,7 @@ class ChainWalk {
   /// Returns the chain of the shortest reach; nothing if there are several.
   [[nodiscard]] std::optional<WeldChain> chain() {
     const std::vector<FirstEdge> firsts = first_edges();
-    if (firsts.empty()) return std::nullopt;
+    if (firsts.empty() || firsts.size() > kMostFirstEdges) return std::nullopt;
     const double longest = reach_;
     for (int step = kReachSteps; step >= 0; --step) {
       reach_ = longest * std::pow(kReachStep, -step);
@@ -78,6 +80,7 @@ class ChainWalk {
   [[nodiscard]] std::vector<FirstEdge> first_edges() const {
     std::vector<FirstEdge> firsts;
     mesh_.near.for_each_near(to(edge_), [&](Index place) {
+      if (firsts.size() > kMostFirstEdges) return;
       for (const Index f : mesh_.at_places[place]) {
         if (mesh_.places[from(f)] != place || !lies_along(f)) continue;
         const double to_end = (mesh_.positions[place] - end_).stableNorm();

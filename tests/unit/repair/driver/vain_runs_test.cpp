@@ -1,0 +1,72 @@
+#include "meshalyzer/repair/driver/internal/repair_driver.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// Makes faces that all cross each other on one axis, and one that crosses none.
+Soup star_of_faces(Index n_crossing) {
+  Soup soup;
+  const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto first = static_cast<Index>(soup.n_vertices());
+    soup.positions.insert(soup.positions.end(), {a, b, c});
+    soup.triangles.push_back({first, first + 1, first + 2});
+  };
+  for (Index i = 0; i < n_crossing; ++i) {
+    const double angle = std::numbers::pi * i / n_crossing;
+    const Vec3 out{std::cos(angle), std::sin(angle), 0.0};
+    add(-out, out, Vec3{0.0, 0.0, 1.0 + 0.001 * i});
+  }
+  add({5, 0, 0}, {6, 0, 0}, {5, 1, 0});
+  return soup;
+}
+
+/// Counts the runs of a pass that changes nothing, beside one that changes something in three
+/// rounds.
+std::size_t count_runs(Index n_crossing, bool takes_time_for_pairs) {
+  const Soup soup = star_of_faces(n_crossing);
+  const auto last = static_cast<Index>(soup.n_vertices() - 1);
+  RepairLimits limits;
+  limits.max_deviation = 1.0;
+  RepairDriver driver(soup, {}, limits, [](const TrackedMesh&, const CutMesh&) {
+    return std::vector<std::uint8_t>();
+  });
+  std::size_t n_moves = 0;
+  std::size_t n_runs = 0;
+  const PassFunction move_once_a_round = [&](const PassInput& input) {
+    PassResult result;
+    if (n_moves++ % 2 != 0 || n_moves > 6) return result;
+    const Index op = result.edits.begin_operation();
+    const Vec3 to = input.tracked.soup.positions[last] + Vec3{0.0, 0.01, 0.0};
+    result.edits.moved_vertices.push_back({.op = op, .vertex = last, .to = to});
+    return result;
+  };
+  const PassFunction count = [&](const PassInput&) {
+    ++n_runs;
+    return PassResult();
+  };
+  driver.run_plan({{.name = "move", .run = move_once_a_round},
+                   {.name = "count", .run = count, .takes_time_for_pairs = takes_time_for_pairs}},
+                  {});
+  return n_runs;
+}
+
+TEST(RepairDriver, PassIsRunAgainAfterEachChangeOfTheMesh) {
+  EXPECT_EQ(count_runs(150, false), 3U);
+}
+
+TEST(RepairDriver, PassThatTakesTimeForVeryManyPairsIsRunInVainOnce) {
+  // All pairs of 150 faces are 11,175, and all of 100 are 4,950.
+  EXPECT_EQ(count_runs(150, true), 1U);
+  EXPECT_EQ(count_runs(100, true), 3U);
+}
+
+}  // namespace
+}  // namespace meshalyzer
