@@ -64,8 +64,8 @@ std::optional<Moments> kept_moments(const Soup& soup) {
   const Arrangement arrangement = arrange(soup);
   const Cells cells = find_cells(soup, arrangement);
   if (cells.n_components != 1) return std::nullopt;
-  const std::vector<PieceFate> fates = select_pieces(
-      {soup, cut, tree, arrangement, cells}, std::vector<std::uint8_t>{1}, Pockets::Dropped);
+  const std::vector<PieceFate> fates =
+      select_pieces({soup, cut, tree, arrangement, cells}, std::vector<std::uint8_t>{1}, {});
   std::vector<Triangle> kept;
   for (std::size_t i = 0; i < fates.size(); ++i) {
     Triangle t = arrangement.pieces[i];
@@ -81,8 +81,7 @@ Moments cut_moments(const Soup& soup) {
   const PreparedMesh mesh(tracked.soup);
   const Tolerances tolerances;
   const RepairLimits limits{.max_deviation = 1e-9, .fixed_vertices = {}};
-  const CutSurface surface =
-      cut_surface({soup, tracked, mesh, tolerances, limits}, {}, Pockets::Dropped);
+  const CutSurface surface = cut_surface({soup, tracked, mesh, tolerances, limits}, {}, {});
   EXPECT_TRUE(surface.unfinished.empty());
   return test::moments_enclosed(
       triangles_of(rational_places(surface.positions), surface.triangles));

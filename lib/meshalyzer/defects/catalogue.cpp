@@ -95,10 +95,11 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .fix = "Duplicate faces, folds, and seams that were never welded, are mended as such. Other "
             "faces are cut where they meet, and the pieces that do not bound the solid that the "
             "faces enclose are dropped: by exact winding numbers where the faces are closed, by "
-            "estimates where they nearly are. Sheets are left, except those that lie inside "
-            "solids that they cross.",
+            "estimates where they nearly are. Of a sheet the pieces inside solids that it crosses "
+            "are dropped, and the others stay. Parts that lie on others, face on face, are "
+            "dropped. Loose faces are left.",
      .fix_summary = "meshfixer mends it",
-     .passes = "weld borders, drop duplicates, remove foldovers or cut intersections",
+     .passes = "weld borders, drop duplicates, drop copies, remove foldovers or cut intersections",
      .fixed_by_default = true},
     {.code = DefectCode::NonManifold,
      .name = "non-manifold",

@@ -12,6 +12,7 @@
 #include "meshalyzer/repair/records/internal/keep_largest.h"
 #include "meshalyzer/repair/records/separate.h"
 #include "meshalyzer/repair/replace/internal/guarantee.h"
+#include "meshalyzer/topology/border.h"
 
 #include <algorithm>
 #include <utility>
@@ -79,6 +80,14 @@ void name_what_has_no_reason(const RepairOptions& options, RepairResult& result)
   }
 }
 
+/// Tells whether sheets may be left that intersect something. They are cut last, because that makes
+/// borders: only what all other passes leave is worth that.
+bool is_any_sheet_to_cut(const RepairDriver& driver, const RepairOptions& options) {
+  return options.fixes.contains(DefectCode::SelfIntersection) && !options.solid &&
+         !driver.is_stopped() && !driver.mesh().intersecting_pairs().empty() &&
+         !find_border_edges(driver.mesh().cut()).empty();
+}
+
 }  // namespace
 
 RepairResult fix_defects(Soup soup, const RepairOptions& options) {
@@ -102,6 +111,9 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
                                                .max_defects = options.max_defects});
   if (options.on_input) options.on_input(driver.mesh(), result.before);
   driver.run_plan(plan_passes(options, tolerances), options);
+  if (is_any_sheet_to_cut(driver, options)) {
+    driver.run_plan(plan_with_sheets_cut(options, tolerances), options, OnWorse::Leave);
+  }
   if (options.guarantee) result.notes = guarantee_goodness(driver, options, tolerances);
   if (options.tells_patches) result.patches = find_patch_outcomes(driver, result.before);
   if (options.keep_largest != 0) {

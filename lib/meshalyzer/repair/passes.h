@@ -26,6 +26,10 @@ namespace meshalyzer {
 /// and a refusal says so: each solid needs its side, which split_edges() gives it.
 [[nodiscard]] PassResult drop_duplicates(const PassInput& input);
 
+/// Drops copies: components each face of which has its corners at the positions of those of a face
+/// of another component, whatever its direction. Of equal components the first one stays.
+[[nodiscard]] PassResult drop_copies(const PassInput& input);
+
 /// Removes degenerate and flat facets (see find_thin_facets()): drops those that repeat a vertex,
 /// collapses the short edge of needles and others, and flips the longest edge of caps or splits the
 /// face beyond it. It never turns a neighbour over, changes the topology or moves a point beyond
@@ -99,10 +103,19 @@ struct FillOptions {
 /// Fills holes with patches that intersect neither the mesh nor themselves, or leaves them open.
 [[nodiscard]] PassResult fill_holes(const PassInput& input, const FillOptions& options);
 
+/// Tells whether sheets that intersect something are cut.
+enum class Sheets : std::uint8_t {
+  /// Sheets are left, with all that they intersect.
+  Left,
+  /// Sheets are cut, and stay, except for what lies inside solids.
+  Cut,
+};
+
 struct CutOptions {
   /// If given, a hole is filled even if every patch for it intersects the mesh, and the patch is
   /// cut too.
   std::optional<FillOptions> fill = {};
+  Sheets sheets = Sheets::Left;
 };
 
 /// Cuts intersecting faces along their intersections, and drops the parts that do not bound the

@@ -58,12 +58,19 @@ std::string reason_against(const PreparedMesh& mesh) {
   return "";
 }
 
+/// Tells whether sheets were cut and are not yet split from the solids that they cross. Until then
+/// nothing tells their borders from holes of the solids.
+bool has_sheets_to_split(const PassInput& input) {
+  return !input.tracked.sheet_cuts.empty() && input.mesh.cut().side.non_manifold_edges.size() != 0;
+}
+
 /// Cuts a surface and keeps its pockets; drops small ones if rounding makes it impossible to keep
 /// them.
-CutSurface cut_keeping_pockets(const PassInput& input, std::span<const Edits::AddedFace> patches) {
-  CutSurface surface = cut_surface(input, patches, Pockets::Kept);
+CutSurface cut_keeping_pockets(const PassInput& input, std::span<const Edits::AddedFace> patches,
+                               Sheets sheets) {
+  CutSurface surface = cut_surface(input, patches, {Pockets::Kept, sheets});
   if (surface.unfinished.empty()) return surface;
-  CutSurface solid = cut_surface(input, patches, Pockets::Forgotten);
+  CutSurface solid = cut_surface(input, patches, {Pockets::Forgotten, sheets});
   const bool is_better = solid.unfinished.empty() && solid.pocket_share <= kLargestForgotten;
   return is_better ? solid : surface;
 }
@@ -75,28 +82,29 @@ PassResult self_union(const PassInput& input, const SelfUnionOptions& options) {
     return refuse_all(input.mesh.intersecting_pairs().front(), reason);
   }
   const std::vector<Edits::AddedFace> patches = crossing_patches(input, options.fill);
-  return cut_edits_as_one(input, patches, cut_keeping_pockets(input, patches), options.lost);
+  return cut_edits_as_one(input, patches, cut_keeping_pockets(input, patches, Sheets::Left),
+                          options.lost);
 }
 
 PassResult cut_intersections(const PassInput& input, const CutOptions& options) {
   const auto& pairs = input.mesh.intersecting_pairs();
-  const auto first = std::find_if(pairs.begin(), pairs.end(), [](const IntersectingPair& pair) {
-    return pair.kind != ContactKind::Unwelded;
-  });
   if (const std::string reason = reason_against(input.mesh); !reason.empty()) {
     return refuse_all(pairs.front(), reason);
   }
   if (input.limits.groups == Groups::Faces) {
+    const auto first = std::find_if(pairs.begin(), pairs.end(), [](const IntersectingPair& pair) {
+      return pair.kind != ContactKind::Unwelded;
+    });
     if (first == pairs.end()) return {};
     return refuse_all(*first, "the groups are faces of a body, whose borders get no new vertices");
   }
-  const std::vector<Edits::AddedFace> patches =
-      options.fill ? crossing_patches(input, *options.fill) : std::vector<Edits::AddedFace>();
-  if (first == pairs.end() && patches.empty()) return {};
+  std::vector<Edits::AddedFace> patches;
+  if (options.fill && !has_sheets_to_split(input)) patches = crossing_patches(input, *options.fill);
+  if (pairs.empty() && patches.empty()) return {};
   if (input.operation_size == OperationSize::Normal) {
-    return cut_edits(input, patches, cut_surface(input, patches, Pockets::Dropped));
+    return cut_edits(input, patches, cut_surface(input, patches, {.sheets = options.sheets}));
   }
-  return cut_edits(input, patches, cut_keeping_pockets(input, patches));
+  return cut_edits(input, patches, cut_keeping_pockets(input, patches, options.sheets));
 }
 
 }  // namespace meshalyzer

@@ -5,6 +5,7 @@
 #include "meshalyzer/repair/edits/internal/fresh_ids.h"
 #include "meshalyzer/repair/edits/internal/skipped_operations.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -85,19 +86,29 @@ Index vertex_origin(const TrackedMesh& tracked, Index vertex) {
                                         : tracked.vertex_origins[key - tracked.n_input_vertices];
 }
 
+/// Tells whether an added vertex lies where a sheet was cut.
+bool cuts_sheet(const TrackedMesh& tracked, const Edits::AddedVertex& added) {
+  return added.cuts_sheet ||
+         (added.copy_of != kNoIndex &&
+          std::binary_search(tracked.sheet_cuts.begin(), tracked.sheet_cuts.end(),
+                             tracked.vertex_keys[added.copy_of]));
+}
+
 void set_vertex_keys(const Work& work, const VertexMoves& moves, TrackedMesh& result) {
   const std::size_t n_old = work.tracked.soup.n_vertices();
   result.vertex_origins = work.tracked.vertex_origins;
+  result.sheet_cuts = work.tracked.sheet_cuts;
   result.vertex_keys.reserve(moves.sources.size());
   for (const Index v : moves.sources) {
     if (v < n_old) {
       result.vertex_keys.push_back(work.tracked.vertex_keys[v]);
       continue;
     }
-    result.vertex_keys.push_back(
-        static_cast<Index>(result.n_input_vertices + result.vertex_origins.size()));
-    result.vertex_origins.push_back(
-        vertex_origin(work.tracked, work.edits.added_vertices[v - n_old].copy_of));
+    const Edits::AddedVertex& added = work.edits.added_vertices[v - n_old];
+    const auto key = static_cast<Index>(result.n_input_vertices + result.vertex_origins.size());
+    result.vertex_keys.push_back(key);
+    result.vertex_origins.push_back(vertex_origin(work.tracked, added.copy_of));
+    if (cuts_sheet(work.tracked, added)) result.sheet_cuts.push_back(key);
   }
 }
 

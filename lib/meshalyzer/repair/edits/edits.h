@@ -37,6 +37,8 @@ struct Edits {
     Vec3 position;
     /// The vertex at whose position it is, or was; kNoIndex for a new one.
     Index copy_of = kNoIndex;
+    /// Tells whether it lies where a sheet was cut, which may end there.
+    bool cuts_sheet = false;
   };
   /// A vertex record to be dropped that no face uses. A vertex that loses its last face is dropped
   /// anyway and is not listed here.

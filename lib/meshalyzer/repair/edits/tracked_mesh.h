@@ -24,6 +24,8 @@ struct TrackedMesh {
   /// The key of the input's vertex that each added vertex is a copy of, indexed by key -
   /// n_input_vertices; kNoIndex where it is new.
   std::vector<Index> vertex_origins;
+  /// The keys of the added vertices that lie where sheets were cut, and of their copies; ascending.
+  std::vector<Index> sheet_cuts;
 
   /// Returns the input's face that a face of the soup was made of; kNoIndex where it is part of a
   /// hole patch.

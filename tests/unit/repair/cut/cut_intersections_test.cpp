@@ -1,11 +1,14 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/repair/fix_defects.h"
+#include "meshalyzer/repair/orient/bounds_solid.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/spatial/self_intersection.h"
+#include "meshalyzer/topology/components.h"
 #include "support/run_pass.h"
 #include "support/same_soup.h"
 #include "support/shapes.h"
+#include "unit/repair/voxel_solid.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -104,13 +107,80 @@ TEST(CutIntersections, CavityItselfInsideOthersIsKeptWhereItCutsItself) {
   EXPECT_NEAR(volume(expect_good(soup)), 216.0 - 15.0, 1e-12);
 }
 
-TEST(CutIntersections, SheetsThatCrossAreLeftAndNamed) {
+/// A cube with a surface of unit squares.
+Soup cube_of_unit_faces(int side) {
+  VoxelSolid cube({side, side, side});
+  for (int i = 0; i < side * side * side; ++i) {
+    cube.fill({i % side, i / side % side, i / side / side});
+  }
+  return cube.surface();
+}
+
+TEST(CutIntersections, CubesThatOverlapAndMeetOnlyAtTheirEdgesBecomeTheirUnion) {
+  const Soup cube = cube_of_unit_faces(4);
+  const Soup soup = shapes::merged(cube, shapes::translated(cube, {2, 2, 2}));
+  const CutMesh cut = build(soup);
+  for (const IntersectingPair& pair : find_self_intersections(cut, FaceTree(cut))) {
+    ASSERT_EQ(pair.kind, ContactKind::Unwelded);
+  }
+  const Soup united = expect_good(soup);
+  EXPECT_EQ(volume(united), 64.0 + 64.0 - 8.0);
+  EXPECT_EQ(area(united), 96.0 + 96.0 - 24.0);
+}
+
+TEST(CutIntersections, CubesThatShareAPartOfAWallBecomeTheirUnion) {
+  const Soup cube = cube_of_unit_faces(4);
+  const Soup united = expect_good(shapes::merged(cube, shapes::translated(cube, {2, 2, 0})));
+  EXPECT_EQ(volume(united), 64.0 + 64.0 - 16.0);
+}
+
+TEST(CutIntersections, CubesThatTouchAreNotCut) {
+  const Soup cube = cube_of_unit_faces(2);
+  for (const Vec3& shift : {Vec3(2, 0, 0), Vec3(2, 2, 0), Vec3(2, 2, 2), Vec3(2, 1, 0)}) {
+    const PassRun run = run_pass(shapes::merged(cube, shapes::translated(cube, shift)),
+                                 [](const PassInput& input) { return part_contacts(input); });
+    EXPECT_EQ(cut_all(run.tracked.soup).operations, 0U) << shift.transpose();
+  }
+}
+
+/// Two squares of side 2, one upright in the middle of the other's half.
+Soup upright_square_in_square() {
   Soup upright = shapes::grid(2, 2);
-  for (Vec3& p : upright.positions) p = {p.x(), 1.25, p.y() - 1.0};
-  const PassRun run = cut_all(shapes::merged(shapes::grid(2, 2), upright));
+  for (Vec3& p : upright.positions) p = {p.x() + 0.5, 1.25, p.y() - 1.0};
+  return shapes::merged(shapes::grid(2, 2), upright);
+}
+
+TEST(CutIntersections, SheetsThatCrossAreCutAndKept) {
+  const Soup soup = upright_square_in_square();
+  const RepairResult result = fix_defects(soup);
+  const Soup& repaired = result.meshes[0].tracked.soup;
+  EXPECT_FALSE(intersects(repaired));
+  EXPECT_NEAR(area(repaired), area(soup), 1e-12);
+  EXPECT_TRUE(result.notes.empty());
+}
+
+TEST(CutIntersections, SheetsThatLieOneOverTheOtherAreNotTakenForASolid) {
+  // They cross along diagonals, and between them estimates find whole winding numbers.
+  Soup low = shapes::grid(8, 8);
+  Soup high = low;
+  for (Vec3& p : low.positions) p.z() = 0.1 * (p.x() - 4.25);
+  for (Vec3& p : high.positions) p.z() = 0.1 * (p.y() - 4.0);
+  const Soup soup = shapes::merged(low, high);
+  const Soup repaired = fix_defects(soup).meshes[0].tracked.soup;
+  EXPECT_FALSE(intersects(repaired));
+  EXPECT_NEAR(area(repaired), area(soup), 1e-9);
+}
+
+TEST(CutIntersections, LooseFacesAreLeftAndNamed) {
+  const Soup soup = shapes::make(
+      {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {-3, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});
+  const PassRun run = run_pass(soup, [](const PassInput& input) {
+    return cut_intersections(input, {.fill = {}, .sheets = Sheets::Cut});
+  });
   EXPECT_EQ(run.operations, 0U);
   ASSERT_EQ(run.refused.size(), 1U);
   EXPECT_EQ(run.refused[0].code, DefectCode::SelfIntersection);
+  EXPECT_NE(run.refused[0].reason.find("loose"), std::string::npos);
 }
 
 /// Sheets in a cube of side 4, one above the other and nearly as wide, so that little of the cube
@@ -139,23 +209,41 @@ TEST(CutIntersections, SheetsThatGoAreNamedWithTheirAreas) {
   }
 }
 
-TEST(CutIntersections, SheetsThatLeaveTheSolidStayWithAllThatTheyCross) {
-  const Soup soup = crossed_sheets({0.5, 0, 0});
-  const PassRun run = cut_all(soup);
-  EXPECT_EQ(run.operations, 0U);
-  EXPECT_FALSE(run.refused.empty());
-  EXPECT_EQ(run.tracked.soup.n_faces(), soup.n_faces());
+/// Returns the part of a mesh that is closed, or the part that is open.
+Soup part_of(const Soup& soup, bool is_closed) {
+  const CutMesh cut = build(soup);
+  const Components components = find_edge_components(cut);
+  const std::vector<std::uint8_t> closed = which_are_closed(cut, components);
+  std::vector<Index> others;
+  const std::vector<Index> of_face = components_of_file_faces(cut, components, soup.n_faces());
+  for (Index face = 0; face < soup.n_faces(); ++face) {
+    if ((closed[of_face[face]] != 0) != is_closed) others.push_back(face);
+  }
+  return shapes::without_faces(soup, others);
 }
 
-TEST(CutIntersections, SheetsInACavityAreNotInsideTheSolid) {
-  // The cavity is the cube, turned, so that nothing goes round the sheets in all but in the bar.
-  Soup soup = shapes::merged(box({-1, -1, -2}, {5, 5, 5.5}), crossed_sheets({0, 0, 0}));
-  for (Index face = 12; face < 24; ++face)
-    std::swap(soup.triangles[face][0], soup.triangles[face][1]);
-  const RepairResult result = fix_defects(soup);
-  EXPECT_EQ(result.meshes[0].remaining.count(DefectCode::SelfIntersection),
-            result.before.count(DefectCode::SelfIntersection));
-  EXPECT_EQ(result.meshes[0].tracked.soup.n_faces(), soup.n_faces());
+TEST(CutIntersections, SheetsStayWhereTheyLeaveTheSolidsThatTheyCross) {
+  const RepairResult result = fix_defects(crossed_sheets({0.5, 0, 0}));
+  const Soup& repaired = result.meshes[0].tracked.soup;
+  EXPECT_FALSE(intersects(repaired));
+  EXPECT_NEAR(volume(part_of(repaired, true)), 64.0 + 2.0, 1e-9);
+  // A strip of each sheet, 0.25 by 3.5, is outside.
+  EXPECT_NEAR(area(part_of(repaired, false)), 4 * 0.25 * 3.5, 1e-9);
+  ASSERT_EQ(result.notes.size(), 4U);
+  for (const std::string& note : result.notes) {
+    EXPECT_NE(note.find("a solid that a sheet crosses: a part of area 11.375"), std::string::npos);
+  }
+  EXPECT_EQ(result.rises.size(), 1U);
+}
+
+TEST(CutIntersections, SheetsStayInCavitiesButNotInTheSolidRoundThem) {
+  const Soup cavity = shapes::flipped(shapes::cube(4));
+  const Soup sheet = shapes::translated(shapes::grid(2, 2), {-0.5, 1, 2});
+  const Soup soup = shapes::merged(shapes::merged(box({-1, -1, -1}, {5, 5, 5}), cavity), sheet);
+  const Soup repaired = fix_defects(soup).meshes[0].tracked.soup;
+  EXPECT_FALSE(intersects(repaired));
+  EXPECT_NEAR(volume(part_of(repaired, true)), 216.0 - 64.0, 1e-9);
+  EXPECT_NEAR(area(part_of(repaired, false)), 1.5 * 2.0, 1e-9);
 }
 
 TEST(CutIntersections, SoManyFacesThroughOnePlaceAreNotCut) {

@@ -24,7 +24,7 @@ CutSurface cut(const Soup& soup, Pockets pockets) {
   const PreparedMesh mesh(tracked.soup);
   const Tolerances tolerances;
   const RepairLimits limits{.max_deviation = 1.0, .fixed_vertices = {}};
-  return cut_surface({soup, tracked, mesh, tolerances, limits}, {}, pockets);
+  return cut_surface({soup, tracked, mesh, tolerances, limits}, {}, {.pockets = pockets});
 }
 
 double area_of(const Corners& t) {

@@ -32,6 +32,16 @@ TEST(FindWorsening, MoreBorderEdgesThanPartedEdgesAreWorse) {
             std::vector{CountedDefect::BorderEdges});
 }
 
+TEST(FindWorsening, BorderEdgesOfCutSheetsAreExceptedIfPairsFall) {
+  DefectInventory after = with_counts(0, 10, 2);
+  after.n_borders_of_cut_sheets = 4;
+  EXPECT_TRUE(find_worsening(with_counts(0, 6, 3), after).empty());
+  EXPECT_EQ(find_worsening(with_counts(0, 5, 3), after).kinds,
+            std::vector{CountedDefect::BorderEdges});
+  EXPECT_EQ(find_worsening(with_counts(0, 6, 2), after).kinds,
+            std::vector{CountedDefect::BorderEdges});
+}
+
 TEST(FindWorsening, IntersectionsAreWorseWhateverElseFalls) {
   EXPECT_EQ(find_worsening(with_counts(2, 6, 3), with_counts(0, 0, 4)).kinds,
             std::vector{CountedDefect::IntersectingPairs});

@@ -64,7 +64,7 @@ Soup crossing_faces() {
                       {{0, 1, 2}, {3, 4, 5}});
 }
 
-TEST(PatchOutcomes, SolidsAreCutAndSheetsAreLeftForAReason) {
+TEST(PatchOutcomes, SolidsAreCutAndLooseFacesAreLeftForAReason) {
   const std::vector<PatchOutcome> outcomes = outcomes_of(
       shapes::merged(crossing_cubes(), shapes::translated(crossing_faces(), {9, 0, 0})));
   ASSERT_EQ(outcomes.size(), 2U);
@@ -75,7 +75,7 @@ TEST(PatchOutcomes, SolidsAreCutAndSheetsAreLeftForAReason) {
   EXPECT_FALSE(outcomes[1].is_mended);
   EXPECT_THAT(outcomes[1].passes, ElementsAre());
   EXPECT_EQ(outcomes[1].distance, 0.0);
-  EXPECT_THAT(outcomes[1].reason, HasSubstr("sheet"));
+  EXPECT_THAT(outcomes[1].reason, HasSubstr("loose"));
 }
 
 TEST(PatchOutcomes, DistanceIsThatOfThePatchAlone) {

@@ -36,8 +36,8 @@ std::vector<FaceEdge> sorted_edges(const Soup& soup) {
 }
 
 /// #faces: 1 for those that form closed chains with the faces that they are connected to by edges.
-std::vector<std::uint8_t> faces_of_closed_chains(const Soup& soup) {
-  const std::vector<FaceEdge> edges = sorted_edges(soup);
+std::vector<std::uint8_t> faces_of_closed_chains(const Soup& soup,
+                                                 const std::vector<FaceEdge>& edges) {
   DisjointSets chains(soup.n_faces());
   std::vector<Index> open_at;
   for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
@@ -57,17 +57,42 @@ std::vector<std::uint8_t> faces_of_closed_chains(const Soup& soup) {
   return is_closed;
 }
 
+/// The numbers of edges of a component, and of those that have one face only.
+struct EdgeCounts {
+  std::size_t all = 0;
+  std::size_t border = 0;
+};
+
+/// #components.
+std::vector<EdgeCounts> count_edges(const ArrangedSoup& arranged,
+                                    const std::vector<FaceEdge>& edges) {
+  std::vector<EdgeCounts> counts(arranged.cells.n_components);
+  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+    while (end < edges.size() && edges[end].ends == edges[begin].ends) ++end;
+    const Index piece = arranged.arrangement.pieces_of(edges[begin].face)[0];
+    EdgeCounts& count = counts[arranged.cells.component_of[piece]];
+    ++count.all;
+    if (end == begin + 1) ++count.border;
+  }
+  return counts;
+}
+
 /// Finds the winding numbers of closed chains, as if the sheets were not there.
 class ClosedPartSearch {
  public:
   ClosedPartSearch(const ArrangedSoup& arranged, std::span<const std::uint8_t> wanted)
-      : a_(arranged),
-        wanted_(wanted),
-        is_closed_face_(faces_of_closed_chains(arranged.soup)),
-        pieces_(arranged.cells),
-        is_known_(arranged.cells.count, 0) {
+      : a_(arranged), wanted_(wanted), pieces_(arranged.cells), is_known_(arranged.cells.count, 0) {
+    const std::vector<FaceEdge> edges = sorted_edges(a_.soup);
+    is_closed_face_ = faces_of_closed_chains(a_.soup, edges);
+    for (const EdgeCounts& count : count_edges(a_, edges)) {
+      has_border_.push_back(count.border > 0 ? 1 : 0);
+      result_.is_loose.push_back(2 * count.border > count.all ? 1 : 0);
+    }
     result_.windings.assign(a_.cells.count, 0);
-    result_.encloses_rest.assign(a_.cells.n_components, 0);
+    result_.tells_inside.assign(a_.cells.n_components, 0);
+    for (Index piece = 0; piece < a_.arrangement.pieces.size(); ++piece) {
+      result_.is_of_chain.push_back(is_of_closed_chain(piece) ? 1 : 0);
+    }
   }
 
   ClosedPart run() {
@@ -79,13 +104,16 @@ class ClosedPartSearch {
     const ArrangedSoup with_rays{a_.soup, a_.cut, a_.tree, a_.arrangement, cells};
     for (Index piece = 0; piece < a_.arrangement.pieces.size(); ++piece) {
       const Index component = a_.cells.component_of[piece];
-      if (wanted_[component] == 0 || !is_of_closed_chain(piece)) continue;
-      if (std::exchange(result_.encloses_rest[component], 1) == 0) begin_at(piece, with_rays);
+      if (wanted_[component] == 0 || result_.is_of_chain[piece] == 0) continue;
+      if (std::exchange(result_.tells_inside[component], 1) == 0) begin_at(piece, with_rays);
     }
+    result_.encloses_rest = result_.tells_inside;
     for (Index piece = 0; piece < a_.arrangement.pieces.size(); ++piece) {
       const bool is_inside = result_.windings[a_.cells.front(piece)] >= 1;
       const Index component = a_.cells.component_of[piece];
-      if (!is_inside && !is_of_closed_chain(piece)) result_.encloses_rest[component] = 0;
+      if (is_inside || result_.is_of_chain[piece] != 0) continue;
+      result_.encloses_rest[component] = 0;
+      if (has_border_[component] == 0) result_.tells_inside[component] = 0;
     }
     return std::move(result_);
   }
@@ -110,12 +138,13 @@ class ClosedPartSearch {
   void begin_at(Index piece, const ArrangedSoup& with_rays) {
     const PieceRay ray = follow_ray(with_rays, piece);
     const Index component = a_.cells.component_of[piece];
-    int winding = 0;
+    int own = 0;
+    int others = 0;
     for (const auto& [face, sign] : ray.crossings) {
       const Index crossed = a_.cells.component_of[a_.arrangement.pieces_of(face)[0]];
-      if (crossed == component && is_closed_face_[face] != 0) winding += sign;
+      if (is_closed_face_[face] != 0) (crossed == component ? own : others) += sign;
     }
-    set(ray.cell, winding);
+    set(ray.cell, own + (others > 0 ? 1 : 0));
     while (!pending_.empty()) spread(std::exchange(pending_, {}));
   }
 
@@ -142,6 +171,8 @@ class ClosedPartSearch {
   /// #faces: 1 for those of closed chains.
   std::vector<std::uint8_t> is_closed_face_;
   CellPieces pieces_;
+  /// #components: 1 for those with an edge that has one face only.
+  std::vector<std::uint8_t> has_border_;
   ClosedPart result_;
   std::vector<std::uint8_t> is_known_;
   std::vector<Index> pending_;
@@ -151,8 +182,9 @@ class ClosedPartSearch {
 
 ClosedPart find_closed_part(const ArrangedSoup& arranged, std::span<const std::uint8_t> wanted) {
   if (std::none_of(wanted.begin(), wanted.end(), [](auto is_wanted) { return is_wanted != 0; })) {
-    return {std::vector<std::uint8_t>(arranged.cells.n_components, 0),
-            std::vector<int>(arranged.cells.count, 0)};
+    const std::vector<std::uint8_t> none(arranged.cells.n_components, 0);
+    return {none, none, none, std::vector<int>(arranged.cells.count, 0),
+            std::vector<std::uint8_t>(arranged.arrangement.pieces.size(), 0)};
   }
   return ClosedPartSearch(arranged, wanted).run();
 }

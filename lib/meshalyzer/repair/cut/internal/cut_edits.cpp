@@ -13,7 +13,7 @@ namespace meshalyzer {
 namespace {
 
 /// The reason why a part is left unchanged.
-enum class Obstacle : std::uint8_t { None, Unfinished, Sheet, Fixed, Lost };
+enum class Obstacle : std::uint8_t { None, Unfinished, Sheet, Loose, Fixed, Lost };
 
 std::string reason_of(Obstacle obstacle) {
   switch (obstacle) {
@@ -23,6 +23,8 @@ std::string reason_of(Obstacle obstacle) {
       return "rounding the points of the cut makes faces intersect again and again";
     case Obstacle::Sheet:
       return "the surface is a sheet: nothing tells which part of it to drop";
+    case Obstacle::Loose:
+      return "the faces are loose: most of their edges have no other face";
     case Obstacle::Fixed:
       return "it meets a vertex that must stay as it is";
     case Obstacle::Lost:
@@ -119,9 +121,10 @@ class CutEdits {
     for (const Index face : surface_.unfinished) {
       obstacles_[parts_.find(face)] = Obstacle::Unfinished;
     }
-    for (const Index face : surface_.of_sheets) {
+    for (const Index face : surface_.of_uncut_sheets) {
       obstacles_[parts_.find(face)] = Obstacle::Sheet;
     }
+    for (const Index face : surface_.loose) obstacles_[parts_.find(face)] = Obstacle::Loose;
     for (const Index face : changed_) {
       const Triangle& t = soup_.triangles[face];
       const bool is_fixed = std::any_of(
@@ -191,8 +194,21 @@ class CutEdits {
         {.code = DefectCode::SelfIntersection, .face = face, .reason = reason_of(obstacle)});
   }
 
+  /// #positions: 1 for the vertices of cut sheets.
+  [[nodiscard]] std::vector<std::uint8_t> vertices_of_sheets() const {
+    std::vector<std::uint8_t> is_of_sheet(obstacles_.size(), 0);
+    for (const Index face : surface_.of_sheets) is_of_sheet[face] = 1;
+    std::vector<std::uint8_t> found(surface_.positions.size(), 0);
+    for (std::size_t i = 0; i < surface_.triangles.size(); ++i) {
+      if (is_of_sheet[surface_.origins[i]] == 0) continue;
+      for (const Index v : surface_.triangles[i]) found[v] = 1;
+    }
+    return found;
+  }
+
   void add_faces() {
     const auto n_vertices = static_cast<Index>(soup_.n_vertices());
+    const std::vector<std::uint8_t> is_of_sheet = vertices_of_sheets();
     std::vector<Index> number(surface_.positions.size() - n_vertices, kNoIndex);
     for (std::size_t i = 0; i < surface_.triangles.size(); ++i) {
       const Index op = operations_[parts_.find(surface_.origins[i])];
@@ -203,7 +219,8 @@ class CutEdits {
         Index& added = number[v - n_vertices];
         if (added == kNoIndex) {
           added = n_vertices + static_cast<Index>(result_.edits.added_vertices.size());
-          result_.edits.added_vertices.push_back({.op = op, .position = surface_.positions[v]});
+          result_.edits.added_vertices.push_back(
+              {.op = op, .position = surface_.positions[v], .cuts_sheet = is_of_sheet[v] != 0});
         }
         v = added;
       }

@@ -2,11 +2,11 @@
 
 #include "meshalyzer/arrangement/arrange.h"
 #include "meshalyzer/arrangement/round_vertices.h"
-#include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/mesh/used_box.h"
+#include "meshalyzer/repair/cut/internal/pairs_to_cut.h"
 #include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/spatial/self_intersection_of.h"
 
@@ -27,27 +27,22 @@ bool is_flat(const std::vector<Vec3>& positions, const Triangle& t) {
   return are_collinear(positions[t[0]], positions[t[1]], positions[t[2]]);
 }
 
-/// Removes pairs that are only not welded, unless they are connected with others.
-void drop_unwelded(std::size_t n_faces, Pairs& pairs) {
-  DisjointSets groups(n_faces);
-  for (const IntersectingPair& pair : pairs) groups.unite(pair.face_a, pair.face_b);
-  std::vector<std::uint8_t> is_more(n_faces, 0);
-  for (const IntersectingPair& pair : pairs) {
-    if (pair.kind != ContactKind::Unwelded) is_more[groups.find(pair.face_a)] = 1;
-  }
-  std::erase_if(
-      pairs, [&](const IntersectingPair& pair) { return is_more[groups.find(pair.face_a)] == 0; });
+/// Tells whether faces stay as they are in the end, so that nothing is gained by cutting them on.
+bool is_left(PieceFate fate) {
+  return fate == PieceFate::Uncut || fate == PieceFate::Loose;
 }
 
 bool stays(PieceFate fate) {
-  return fate == PieceFate::Kept || fate == PieceFate::Turned || fate == PieceFate::OfSheet;
+  return fate == PieceFate::Kept || fate == PieceFate::Turned || fate == PieceFate::OfSheet ||
+         is_left(fate);
 }
 
 /// Cuts a surface, round by round.
 class CuttingRounds {
  public:
-  CuttingRounds(const PassInput& input, std::span<const Edits::AddedFace> patches, Pockets pockets)
-      : input_(input), mesh_(input.mesh), pockets_(pockets), extent_(extent_of(mesh_.soup())) {
+  CuttingRounds(const PassInput& input, std::span<const Edits::AddedFace> patches,
+                const SelectOptions& options)
+      : input_(input), mesh_(input.mesh), options_(options), extent_(extent_of(mesh_.soup())) {
     soup_.positions = mesh_.soup().positions;
     for (const Triangle& t : mesh_.soup().triangles) add(t);
     for (const Edits::AddedFace& patch : patches) add(patch.corners);
@@ -86,7 +81,7 @@ class CuttingRounds {
   }
 
   bool cut_round(const CutMesh& cut, const FaceTree& tree, Pairs pairs) {
-    drop_unwelded(soup_.n_faces(), pairs);
+    pairs = pairs_to_cut(soup_, cut, tree, std::move(pairs));
     if (pairs.empty()) return false;
     if (round_ == 0) most_pairs_ = kMorePairs + kTimesFirstPairs * pairs.size();
     n_pairs_cut_ += pairs.size();
@@ -105,7 +100,7 @@ class CuttingRounds {
     const Cells cells = find_cells(soup_, arrangement);
     const std::vector<PieceFate> fates =
         select_pieces({soup_, cut, tree, arrangement, cells},
-                      components_to_select(arrangement, cells, pairs), pockets_);
+                      components_to_select(arrangement, cells, pairs), options_);
     tie_faces(arrangement, pairs);
     if (round_ == 0) result_.pocket_share = share_of_pockets(arrangement, fates);
     take(arrangement, fates, round_vertices(arrangement, rounding()));
@@ -173,16 +168,15 @@ class CuttingRounds {
       const auto sources = arrangement.sources_of(i);
       const Index face = sources.front().face;
       Triangle t = arrangement.pieces[i];
-      const bool is_forgotten = fates[i] == PieceFate::Exterior && pockets_ == Pockets::Forgotten;
+      const bool is_forgotten =
+          fates[i] == PieceFate::Exterior && options_.pockets == Pockets::Forgotten;
       const bool is_gone =
           is_forgotten || fates[i] == PieceFate::Interior || fates[i] == PieceFate::Cancelled;
       // The remaining part of one face represents all faces that coincide with it.
       for (const PieceSource& source : sources.subspan(is_gone ? 0 : 1)) {
         add_wall(source.face, arrangement, i);
       }
-      if (fates[i] == PieceFate::OfSheet && was_cut[face] != 0) {
-        result_.of_sheets.push_back(origins_[face]);
-      }
+      if (was_cut[face] != 0) note_sheets(origins_[face], fates[i]);
       if (!stays(fates[i])) continue;
       for (Index& v : t) v = rounded.stands_for[v];
       const bool is_moved = t != arrangement.pieces[i];
@@ -192,8 +186,9 @@ class CuttingRounds {
           add_wall(face, arrangement, i);
           continue;
         }
-        // Sheets are left as they are in the end, so that nothing is gained by cutting them on.
-        if (fates[i] != PieceFate::OfSheet) {
+        // Loose faces are left as they are in the end, so that nothing is gained by cutting them
+        // on.
+        if (fates[i] != PieceFate::Loose) {
           new_faces_.push_back(static_cast<Index>(triangles.size()));
         }
       }
@@ -203,6 +198,12 @@ class CuttingRounds {
     soup_.positions = std::move(rounded.positions);
     soup_.triangles = std::move(triangles);
     origins_ = std::move(origins);
+  }
+
+  void note_sheets(Index origin, PieceFate fate) {
+    if (fate == PieceFate::OfSheet) result_.of_sheets.push_back(origin);
+    if (fate == PieceFate::Uncut) result_.of_uncut_sheets.push_back(origin);
+    if (fate == PieceFate::Loose) result_.loose.push_back(origin);
   }
 
   void add_wall(Index face, const Arrangement& arrangement, std::size_t piece) {
@@ -219,7 +220,7 @@ class CuttingRounds {
 
   const PassInput& input_;
   const PreparedMesh& mesh_;
-  Pockets pockets_;
+  SelectOptions options_;
   double extent_;
   std::size_t round_ = 0;
   std::size_t n_pairs_cut_ = 0;
@@ -228,7 +229,7 @@ class CuttingRounds {
   /// The surface that is cut in this round: positions and faces alone.
   Soup soup_;
   std::vector<Index> origins_;
-  /// The faces that the last round has made, ascending, without those of sheets.
+  /// The faces that the last round has made, ascending, without those that are left.
   std::vector<Index> new_faces_;
   CutSurface result_;
 };
@@ -236,8 +237,8 @@ class CuttingRounds {
 }  // namespace
 
 CutSurface cut_surface(const PassInput& input, std::span<const Edits::AddedFace> patches,
-                       Pockets pockets) {
-  return CuttingRounds(input, patches, pockets).run();
+                       const SelectOptions& options) {
+  return CuttingRounds(input, patches, options).run();
 }
 
 }  // namespace meshalyzer

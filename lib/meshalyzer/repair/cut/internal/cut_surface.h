@@ -27,21 +27,26 @@ struct CutSurface {
   std::vector<std::array<Index, 2>> ties;
   /// Faces of the input with parts that still intersect others in the end.
   std::vector<Index> unfinished;
-  /// Faces of the input that intersect others and belong to a sheet.
+  /// Faces of the input that were cut and belong to a sheet.
   std::vector<Index> of_sheets;
+  /// Loose faces of the input that intersect others.
+  std::vector<Index> loose;
+  /// Faces of the input that intersect others, belong to sheets, and are left.
+  std::vector<Index> of_uncut_sheets;
 };
 
 /// Cuts the intersecting faces, keeps the parts that bound the solid, and rounds new vertices. This
 /// is repeated until no faces intersect, because the rounded faces may intersect anew.
 ///
-/// Faces that are only not welded are left alone if they intersect no others. Faces of no area are
-/// dropped, and the faces round them are cut at their corners.
+/// The pairs that are cut are those of pairs_to_cut(). Faces of no area are dropped, and the faces
+/// round them are cut at their corners.
 ///
 /// The search ends early, with pairs that still intersect, if it is told to stop, or if rounding
 /// makes more pairs than a multiple of the initial ones.
 ///
 /// @param patches  Faces on vertices of the mesh that are added before cutting.
 [[nodiscard]] CutSurface cut_surface(const PassInput& input,
-                                     std::span<const Edits::AddedFace> patches, Pockets pockets);
+                                     std::span<const Edits::AddedFace> patches,
+                                     const SelectOptions& options);
 
 }  // namespace meshalyzer

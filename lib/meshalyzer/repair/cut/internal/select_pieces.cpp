@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/cut/internal/select_pieces.h"
 
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/repair/cut/internal/closed_part.h"
 #include "meshalyzer/repair/cut/internal/estimated_windings.h"
 
@@ -11,6 +12,9 @@ namespace {
 
 /// Cells with a larger estimated winding number are certainly inside.
 constexpr double kSurelyInside = 0.75;
+
+/// A component with a larger fraction of its area outside of the solid bounds none.
+constexpr double kMostFlaps = 0.25;
 
 /// The rule for the inside of a closed component.
 enum class Rule : std::uint8_t {
@@ -26,10 +30,11 @@ enum class Rule : std::uint8_t {
 class PieceSelection {
  public:
   PieceSelection(const ArrangedSoup& arranged, std::span<const std::uint8_t> is_cut,
-                 Pockets pockets)
+                 const SelectOptions& options)
       : a_(arranged),
         cells_(arranged.cells),
-        pockets_(pockets),
+        pockets_(options.pockets),
+        sheets_(options.sheets),
         fates_(arranged.arrangement.pieces.size(), PieceFate::Kept) {
     is_closed_.assign(cells_.n_components, 0);
     is_open_.assign(cells_.n_components, 0);
@@ -40,8 +45,14 @@ class PieceSelection {
 
   std::vector<PieceFate> run() {
     select_exactly();
-    select_around_sheets();
+    closed_ = find_closed_part(a_, is_open_);
+    select_sheets(sheets_ == Sheets::Cut ? closed_.tells_inside : closed_.encloses_rest);
     select_by_estimates();
+    if (sheets_ == Sheets::Cut) {
+      select_sheets(std::vector(is_open_));
+    } else {
+      leave_open();
+    }
     return std::move(fates_);
   }
 
@@ -87,16 +98,11 @@ class PieceSelection {
     return own + around > 0 || (either_way && around == 0 && own < 0);
   }
 
-  /// Selects, exactly, from solids that sheets cross, where all of these sheets lies inside them.
-  void select_around_sheets() {
-    const ClosedPart closed = find_closed_part(a_, is_open_);
-    decide(closed.encloses_rest, [&](Index, Index cell) {
-      const int winding = closed.windings[cell];
-      return winding >= 1 || (pockets_ == Pockets::Kept && winding < 0);
+  void decide_by_closed_part(const std::vector<std::uint8_t>& components, Pockets pockets) {
+    decide(components, [&](Index, Index cell) {
+      const int winding = closed_.windings[cell];
+      return winding >= 1 || (pockets == Pockets::Kept && winding < 0);
     });
-    for (std::size_t c = 0; c < is_open_.size(); ++c) {
-      if (closed.encloses_rest[c] != 0) is_open_[c] = 0;
-    }
   }
 
   void select_by_estimates() {
@@ -114,12 +120,57 @@ class PieceSelection {
     for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
       const bool is_sure = windings.of_cell[cells_.front(piece)] >= kSurelyInside &&
                            windings.of_cell[cells_.behind(piece)] >= kSurelyInside;
-      const Index component = cells_.component_of[piece];
-      if (is_open_[component] != 0 && solid[component] == 0) fates_[piece] = PieceFate::OfSheet;
-      const bool is_estimated = solid[component] != 0;
+      const bool is_estimated = solid[cells_.component_of[piece]] != 0;
       if (is_estimated && fates_[piece] == PieceFate::Interior && !is_sure) {
         fates_[piece] = PieceFate::Exterior;
       }
+    }
+    if (sheets_ == Sheets::Cut) leave_those_with_flaps(solid);
+    for (std::size_t c = 0; c < is_open_.size(); ++c) {
+      if (solid[c] != 0) is_open_[c] = 0;
+    }
+  }
+
+  /// Leaves components of which much lies outside of the region that they enclose: they only seem
+  /// to bound a solid, as sheets do that lie one over the other.
+  void leave_those_with_flaps(std::vector<std::uint8_t>& components) const {
+    std::vector<double> area(cells_.n_components, 0.0);
+    std::vector<double> area_of_flaps(cells_.n_components, 0.0);
+    for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
+      const Index component = cells_.component_of[piece];
+      if (components[component] == 0) continue;
+      const double size = normal_of(a_.arrangement.corners_of(piece)).norm();
+      area[component] += size;
+      if (fates_[piece] == PieceFate::Exterior) area_of_flaps[component] += size;
+    }
+    for (std::size_t c = 0; c < components.size(); ++c) {
+      if (area_of_flaps[c] > kMostFlaps * area[c]) components[c] = 0;
+    }
+  }
+
+  /// Selects from components of sheets, and of solids that they cross.
+  void select_sheets(const std::vector<std::uint8_t>& components) {
+    decide_by_closed_part(components, pockets_);
+    const std::vector<std::uint8_t> is_kept = components_kept();
+    std::vector<std::uint8_t> inside_out = components;
+    for (std::size_t c = 0; c < components.size(); ++c) {
+      if (is_kept[c] != 0) inside_out[c] = 0;
+    }
+    decide_by_closed_part(inside_out, Pockets::Kept);
+    for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
+      const Index component = cells_.component_of[piece];
+      if (components[component] == 0 || closed_.is_of_chain[piece] != 0) continue;
+      if (fates_[piece] == PieceFate::Interior) continue;
+      fates_[piece] = closed_.is_loose[component] != 0 ? PieceFate::Loose : PieceFate::OfSheet;
+    }
+    for (std::size_t c = 0; c < components.size(); ++c) {
+      if (components[c] != 0) is_open_[c] = 0;
+    }
+  }
+
+  void leave_open() {
+    for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
+      if (is_open_[cells_.component_of[piece]] != 0) fates_[piece] = PieceFate::Uncut;
     }
   }
 
@@ -151,7 +202,9 @@ class PieceSelection {
   const ArrangedSoup& a_;
   const Cells& cells_;
   Pockets pockets_;
-  /// #components: 1 for those whose pieces are to be selected.
+  Sheets sheets_;
+  ClosedPart closed_;
+  /// #components: 1 for those whose pieces are still to be selected.
   std::vector<std::uint8_t> is_closed_;
   std::vector<std::uint8_t> is_open_;
   std::vector<PieceFate> fates_;
@@ -160,8 +213,9 @@ class PieceSelection {
 }  // namespace
 
 std::vector<PieceFate> select_pieces(const ArrangedSoup& arranged,
-                                     std::span<const std::uint8_t> is_cut, Pockets pockets) {
-  return PieceSelection(arranged, is_cut, pockets).run();
+                                     std::span<const std::uint8_t> is_cut,
+                                     const SelectOptions& options) {
+  return PieceSelection(arranged, is_cut, options).run();
 }
 
 }  // namespace meshalyzer

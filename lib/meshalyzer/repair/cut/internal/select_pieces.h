@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/arrangement/windings.h"
+#include "meshalyzer/repair/passes.h"
 
 #include <cstdint>
 #include <vector>
@@ -16,6 +17,11 @@ enum class Pockets : std::uint8_t {
   Forgotten,
 };
 
+struct SelectOptions {
+  Pockets pockets = Pockets::Dropped;
+  Sheets sheets = Sheets::Left;
+};
+
 /// The decision on a piece of an arrangement.
 enum class PieceFate : std::uint8_t {
   /// The piece stays as it is.
@@ -28,21 +34,27 @@ enum class PieceFate : std::uint8_t {
   Cancelled,
   /// The piece is dropped, because both of its sides are outside.
   Exterior,
-  /// The piece stays uncut: nothing tells which parts of a sheet to drop, and cut sheets would only
-  /// touch.
+  /// The piece stays, though both of its sides are outside: it is part of a sheet.
   OfSheet,
+  /// The piece stays uncut: it belongs to sheets, or to solids that they cross, and sheets are
+  /// left.
+  Uncut,
+  /// The piece stays uncut: it belongs to loose faces, which would only become more.
+  Loose,
 };
 
 /// Decides which pieces bound the solid that the faces enclose.
 ///
 /// In closed components, the solid is the region with a winding number of at least one, exactly. In
 /// others that nearly bound a solid, it is the region with a winding number of about one, by
-/// estimates. Sheets are left as they are.
+/// estimates. Other components are left, unless sheets are to be cut. Then it is what closed chains
+/// of their faces enclose, exactly; the other faces are sheets, which are dropped inside it and
+/// stay outside. Faces most of whose edges have no other face are left all the same.
 ///
 /// @param is_cut  #components: non-zero for those whose pieces are to be selected.
 /// @return        #pieces.
 [[nodiscard]] std::vector<PieceFate> select_pieces(const ArrangedSoup& arranged,
                                                    std::span<const std::uint8_t> is_cut,
-                                                   Pockets pockets);
+                                                   const SelectOptions& options);
 
 }  // namespace meshalyzer

@@ -22,7 +22,10 @@ class Inventory {
 
   void add_topology() {
     using enum CountedDefect;
-    for (const HalfedgeHandle h : find_border_edges(cut_)) add_edge(BorderEdges, ends_of(h));
+    for (const HalfedgeHandle h : find_border_edges(cut_)) {
+      add_edge(BorderEdges, ends_of(h));
+      if (cuts_sheet(ends_of(h))) ++inventory_.n_borders_of_cut_sheets;
+    }
     add_cut_edges(NonManifoldEdges, cut_.side.non_manifold_edges);
     add_cut_edges(FlippedEdges, cut_.side.flipped_edges);
     for (const Index v : cut_.side.non_manifold_vertices) add_vertex(NonManifoldVertices, v);
@@ -78,6 +81,14 @@ class Inventory {
   }
   [[nodiscard]] Index face(Index f) const { return face_identity(tracked_, tracked_.face_keys[f]); }
   [[nodiscard]] std::array<Index, 2> ends_of(HalfedgeHandle h) const { return file_ends(cut_, h); }
+
+  /// Tells whether an edge has an end where a sheet was cut.
+  [[nodiscard]] bool cuts_sheet(const std::array<Index, 2>& ends) const {
+    const std::vector<Index>& cuts = tracked_.sheet_cuts;
+    return std::any_of(ends.begin(), ends.end(), [&](Index v) {
+      return std::binary_search(cuts.begin(), cuts.end(), tracked_.vertex_keys[v]);
+    });
+  }
 
   CountedElement& add(CountedDefect kind) {
     CountedElement& element = inventory_.elements.emplace_back();

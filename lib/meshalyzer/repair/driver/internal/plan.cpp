@@ -62,10 +62,10 @@ void plan_operations(const RepairOptions& options, const Tolerances& tolerances,
   }
 }
 
-CutOptions cut_options(const RepairOptions& options) {
+CutOptions cut_options(const RepairOptions& options, Sheets sheets) {
   const bool fills = options.borders == Borders::Holes && options.fixes.contains(DefectCode::Hole);
-  if (!fills) return {};
-  CutOptions cut{.fill = options.fill};
+  if (!fills) return {.sheets = sheets};
+  CutOptions cut{.fill = options.fill, .sheets = sheets};
   // A patch over a sheet encloses a region that the sheet does not mean as a solid.
   if (options.solid) cut.fill->sheets = FillSheets::No;
   return cut;
@@ -87,6 +87,7 @@ void plan_fixes_before_cutting(const RepairOptions& options, const Tolerances& t
   plan.add({"drop corrupt records", Corrupt, drop_corrupt, {Hole}});
   plan.add({"drop duplicates", DuplicateFacet, drop_duplicates, {Hole}});
   for (PlannedPass& pass : weld_passes(tolerances.slit, tolerances)) plan.add(std::move(pass));
+  plan.add({"drop copies", SelfIntersection, drop_copies});
   plan.add_for({DegenerateFacet, FlatFacet}, {"mend facets", DegenerateFacet, mend_facets, bends});
   plan.add({"split edges", NonManifold, split_edges, cuts});
   plan.add({"split vertices", NonManifold, split_vertices, cuts});
@@ -103,14 +104,14 @@ void plan_fixes_before_cutting(const RepairOptions& options, const Tolerances& t
   plan.add(drop(Fragments::Debris));
 }
 
-void plan_fixes_from_cutting(const RepairOptions& options, Planner& plan) {
+void plan_fixes_from_cutting(const RepairOptions& options, Sheets sheets, Planner& plan) {
   using enum DefectCode;
   if (options.contact == Contact::Part) {
     plan.add({"part contacts", NonManifold, part_contacts});
   }
   plan.add({"cut intersections",
             SelfIntersection,
-            [cut = cut_options(options)](const PassInput& input) {
+            [cut = cut_options(options, sheets)](const PassInput& input) {
               return cut_intersections(input, cut);
             },
             {NonManifold, FlatFacet, DegenerateFacet, Foldover, Flipped, Hole},
@@ -141,11 +142,19 @@ std::vector<PlannedPass> plan_before_cutting(const RepairOptions& options,
   return plan.take();
 }
 
+std::vector<PlannedPass> plan_with_sheets_cut(const RepairOptions& options,
+                                              const Tolerances& tolerances) {
+  Planner plan(options.fixes);
+  plan_fixes_before_cutting(options, tolerances, plan);
+  plan_fixes_from_cutting(options, Sheets::Cut, plan);
+  return plan.take();
+}
+
 std::vector<PlannedPass> plan_passes(const RepairOptions& options, const Tolerances& tolerances) {
   Planner plan(options.fixes);
   plan_operations(options, tolerances, plan);
   plan_fixes_before_cutting(options, tolerances, plan);
-  plan_fixes_from_cutting(options, plan);
+  plan_fixes_from_cutting(options, Sheets::Left, plan);
   return plan.take();
 }
 

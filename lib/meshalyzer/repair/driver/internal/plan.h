@@ -39,6 +39,12 @@ struct PlannedPass {
 [[nodiscard]] std::vector<PlannedPass> plan_passes(const RepairOptions& options,
                                                    const Tolerances& tolerances);
 
+/// Returns those of these passes that repair defects, with sheets cut too.
+///
+/// @param tolerances  Must outlive the plan.
+[[nodiscard]] std::vector<PlannedPass> plan_with_sheets_cut(const RepairOptions& options,
+                                                            const Tolerances& tolerances);
+
 /// Returns those of these passes that come before intersections are cut and contacts parted.
 ///
 /// @param tolerances  Must outlive the plan.

@@ -50,7 +50,8 @@ RepairDriver::RepairDriver(Soup input, const Tolerances& tolerances, RepairLimit
       meter_(std::in_place, input_),
       state_(std::make_shared<RepairState>(track_mesh(input_), tolerances_)) {}
 
-void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOptions& options) {
+void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOptions& options,
+                            OnWorse on_worse) {
   on_progress_ = options.on_progress;
   wants_to_stop_ = options.wants_to_stop;
   const FinalCheck check = final_check_for(options, input_.format);
@@ -59,9 +60,10 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
     return pass.may_create.contains(DefectCode::Inward);
   });
   if (turns_over) before.is_yes[static_cast<std::size_t>(Attribute::Outward)] = false;
-  const DefectInventory input{{}, before.counts, before.is_yes};
+  if (input_counts_) set_checkpoint();
+  if (!input_counts_) input_counts_ = {{}, before.counts, before.is_yes};
   for (std::size_t stage = 0; stage < kMaxStages; ++stage) {
-    std::optional<DefectInventory> after = run_stage(plan, {check, before});
+    std::optional<DefectInventory> after = run_stage(plan, {check, before, on_worse});
     if (!after) break;
     before = std::move(*after);
     // Operations that were banned because of others may be possible now; they are tried until none
@@ -69,7 +71,7 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
     if (banned_.size() == 0) break;
     set_checkpoint();
   }
-  rises_ = find_rises(input, before);
+  rises_ = find_rises(*input_counts_, before);
 }
 
 std::vector<double> RepairDriver::measure_parts(std::span<const Index> part_of,
@@ -133,7 +135,7 @@ std::optional<DefectInventory> RepairDriver::run_stage(const std::vector<Planned
     DefectInventory after = list_defective_in_file(*state_, tolerances_, gate.check);
     const Worsening worsening = find_worsening(gate.before, after);
     if (worsening.empty()) return after;
-    if (is_stopped_) {
+    if (is_stopped_ || gate.on_worse == OnWorse::Leave) {
       restart();
       return std::nullopt;
     }
@@ -166,22 +168,20 @@ void RepairDriver::ban(const DefectInventory& before, const DefectInventory& aft
 void RepairDriver::restart() {
   too_far_.clear();
   if (!checkpoint_) return return_to_input();
-  meter_.emplace(input_);
-  state_ = std::make_shared<RepairState>(checkpoint_->tracked, tolerances_);
-  meter_->include_patches(state_->tracked());
-  log_ = checkpoint_->log;
-  deviation_ = checkpoint_->deviation;
-  walls_ = checkpoint_->walls;
-  is_deviation_known_ = true;
-  applied_.clear();
+  restore(*checkpoint_);
 }
 
 void RepairDriver::return_to_input() {
+  restore({.tracked = track_mesh(input_), .log = {}, .deviation = 0.0, .walls = {}});
+}
+
+void RepairDriver::restore(const Checkpoint& checkpoint) {
   meter_.emplace(input_);
-  state_ = std::make_shared<RepairState>(track_mesh(input_), tolerances_);
-  log_ = {};
-  deviation_ = 0.0;
-  walls_.clear();
+  state_ = std::make_shared<RepairState>(checkpoint.tracked, tolerances_);
+  meter_->include_patches(state_->tracked());
+  log_ = checkpoint.log;
+  deviation_ = checkpoint.deviation;
+  walls_ = checkpoint.walls;
   is_deviation_known_ = true;
   applied_.clear();
 }

@@ -23,6 +23,14 @@
 
 namespace meshalyzer {
 
+/// The reaction of a plan to a mesh that it makes worse.
+enum class OnWorse : std::uint8_t {
+  /// The plan is run again without the operations that are responsible.
+  TryAgain,
+  /// The mesh stays as it was before.
+  Leave,
+};
+
 /// Repairs a mesh: runs passes, applies their edits to a copy, and keeps the operations that are
 /// accepted.
 class RepairDriver {
@@ -57,12 +65,15 @@ class RepairDriver {
   /// If the resulting mesh is worse than the input, the responsible operations are banned, and all
   /// passes run again without them. Then they run once more from the result, with nothing banned,
   /// until no pass changes anything. If the repair is stopped while the mesh is worse, it returns
-  /// to the mesh that it had before.
+  /// to the mesh that it had before. If a plan was run before, the mesh that it has left takes the
+  /// place of the input.
   ///
-  /// @param options  The receiver of the progress, and the function that may stop the repair.
-  void run_plan(const std::vector<PlannedPass>& plan, const RepairOptions& options);
+  /// @param options   The receiver of the progress, and the function that may stop the repair.
+  /// @param on_worse  What happens if the mesh becomes worse.
+  void run_plan(const std::vector<PlannedPass>& plan, const RepairOptions& options,
+                OnWorse on_worse = OnWorse::TryAgain);
 
-  /// Returns the counts that run_plan() has increased, all of which find_worsening() excepts.
+  /// Returns the counts that all plans have increased, all of which find_worsening() excepts.
   [[nodiscard]] const std::vector<CountRise>& rises() const { return rises_; }
 
   /// Runs a pass once and applies all its operations without checking them, because the user asks
@@ -122,6 +133,7 @@ class RepairDriver {
   struct StageGate {
     const FinalCheck& check;
     const DefectInventory& before;
+    OnWorse on_worse;
   };
 
   /// The state from which a stage starts again.
@@ -175,6 +187,7 @@ class RepairDriver {
   void restart();
   /// Returns to the input, and keeps the checkpoint.
   void return_to_input();
+  void restore(const Checkpoint& checkpoint);
   void record_applied(const MadeOperations& made);
   /// Returns the walls that are removed once the operations that are not skipped are applied.
   [[nodiscard]] std::vector<InteriorWall> walls_with(const Edits& edits,
@@ -208,6 +221,8 @@ class RepairDriver {
   std::set<OperationHash> too_far_;
   /// The tracked mesh; nothing while it is the input.
   std::optional<Checkpoint> checkpoint_;
+  /// The counts of the input, once a plan was run.
+  std::optional<DefectInventory> input_counts_;
   std::vector<CountRise> rises_;
 };
 

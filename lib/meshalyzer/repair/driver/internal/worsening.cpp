@@ -17,7 +17,12 @@ std::size_t fall_of(CountedDefect kind, const DefectInventory& before,
 std::size_t allowed_rise(CountedDefect kind, const DefectInventory& before,
                          const DefectInventory& after) {
   const bool is_left_by_parting = kind == BorderEdges || kind == PinchedVertices;
-  return is_left_by_parting ? fall_of(NonManifoldEdges, before, after) : 0;
+  std::size_t allowed = is_left_by_parting ? fall_of(NonManifoldEdges, before, after) : 0;
+  if (kind == BorderEdges && fall_of(IntersectingPairs, before, after) > 0) {
+    allowed += after.n_borders_of_cut_sheets -
+               std::min(before.n_borders_of_cut_sheets, after.n_borders_of_cut_sheets);
+  }
+  return allowed;
 }
 
 /// Returns the kinds of elements that a mesh with an attribute has none of.

@@ -24,8 +24,9 @@ struct Worsening {
 };
 
 /// Compares a mesh before and after a repair: no attribute may be lost, and no count may rise.
-/// There is one exception: each non-manifold edge that is split may leave one border edge and one
-/// pinched vertex, since one of an odd number of faces has no partner.
+/// There are two exceptions. Each non-manifold edge that is split may leave one border edge and one
+/// pinched vertex, since one of an odd number of faces has no partner. If intersecting pairs become
+/// fewer, sheets may end where they were cut.
 [[nodiscard]] Worsening find_worsening(const DefectInventory& before, const DefectInventory& after);
 
 /// Returns the elements that have made a mesh worse: those of the rising kinds that the mesh did

@@ -1,10 +1,14 @@
 #include "meshalyzer/repair/split/internal/contact_places.h"
 
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/repair/orient/bounds_solid.h"
+#include "meshalyzer/topology/components.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <tuple>
 #include <utility>
 
@@ -36,8 +40,48 @@ SharedPlaces shared_places(const Soup& soup, const IntersectingPair& pair) {
   return shared;
 }
 
+/// #file faces: 1 for those of components without a border.
+std::vector<std::uint8_t> faces_of_closed_parts(const PreparedMesh& mesh) {
+  const Components components = find_edge_components(mesh.cut());
+  const std::vector<std::uint8_t> is_closed = which_are_closed(mesh.cut(), components);
+  std::vector<std::uint8_t> of_face;
+  for (const Index component :
+       components_of_file_faces(mesh.cut(), components, mesh.soup().n_faces())) {
+    of_face.push_back(component == kNoIndex ? 0 : is_closed[component]);
+  }
+  return of_face;
+}
+
+/// Tells whether two faces with their corners at the same places have them in the same cyclic
+/// order.
+bool have_same_direction(const Soup& soup, const IntersectingPair& pair) {
+  const Corners a = corners_of(soup, pair.face_a);
+  const Corners b = corners_of(soup, pair.face_b);
+  const auto first = std::find(b.begin(), b.end(), a[0]) - b.begin();
+  return b[static_cast<std::size_t>(first + 1) % 3] == a[1];
+}
+
+/// #file vertices: 1 for those of faces of closed parts that coincide and have the same direction.
+/// Such parts do not only touch but overlap, so that cutting them leaves one.
+std::vector<std::uint8_t> vertices_of_doubled_faces(const PreparedMesh& mesh) {
+  const Soup& soup = mesh.soup();
+  std::vector<std::uint8_t> is_doubled(soup.n_vertices(), 0);
+  std::vector<std::uint8_t> is_closed;
+  for (const IntersectingPair& pair : mesh.intersecting_pairs()) {
+    if (pair.kind != ContactKind::CoplanarOverlap) continue;
+    if (shared_places(soup, pair).count < 3 || !have_same_direction(soup, pair)) continue;
+    if (is_closed.empty()) is_closed = faces_of_closed_parts(mesh);
+    if (is_closed[pair.face_a] == 0 || is_closed[pair.face_b] == 0) continue;
+    for (const Index face : {pair.face_a, pair.face_b}) {
+      for (const Index v : soup.triangles[face]) is_doubled[v] = 1;
+    }
+  }
+  return is_doubled;
+}
+
 /// Returns pairs of vertices at one place whose faces touch; ascending, each once.
 std::vector<Link> find_links(const PreparedMesh& mesh) {
+  const std::vector<std::uint8_t> is_doubled = vertices_of_doubled_faces(mesh);
   std::vector<Link> links;
   for (const IntersectingPair& pair : mesh.intersecting_pairs()) {
     if (pair.kind != ContactKind::Unwelded && pair.kind != ContactKind::CoplanarOverlap) continue;
@@ -45,6 +89,9 @@ std::vector<Link> find_links(const PreparedMesh& mesh) {
     if (pair.kind == ContactKind::CoplanarOverlap && shared.count < 3) continue;
     links.insert(links.end(), shared.links.begin(), shared.links.end());
   }
+  std::erase_if(links, [&](const Link& link) {
+    return is_doubled[link[0]] != 0 && is_doubled[link[1]] != 0;
+  });
   sort_unique(links);
   return links;
 }

@@ -1,0 +1,114 @@
+#include "meshalyzer/repair/passes.h"
+#include "meshalyzer/topology/components.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// Tells whether the corners of two faces that overlap are at the same three positions.
+bool coincide(const Soup& soup, const IntersectingPair& pair) {
+  if (pair.kind != ContactKind::CoplanarOverlap) return false;
+  const Corners a = corners_of(soup, pair.face_a);
+  const Corners b = corners_of(soup, pair.face_b);
+  return std::is_permutation(a.begin(), a.end(), b.begin());
+}
+
+/// Decides which components are copies.
+class CopySearch {
+ public:
+  explicit CopySearch(const PreparedMesh& mesh) : soup_(mesh.soup()) {
+    for (const IntersectingPair& pair : mesh.intersecting_pairs()) {
+      if (!coincide(soup_, pair)) continue;
+      twins_.push_back({pair.face_a, pair.face_b});
+      twins_.push_back({pair.face_b, pair.face_a});
+    }
+    if (twins_.empty()) return;
+    std::sort(twins_.begin(), twins_.end());
+    const Components components = find_edge_components(mesh.cut());
+    component_of_ = components_of_file_faces(mesh.cut(), components, soup_.n_faces());
+    faces_.resize(components.count);
+    for (Index face = 0; face < soup_.n_faces(); ++face) {
+      if (component_of_[face] != kNoIndex) faces_[component_of_[face]].push_back(face);
+    }
+    is_copy_.assign(components.count, 0);
+  }
+
+  /// Returns the faces of each copy.
+  [[nodiscard]] std::vector<std::vector<Index>> run() {
+    std::vector<std::vector<Index>> copies;
+    for (const Index component : smallest_first()) {
+      if (!is_covered(component)) continue;
+      is_copy_[component] = 1;
+      copies.push_back(std::move(faces_[component]));
+    }
+    return copies;
+  }
+
+ private:
+  /// Returns the components; of those with the same number of faces the last one comes first.
+  [[nodiscard]] std::vector<Index> smallest_first() const {
+    std::vector<Index> order(faces_.size());
+    std::iota(order.rbegin(), order.rend(), Index{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index a, Index b) { return faces_[a].size() < faces_[b].size(); });
+    return order;
+  }
+
+  /// Tells whether each face of a component coincides with one of another that stays.
+  [[nodiscard]] bool is_covered(Index component) const {
+    return std::all_of(faces_[component].begin(), faces_[component].end(), [&](Index face) {
+      auto twin = std::lower_bound(twins_.begin(), twins_.end(), std::array{face, Index{0}});
+      for (; twin != twins_.end() && (*twin)[0] == face; ++twin) {
+        const Index other = component_of_[(*twin)[1]];
+        if (other != component && is_copy_[other] == 0) return true;
+      }
+      return false;
+    });
+  }
+
+  const Soup& soup_;
+  /// Each face with each that coincides with it, ascending.
+  std::vector<std::array<Index, 2>> twins_;
+  std::vector<Index> component_of_;
+  std::vector<std::vector<Index>> faces_;
+  /// #components: 1 for those that are dropped.
+  std::vector<std::uint8_t> is_copy_;
+};
+
+bool has_fixed_vertex(const PassInput& input, const std::vector<Index>& faces) {
+  return std::any_of(faces.begin(), faces.end(), [&](Index face) {
+    const Triangle& t = input.tracked.soup.triangles[face];
+    return std::any_of(t.begin(), t.end(),
+                       [&](Index v) { return input.limits.is_fixed(input.tracked, v); });
+  });
+}
+
+}  // namespace
+
+PassResult drop_copies(const PassInput& input) {
+  PassResult result;
+  for (const std::vector<Index>& faces : CopySearch(input.mesh).run()) {
+    if (has_fixed_vertex(input, faces)) {
+      result.refused.push_back({.code = DefectCode::SelfIntersection,
+                                .face = faces.front(),
+                                .reason = "it meets a vertex that must stay as it is"});
+      continue;
+    }
+    const Index op = result.edits.begin_operation();
+    for (const Index face : faces) {
+      result.edits.removed_faces.push_back({op, face});
+      // The face that it coincides with stays.
+      result.edits.interior_walls.push_back({op, {corners_of(input.mesh.soup(), face), face}});
+    }
+  }
+  return result;
+}
+
+}  // namespace meshalyzer
