@@ -27,8 +27,9 @@ constexpr double kLookupReach = 256.0;
 /// smallest step is moved.
 constexpr std::size_t kUnitsAtOnce = 4;
 /// The maximum number of pairs of faces that are checked at a place: most need some hundreds, one
-/// in ten thousand more than these.
+/// in ten thousand more than these. All places together have more for such ones.
 constexpr std::size_t kMostChecks = 8'192;
+constexpr std::size_t kMoreChecks = 300'000;
 
 /// Sets of places that have a face in common: an edge touches until both its ends have moved.
 DisjointSets connect_places(const ContactPlaces& contacts) {
@@ -68,7 +69,9 @@ class Parting {
     DisjointSets connected = connect_places(contacts_);
     std::vector<Index> operation(contacts_.places.size(), kNoIndex);
     for (Index i = 0; i < contacts_.places.size() && !is_to_stop(); ++i) {
+      n_checks_left_ = kMostChecks + n_more_checks_;
       const std::vector<Index> moved = part(contacts_.places[i]);
+      n_more_checks_ = std::min(n_more_checks_, n_checks_left_);
       if (moved.empty()) continue;
       Index& op = operation[connected.find(i)];
       if (op == kNoIndex) op = result_.edits.begin_operation();
@@ -94,7 +97,6 @@ class Parting {
     std::vector<Index> moved;
     std::vector<std::array<Index, 2>> contacts = place.contacts;
     std::vector<Index> candidates = units_that_may_move(place);
-    n_checks_left_ = kMostChecks;
     while (!contacts.empty()) {
       const std::vector<Index> units = next_to_move(candidates, contacts);
       if (units.empty()) {
@@ -264,6 +266,8 @@ class Parting {
   double first_step_ = 0.0;
   /// The number of pairs of faces that may still be checked at the current place.
   std::size_t n_checks_left_ = 0;
+  /// The number of those that remain of kMoreChecks.
+  std::size_t n_more_checks_ = kMoreChecks;
   PassResult result_;
 };
 
