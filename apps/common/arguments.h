@@ -54,4 +54,12 @@ std::string names_of(const Values& values, const Name& name) {
   return text;
 }
 
+/// Returns the names of some values as alternatives, "a, b or c".
+template <typename Values, typename Name>
+std::string alternatives_of(const Values& values, const Name& name) {
+  std::string text = names_of(values, name);
+  const std::size_t last = text.rfind(", ");
+  return last == std::string::npos ? text : text.replace(last, 2, " or ");
+}
+
 }  // namespace meshalyzer

@@ -79,8 +79,9 @@ void declare_pictures(OptionTable& table, Options& options) {
                "needs --field");
   table.option("--field F", into(wanted.field, to_field),
                "which: " + names_of(all_field_names(), field_name) + " (needs -s)");
-  table.option("--palette NAME", into(wanted.palette, to_palette),
-               "viridis, diverging, jet or hot, in place of the palette that suits F");
+  table.option(
+      "--palette NAME", into(wanted.palette, to_palette),
+      alternatives_of(all_palettes(), palette_name) + ", in place of the palette that suits F");
 }
 
 void declare_reports(OptionTable& table, Options& options) {

@@ -66,7 +66,7 @@ FieldName to_field(const std::string& text, const std::string& option) {
 Palette to_palette(const std::string& text, const std::string& option) {
   const std::optional<Palette> palette = palette_of(text);
   if (!palette) {
-    refuse(option, "viridis, diverging, jet or hot", text);
+    refuse(option, alternatives_of(all_palettes(), palette_name), text);
   }
   return *palette;
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -29,8 +30,8 @@ std::string to_profile_name(const std::string& text, const std::string& option) 
   if (find_profile(text) == nullptr) {
     std::vector<std::string_view> names;
     for (const CheckProfile& profile : check_profiles()) names.push_back(profile.name);
-    throw UsageError(option + " needs solid, print, simulation, sheet or exchange, not '" + text +
-                     "'" + did_you_mean(text, names));
+    throw UsageError(option + " needs " + alternatives_of(names, std::identity()) + ", not '" +
+                     text + "'" + did_you_mean(text, names));
   }
   return text;
 }

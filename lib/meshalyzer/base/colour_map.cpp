@@ -19,9 +19,6 @@ constexpr Series kViridisGreen{0.51873, 0.45465,  -0.05736, -0.00486, -0.00848, 
 constexpr Series kViridisBlue{0.37589, -0.14674, -0.17065, 0.02113,  0.01486,  0.02881, 0.01471,
                               0.00489, 0.00420,  0.00124,  -0.00057, -0.00079, -0.00176};
 
-/// The names of the palettes, in the order of Palette.
-constexpr std::array<std::string_view, 4> kPaletteNames{"viridis", "diverging", "jet", "hot"};
-
 /// Any two of these colours, and each of them and white, black, or a grey of the pages, are at
 /// least 0.15 apart in Oklab (Ottosson 2020), 0.08 as eyes without red or green cones see them, and
 /// 0.07 without blue ones (Machado, Oliveira and Fernandes 2009, "A physiologically-based model for
@@ -111,35 +108,48 @@ Colour further_colour(std::size_t k) {
   return k % 3 == 0 ? mixed(full, kWhite, 0.5) : k % 3 == 1 ? full : mixed(full, kBlack, 0.4);
 }
 
+/// A palette, its name, and its colours from 0 to 1.
+struct PaletteRow {
+  Palette palette;
+  std::string_view name;
+  Colour (*colour_at)(double t);
+};
+
+constexpr std::array kPaletteRows{PaletteRow{Palette::Sequential, "viridis", viridis},
+                                  PaletteRow{Palette::Diverging, "diverging", blue_white_red},
+                                  PaletteRow{Palette::Jet, "jet", jet},
+                                  PaletteRow{Palette::Hot, "hot", hot}};
+
+constexpr std::array kPalettes = [] {
+  std::array<Palette, kPaletteRows.size()> palettes{};
+  for (std::size_t i = 0; i < palettes.size(); ++i) palettes[i] = kPaletteRows[i].palette;
+  return palettes;
+}();
+
+const PaletteRow& row_of(Palette palette) {
+  return *std::find_if(kPaletteRows.begin(), kPaletteRows.end(),
+                       [&](const PaletteRow& row) { return row.palette == palette; });
+}
+
 }  // namespace
 
+std::span<const Palette> all_palettes() {
+  return kPalettes;
+}
+
 std::string_view palette_name(Palette palette) {
-  return kPaletteNames[static_cast<std::size_t>(palette)];
+  return row_of(palette).name;
 }
 
 std::optional<Palette> palette_of(std::string_view name) {
-  const auto found = std::find(kPaletteNames.begin(), kPaletteNames.end(), name);
-  return found == kPaletteNames.end()
-             ? std::nullopt
-             : std::optional(static_cast<Palette>(found - kPaletteNames.begin()));
+  for (const Palette palette : kPalettes) {
+    if (palette_name(palette) == name) return palette;
+  }
+  return std::nullopt;
 }
 
 Colour colour_of(Palette palette, double t) {
-  if (std::isnan(t)) {
-    return kNoValueColour;
-  }
-  t = std::clamp(t, 0.0, 1.0);
-  switch (palette) {
-    case Palette::Sequential:
-      return viridis(t);
-    case Palette::Diverging:
-      return blue_white_red(t);
-    case Palette::Jet:
-      return jet(t);
-    case Palette::Hot:
-      return hot(t);
-  }
-  return kNoValueColour;
+  return std::isnan(t) ? kNoValueColour : row_of(palette).colour_at(std::clamp(t, 0.0, 1.0));
 }
 
 Colour category_colour(std::size_t k) {

@@ -35,7 +35,10 @@ enum class Palette : std::uint8_t {
   Hot,
 };
 
-/// Returns "viridis", "diverging", "jet" or "hot".
+/// Returns all palettes, in the order of Palette.
+[[nodiscard]] std::span<const Palette> all_palettes();
+
+/// Returns the name of a palette as in "viridis", "diverging", "jet", "hot".
 [[nodiscard]] std::string_view palette_name(Palette palette);
 /// Returns the palette with the given name, or nothing when no palette has it.
 [[nodiscard]] std::optional<Palette> palette_of(std::string_view name);

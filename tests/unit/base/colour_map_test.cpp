@@ -14,8 +14,6 @@
 namespace meshalyzer {
 namespace {
 
-constexpr std::array kPalettes{Palette::Sequential, Palette::Diverging, Palette::Jet, Palette::Hot};
-
 void expect_near(const Colour& colour, const Colour& expected) {
   EXPECT_LE(std::abs(colour.red - expected.red), 1);
   EXPECT_LE(std::abs(colour.green - expected.green), 1);
@@ -62,23 +60,26 @@ TEST(ColourOf, HotIsBlackThenRedThenYellowThenWhite) {
 }
 
 TEST(PaletteOf, UndoesPaletteName) {
-  for (const Palette palette : kPalettes) {
+  for (const Palette palette : all_palettes()) {
     EXPECT_EQ(palette_of(palette_name(palette)), palette);
   }
   EXPECT_EQ(palette_of("viridis"), Palette::Sequential);
+  EXPECT_EQ(palette_of("diverging"), Palette::Diverging);
+  EXPECT_EQ(palette_of("jet"), Palette::Jet);
+  EXPECT_EQ(palette_of("hot"), Palette::Hot);
   EXPECT_EQ(palette_of("Jet"), std::nullopt);
   EXPECT_EQ(palette_of(""), std::nullopt);
 }
 
 TEST(ColourOf, WhatIsBeyondAnEndHasItsColour) {
-  for (const Palette palette : kPalettes) {
+  for (const Palette palette : all_palettes()) {
     EXPECT_EQ(colour_of(palette, -kInfinity), colour_of(palette, 0.0));
     EXPECT_EQ(colour_of(palette, 1.5), colour_of(palette, 1.0));
   }
 }
 
 TEST(ColourOf, NoValueIsGreyAndNoValueElseIs) {
-  for (const Palette palette : kPalettes) {
+  for (const Palette palette : all_palettes()) {
     EXPECT_EQ(colour_of(palette, kNaN), kNoValueColour);
     for (int i = 0; i <= 1000; ++i) {
       EXPECT_NE(colour_of(palette, i / 1000.0), kNoValueColour);

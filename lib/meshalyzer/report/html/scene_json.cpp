@@ -106,8 +106,7 @@ void write_palette(JsonWriter& json, std::string_view name, Colours colour_at) {
 void write_palettes(JsonWriter& json) {
   json.key("palettes");
   json.begin_object();
-  for (const Palette palette :
-       {Palette::Sequential, Palette::Diverging, Palette::Jet, Palette::Hot}) {
+  for (const Palette palette : all_palettes()) {
     write_palette(json, palette_name(palette), [&](std::size_t i) {
       return colour_of(palette, static_cast<double>(i) / (kPaletteEntries - 1));
     });

@@ -155,8 +155,7 @@ TEST(AppendSceneJson, LinesOfEachKindAreThere) {
 
 TEST(AppendSceneJson, PalettesAreSampledFromEndToEnd) {
   const json palettes = json::parse(text_of(sample_scene())).at("palettes");
-  for (const Palette palette :
-       {Palette::Sequential, Palette::Diverging, Palette::Jet, Palette::Hot}) {
+  for (const Palette palette : all_palettes()) {
     const auto bytes = decoded(palettes.at(std::string(palette_name(palette))));
     ASSERT_EQ(bytes.size(), 768U);
     const Colour first = colour_of(palette, 0.0);
