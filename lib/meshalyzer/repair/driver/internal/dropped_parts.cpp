@@ -18,7 +18,7 @@ namespace meshalyzer {
 namespace {
 
 /// A smaller fraction of the area of a cut sheet is not told: it is due to rounding.
-constexpr double kLeastShare = 1e-9;
+constexpr double kLeastLostShare = 1e-9;
 
 double area_of(const Soup& soup, Index face) {
   const auto [a, b, c] = corners_of(soup, face);
@@ -112,7 +112,7 @@ void append_note(const Soup& input, const OpenPart& part, std::vector<std::strin
   if (!part.stays) {
     notes.push_back("dropped, because it lies inside a solid: an open part of area " +
                     part_text(input, part.removed));
-  } else if (part.is_cut_sheet && part.area_lost > kLeastShare * area_of(input, part.removed)) {
+  } else if (part.is_cut_sheet && part.area_lost > kLeastLostShare * area_of(input, part.removed)) {
     notes.push_back(
         "dropped, because it lies inside a solid that a sheet crosses: a part of area " +
         shortest(part.area_lost) + ", of " + faces_text(input, part.removed));
