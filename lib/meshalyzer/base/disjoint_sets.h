@@ -2,8 +2,10 @@
 
 #include "meshalyzer/base/types.h"
 
+#include <atomic>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -11,7 +13,9 @@ namespace meshalyzer {
 /// Disjoint sets (union-find) of the numbers 0 ... n - 1, each named by its lowest element.
 ///
 /// The higher root is hung below the lower one and paths are halved: amortised O(log n) a call, and
-/// near constant where neighbours have near numbers, as in mesh files.
+/// near constant where neighbours have near numbers, as in mesh files. Several threads may unite
+/// and find at a time, without locks (Anderson and Woll 1991): a parent is always a lower element
+/// of the same set, and only a root gets another one by comparing and exchanging.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t n) : parent_(n) {
@@ -20,18 +24,24 @@ class DisjointSets {
 
   /// Returns the lowest element of the set that `i` is in.
   [[nodiscard]] Index find(Index i) {
-    while (parent_[i] != i) {
-      parent_[i] = parent_[parent_[i]];
-      i = parent_[i];
+    for (;;) {
+      const Index parent = shared(i).load(std::memory_order_relaxed);
+      const Index grandparent = shared(parent).load(std::memory_order_relaxed);
+      if (parent == grandparent) return parent;
+      shared(i).store(grandparent, std::memory_order_relaxed);
+      i = grandparent;
     }
-    return i;
   }
 
   void unite(Index a, Index b) {
-    a = find(a);
-    b = find(b);
-    if (a < b) parent_[b] = a;
-    if (b < a) parent_[a] = b;
+    for (;;) {
+      a = find(a);
+      b = find(b);
+      if (a == b) return;
+      if (a < b) std::swap(a, b);
+      Index root = a;
+      if (shared(a).compare_exchange_strong(root, b, std::memory_order_relaxed)) return;
+    }
   }
 
   [[nodiscard]] bool is_lowest(Index i) const { return parent_[i] == i; }
@@ -54,6 +64,8 @@ class DisjointSets {
   }
 
  private:
+  [[nodiscard]] std::atomic_ref<Index> shared(Index i) { return std::atomic_ref(parent_[i]); }
+
   std::vector<Index> parent_;
 };
 

@@ -15,7 +15,8 @@ class RunOnce {
   [[nodiscard]] bool is_done() const { return is_done_.load(std::memory_order_acquire); }
 
   /// Runs the function unless one has run already. It may use parallel loops even when the caller
-  /// is inside one: a thread that waits for them never takes work from outside.
+  /// is inside one: a thread that waits for them never takes work from outside (base/parallel.h),
+  /// which might ask for the same value.
   ///
   /// An exception of the function is rethrown here; the next thread that asks then runs its own.
   void run(const std::function<void()>& function);

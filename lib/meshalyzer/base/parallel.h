@@ -1,12 +1,20 @@
 #pragma once
 
+#include "meshalyzer/base/types.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
+
+// A thread that waits for the end of one of these loops helps with that loop only. So it may hold
+// what tasks from outside wait for.
+//
+// Nothing is started where one thread does all the work, so that small meshes do not wait for it.
 
 /// A half-open range of indices, and the number of this chunk within the whole.
 struct Chunk {
@@ -44,8 +52,37 @@ template <typename T, typename Body>
   return results;
 }
 
-/// Runs the given functions, possibly at the same time, and returns when all are done.
-void parallel_invoke(const std::vector<std::function<void()>>& functions);
+/// Returns in order what `body(chunk, items)` appends for each chunk to its own list.
+template <typename T, typename Body>
+[[nodiscard]] std::vector<T> collect_chunks(std::size_t n, Body&& body) {
+  std::vector<std::vector<T>> parts = map_chunks<std::vector<T>>(n, [&](Chunk chunk) {
+    std::vector<T> items;
+    body(chunk, items);
+    return items;
+  });
+  if (parts.size() == 1) return std::move(parts.front());
+  std::size_t size = 0;
+  for (const std::vector<T>& part : parts) size += part.size();
+  std::vector<T> all;
+  all.reserve(size);
+  for (const std::vector<T>& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+/// Returns the numbers below `n` for which the condition holds, ascending.
+template <typename Condition>
+[[nodiscard]] std::vector<Index> parallel_filter(std::size_t n, Condition&& condition) {
+  return collect_chunks<Index>(n, [&](Chunk chunk, std::vector<Index>& found) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      if (condition(static_cast<Index>(i))) found.push_back(static_cast<Index>(i));
+    }
+  });
+}
+
+/// Runs the given functions, at the same time if that pays, and returns when all are done.
+///
+/// @param n_items  How many items a function handles; a single chunk of them pays no second thread.
+void parallel_invoke(std::size_t n_items, const std::vector<std::function<void()>>& functions);
 
 /// Sorts by operator<, in parallel where it pays. The sort is not stable.
 void parallel_sort(std::vector<std::uint64_t>& keys);
@@ -54,7 +91,7 @@ void parallel_sort(std::vector<std::uint64_t>& keys);
 [[nodiscard]] std::size_t max_threads();
 
 /// Limits the number of threads that work in parallel to `n` while it lives (0: the number of
-/// cores).
+/// cores). Of several that live the lowest counts.
 class ThreadLimit {
  public:
   explicit ThreadLimit(std::size_t n);

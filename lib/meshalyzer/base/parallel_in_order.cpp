@@ -1,5 +1,7 @@
 #include "meshalyzer/base/parallel_in_order.h"
 
+#include "meshalyzer/base/parallel.h"
+
 #include <atomic>
 #include <exception>
 #include <tbb/parallel_pipeline.h>
@@ -71,10 +73,22 @@ class Line {
   std::exception_ptr failure_;
 };
 
+void run_in_turn(std::size_t n, const std::function<void(std::size_t)>& make,
+                 const std::function<Next(std::size_t)>& use) {
+  for (std::size_t i = 0; i < n; ++i) {
+    make(i);
+    if (use(i) == Next::Stop) return;
+  }
+}
+
 }  // namespace
 
 void run_in_order(std::size_t n, std::size_t at_once, const std::function<void(std::size_t)>& make,
                   const std::function<Next(std::size_t)>& use) {
+  if (n <= 1 || max_threads() == 1) {
+    run_in_turn(n, make, use);
+    return;
+  }
   Line line(n, at_once);
   const auto begin_item = [&](tbb::flow_control& control) {
     const std::optional<std::size_t> i = line.begin_next();

@@ -34,7 +34,7 @@ class Search {
     add(DefectCode::Corrupt, [&] { return find_corrupt(soup); });
     add(DefectCode::OrphanVertex, [&] { return find_orphans(soup); });
     add(DefectCode::Numbering, [&] { return find_numbering(soup); });
-    run_at_once();
+    run_at_once(soup.n_vertices() + soup.n_faces());
   }
 
   void search_mesh(const PreparedMesh& mesh) {
@@ -46,7 +46,7 @@ class Search {
     if (asks(DefectCode::FlatFacet) || asks(DefectCode::DegenerateFacet)) {
       finders_.emplace_back([&] { search_thin_facets(mesh); });
     }
-    run_at_once();
+    run_at_once(mesh.cut().mesh.n_faces());
     // The finders run one after the other, each in parallel. Several of them need the intersecting
     // pairs: if they ran at the same time, all but the first would wait.
     add(DefectCode::Foldover, [&] { return find_foldovers(mesh, tolerances_); });
@@ -80,7 +80,7 @@ class Search {
     if (asks(DefectCode::Slit)) findings_[DefectCode::Slit] = std::move(slits);
   }
 
-  void run_at_once() { parallel_invoke(std::exchange(finders_, {})); }
+  void run_at_once(std::size_t n_items) { parallel_invoke(n_items, std::exchange(finders_, {})); }
 
   void run_in_turn() {
     for (const auto& finder : std::exchange(finders_, {})) finder();

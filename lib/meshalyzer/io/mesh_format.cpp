@@ -123,16 +123,19 @@ void number_lines(std::vector<Part>& parts) {
 
 Soup join(std::vector<Part> parts) {
   number_lines(parts);
+  std::size_t n_records = 0;
+  for (const Part& part : parts) n_records += part.positions.size() + part.triangles.size();
   Soup soup;
-  parallel_invoke({
-      [&] { soup.positions = take(parts, &Part::positions); },
-      [&] { soup.triangles = take(parts, &Part::triangles); },
-      [&] { soup.vertex_ids = compact_ids(take(parts, &Part::vertex_ids)); },
-      [&] { soup.face_ids = compact_ids(take(parts, &Part::face_ids)); },
-      [&] { soup.vertex_lines = take(parts, &Part::vertex_lines); },
-      [&] { soup.face_lines = take(parts, &Part::face_lines); },
-      [&] { soup.torn_lines = take(parts, &Part::torn_lines); },
-  });
+  parallel_invoke(n_records,
+                  {
+                      [&] { soup.positions = take(parts, &Part::positions); },
+                      [&] { soup.triangles = take(parts, &Part::triangles); },
+                      [&] { soup.vertex_ids = compact_ids(take(parts, &Part::vertex_ids)); },
+                      [&] { soup.face_ids = compact_ids(take(parts, &Part::face_ids)); },
+                      [&] { soup.vertex_lines = take(parts, &Part::vertex_lines); },
+                      [&] { soup.face_lines = take(parts, &Part::face_lines); },
+                      [&] { soup.torn_lines = take(parts, &Part::torn_lines); },
+                  });
   return soup;
 }
 

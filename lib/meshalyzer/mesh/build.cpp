@@ -1,12 +1,14 @@
 #include "meshalyzer/mesh/build.h"
 
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/corners.h"
 #include "meshalyzer/mesh/edge_pairs.h"
 #include "meshalyzer/mesh/fans.h"
 #include "meshalyzer/mesh/link.h"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -18,30 +20,26 @@ constexpr std::size_t kMaxFaces = std::size_t{1} << 30U;
 
 void check_corners(const Soup& soup) {
   const std::size_t n_vertices = soup.n_vertices();
-  for (std::size_t face = 0; face < soup.n_faces(); ++face) {
-    for (const Index v : soup.triangles[face]) {
-      if (v >= n_vertices && v != kNoIndex) {
-        throw InvalidArgument("build: face " + std::to_string(face) + " names vertex " +
-                              std::to_string(v) + " of " + std::to_string(n_vertices));
-      }
-    }
-  }
+  const auto is_outside = [&](Index v) { return v >= n_vertices && v != kNoIndex; };
+  const std::vector<Index> wrong = parallel_filter(soup.n_faces(), [&](Index face) {
+    return std::ranges::any_of(soup.triangles[face], is_outside);
+  });
+  if (wrong.empty()) return;
+  const Triangle& t = soup.triangles[wrong.front()];
+  throw InvalidArgument("build: face " + std::to_string(wrong.front()) + " names vertex " +
+                        std::to_string(*std::ranges::find_if(t, is_outside)) + " of " +
+                        std::to_string(n_vertices));
 }
 
 /// Returns a side table that holds nothing yet but which faces the mesh will hold.
 SideTable sort_out_faces(const Soup& soup) {
+  const auto is_kept = [&](Index face) { return is_in_complex(soup.triangles[face]); };
   SideTable side;
   side.n_file_vertices = soup.n_vertices();
-  side.faces.resize(soup.n_faces());
-  std::size_t n = 0;
-  for (Index face = 0; face < soup.n_faces(); ++face) {
-    if (is_in_complex(soup.triangles[face])) {
-      side.faces[n++] = face;
-    } else {
-      side.rejected_faces.push_back(face);
-    }
+  side.faces = parallel_filter(soup.n_faces(), is_kept);
+  if (side.faces.size() < soup.n_faces()) {
+    side.rejected_faces = parallel_filter(soup.n_faces(), std::not_fn(is_kept));
   }
-  side.faces.resize(n);
   return side;
 }
 

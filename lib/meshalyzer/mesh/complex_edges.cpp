@@ -1,5 +1,7 @@
 #include "meshalyzer/mesh/complex_edges.h"
 
+#include "meshalyzer/base/parallel.h"
+
 #include <cstdint>
 
 namespace meshalyzer {
@@ -25,15 +27,14 @@ std::vector<HalfedgeHandle> complex_edges(const CutMesh& cut) {
   std::vector<std::uint8_t> repeated(mesh.n_edges(), 0);
   mark_repeated(cut.side.non_manifold_edges, repeated);
   mark_repeated(cut.side.flipped_edges, repeated);
-  std::vector<HalfedgeHandle> edges;
-  edges.reserve(mesh.n_edges());
-  for (const EdgeHandle e : mesh.edges()) {
-    if (repeated[static_cast<std::size_t>(e.idx())] == 0) {
-      const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
-      edges.push_back(mesh.is_boundary(h) ? mesh.opposite_halfedge_handle(h) : h);
-    }
-  }
-  return edges;
+  return collect_chunks<HalfedgeHandle>(
+      mesh.n_edges(), [&](Chunk chunk, std::vector<HalfedgeHandle>& edges) {
+        for (std::size_t e = chunk.begin; e < chunk.end; ++e) {
+          if (repeated[e] != 0) continue;
+          const HalfedgeHandle h = mesh.halfedge_handle(EdgeHandle(static_cast<int>(e)), 0);
+          edges.push_back(mesh.is_boundary(h) ? mesh.opposite_halfedge_handle(h) : h);
+        }
+      });
 }
 
 }  // namespace meshalyzer

@@ -11,7 +11,6 @@ struct EdgePairs {
   /// #corners: the side that crosses the same edge in the other direction, if the edge has exactly
   /// these two; kNoIndex if the edge is a border or cut.
   std::vector<Index> opposite;
-  std::size_t n_pairs = 0;
   /// The sides at each edge with more than two faces, ascending; the edges in order of their two
   /// vertices.
   CornerLists non_manifold;
@@ -24,8 +23,8 @@ struct EdgePairs {
 /// them.
 ///
 /// @param complex  At most 2^31 vertices and 2^30 faces.
-/// @complexity O(#V + #F), apart from sorting the sides within the bucket of each vertex; 26 bytes
-///             per face of temporary memory.
+/// @complexity O(#V + #F), apart from sorting the sides within the bucket of each vertex; in
+///             parallel; 12 bytes per face of temporary memory.
 [[nodiscard]] EdgePairs pair_edges(const Complex& complex);
 
 }  // namespace meshalyzer

@@ -1,5 +1,6 @@
 #include "meshalyzer/mesh/fans.h"
 
+#include "meshalyzer/base/atomic_min.h"
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/parallel.h"
 
@@ -29,13 +30,12 @@ void walk_fan(std::span<const Index> opposite, Index start, Visit&& visit) {
 /// Returns the lowest corner at each vertex, kNoIndex where there is none.
 std::vector<Index> find_first_corners(const Complex& complex) {
   std::vector<Index> first(complex.n_vertices, kNoIndex);
-  auto corner = static_cast<Index>(complex.n_corners());
-  for (std::size_t face = complex.faces.size(); face-- > 0;) {
-    const Triangle& t = complex.triangle(face);
-    first[t[2]] = --corner;
-    first[t[1]] = --corner;
-    first[t[0]] = --corner;
-  }
+  parallel_chunks(complex.faces.size(), [&](Chunk faces) {
+    auto corner = static_cast<Index>(3 * faces.begin);
+    for (std::size_t face = faces.begin; face < faces.end; ++face) {
+      for (const Index v : complex.triangle(face)) atomic_min(first[v], corner++);
+    }
+  });
   return first;
 }
 

@@ -4,6 +4,7 @@
 #include "meshalyzer/base/parallel.h"
 
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -88,20 +89,56 @@ void link_borders(TriMesh& mesh, const EdgeNumbers& edges) {
   });
 }
 
+/// The edges whose lowest side is in a chunk of sides, or in all chunks before it.
+struct EdgeCounts {
+  Index edges = 0;
+  Index borders = 0;
+};
+
+/// Replaces the counts of each chunk by those of all chunks before it, and returns those of all.
+EdgeCounts number_on(std::vector<EdgeCounts>& counts) {
+  EdgeCounts sum;
+  for (EdgeCounts& each : counts) {
+    const EdgeCounts before = sum;
+    sum = {.edges = sum.edges + each.edges, .borders = sum.borders + each.borders};
+    each = before;
+  }
+  return sum;
+}
+
 }  // namespace
 
 EdgeNumbers number_edges(std::vector<Index> opposite) {
   EdgeNumbers edges;
   edges.halfedge = std::move(opposite);
   std::vector<Index>& halfedge = edges.halfedge;
-  Index n_edges = 0;
-  for (Index side = 0; side < halfedge.size(); ++side) {
-    const Index other = halfedge[side];
-    if (other == kNoIndex) edges.border_edges.push_back(n_edges);
-    // The lower side of the edge has its number already; this one is the other half-edge.
-    halfedge[side] = other < side ? halfedge[other] + 1 : 2 * n_edges++;
-  }
-  edges.n_edges = n_edges;
+  std::vector<std::uint8_t> is_lower(halfedge.size());
+  auto numbers = map_chunks<EdgeCounts>(halfedge.size(), [&](Chunk sides) {
+    EdgeCounts counts;
+    for (std::size_t side = sides.begin; side < sides.end; ++side) {
+      is_lower[side] = halfedge[side] > side ? 1 : 0;
+      counts.edges += is_lower[side];
+      counts.borders += halfedge[side] == kNoIndex ? 1 : 0;
+    }
+    return counts;
+  });
+  const EdgeCounts all = number_on(numbers);
+  edges.n_edges = all.edges;
+  edges.border_edges.resize(all.borders);
+  // The two entries of an edge are read and written only where its lower side is met.
+  parallel_chunks(halfedge.size(), [&](Chunk sides) {
+    EdgeCounts next = numbers[sides.number];
+    for (std::size_t side = sides.begin; side < sides.end; ++side) {
+      if (is_lower[side] == 0) continue;
+      const Index other = std::exchange(halfedge[side], 2 * next.edges);
+      if (other == kNoIndex) {
+        edges.border_edges[next.borders++] = next.edges;
+      } else {
+        halfedge[other] = 2 * next.edges + 1;
+      }
+      ++next.edges;
+    }
+  });
   return edges;
 }
 

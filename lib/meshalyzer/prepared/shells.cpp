@@ -1,10 +1,12 @@
 #include "meshalyzer/prepared/shells.h"
 
+#include "meshalyzer/base/parallel.h"
 #include "meshalyzer/geometry/volume.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/spatial/nesting.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <span>
 
@@ -63,15 +65,17 @@ std::vector<Shell> find_shells(const PreparedMesh& mesh) {
 std::vector<std::uint8_t> which_are_shells(const CutMesh& cut, const Components& components) {
   std::vector<std::uint8_t> is_shell(components.count, 1);
   const auto rule_out = [&](FaceHandle face) {
-    is_shell[components.of_face[static_cast<std::size_t>(face.idx())]] = 0;
+    std::atomic_ref(is_shell[components.of_face[static_cast<std::size_t>(face.idx())]])
+        .store(0, std::memory_order_relaxed);
   };
   // Borders of the cut mesh are borders of the complex, and edges that are not manifold or not
   // consistent.
-  for (const HalfedgeHandle h : cut.mesh.all_halfedges()) {
-    if (cut.mesh.is_boundary(h)) {
-      rule_out(cut.mesh.face_handle(cut.mesh.opposite_halfedge_handle(h)));
+  parallel_chunks(cut.mesh.n_halfedges(), [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const HalfedgeHandle h(static_cast<int>(i));
+      if (cut.mesh.is_boundary(h)) rule_out(cut.mesh.opposite_face_handle(h));
     }
-  }
+  });
   for (const Index v : cut.side.non_manifold_vertices) {
     const HalfedgeHandle h = cut.mesh.halfedge_handle(VertexHandle(static_cast<int>(v)));
     const FaceHandle face = cut.mesh.face_handle(h);

@@ -52,7 +52,8 @@ void split(std::span<Item> items) {
     split(items.first(left));
     split(items.subspan(left));
   } else {
-    parallel_invoke({[&] { split(items.first(left)); }, [&] { split(items.subspan(left)); }});
+    parallel_invoke(items.size(),
+                    {[&] { split(items.first(left)); }, [&] { split(items.subspan(left)); }});
   }
 }
 

@@ -19,6 +19,9 @@ namespace {
 /// The number of leaves that one task searches.
 constexpr std::size_t kLeavesPerChunk = 64;
 
+/// So few leaves are one task: to start threads would take as long as most searches of them.
+constexpr std::size_t kFewLeaves = 320;
+
 /// The number of leaves after which a search that may end early tests whether it has found enough.
 constexpr std::size_t kLeavesPerRound = 64 * kLeavesPerChunk;
 
@@ -289,11 +292,14 @@ class BoundedSearch {
     const std::size_t n_leaves = scene_.tree.n_leaves();
     // The number of pairs is tested between rounds, so that the result does not depend on the
     // threads.
-    const std::size_t per_round = limits_.max_found == kAllPairs ? n_leaves : kLeavesPerRound;
+    const bool is_complete = limits_.max_found == kAllPairs;
+    const std::size_t per_round = is_complete ? n_leaves : kLeavesPerRound;
+    const std::size_t per_chunk =
+        is_complete && n_leaves <= kFewLeaves ? kFewLeaves : kLeavesPerChunk;
     if (scene_.groups != nullptr) pair_up_groups();
     std::size_t first = 0;
     for (; first < n_leaves && n_found_ < limits_.max_found && !is_stopped_; first += per_round) {
-      parallel_chunks(std::min(per_round, n_leaves - first), kLeavesPerChunk, [&](Chunk chunk) {
+      parallel_chunks(std::min(per_round, n_leaves - first), per_chunk, [&](Chunk chunk) {
         n_found_ += search(first + chunk.begin, first + chunk.end);
       });
     }

@@ -8,6 +8,9 @@
 namespace meshalyzer {
 namespace {
 
+/// The number of nodes that one task makes: those of as many faces as other tasks have.
+constexpr std::size_t kNodesPerChunk = kChunkLength / 8;
+
 using Vec3f = Eigen::Vector3f;
 
 /// A bundle is worth slabs when it is this many times thinner, along both, than its box is wide.
@@ -130,7 +133,7 @@ SlabTree::SlabTree(const FaceTree& tree) {
   std::size_t nodes = tree.n_leaves();
   for (std::size_t level = 0; level < tree.n_levels(); ++level) {
     levels_.emplace_back(nodes);
-    parallel_chunks(nodes, 256, [&](Chunk chunk) {
+    parallel_chunks(nodes, kNodesPerChunk, [&](Chunk chunk) {
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
         const std::size_t end = std::min((i + 1) * faces_per_node, tree.n_faces());
         // A bundle consists of bundles: if no child is one, neither is the parent, and the faces

@@ -1,5 +1,6 @@
 #include "meshalyzer/topology/border.h"
 
+#include "meshalyzer/base/parallel.h"
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>
@@ -19,15 +20,17 @@ struct BorderEdge {
 
 std::vector<HalfedgeHandle> find_border_edges(const CutMesh& cut) {
   const TriMesh& mesh = cut.mesh;
+  const std::vector<Index> candidates = parallel_filter(
+      mesh.n_edges(), [&](Index e) { return mesh.is_boundary(EdgeHandle(static_cast<int>(e))); });
   // Most meshes have no border: these need no kinds.
-  std::vector<EdgeKind> kinds;
+  if (candidates.empty()) return {};
+  const std::vector<EdgeKind> kinds = classify_edges(cut);
   std::vector<BorderEdge> borders;
-  for (const EdgeHandle e : mesh.all_edges()) {
-    if (!mesh.is_boundary(e)) continue;
-    if (kinds.empty()) kinds = classify_edges(cut);
-    if (kinds[static_cast<std::size_t>(e.idx())] != EdgeKind::Border) continue;
-    const HalfedgeHandle first = mesh.halfedge_handle(e, 0);
-    const HalfedgeHandle inner = mesh.is_boundary(first) ? mesh.halfedge_handle(e, 1) : first;
+  for (const Index e : candidates) {
+    if (kinds[e] != EdgeKind::Border) continue;
+    const HalfedgeHandle first = mesh.halfedge_handle(EdgeHandle(static_cast<int>(e)), 0);
+    const HalfedgeHandle inner =
+        mesh.is_boundary(first) ? mesh.opposite_halfedge_handle(first) : first;
     const auto [a, b] = file_ends(cut, inner);
     borders.push_back({std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), inner});
   }

@@ -110,8 +110,12 @@ BoundaryLoop trace(BorderWalk& border, HalfedgeHandle lowest) {
 }  // namespace
 
 std::vector<BoundaryLoop> find_boundary_loops(const CutMesh& cut) {
+  return find_boundary_loops(cut, find_border_edges(cut));
+}
+
+std::vector<BoundaryLoop> find_boundary_loops(const CutMesh& cut,
+                                              std::span<const HalfedgeHandle> border_edges) {
   std::vector<BoundaryLoop> loops;
-  const std::vector<HalfedgeHandle> border_edges = find_border_edges(cut);
   if (border_edges.empty()) return loops;
   BorderWalk border(cut);
   for (const HalfedgeHandle h : border_edges) {

@@ -3,6 +3,7 @@
 #include "meshalyzer/mesh/side_table.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace meshalyzer {
@@ -40,5 +41,11 @@ struct BoundaryLoop {
 ///             has none.
 /// @complexity O(#E + #B log #B), #B the number of border edges.
 [[nodiscard]] std::vector<BoundaryLoop> find_boundary_loops(const CutMesh& cut);
+
+/// Does the same for a caller that has the border edges already.
+///
+/// @param border_edges  The result of find_border_edges().
+[[nodiscard]] std::vector<BoundaryLoop> find_boundary_loops(
+    const CutMesh& cut, std::span<const HalfedgeHandle> border_edges);
 
 }  // namespace meshalyzer

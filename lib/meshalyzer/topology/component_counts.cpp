@@ -1,5 +1,8 @@
 #include "meshalyzer/topology/component_counts.h"
 
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/tally.h"
+
 #include <utility>
 
 namespace meshalyzer {
@@ -12,29 +15,25 @@ class Counter {
       : cut_(cut), input_(input), counts_(input.components.count) {}
 
   void add_faces() {
-    for (const FaceHandle f : cut_.mesh.all_faces()) {
-      ComponentCounts& counts = at(f);
-      if (counts.faces++ == 0) counts.first_face = cut_.side.face(f);
-    }
+    add_all(cut_.mesh.n_faces(), &ComponentCounts::faces,
+            [&](std::size_t i) { return component_of(FaceHandle(static_cast<int>(i))); });
   }
 
   /// Copies are skipped: a file vertex that faces use is never isolated itself.
   void add_vertices() {
-    for (std::size_t v = 0; v < cut_.side.n_file_vertices; ++v) {
-      const VertexHandle vertex(static_cast<int>(v));
-      if (!cut_.mesh.is_isolated(vertex)) ++at(vertex).vertices;
-    }
+    add_all(cut_.side.n_file_vertices, &ComponentCounts::vertices, [&](std::size_t i) {
+      const VertexHandle v(static_cast<int>(i));
+      return cut_.mesh.is_isolated(v) ? kNoIndex : component_of(v);
+    });
     for (const Index v : cut_.side.non_manifold_vertices) {
       ++at(VertexHandle(static_cast<int>(v))).non_manifold_vertices;
     }
   }
 
   void add_edges() {
-    if (counts_.size() == 1) {
-      counts_.front().edges = static_cast<Index>(cut_.mesh.n_edges());
-    } else {
-      for (const EdgeHandle e : cut_.mesh.all_edges()) ++at(cut_.mesh.halfedge_handle(e, 0)).edges;
-    }
+    add_all(cut_.mesh.n_edges(), &ComponentCounts::edges, [&](std::size_t i) {
+      return component_of(cut_.mesh.halfedge_handle(EdgeHandle(static_cast<int>(i)), 0));
+    });
     add_cuts(cut_.side.flipped_edges, &ComponentCounts::flipped_edges);
     add_cuts(cut_.side.non_manifold_edges, &ComponentCounts::non_manifold_edges);
   }
@@ -47,31 +46,56 @@ class Counter {
     }
   }
 
+  /// Components and edge components are numbered by their lowest faces: each new number is one more
+  /// of them.
   void add_edge_components() {
-    // Edge components are numbered by their lowest face: each new number is one more of them.
     const Components& parts = input_.edge_components;
-    std::size_t n_met = 0;
-    for (const FaceHandle f : cut_.mesh.all_faces()) {
-      const Index part = parts.of_face[static_cast<std::size_t>(f.idx())];
-      if (part != n_met) continue;
-      ComponentCounts& counts = at(f);
+    std::size_t n_components_met = 0;
+    std::size_t n_parts_met = 0;
+    for (std::size_t i = 0; n_parts_met < parts.count; ++i) {
+      const Index part = parts.of_face[i];
+      if (part != n_parts_met) continue;
+      const FaceHandle f(static_cast<int>(i));
+      const Index component = component_of(f);
+      ComponentCounts& counts = counts_[component];
+      if (component == n_components_met) {
+        counts.first_face = cut_.side.face(f);
+        ++n_components_met;
+      }
       ++counts.edge_components;
       counts.orientable = counts.orientable && input_.orientability.of_component[part] != 0;
-      ++n_met;
+      ++n_parts_met;
     }
   }
 
   [[nodiscard]] std::vector<ComponentCounts> take() { return std::move(counts_); }
 
  private:
-  ComponentCounts& at(FaceHandle f) {
-    return counts_[input_.components.of_face[static_cast<std::size_t>(f.idx())]];
+  [[nodiscard]] Index component_of(FaceHandle f) const {
+    return input_.components.of_face[static_cast<std::size_t>(f.idx())];
   }
-  ComponentCounts& at(HalfedgeHandle h) {
+  [[nodiscard]] Index component_of(HalfedgeHandle h) const {
     const FaceHandle f = cut_.mesh.face_handle(h);
-    return at(f.is_valid() ? f : cut_.mesh.opposite_face_handle(h));
+    return component_of(f.is_valid() ? f : cut_.mesh.opposite_face_handle(h));
   }
-  ComponentCounts& at(VertexHandle v) { return at(cut_.mesh.halfedge_handle(v)); }
+  [[nodiscard]] Index component_of(VertexHandle v) const {
+    return component_of(cut_.mesh.halfedge_handle(v));
+  }
+  template <typename Handle>
+  ComponentCounts& at(Handle handle) {
+    return counts_[component_of(handle)];
+  }
+
+  /// Counts elements by component, in parallel. No component, kNoIndex, is not counted.
+  template <typename ComponentOf>
+  void add_all(std::size_t n, Index ComponentCounts::*count, ComponentOf&& component) {
+    parallel_chunks(n, [&](Chunk chunk) {
+      Tally tally([&](Index c) -> Index& { return counts_[c].*count; });
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+        if (const Index c = component(i); c != kNoIndex) tally.add(c);
+      }
+    });
+  }
 
   /// Counts the edges of a list, and subtracts the mesh edges that cutting added.
   void add_cuts(const CutEdges& edges, Index ComponentCounts::*count) {

@@ -1,7 +1,7 @@
 #include "meshalyzer/topology/components.h"
 
 #include "meshalyzer/base/disjoint_sets.h"
-#include "meshalyzer/topology/edges.h"
+#include "meshalyzer/base/parallel.h"
 
 #include <utility>
 
@@ -12,15 +12,34 @@ Index index(FaceHandle face) {
   return static_cast<Index>(face.idx());
 }
 
+/// Returns a face at a vertex that has one.
+FaceHandle a_face_at(const TriMesh& mesh, VertexHandle v) {
+  const HalfedgeHandle h = mesh.halfedge_handle(v);
+  return mesh.face_handle(mesh.is_boundary(h) ? mesh.opposite_halfedge_handle(h) : h);
+}
+
 /// Joins the two faces of every edge that has two in the cut mesh.
 DisjointSets join_through_inner_edges(const TriMesh& mesh) {
   DisjointSets faces(mesh.n_faces());
-  for (const EdgeHandle e : mesh.all_edges()) {
-    const FaceHandle a = mesh.face_handle(mesh.halfedge_handle(e, 0));
-    const FaceHandle b = mesh.face_handle(mesh.halfedge_handle(e, 1));
-    if (a.is_valid() && b.is_valid()) faces.unite(index(a), index(b));
-  }
+  parallel_chunks(mesh.n_edges(), [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const EdgeHandle e(static_cast<int>(i));
+      const FaceHandle a = mesh.face_handle(mesh.halfedge_handle(e, 0));
+      const FaceHandle b = mesh.face_handle(mesh.halfedge_handle(e, 1));
+      if (a.is_valid() && b.is_valid()) faces.unite(index(a), index(b));
+    }
+  });
   return faces;
+}
+
+/// Joins the fans of each file vertex that has several.
+void join_through_copies(const CutMesh& cut, DisjointSets& faces) {
+  const auto n_file_vertices = static_cast<int>(cut.side.n_file_vertices);
+  for (std::size_t i = 0; i < cut.side.copies.size(); ++i) {
+    const VertexHandle copy(n_file_vertices + static_cast<int>(i));
+    const VertexHandle first(static_cast<int>(cut.side.copies[i]));
+    faces.unite(index(a_face_at(cut.mesh, first)), index(a_face_at(cut.mesh, copy)));
+  }
 }
 
 void join_through_cuts(const TriMesh& mesh, const CutEdges& edges, DisjointSets& faces) {
@@ -40,22 +59,9 @@ Components number_components(const DisjointSets& faces) {
 }  // namespace
 
 Components find_components(const CutMesh& cut) {
-  const TriMesh& mesh = cut.mesh;
-  DisjointSets vertices(cut.side.n_file_vertices);
-  for (const EdgeHandle e : mesh.all_edges()) {
-    const auto [from, to] = file_ends(cut, mesh.halfedge_handle(e, 0));
-    vertices.unite(from, to);
-  }
-  Components components;
-  components.of_face.resize(mesh.n_faces());
-  std::vector<Index> number(cut.side.n_file_vertices, kNoIndex);
-  for (const FaceHandle f : mesh.all_faces()) {
-    const VertexHandle corner = mesh.to_vertex_handle(mesh.halfedge_handle(f));
-    Index& component = number[vertices.find(cut.side.vertex(corner))];
-    if (component == kNoIndex) component = static_cast<Index>(components.count++);
-    components.of_face[index(f)] = component;
-  }
-  return components;
+  DisjointSets faces = join_through_inner_edges(cut.mesh);
+  join_through_copies(cut, faces);
+  return number_components(faces);
 }
 
 Components find_edge_components(const CutMesh& cut) {

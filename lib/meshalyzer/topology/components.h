@@ -16,8 +16,7 @@ struct Components {
 
 /// Finds the components connected through shared file vertices: the separate objects in a file.
 ///
-/// @complexity O(#V + #E log #V) time, near linear in practice; two indices a vertex of temporary
-/// memory.
+/// @complexity O(#E log #F) time, near linear in practice; one index a face of temporary memory.
 [[nodiscard]] Components find_components(const CutMesh& cut);
 
 /// Finds the components connected through shared edges of the complex, including flipped and

@@ -1,9 +1,9 @@
 #include "meshalyzer/topology/duplicate_faces.h"
 
+#include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/sort_unique.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <span>
 #include <utility>
 
@@ -15,52 +15,47 @@ Index opposite_vertex(const CutMesh& cut, HalfedgeHandle h) {
   return cut.side.vertex(cut.mesh.to_vertex_handle(cut.mesh.next_halfedge_handle(h)));
 }
 
-/// Collects the duplicates among the faces at edges of the complex, each met up to three times.
-class DuplicateCollector {
- public:
-  explicit DuplicateCollector(const CutMesh& cut) : cut_(cut) {}
-
-  void compare_two(HalfedgeHandle a, HalfedgeHandle b) {
-    if (opposite_vertex(cut_, a) != opposite_vertex(cut_, b)) return;
-    duplicates_.push_back(std::max(cut_.mesh.face_handle(a), cut_.mesh.face_handle(b)));
+/// Returns the higher of the two faces of an inner edge if they have the same vertices.
+FaceHandle duplicate_at(const CutMesh& cut, EdgeHandle e) {
+  const HalfedgeHandle a = cut.mesh.halfedge_handle(e, 0);
+  const HalfedgeHandle b = cut.mesh.halfedge_handle(e, 1);
+  if (cut.mesh.is_boundary(e) || opposite_vertex(cut, a) != opposite_vertex(cut, b)) {
+    return FaceHandle();
   }
+  return std::max(cut.mesh.face_handle(a), cut.mesh.face_handle(b));
+}
 
-  void compare_all(std::span<const HalfedgeHandle> halfedges) {
-    round_.clear();
-    for (const HalfedgeHandle h : halfedges) {
-      round_.emplace_back(opposite_vertex(cut_, h), cut_.mesh.face_handle(h));
-    }
-    std::sort(round_.begin(), round_.end());
-    for (std::size_t i = 1; i < round_.size(); ++i) {
-      if (round_[i].first == round_[i - 1].first) duplicates_.push_back(round_[i].second);
-    }
+/// Appends all faces at a cut edge but the lowest of each set with the same vertices.
+void append_duplicates_at(const CutMesh& cut, std::span<const HalfedgeHandle> halfedges,
+                          std::vector<FaceHandle>& duplicates) {
+  std::vector<std::pair<Index, FaceHandle>> round;
+  for (const HalfedgeHandle h : halfedges) {
+    round.emplace_back(opposite_vertex(cut, h), cut.mesh.face_handle(h));
   }
-
-  [[nodiscard]] std::vector<FaceHandle> take() {
-    sort_unique(duplicates_);
-    return std::move(duplicates_);
+  std::sort(round.begin(), round.end());
+  for (std::size_t i = 1; i < round.size(); ++i) {
+    if (round[i].first == round[i - 1].first) duplicates.push_back(round[i].second);
   }
-
- private:
-  const CutMesh& cut_;
-  std::vector<FaceHandle> duplicates_;
-  std::vector<std::pair<Index, FaceHandle>> round_;
-};
+}
 
 }  // namespace
 
 std::vector<FaceHandle> find_duplicate_faces(const CutMesh& cut) {
-  const TriMesh& mesh = cut.mesh;
-  DuplicateCollector collector(cut);
-  for (const EdgeHandle e : mesh.all_edges()) {
-    if (mesh.is_boundary(e)) continue;
-    collector.compare_two(mesh.halfedge_handle(e, 0), mesh.halfedge_handle(e, 1));
+  // A face may be met at each of its edges.
+  auto duplicates = collect_chunks<FaceHandle>(
+      cut.mesh.n_edges(), [&](Chunk edges, std::vector<FaceHandle>& found) {
+        for (std::size_t e = edges.begin; e < edges.end; ++e) {
+          const FaceHandle face = duplicate_at(cut, EdgeHandle(static_cast<int>(e)));
+          if (face.is_valid()) found.push_back(face);
+        }
+      });
+  for (const CutEdges* edges : {&cut.side.flipped_edges, &cut.side.non_manifold_edges}) {
+    for (std::size_t i = 0; i < edges->size(); ++i) {
+      append_duplicates_at(cut, (*edges)[i].halfedges, duplicates);
+    }
   }
-  const CutEdges& flipped = cut.side.flipped_edges;
-  for (std::size_t i = 0; i < flipped.size(); ++i) collector.compare_all(flipped[i].halfedges);
-  const CutEdges& crowded = cut.side.non_manifold_edges;
-  for (std::size_t i = 0; i < crowded.size(); ++i) collector.compare_all(crowded[i].halfedges);
-  return collector.take();
+  sort_unique(duplicates);
+  return duplicates;
 }
 
 }  // namespace meshalyzer

@@ -1,5 +1,7 @@
 #include "meshalyzer/topology/edges.h"
 
+#include "meshalyzer/base/parallel.h"
+
 namespace meshalyzer {
 namespace {
 
@@ -12,6 +14,19 @@ void mark(const CutMesh& cut, const CutEdges& edges, EdgeKind kind, std::vector<
 /// Counts the mesh edges that are not the first of their edge of the complex.
 std::size_t n_surplus(const CutEdges& edges) {
   return edges.halfedges.size() - edges.size();
+}
+
+/// Counts the edges of the cut mesh at one of its vertices.
+Index mesh_valence(const TriMesh& mesh, std::size_t v) {
+  const HalfedgeHandle first = mesh.halfedge_handle(VertexHandle(static_cast<int>(v)));
+  if (!first.is_valid()) return 0;
+  Index n = 0;
+  HalfedgeHandle h = first;
+  do {
+    ++n;
+    h = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(h));
+  } while (h != first);
+  return n;
 }
 
 void take_off_surplus(const CutMesh& cut, const CutEdges& edges, std::vector<Index>& valences) {
@@ -41,9 +56,13 @@ std::size_t n_edges(const CutMesh& cut) {
 }
 
 std::vector<Index> vertex_valences(const CutMesh& cut) {
-  std::vector<Index> valences(cut.side.n_file_vertices, 0);
-  for (const EdgeHandle e : cut.mesh.all_edges()) {
-    for (const Index v : file_ends(cut, cut.mesh.halfedge_handle(e, 0))) ++valences[v];
+  const std::size_t n = cut.side.n_file_vertices;
+  std::vector<Index> valences(n);
+  parallel_chunks(n, [&](Chunk chunk) {
+    for (std::size_t v = chunk.begin; v < chunk.end; ++v) valences[v] = mesh_valence(cut.mesh, v);
+  });
+  for (std::size_t i = 0; i < cut.side.copies.size(); ++i) {
+    valences[cut.side.copies[i]] += mesh_valence(cut.mesh, n + i);
   }
   take_off_surplus(cut, cut.side.flipped_edges, valences);
   take_off_surplus(cut, cut.side.non_manifold_edges, valences);

@@ -1,6 +1,7 @@
 #include "meshalyzer/mesh/build.h"
 
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/validate.h"
 #include "support/shapes.h"
 #include "support/soups.h"
@@ -8,6 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
+#include <random>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -234,6 +238,45 @@ TEST(Build, VertexOfVeryManyFansIsCopiedForEach) {
   const CutMesh cut = checked_build(soup_of(2 * kFaces + 1, std::move(triangles)));
   EXPECT_EQ(cut.side.copies, Indices(kFaces - 1, 0));
   EXPECT_EQ(cut.side.non_manifold_vertices, Indices{0});
+}
+
+/// A torus of n x n squares with vertices in random order, some faces turned and some given twice.
+Soup damaged_torus(Index n) {
+  std::vector<Index> name(std::size_t{n} * n);
+  std::iota(name.begin(), name.end(), Index{0});
+  std::shuffle(name.begin(), name.end(), std::mt19937(3));
+  const auto at = [&](Index x, Index y) { return name[std::size_t{x % n} * n + y % n]; };
+  std::vector<Triangle> faces;
+  for (Index x = 0; x < n; ++x) {
+    for (Index y = 0; y < n; ++y) {
+      faces.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1)});
+      faces.push_back({at(x, y), at(x + 1, y + 1), at(x, y + 1)});
+      if (faces.size() % 97 == 0) std::swap(faces.back()[0], faces.back()[1]);
+      if (faces.size() % 101 == 0) faces.push_back(faces.back());
+    }
+  }
+  return shapes::make(std::vector<Vec3>(name.size(), Vec3::Zero()), faces);
+}
+
+TEST(Build, VerticesOfSeveralRangesAreBuiltAlikeByAnyNumberOfThreads) {
+  // Sides are paired by ranges of 4096 vertices.
+  const Soup soup = damaged_torus(150);
+  const auto built = [&](std::size_t n_threads) {
+    const ThreadLimit limit(n_threads);
+    return checked_build(soup);
+  };
+  const CutMesh one = built(1);
+  const CutMesh four = built(4);
+  EXPECT_GT(one.side.non_manifold_edges.size(), 100U);
+  EXPECT_GT(one.side.flipped_edges.size(), 100U);
+  EXPECT_EQ(one.side.non_manifold_edges.halfedges, four.side.non_manifold_edges.halfedges);
+  EXPECT_EQ(one.side.flipped_edges.halfedges, four.side.flipped_edges.halfedges);
+  EXPECT_EQ(one.side.copies, four.side.copies);
+  ASSERT_EQ(one.mesh.n_halfedges(), four.mesh.n_halfedges());
+  for (const HalfedgeHandle h : one.mesh.halfedges()) {
+    ASSERT_EQ(one.mesh.next_halfedge_handle(h), four.mesh.next_halfedge_handle(h));
+    ASSERT_EQ(one.mesh.to_vertex_handle(h), four.mesh.to_vertex_handle(h));
+  }
 }
 
 TEST(Build, CornerThatIsNoVertexIsRefused) {

@@ -1,6 +1,7 @@
 #include "meshalyzer/topology/components.h"
 
 #include "direct_evaluation.h"
+#include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/build.h"
 #include "support/shapes.h"
 
@@ -35,6 +36,25 @@ TEST(FindComponents, TouchingIsEnoughByVertexButNotByEdge) {
   const CutMesh cut = build(shapes::two_tetrahedra_sharing_vertex());
   EXPECT_EQ(find_components(cut).count, 1U);
   EXPECT_EQ(find_edge_components(cut).count, 2U);
+}
+
+TEST(FindComponents, TwoLongStripsWhoseFacesAlternateAreTwoForAnyNumberOfThreads) {
+  // Face i lies between vertices i, i + 2 and i + 4, so that even and odd faces have no vertex in
+  // common, and every other face of a strip is turned.
+  constexpr Index n = 40000;
+  std::vector<Triangle> faces;
+  for (Index i = 0; i < n; ++i) {
+    faces.push_back(i % 4 < 2 ? Triangle{i, i + 2, i + 4} : Triangle{i + 2, i, i + 4});
+  }
+  std::vector<Index> alternating(n);
+  for (Index i = 0; i < n; ++i) alternating[i] = i % 2;
+  const Soup soup = shapes::make(std::vector<Vec3>(n + 4, Vec3::Zero()), faces);
+  for (const std::size_t n_threads : {1U, 4U}) {
+    const ThreadLimit limit(n_threads);
+    const CutMesh cut = build(soup);
+    EXPECT_EQ(find_components(cut).of_face, alternating);
+    EXPECT_EQ(find_edge_components(cut).of_face, alternating);
+  }
 }
 
 TEST(FindComponents, PlacesInSpaceDoNotMatter) {

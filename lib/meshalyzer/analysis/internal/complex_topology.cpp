@@ -9,15 +9,19 @@
 #include "meshalyzer/topology/manifold.h"
 #include "meshalyzer/topology/orientation.h"
 
-namespace meshalyzer {
+#include <span>
 
+namespace meshalyzer {
 namespace {
 
-void count_components(const PreparedMesh& mesh, ComplexTopology& topology) {
+void count_components(const PreparedMesh& mesh, std::span<const HalfedgeHandle> border_edges,
+                      ComplexTopology& topology) {
   const CutMesh& cut = mesh.cut();
-  const Components edge_components = find_edge_components(cut);
+  // Where no vertex was copied, all faces at a vertex are joined through edges.
+  const Components edge_components =
+      cut.side.copies.empty() ? mesh.components() : find_edge_components(cut);
   const Orientability orientability = find_orientability(cut, edge_components);
-  const std::vector<BoundaryLoop> boundaries = find_boundary_loops(cut);
+  const std::vector<BoundaryLoop> boundaries = find_boundary_loops(cut, border_edges);
   topology.counts = count_by_component(cut, {.components = mesh.components(),
                                              .edge_components = edge_components,
                                              .orientability = orientability,
@@ -28,8 +32,9 @@ void count_components(const PreparedMesh& mesh, ComplexTopology& topology) {
   topology.orientable = orientability.orientable;
 }
 
-void list_edges_and_vertices(const CutMesh& cut, Offenders& offenders) {
-  offenders.border_edges = list_edges(cut, find_border_edges(cut));
+void list_edges_and_vertices(const CutMesh& cut, std::span<const HalfedgeHandle> border_edges,
+                             Offenders& offenders) {
+  offenders.border_edges = list_edges(cut, border_edges);
   offenders.non_manifold_edges = list_cut_edges(cut, cut.side.non_manifold_edges);
   offenders.flipped_edges = list_cut_edges(cut, cut.side.flipped_edges);
   offenders.non_manifold_vertices = cut.side.non_manifold_vertices;
@@ -45,12 +50,14 @@ void list_duplicates(const CutMesh& cut, Offenders& offenders) {
 }  // namespace
 
 ComplexTopology analyze_topology(const PreparedMesh& mesh, Offenders& offenders) {
+  const CutMesh& cut = mesh.cut();
+  const std::vector<HalfedgeHandle> border_edges = find_border_edges(cut);
   ComplexTopology topology;
-  parallel_invoke({[&] { count_components(mesh, topology); },
-                   [&] {
-                     list_edges_and_vertices(mesh.cut(), offenders);
-                     list_duplicates(mesh.cut(), offenders);
-                   }});
+  parallel_invoke(cut.mesh.n_faces(), {[&] { count_components(mesh, border_edges, topology); },
+                                       [&] {
+                                         list_edges_and_vertices(cut, border_edges, offenders);
+                                         list_duplicates(cut, offenders);
+                                       }});
   return topology;
 }
 

@@ -220,7 +220,8 @@ class Measurer {
 ComponentMeasures measure(const CutMesh& cut, const Components& components,
                           const AnalysisOptions& options, Analysis& analysis) {
   Measurer measurer(cut, components, options, analysis);
-  parallel_invoke({[&] { measurer.measure_angles(measurer.measure_all_faces()); },
+  parallel_invoke(cut.mesh.n_faces(),
+                  {[&] { measurer.measure_angles(measurer.measure_all_faces()); },
                    [&] {
                      measurer.measure_lengths();
                      measurer.measure_valences();

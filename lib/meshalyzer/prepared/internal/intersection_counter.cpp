@@ -1,6 +1,7 @@
 #include "meshalyzer/prepared/internal/intersection_counter.h"
 
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/base/tally.h"
 
 #include <algorithm>
 #include <atomic>
@@ -30,33 +31,6 @@ std::size_t mesh_face_of(const SideTable& side, Index file_face) {
   return is_same ? file_face : side.mesh_face(file_face);
 }
 
-/// Accumulates consecutive counts of one component, so that threads rarely write the same number.
-class ComponentTally {
- public:
-  explicit ComponentTally(std::vector<std::size_t>& totals) : totals_(totals) {}
-  ComponentTally(const ComponentTally&) = delete;
-  ComponentTally& operator=(const ComponentTally&) = delete;
-  ~ComponentTally() { flush(); }
-
-  void add(Index component) {
-    if (component != component_) flush();
-    component_ = component;
-    ++n_;
-  }
-
- private:
-  void flush() {
-    if (n_ != 0) {
-      std::atomic_ref(totals_[component_]).fetch_add(n_, std::memory_order_relaxed);
-    }
-    n_ = 0;
-  }
-
-  std::vector<std::size_t>& totals_;
-  Index component_ = kNoIndex;
-  std::size_t n_ = 0;
-};
-
 }  // namespace
 
 IntersectionCounter::IntersectionCounter(const Parts& parts)
@@ -69,8 +43,9 @@ void IntersectionCounter::on_pairs(std::span<const IntersectingPair> pairs) {
   ContactCounts kinds;
   kinds.add(pairs);
   std::vector<PartContact> contacts;
-  ComponentTally tally_a(counts_.of_component);
-  ComponentTally tally_b(counts_.of_component);
+  const auto count_of = [&](Index c) -> std::size_t& { return counts_.of_component[c]; };
+  Tally tally_a(count_of);
+  Tally tally_b(count_of);
   for (const IntersectingPair& pair : pairs) {
     const Index a = meet(pair.face_a);
     const Index b = meet(pair.face_b);
