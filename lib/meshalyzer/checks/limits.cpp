@@ -97,7 +97,7 @@ Violations edges_beyond(const CutMesh& cut, const std::vector<HalfedgeHandle>& e
 
 Violations lengths_beyond(const CutMesh& cut, const Bound& bound) {
   const std::vector<HalfedgeHandle> edges = complex_edges(cut);
-  return edges_beyond(cut, edges, edge_lengths(cut.mesh, edges), bound);
+  return edges_beyond(cut, edges, lengths_of(edges, mesh_edge_lengths(cut.mesh)), bound);
 }
 
 Violations angles_beyond(const CutMesh& cut, const Bound& bound) {

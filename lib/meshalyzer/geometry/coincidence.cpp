@@ -1,5 +1,7 @@
 #include "meshalyzer/geometry/coincidence.h"
 
+#include "meshalyzer/geometry/crowded_points.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -235,7 +237,12 @@ bool is_indistinguishable(const Vec3& a, const Vec3& b, Coincidence coincidence)
 
 std::vector<Index> find_indistinguishable_vertices(std::span<const Vec3> positions,
                                                    Coincidence coincidence) {
-  return CoincidenceSearch(positions, coincidence).run();
+  const std::vector<Index> crowded = find_crowded_points(positions);
+  std::vector<Vec3> at(crowded.size());
+  std::transform(crowded.begin(), crowded.end(), at.begin(), [&](Index i) { return positions[i]; });
+  std::vector<Index> found = CoincidenceSearch(at, coincidence).run();
+  for (Index& i : found) i = crowded[i];
+  return found;
 }
 
 }  // namespace meshalyzer

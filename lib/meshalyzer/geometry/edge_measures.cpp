@@ -4,6 +4,7 @@
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/exact/predicates.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -37,16 +38,25 @@ double angle_between_degrees(const Vec3& a, const Vec3& b) {
   return std::atan2(u.cross(v).norm(), u.dot(v)) * (180.0 / std::numbers::pi);
 }
 
-std::vector<double> edge_lengths(const TriMesh& mesh, std::span<const HalfedgeHandle> edges) {
-  std::vector<double> lengths(edges.size());
-  parallel_chunks(edges.size(), [&](Chunk chunk) {
+std::vector<double> mesh_edge_lengths(const TriMesh& mesh) {
+  std::vector<double> lengths(mesh.n_edges());
+  parallel_chunks(lengths.size(), [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const Vec3& from = mesh.point(mesh.from_vertex_handle(edges[i]));
-      const Vec3& to = mesh.point(mesh.to_vertex_handle(edges[i]));
+      const HalfedgeHandle h = mesh.halfedge_handle(EdgeHandle(static_cast<int>(i)), 0);
+      const Vec3& from = mesh.point(mesh.from_vertex_handle(h));
+      const Vec3& to = mesh.point(mesh.to_vertex_handle(h));
       lengths[i] = (to - from).stableNorm();
     }
   });
   return lengths;
+}
+
+std::vector<double> lengths_of(std::span<const HalfedgeHandle> edges,
+                               std::span<const double> lengths) {
+  std::vector<double> chosen(edges.size());
+  std::transform(edges.begin(), edges.end(), chosen.begin(),
+                 [&](HalfedgeHandle h) { return lengths[static_cast<std::size_t>(h.idx()) / 2]; });
+  return chosen;
 }
 
 double edge_angle_degrees(const TriMesh& mesh, HalfedgeHandle halfedge) {
@@ -70,12 +80,13 @@ EdgeAngles measure_edge_angles(const TriMesh& mesh, std::span<const FaceHandle> 
     is_thin[static_cast<std::size_t>(f.idx())] = 1;
   }
   EdgeAngles angles;
-  angles.edges.reserve(mesh.n_edges());
-  for (const EdgeHandle e : mesh.edges()) {
-    if (has_angle(mesh, e, is_thin)) {
-      angles.edges.push_back(mesh.halfedge_handle(e, 0));
-    }
-  }
+  angles.edges = collect_chunks<HalfedgeHandle>(
+      mesh.n_edges(), [&](Chunk chunk, std::vector<HalfedgeHandle>& edges) {
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+          const EdgeHandle e(static_cast<int>(i));
+          if (has_angle(mesh, e, is_thin)) edges.push_back(mesh.halfedge_handle(e, 0));
+        }
+      });
   angles.degrees.resize(angles.edges.size());
   parallel_chunks(angles.edges.size(), [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {

@@ -7,12 +7,17 @@
 
 namespace meshalyzer {
 
-/// Returns the lengths of edges, in the mesh's unit.
+/// Returns the lengths of all edges of a mesh, in the mesh's unit, indexed by EdgeHandle::idx().
 ///
-/// @param edges  One half-edge of each edge, see complex_edges().
-/// @return       The length for each half-edge, in the same order.
-[[nodiscard]] std::vector<double> edge_lengths(const TriMesh& mesh,
-                                               std::span<const HalfedgeHandle> edges);
+/// @complexity O(#E).
+[[nodiscard]] std::vector<double> mesh_edge_lengths(const TriMesh& mesh);
+
+/// Returns the lengths of some edges, in the same order.
+///
+/// @param edges    One half-edge of each edge, see complex_edges().
+/// @param lengths  The result of mesh_edge_lengths().
+[[nodiscard]] std::vector<double> lengths_of(std::span<const HalfedgeHandle> edges,
+                                             std::span<const double> lengths);
 
 /// The angles at the edges that have two consistently oriented faces of non-zero area.
 struct EdgeAngles {

@@ -4,6 +4,7 @@
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/exact/predicates.h"
+#include "meshalyzer/geometry/edge_measures.h"
 
 #include <algorithm>
 #include <array>
@@ -53,8 +54,8 @@ double corner_angle(const Corners& p, std::size_t corner, double twice_area) {
              : rescaled_angle(p, corner);
 }
 
-Figures measure(const Corners& p) {
-  const std::array<double, 3> side = side_lengths(p);
+/// @param side  The lengths of the sides from each corner to the next.
+Figures measure(const Corners& p, const std::array<double, 3>& side) {
   const std::array<double, 3> opposite{side[1], side[2], side[0]};
   // The differences are shortest from the corner opposite to the longest edge, which loses the
   // least.
@@ -70,6 +71,17 @@ Figures measure(const Corners& p) {
   return {twice_area / 2, longest / (twice_area / longest), corner_angle(p, sharpest, twice_area)};
 }
 
+/// Returns the lengths of the sides from each of face_corners() to the next.
+std::array<double, 3> side_lengths(const TriMesh& mesh, FaceHandle face,
+                                   std::span<const double> edge_lengths) {
+  const auto length = [&](HalfedgeHandle h) {
+    return edge_lengths[static_cast<std::size_t>(mesh.edge_handle(h).idx())];
+  };
+  const HalfedgeHandle last = mesh.halfedge_handle(face);
+  const HalfedgeHandle first = mesh.next_halfedge_handle(last);
+  return {length(first), length(mesh.next_halfedge_handle(first)), length(last)};
+}
+
 }  // namespace
 
 Corners face_corners(const TriMesh& mesh, FaceHandle face) {
@@ -80,6 +92,10 @@ Corners face_corners(const TriMesh& mesh, FaceHandle face) {
 }
 
 FaceMeasures measure_faces(const TriMesh& mesh) {
+  return measure_faces(mesh, mesh_edge_lengths(mesh));
+}
+
+FaceMeasures measure_faces(const TriMesh& mesh, std::span<const double> edge_lengths) {
   FaceMeasures measures;
   measures.area.resize(mesh.n_faces());
   measures.aspect_ratio.resize(mesh.n_faces());
@@ -95,7 +111,7 @@ FaceMeasures measure_faces(const TriMesh& mesh) {
         measures.corner_angle[i] = 0.0;
         zero_area[chunk.number].push_back(face);
       } else {
-        const Figures figures = measure(p);
+        const Figures figures = measure(p, side_lengths(mesh, face, edge_lengths));
         measures.area[i] = figures.area;
         measures.aspect_ratio[i] = figures.aspect_ratio;
         measures.corner_angle[i] = figures.corner_angle;

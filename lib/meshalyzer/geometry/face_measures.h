@@ -3,6 +3,7 @@
 #include "meshalyzer/base/corners.h"
 #include "meshalyzer/mesh/side_table.h"
 
+#include <span>
 #include <vector>
 
 namespace meshalyzer {
@@ -32,5 +33,10 @@ struct FaceMeasures {
 ///
 /// @complexity O(#F).
 [[nodiscard]] FaceMeasures measure_faces(const TriMesh& mesh);
+
+/// Does the same for a caller that has the lengths of the edges already.
+///
+/// @param edge_lengths  The result of mesh_edge_lengths().
+[[nodiscard]] FaceMeasures measure_faces(const TriMesh& mesh, std::span<const double> edge_lengths);
 
 }  // namespace meshalyzer

@@ -29,7 +29,7 @@ std::vector<double> angles(const Soup& soup) {
 
 std::vector<double> lengths(const Soup& soup) {
   const CutMesh cut = build(soup);
-  return sorted(edge_lengths(cut.mesh, complex_edges(cut)));
+  return sorted(lengths_of(complex_edges(cut), mesh_edge_lengths(cut.mesh)));
 }
 
 /// The angle at the one edge of two faces, from (0, 0, 0) to (1, 0, 0).

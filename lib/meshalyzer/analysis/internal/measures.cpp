@@ -27,6 +27,7 @@ class Measurer {
         components_(components),
         options_(options),
         analysis_(analysis),
+        edge_lengths_(mesh_edge_lengths(cut.mesh)),
         sums_{std::vector<double>(components.count), std::vector<Index>(components.count)} {
     if (components.count >= 2 && components.count <= Analysis::kMaxComponentStatistics) {
       analysis.component_statistics.resize(components.count);
@@ -35,7 +36,7 @@ class Measurer {
 
   /// @return The faces of zero area.
   std::vector<FaceHandle> measure_all_faces() {
-    FaceMeasures faces = measure_faces(cut_.mesh);
+    FaceMeasures faces = measure_faces(cut_.mesh, edge_lengths_);
     sum_areas(faces.area);
     for (const FaceHandle f : faces.zero_area) {
       analysis_.offenders.zero_area_faces.push_back(cut_.side.face(f));
@@ -64,7 +65,7 @@ class Measurer {
 
   void measure_lengths() {
     const std::vector<HalfedgeHandle> edges = complex_edges(cut_);
-    std::vector<double> lengths = edge_lengths(cut_.mesh, edges);
+    std::vector<double> lengths = lengths_of(edges, edge_lengths_);
     if (options_.shorter_than) {
       analysis_.offenders.short_edges = list_edges_if(
           cut_, edges, lengths, [limit = *options_.shorter_than](double x) { return x < limit; });
@@ -212,6 +213,8 @@ class Measurer {
   const Components& components_;
   const AnalysisOptions& options_;
   Analysis& analysis_;
+  /// The lengths of all edges of the cut mesh.
+  std::vector<double> edge_lengths_;
   ComponentMeasures sums_;
 };
 
