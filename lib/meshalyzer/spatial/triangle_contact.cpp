@@ -137,6 +137,20 @@ std::optional<ContactKind> line_contact(const Corners& p, const Corners& q, cons
   return interiors ? ContactKind::Crossing : ContactKind::Touching;
 }
 
+/// Returns the sides of a plane on which three points are, if floating point is sure that each is
+/// on one.
+std::optional<Signs> strict_sides_if_sure(const Corners& plane, const Corners& points) {
+  Signs signs{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto side = orient3d_if_sure(plane[0], plane[1], plane[2], points[i]);
+    if (!side || *side == 0) {
+      return std::nullopt;
+    }
+    signs[i] = *side;
+  }
+  return signs;
+}
+
 std::optional<ContactKind> contact_of_strangers(const Corners& p, const Corners& q) {
   const Signs of_q = sides(p, q);
   if (all_on_one_side(of_q)) {
@@ -291,6 +305,18 @@ bool are_clearly_apart(const Corners& p, const Corners& q, Common common) {
 std::optional<ContactKind> find_contact(const Corners& p, const Corners& q, Common common) {
   if (common == Common::All) {
     return ContactKind::Duplicate;
+  }
+  if (common == Common::Nothing) {
+    // In general position, which most pairs that do meet are in, nothing else is to be tested
+    // first: with a corner off its plane, neither triangle is degenerate.
+    const std::optional<Signs> of_q = strict_sides_if_sure(p, q);
+    if (of_q && all_on_one_side(*of_q)) {
+      return std::nullopt;
+    }
+    const std::optional<Signs> of_p = of_q ? strict_sides_if_sure(q, p) : std::nullopt;
+    if (of_p) {
+      return all_on_one_side(*of_p) ? std::nullopt : line_contact(p, q, *of_p, *of_q);
+    }
   }
   if (are_clearly_apart(p, q, common)) {
     return std::nullopt;
