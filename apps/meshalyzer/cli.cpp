@@ -4,6 +4,7 @@
 #include "check/command.h"
 #include "check/run_check.h"
 #include "exit_code.h"
+#include "freed_memory.h"
 #include "guarded.h"
 #include "inputs.h"
 #include "interrupt.h"
@@ -124,6 +125,7 @@ ExitCode run_command(int argc, const char* const* argv, Streams streams) {
 
 int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   const Streams streams{out, err};
+  return_large_blocks();
   const std::string_view word = first_word(argc, argv);
   const std::string name = is_command(word) ? "meshalyzer " + std::string(word) : "meshalyzer";
   return run_guarded(name, streams, [&] { return run_command(argc, argv, streams); });
