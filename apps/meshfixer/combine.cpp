@@ -112,7 +112,7 @@ class CombinationRun {
     const PreparedMesh mesh(disk);
     const MeshName name = name_of(disk, report_.outputs.back().path);
     const DefectReport found = find_defects(mesh, {.codes = DefectCodes::all()});
-    write_page(*options_.html, {mesh, name, found, options_.repair.fixes});
+    write_page(*options_.html, {name, found, options_.repair.fixes, scene_of(mesh, found)});
   }
 
   /// Subtracts from the solid of each file those of the files before it.

@@ -3,6 +3,7 @@
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/report/html/repair_changes.h"
 #include "meshalyzer/report/html/repair_page.h"
+#include "meshalyzer/report/text/patch_text.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -116,8 +117,13 @@ Scene scene_of(const PreparedMesh& mesh, const DefectReport& defects) {
 }
 
 void write_page(const std::string& file, const FoundPage& found) {
-  const Scene scene = scene_of(found.mesh, found.report);
-  replace_file(file, html_report({found.name, found.report, scene}, found.asked));
+  std::vector<PagePatch> patches;
+  for (const PatchOutcome& patch : found.patches) {
+    const Defect defect = found.report.defects[patch.defect];
+    patches.push_back({patch.defect, patch_text(patch, defect.faces.size())});
+  }
+  replace_file(file,
+               html_report({found.name, found.report, found.scene, {}, patches}, found.asked));
 }
 
 void write_page(const std::string& file, const RepairReport& report, DrawnInput before,

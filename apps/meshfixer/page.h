@@ -6,18 +6,21 @@
 #include "meshalyzer/report/repair_report.h"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace meshalyzer::fixer {
 
-/// The input of the page of --find.
+/// The input of the page of --find, or of a solid that was combined of others.
 struct FoundPage {
-  const PreparedMesh& mesh;
   const MeshName& name;
   const DefectReport& report;
   /// The codes that count in the verdict.
   const DefectCodes& asked;
+  const Scene& scene;
+  /// What a repair would make of the patches of intersecting faces; empty if it is not told.
+  std::span<const PatchOutcome> patches = {};
 };
 
 /// Writes the page of the defects of a mesh.

@@ -45,9 +45,10 @@ ExitCode find(const Options& options, Soup soup, Streams streams) {
                                                    .max_defects = options.repair.max_defects});
   const MeshName name = name_of(soup, options.input);
   const DefectCodes& asked = options.repair.fixes;
-  if (options.html) write_page(*options.html, {*mesh, name, report, asked});
+  const Scene scene = options.html ? scene_of(*mesh, report) : Scene{};
   mesh.reset();
   const std::vector<PatchOutcome> patches = foresee_patches(options, std::move(soup), report);
+  if (options.html) write_page(*options.html, {name, report, asked, scene, patches});
   const FoundDefects found{name, report, asked, patches};
   const ExitCode told = tell(
       options, streams, [&] { return text_report(found, options.lists); },

@@ -43,6 +43,8 @@ class DefectSection {
     for (std::size_t i = 0; i < mesh.scene.highlights.size(); ++i) {
       highlights_[mesh.scene.highlights[i].number] = i;
     }
+    outcomes_.resize(mesh.defects.defects.size());
+    for (const PagePatch& patch : mesh.patches) outcomes_[patch.defect] = patch.text;
   }
 
   /// Appends the list, errors first.
@@ -105,19 +107,24 @@ class DefectSection {
   }
 
   void append_defect(HtmlWriter& html, std::size_t i) const {
-    const std::string text = listed_defect_text(mesh_.defects.defects[i], mesh_.name);
-    if (!highlights_[i]) {
-      append_parts(html, text);
-      return;
-    }
+    if (!highlights_[i]) return append_description(html, i);
     const HtmlElement button = highlight_button(html, scene_, *highlights_[i]);
-    append_parts(html, text);
+    append_description(html, i);
+  }
+
+  void append_description(HtmlWriter& html, std::size_t i) const {
+    append_parts(html, listed_defect_text(mesh_.defects.defects[i], mesh_.name));
+    if (outcomes_[i].empty()) return;
+    html.text(" ");
+    html.element("span", {{"class", "measured"}}, "A repair: " + outcomes_[i]);
   }
 
   const PageMesh& mesh_;
   std::size_t scene_;
   /// The position of each defect among the highlights of the scene.
   std::vector<std::optional<std::size_t>> highlights_;
+  /// What a repair would make of each defect, if it is told.
+  std::vector<std::string> outcomes_;
 };
 
 /// Appends the changes of one mesh of the page, by pass.

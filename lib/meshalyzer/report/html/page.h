@@ -23,6 +23,13 @@ struct PageChange {
   std::string text;
 };
 
+/// The text of a page on what a repair would make of a patch of intersecting faces.
+struct PagePatch {
+  /// The index of the patch among the defects.
+  std::size_t defect = 0;
+  std::string text;
+};
+
 /// A mesh with its report, defects and scene for a page. The struct only refers to them.
 struct PageMesh {
   const MeshName& name;
@@ -30,6 +37,7 @@ struct PageMesh {
   const Scene& scene;
   /// The texts of the scene's changes.
   std::span<const PageChange> changes = {};
+  std::span<const PagePatch> patches = {};
 };
 
 /// The input of the page of one mesh. It only refers to its data.

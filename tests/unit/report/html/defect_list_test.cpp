@@ -42,6 +42,18 @@ TEST(AppendDefectsSection, DefectThatIsLitUpIsAButtonForIt) {
                         "</button></li>"));
 }
 
+TEST(AppendDefectsSection, WhatARepairWouldMakeOfADefectIsSaidBelowIt) {
+  const MeshName name = sample_name();
+  const DefectReport defects = sample_defects();
+  const Scene scene = sample_scene();
+  const std::array patches{PagePatch{0, "mended by magic"}};
+  const std::array meshes{TitledMesh{"", PageMesh{name, defects, scene, {}, patches}}};
+  HtmlWriter html;
+  append_defects_section(html, meshes);
+  EXPECT_THAT(html.html(), HasSubstr("edge 10-20</span> <span class=\"measured\">"
+                                     "A repair: mended by magic</span></button>"));
+}
+
 TEST(AppendDefectsSection, DefectThatIsNotDrawnIsTextAlone) {
   Scene scene = sample_scene();
   scene.highlights.clear();
