@@ -81,11 +81,14 @@ void name_what_has_no_reason(const RepairOptions& options, RepairResult& result)
 }
 
 /// Tells whether sheets may be left that intersect something. They are cut last, because that makes
-/// borders: only what all other passes leave is worth that.
+/// borders: only what all other passes leave is worth that. Surfaces with more intersecting pairs
+/// than faces are in such disorder that cutting them takes long and leaves hardly anything whole.
 bool is_any_sheet_to_cut(const RepairDriver& driver, const RepairOptions& options) {
+  const PreparedMesh& mesh = driver.mesh();
   return options.fixes.contains(DefectCode::SelfIntersection) && !options.solid &&
-         !driver.is_stopped() && !driver.mesh().intersecting_pairs().empty() &&
-         !find_border_edges(driver.mesh().cut()).empty();
+         !driver.is_stopped() && !mesh.intersecting_pairs().empty() &&
+         mesh.intersecting_pairs().size() <= mesh.soup().n_faces() &&
+         !find_border_edges(mesh.cut()).empty();
 }
 
 }  // namespace

@@ -186,11 +186,7 @@ class CuttingRounds {
           add_wall(face, arrangement, i);
           continue;
         }
-        // Loose faces are left as they are in the end, so that nothing is gained by cutting them
-        // on.
-        if (fates[i] != PieceFate::Loose) {
-          new_faces_.push_back(static_cast<Index>(triangles.size()));
-        }
+        if (!is_left(fates[i])) new_faces_.push_back(static_cast<Index>(triangles.size()));
       }
       triangles.push_back(t);
       origins.push_back(origins_[face]);
