@@ -80,6 +80,9 @@ void name_what_has_no_reason(const RepairOptions& options, RepairResult& result)
   }
 }
 
+/// So many intersecting pairs are few, whatever the number of faces.
+constexpr std::size_t kPairsAlwaysCut = 1000;
+
 /// Tells whether sheets may be left that intersect something. They are cut last, because that makes
 /// borders: only what all other passes leave is worth that. Surfaces with more intersecting pairs
 /// than faces are in such disorder that cutting them takes long and leaves hardly anything whole.
@@ -87,7 +90,7 @@ bool is_any_sheet_to_cut(const RepairDriver& driver, const RepairOptions& option
   const PreparedMesh& mesh = driver.mesh();
   return options.fixes.contains(DefectCode::SelfIntersection) && !options.solid &&
          !driver.is_stopped() && !mesh.intersecting_pairs().empty() &&
-         mesh.intersecting_pairs().size() <= mesh.soup().n_faces() &&
+         mesh.intersecting_pairs().size() <= std::max(kPairsAlwaysCut, mesh.soup().n_faces()) &&
          !find_border_edges(mesh.cut()).empty();
 }
 
