@@ -8,7 +8,7 @@
 namespace meshalyzer::test {
 namespace {
 
-Index index(std::size_t i) {
+Index as_index(std::size_t i) {
   return static_cast<Index>(i);
 }
 
@@ -20,7 +20,7 @@ void plan_meetings(PackingPlan& plan, const PackOptions& options) {
     const bool crosses = plan.pairs.size() < options.n_crossing;
     plan.reach[i] = crosses ? Relation::Crossing : Relation::Touching;
     plan.is_engaged[i + 1] = 1;
-    plan.pairs.push_back({index(i), index(i + 1), *plan.reach[i]});
+    plan.pairs.push_back({as_index(i), as_index(i + 1), *plan.reach[i]});
   }
   if (plan.pairs.size() < wanted) {
     throw InvalidArgument("fewer neighbours than are to cross or touch");
@@ -37,7 +37,7 @@ void plan_hosts(PackingPlan& plan, const PackOptions& options) {
   for (std::size_t i = plan.n_lattice; i < options.n_objects; ++i) {
     const std::size_t host = plan.place_of(i);
     plan.is_engaged[host] = 1;
-    plan.pairs.push_back({index(i), index(host), Relation::Contained});
+    plan.pairs.push_back({as_index(i), as_index(host), Relation::Contained});
   }
 }
 

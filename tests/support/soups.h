@@ -20,4 +20,10 @@ namespace meshalyzer {
   return soup;
 }
 
+/// Returns four faces in a half circle round vertex 0, counter-clockwise: 1 is the first vertex of
+/// the rim, 5 the last.
+[[nodiscard]] inline Soup half_disc() {
+  return soup_of(6, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}});
+}
+
 }  // namespace meshalyzer

@@ -13,10 +13,10 @@ constexpr double kLength = 20.0;
 constexpr double kHelixRadius = 3.0;
 /// Of the helix, where it does not rest: it turns once along a tube's length.
 constexpr double kSlope = 2 * kPi * kHelixRadius / kLength;
-constexpr double kDeepestDent = 0.4;
-/// A tube inside another one; that one's axis is more than (1 - kDeepestDent) / sqrt(2) = 0.42 from
-/// its surface.
-constexpr double kInnerRadius = 0.25;
+constexpr double kDeepestTubeDent = 0.4;
+/// A tube inside another one; that one's axis is more than (1 - kDeepestTubeDent) / sqrt(2) = 0.42
+/// from its surface.
+constexpr double kInnerTubeRadius = 0.25;
 
 double real(std::size_t i) {
   return static_cast<double>(i);
@@ -146,7 +146,7 @@ Soup TubePacking::object(std::size_t i) const {
     for (std::size_t j = 0; j < n_spokes_; ++j) {
       const double dent =
           std::min(outside, 1.0) * dents.at(2 * kPi * real(j) / real(n_spokes_), axis_[k].z());
-      const double radius = i == place ? 1 - kDeepestDent * dent : kInnerRadius;
+      const double radius = i == place ? 1 - kDeepestTubeDent * dent : kInnerTubeRadius;
       soup.positions.emplace_back(foot + axis_[k] + radius * on_circle(j, n_spokes_));
     }
   }
@@ -171,7 +171,7 @@ std::vector<KnownDistance> TubePacking::distances() const {
     const auto object = static_cast<Index>(i);
     const std::size_t place = plan_.place_of(i);
     if (i != place) {
-      known.push_back({object, facing_right(i), (kInnerRadius - 1) * slant});
+      known.push_back({object, facing_right(i), (kInnerTubeRadius - 1) * slant});
     } else if (plan_.reach[i] == Relation::Touching) {
       known.push_back({object, facing_right(i), 0.0});
       known.push_back({object + 1, facing_left(i + 1), 0.0});

@@ -12,12 +12,12 @@
 namespace meshalyzer {
 namespace {
 
-Soup parse(const std::string& text) {
+Soup mesh_soup(const std::string& text) {
   return parse_mesh_format(text, "m.mesh");
 }
 
 TEST(ParseMeshFormat, ReadsVerticesAndFaces) {
-  const Soup soup = parse("Vertex 1 0 0.5 -1\nVertex 2 1 0 0\nVertex 3 0 1 0\nFace 1 1 2 3\n");
+  const Soup soup = mesh_soup("Vertex 1 0 0.5 -1\nVertex 2 1 0 0\nVertex 3 0 1 0\nFace 1 1 2 3\n");
   EXPECT_EQ(soup.format, Format::Mesh);
   EXPECT_EQ(soup.positions[0], Vec3(0, 0.5, -1));
   EXPECT_EQ(soup.triangles, (std::vector<Triangle>{{0, 1, 2}}));
@@ -26,14 +26,14 @@ TEST(ParseMeshFormat, ReadsVerticesAndFaces) {
 }
 
 TEST(ParseMeshFormat, FacesMayStandBeforeTheirVertices) {
-  const Soup soup = parse("Face 1 3 2 1\nVertex 1 0 0 0\nVertex 2 1 0 0\nVertex 3 0 1 0\n");
+  const Soup soup = mesh_soup("Face 1 3 2 1\nVertex 1 0 0 0\nVertex 2 1 0 0\nVertex 3 0 1 0\n");
   EXPECT_EQ(soup.triangles[0], (Triangle{2, 1, 0}));
   EXPECT_TRUE(soup.missing.empty());
 }
 
 TEST(ParseMeshFormat, CommentsBlankLinesAndWindowsLineEndsMeanNothing) {
-  const Soup soup =
-      parse("# head\r\n\r\n \tVertex\t7  1e2 +2.5E-1 .5 # tail\r\n#Vertex\r\nVertex 8 1 2 3#x\r\n");
+  const Soup soup = mesh_soup(
+      "# head\r\n\r\n \tVertex\t7  1e2 +2.5E-1 .5 # tail\r\n#Vertex\r\nVertex 8 1 2 3#x\r\n");
   ASSERT_EQ(soup.n_vertices(), 2U);
   EXPECT_EQ(soup.positions[0], Vec3(100, 0.25, 0.5));
   EXPECT_EQ(soup.vertex_lines, (std::vector<std::uint32_t>{3, 5}));
@@ -41,11 +41,11 @@ TEST(ParseMeshFormat, CommentsBlankLinesAndWindowsLineEndsMeanNothing) {
 }
 
 TEST(ParseMeshFormat, TheLastLineNeedsNoEnd) {
-  EXPECT_EQ(parse("Vertex 1 2 3 45").positions[0], Vec3(2, 3, 45));
+  EXPECT_EQ(mesh_soup("Vertex 1 2 3 45").positions[0], Vec3(2, 3, 45));
 }
 
 TEST(ParseMeshFormat, IdsAreTheFilesOwn) {
-  const Soup soup = parse(
+  const Soup soup = mesh_soup(
       "Vertex 30 0 0 0\nVertex 10 0 0 0\nVertex 20 0 0 0\nFace 5 10 20 30\nFace 4 30 20 10\n");
   EXPECT_EQ(soup.vertex_ids.named, (std::vector<std::int32_t>{30, 10, 20}));
   EXPECT_EQ(soup.face_ids.named, (std::vector<std::int32_t>{5, 4}));
@@ -53,21 +53,21 @@ TEST(ParseMeshFormat, IdsAreTheFilesOwn) {
 }
 
 TEST(ParseMeshFormat, AnUndefinedIdIsAMissingVertexNotAnError) {
-  const Soup soup = parse("Vertex 1 0 0 0\nFace 9 1 2147483647 1\n");
+  const Soup soup = mesh_soup("Vertex 1 0 0 0\nFace 9 1 2147483647 1\n");
   ASSERT_EQ(soup.missing.size(), 1U);
   EXPECT_EQ(soup.missing[0].id, 2147483647);
   EXPECT_EQ(soup.triangles[0], (Triangle{0, kNoIndex, 0}));
 }
 
 TEST(ParseMeshFormat, EveryRecordOfADuplicateIdIsKept) {
-  const Soup soup = parse("Vertex 1 0 0 0\nVertex 1 5 5 5\nFace 1 1 1 1\nFace 1 1 1 1\n");
+  const Soup soup = mesh_soup("Vertex 1 0 0 0\nVertex 1 5 5 5\nFace 1 1 1 1\nFace 1 1 1 1\n");
   EXPECT_EQ(soup.n_vertices(), 2U);
   EXPECT_EQ(soup.n_faces(), 2U);
   EXPECT_EQ(soup.triangles[0], (Triangle{0, 0, 0}));
 }
 
 TEST(ParseMeshFormat, ATornLineIsNamedAndNoRecord) {
-  const Soup soup = parse("Vertex 1 0 0 0\n.69 2951.15 5700\nVertex 3 0 0 0\n");
+  const Soup soup = mesh_soup("Vertex 1 0 0 0\n.69 2951.15 5700\nVertex 3 0 0 0\n");
   EXPECT_EQ(soup.n_vertices(), 2U);
   EXPECT_EQ(soup.torn_lines, (std::vector<std::uint32_t>{2}));
 }
@@ -105,7 +105,7 @@ TEST(ParseMeshFormat, RefusesWhatIsMalformedAtItsLine) {
        "m.mesh:1: \"\\x7fELF\\x02\\x00\\x00\" is neither"},
   };
   for (const auto& [text, begin] : cases) {
-    EXPECT_EQ(begin_like(error_of([&] { return parse(text); }), begin), begin) << text;
+    EXPECT_EQ(begin_like(error_of([&] { return mesh_soup(text); }), begin), begin) << text;
   }
 }
 
@@ -141,13 +141,13 @@ TEST(ParseMeshFormat, TheFirstFaultIsToldWhateverThePartsAndThreads) {
 
 TEST(PrintMeshFormat, ReadsBackToTheLastBit) {
   const Soup soup = strip_of_hard_numbers(2000);
-  EXPECT_TRUE(same_soup(parse(print_mesh_format(soup)), soup));
+  EXPECT_TRUE(same_soup(mesh_soup(print_mesh_format(soup)), soup));
 }
 
 TEST(PrintMeshFormat, KeepsTheFilesOwnIds) {
   const std::string text =
       "Vertex 30 0 0 0\nVertex 10 1 0 0\nVertex 20 0 1.5 0\nFace 8 10 20 30\nFace 4 30 30 10\n";
-  EXPECT_EQ(print_mesh_format(parse(text)), text);
+  EXPECT_EQ(print_mesh_format(mesh_soup(text)), text);
 }
 
 TEST(PrintMeshFormat, IdsFromZeroAreMovedToOne) {
@@ -158,7 +158,7 @@ TEST(PrintMeshFormat, IdsFromZeroAreMovedToOne) {
 }
 
 TEST(PrintMeshFormat, AMissingVertexCannotBeWritten) {
-  const Soup soup = parse("Vertex 1 0 0 0\nFace 9 1 2 1\n");
+  const Soup soup = mesh_soup("Vertex 1 0 0 0\nFace 9 1 2 1\n");
   EXPECT_THROW(static_cast<void>(print_mesh_format(soup)), InvalidArgument);
 }
 

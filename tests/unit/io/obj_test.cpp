@@ -13,12 +13,12 @@ namespace {
 
 const std::string kFourVertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-Soup parse(const std::string& text) {
+Soup obj_soup(const std::string& text) {
   return parse_obj(text, "o.obj");
 }
 
 TEST(ParseObj, ReadsVerticesAndFaces) {
-  const Soup soup = parse(kFourVertices + "f 1 2 3\n");
+  const Soup soup = obj_soup(kFourVertices + "f 1 2 3\n");
   EXPECT_EQ(soup.format, Format::Obj);
   EXPECT_EQ(soup.positions[2], Vec3(1, 1, 0));
   EXPECT_EQ(soup.triangles, (std::vector<Triangle>{{0, 1, 2}}));
@@ -28,24 +28,24 @@ TEST(ParseObj, ReadsVerticesAndFaces) {
 }
 
 TEST(ParseObj, PolygonsAreFanned) {
-  const Soup soup = parse(kFourVertices + "f 1 2 3 4\nf 1 2\nf 3\n");
+  const Soup soup = obj_soup(kFourVertices + "f 1 2 3 4\nf 1 2\nf 3\n");
   EXPECT_EQ(soup.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 1, 1}, {2, 2, 2}}));
   EXPECT_EQ(soup.n_polygons, 1U);
   EXPECT_EQ(soup.face_lines, (std::vector<std::uint32_t>{5, 5, 6, 7}));
 }
 
 TEST(ParseObj, NegativeIndicesCountBackFromTheLineTheyStandOn) {
-  const Soup soup = parse("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 0 0 1\nf -1 -2 -4\n");
+  const Soup soup = obj_soup("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 0 0 1\nf -1 -2 -4\n");
   EXPECT_EQ(soup.triangles, (std::vector<Triangle>{{0, 1, 2}, {3, 2, 0}}));
 }
 
 TEST(ParseObj, PositiveIndicesMayNameLaterVertices) {
-  EXPECT_EQ(parse("f 1 2 3\n" + kFourVertices).triangles, (std::vector<Triangle>{{0, 1, 2}}));
+  EXPECT_EQ(obj_soup("f 1 2 3\n" + kFourVertices).triangles, (std::vector<Triangle>{{0, 1, 2}}));
 }
 
 TEST(ParseObj, EveryFormOfACornerNamesItsVertex) {
-  const Soup soup = parse(kFourVertices +
-                          "vt 0 0\nvn 0 0 1\nf 1/ 2// 3/1\nf 1/1/1 2//1 3/1/\nf 2/-1/-1 3/9/9 4\n");
+  const Soup soup = obj_soup(
+      kFourVertices + "vt 0 0\nvn 0 0 1\nf 1/ 2// 3/1\nf 1/1/1 2//1 3/1/\nf 2/-1/-1 3/9/9 4\n");
   EXPECT_EQ(soup.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}, {1, 2, 3}}));
   EXPECT_EQ(soup.corner_normals,
             (std::vector<Triangle>{
@@ -53,34 +53,34 @@ TEST(ParseObj, EveryFormOfACornerNamesItsVertex) {
 }
 
 TEST(ParseObj, NormalsAreKeptByCorner) {
-  const Soup soup = parse(kFourVertices + "vn 0 0 1\nvn 0 1 0\nf 1//2 2//1 3//1 4//2\n");
+  const Soup soup = obj_soup(kFourVertices + "vn 0 0 1\nvn 0 1 0\nf 1//2 2//1 3//1 4//2\n");
   EXPECT_EQ(soup.normals, (std::vector<Vec3>{{0, 0, 1}, {0, 1, 0}}));
   EXPECT_EQ(soup.corner_normals, (std::vector<Triangle>{{1, 0, 0}, {1, 0, 1}}));
 }
 
 TEST(ParseObj, NormalsThatNoFaceUsesLeaveEmptyCorners) {
-  const Soup soup = parse("vn 0 0 1\n" + kFourVertices + "f 1 2 3\n");
+  const Soup soup = obj_soup("vn 0 0 1\n" + kFourVertices + "f 1 2 3\n");
   EXPECT_EQ(soup.normals.size(), 1U);
   EXPECT_EQ(soup.corner_normals, (std::vector<Triangle>{{kNoIndex, kNoIndex, kNoIndex}}));
 }
 
 TEST(ParseObj, WithoutNormalsNoneAreKept) {
-  EXPECT_TRUE(parse(kFourVertices + "f 1//5 2//5 3//5\n").corner_normals.empty());
+  EXPECT_TRUE(obj_soup(kFourVertices + "f 1//5 2//5 3//5\n").corner_normals.empty());
 }
 
 TEST(ParseObj, ABackslashJoinsTheNextLine) {
-  const Soup soup = parse(kFourVertices + "f 1/1/1 \\\r\n 2/1/1\\\n3 \\\n4\nf 1 2 3\n");
+  const Soup soup = obj_soup(kFourVertices + "f 1/1/1 \\\r\n 2/1/1\\\n3 \\\n4\nf 1 2 3\n");
   EXPECT_EQ(soup.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 1, 2}}));
   EXPECT_EQ(soup.face_lines, (std::vector<std::uint32_t>{5, 5, 9}));
 }
 
 TEST(ParseObj, ABackslashInACommentJoinsNothing) {
-  EXPECT_EQ(parse("# C:\\models\\\nv 0 0 0\n").n_vertices(), 1U);
+  EXPECT_EQ(obj_soup("# C:\\models\\\nv 0 0 0\n").n_vertices(), 1U);
 }
 
 TEST(ParseObj, GroupsAndObjectsNameRunsOfFaces) {
   const Soup soup =
-      parse(kFourVertices + "f 1 2 3\no left side # comment\nf 1 2 3 4\ng a#1\ng\nf 1 2 3\n");
+      obj_soup(kFourVertices + "f 1 2 3\no left side # comment\nf 1 2 3 4\ng a#1\ng\nf 1 2 3\n");
   ASSERT_EQ(soup.groups.size(), 3U);
   EXPECT_EQ(soup.groups[0].name, "left side");
   EXPECT_EQ(soup.groups[0].first_face, 1U);
@@ -90,28 +90,28 @@ TEST(ParseObj, GroupsAndObjectsNameRunsOfFaces) {
 }
 
 TEST(ParseObj, WeightsAndColoursAreSkipped) {
-  const Soup soup = parse("v 1 2 3 1.0\nv 1 2 3 0.5 0.5 0.5\nv 1 2 3 0.5 0.5 0.5 1\n");
+  const Soup soup = obj_soup("v 1 2 3 1.0\nv 1 2 3 0.5 0.5 0.5\nv 1 2 3 0.5 0.5 0.5 1\n");
   EXPECT_EQ(soup.positions, (std::vector<Vec3>{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}));
 }
 
 TEST(ParseObj, ColoursThatAreNoNumbersAreSkippedToo) {
-  const Soup soup = parse("v 1 2 3 nan -nan(ind) inf\nv 1 2 3 NaN\n");
+  const Soup soup = obj_soup("v 1 2 3 nan -nan(ind) inf\nv 1 2 3 NaN\n");
   EXPECT_EQ(soup.positions, (std::vector<Vec3>{{1, 2, 3}, {1, 2, 3}}));
   EXPECT_EQ(
-      begin_like(error_of([] { return parse("v 1 nan 3 0 0 0\n"); }), "o.obj:1: \"nan\" is not"),
+      begin_like(error_of([] { return obj_soup("v 1 nan 3 0 0 0\n"); }), "o.obj:1: \"nan\" is not"),
       "o.obj:1: \"nan\" is not");
-  EXPECT_NE(error_of([] { return parse("v 1 2 3 red green blue\n"); }), "accepted");
+  EXPECT_NE(error_of([] { return obj_soup("v 1 2 3 red green blue\n"); }), "accepted");
 }
 
 TEST(ParseObj, OtherStatementsOfTheFormatAreSkipped) {
-  const Soup soup = parse("mtllib a.mtl\nusemtl b\ns off\nl 1 2 \\\n3\np 1\nvp 1\nvt 0\n" +
-                          kFourVertices + "f 1 2 3");
+  const Soup soup = obj_soup("mtllib a.mtl\nusemtl b\ns off\nl 1 2 \\\n3\np 1\nvp 1\nvt 0\n" +
+                             kFourVertices + "f 1 2 3");
   EXPECT_EQ(soup.n_vertices(), 4U);
   EXPECT_EQ(soup.n_faces(), 1U);
 }
 
 TEST(ParseObj, AnIndexBeyondTheVerticesIsMissing) {
-  const Soup soup = parse(kFourVertices + "f 1 2 99\n");
+  const Soup soup = obj_soup(kFourVertices + "f 1 2 99\n");
   ASSERT_EQ(soup.missing.size(), 1U);
   EXPECT_EQ(soup.missing[0].id, 99);
   EXPECT_EQ(soup.triangles[0], (Triangle{0, 1, kNoIndex}));
@@ -143,7 +143,7 @@ TEST(ParseObj, RefusesWhatIsMalformedAtItsLine) {
       {kFourVertices + "f 1 2 \\\nx\n", "o.obj:6: \"x\" is no corner of a face"},
   };
   for (const auto& [text, begin] : cases) {
-    EXPECT_EQ(begin_like(error_of([&] { return parse(text); }), begin), begin) << text;
+    EXPECT_EQ(begin_like(error_of([&] { return obj_soup(text); }), begin), begin) << text;
   }
 }
 
@@ -153,7 +153,7 @@ TEST(PrintObj, ReadsBackToTheLastBit) {
   soup.normals = {{0, -0.0, 1}, {1e-300, 0, 0.1}};
   soup.corner_normals.assign(soup.n_faces(), {1, kNoIndex, 0});
   soup.groups = {{"first one", 0}, {"empty", 7}, {"second", 7}, {"", 498}};
-  EXPECT_TRUE(same_soup(parse(print_obj(soup)), soup));
+  EXPECT_TRUE(same_soup(obj_soup(print_obj(soup)), soup));
 }
 
 }  // namespace

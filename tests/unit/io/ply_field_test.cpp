@@ -14,20 +14,20 @@ constexpr std::string_view kHeaderEnd = "end_header\n";
 /// Four doubles and three bytes.
 constexpr std::size_t kVertexBytes = 4 * 8 + 3;
 
-std::string print(const FieldSample& sample = {}) {
+std::string ply_of(const FieldSample& sample = {}) {
   return sample.print(FieldFormat::Ply);
 }
 
 TEST(PrintPlyField, OurReaderReadsTheMeshBack) {
   for (const FieldSample& sample : {FieldSample(), face_field_sample()}) {
-    const Soup soup = parse_ply(print(sample), "field.ply");
+    const Soup soup = parse_ply(ply_of(sample), "field.ply");
     EXPECT_EQ(soup.positions, sample.positions);
     EXPECT_EQ(soup.triangles, sample.triangles);
   }
 }
 
 TEST(PrintPlyField, HeaderNamesThePropertiesThatViewersKnow) {
-  const std::string content = print();
+  const std::string content = ply_of();
   EXPECT_EQ(content.substr(0, content.find(kHeaderEnd)),
             "ply\nformat binary_little_endian 1.0\nelement vertex 4\n"
             "property double x\nproperty double y\nproperty double z\nproperty double quality\n"
@@ -38,14 +38,14 @@ TEST(PrintPlyField, HeaderNamesThePropertiesThatViewersKnow) {
 TEST(PrintPlyField, CommentsFollowTheFormat) {
   FieldSample sample;
   sample.comments = {"one", "two words"};
-  EXPECT_EQ(print(sample).rfind("ply\nformat binary_little_endian 1.0\n"
-                                "comment one\ncomment two words\nelement vertex 4\n",
-                                0),
+  EXPECT_EQ(ply_of(sample).rfind("ply\nformat binary_little_endian 1.0\n"
+                                 "comment one\ncomment two words\nelement vertex 4\n",
+                                 0),
             0U);
 }
 
 TEST(PrintPlyField, EachVertexIsFollowedByItsValueAndColour) {
-  const std::string content = print();
+  const std::string content = ply_of();
   // The third of the vertices.
   const char* vertex =
       content.data() + content.find(kHeaderEnd) + kHeaderEnd.size() + 2 * kVertexBytes;
@@ -57,7 +57,7 @@ TEST(PrintPlyField, EachVertexIsFollowedByItsValueAndColour) {
 }
 
 TEST(PrintPlyField, FieldOfFacesHasTheirValuesToo) {
-  const std::string content = print(face_field_sample());
+  const std::string content = ply_of(face_field_sample());
   // The second of the faces, which are of a count, three indices, a value and a colour.
   const char* face = content.data() + content.find(kHeaderEnd) + kHeaderEnd.size() +
                      4 * kVertexBytes + (1 + 3 * 4 + 8 + 3);

@@ -20,10 +20,10 @@ const std::string kVertexHeader =
 const std::string kFaceHeader =
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
 const std::string kAscii = "ply\nformat ascii 1.0\n";
-const std::string kHeader = kAscii + kVertexHeader + kFaceHeader;  // nine lines
-const std::string kVertices = "0 0 0\n1 0 0\n0 1 0\n";
+const std::string kPlyHeader = kAscii + kVertexHeader + kFaceHeader;  // nine lines
+const std::string kThreePoints = "0 0 0\n1 0 0\n0 1 0\n";
 
-Soup parse(const std::string& content) {
+Soup ply_soup(const std::string& content) {
   return parse_ply(content, "p.ply");
 }
 
@@ -78,7 +78,7 @@ class BinaryFile {
 };
 
 TEST(ParsePly, ReadsAscii) {
-  const Soup soup = parse(kHeader + kVertices + "3 0 1 2\n");
+  const Soup soup = ply_soup(kPlyHeader + kThreePoints + "3 0 1 2\n");
   EXPECT_EQ(soup.format, Format::Ply);
   EXPECT_EQ(soup.positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
   EXPECT_EQ(soup.triangles, (std::vector<Triangle>{{0, 1, 2}}));
@@ -89,7 +89,7 @@ TEST(ParsePly, ReadsAscii) {
 }
 
 TEST(ParsePly, PropertiesMayStandInAnyOrderAndBeSkipped) {
-  const Soup soup = parse(
+  const Soup soup = ply_soup(
       kAscii +
       "comment a\nelement vertex 2\nproperty uchar red\nproperty double z\nproperty list uchar int "
       "l\n"
@@ -105,7 +105,7 @@ TEST(ParsePly, ReadsBinaryInEitherByteOrder) {
   for (const std::endian order : {std::endian::little, std::endian::big}) {
     BinaryFile file(order);
     file.add_body();
-    const Soup soup = parse(file.content());
+    const Soup soup = ply_soup(file.content());
     ASSERT_EQ(soup.n_vertices(), 4U);
     EXPECT_EQ(soup.positions[3], Vec3(-300000, -3, 0.1 * 3));
     EXPECT_EQ(soup.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {3, kNoIndex, 0}}));
@@ -119,10 +119,11 @@ TEST(ParsePly, ReadsBinaryInEitherByteOrder) {
 }
 
 TEST(ParsePly, PolygonsAreFanned) {
-  const Soup soup = parse(kAscii +
-                          "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
-                          "element face 3\nproperty list int int vertex_indices\nend_header\n"
-                          "0 0 0\n5 0 0 0 0 0\n2 0 0\n1 0\n");
+  const Soup soup =
+      ply_soup(kAscii +
+               "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+               "element face 3\nproperty list int int vertex_indices\nend_header\n"
+               "0 0 0\n5 0 0 0 0 0\n2 0 0\n1 0\n");
   EXPECT_EQ(soup.n_faces(), 5U);
   EXPECT_EQ(soup.n_polygons, 1U);
 }
@@ -141,10 +142,10 @@ const std::vector<std::int32_t> kStrips = {0, 1, 2, 3, 4, -1, 4, 1, 0};
 
 /// The same faces without strips.
 Soup faces_of_strips() {
-  return parse(kAscii +
-               "element vertex 5\nproperty float x\nproperty float y\nproperty float z\nelement "
-               "face 4\nproperty list uchar int vertex_indices\nend_header\n" +
-               kFiveVertices + "3 0 1 2\n3 2 1 3\n3 2 3 4\n3 4 1 0\n");
+  return ply_soup(kAscii +
+                  "element vertex 5\nproperty float x\nproperty float y\nproperty float z\nelement "
+                  "face 4\nproperty list uchar int vertex_indices\nend_header\n" +
+                  kFiveVertices + "3 0 1 2\n3 2 1 3\n3 2 3 4\n3 4 1 0\n");
 }
 
 TEST(ParsePly, StripsAreFacesEveryOtherTurned) {
@@ -152,7 +153,7 @@ TEST(ParsePly, StripsAreFacesEveryOtherTurned) {
   for (const std::int32_t corner : kStrips) {
     text += ' ' + std::to_string(corner);
   }
-  const Soup soup = parse(text + '\n');
+  const Soup soup = ply_soup(text + '\n');
   EXPECT_TRUE(same_soup(soup, faces_of_strips()));
   EXPECT_EQ(soup.face_lines, (std::vector<std::uint32_t>{15, 15, 15, 15}));
 }
@@ -177,23 +178,23 @@ TEST(ParsePly, StripsAreReadInEitherByteOrder) {
     for (const std::int32_t corner : kStrips) {
       add(corner);
     }
-    EXPECT_TRUE(same_soup(parse(content), faces_of_strips())) << is_little;
+    EXPECT_TRUE(same_soup(ply_soup(content), faces_of_strips())) << is_little;
   }
 }
 
 TEST(ParsePly, StripsOfFewerThanThreeCornersAreNoFaces) {
-  const Soup soup = parse(strip_header("ascii") + kFiveVertices + "6 -1 0 1 -1 2 -1\n");
+  const Soup soup = ply_soup(strip_header("ascii") + kFiveVertices + "6 -1 0 1 -1 2 -1\n");
   EXPECT_EQ(soup.n_faces(), 0U);
   EXPECT_EQ(soup.n_vertices(), 5U);
 }
 
 TEST(ParsePly, RefusesOtherNegativeIndicesInStrips) {
-  EXPECT_EQ(error_of([] { return parse(strip_header("ascii") + kFiveVertices + "3 0 1 -2\n"); }),
+  EXPECT_EQ(error_of([] { return ply_soup(strip_header("ascii") + kFiveVertices + "3 0 1 -2\n"); }),
             "p.ply:15: index -2: indices count from 0");
 }
 
 TEST(ParsePly, PointsWithoutFacesAreASoup) {
-  EXPECT_EQ(parse(kAscii + kVertexHeader + "end_header\n" + kVertices).n_vertices(), 3U);
+  EXPECT_EQ(ply_soup(kAscii + kVertexHeader + "end_header\n" + kThreePoints).n_vertices(), 3U);
 }
 
 TEST(ParsePly, RefusesAHeaderThatIsMalformedAtItsLine) {
@@ -229,29 +230,33 @@ TEST(ParsePly, RefusesAHeaderThatIsMalformedAtItsLine) {
       {vertex, "p.ply:7: the file ends before end_header"},
   };
   for (const auto& [text, begin] : cases) {
-    EXPECT_EQ(begin_like(error_of([&] { return parse(text); }), begin), begin) << text;
+    EXPECT_EQ(begin_like(error_of([&] { return ply_soup(text); }), begin), begin) << text;
   }
 }
 
 TEST(ParsePly, RefusesAnAsciiBodyThatIsMalformedAtItsLine) {
   const std::vector<RefusedText> cases = {
-      {kHeader + "0 0 0\n1 0 0\n0 1\n3 0 1 2\n",
+      {kPlyHeader + "0 0 0\n1 0 0\n0 1\n3 0 1 2\n",
        "p.ply:12: the line ends where a number should stand"},
-      {kHeader + "0 0 0\n1 0 0 0\n0 1 0\n3 0 1 2\n",
+      {kPlyHeader + "0 0 0\n1 0 0 0\n0 1 0\n3 0 1 2\n",
        "p.ply:11: \"0\" stands where the line should end"},
-      {kHeader + "0 0 0\n1 0 x\n0 1 0\n3 0 1 2\n", "p.ply:11: \"x\" is not a number"},
-      {kHeader + "0 0 0\n1 0 inf\n0 1 0\n3 0 1 2\n", "p.ply:11: \"inf\" is not a finite number"},
-      {kHeader + "0 0 0\n1 0 0.00\n\n   \n", "p.ply:14: the file ends before the last vertex"},
-      {kHeader + "0 0\n", "p.ply:3: a count of 3 for element vertex, but only 4 bytes follow"},
-      {kHeader + kVertices, "p.ply:13: the file ends before the last face"},
-      {kHeader + kVertices + "3 0 1\n", "p.ply:13: the line ends where an integer should stand"},
-      {kHeader + kVertices + "3 0 1 2 0\n", "p.ply:13: \"0\" stands where the line should end"},
-      {kHeader + kVertices + "3 0 1 -1\n", "p.ply:13: index -1: indices count from 0"},
-      {kHeader + kVertices + "3 0 1 2147483648\n", "p.ply:13: index 2147483648 is beyond"},
-      {kHeader + kVertices + "3 0 1 2.5\n", "p.ply:13: \"2.5\" is not an integer"},
-      {kHeader + kVertices + "0  \n", "p.ply:13: a face without corners"},
-      {kHeader + kVertices + "4000000000 0 1 2\n", "p.ply:13: a count of 4000000000 list items"},
-      {kHeader + kVertices + "3 0 1 2\n3 0 1 2\n", "p.ply:14: more lines than the header counts"},
+      {kPlyHeader + "0 0 0\n1 0 x\n0 1 0\n3 0 1 2\n", "p.ply:11: \"x\" is not a number"},
+      {kPlyHeader + "0 0 0\n1 0 inf\n0 1 0\n3 0 1 2\n", "p.ply:11: \"inf\" is not a finite number"},
+      {kPlyHeader + "0 0 0\n1 0 0.00\n\n   \n", "p.ply:14: the file ends before the last vertex"},
+      {kPlyHeader + "0 0\n", "p.ply:3: a count of 3 for element vertex, but only 4 bytes follow"},
+      {kPlyHeader + kThreePoints, "p.ply:13: the file ends before the last face"},
+      {kPlyHeader + kThreePoints + "3 0 1\n",
+       "p.ply:13: the line ends where an integer should stand"},
+      {kPlyHeader + kThreePoints + "3 0 1 2 0\n",
+       "p.ply:13: \"0\" stands where the line should end"},
+      {kPlyHeader + kThreePoints + "3 0 1 -1\n", "p.ply:13: index -1: indices count from 0"},
+      {kPlyHeader + kThreePoints + "3 0 1 2147483648\n", "p.ply:13: index 2147483648 is beyond"},
+      {kPlyHeader + kThreePoints + "3 0 1 2.5\n", "p.ply:13: \"2.5\" is not an integer"},
+      {kPlyHeader + kThreePoints + "0  \n", "p.ply:13: a face without corners"},
+      {kPlyHeader + kThreePoints + "4000000000 0 1 2\n",
+       "p.ply:13: a count of 4000000000 list items"},
+      {kPlyHeader + kThreePoints + "3 0 1 2\n3 0 1 2\n",
+       "p.ply:14: more lines than the header counts"},
       {kAscii + "element vertex 4000000000\nproperty float x\nproperty float y\nproperty float "
                 "z\nend_header\n0 0 0\n",
        "p.ply:3: a count of 4000000000 for element vertex"},
@@ -260,7 +265,7 @@ TEST(ParsePly, RefusesAnAsciiBodyThatIsMalformedAtItsLine) {
        "p.ply:3: a count of 4000000000 for element face"},
   };
   for (const auto& [text, begin] : cases) {
-    EXPECT_EQ(begin_like(error_of([&] { return parse(text); }), begin), begin) << text;
+    EXPECT_EQ(begin_like(error_of([&] { return ply_soup(text); }), begin), begin) << text;
   }
 }
 
@@ -269,7 +274,7 @@ TEST(ParsePly, EveryCutOfABinaryFileIsRefusedAtAByte) {
   file.add_body();
   for (std::size_t n = file.n_header_bytes(); n < file.content().size(); ++n) {
     EXPECT_EQ(
-        begin_like(error_of([&] { return parse(file.content().substr(0, n)); }), "p.ply:byte "),
+        begin_like(error_of([&] { return ply_soup(file.content().substr(0, n)); }), "p.ply:byte "),
         "p.ply:byte ")
         << n;
   }
@@ -300,9 +305,9 @@ TEST(ParsePly, RefusesABinaryBodyThatIsMalformedAtItsByte) {
        at + std::to_string(first + 44) + ": 1 bytes more than the header counts"},
   };
   for (const auto& [content, begin] : cases) {
-    EXPECT_EQ(begin_like(error_of([&] { return parse(content); }), begin), begin);
+    EXPECT_EQ(begin_like(error_of([&] { return ply_soup(content); }), begin), begin);
   }
-  EXPECT_EQ(parse(header + body(0, 1, 0) + "\n").n_faces(), 1U);
+  EXPECT_EQ(ply_soup(header + body(0, 1, 0) + "\n").n_faces(), 1U);
 }
 
 TEST(PrintPly, ReadsBackToTheLastBitInBothEncodings) {
@@ -310,12 +315,12 @@ TEST(PrintPly, ReadsBackToTheLastBitInBothEncodings) {
   soup.format = Format::Ply;
   soup.vertex_ids.first = 0;
   soup.face_ids.first = 0;
-  EXPECT_TRUE(same_soup(parse(print_ascii_ply(soup)), soup));
-  EXPECT_TRUE(same_soup(parse(print_binary_ply(soup)), soup));
+  EXPECT_TRUE(same_soup(ply_soup(print_ascii_ply(soup)), soup));
+  EXPECT_TRUE(same_soup(ply_soup(print_binary_ply(soup)), soup));
   soup.normals = soup.positions;
   soup.corner_normals = soup.triangles;
-  EXPECT_TRUE(same_soup(parse(print_ascii_ply(soup)), soup));
-  EXPECT_TRUE(same_soup(parse(print_binary_ply(soup)), soup));
+  EXPECT_TRUE(same_soup(ply_soup(print_ascii_ply(soup)), soup));
+  EXPECT_TRUE(same_soup(ply_soup(print_binary_ply(soup)), soup));
 }
 
 }  // namespace

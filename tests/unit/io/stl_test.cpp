@@ -35,12 +35,12 @@ std::string binary(const std::vector<float>& coordinates) {
   return content;
 }
 
-Soup parse(const std::string& content) {
+Soup stl_soup(const std::string& content) {
   return parse_stl(content, "s.stl");
 }
 
 TEST(ParseStl, EqualPointsOfAsciiBecomeOneVertex) {
-  const Soup soup = parse("solid square\n" + two_facets() + "endsolid square\n");
+  const Soup soup = stl_soup("solid square\n" + two_facets() + "endsolid square\n");
   EXPECT_EQ(soup.format, Format::Stl);
   EXPECT_EQ(soup.positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
   EXPECT_EQ(soup.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
@@ -51,16 +51,17 @@ TEST(ParseStl, EqualPointsOfAsciiBecomeOneVertex) {
 }
 
 TEST(ParseStl, ZeroAndMinusZeroAreOnePlaceAndTheFirstIsKept) {
-  const Soup soup = parse("solid\n" + facet("-0 0 0", "0 -0.0 0", "0 0 1") + "endsolid\n");
+  const Soup soup = stl_soup("solid\n" + facet("-0 0 0", "0 -0.0 0", "0 0 1") + "endsolid\n");
   EXPECT_EQ(soup.n_vertices(), 2U);
   EXPECT_TRUE(std::signbit(soup.positions[0].x()));
   EXPECT_EQ(soup.triangles[0], (Triangle{0, 0, 1}));
 }
 
 TEST(ParseStl, PointsThatDifferInTheLastBitStayTwo) {
-  EXPECT_EQ(parse("solid\n" + facet("0.1 0 0", "0.10000000000000002 0 0", "0 0 1") + "endsolid\n")
-                .n_vertices(),
-            3U);
+  EXPECT_EQ(
+      stl_soup("solid\n" + facet("0.1 0 0", "0.10000000000000002 0 0", "0 0 1") + "endsolid\n")
+          .n_vertices(),
+      3U);
 }
 
 TEST(ParseStl, ManyPointsKeepTheirOrder) {
@@ -68,14 +69,14 @@ TEST(ParseStl, ManyPointsKeepTheirOrder) {
   for (int i = 0; i < 9000; ++i) {
     coordinates.push_back(static_cast<float>(i));
   }
-  const Soup soup = parse(binary(coordinates));
+  const Soup soup = stl_soup(binary(coordinates));
   ASSERT_EQ(soup.n_vertices(), 3000U);
   EXPECT_EQ(soup.positions[2999], Vec3(8997, 8998, 8999));
   EXPECT_EQ(soup.triangles[999], (Triangle{2997, 2998, 2999}));
 }
 
 TEST(ParseStl, KeywordsMayBeInAnyCaseAndSolidsMany) {
-  const Soup soup = parse(
+  const Soup soup = stl_soup(
       "SOLID the first # one\nFACET NORMAL nan nan nan OUTER LOOP VERTEX 0 0 0 VERTEX 1 0 0\r\n"
       "VERTEX 0 1 0 ENDLOOP ENDFACET\nENDSOLID the first\n\nSolid\n" +
       two_facets() + "EndSolid");
@@ -84,7 +85,7 @@ TEST(ParseStl, KeywordsMayBeInAnyCaseAndSolidsMany) {
 }
 
 TEST(ParseStl, BinaryIsKnownByItsSizeThoughItBeginsWithSolid) {
-  const Soup soup = parse(binary({0, 0, 0, 1, 0, 0, 0, 0.1F, 0}));
+  const Soup soup = stl_soup(binary({0, 0, 0, 1, 0, 0, 0, 0.1F, 0}));
   EXPECT_EQ(soup.triangles, (std::vector<Triangle>{{0, 1, 2}}));
   EXPECT_EQ(soup.positions[2], Vec3(0, static_cast<double>(0.1F), 0));
   EXPECT_TRUE(soup.face_lines.empty());
@@ -111,7 +112,7 @@ TEST(ParseStl, RefusesWhatIsMalformedAtItsLine) {
        "s.stl:17: \"more\" stands where solid should"},
   };
   for (const auto& [text, begin] : cases) {
-    EXPECT_EQ(begin_like(error_of([&] { return parse(text); }), begin), begin) << text;
+    EXPECT_EQ(begin_like(error_of([&] { return stl_soup(text); }), begin), begin) << text;
   }
 }
 
@@ -130,14 +131,14 @@ TEST(ParseStl, RefusesBinaryThatIsMalformedAtItsByte) {
        "s.stl:byte 120: a coordinate is not a finite number"},  // 84 + 12 + 2 * 12
   };
   for (const auto& [content, begin] : cases) {
-    EXPECT_EQ(begin_like(error_of([&] { return parse(content); }), begin), begin);
+    EXPECT_EQ(begin_like(error_of([&] { return stl_soup(content); }), begin), begin);
   }
 }
 
 TEST(PrintAsciiStl, ReadsBackToTheLastBit) {
   Soup soup = strip_of_hard_numbers(500);
   soup.format = Format::Stl;
-  EXPECT_TRUE(same_soup(parse(print_ascii_stl(soup)), soup));
+  EXPECT_TRUE(same_soup(stl_soup(print_ascii_stl(soup)), soup));
 }
 
 TEST(PrintAsciiStl, FacetsHaveTheirUnitNormal) {
@@ -151,8 +152,8 @@ TEST(PrintAsciiStl, FacetsHaveTheirUnitNormal) {
 
 TEST(PrintBinaryStl, FloatsReadBackToTheLastBit) {
   const std::string content = binary({0, 0, 0, 1, 0.1F, 1e-45F, 0, 3e38F, -7});
-  const Soup soup = parse(content);
-  EXPECT_TRUE(same_soup(parse(print_binary_stl(soup)), soup));
+  const Soup soup = stl_soup(content);
+  EXPECT_TRUE(same_soup(stl_soup(print_binary_stl(soup)), soup));
 }
 
 TEST(PrintBinaryStl, RefusesWhatNoFloatCanHold) {

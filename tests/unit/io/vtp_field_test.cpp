@@ -105,7 +105,7 @@ class VtpFile {
   std::string text_;
 };
 
-VtpFile print(const FieldSample& sample = {}) {
+VtpFile vtp_of(const FieldSample& sample = {}) {
   return VtpFile(sample.print(FieldFormat::Vtp));
 }
 
@@ -119,7 +119,7 @@ std::vector<std::uint64_t> bits_of(const std::vector<double>& values) {
 }
 
 TEST(PrintVtpField, HeadSaysHowTheBytesAreToBeRead) {
-  const VtpFile file = print();
+  const VtpFile file = vtp_of();
   EXPECT_EQ(attribute(file.tag("VTKFile"), "type"), "PolyData");
   EXPECT_EQ(attribute(file.tag("VTKFile"), "byte_order"), "LittleEndian");
   EXPECT_EQ(attribute(file.tag("VTKFile"), "header_type"), "UInt64");
@@ -129,7 +129,7 @@ TEST(PrintVtpField, HeadSaysHowTheBytesAreToBeRead) {
 }
 
 TEST(PrintVtpField, PointsAreThePositions) {
-  const VtpFile file = print();
+  const VtpFile file = vtp_of();
   EXPECT_EQ(file.numbers<double>("Points", "Points"),
             (std::vector<double>{0.1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, -1e300}));
   EXPECT_EQ(attribute(file.array_tag("Points", "Points"), "type"), "Float64");
@@ -138,7 +138,7 @@ TEST(PrintVtpField, PointsAreThePositions) {
 }
 
 TEST(PrintVtpField, PolygonsAreTheFaces) {
-  const VtpFile file = print();
+  const VtpFile file = vtp_of();
   EXPECT_EQ(file.numbers<std::int64_t>("Polys", "connectivity"),
             (std::vector<std::int64_t>{0, 1, 2, 3, 1, 0}));
   EXPECT_EQ(file.numbers<std::int64_t>("Polys", "offsets"), (std::vector<std::int64_t>{3, 6}));
@@ -148,14 +148,14 @@ TEST(PrintVtpField, PolygonsAreTheFaces) {
 
 TEST(PrintVtpField, ScalarsOfThePointsAreTheField) {
   const FieldSample sample;
-  const VtpFile file = print(sample);
+  const VtpFile file = vtp_of(sample);
   EXPECT_EQ(attribute(file.tag("PointData"), "Scalars"), "mean");
   EXPECT_EQ(attribute(file.array_tag("PointData", "mean"), "type"), "Float64");
   EXPECT_EQ(bits_of(file.numbers<double>("PointData", "mean")), bits_of(sample.values));
 }
 
 TEST(PrintVtpField, ColoursOfThePointsAreBytes) {
-  const VtpFile file = print();
+  const VtpFile file = vtp_of();
   EXPECT_EQ(file.numbers<std::uint8_t>("PointData", "RGB"),
             (std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6, 7, 8, 255, 128, 128, 128}));
   EXPECT_EQ(attribute(file.array_tag("PointData", "RGB"), "type"), "UInt8");
@@ -163,12 +163,12 @@ TEST(PrintVtpField, ColoursOfThePointsAreBytes) {
 }
 
 TEST(PrintVtpField, FieldOfVerticesIsNotOfCells) {
-  EXPECT_TRUE(print().element("CellData").empty());
+  EXPECT_TRUE(vtp_of().element("CellData").empty());
 }
 
 TEST(PrintVtpField, FieldOfFacesIsOfCellsToo) {
   const FieldSample sample = face_field_sample();
-  const VtpFile file = print(sample);
+  const VtpFile file = vtp_of(sample);
   EXPECT_EQ(attribute(file.tag("CellData"), "Scalars"), "mean");
   EXPECT_EQ(file.numbers<double>("CellData", "mean"), sample.face_values);
   EXPECT_EQ(file.numbers<std::uint8_t>("CellData", "RGB"),

@@ -5,6 +5,7 @@
 #include "meshalyzer/mesh/validate.h"
 #include "support/shapes.h"
 #include "support/soups.h"
+#include "unit/mesh/indices.h"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +17,6 @@
 
 namespace meshalyzer {
 namespace {
-
-using Indices = std::vector<Index>;
 
 /// Builds, and lets the independent checker have its say.
 CutMesh checked_build(const Soup& soup) {

@@ -1,6 +1,7 @@
 #include "meshalyzer/mesh/build.h"
 #include "support/shapes.h"
 #include "support/soups.h"
+#include "unit/mesh/indices.h"
 
 #include <gtest/gtest.h>
 
@@ -11,26 +12,11 @@
 namespace meshalyzer {
 namespace {
 
-using Indices = std::vector<Index>;
-
-template <typename Range>
-Indices indices(Range&& range) {
-  Indices result;
-  for (const auto& handle : range) result.push_back(static_cast<Index>(handle.idx()));
-  return result;
-}
-
 template <typename Range>
 Indices sorted_indices(Range&& range) {
   Indices result = indices(range);
   std::sort(result.begin(), result.end());
   return result;
-}
-
-/// Four faces in a half circle round vertex 0, counter-clockwise: 1 is the first vertex of the rim,
-/// 5 the last.
-Soup half_disc() {
-  return soup_of(6, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}});
 }
 
 TEST(Circulators, FaceVerticesComeInTheOrderOfTheFile) {

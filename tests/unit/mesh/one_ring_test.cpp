@@ -3,6 +3,7 @@
 #include "meshalyzer/mesh/build.h"
 #include "support/shapes.h"
 #include "support/soups.h"
+#include "unit/mesh/indices.h"
 
 #include <gtest/gtest.h>
 
@@ -19,25 +20,10 @@ static_assert(std::forward_iterator<OneRingIterator<VertexHandle>>);
 static_assert(std::forward_iterator<OneRingIterator<FaceHandle>>);
 static_assert(std::forward_iterator<OneRingIterator<HalfedgeHandle>>);
 
-using Indices = std::vector<Index>;
-
-template <typename Range>
-Indices indices(const Range& range) {
-  Indices result;
-  for (const auto handle : range) result.push_back(static_cast<Index>(handle.idx()));
-  return result;
-}
-
 /// Begins with its smallest element, in the same circular order.
 Indices from_smallest(Indices ring) {
   std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
   return ring;
-}
-
-/// Four faces in a half circle round vertex 0, counter-clockwise: 1 is the first vertex of the rim,
-/// 5 the last.
-Soup half_disc() {
-  return soup_of(6, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}});
 }
 
 /// Six vertices round vertex 0 at the corners of a hexagon that faces up, their faces in any order.

@@ -15,7 +15,7 @@
 namespace meshalyzer {
 namespace {
 
-constexpr double kMax = std::numeric_limits<double>::max();
+constexpr double kMaxDouble = std::numeric_limits<double>::max();
 constexpr double kTiny = std::numeric_limits<double>::denorm_min();
 
 using Meetings = std::vector<std::vector<Index>>;
@@ -69,7 +69,7 @@ TEST(BoxTreeOrder, EqualBoxesKeepTheOrderOfTheirNumbers) {
 }
 
 TEST(BoxTreeOrder, LargestAndSmallestCoordinatesKeepTheirOrder) {
-  for (const double size : {kMax, 1e300, 1.0, 1e-300, 64 * kTiny}) {
+  for (const double size : {kMaxDouble, 1e300, 1.0, 1e-300, 64 * kTiny}) {
     std::vector<Box3> boxes;
     for (const double x : {1.0, -1.0, 0.5, 0.0, -0.5, 0.75}) {
       boxes.emplace_back(Vec3(x * size, size, -size));
@@ -159,7 +159,7 @@ TEST(BoxTreeMeeting, EqualBoxesAllMeet) {
 }
 
 TEST(BoxTreeMeeting, LargestCoordinatesDoNotOverflow) {
-  const Vec3 far = Vec3::Constant(kMax);
+  const Vec3 far = Vec3::Constant(kMaxDouble);
   const std::vector<Box3> boxes{{-far, far}, Box3(far), Box3(-far), {-far, Vec3::Zero()}};
   EXPECT_EQ(meetings(boxes), (Meetings{{1, 2, 3}, {0}, {0, 3}, {0, 2}}));
 }

@@ -54,7 +54,7 @@ void expect_same(const std::optional<SurfacePoint>& a, const std::optional<Surfa
   }
 }
 
-class Random {
+class RandomVectors {
  public:
   double real() { return real_(engine_); }
   Vec3 vector() { return {real(), real(), real()}; }
@@ -67,7 +67,7 @@ class Random {
 };
 
 /// Triangles of all sizes and shapes, some of zero area.
-Soup random_triangles(std::size_t n, Random& random) {
+Soup random_triangles(std::size_t n, RandomVectors& random) {
   Soup soup;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3 corner = random.vector();
@@ -82,7 +82,7 @@ Soup random_triangles(std::size_t n, Random& random) {
   return soup;
 }
 
-std::vector<Soup> soups(Random& random) {
+std::vector<Soup> soups(RandomVectors& random) {
   return {shapes::icosphere(3),
           shapes::grid(15, 9),
           shapes::cube(),
@@ -94,7 +94,7 @@ std::vector<Soup> soups(Random& random) {
 }
 
 /// Near a mesh, at its vertices, and far away.
-Vec3 query_point(const Scene& scene, Random& random) {
+Vec3 query_point(const Scene& scene, RandomVectors& random) {
   const Vec3 middle = scene.tree.bounds().center();
   const double size = scene.tree.bounds().diagonal().norm();
   const Vec3& vertex =
@@ -114,7 +114,7 @@ Vec3 query_point(const Scene& scene, Random& random) {
 }
 
 TEST(ClosestPoints, AgreeWithBruteForceToTheBit) {
-  Random random;
+  RandomVectors random;
   for (const Soup& soup : soups(random)) {
     const Scene scene(soup);
     for (std::size_t i = 0; i < 400; i += test::one_of()) {
@@ -125,7 +125,7 @@ TEST(ClosestPoints, AgreeWithBruteForceToTheBit) {
 }
 
 TEST(ClosestPoints, LimitConeAndExclusionAgreeWithBruteForceToTheBit) {
-  Random random;
+  RandomVectors random;
   int n_found = 0;
   int n_missed = 0;
   for (const Soup& soup : soups(random)) {
@@ -150,7 +150,7 @@ TEST(ClosestPoints, LimitConeAndExclusionAgreeWithBruteForceToTheBit) {
 }
 
 TEST(ClosestPoints, MeshesOfAnySizeAgreeWithBruteForceToTheBit) {
-  Random random;
+  RandomVectors random;
   for (const double size : {1e-320, 1e-300, 1e-160, 1e160, 1e300, 1.7e308}) {
     const Scene scene(shapes::scaled(shapes::icosphere(2), size));
     for (const double far : {0.0, 0.1, 1.0, 1e3, 1e30, 1e300}) {
@@ -170,7 +170,7 @@ TEST(ClosestPoints, MeshesOfAnySizeAgreeWithBruteForceToTheBit) {
 }
 
 TEST(ClosestPoints, HintDoesNotChangeTheAnswer) {
-  Random random;
+  RandomVectors random;
   const Scene scene(random_triangles(200, random));
   for (int i = 0; i < 20; ++i) {
     const ClosestQuery query{.point = random.vector(), .within = 0.3};
@@ -184,7 +184,7 @@ TEST(ClosestPoints, HintDoesNotChangeTheAnswer) {
 }
 
 TEST(ClosestPoints, AnyNumberOfFacesAgreesWithBruteForce) {
-  Random random;
+  RandomVectors random;
   for (std::size_t n = 1; n <= 70; ++n) {
     const Scene scene(random_triangles(n, random));
     for (int i = 0; i < 20; ++i) {
@@ -260,7 +260,7 @@ TEST(ClosestPoints, ExcludedFacesAreLeftOut) {
 TEST(ClosestPoints, SphereIsSeenAtItsRadius) {
   // Inside: at least the inscribed radius; outside: the distance of a point of the sphere's hull.
   const Scene scene(shapes::icosphere(4));
-  Random random;
+  RandomVectors random;
   for (int i = 0; i < 200; ++i) {
     const Vec3 p = 3 * random.vector();
     const double distance = scene.closest.find({.point = p})->distance;

@@ -3,6 +3,7 @@
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/align_faces.h"
 #include "meshalyzer/spatial/triangle_contact.h"
+#include "support/random_soups.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -17,10 +18,6 @@ namespace meshalyzer {
 namespace {
 
 using Random = std::mt19937;
-
-double uniform(Random& random, double low, double high) {
-  return low + (high - low) * static_cast<double>(random()) / 0x1p32;
-}
 
 /// Faces with one common corner and nothing else in common by id.
 Soup crowd(std::size_t n_faces, const Vec3& hub, const std::function<Vec3()>& arm) {
@@ -47,18 +44,18 @@ bool meet_beyond_hub(const FaceTree& tree, const Triangle& p, const Triangle& q)
       .has_value();
 }
 
-struct Tally {
+struct CornerTally {
   int n_apart = 0;
   int n_told = 0;
 };
 
 /// Asks for all pairs of a crowd: none that is told apart may share more than the hub.
-Tally expect_sound(const Soup& soup) {
+CornerTally expect_sound_corners(const Soup& soup) {
   const CutMesh cut = build(soup);
   const FaceTree tree(cut);
   const CornerAngles angles(tree, {});
   EXPECT_FALSE(angles.empty());
-  Tally tally;
+  CornerTally tally;
   for (std::size_t a = 0; a < tree.n_faces(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
       const Triangle p = tree.triangle(a);
@@ -96,7 +93,7 @@ TEST(CornerAngles, NarrowCornersOfAFlatCrowdAreToldApartIfTheyAre) {
     is_first = !is_first;
     return Vec3(std::cos(turn), std::sin(turn), uniform(random, -0.1, 0.1));
   };
-  const Tally tally = expect_sound(crowd(120, {0, 0, 0}, arm));
+  const CornerTally tally = expect_sound_corners(crowd(120, {0, 0, 0}, arm));
   // Two ranges of 0.02 overlap for 0.04 in 2 pi of pairs, and some that do so are apart in height.
   EXPECT_GT(tally.n_apart, 7000);
   EXPECT_GT(tally.n_told, tally.n_apart * 98 / 100);
@@ -107,7 +104,7 @@ TEST(CornerAngles, CornersInAllDirectionsAreNotToldApartIfTheyMeet) {
   const auto arm = [&] {
     return Vec3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1));
   };
-  const Tally tally = expect_sound(crowd(150, {0.1, 0.2, 0.3}, arm));
+  const CornerTally tally = expect_sound_corners(crowd(150, {0.1, 0.2, 0.3}, arm));
   EXPECT_GT(tally.n_told, 0);
 }
 
@@ -129,7 +126,7 @@ TEST(CornerAngles, CornersThatMeetByOneRoundingAreNotToldApart) {
     is_first = !is_first;
     return last;
   };
-  expect_sound(crowd(120, {0, 0, 0}, arm));
+  expect_sound_corners(crowd(120, {0, 0, 0}, arm));
 }
 
 TEST(CornerAngles, CornersOfTinyAndHugeCrowdsAreNotToldApartIfTheyMeet) {
@@ -140,7 +137,7 @@ TEST(CornerAngles, CornersOfTinyAndHugeCrowdsAreNotToldApartIfTheyMeet) {
                   scale * uniform(random, -0.1, 0.1));
     };
     SCOPED_TRACE(scale);
-    expect_sound(crowd(60, {0, 0, 0}, arm));
+    expect_sound_corners(crowd(60, {0, 0, 0}, arm));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/spatial/align_faces.h"
 #include "meshalyzer/spatial/triangle_contact.h"
+#include "support/random_soups.h"
 
 #include <gtest/gtest.h>
 
@@ -53,10 +54,6 @@ bool meets_itself(const Ring& ring) {
     }
   }
   return false;
-}
-
-double uniform(Random& random, double low, double high) {
-  return low + (high - low) * static_cast<double>(random()) / 0x1p32;
 }
 
 /// A ring whose n points go round so many turns at a height of so much, turned anyhow in space.

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/triangle_contact.h"
+#include "support/random_soups.h"
 
 #include <gtest/gtest.h>
 
@@ -14,10 +15,6 @@ namespace meshalyzer {
 namespace {
 
 using Random = std::mt19937;
-
-double uniform(Random& random, double low, double high) {
-  return low + (high - low) * static_cast<double>(random()) / 0x1p32;
-}
 
 /// Two directions across (1, 1, 1).
 constexpr std::array<std::array<float, 3>, 2> kAcross{
@@ -46,7 +43,7 @@ bool meet(const FaceTree& tree, std::size_t a, std::size_t b) {
 /// Asks for all pairs of a mesh of whole leaves: none that is dropped may have a contact.
 ///
 /// @return  How many of them are dropped.
-int expect_sound(const Soup& soup) {
+int expect_sound_frames(const Soup& soup) {
   const CutMesh cut = build(soup);
   const FaceTree tree(cut);
   int n_dropped = 0;
@@ -70,7 +67,7 @@ TEST(LeafFrame, DropsFacesThatRunSideBySide) {
   // A hundredth apart along the first direction, each a two-hundredth wide.
   int i = 0;
   const auto place = [&] { return Vec3(0.005 * i++ * Vec3(0.7, -0.7, 0)); };
-  EXPECT_EQ(expect_sound(slivers(64, place)), 64 * 63);
+  EXPECT_EQ(expect_sound_frames(slivers(64, place)), 64 * 63);
 }
 
 TEST(LeafFrame, KeepsFacesThatTouch) {
@@ -78,7 +75,7 @@ TEST(LeafFrame, KeepsFacesThatTouch) {
   const auto lattice = [&] {
     return Vec3(static_cast<double>(random() % 8) / 8, static_cast<double>(random() % 8) / 8, 0);
   };
-  EXPECT_GT(expect_sound(slivers(64, lattice)), 0);
+  EXPECT_GT(expect_sound_frames(slivers(64, lattice)), 0);
 }
 
 TEST(LeafFrame, IsSoundWhereFacesAreApartByAboutTheRoundingOfSinglePrecision) {
@@ -89,7 +86,7 @@ TEST(LeafFrame, IsSoundWhereFacesAreApartByAboutTheRoundingOfSinglePrecision) {
         return Vec3(Vec3(far, 0, far) +
                     gap * Vec3(uniform(random, -2, 2), uniform(random, -2, 2), 0));
       };
-      expect_sound(slivers(64, place));
+      expect_sound_frames(slivers(64, place));
     }
   }
 }

@@ -5,8 +5,10 @@
 #include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/spatial/triangle_contact.h"
 #include "support/exact_oracle.h"
+#include "support/random_soups.h"
 #include "support/shapes.h"
 #include "support/sliver_tube.h"
+#include "unit/spatial/pairs_text.h"
 
 #include <gtest/gtest.h>
 
@@ -22,9 +24,8 @@
 namespace meshalyzer {
 namespace {
 
-constexpr unsigned kSeed = 20261124;
+constexpr unsigned kMutualSeed = 20261124;
 using Random = std::mt19937;
-using Pairs = std::vector<IntersectingPair>;
 
 /// A mesh with its tree, which refers to it.
 struct Mesh {
@@ -74,15 +75,6 @@ Pairs mirrored(Pairs pairs) {
   return pairs;
 }
 
-std::string listed(const Pairs& pairs) {
-  std::string text;
-  for (const IntersectingPair& pair : pairs) {
-    text += std::to_string(pair.face_a) + "-" + std::to_string(pair.face_b) + " " +
-            std::string(contact_name(pair.kind)) + "\n";
-  }
-  return text;
-}
-
 /// Checks both functions, both ways round, and returns how many pairs there are.
 std::size_t expect_pairs(const Soup& a, const Soup& b, const Pairs& expected) {
   EXPECT_EQ(listed(intersections(a, b)), listed(expected));
@@ -113,10 +105,10 @@ Soup random_soup(std::size_t n_faces, const Place& place, Random& random) {
 
 /// Random soups of unequal size, their vertices at these places: some pairs, and not all of them.
 void expect_brute_force_on_soups(const Place& in_a, const Place& in_b) {
-  Random random(kSeed);
+  Random random(kMutualSeed);
   std::size_t n_pairs = 0;
   for (int round = 0; round < 5; ++round) {
-    SCOPED_TRACE("round " + std::to_string(round) + " seed " + std::to_string(kSeed));
+    SCOPED_TRACE("round " + std::to_string(round) + " seed " + std::to_string(kMutualSeed));
     n_pairs += expect_brute_force(random_soup(24, in_a, random), random_soup(15, in_b, random));
   }
   EXPECT_GT(n_pairs, 0u);
@@ -125,9 +117,6 @@ void expect_brute_force_on_soups(const Place& in_a, const Place& in_b) {
 
 double real(Random& random) {
   return std::uniform_real_distribution<>(-1, 1)(random);
-}
-double lattice(Random& random, int n) {
-  return std::uniform_int_distribution<>(0, n - 1)(random);
 }
 Vec3 anywhere(Random& r) {
   return {real(r), real(r), real(r)};
@@ -170,7 +159,7 @@ TEST(FindIntersections, EqualsBruteForceOnOneLineAndInOnePoint) {
   expect_brute_force_on_soups(line, on_lattice);
   expect_brute_force_on_soups(line, line);
   const Soup point = shapes::make({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {{0, 1, 2}});
-  Random random(kSeed);
+  Random random(kMutualSeed);
   EXPECT_GT(expect_brute_force(point, random_soup(30, on_lattice, random)), 0u);
 }
 
@@ -260,8 +249,8 @@ TEST(FindIntersections, MeshAgainstItselfHasDuplicatesAndNeighbours) {
 
 TEST(FindIntersections, DuplicatesAreFoundInAnyOrderOfCornersAndEitherWayRound) {
   const Soup cube = shapes::cube();
-  const Soup other =
-      shapes::renumbered_vertices(shapes::shuffled_faces(shapes::flipped(cube), kSeed), kSeed);
+  const Soup other = shapes::renumbered_vertices(
+      shapes::shuffled_faces(shapes::flipped(cube), kMutualSeed), kMutualSeed);
   const Pairs pairs = intersections(cube, other);
   const auto n = std::count_if(pairs.begin(), pairs.end(), [](const IntersectingPair& pair) {
     return pair.kind == ContactKind::Duplicate;

@@ -1,6 +1,7 @@
 #include "meshalyzer/spatial/pair_collector.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "unit/spatial/pairs_text.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +13,6 @@
 
 namespace meshalyzer {
 namespace {
-
-using Pairs = std::vector<IntersectingPair>;
 
 /// All pairs of n faces, in any order, their kinds in turn.
 Pairs all_pairs(Index n) {

@@ -7,6 +7,7 @@
 #include "support/random_soups.h"
 #include "support/shapes.h"
 #include "support/sliver_tube.h"
+#include "unit/spatial/pairs_text.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,6 @@ namespace {
 
 using Random = std::mt19937;
 using Marks = std::vector<std::uint8_t>;
-using Pairs = std::vector<IntersectingPair>;
 
 Marks proven_of(const Soup& soup) {
   return prove_stars(build(soup));

@@ -6,6 +6,7 @@
 #include "support/random_soups.h"
 #include "support/shapes.h"
 #include "support/sliver_tube.h"
+#include "unit/spatial/pairs_text.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,6 @@ namespace meshalyzer {
 namespace {
 
 using Random = std::mt19937;
-using Pairs = std::vector<IntersectingPair>;
 using Faces = std::vector<Index>;
 
 /// About one of so many faces, ascending.
@@ -65,8 +65,8 @@ std::size_t expect_filtered(const Soup& soup, Random& random) {
 
 /// Faces over random vertices, some of them degenerate, some twice, whatever order their corners
 /// come in.
-Soup random_soup(Index n_vertices, Index n_faces, const std::function<Vec3(Random&)>& point,
-                 Random& random) {
+Soup random_faces(Index n_vertices, Index n_faces, const std::function<Vec3(Random&)>& point,
+                  Random& random) {
   Soup soup;
   for (Index i = 0; i < n_vertices; ++i) {
     soup.positions.push_back(point(random));
@@ -82,7 +82,7 @@ TEST(FindSelfIntersectionsOf, RandomSoupsGiveThoseOfTheWholeThatHaveAFaceAskedFo
   Random random(11);
   const auto real = [](Random& r) { return std::uniform_real_distribution<>(-1, 1)(r); };
   for (int round = 0; round < 10; ++round) {
-    const Soup soup = random_soup(
+    const Soup soup = random_faces(
         40, 120, [&](Random& r) { return Vec3(real(r), real(r), real(r)); }, random);
     EXPECT_GT(expect_filtered(soup, random), 100u);
   }
@@ -92,10 +92,10 @@ TEST(FindSelfIntersectionsOf, LatticesWithFacesOfZeroAreaGiveThoseOfTheWhole) {
   Random random(12);
   const auto lattice = [](Random& r) { return static_cast<double>(below(r, 4)); };
   for (int round = 0; round < 10; ++round) {
-    const Soup flat = random_soup(
+    const Soup flat = random_faces(
         30, 100, [&](Random& r) { return Vec3(lattice(r), lattice(r), 0); }, random);
     EXPECT_GT(expect_filtered(flat, random), 100u);
-    const Soup solid = random_soup(
+    const Soup solid = random_faces(
         40, 100, [&](Random& r) { return Vec3(lattice(r), lattice(r), lattice(r)); }, random);
     EXPECT_GT(expect_filtered(solid, random), 100u);
   }

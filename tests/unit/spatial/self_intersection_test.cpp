@@ -6,8 +6,10 @@
 #include "meshalyzer/spatial/pair_collector.h"
 #include "support/effort.h"
 #include "support/exact_oracle.h"
+#include "support/random_soups.h"
 #include "support/shapes.h"
 #include "support/sliver_tube.h"
+#include "unit/spatial/pairs_text.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +27,6 @@ namespace {
 
 constexpr unsigned kSeed = 20261121;
 using Random = std::mt19937;
-using Pairs = std::vector<IntersectingPair>;
 
 Pairs self_intersections(const Soup& soup) {
   const CutMesh cut = build(soup);
@@ -97,15 +98,6 @@ Pairs brute_force(const Soup& soup) {
   return pairs;
 }
 
-std::string listed(const Pairs& pairs) {
-  std::string text;
-  for (const IntersectingPair& pair : pairs) {
-    text += std::to_string(pair.face_a) + "-" + std::to_string(pair.face_b) + " " +
-            std::string(contact_name(pair.kind)) + "\n";
-  }
-  return text;
-}
-
 Soup random_soup(std::size_t n_vertices, std::size_t n_faces,
                  const std::function<Vec3(Random&)>& point, Random& random) {
   Soup soup;
@@ -128,10 +120,6 @@ void expect_brute_force(const std::function<Vec3(Random&)>& point) {
         << "round " << round << " seed " << kSeed;
     EXPECT_FALSE(expected.empty());
   }
-}
-
-double lattice(Random& random, int n) {
-  return std::uniform_int_distribution<>(0, n - 1)(random);
 }
 
 TEST(FindSelfIntersections, EqualsBruteForceOnRandomSoups) {

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/triangle_contact.h"
+#include "support/random_soups.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -15,10 +16,6 @@ namespace meshalyzer {
 namespace {
 
 using Random = std::mt19937;
-
-double uniform(Random& random, double low, double high) {
-  return low + (high - low) * static_cast<double>(random()) / 0x1p32;
-}
 
 /// Faces without common vertices, and two far corners that give the tree its scale.
 Soup strangers(std::size_t n_faces, const std::function<Vec3()>& point) {
@@ -37,16 +34,16 @@ Corners corners_of(const FaceTree& tree, std::size_t slot) {
   return {tree.point(t[0]), tree.point(t[1]), tree.point(t[2])};
 }
 
-struct Tally {
+struct DirectionTally {
   int n_apart = 0;
   int n_told = 0;
 };
 
 /// Asks for all pairs of a mesh: none that is told apart may have a contact.
-Tally expect_sound(const Soup& soup) {
+DirectionTally expect_sound_directions(const Soup& soup) {
   const CutMesh cut = build(soup);
   const FaceTree tree(cut);
-  Tally tally;
+  DirectionTally tally;
   for (std::size_t a = 0; a < tree.n_faces(); ++a) {
     const SeparatingDirections directions(LeafTriangles(tree, a / 8), a % 8);
     for (std::size_t leaf = 0; leaf < tree.n_leaves(); ++leaf) {
@@ -69,7 +66,7 @@ TEST(SeparatingDirections, TellNearlyAllFacesApartThatAre) {
   const auto point = [&] {
     return Vec3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1));
   };
-  const Tally tally = expect_sound(strangers(160, point));
+  const DirectionTally tally = expect_sound_directions(strangers(160, point));
   EXPECT_GT(tally.n_told, tally.n_apart / 2);
 }
 
@@ -82,7 +79,7 @@ TEST(SeparatingDirections, TellParallelSliversApart) {
     ++i;
     return p;
   };
-  const Tally tally = expect_sound(strangers(64, point));
+  const DirectionTally tally = expect_sound_directions(strangers(64, point));
   EXPECT_EQ(tally.n_apart, 64 * 63);
   EXPECT_EQ(tally.n_told, tally.n_apart);
 }
@@ -90,9 +87,12 @@ TEST(SeparatingDirections, TellParallelSliversApart) {
 TEST(SeparatingDirections, AreSoundWhereFacesTouch) {
   Random random(2);
   const auto lattice = [&] { return static_cast<double>(random() % 4); };
-  EXPECT_GT(expect_sound(strangers(120, [&] { return Vec3(lattice(), lattice(), 0); })).n_told, 0);
   EXPECT_GT(
-      expect_sound(strangers(120, [&] { return Vec3(lattice(), lattice(), lattice()); })).n_told,
+      expect_sound_directions(strangers(120, [&] { return Vec3(lattice(), lattice(), 0); })).n_told,
+      0);
+  EXPECT_GT(
+      expect_sound_directions(strangers(120, [&] { return Vec3(lattice(), lattice(), lattice()); }))
+          .n_told,
       0);
 }
 
@@ -106,7 +106,7 @@ TEST(SeparatingDirections, AreSoundWhereFacesAreApartByAboutTheRoundingOfSingleP
         const double y = uniform(random, 0, 1);
         return Vec3(x + far, y, 0.3 * x + 0.7 * y + gap * uniform(random, -2, 2));
       };
-      expect_sound(strangers(64, point));
+      expect_sound_directions(strangers(64, point));
     }
   }
 }
@@ -119,14 +119,14 @@ TEST(SeparatingDirections, AreSoundForTinyFacesInALargeMesh) {
                   size * uniform(random, -1, 1));
     });
     soup = shapes::merged(soup, shapes::cube(2.0, {-1, -1, -1}));
-    expect_sound(soup);
+    expect_sound_directions(soup);
   }
 }
 
 TEST(SeparatingDirections, AreSoundForFacesOfZeroArea) {
   Random random(5);
   const auto on_a_line = [&] { return Vec3(static_cast<double>(random() % 9) * Vec3(1, 2, 3)); };
-  EXPECT_GE(expect_sound(strangers(60, on_a_line)).n_told, 0);
+  EXPECT_GE(expect_sound_directions(strangers(60, on_a_line)).n_told, 0);
 }
 
 TEST(SeparatingDirections, AskOnlyForTheLanesGiven) {

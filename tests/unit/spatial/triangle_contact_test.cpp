@@ -2,6 +2,7 @@
 
 #include "support/effort.h"
 #include "support/exact_oracle.h"
+#include "support/random_soups.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ namespace {
 
 using test::oracle_contact;
 
-constexpr unsigned kSeed = 20261121;
+constexpr unsigned kContactSeed = 20261121;
 using Random = std::mt19937;
 
 std::string name_of(const std::optional<ContactKind>& kind) {
@@ -40,7 +41,7 @@ std::pair<Corners, Corners> random_pair(const Source& source, Common common, Ran
 }
 
 void expect_agreement(const Source& source) {
-  Random random(kSeed);
+  Random random(kContactSeed);
   for (const Common common : {Common::Nothing, Common::Vertex, Common::Edge}) {
     int contacts = 0;
     for (int i = 0; i < source.pairs / static_cast<int>(test::one_of()); ++i) {
@@ -48,15 +49,11 @@ void expect_agreement(const Source& source) {
       const auto expected = oracle_contact(p, q, common);
       contacts += expected.has_value() ? 1 : 0;
       ASSERT_EQ(name_of(find_contact(p, q, common)), name_of(expected))
-          << "pair " << i << " common " << static_cast<int>(common) << " seed " << kSeed;
+          << "pair " << i << " common " << static_cast<int>(common) << " seed " << kContactSeed;
       ASSERT_EQ(name_of(find_contact(q, p, common)), name_of(expected)) << "exchanged, pair " << i;
     }
     EXPECT_GT(contacts, 0) << "the source never makes a contact: it tests nothing";
   }
-}
-
-double lattice(Random& random, int n) {
-  return static_cast<double>(std::uniform_int_distribution<>(0, n - 1)(random));
 }
 
 TEST(FindContact, AgreesWithRationalsOnRandomTriangles) {
@@ -157,7 +154,7 @@ TEST(FindContact, ZeroAreaFaceThroughTheInsideIsCrossing) {
 }
 
 TEST(AreClearlyApart, NeverContradictsTheExactAnswer) {
-  Random random(kSeed);
+  Random random(kContactSeed);
   const Source source{[](Random& r) { return Vec3(lattice(r, 3), lattice(r, 3), lattice(r, 3)); },
                       20000};
   int apart = 0;

@@ -30,7 +30,7 @@ void expect_true(const Corners& t, const Vec3& p, double error) {
   EXPECT_NEAR((closest.point - p).norm(), closest.distance, error) << p.transpose();
 }
 
-class Random {
+class RandomTriangles {
  public:
   double real() { return real_(engine_); }
   Vec3 vector() { return {real(), real(), real()}; }
@@ -53,7 +53,7 @@ TEST(ClosestOnTriangle, FaceEdgesAndCornersEachHaveTheirRegion) {
 }
 
 TEST(ClosestOnTriangle, PointsOfTheTriangleAreAtNoDistance) {
-  Random random;
+  RandomTriangles random;
   for (int i = 0; i < 1000; ++i) {
     const Corners t = random.triangle();
     for (const Vec3& corner : t) {
@@ -69,7 +69,7 @@ TEST(ClosestOnTriangle, PointsOfTheTriangleAreAtNoDistance) {
 }
 
 TEST(ClosestOnTriangle, RandomTrianglesAgreeWithTheRationals) {
-  Random random;
+  RandomTriangles random;
   for (int i = 0; i < 3000; ++i) {
     const Corners t = random.triangle();
     const Vec3 p = 2 * random.vector();
@@ -80,7 +80,7 @@ TEST(ClosestOnTriangle, RandomTrianglesAgreeWithTheRationals) {
 }
 
 TEST(ClosestOnTriangle, SliversOfAnyWidthAgreeWithTheRationals) {
-  Random random;
+  RandomTriangles random;
   for (int i = 0; i < 4000; ++i) {
     // The third corner near a point of the line of the other two: beyond the end, near it, between.
     const double width = std::pow(10.0, -1 - i % 20);
@@ -95,7 +95,7 @@ TEST(ClosestOnTriangle, SliversOfAnyWidthAgreeWithTheRationals) {
 }
 
 TEST(ClosestOnTriangle, PointFarAwayHasItsClosestPointOnTheTriangle) {
-  Random random;
+  RandomTriangles random;
   for (const double far : {1e3, 1e8, 1e15, 1e30}) {
     for (int i = 0; i < 50; ++i) {
       // Well shaped, and seen along the normal or from anywhere.
@@ -129,7 +129,7 @@ TEST(ClosestOnTriangle, ZeroAreaIsTheSegmentOrPointThatItIs) {
 }
 
 TEST(ClosestOnTriangle, ScalingByAPowerOfTwoScalesTheAnswerToTheBit) {
-  Random random;
+  RandomTriangles random;
   for (const int exponent : {-1000, -600, -200, 200, 600, 1000}) {
     const Corners t = random.triangle();
     const Vec3 p = random.vector();
@@ -159,7 +159,7 @@ TEST(ClosestOnTriangle, LargestAndSmallestNumbersGiveNumbers) {
 }
 
 TEST(ClosestOnTriangle, OrderOfTheCornersDoesNotMatter) {
-  Random random;
+  RandomTriangles random;
   for (int i = 0; i < 200; ++i) {
     const Corners t = random.triangle();
     const Vec3 p = random.vector();
@@ -263,7 +263,7 @@ void sample(const Corners& t, int n, Visit visit) {
 }
 
 TEST(ClosestOnTriangleInCone, NoSampleInTheConeIsNearer) {
-  Random random;
+  RandomTriangles random;
   int n_found = 0;
   int n_missed = 0;
   for (int i = 0; i < 1500; ++i) {
