@@ -13,7 +13,7 @@ enum class ExitCode {
   Usage = 2,
   /// An input could not be read, or the report could not be written. The other inputs were
   /// processed.
-  Trouble = 3,
+  Failure = 3,
   /// The user interrupted the program; shells report this number for it.
   Interrupted = 130,
 };

@@ -18,13 +18,13 @@ int run_guarded(const std::string& name, Streams streams,
     return static_cast<int>(ExitCode::Usage);
   } catch (const IoError& error) {
     streams.err << error.what() << '\n';
-    return static_cast<int>(ExitCode::Trouble);
+    return static_cast<int>(ExitCode::Failure);
   } catch (const std::bad_alloc&) {
     streams.err << name << ": not enough memory\n";
-    return static_cast<int>(ExitCode::Trouble);
+    return static_cast<int>(ExitCode::Failure);
   } catch (const std::exception& error) {
     streams.err << name << ": " << error.what() << '\n';
-    return static_cast<int>(ExitCode::Trouble);
+    return static_cast<int>(ExitCode::Failure);
   }
 }
 

@@ -28,9 +28,9 @@ MeshFolder list_mesh_folder(const std::string& folder) {
   }
   MeshFolder result;
   if (error) {
-    result.trouble = folder + ": cannot list the folder: " + error.message();
+    result.error = folder + ": cannot list the folder: " + error.message();
   } else if (names.empty()) {
-    result.trouble = folder + ": no mesh file in the folder (" + kMeshEndings + ")";
+    result.error = folder + ": no mesh file in the folder (" + kMeshEndings + ")";
   }
   std::sort(names.begin(), names.end());
   for (const std::string& name : names) {

@@ -11,7 +11,7 @@ struct MeshFolder {
   /// names; folders within the folder do not count.
   std::vector<std::string> files;
   /// The reason why the folder could not be listed, or that it held no mesh; mostly empty.
-  std::string trouble;
+  std::string error;
 };
 
 /// Tells whether a path is a folder.

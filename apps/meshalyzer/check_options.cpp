@@ -42,8 +42,8 @@ void check_meshes(const Options& options) {
 
 /// Tells whether the distances between the meshes of a set are requested.
 bool measures_separation(const Options& options) {
-  return options.asked.separation ||
-         (!options.asked.any() && !attributes_only(options) && !options.mesh.goodness);
+  return options.questions.separation ||
+         (!options.questions.any() && !attributes_only(options) && !options.mesh.goodness);
 }
 
 /// Returns an option that has no effect unless distances are measured, or an empty text.
@@ -58,7 +58,7 @@ std::string_view needs_separation(const Options& options) {
 }
 
 void check_set(const Options& options) {
-  if (options.total_volume && options.asked.any()) {
+  if (options.total_volume && options.questions.any()) {
     throw UsageError("-v prints only the total volume: -i and -s cannot go with it");
   }
   if (const std::string_view option = needs_separation(options);
@@ -95,15 +95,15 @@ void check_pictures(const Options& options) {
   if (wanted.palette && !wanted.file) {
     throw UsageError("--palette needs --export");
   }
-  const std::string_view asked = options.mesh.curvature ? "--curvature"
-                                 : wanted.file          ? "--export"
-                                 : options.html         ? "--html"
-                                                        : "";
-  if (asked.empty()) {
+  const std::string_view measured = options.mesh.curvature ? "--curvature"
+                                    : wanted.file          ? "--export"
+                                    : options.html         ? "--html"
+                                                           : "";
+  if (measured.empty()) {
     return;
   }
   if (attributes_only(options)) {
-    throw UsageError("-a measures nothing, so " + std::string(asked) + " cannot go with it");
+    throw UsageError("-a measures nothing, so " + std::string(measured) + " cannot go with it");
   }
   if (options.total_volume) {
     throw UsageError(kOnlyVolume);

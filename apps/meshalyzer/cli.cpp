@@ -32,7 +32,7 @@ namespace {
 
 /// Returns the options for the report of the journals: those of this call, and the offenders that
 /// the journals list.
-Options told_as(Options options, const Request& request) {
+Options options_of_report(Options options, const Request& request) {
   options.offenders = request.list_offenders ? OffenderStyle::Ids : OffenderStyle::None;
   return options;
 }
@@ -45,7 +45,7 @@ Options told_as(Options options, const Request& request) {
 ///                  part is missing.
 ExitCode merge(const Options& how, Streams streams) {
   const JournalSubject subject = read_subject(how.paths);
-  const Options options = told_as(how, subject.request);
+  const Options options = options_of_report(how, subject.request);
   // The statistics of a set are computed again from the files, which therefore must not have
   // changed.
   if (subject.request.is_set && subject.request.between.statistics) {
@@ -85,7 +85,7 @@ ExitCode report(const Options& options, Streams streams) {
 
 ExitCode print_answer(const std::string& answer, Streams streams) {
   streams.out << answer << std::flush;
-  return streams.out ? ExitCode::Done : ExitCode::Trouble;
+  return streams.out ? ExitCode::Done : ExitCode::Failure;
 }
 
 std::string_view first_word(int argc, const char* const* argv) {

@@ -14,7 +14,7 @@ namespace {
 
 void add_folder(Inputs& inputs, const std::string& folder) {
   MeshFolder listed = list_mesh_folder(folder);
-  if (!listed.trouble.empty()) inputs.troubles.push_back(std::move(listed.trouble));
+  if (!listed.error.empty()) inputs.errors.push_back(std::move(listed.error));
   inputs.files.insert(inputs.files.end(), listed.files.begin(), listed.files.end());
 }
 
@@ -49,10 +49,10 @@ bool has_stdin(const std::vector<std::string>& paths) {
 
 /// Decides whether the files are a set: several files are one too if their relations are requested.
 void decide_set(const Options& options, Inputs& inputs) {
-  if (options.asked.any() && options.paths.size() > 1) {
+  if (options.questions.any() && options.paths.size() > 1) {
     inputs.is_set = true;
   }
-  if (options.asked.any() && !inputs.is_set) {
+  if (options.questions.any() && !inputs.is_set) {
     throw UsageError("-i and -s need a folder, or several files");
   }
   const bool shows_separation = options.field_export.field == FieldName::Separation;

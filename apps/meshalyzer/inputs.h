@@ -17,7 +17,7 @@ struct Inputs {
   /// Tells whether all files together are a set.
   bool is_set = false;
   /// The paths that could not be listed or held no mesh, with the reason, a line each.
-  std::vector<std::string> troubles;
+  std::vector<std::string> errors;
 };
 
 /// Returns the mesh files that a command line stands for, and whether they are a set: the files of

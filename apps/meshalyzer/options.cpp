@@ -17,9 +17,9 @@ void declare_questions(OptionTable& table, Options& options) {
                "outward, no intersecting faces, no orphan, missing vertex or degenerate face, "
                "contiguous numbering, largest aspect ratio < AR, smallest edge angle > ANGLE "
                "degrees, shortest edge > LEN; not with -a");
-  table.flag("-i,--intersections", options.asked.intersections,
+  table.flag("-i,--intersections", options.questions.intersections,
              "set: faces of different meshes that share a point, and meshes inside others");
-  table.flag("-s,--separation", options.asked.separation,
+  table.flag("-s,--separation", options.questions.separation,
              "set: for each vertex the distance to the closest point of any other mesh, negative "
              "inside one; every mesh must be good. Without -i, -s, -a and -g a folder is asked "
              "for both");

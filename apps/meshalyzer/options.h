@@ -17,7 +17,7 @@ namespace meshalyzer {
 
 /// The questions about a set. If neither is named, both are asked about a folder, but none with -a
 /// or -g.
-struct AskedOfSet {
+struct NamedQuestions {
   bool intersections = false;
   bool separation = false;
 
@@ -42,7 +42,7 @@ struct Options : ReportOptions {
   MeshRequest mesh;
   /// The time limit in seconds.
   std::optional<double> time_limit;
-  AskedOfSet asked;
+  NamedQuestions questions;
   SeparationOptions separation;
   /// Measures the separation even if a mesh is not good (--force).
   bool force = false;

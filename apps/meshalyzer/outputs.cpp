@@ -78,7 +78,7 @@ void JsonOutput::finish(const SetAnalysis* set) {
 
 /// Writes the part of a report about the set as a whole, which follows the meshes. A set without
 /// meshes has no such part.
-void tell_set(const SetAnalysis* set, const Run& run, std::ostream& out) {
+void write_set(const SetAnalysis* set, const Run& run, std::ostream& out) {
   if (set == nullptr || set->meshes == 0) {
     return;
   }
@@ -99,7 +99,7 @@ class TextOutput : public Output {
  private:
   const Run& run_;
   std::ostream& out_;
-  std::size_t n_told_ = 0;
+  std::size_t n_written_ = 0;
 };
 
 void TextOutput::on_mesh(Index, const Analysis& mesh) {
@@ -108,14 +108,14 @@ void TextOutput::on_mesh(Index, const Analysis& mesh) {
   if (is_among_others && is_verdict) {
     out_ << mesh.path << ": ";
   } else if (is_among_others) {
-    out_ << (n_told_ == 0 ? "" : "\n") << "==== " << mesh.path << " ====\n";
+    out_ << (n_written_ == 0 ? "" : "\n") << "==== " << mesh.path << " ====\n";
   }
   out_ << text_report(mesh, run_.options.offenders);
-  ++n_told_;
+  ++n_written_;
 }
 
 void TextOutput::finish(const SetAnalysis* set) {
-  tell_set(set, run_, out_);
+  write_set(set, run_, out_);
 }
 
 /// Writes a table with one line for each mesh (--summary), and the findings about a set.
@@ -151,7 +151,7 @@ void SummaryOutput::on_unreadable(Index number, const std::string& why) {
 }
 
 void SummaryOutput::finish(const SetAnalysis* set) {
-  tell_set(set, run_, out_);
+  write_set(set, run_, out_);
 }
 
 /// Prints only the total volume of a set (-v).

@@ -7,6 +7,7 @@
 #include "meshalyzer/picture/scene.h"
 #include "meshalyzer/picture/separation_values.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
+#include "meshalyzer/report/html/mesh_page.h"
 #include "meshalyzer/set/separation.h"
 
 #include <algorithm>
@@ -137,7 +138,7 @@ void Pictures::wait(Index number, const Analysis& mesh) {
 void Pictures::on_unreadable(Index number, const std::string& why) {
   if (!rows_.empty()) {
     rows_[number].name = run_.inputs.names[number];
-    rows_[number].trouble = why;
+    rows_[number].error = why;
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "meshalyzer/analysis/analysis.h"
-#include "meshalyzer/report/html/page.h"
+#include "meshalyzer/report/html/index_page.h"
 #include "output.h"
 #include "picture_paths.h"
 #include "run.h"

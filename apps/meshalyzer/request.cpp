@@ -6,9 +6,9 @@ namespace {
 SetQuestions questions_of(const Options& options) {
   SetQuestions questions;
   questions.statistics = options.mesh.scope == Scope::Everything && !options.mesh.goodness;
-  const bool all = !options.asked.any() && questions.statistics;
-  questions.intersections = all || options.asked.intersections;
-  if (all || options.asked.separation) {
+  const bool all = !options.questions.any() && questions.statistics;
+  questions.intersections = all || options.questions.intersections;
+  if (all || options.questions.separation) {
     questions.separation = options.separation;
   }
   questions.force = options.force;

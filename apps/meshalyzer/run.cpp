@@ -25,7 +25,7 @@ class Outcome : public RunListener {
 
   void on_mesh(Index number, const Analysis& mesh) override;
   void on_unreadable(Index number, const std::string& why) override;
-  void complain(const std::string& message);
+  void report_error(const std::string& message);
 
   [[nodiscard]] std::size_t n_files_done() const { return n_files_done_; }
   [[nodiscard]] ExitCode exit_code() const;
@@ -34,7 +34,7 @@ class Outcome : public RunListener {
   std::ostream& err_;
   std::size_t n_files_done_ = 0;
   bool all_good_ = true;
-  bool trouble_ = false;
+  bool failed_ = false;
 };
 
 void Outcome::on_mesh(Index, const Analysis& mesh) {
@@ -44,20 +44,20 @@ void Outcome::on_mesh(Index, const Analysis& mesh) {
 
 void Outcome::on_unreadable(Index, const std::string& why) {
   ++n_files_done_;
-  complain(why);
+  report_error(why);
 }
 
-void Outcome::complain(const std::string& message) {
+void Outcome::report_error(const std::string& message) {
   err_ << message << '\n';
-  trouble_ = true;
+  failed_ = true;
 }
 
 ExitCode Outcome::exit_code() const {
-  return trouble_ ? ExitCode::Trouble : all_good_ ? ExitCode::Done : ExitCode::NotGood;
+  return failed_ ? ExitCode::Failure : all_good_ ? ExitCode::Done : ExitCode::NotGood;
 }
 
 /// Forwards all findings to several listeners, one after the other.
-class Audience : public RunListener {
+class Listeners : public RunListener {
  public:
   void add(RunListener& listener) { listeners_.push_back(&listener); }
 
@@ -104,7 +104,7 @@ Findings analyze(const Run& run, RunListener& listener) {
   return {set.has_value(), std::move(set)};
 }
 
-void tell_interrupted(const Run& run, const Outcome& outcome, std::ostream& err) {
+void report_interruption(const Run& run, const Outcome& outcome, std::ostream& err) {
   err << "meshalyzer: interrupted: " << outcome.n_files_done() << " of " << run.inputs.files.size()
       << " files are done";
   if (run.options.ndjson && !run.options.ndjson->is_stdout()) {
@@ -117,25 +117,25 @@ void tell_interrupted(const Run& run, const Outcome& outcome, std::ostream& err)
 
 ExitCode carry_out(const Run& run, Streams streams) {
   Outcome outcome(streams.err);
-  for (const std::string& trouble : run.inputs.troubles) {
-    outcome.complain(trouble);
+  for (const std::string& error : run.inputs.errors) {
+    outcome.report_error(error);
   }
   Progress progress(run.options, streams);
   const std::vector<std::unique_ptr<Output>> outputs = outputs_of(run, streams);
-  Audience audience;
-  audience.add(progress);
+  Listeners listeners;
+  listeners.add(progress);
   if (run.journal != nullptr) {
-    audience.add(*run.journal);
+    listeners.add(*run.journal);
   }
   for (const std::unique_ptr<Output>& output : outputs) {
-    audience.add(*output);
+    listeners.add(*output);
   }
-  audience.add(outcome);
-  const Findings found = analyze(run, audience);
+  listeners.add(outcome);
+  const Findings found = analyze(run, listeners);
   progress.clear();
   const bool is_interrupted = !found.is_whole && InterruptGuard::is_interrupted();
   if (is_interrupted) {
-    tell_interrupted(run, outcome, streams.err);
+    report_interruption(run, outcome, streams.err);
   }
   if (found.is_whole) {
     // The output for a person comes first.
@@ -143,7 +143,7 @@ ExitCode carry_out(const Run& run, Streams streams) {
                   [&](const auto& output) { output->finish(found.set ? &*found.set : nullptr); });
   }
   if (!streams.out.flush()) {
-    outcome.complain("meshalyzer: standard output: cannot be written");
+    outcome.report_error("meshalyzer: standard output: cannot be written");
   }
   return is_interrupted ? ExitCode::Interrupted : outcome.exit_code();
 }

@@ -32,7 +32,7 @@ struct BatchFile {
 struct BatchFiles {
   std::vector<BatchFile> files;
   /// The paths that could not be listed or held no mesh, with the reason.
-  std::vector<std::string> troubles;
+  std::vector<std::string> errors;
 };
 
 std::string output_for(const Options& options, const std::string& input) {
@@ -57,7 +57,7 @@ BatchFiles find_files(const Options& options) {
     }
     MeshFolder folder = list_mesh_folder(path);
     for (const std::string& file : folder.files) add_file(options, file, batch);
-    if (!folder.trouble.empty()) batch.troubles.push_back(std::move(folder.trouble));
+    if (!folder.error.empty()) batch.errors.push_back(std::move(folder.error));
   }
   return batch;
 }
@@ -113,8 +113,8 @@ ExitCode repair_one(const Options& options, const BatchFile& file, Streams strea
     });
   } catch (const Error& error) {
     streams.err << error.what() << std::endl;
-    report.add_trouble(file.input, error.what());
-    return ExitCode::Trouble;
+    report.add_error(file.input, error.what());
+    return ExitCode::Failure;
   }
 }
 
@@ -125,22 +125,22 @@ ExitCode run_batch(const Options& options, Streams streams) {
   check_outputs(options, batch);
   make_folder(options);
   BatchReport report(options, streams);
-  ExitCode gravest = ExitCode::Done;
-  for (const std::string& trouble : batch.troubles) {
-    streams.err << trouble << std::endl;
-    gravest = ExitCode::Trouble;
+  ExitCode worst = ExitCode::Done;
+  for (const std::string& error : batch.errors) {
+    streams.err << error << std::endl;
+    worst = ExitCode::Failure;
   }
   for (const BatchFile& file : batch.files) {
-    gravest = std::max(gravest, repair_one(options, file, streams, report));
+    worst = std::max(worst, repair_one(options, file, streams, report));
     if (InterruptGuard::is_interrupted()) {
-      gravest = ExitCode::Interrupted;
+      worst = ExitCode::Interrupted;
       break;
     }
   }
   report.finish();
-  if (streams.out) return gravest;
+  if (streams.out) return worst;
   streams.err << "meshfixer: standard output takes no more\n";
-  return ExitCode::Trouble;
+  return ExitCode::Failure;
 }
 
 }  // namespace meshalyzer::fixer

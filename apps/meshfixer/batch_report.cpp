@@ -22,7 +22,7 @@ std::string on_one_line(std::string_view json) {
   return line;
 }
 
-std::string trouble_json(const std::string& path, const std::string& what) {
+std::string error_json(const std::string& path, const std::string& what) {
   JsonWriter json;
   json.begin_object();
   write_bytes(json, "path", path);
@@ -72,9 +72,9 @@ void BatchReport::add(const std::string& path, const RepairReport& report) {
   ++n_files_;
 }
 
-void BatchReport::add_trouble(const std::string& path, const std::string& what) {
-  ++n_troubles_;
-  add_json(on_one_line(trouble_json(path, what)));
+void BatchReport::add_error(const std::string& path, const std::string& what) {
+  ++n_errors_;
+  add_json(on_one_line(error_json(path, what)));
   ++n_files_;
 }
 
@@ -107,7 +107,7 @@ std::string BatchReport::table() const {
   text += "files: " + std::to_string(n_files_) + '\n';
   text += "changed: " + std::to_string(n_changed_) + '\n';
   text += "with defects left that were asked for: " + std::to_string(n_with_rest_) + '\n';
-  text += "not read or not written: " + std::to_string(n_troubles_) + '\n';
+  text += "not read or not written: " + std::to_string(n_errors_) + '\n';
   if (!lost_.empty()) text += "lost: " + lost_text(lost_) + '\n';
   return text;
 }

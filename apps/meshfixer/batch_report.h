@@ -23,7 +23,7 @@ class BatchReport {
   /// @param path  The path as the user named it.
   void add(const std::string& path, const RepairReport& report);
   /// Reports a file that could not be read or written.
-  void add_trouble(const std::string& path, const std::string& what);
+  void add_error(const std::string& path, const std::string& what);
 
   /// Ends the reports.
   void finish();
@@ -46,7 +46,7 @@ class BatchReport {
   std::size_t n_files_ = 0;
   std::size_t n_changed_ = 0;
   std::size_t n_with_rest_ = 0;
-  std::size_t n_troubles_ = 0;
+  std::size_t n_errors_ = 0;
   Counts before_{};
   Counts after_{};
   std::vector<AttributeCount> lost_;

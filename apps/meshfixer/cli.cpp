@@ -15,7 +15,7 @@ ExitCode run_command(int argc, const char* const* argv, Streams streams) {
   const CommandLine command = parse_command_line(argc, argv);
   if (command.answer) {
     streams.out << *command.answer << std::flush;
-    return streams.out ? ExitCode::Done : ExitCode::Trouble;
+    return streams.out ? ExitCode::Done : ExitCode::Failure;
   }
   const ThreadLimit limit(command.options.threads);
   return work(command.options, streams);

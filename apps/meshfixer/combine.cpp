@@ -16,7 +16,7 @@
 #include "output.h"
 #include "page.h"
 #include "stop_request.h"
-#include "tell.h"
+#include "write_report.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -71,11 +71,12 @@ class CombinationRun {
     }
     report_.lost = summed(std::move(report_.lost));
     // Standard output receives only the mesh.
-    const Streams told_to{options_.writes_to_stdout() ? streams_.err : streams_.out, streams_.err};
-    const ExitCode told = tell(
-        options_, told_to, [&] { return text_report(report_); },
+    const Streams streams_of_report{options_.writes_to_stdout() ? streams_.err : streams_.out,
+                                    streams_.err};
+    const ExitCode status = write_report(
+        options_, streams_of_report, [&] { return text_report(report_); },
         [&] { return json_report(report_); });
-    return std::max(told, gravest_);
+    return std::max(status, worst_);
   }
 
  private:
@@ -192,7 +193,7 @@ class CombinationRun {
     return "component " + std::to_string(number + 1) + " of " + path;
   }
 
-  void be_at_least(ExitCode code) { gravest_ = std::max(gravest_, code); }
+  void be_at_least(ExitCode code) { worst_ = std::max(worst_, code); }
 
   /// Writes a result, if it is to be written, and reports it.
   /// @return The mesh as it is on disk; nothing if there is none.
@@ -240,7 +241,7 @@ class CombinationRun {
     report_.outputs.back().verdict = "empty";
     if (!path) return;
     streams_.err << where << ": not written: the result is empty\n";
-    be_at_least(ExitCode::Trouble);
+    be_at_least(ExitCode::Failure);
   }
 
   [[nodiscard]] static Output output_of(const Result& result, const TrackedMesh& mesh,
@@ -252,7 +253,7 @@ class CombinationRun {
   /// Writes a mesh and reads it back.
   Soup write(const Result& result, const TrackedMesh& mesh, bool is_changed,
              const std::optional<std::string>& path) {
-    BooleanOutput& told = report_.outputs.emplace_back();
+    BooleanOutput& listed = report_.outputs.emplace_back();
     if (!path) return mesh.soup;
     const bool is_stdout = options_.writes_to_stdout();
     const std::string name = is_stdout ? name_of_stdout() : *path;
@@ -264,7 +265,7 @@ class CombinationRun {
       be_at_least(ExitCode::NotGood);
       return mesh.soup;
     }
-    told.path = is_stdout ? "-" : *path;
+    listed.path = is_stdout ? "-" : *path;
     if (!is_stdout) return write_output(output, *path);
     Soup disk = parse_mesh(output.bytes, name);
     streams_.out << output.bytes << std::flush;
@@ -300,7 +301,7 @@ class CombinationRun {
   Streams streams_;
   StopRequest stop_;
   BooleanReport report_;
-  ExitCode gravest_ = ExitCode::Done;
+  ExitCode worst_ = ExitCode::Done;
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ std::vector<std::string> find_paths(const Options& options) {
       continue;
     }
     MeshFolder folder = list_mesh_folder(path);
-    if (!folder.trouble.empty()) throw Error(folder.trouble);
+    if (!folder.error.empty()) throw Error(folder.error);
     paths.insert(paths.end(), folder.files.begin(), folder.files.end());
   }
   return paths;

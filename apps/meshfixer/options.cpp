@@ -12,7 +12,7 @@ namespace meshalyzer::fixer {
 namespace {
 
 /// The options whose meaning depends on the rest of the command line.
-struct Said {
+struct GivenOptions {
   std::vector<std::string> paths;
   bool find = false, dry_run = false;
   std::optional<CodeList> fix, no_fix;
@@ -22,12 +22,12 @@ struct Said {
   std::vector<BooleanOperation> operations;
 };
 
-bool names_operation(const Said& said, const RepairOptions& repair) {
-  return repair.weld_within || repair.turn == Turn::Everything || said.renumber ||
-         said.drop_orphans;
+bool names_operation(const GivenOptions& given, const RepairOptions& repair) {
+  return repair.weld_within || repair.turn == Turn::Everything || given.renumber ||
+         given.drop_orphans;
 }
 
-void declare_actions(OptionTable& table, Options& options, Said& said) {
+void declare_actions(OptionTable& table, Options& options, GivenOptions& given) {
   table.group("Tasks");
   table.option("-o,--output OUT", into(options.output, to_output),
                "write the repaired mesh to OUT: a mesh file, or - for standard output (the "
@@ -40,18 +40,18 @@ void declare_actions(OptionTable& table, Options& options, Said& said) {
   table.flag(
       "--backup", [&options] { options.backup = Options::Backup::Original; },
       "with --in-place: keep each file that is written over as FILE.orig");
-  table.flag("--find", said.find,
+  table.flag("--find", given.find,
              "only report the defects; of these, --fix and --no-fix say which count for the exit "
              "status");
-  table.flag("--dry-run", said.dry_run, "repair and report, but write nothing");
+  table.flag("--dry-run", given.dry_run, "repair and report, but write nothing");
   table.flag(
       "--strict-attributes", [&options] { options.loss = Options::Loss::Refuse; },
       "write nothing, with exit status 1, if OUT cannot hold all attributes of IN, such as "
       "texture coordinates");
-  table.option("--fix LIST", into(said.fix, to_codes),
+  table.option("--fix LIST", into(given.fix, to_codes),
                "fix only these defects, by code: " + names_of(all_defect_codes(), defect_name) +
                    "; or default (all but disjoint and numbering), or all");
-  table.option("--no-fix LIST", into(said.no_fix, to_codes), "do not fix these");
+  table.option("--no-fix LIST", into(given.no_fix, to_codes), "do not fix these");
   table.flag("--solid", options.repair.solid,
              "make the result a solid: fill holes of sheets too, and drop open fragments that "
              "enclose nothing, each reported with its area");
@@ -61,28 +61,28 @@ void declare_actions(OptionTable& table, Options& options, Said& said) {
              "if there is nothing else");
 }
 
-void declare_operations(OptionTable& table, Options& options, Said& said) {
+void declare_operations(OptionTable& table, Options& options, GivenOptions& given) {
   RepairOptions& repair = options.repair;
   table.option("--weld TOL", into(repair.weld_within, to_length),
                "join borders whose ends are within TOL");
   table.flag(
       "--flip", [&repair] { repair.turn = Turn::Everything; }, "turn every face over");
-  table.flag("--renumber", said.renumber, "number vertices and faces 1, 2, ..., n");
-  table.flag("--drop-orphans", said.drop_orphans,
+  table.flag("--renumber", given.renumber, "number vertices and faces 1, 2, ..., n");
+  table.flag("--drop-orphans", given.drop_orphans,
              "drop vertices that no face uses. If nothing else is asked for, only these four are "
              "done");
-  table.flag("--separate", said.separate,
+  table.flag("--separate", given.separate,
              "write one file for each component: OUT_1, OUT_2, ..., largest first; fixing "
              "disjoint does the same, as with --fix all");
   table.option("--keep-largest N", into(repair.keep_largest, to_count_from_one),
                "keep only the N components with most faces");
 }
 
-void declare_booleans(OptionTable& table, Said& said) {
+void declare_booleans(OptionTable& table, GivenOptions& given) {
   table.group("Several solids, combined exactly");
   const auto declare = [&](const char* name, BooleanOperation operation, const char* text) {
     table.flag(
-        name, [&said, operation] { said.operations.push_back(operation); }, text);
+        name, [&given, operation] { given.operations.push_back(operation); }, text);
   };
   declare("--union", BooleanOperation::Union,
           "the solid inside any input; the components of a single input are combined");
@@ -95,14 +95,14 @@ void declare_booleans(OptionTable& table, Said& said) {
 }
 
 /// Returns a function that takes a value of an option for holes.
-OptionTable::Take of_holes(Said& said, OptionTable::Take take) {
-  return [&said, take = std::move(take)](const std::string& text, const std::string& option) {
-    said.names_holes = true;
+OptionTable::Take of_holes(GivenOptions& given, OptionTable::Take take) {
+  return [&given, take = std::move(take)](const std::string& text, const std::string& option) {
+    given.names_holes = true;
     take(text, option);
   };
 }
 
-void declare_holes(OptionTable& table, Options& options, Said& said) {
+void declare_holes(OptionTable& table, Options& options, GivenOptions& given) {
   RepairOptions& repair = options.repair;
   FillOptions& fill = repair.fill;
   table.flag(
@@ -112,12 +112,12 @@ void declare_holes(OptionTable& table, Options& options, Said& said) {
       "--by-group", [&repair] { repair.groups = Groups::Faces; },
       "the groups of the file are faces of a body: their common borders keep every vertex and "
       "edge");
-  table.option("--fill-holes N", of_holes(said, into(fill.max_edges, to_count)),
+  table.option("--fill-holes N", of_holes(given, into(fill.max_edges, to_count)),
                "fill loops of at most N edges");
-  table.option("--fill-at X,Y,Z", of_holes(said, into(fill.at, to_point)),
+  table.option("--fill-at X,Y,Z", of_holes(given, into(fill.at, to_point)),
                "fill only the loop that is nearest to this point");
   table.option(
-      "--fill-shape SHAPE", of_holes(said, into(fill.shape, to_fill_shape)),
+      "--fill-shape SHAPE", of_holes(given, into(fill.shape, to_fill_shape)),
       "linear (no new vertices), smooth (refined and faired), or auto (the default): smooth "
       "where the surface bends towards the hole. With any of these three options, or --fix, "
       "holes of sheets (surfaces that bound no solid) are filled too");
@@ -179,7 +179,7 @@ void declare_reports(OptionTable& table, Options& options) {
 }
 
 /// Checks the options of the output: several meshes, and those written in place, have one report.
-void check_target(const Said& said, const Options& options) {
+void check_target(const GivenOptions& given, const Options& options) {
   const bool is_in_place = options.target == Options::Target::InPlace;
   if (is_in_place && options.output) {
     throw UsageError("--in-place writes over the inputs, so -o cannot go with it");
@@ -194,7 +194,7 @@ void check_target(const Said& said, const Options& options) {
     throw UsageError("--json and --ndjson cannot both go to standard output");
   }
   if (!options.is_batch() && !options.writes_to_stdout()) return;
-  if (said.find || said.dry_run) {
+  if (given.find || given.dry_run) {
     throw UsageError("--find and --dry-run write nothing, so --in-place cannot go with them");
   }
   if (options.html && options.is_batch()) {
@@ -204,43 +204,43 @@ void check_target(const Said& said, const Options& options) {
 
 /// Names the first option that requests a repair, or a report that only a repair has; empty if
 /// there is none.
-std::string repair_option(const Said& said, const Options& options) {
+std::string repair_option(const GivenOptions& given, const Options& options) {
   const RepairOptions& repair = options.repair;
-  const std::pair<bool, const char*> asked[] = {
-      {said.find, "--find"},
-      {said.fix.has_value(), "--fix"},
-      {said.no_fix.has_value(), "--no-fix"},
+  const std::pair<bool, const char*> options_of_repair[] = {
+      {given.find, "--find"},
+      {given.fix.has_value(), "--fix"},
+      {given.no_fix.has_value(), "--no-fix"},
       {repair.solid, "--solid"},
       {repair.guarantee, "--guarantee"},
       {options.target == Options::Target::InPlace, "--in-place"},
       {options.backup == Options::Backup::Original, "--backup"},
       {repair.weld_within.has_value(), "--weld"},
       {repair.turn == Turn::Everything, "--flip"},
-      {said.renumber, "--renumber"},
-      {said.drop_orphans, "--drop-orphans"},
-      {said.separate, "--separate"},
+      {given.renumber, "--renumber"},
+      {given.drop_orphans, "--drop-orphans"},
+      {given.separate, "--separate"},
       {repair.keep_largest != 0, "--keep-largest"},
       {repair.borders == Borders::Intended, "--keep-borders"},
       {repair.groups == Groups::Faces, "--by-group"},
-      {said.names_holes, "--fill-holes, --fill-at or --fill-shape"},
+      {given.names_holes, "--fill-holes, --fill-at or --fill-shape"},
       {options.ndjson.has_value(), "--ndjson"}};
-  for (const auto& [is_asked, name] : asked) {
-    if (is_asked) return name;
+  for (const auto& [is_given, name] : options_of_repair) {
+    if (is_given) return name;
   }
   return {};
 }
 
-void check_combination(const Said& said, const Options& options) {
-  if (said.operations.size() > 1) throw UsageError("one boolean operation at a time");
-  if (const std::string option = repair_option(said, options); !option.empty()) {
+void check_combination(const GivenOptions& given, const Options& options) {
+  if (given.operations.size() > 1) throw UsageError("one boolean operation at a time");
+  if (const std::string option = repair_option(given, options); !option.empty()) {
     throw UsageError(option + " repairs one mesh, so no boolean operation can go with it");
   }
-  const bool is_dry = said.dry_run;
+  const bool is_dry = given.dry_run;
   if (is_dry && options.output) {
     throw UsageError("--dry-run writes nothing, so -o cannot go with it");
   }
   if (!is_dry && !options.output) throw UsageError("no OUT: name it with -o, or ask for --dry-run");
-  const bool is_in_order = said.operations.front() == BooleanOperation::SubtractInOrder;
+  const bool is_in_order = given.operations.front() == BooleanOperation::SubtractInOrder;
   if (is_in_order && options.output && options.target != Options::Target::Folder) {
     throw UsageError("--subtract-in-order writes a file for each input: name a folder as OUT");
   }
@@ -250,72 +250,72 @@ void check_combination(const Said& said, const Options& options) {
   }
 }
 
-void check_consistent(const Said& said, const Options& options) {
-  if (said.paths.empty()) throw UsageError("no IN: name a mesh file, or - for standard input");
-  if (!said.operations.empty()) {
-    check_combination(said, options);
+void check_consistent(const GivenOptions& given, const Options& options) {
+  if (given.paths.empty()) throw UsageError("no IN: name a mesh file, or - for standard input");
+  if (!given.operations.empty()) {
+    check_combination(given, options);
     return;
   }
-  check_target(said, options);
-  if (said.paths.size() > 1 && !options.is_batch()) {
-    throw UsageError("one mesh at a time: " + said.paths[1] + " is one too many");
+  check_target(given, options);
+  if (given.paths.size() > 1 && !options.is_batch()) {
+    throw UsageError("one mesh at a time: " + given.paths[1] + " is one too many");
   }
   const bool changes =
-      names_operation(said, options.repair) || said.separate || options.repair.keep_largest != 0;
-  if (said.find && (options.output || said.dry_run || changes)) {
+      names_operation(given, options.repair) || given.separate || options.repair.keep_largest != 0;
+  if (given.find && (options.output || given.dry_run || changes)) {
     throw UsageError("--find only reports: no option that changes or writes a mesh can go with it");
   }
-  if (said.dry_run && options.output) {
+  if (given.dry_run && options.output) {
     throw UsageError("--dry-run writes nothing, so -o cannot go with it");
   }
-  if (!said.find && !said.dry_run && !options.output && !options.is_batch()) {
+  if (!given.find && !given.dry_run && !options.output && !options.is_batch()) {
     throw UsageError("no OUT: name it with -o, or ask for --find or --dry-run");
   }
   if (options.repair.borders == Borders::Intended && options.repair.solid) {
     throw UsageError("--keep-borders fills no hole, so --solid cannot go with it");
   }
-  if (options.repair.borders == Borders::Intended && said.names_holes) {
+  if (options.repair.borders == Borders::Intended && given.names_holes) {
     throw UsageError("--keep-borders fills no hole, so no --fill- option can go with it");
   }
 }
 
 /// Returns the defects to fix: those of --fix, else none if only single operations are named, else
 /// the default; and those that other options imply.
-DefectCodes fixes_of(const Said& said, const RepairOptions& repair) {
+DefectCodes fixes_of(const GivenOptions& given, const RepairOptions& repair) {
   DefectCodes fixes = default_fixes();
-  if (said.fix) {
-    fixes = said.fix->codes;
-  } else if (names_operation(said, repair) && !said.no_fix) {
+  if (given.fix) {
+    fixes = given.fix->codes;
+  } else if (names_operation(given, repair) && !given.no_fix) {
     fixes = {};
   }
-  if (said.no_fix) {
+  if (given.no_fix) {
     for (const DefectCode code : all_defect_codes()) {
-      if (said.no_fix->codes.contains(code)) fixes.erase(code);
+      if (given.no_fix->codes.contains(code)) fixes.erase(code);
     }
   }
-  if (said.names_holes) fixes.insert(DefectCode::Hole);
-  if (said.renumber) fixes.insert(DefectCode::Numbering);
-  if (said.drop_orphans) fixes.insert(DefectCode::OrphanVertex);
-  if (said.separate) fixes.insert(DefectCode::Disjoint);
+  if (given.names_holes) fixes.insert(DefectCode::Hole);
+  if (given.renumber) fixes.insert(DefectCode::Numbering);
+  if (given.drop_orphans) fixes.insert(DefectCode::OrphanVertex);
+  if (given.separate) fixes.insert(DefectCode::Disjoint);
   if (repair.borders == Borders::Intended) fixes.erase(DefectCode::Hole);
   return fixes;
 }
 
-void complete(const Said& said, Options& options) {
-  options.paths = said.paths;
-  options.input = said.paths.front();
-  if (!said.operations.empty()) {
+void complete(const GivenOptions& given, Options& options) {
+  options.paths = given.paths;
+  options.input = given.paths.front();
+  if (!given.operations.empty()) {
     options.action = Options::Action::Combine;
-    options.operation = said.operations.front();
+    options.operation = given.operations.front();
     return;
   }
-  options.action = said.find ? Options::Action::Find : Options::Action::Fix;
-  options.repair.fixes = fixes_of(said, options.repair);
-  const bool is_named = said.names_holes || (said.fix && said.fix->names_holes);
+  options.action = given.find ? Options::Action::Find : Options::Action::Fix;
+  options.repair.fixes = fixes_of(given, options.repair);
+  const bool is_named = given.names_holes || (given.fix && given.fix->names_holes);
   RepairOptions& repair = options.repair;
   repair.fill.sheets = is_named || repair.solid ? FillSheets::Yes : FillSheets::No;
   // Gaps in the numbering are not good either.
-  const bool leaves_numbers = said.no_fix && said.no_fix->codes.contains(DefectCode::Numbering);
+  const bool leaves_numbers = given.no_fix && given.no_fix->codes.contains(DefectCode::Numbering);
   if (repair.guarantee && !leaves_numbers) repair.fixes.insert(DefectCode::Numbering);
   const bool has_one_file_each = options.is_batch() || options.writes_to_stdout();
   if (has_one_file_each && options.repair.fixes.contains(DefectCode::Disjoint)) {
@@ -328,7 +328,7 @@ void complete(const Said& said, Options& options) {
 CommandLine parse_command_line(int argc, const char* const* argv) {
   CommandLine command;
   Options& options = command.options;
-  Said said;
+  GivenOptions given;
   OptionTable table(
       {.calls = {"meshfixer [options] IN -o OUT", "meshfixer [options] PATH... -o DIR",
                  "meshfixer --in-place [options] PATH...", "meshfixer --find [options] IN",
@@ -348,13 +348,13 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
                  "file could not be read or written.",
        .version = "meshfixer " MESHALYZER_VERSION "\n"});
   table.arguments(
-      "IN", said.paths,
+      "IN", given.paths,
       "a mesh file (.mesh .obj .off .stl .ply, also .gz) or - for standard input; PATH a mesh file "
       "or a folder: all mesh files in it.");
-  declare_actions(table, options, said);
-  declare_operations(table, options, said);
-  declare_holes(table, options, said);
-  declare_booleans(table, said);
+  declare_actions(table, options, given);
+  declare_operations(table, options, given);
+  declare_holes(table, options, given);
+  declare_booleans(table, given);
   declare_limits(table, options);
   declare_reports(table, options);
   command.answer = table.parse(argc, argv);
@@ -362,8 +362,8 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     if (options.output && is_folder_name(*options.output)) {
       options.target = Options::Target::Folder;
     }
-    check_consistent(said, options);
-    complete(said, options);
+    check_consistent(given, options);
+    complete(given, options);
   }
   return command;
 }

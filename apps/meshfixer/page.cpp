@@ -1,6 +1,7 @@
 #include "page.h"
 
 #include "meshalyzer/io/file.h"
+#include "meshalyzer/report/html/defects_page.h"
 #include "meshalyzer/report/html/repair_changes.h"
 #include "meshalyzer/report/html/repair_page.h"
 #include "meshalyzer/report/text/patch_text.h"
@@ -123,7 +124,7 @@ void write_page(const std::string& file, const FoundPage& found) {
     patches.push_back({patch.defect, patch_text(patch, defect.faces.size())});
   }
   replace_file(file,
-               html_report({found.name, found.report, found.scene, {}, patches}, found.asked));
+               html_report({found.name, found.report, found.scene, {}, patches}, found.requested));
 }
 
 void write_page(const std::string& file, const RepairReport& report, DrawnInput before,

@@ -17,9 +17,9 @@ struct FoundPage {
   const MeshName& name;
   const DefectReport& report;
   /// The codes that count in the verdict.
-  const DefectCodes& asked;
+  const DefectCodes& requested;
   const Scene& scene;
-  /// What a repair would make of the patches of intersecting faces; empty if it is not told.
+  /// The outcome of a repair for each patch of intersecting faces; empty if none was tried.
   std::span<const PatchOutcome> patches = {};
 };
 

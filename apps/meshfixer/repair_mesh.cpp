@@ -253,7 +253,7 @@ bool are_good(const std::vector<FinalSoup>& finals, RepairReport& report) {
   return is_good;
 }
 
-/// Returns Done or NotGood, or Trouble if a mesh should have been written and was not.
+/// Returns Done or NotGood, or Failure if a mesh should have been written and was not.
 ExitCode verdict(const Options& options, const RepairReport& report, Streams streams) {
   const bool is_missing =
       report.meshes.empty() || std::any_of(report.meshes.begin(), report.meshes.end(),
@@ -261,7 +261,7 @@ ExitCode verdict(const Options& options, const RepairReport& report, Streams str
   if (options.loss == Options::Loss::Refuse && !report.lost.empty()) return ExitCode::NotGood;
   if (options.output && is_missing) {
     streams.err << *options.output << ": not written: " << kNothingLeft << '\n';
-    return ExitCode::Trouble;
+    return ExitCode::Failure;
   }
   return n_remaining(report) == 0 ? ExitCode::Done : ExitCode::NotGood;
 }
@@ -274,7 +274,7 @@ std::string progress_text(const RepairProgress& now) {
 }  // namespace
 
 ExitCode repair_mesh(const Options& options, Soup soup, const InputFile& file, Streams streams,
-                     const std::function<ExitCode(const RepairReport&)>& tell) {
+                     const std::function<ExitCode(const RepairReport&)>& on_report) {
   const MeshName input = name_of(soup, options.input);
   ProgressLine progress(streams.err, options.progress == ReportOptions::Progress::Never
                                          ? ProgressLine::State::Off
@@ -283,7 +283,7 @@ ExitCode repair_mesh(const Options& options, Soup soup, const InputFile& file, S
   repair.on_progress = [&](const RepairProgress& now) { progress.show(progress_text(now)); };
   const StopRequest stop(options.time_limit);
   repair.wants_to_stop = [&] { return stop.is_made(); };
-  repair.tells_patches = !options.output;
+  repair.reports_patches = !options.output;
   if (options.output && !options.writes_to_stdout()) {
     repair.written_as =
         options.target == Options::Target::InPlace ? soup.format : format_of_name(*options.output);
@@ -305,8 +305,8 @@ ExitCode repair_mesh(const Options& options, Soup soup, const InputFile& file, S
       take_or_write({options, {file, input_soup}, streams}, report);
   const bool is_as_guaranteed = !options.repair.guarantee || are_good(finals, report);
   if (options.html) write_page(*options.html, report, {input_soup, std::move(before)}, finals);
-  const ExitCode told = tell(report);
-  if (told != ExitCode::Done) return told;
+  const ExitCode status = on_report(report);
+  if (status != ExitCode::Done) return status;
   const ExitCode code = verdict(options, report, streams);
   return code == ExitCode::Done && !is_as_guaranteed ? ExitCode::NotGood : code;
 }

@@ -15,10 +15,10 @@ namespace meshalyzer::fixer {
 ///
 /// @param options  The options, with one input.
 /// @param file     The file from which the soup was read.
-/// @param tell     Receives the report; its exit code counts unless it is Done.
+/// @param on_report  Receives the report; its exit code counts unless it is Done.
 /// @throws IoError, UsageError
 [[nodiscard]] ExitCode repair_mesh(const Options& options, Soup soup, const InputFile& file,
                                    Streams streams,
-                                   const std::function<ExitCode(const RepairReport&)>& tell);
+                                   const std::function<ExitCode(const RepairReport&)>& on_report);
 
 }  // namespace meshalyzer::fixer

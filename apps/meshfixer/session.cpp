@@ -14,8 +14,8 @@
 #include "repair_mesh.h"
 #include "same_file.h"
 #include "stop_request.h"
-#include "tell.h"
 #include "usage_error.h"
+#include "write_report.h"
 
 #include <optional>
 #include <ostream>
@@ -26,15 +26,15 @@
 namespace meshalyzer::fixer {
 namespace {
 
-/// Says what a repair would make of the self-intersections, where there are any to be fixed.
-std::vector<PatchOutcome> foresee_patches(const Options& options, Soup soup,
-                                          const DefectReport& found) {
+/// Returns the outcome of a repair for each self-intersection, if they are to be fixed.
+std::vector<PatchOutcome> find_outcomes(const Options& options, Soup soup,
+                                        const DefectReport& found) {
   constexpr DefectCode kCode = DefectCode::SelfIntersection;
   if (found.count(kCode) == 0 || !options.repair.fixes.contains(kCode)) return {};
   const StopRequest stop(options.time_limit);
   RepairOptions repair = options.repair;
   repair.wants_to_stop = [&] { return stop.is_made(); };
-  repair.tells_patches = true;
+  repair.reports_patches = true;
   return fix_defects(std::move(soup), repair).patches;
 }
 
@@ -44,25 +44,26 @@ ExitCode find(const Options& options, Soup soup, Streams streams) {
                                                    .tolerances = options.repair.tolerances,
                                                    .max_defects = options.repair.max_defects});
   const MeshName name = name_of(soup, options.input);
-  const DefectCodes& asked = options.repair.fixes;
+  const DefectCodes& requested = options.repair.fixes;
   const Scene scene = options.html ? scene_of(*mesh, report) : Scene{};
   mesh.reset();
-  const std::vector<PatchOutcome> patches = foresee_patches(options, std::move(soup), report);
-  if (options.html) write_page(*options.html, {name, report, asked, scene, patches});
-  const FoundDefects found{name, report, asked, patches};
-  const ExitCode told = tell(
+  const std::vector<PatchOutcome> patches = find_outcomes(options, std::move(soup), report);
+  if (options.html) write_page(*options.html, {name, report, requested, scene, patches});
+  const FoundDefects found{name, report, requested, patches};
+  const ExitCode status = write_report(
       options, streams, [&] { return text_report(found, options.lists); },
       [&] { return json_report(found); });
-  if (told != ExitCode::Done) return told;
-  return report.count(asked) == 0 ? ExitCode::Done : ExitCode::NotGood;
+  if (status != ExitCode::Done) return status;
+  return report.count(requested) == 0 ? ExitCode::Done : ExitCode::NotGood;
 }
 
 ExitCode fix(const Options& options, Soup soup, const InputFile& file, Streams streams) {
   return repair_mesh(options, std::move(soup), file, streams, [&](const RepairReport& report) {
     // Standard output receives only the mesh.
-    const Streams told_to{options.writes_to_stdout() ? streams.err : streams.out, streams.err};
-    return tell(
-        options, told_to, [&] { return text_report(report, options.lists); },
+    const Streams streams_of_report{options.writes_to_stdout() ? streams.err : streams.out,
+                                    streams.err};
+    return write_report(
+        options, streams_of_report, [&] { return text_report(report, options.lists); },
         [&] { return json_report(report); });
   });
 }

@@ -81,7 +81,7 @@ class Baseline {
   void prepare(std::vector<CheckJob>& jobs) {
     if (!known_) return;
     for (CheckJob& job : jobs) {
-      told_[job.name] = job.criteria;
+      criteria_[job.name] = job.criteria;
       job.criteria.max_listed = 0;
     }
   }
@@ -89,27 +89,27 @@ class Baseline {
   [[nodiscard]] FileFindings new_findings(FileFindings file) {
     if (!known_) return file;
     known_->drop_from(file);
-    const CheckCriteria& told = told_[file.path];
-    cut_listed(file, told.max_listed, told.max_lines);
+    const CheckCriteria& criteria = criteria_[file.path];
+    cut_listed(file, criteria.max_listed, criteria.max_lines);
     return file;
   }
 
  private:
   std::optional<KnownFindings> known_;
   /// The criteria of each file, which limit what is reported of it.
-  std::map<std::string, CheckCriteria> told_;
+  std::map<std::string, CheckCriteria> criteria_;
 };
 
-ExitCode exit_code_of(const CheckTotals& totals, bool has_trouble) {
-  return has_trouble || totals.unreadable != 0 ? ExitCode::Trouble
-         : totals.not_good != 0                ? ExitCode::NotGood
-                                               : ExitCode::Done;
+ExitCode exit_code_of(const CheckTotals& totals, bool has_errors) {
+  return has_errors || totals.unreadable != 0 ? ExitCode::Failure
+         : totals.not_good != 0               ? ExitCode::NotGood
+                                              : ExitCode::Done;
 }
 
 ExitCode check_all(const CheckCommand& command, Streams streams) {
   const auto begin = std::chrono::steady_clock::now();
   const MeshFiles found = find_mesh_files(command.paths, command.excluded);
-  for (const std::string& trouble : found.troubles) streams.err << trouble << '\n';
+  for (const std::string& error : found.errors) streams.err << error << '\n';
   std::vector<CheckJob> jobs = jobs_of(command, found.files);
   Baseline baseline(command);
   baseline.prepare(jobs);
@@ -117,13 +117,13 @@ ExitCode check_all(const CheckCommand& command, Streams streams) {
       command.format, [&](std::string_view text) { streams.out << text; },
       colour_of(command.colour, streams.out));
   CheckTotals totals;
-  const auto tell = [&](const FileFindings& file) {
-    const FileFindings told = baseline.new_findings(file);
-    report->add(told);
-    totals.add(told);
+  const auto on_file = [&](const FileFindings& file) {
+    const FileFindings reported = baseline.new_findings(file);
+    report->add(reported);
+    totals.add(reported);
     return streams.out.flush() && !InterruptGuard::is_interrupted();
   };
-  if (!check_files(jobs, command.memory_limit, tell) && InterruptGuard::is_interrupted()) {
+  if (!check_files(jobs, command.memory_limit, on_file) && InterruptGuard::is_interrupted()) {
     streams.err << "meshalyzer: interrupted: " << totals.meshes << " of " << jobs.size()
                 << " files are done\n";
     return ExitCode::Interrupted;
@@ -131,9 +131,9 @@ ExitCode check_all(const CheckCommand& command, Streams streams) {
   report->finish(totals, std::chrono::steady_clock::now() - begin);
   if (!streams.out.flush()) {
     streams.err << "meshalyzer: standard output: cannot be written\n";
-    return ExitCode::Trouble;
+    return ExitCode::Failure;
   }
-  return exit_code_of(totals, !found.troubles.empty());
+  return exit_code_of(totals, !found.errors.empty());
 }
 
 /// Prints findings, each with a word for its change before it.
@@ -170,7 +170,7 @@ ExitCode compare_meshes(const CheckCommand& command, Streams streams) {
   streams.out << n_findings(gone) << " gone, " << n_findings(added) << " new, "
               << n_findings(files[1]) - n_findings(added) << " as before\n";
   const bool is_readable = files[0].is_readable() && files[1].is_readable();
-  return !is_readable             ? ExitCode::Trouble
+  return !is_readable             ? ExitCode::Failure
          : n_findings(added) != 0 ? ExitCode::NotGood
                                   : ExitCode::Done;
 }

@@ -102,7 +102,7 @@ inline constexpr std::tuple kMeasuredLists{
 
 /// The lists of elements beyond a requested threshold; these are reported even if offenders are
 /// not.
-inline constexpr std::tuple kAskedLists{
+inline constexpr std::tuple kRequestedLists{
     OffenderListRow{{"short_edges", "short edges", "short edge", "length "},
                     &Offenders::short_edges},
     OffenderListRow{{"long_edges", "long edges", "long edge", "length "}, &Offenders::long_edges},
@@ -114,10 +114,10 @@ inline constexpr std::tuple kAskedLists{
                     &Offenders::large_aspect_ratios},
 };
 
-/// Tells whether a list of kAskedLists was asked for.
+/// Tells whether a list of kRequestedLists was asked for.
 [[nodiscard]] constexpr bool has_asked_lists(const Offenders& all) {
   return std::apply([&](const auto&... row) { return ((all.*row.member).has_value() || ...); },
-                    kAskedLists);
+                    kRequestedLists);
 }
 
 }  // namespace meshalyzer

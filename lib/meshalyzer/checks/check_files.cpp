@@ -17,8 +17,8 @@ namespace {
 FileFindings unreadable(const CheckJob& job, std::string why, FilePlace place = {}) {
   FileFindings file;
   file.path = job.name;
-  file.trouble = std::move(why);
-  file.trouble_place = place;
+  file.error = std::move(why);
+  file.error_place = place;
   return file;
 }
 
@@ -43,13 +43,13 @@ std::vector<std::string> paths_of(const std::vector<CheckJob>& jobs) {
 }  // namespace
 
 bool check_files(const std::vector<CheckJob>& jobs, std::uint64_t memory_limit,
-                 const std::function<bool(const FileFindings&)>& tell) {
+                 const std::function<bool(const FileFindings&)>& on_file) {
   bool is_whole = true;
   parallel_in_order(
       jobs.size(), n_files_at_once(paths_of(jobs), memory_limit),
       [&](std::size_t i) { return check_file(jobs[i]); },
       [&](std::size_t, const FileFindings& file) {
-        is_whole = tell(file);
+        is_whole = on_file(file);
         return is_whole ? Next::GoOn : Next::Stop;
       });
   return is_whole;

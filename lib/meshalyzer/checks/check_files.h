@@ -24,10 +24,10 @@ struct CheckJob {
 /// on the memory limit.
 ///
 /// @param memory_limit  The memory limit in bytes, which is kept if the largest few files allow it.
-/// @param tell          Receives each file in order, as soon as it and all before it are done;
+/// @param on_file       Receives each file in order, as soon as it and all before it are done;
 ///     false ends the work.
 /// @return              True if all files were reported.
 [[nodiscard]] bool check_files(const std::vector<CheckJob>& jobs, std::uint64_t memory_limit,
-                               const std::function<bool(const FileFindings&)>& tell);
+                               const std::function<bool(const FileFindings&)>& on_file);
 
 }  // namespace meshalyzer

@@ -54,8 +54,8 @@ struct FileFindings {
   /// The name of the file in reports.
   std::string path;
   /// Says why the file cannot be read, without its name and the place; empty if it can.
-  std::string trouble;
-  FilePlace trouble_place;
+  std::string error;
+  FilePlace error_place;
   /// The format of the file; nothing if it cannot be read.
   std::optional<Format> format = std::nullopt;
   std::size_t vertices = 0;
@@ -65,7 +65,7 @@ struct FileFindings {
   /// The counts, one for each code that was found, in the order of the findings.
   std::vector<FindingCount> counts;
 
-  [[nodiscard]] bool is_readable() const { return trouble.empty(); }
+  [[nodiscard]] bool is_readable() const { return error.empty(); }
   [[nodiscard]] bool is_good() const { return is_readable() && counts.empty(); }
 };
 

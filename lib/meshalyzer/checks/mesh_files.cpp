@@ -72,9 +72,9 @@ MeshFiles find_mesh_files(const std::vector<std::string>& paths,
     }
     std::vector<std::string> files = FolderSearch(path, excluded).run(error);
     if (error) {
-      found.troubles.push_back(path + ": cannot list the folder: " + error.message());
+      found.errors.push_back(path + ": cannot list the folder: " + error.message());
     } else if (files.empty()) {
-      found.troubles.push_back(path + ": no mesh file in the folder (" + kMeshEndings + ")");
+      found.errors.push_back(path + ": no mesh file in the folder (" + kMeshEndings + ")");
     }
     found.files.insert(found.files.end(), std::make_move_iterator(files.begin()),
                        std::make_move_iterator(files.end()));

@@ -10,7 +10,7 @@ namespace meshalyzer {
 struct MeshFiles {
   std::vector<std::string> files;
   /// Folders that could not be listed, or hold no mesh file, in a sentence each.
-  std::vector<std::string> troubles;
+  std::vector<std::string> errors;
 };
 
 /// Finds the mesh files of paths. A file stands for itself, a folder for all files in it and its

@@ -44,9 +44,9 @@ CheckCriteria criteria_of(const std::vector<const CheckSettings*>& layers) {
 }  // namespace
 
 CheckCriteria make_criteria(std::initializer_list<const CheckSettings*> layers) {
-  std::vector<const CheckSettings*> said(layers);
-  std::erase(said, nullptr);
-  return criteria_of(said);
+  std::vector<const CheckSettings*> given(layers);
+  std::erase(given, nullptr);
+  return criteria_of(given);
 }
 
 std::string find_settings_file(const std::string& mesh_path) {

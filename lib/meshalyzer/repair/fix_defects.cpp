@@ -56,17 +56,17 @@ std::vector<RepairedMesh> finished_meshes(RepairDriver& driver, const RepairOpti
 
 /// Adds a refusal for each code that was to be fixed and remains without a reason from any pass.
 void name_what_has_no_reason(const RepairOptions& options, RepairResult& result) {
-  DefectCodes unsaid = options.fixes;
+  DefectCodes unexplained = options.fixes;
   // No pass repairs these yet; their defects state that themselves.
-  unsaid.erase(DefectCode::SelfIntersection);
-  if (options.borders == Borders::Intended) unsaid.erase(DefectCode::Hole);
-  for (const LoggedRefusal& refusal : result.log.refusals) unsaid.erase(refusal.code);
+  unexplained.erase(DefectCode::SelfIntersection);
+  if (options.borders == Borders::Intended) unexplained.erase(DefectCode::Hole);
+  for (const LoggedRefusal& refusal : result.log.refusals) unexplained.erase(refusal.code);
   for (const RepairedMesh& mesh : result.meshes) {
     const DefectList& defects = mesh.remaining.defects;
     for (std::size_t i = 0; i < defects.size(); ++i) {
-      if (!unsaid.contains(defects.code_of(i))) continue;
+      if (!unexplained.contains(defects.code_of(i))) continue;
       const Defect defect = defects[i];
-      unsaid.erase(defect.code);
+      unexplained.erase(defect.code);
       LoggedRefusal& refusal = result.log.refusals.emplace_back();
       refusal.pass = "every pass";
       refusal.code = defect.code;
@@ -121,7 +121,7 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
     driver.run_plan(plan_with_sheets_cut(options, tolerances), options, OnWorse::Leave);
   }
   if (options.guarantee) result.notes = guarantee_goodness(driver, options, tolerances);
-  if (options.tells_patches) result.patches = find_patch_outcomes(driver, result.before);
+  if (options.reports_patches) result.patches = find_patch_outcomes(driver, result.before);
   if (options.keep_largest != 0) {
     driver.apply_unchecked({"keep largest", DefectCode::Disjoint, [&](const PassInput& input) {
                               return keep_largest(input, options.keep_largest);

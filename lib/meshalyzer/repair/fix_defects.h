@@ -41,7 +41,7 @@ struct RepairResult {
   /// The counts that are higher than before: a count rises only if a graver one has fallen that
   /// could not fall otherwise ("Never worse" in doc/repair.md).
   std::vector<CountRise> rises;
-  /// The outcome for each listed self-intersection of the input, if RepairOptions::tells_patches
+  /// The outcome for each listed self-intersection of the input, if RepairOptions::reports_patches
   /// asks for it.
   std::vector<PatchOutcome> patches;
 };

@@ -50,13 +50,13 @@ struct FoundDefects {
   const MeshName& mesh;
   const DefectReport& defects;
   /// The codes that count; others are listed too, and marked as not requested.
-  const DefectCodes& asked;
+  const DefectCodes& requested;
   /// The outcome of a repair for each self-intersection; empty if none was tried.
   std::span<const PatchOutcome> patches = {};
 };
 
 /// The patches of intersecting faces and the outcome for each. The struct only refers to them.
-struct ToldPatches {
+struct PatchReport {
   const MeshName& mesh;
   /// The defects of the mesh, among which the patches are.
   const DefectList& defects;

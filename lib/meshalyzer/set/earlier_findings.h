@@ -16,7 +16,7 @@ class EarlierFindings {
 
   [[nodiscard]] virtual std::optional<Analysis> mesh(Index number) const = 0;
   /// Returns the reason why a mesh could not be read.
-  [[nodiscard]] virtual std::optional<std::string> trouble(Index number) const = 0;
+  [[nodiscard]] virtual std::optional<std::string> error(Index number) const = 0;
   [[nodiscard]] virtual std::optional<ObjectFindings> findings(Index owner) const = 0;
 };
 

@@ -17,7 +17,7 @@ namespace {
 FileResult unreadable(std::string why) {
   FileResult result;
   result.kind = FileResult::Kind::Unreadable;
-  result.trouble = std::move(why);
+  result.error = std::move(why);
   return result;
 }
 
@@ -47,7 +47,7 @@ bool FileRun::run(const std::function<void(Index, const FileResult&)>& take) {
           return Next::Stop;
         }
         take(static_cast<Index>(i), result);
-        tell(static_cast<Index>(i), result);
+        notify(static_cast<Index>(i), result);
         return Next::GoOn;
       });
   return !is_stopped;
@@ -68,8 +68,8 @@ FileResult FileRun::look_at(Index number) const {
 
 FileResult FileRun::look_at_own(Index number) const {
   const EarlierFindings* earlier = options_.earlier;
-  if (std::optional<std::string> trouble = earlier ? earlier->trouble(number) : std::nullopt) {
-    return unreadable(std::move(*trouble));
+  if (std::optional<std::string> error = earlier ? earlier->error(number) : std::nullopt) {
+    return unreadable(std::move(*error));
   }
   FileResult result;
   result.kind = FileResult::Kind::Mesh;
@@ -120,11 +120,11 @@ FileResult FileRun::glance_at(Index number) const {
   return result;
 }
 
-void FileRun::tell(Index number, const FileResult& result) {
+void FileRun::notify(Index number, const FileResult& result) {
   if (result.kind == FileResult::Kind::Mesh) {
     listener_.on_mesh(number, result.mesh);
   } else if (result.kind == FileResult::Kind::Unreadable && options_.shard.owns_file(number)) {
-    listener_.on_unreadable(number, result.trouble);
+    listener_.on_unreadable(number, result.error);
   }
   ++progress_.done;
   progress_.faces += result.n_faces;

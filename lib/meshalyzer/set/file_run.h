@@ -19,7 +19,7 @@ struct FileResult {
   enum class Kind : std::uint8_t { Mesh, Unreadable, OfAnotherShard };
   Kind kind = Kind::OfAnotherShard;
   Analysis mesh;
-  std::string trouble;
+  std::string error;
   /// The box of the vertices that faces use, which every shard needs for the work between objects;
   /// empty for a file that cannot be read or has no face.
   Box3 box;
@@ -55,7 +55,7 @@ class FileRun {
   [[nodiscard]] Analysis analysis_of(Index number) const;
   [[nodiscard]] bool wants_values() const;
   [[nodiscard]] bool looks_between() const;
-  void tell(Index number, const FileResult& result);
+  void notify(Index number, const FileResult& result);
 
   const std::vector<std::string>& paths_;
   const SetOptions& options_;

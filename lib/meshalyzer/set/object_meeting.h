@@ -23,7 +23,7 @@ struct ObjectMeeting {
   std::vector<IntersectingPair> pairs;
   /// The number of all pairs, listed or not.
   ContactCounts counts;
-  /// Tells whether the search was told to stop before its end.
+  /// Tells whether the search was stopped before its end.
   bool is_search_stopped = false;
   Inclusion first_in_second = Inclusion::None;
   Inclusion second_in_first = Inclusion::None;

@@ -96,7 +96,7 @@ class SetRun {
     if (file.kind == FileResult::Kind::Mesh) {
       totals_.add_mesh(number, file.mesh);
     } else if (file.kind == FileResult::Kind::Unreadable && options_.shard.owns_file(number)) {
-      totals_.add_unreadable(number, file.trouble);
+      totals_.add_unreadable(number, file.error);
     }
   }
 
@@ -123,7 +123,7 @@ class SetRun {
         range.end - range.begin, max_threads(),
         [&](std::size_t i) { return look_from(order_[range.begin + i], objects); },
         [&](std::size_t, const ObjectFindings& findings) {
-          return listener_.wants_to_stop() ? stop() : tell(findings);
+          return listener_.wants_to_stop() ? stop() : notify(findings);
         });
   }
 
@@ -184,7 +184,7 @@ class SetRun {
     return in_order(std::move(found), max_list);
   }
 
-  Next tell(const ObjectFindings& findings) {
+  Next notify(const ObjectFindings& findings) {
     totals_.add_findings(findings);
     listener_.on_findings(findings);
     ++progress_.done;

@@ -36,8 +36,8 @@ TEST(CheckFiles, UnreadableFileIsOneOfThem) {
                             return true;
                           }));
   ASSERT_EQ(told.size(), 3U);
-  EXPECT_EQ(told[0].trouble, "\"nan\" is not a finite number");
-  EXPECT_EQ(told[0].trouble_place.line, 2U);
+  EXPECT_EQ(told[0].error, "\"nan\" is not a finite number");
+  EXPECT_EQ(told[0].error_place.line, 2U);
   EXPECT_FALSE(told[1].is_readable());
   EXPECT_FALSE(told[1].is_good());
   EXPECT_TRUE(told[2].is_good());

@@ -49,11 +49,11 @@ TEST_F(MeshFilesTest, NamedFileIsTakenWhateverItIsCalled) {
   EXPECT_EQ(find_mesh_files(paths, {"*.stl"}).files, paths);
 }
 
-TEST_F(MeshFilesTest, FolderWithoutMeshesIsATrouble) {
+TEST_F(MeshFilesTest, FolderWithoutMeshesIsAnError) {
   fs::create_directory(folder_.file("empty"));
   const MeshFiles files = find_mesh_files({folder_.file("empty")}, {});
-  ASSERT_EQ(files.troubles.size(), 1U);
-  EXPECT_NE(files.troubles[0].find("empty: no mesh file"), std::string::npos);
+  ASSERT_EQ(files.errors.size(), 1U);
+  EXPECT_NE(files.errors[0].find("empty: no mesh file"), std::string::npos);
 }
 
 TEST(MatchesGlob, PatternWithoutSlashIsForTheName) {

@@ -91,7 +91,7 @@ class Recorder : public RunListener, public EarlierFindings {
          "");
   }
   std::optional<Analysis> mesh(Index number) const override { return find(known.meshes, number); }
-  std::optional<std::string> trouble(Index number) const override {
+  std::optional<std::string> error(Index number) const override {
     return find(known.troubles, number);
   }
   std::optional<ObjectFindings> findings(Index owner) const override {

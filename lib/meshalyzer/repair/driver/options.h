@@ -81,7 +81,7 @@ struct RepairOptions {
   /// Tells whether RepairedMesh::prepared is kept.
   bool keep_prepared = false;
   /// Tells whether RepairResult::patches is computed.
-  bool tells_patches = false;
+  bool reports_patches = false;
   /// Called before each attempt of a pass; when it returns true, the repair ends with the mesh that
   /// it has reached. May be empty. It is called from the thread that called the library.
   std::function<bool()> wants_to_stop;

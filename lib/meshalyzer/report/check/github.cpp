@@ -45,10 +45,10 @@ class CheckGithub : public CheckReport {
 
 void CheckGithub::add(const FileFindings& file) {
   if (!file.is_readable()) {
-    const std::size_t line = file.trouble_place.line;
+    const std::size_t line = file.error_place.line;
     sink_(fmt::format("::error file={}{},title={}::{}\n", property(file.path),
                       at_line(line == 0 ? std::nullopt : std::optional(line)), kUnreadable,
-                      message(file.trouble)));
+                      message(file.error)));
   }
   if (const std::string note = note_of(file); !note.empty()) {
     sink_(fmt::format("::notice file={},title=format::{}\n", property(file.path), message(note)));

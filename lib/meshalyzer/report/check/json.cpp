@@ -60,9 +60,9 @@ void write_error(JsonWriter& json, const FileFindings& file) {
     json.null();
     return;
   }
-  const FilePlace place = file.trouble_place;
+  const FilePlace place = file.error_place;
   json.begin_object(JsonLayout::Row);
-  json.member("message", std::string_view(file.trouble));
+  json.member("message", std::string_view(file.error));
   json.member("line", place.line == 0 ? std::nullopt : std::optional(place.line));
   json.member("byte", place.byte == FilePlace::kNoByte ? std::nullopt : std::optional(place.byte));
   json.end_object();

@@ -55,11 +55,10 @@ void CheckJunit::add(const FileFindings& file) {
     return;
   }
   const std::string_view tag = file.is_readable() ? "failure" : "error";
-  cases_ +=
-      fmt::format(">\n      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n{4}    </testcase>\n", tag,
-                  file.is_readable() ? "not good" : kUnreadable,
-                  escaped(file.is_readable() ? summary_of(file) : file.trouble),
-                  escaped(lines_of(file)), output);
+  cases_ += fmt::format(
+      ">\n      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n{4}    </testcase>\n", tag,
+      file.is_readable() ? "not good" : kUnreadable,
+      escaped(file.is_readable() ? summary_of(file) : file.error), escaped(lines_of(file)), output);
 }
 
 void CheckJunit::finish(const CheckTotals& totals, std::chrono::duration<double> /*elapsed*/) {

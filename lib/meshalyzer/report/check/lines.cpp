@@ -11,8 +11,8 @@ std::string place_of(const FileFindings& file, const Finding& finding) {
   return finding.line ? fmt::format("{}:{}", file.path, *finding.line) : file.path;
 }
 
-std::string place_of_trouble(const FileFindings& file) {
-  const FilePlace place = file.trouble_place;
+std::string place_of_error(const FileFindings& file) {
+  const FilePlace place = file.error_place;
   if (place.line != 0) return fmt::format("{}:{}", file.path, place.line);
   if (place.byte != FilePlace::kNoByte) return fmt::format("{}:byte {}", file.path, place.byte);
   return file.path;

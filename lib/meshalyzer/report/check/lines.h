@@ -13,7 +13,7 @@ namespace meshalyzer {
 
 /// Returns the place where an unreadable file is wrong: "cow.obj:17", "cow.stl:byte 84", or only
 /// the path.
-[[nodiscard]] std::string place_of_trouble(const FileFindings& file);
+[[nodiscard]] std::string place_of_error(const FileFindings& file);
 
 /// Returns a sentence that says what is wrong, and in brackets what mends it.
 [[nodiscard]] std::string message_of(const Finding& finding);

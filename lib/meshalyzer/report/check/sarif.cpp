@@ -118,9 +118,9 @@ void CheckSarif::add(const FileFindings& file) {
     notes_.push_back({addresses_.back(), std::move(note)});
   }
   if (!file.is_readable()) {
-    const std::size_t line = file.trouble_place.line;
+    const std::size_t line = file.error_place.line;
     json_.begin_object();
-    write_result(json_, kUnreadable, Severity::Error, file.trouble);
+    write_result(json_, kUnreadable, Severity::Error, file.error);
     write_place(json_, addresses_.back(), line == 0 ? std::nullopt : std::optional(line));
     json_.end_object();
   }

@@ -34,8 +34,8 @@ std::string CheckText::coloured(Severity severity, std::string_view text) const 
 
 void CheckText::add(const FileFindings& file) {
   if (!file.is_readable()) {
-    sink_(fmt::format("{}: {}[{}]: {}\n", place_of_trouble(file),
-                      coloured(Severity::Error, "error"), kUnreadable, file.trouble));
+    sink_(fmt::format("{}: {}[{}]: {}\n", place_of_error(file), coloured(Severity::Error, "error"),
+                      kUnreadable, file.error));
     return;
   }
   if (const std::string note = note_of(file); !note.empty()) {

@@ -123,7 +123,7 @@ class DefectSection {
   std::size_t scene_;
   /// The position of each defect among the highlights of the scene.
   std::vector<std::optional<std::size_t>> highlights_;
-  /// What a repair would make of each defect, if it is told.
+  /// The outcome of a repair for each defect, if one was tried.
   std::vector<std::string> outcomes_;
 };
 

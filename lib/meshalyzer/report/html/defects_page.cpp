@@ -1,7 +1,8 @@
+#include "meshalyzer/report/html/defects_page.h"
+
 #include "meshalyzer/report/format_text.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/defect_list.h"
-#include "meshalyzer/report/html/page.h"
 #include "meshalyzer/report/html/page_frame.h"
 #include "meshalyzer/report/text/defect_lines.h"
 #include "meshalyzer/report/text/short_list.h"
@@ -12,11 +13,11 @@
 namespace meshalyzer {
 namespace {
 
-Verdict verdict_of(const DefectReport& report, const DefectCodes& asked) {
-  const std::size_t n = report.count(asked);
+Verdict verdict_of(const DefectReport& report, const DefectCodes& requested) {
+  const std::size_t n = report.count(requested);
   if (n != 0) {
     return {Verdict::Kind::Bad, counted(n, "defect", "defects"),
-            counts_of_codes([&](DefectCode code) { return report.count(code); }, asked)};
+            counts_of_codes([&](DefectCode code) { return report.count(code); }, requested)};
   }
   return {Verdict::Kind::Good,
           report.total() == 0 ? "Nothing is wrong" : "Nothing that was asked for is wrong"};
@@ -33,10 +34,10 @@ std::string facts_of(const MeshName& mesh) {
 
 }  // namespace
 
-std::string html_report(const PageMesh& mesh, const DefectCodes& asked) {
+std::string html_report(const PageMesh& mesh, const DefectCodes& requested) {
   const std::array drawn{TitledMesh{"", mesh}};
   const PageHeader header{.name = file_name(mesh.name.path),
-                          .verdict = verdict_of(mesh.defects, asked),
+                          .verdict = verdict_of(mesh.defects, requested),
                           .facts = facts_of(mesh.name)};
   return html_page(header, drawn, [&](HtmlWriter& html) {
     append_defects_section(html, drawn);

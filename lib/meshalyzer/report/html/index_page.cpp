@@ -1,7 +1,8 @@
+#include "meshalyzer/report/html/index_page.h"
+
 #include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/index_table.h"
-#include "meshalyzer/report/html/page.h"
 #include "meshalyzer/report/html/page_frame.h"
 #include "meshalyzer/report/html/set_notes.h"
 #include "meshalyzer/report/html/statistics_section.h"

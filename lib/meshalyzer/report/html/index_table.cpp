@@ -50,7 +50,7 @@ struct NotedRow {
 
 /// Returns the reasons for the verdict in words, and the notes.
 std::string why(const NotedRow& noted) {
-  if (!noted.row.trouble.empty()) return noted.row.trouble;
+  if (!noted.row.error.empty()) return noted.row.error;
   std::string text;
   for (const std::span<const std::string> sentences :
        {std::span<const std::string>(noted.row.reasons), noted.notes}) {
@@ -173,7 +173,7 @@ void append_row(HtmlWriter& html, const NotedRow& noted, const Columns& columns)
 }  // namespace
 
 RowState state_of(const IndexRow& row) {
-  if (!row.trouble.empty()) return RowState::Unreadable;
+  if (!row.error.empty()) return RowState::Unreadable;
   if (row.good) return RowState::Good;
   return row.reasons.empty() ? RowState::NotJudged : RowState::NotGood;
 }
@@ -187,8 +187,9 @@ void append_meshes_section(HtmlWriter& html, const std::vector<IndexRow>& rows,
   append_titles(html, columns);
   const HtmlElement body(html, "tbody");
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto told = i < notes.size() ? std::span(notes[i]) : std::span<const std::string>();
-    append_row(html, {rows[i], told}, columns);
+    const auto notes_of_row =
+        i < notes.size() ? std::span(notes[i]) : std::span<const std::string>();
+    append_row(html, {rows[i], notes_of_row}, columns);
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/report/html/page.h"
+#include "meshalyzer/report/html/index_page.h"
 #include "meshalyzer/report/html/writer.h"
 
 #include <string>

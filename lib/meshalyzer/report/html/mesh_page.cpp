@@ -1,8 +1,9 @@
+#include "meshalyzer/report/html/mesh_page.h"
+
 #include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/report/format_text.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/defect_list.h"
-#include "meshalyzer/report/html/page.h"
 #include "meshalyzer/report/html/page_frame.h"
 #include "meshalyzer/report/html/statistics_section.h"
 #include "meshalyzer/report/text/components.h"

@@ -119,10 +119,10 @@ std::string file_name(const std::string& path) {
 }
 
 std::vector<std::string> counts_of_codes(const std::function<std::size_t(DefectCode)>& count,
-                                         const DefectCodes& asked) {
+                                         const DefectCodes& requested) {
   std::vector<std::string> counts;
   for (const DefectCode code : all_defect_codes()) {
-    const std::size_t n = asked.contains(code) ? count(code) : 0;
+    const std::size_t n = requested.contains(code) ? count(code) : 0;
     if (n == 0) continue;
     std::string text(defect_name(code));
     text += ": ";

@@ -35,7 +35,7 @@ struct PageHeader {
 
 /// Returns the counts of the codes that count, in words: "hole: 2".
 [[nodiscard]] std::vector<std::string> counts_of_codes(
-    const std::function<std::size_t(DefectCode)>& count, const DefectCodes& asked);
+    const std::function<std::size_t(DefectCode)>& count, const DefectCodes& requested);
 
 /// Returns a whole page: head, subject, the view, the content, scripts.
 /// @param meshes   The meshes that are drawn; without any the page has no view.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "meshalyzer/picture/scene.h"
-#include "meshalyzer/report/html/page.h"
+#include "meshalyzer/report/html/page_mesh.h"
 #include "meshalyzer/report/repair_report.h"
 
 #include <vector>

@@ -35,7 +35,7 @@ void KnownLines::add(const std::string& file) {
 void KnownLines::add_line(std::string_view text) {
   const LineHead head = read_head(text);
   const std::optional<Index> number = number_in(head, subject_.files.paths);
-  if (!number || head.asked != subject_.request || head.stamp != subject_.files.stamps[*number] ||
+  if (!number || head.request != subject_.request || head.stamp != subject_.files.stamps[*number] ||
       (head.kind == LineHead::Kind::Between && head.set != subject_.files.fingerprint)) {
     return;
   }
@@ -69,9 +69,9 @@ std::optional<Analysis> KnownLines::mesh(Index number) const {
   return line != nullptr ? std::optional(understood(*line, read_mesh_json)) : std::nullopt;
 }
 
-std::optional<std::string> KnownLines::trouble(Index number) const {
+std::optional<std::string> KnownLines::error(Index number) const {
   const Line* line = find(LineHead::Kind::Unreadable, number);
-  return line != nullptr ? std::optional(understood(*line, read_trouble)) : std::nullopt;
+  return line != nullptr ? std::optional(understood(*line, read_unreadable)) : std::nullopt;
 }
 
 std::optional<ObjectFindings> KnownLines::findings(Index owner) const {
@@ -110,7 +110,7 @@ std::string KnownLines::anew(const Line& line) const {
     case LineHead::Kind::Mesh:
       return mesh_line(head, *mesh(line.number), subject_.offenders());
     case LineHead::Kind::Unreadable:
-      return unreadable_line(head, *trouble(line.number));
+      return unreadable_line(head, *error(line.number));
     case LineHead::Kind::Between:
       break;
   }

@@ -48,7 +48,7 @@ class KnownLines : public EarlierFindings {
   // damaged.
 
   [[nodiscard]] std::optional<Analysis> mesh(Index number) const override;
-  [[nodiscard]] std::optional<std::string> trouble(Index number) const override;
+  [[nodiscard]] std::optional<std::string> error(Index number) const override;
   [[nodiscard]] std::optional<ObjectFindings> findings(Index owner) const override;
   [[nodiscard]] bool has_file(Index number) const;
   [[nodiscard]] bool has_findings(Index owner) const;

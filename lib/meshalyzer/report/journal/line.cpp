@@ -20,7 +20,7 @@ void write_head(JsonWriter& json, const LineHead& head, LineHead::Kind kind) {
   json.member("bytes", head.stamp.bytes);
   json.member("modified", head.stamp.modified_ns);
   json.key("asked");
-  write_request(json, head.asked);
+  write_request(json, head.request);
   json.member("set", std::string_view(head.set));
 }
 

@@ -31,7 +31,7 @@ struct LineHead {
   std::size_t of = 0;
   std::string path;
   FileStamp stamp;
-  Request asked;
+  Request request;
   /// A fingerprint of all files of the set.
   std::string set;
 
@@ -63,7 +63,7 @@ struct LineHead {
 
 /// Returns the reason that unreadable_line() has written.
 /// @throws InvalidArgument  if it is no such line.
-[[nodiscard]] std::string read_trouble(std::string_view line);
+[[nodiscard]] std::string read_unreadable(std::string_view line);
 
 /// Reads what between_line() wrote, all numbers to the last bit. Points that were not found are not
 /// written: they are read as 0, as are their faces.

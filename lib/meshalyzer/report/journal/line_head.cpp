@@ -39,7 +39,7 @@ LineHead read_head(std::string_view line) {
           .of = members.count("of"),
           .path = path_of(members),
           .stamp = {members.count("bytes"), members.get<std::int64_t>("modified")},
-          .asked = read_request(members, "asked"),
+          .request = read_request(members, "asked"),
           .set = members.get<std::string>("set")};
 }
 

@@ -167,7 +167,7 @@ std::optional<ObjectSeparation> FindingsReader::separation() const {
 
 }  // namespace
 
-std::string read_trouble(std::string_view line) {
+std::string read_unreadable(std::string_view line) {
   const JsonTree tree(line);
   require_kind(tree.root(), LineHead::Kind::Unreadable);
   return read_bytes(tree.root(), "error");

@@ -29,9 +29,9 @@ void PartHeads::add(const LineHead& head) {
   if (!first_) {
     first_ = head;
   }
-  if (head.asked != first_->asked) {
-    throw InvalidArgument("was asked " + request_text(head.asked) + ", and lines before " +
-                          request_text(first_->asked));
+  if (head.request != first_->request) {
+    throw InvalidArgument("was asked " + request_text(head.request) + ", and lines before " +
+                          request_text(first_->request));
   }
   if (head.of != first_->of || head.set != first_->set) {
     throw InvalidArgument("is of other files than the lines before, or of files that changed");
@@ -58,7 +58,7 @@ JournalSubject PartHeads::subject(const std::string& journal) const {
   }
   subject.files.names = set_names(subject.files.paths);
   subject.files.fingerprint = first_->set;
-  subject.request = first_->asked;
+  subject.request = first_->request;
   return subject;
 }
 

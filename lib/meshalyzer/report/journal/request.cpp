@@ -138,8 +138,8 @@ class RequestReader {
 /// Checks the version.
 /// @throws InvalidArgument if it is not the version of this library.
 void require_version(const HeadMembers& members, const std::string& object) {
-  const HeadMembers::Value* asked = members.find(object);
-  if (asked != nullptr && std::holds_alternative<std::string>(*asked)) {
+  const HeadMembers::Value* member = members.find(object);
+  if (member != nullptr && std::holds_alternative<std::string>(*member)) {
     throw InvalidArgument(
         "was written by an earlier version of meshalyzer, whose journals this one cannot read");
   }

@@ -8,7 +8,7 @@ LineHead JournalSubject::head(LineHead::Kind kind, Index number) const {
           .of = files.paths.size(),
           .path = files.paths[number],
           .stamp = files.stamps[number],
-          .asked = request,
+          .request = request,
           .set = files.fingerprint};
 }
 

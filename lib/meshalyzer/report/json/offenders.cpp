@@ -177,7 +177,7 @@ void write_lists(JsonWriter& json, const Analysis& analysis, const Rows& rows) {
 }
 
 void write_asked_lists(JsonWriter& json, const Analysis& analysis) {
-  for_each_row(kAskedLists, [&](const auto& row) {
+  for_each_row(kRequestedLists, [&](const auto& row) {
     if (const auto& list = analysis.offenders.*row.member) {
       json.key(row.info.key);
       write_list(json, analysis, *list, row.ids);
@@ -243,7 +243,7 @@ constexpr auto kLists =
     std::tuple_cat(kTornLineLists, kRecordLists, kNumberingBreaks, kAttributeLists);
 
 /// The rows of all tables.
-constexpr auto kAllLists = std::tuple_cat(kLists, kMeasuredLists, kAskedLists);
+constexpr auto kAllLists = std::tuple_cat(kLists, kMeasuredLists, kRequestedLists);
 
 }  // namespace
 

@@ -10,10 +10,10 @@ namespace {
 std::vector<EdgeList*> edge_lists(Offenders& all) {
   std::vector<EdgeList*> lists{&all.border_edges, &all.non_manifold_edges, &all.flipped_edges,
                                &all.indistinguishable_edges};
-  for (std::optional<EdgeList>* asked :
+  for (std::optional<EdgeList>* list :
        {&all.short_edges, &all.long_edges, &all.small_angles, &all.large_angles}) {
-    if (*asked) {
-      lists.push_back(&**asked);
+    if (*list) {
+      lists.push_back(&**list);
     }
   }
   return lists;

@@ -267,14 +267,14 @@ void write_meshes(JsonWriter& json, const RepairReport& report) {
 }
 
 /// Writes the outcome for each patch of intersecting faces, if it is known.
-void write_patches(JsonWriter& json, const ToldPatches& told) {
-  if (told.patches.empty()) return;
+void write_patches(JsonWriter& json, const PatchReport& report) {
+  if (report.patches.empty()) return;
   json.key("patches");
   json.begin_array();
-  for (const PatchOutcome& patch : told.patches) {
-    const std::vector<Index>& faces = told.defects[patch.defect].faces;
+  for (const PatchOutcome& patch : report.patches) {
+    const std::vector<Index>& faces = report.defects[patch.defect].faces;
     json.begin_object(JsonLayout::Row);
-    json.member("face", told.mesh.face_ids.of(faces.front()));
+    json.member("face", report.mesh.face_ids.of(faces.front()));
     json.member("faces", faces.size());
     json.member("mended", patch.is_mended);
     json.key("passes");
@@ -305,8 +305,8 @@ std::string json_report(const FoundDefects& found) {
   JsonWriter json;
   begin_report(json);
   write_input(json, found.mesh, found.defects);
-  write_fixes(json, found.asked);
-  json.member("remaining", found.defects.count(found.asked));
+  write_fixes(json, found.requested);
+  json.member("remaining", found.defects.count(found.requested));
   write_patches(json, {found.mesh, found.defects.defects, found.patches});
   json.end_object();
   return json.take();

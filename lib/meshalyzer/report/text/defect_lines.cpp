@@ -119,8 +119,8 @@ void append_defects(TextLines& lines, const ListedDefects& listed, ListLength li
   for (const DefectCode code : all_defect_codes()) {
     std::size_t n = 0;
     for (; i < defects.size() && defects.code_of(i) == code; ++i) {
-      const bool is_told = lists == ListLength::Full || n < kShortList;
-      if (!is_told || !listed.codes.contains(code)) continue;
+      const bool is_listed = lists == ListLength::Full || n < kShortList;
+      if (!is_listed || !listed.codes.contains(code)) continue;
       lines.line(defect_name(code), defect_text(defects[i], listed.mesh, lists));
       ++n;
     }

@@ -11,14 +11,14 @@
 namespace meshalyzer {
 namespace {
 
-void append_counts(TextLines& lines, const DefectReport& report, const DefectCodes& asked) {
+void append_counts(TextLines& lines, const DefectReport& report, const DefectCodes& requested) {
   for (const DefectCode code : all_defect_codes()) {
     std::string count = std::to_string(report.count(code));
-    if (report.count(code) != 0 && !asked.contains(code)) count += " (not asked for)";
+    if (report.count(code) != 0 && !requested.contains(code)) count += " (not asked for)";
     lines.line(defect_name(code), count);
   }
   lines.line("defects", report.total());
-  lines.line("asked for", report.count(asked));
+  lines.line("asked for", report.count(requested));
 }
 
 /// Appends the passes that treat the defects found, if there are any.
@@ -47,7 +47,7 @@ std::string text_report(const FoundDefects& found, ListLength lists) {
   lines.line("vertices", mesh.n_vertices);
   lines.line("faces", mesh.n_faces);
   append_tolerances(lines, report);
-  append_counts(lines, report, found.asked);
+  append_counts(lines, report, found.requested);
   if (report.total() != 0) {
     append_fixes(lines, report);
     lines.heading("WHERE");

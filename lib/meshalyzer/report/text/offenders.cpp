@@ -20,7 +20,7 @@ class OffenderLines {
         points_(style == OffenderStyle::CustomPoints) {}
 
   template <typename Rows>
-  void tell(const Rows& rows) {
+  void append(const Rows& rows) {
     for_each_row(rows, [this](const auto& row) { list(row, analysis_.offenders.*row.member); });
   }
 
@@ -212,13 +212,13 @@ void OffenderLines::list(const Row<std::optional<FaceList>>& row,
 
 void append_found(OffenderLines& lines, const Analysis& analysis) {
   if (analysis.has_characteristics) {
-    lines.tell(kRecordLists);
-    lines.tell(kTornLineLists);
-    lines.tell(kNumberingBreaks);
+    lines.append(kRecordLists);
+    lines.append(kTornLineLists);
+    lines.append(kNumberingBreaks);
   }
-  lines.tell(kAttributeLists);
+  lines.append(kAttributeLists);
   if (analysis.has_characteristics) {
-    lines.tell(kMeasuredLists);
+    lines.append(kMeasuredLists);
   }
 }
 
@@ -254,7 +254,7 @@ void append_offenders(TextLines& lines, const Analysis& analysis, OffenderStyle 
   if (style != OffenderStyle::None) {
     append_found(offenders, analysis);
   }
-  offenders.tell(kAskedLists);
+  offenders.append(kRequestedLists);
   if (lines.text().size() == length_before) {
     lines.line("offending elements", "none");
   }

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 std::vector<PatchOutcome> outcomes_of(const Soup& soup) {
   RepairOptions options;
-  options.tells_patches = true;
+  options.reports_patches = true;
   options.max_deviation = {.value = 0.01, .unit = Deviation::Unit::Length};
   return fix_defects(soup, options).patches;
 }
@@ -93,7 +93,7 @@ TEST(PatchOutcomes, DistanceIsThatOfThePatchAlone) {
 
 TEST(PatchOutcomes, PlaceOfThePatchIsThatAmongAllDefects) {
   RepairOptions options;
-  options.tells_patches = true;
+  options.reports_patches = true;
   const RepairResult result = fix_defects(crossing_cubes(), options);
   ASSERT_EQ(result.patches.size(), 1U);
   EXPECT_EQ(result.before.defects[result.patches.front().defect].code,

@@ -43,8 +43,8 @@ FileFindings bad_file() {
 FileFindings unreadable_file() {
   FileFindings file;
   file.path = "b.ply";
-  file.trouble = "no face";
-  file.trouble_place.line = 7;
+  file.error = "no face";
+  file.error_place.line = 7;
   return file;
 }
 

@@ -1,4 +1,5 @@
-#include "meshalyzer/report/html/page.h"
+#include "meshalyzer/report/html/index_page.h"
+
 #include "sample_set.h"
 #include "support/html_faults.h"
 
@@ -26,7 +27,7 @@ std::vector<IndexRow> sample_rows() {
   bad.faces = 1000;
   bad.defects[static_cast<std::size_t>(DefectCode::Hole)] = 7;
   IndexRow torn{.name = "torn.mesh", .page = ""};
-  torn.trouble = "torn.mesh:3: no number";
+  torn.error = "torn.mesh:3: no number";
   return {good, bad, torn};
 }
 

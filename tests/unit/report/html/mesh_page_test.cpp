@@ -1,6 +1,8 @@
+#include "meshalyzer/report/html/mesh_page.h"
+
 #include "html/sample_scene.h"
 #include "meshalyzer/analysis/analyze.h"
-#include "meshalyzer/report/html/page.h"
+#include "meshalyzer/report/html/defects_page.h"
 #include "support/html_faults.h"
 #include "support/shapes.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/report/html/page.h"
+#include "meshalyzer/report/html/page_mesh.h"
 
 #include <limits>
 #include <string>

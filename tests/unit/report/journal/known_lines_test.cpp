@@ -33,10 +33,10 @@ TEST(KnownLines, TellWhatTheRunFound) {
   KnownLines known(subject);
   known.add(journal.file());
   EXPECT_EQ(known.mesh(1)->path, journal.path(1));
-  EXPECT_EQ(known.trouble(2), journal.path(2) + ": torn");
+  EXPECT_EQ(known.error(2), journal.path(2) + ": torn");
   EXPECT_EQ(known.findings(1)->owner, 1U);
   EXPECT_FALSE(known.mesh(2).has_value());
-  EXPECT_FALSE(known.trouble(0).has_value());
+  EXPECT_FALSE(known.error(0).has_value());
   EXPECT_FALSE(known.findings(2).has_value());
   EXPECT_TRUE(known.has_file(2));
   EXPECT_FALSE(known.has_findings(2));
@@ -85,7 +85,7 @@ TEST(KnownLines, LastLineOfAFileIsTheOneThatHolds) {
   journal.write("journal.ndjson", lines);
   KnownLines known(subject);
   known.add(journal.file());
-  EXPECT_EQ(known.trouble(2), "later");
+  EXPECT_EQ(known.error(2), "later");
 }
 
 TEST(KnownLines, TornLastLineIsPassedOver) {

@@ -39,7 +39,7 @@ LineHead sample_head(LineHead::Kind kind) {
           .of = 4,
           .path = "folder/b \"b\"\n.mesh",
           .stamp = {std::uint64_t{1} << 40U, -1'234'567'890'123'456'789},
-          .asked = sample_request(),
+          .request = sample_request(),
           .set = "0123456789abcdef"};
 }
 
@@ -193,7 +193,7 @@ TEST(UnreadableLine, KeepsThePathAndTheReasonWhateverTheirBytes) {
   const std::string why = "caf\xE9.mesh:3: no \"number\"";
   const std::string line = unreadable_line(head, why);
   EXPECT_EQ(read_head(line), head);
-  EXPECT_EQ(read_trouble(line), why);
+  EXPECT_EQ(read_unreadable(line), why);
 }
 
 TEST(UnreadableLine, IsNotTheOtherKind) {
@@ -201,7 +201,7 @@ TEST(UnreadableLine, IsNotTheOtherKind) {
   EXPECT_THROW(static_cast<void>(read_between(line, sample_names())), InvalidArgument);
   const std::string other =
       between_line(sample_head(LineHead::Kind::Between), sample_findings(), sample_names());
-  EXPECT_THROW(static_cast<void>(read_trouble(other)), InvalidArgument);
+  EXPECT_THROW(static_cast<void>(read_unreadable(other)), InvalidArgument);
 }
 
 TEST(BetweenLine, HasTheRowsOfTheReport) {

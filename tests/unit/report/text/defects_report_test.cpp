@@ -13,14 +13,14 @@ using test::HasLine;
 using testing::HasSubstr;
 using testing::Not;
 
-std::string report_of(const DefectReport& report, const DefectCodes& asked = default_fixes()) {
+std::string report_of(const DefectReport& report, const DefectCodes& requested = default_fixes()) {
   const MeshName mesh{.path = "a.off",
                       .format = Format::Off,
                       .vertex_ids = {},
                       .face_ids = {},
                       .n_vertices = 9,
                       .n_faces = 8};
-  return text_report(FoundDefects{mesh, report, asked}, ListLength::Short);
+  return text_report(FoundDefects{mesh, report, requested}, ListLength::Short);
 }
 
 TEST(DefectsReport, SoundMeshHasZeroOfEachCodeAndNoPlaces) {
@@ -68,8 +68,8 @@ TEST(DefectsReport, WhatARepairWouldDoComesLast) {
   RepairResult result = sample_result();
   add_patch(result);
   const RepairReport names = sample_report(result);
-  const DefectCodes asked = default_fixes();
-  EXPECT_THAT(text_report(FoundDefects{names.input, result.before, asked, result.patches},
+  const DefectCodes requested = default_fixes();
+  EXPECT_THAT(text_report(FoundDefects{names.input, result.before, requested, result.patches},
                           ListLength::Short),
               testing::EndsWith("WHAT A REPAIR WOULD MAKE OF SELF-INTERSECTIONS\n"
                                 "patch of face 5: 2 faces; mended by split edges, cut "
