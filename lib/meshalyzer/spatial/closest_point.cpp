@@ -174,6 +174,9 @@ class Search {
     if (!query_.excluded.empty() && query_.excluded[face] != 0) {
       return;
     }
+    if (query_.is_wanted != nullptr && !(*query_.is_wanted)(face)) {
+      return;
+    }
     const Triangle& t = tree_.triangle(slot);
     const Corners corners{tree_.point(t[0]), tree_.point(t[1]), tree_.point(t[2])};
     const std::optional<TrianglePoint> found =
@@ -212,8 +215,13 @@ class Search {
            kAbsoluteSlack + kRelativeSlack * to_middle.norm();
   }
 
-  /// Boxes with a larger squared distance hold nothing as near as the best so far.
+  /// Boxes with a larger squared distance hold nothing that would replace the best so far.
   void set_reach() {
+    const bool is_on_face = best_.distance == 0.0 && best_.mesh_face != kNoIndex;
+    if (is_on_face && query_.choice == FaceChoice::AnyAtPoint) {
+      reach_ = -1.0F;
+      return;
+    }
     const double reach = best_.distance * tree_.scale() * (1 + kRelativeSlack) + kAbsoluteSlack;
     // Empty boxes lie at infinity and are never within reach.
     reach_ = static_cast<float>(

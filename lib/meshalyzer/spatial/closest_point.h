@@ -5,12 +5,22 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace meshalyzer {
+
+/// Which of several faces at the smallest distance is the answer to a query.
+enum class FaceChoice : std::uint8_t {
+  /// The first in order of the mesh.
+  First,
+  /// Where the point lies on faces, any one of them: the search ends at the first that is found.
+  /// That saves much time where very many faces lie on each other.
+  AnyAtPoint,
+};
 
 /// A query to ClosestPoints::find().
 struct ClosestQuery {
@@ -22,9 +32,13 @@ struct ClosestQuery {
   /// #mesh faces: faces with a non-zero entry are ignored. It may be empty; the query only refers
   /// to it.
   std::span<const std::uint8_t> excluded = {};
+  /// Faces for which this returns false are ignored. It may be null, which ignores none; the query
+  /// only refers to it.
+  const std::function<bool(Index mesh_face)>* is_wanted = nullptr;
   /// The slot of a face that is likely to be near, such as SurfacePoint::slot of a neighbour's
-  /// answer. It saves time; the answer does not depend on it.
+  /// answer. It saves time; the answer depends on it only if any face will do.
   Index hint = kNoIndex;
+  FaceChoice choice = FaceChoice::First;
 };
 
 /// A point of a mesh, and its distance to the query point.
@@ -56,8 +70,8 @@ class ClosestPoints {
   /// Returns the closest point of the mesh.
   ///
   /// The answer is the same, to the bit, as that of closest_on_triangle() for all faces: the
-  /// smallest distance, and the first of several faces at this distance. Several threads may call
-  /// it at a time.
+  /// smallest distance, and the first of several faces at this distance, or the one that FaceChoice
+  /// allows. Several threads may call it at a time.
   ///
   /// @param query  The query; its point must be finite.
   /// @return       Nothing if no face has such a point.

@@ -69,6 +69,27 @@ TEST(FindFoldovers, VertexDraggedOverAnEdgeOfItsRingMakesOne) {
   }
 }
 
+TEST(FindFoldovers, HeapOfOtherFacesOnTheSameSpotHidesNone) {
+  const Soup sheet = shapes::dragged_vertex();
+  // Its middle is within the face that is turned over and the one below it.
+  const Vec3 middle = foldovers_of(sheet)[0].positions[0];
+  Soup soup;
+  for (int i = 0; i < 3000; ++i) {
+    const auto first = static_cast<Index>(soup.n_vertices());
+    for (const Vec3& corner : {Vec3(-0.01, -0.01, 0), Vec3(0.02, -0.01, 0), Vec3(0, 0.02, 0)}) {
+      soup.positions.push_back(middle + corner);
+    }
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  EXPECT_TRUE(foldovers_of(soup).empty());
+  const auto n_heap = static_cast<Index>(soup.n_vertices());
+  soup.positions.insert(soup.positions.end(), sheet.positions.begin(), sheet.positions.end());
+  for (const Triangle& t : sheet.triangles) {
+    soup.triangles.push_back({t[0] + n_heap, t[1] + n_heap, t[2] + n_heap});
+  }
+  EXPECT_EQ(foldovers_of(soup).size(), 1U);
+}
+
 TEST(FindFoldovers, DoesNotDependOnTheOrderOfFaces) {
   const Soup soup = shapes::shuffled_faces(shapes::dragged_vertex(), 7);
   const DefectList found = foldovers_of(soup);

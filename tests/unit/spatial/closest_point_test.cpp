@@ -9,7 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <random>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -179,6 +181,64 @@ TEST(ClosestPoints, HintDoesNotChangeTheAnswer) {
       ClosestQuery hinted = query;
       hinted.hint = hint;
       expect_same(scene.closest.find(hinted), without);
+    }
+  }
+}
+
+TEST(ClosestPoints, UnwantedFacesAreLikeExcludedOnes) {
+  RandomVectors random;
+  const Scene scene(random_triangles(300, random));
+  for (int i = 0; i < 300; ++i) {
+    std::vector<std::uint8_t> excluded(scene.tree.n_faces());
+    for (std::uint8_t& entry : excluded) entry = random.below(3) == 0 ? 1 : 0;
+    const std::function<bool(Index)> is_wanted = [&](Index face) { return excluded[face] == 0; };
+    ClosestQuery query{.point = query_point(scene, random), .is_wanted = &is_wanted};
+    const auto found = scene.closest.find(query);
+    query.is_wanted = nullptr;
+    query.excluded = excluded;
+    expect_same(found, scene.by_brute_force(query));
+  }
+}
+
+/// One triangle, as often as asked for, each time with its own vertices.
+Soup heap_of_triangles(std::size_t n) {
+  Soup soup;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto first = static_cast<Index>(soup.n_vertices());
+    soup.positions.insert(soup.positions.end(), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  return soup;
+}
+
+TEST(ClosestPoints, SearchForAnyFaceAtThePointEndsAtTheFirst) {
+  const Scene scene(heap_of_triangles(1000));
+  std::size_t n_examined = 0;
+  const std::function<bool(Index)> is_wanted = [&](Index) { return ++n_examined > 0; };
+  const ClosestQuery first{.point = {0.25, 0.25, 0.0}, .is_wanted = &is_wanted};
+  EXPECT_EQ(scene.closest.find(first)->mesh_face, 0U);
+  EXPECT_EQ(n_examined, 1000U);
+  n_examined = 0;
+  ClosestQuery any = first;
+  any.choice = FaceChoice::AnyAtPoint;
+  EXPECT_EQ(scene.closest.find(any)->distance, 0.0);
+  EXPECT_EQ(n_examined, 1U);
+}
+
+TEST(ClosestPoints, AnyFaceAtThePointIsTheClosestElsewhere) {
+  RandomVectors random;
+  for (const Soup& soup : soups(random)) {
+    const Scene scene(soup);
+    for (int i = 0; i < 100; ++i) {
+      ClosestQuery query{.point = query_point(scene, random),
+                         .within = i % 3 == 0 ? 0.0 : 1e300,
+                         .choice = FaceChoice::AnyAtPoint};
+      const auto found = scene.closest.find(query);
+      const auto closest = scene.by_brute_force(query);
+      ASSERT_EQ(found.has_value(), closest.has_value());
+      if (!found) continue;
+      EXPECT_EQ(found->distance, closest->distance);
+      if (found->distance > 0.0) expect_same(found, closest);
     }
   }
 }

@@ -4,6 +4,7 @@
 #include "meshalyzer/geometry/face_measures.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace meshalyzer {
@@ -11,14 +12,14 @@ namespace {
 
 using Polygon = std::vector<Vec3>;
 
-/// The search for a cover of one face ends after this many pieces or faces passed over.
+/// The search for a cover of one face ends after this many pieces.
 constexpr std::size_t kMaxPieces = 4096;
-constexpr std::size_t kMaxPassedOver = 1024;
-/// All searches together end after this many lookups, and this many for each face of the mesh. A
-/// sheet on its own copy takes one for each of its faces; in a mesh that one vertex far away
-/// stretches, so that everything is within the tolerance, each takes long.
-constexpr std::size_t kMaxLookups = 10'000;
-constexpr std::size_t kMaxLookupsPerFace = 4;
+/// All searches together end after this many faces were examined, and this many for each face of
+/// the mesh. A sheet on its own copy needs a few for each of its faces; in a heap of faces that lie
+/// on each other, or in a mesh that one vertex far away stretches so that everything is within the
+/// tolerance, each piece may need all.
+constexpr std::size_t kMaxExamined = 4'000'000;
+constexpr std::size_t kMaxExaminedPerFace = 256;
 
 /// Returns the possible error of distances, because cuts are computed in floating point.
 double rounding_of(const Box3& box) {
@@ -78,15 +79,13 @@ SheetCover::SheetCover(const PreparedMesh& mesh, std::span<const Index> patch_of
       patch_of_face_(patch_of_face),
       tolerance_(tolerance + rounding_of(mesh.tree().bounds())),
       excluded_(mesh_.n_faces(), 0),
-      n_lookups_left_(kMaxLookups + kMaxLookupsPerFace * mesh_.n_faces()) {}
+      n_left_to_examine_(kMaxExamined + kMaxExaminedPerFace * mesh_.n_faces()) {}
 
 std::optional<double> SheetCover::measure(const SheetQuery& query) {
   for (const Index f : query.faces) excluded_[f] = 1;
   std::optional<double> largest = 0.0;
   for (const Index f : query.faces) {
     const std::optional<double> distance = measure_face(f, query);
-    for (const Index passed : passed_over_) excluded_[passed] = 0;
-    passed_over_.clear();
     if (!distance) {
       largest.reset();
       break;
@@ -127,22 +126,23 @@ std::optional<double> SheetCover::measure_face(Index face, const SheetQuery& que
   return largest;
 }
 
-/// Finds the face below the centre of a piece, or nothing if there is none within the tolerance.
+/// Finds a face below the centre of a piece, or nothing if there is none within the tolerance.
 std::optional<Corners> SheetCover::find_below(const Polygon& piece, const SheetQuery& query,
                                               const Vec3& normal) {
   const Vec3 point = middle(piece);
   if (!point.allFinite()) return std::nullopt;
-  while (passed_over_.size() < kMaxPassedOver && n_lookups_left_ > 0) {
-    --n_lookups_left_;
-    const auto found = closest_.find({.point = point, .within = tolerance_, .excluded = excluded_});
-    if (!found) return std::nullopt;
-    if (lies_below(found->mesh_face, query, normal)) {
-      return face_corners(mesh_, FaceHandle(static_cast<int>(found->mesh_face)));
-    }
-    excluded_[found->mesh_face] = 1;
-    passed_over_.push_back(found->mesh_face);
-  }
-  return std::nullopt;
+  const std::function<bool(Index)> is_below = [&](Index face) {
+    if (n_left_to_examine_ == 0) return false;
+    --n_left_to_examine_;
+    return lies_below(face, query, normal);
+  };
+  const auto found = closest_.find({.point = point,
+                                    .within = tolerance_,
+                                    .excluded = excluded_,
+                                    .is_wanted = &is_below,
+                                    .choice = FaceChoice::AnyAtPoint});
+  if (!found) return std::nullopt;
+  return face_corners(mesh_, FaceHandle(static_cast<int>(found->mesh_face)));
 }
 
 bool SheetCover::lies_below(Index face, const SheetQuery& query, const Vec3& normal) const {

@@ -52,11 +52,9 @@ class SheetCover {
   ClosestPoints closest_;
   std::span<const Index> patch_of_face_;
   double tolerance_;
-  /// #mesh faces: non-zero for faces that closest_ must not find.
+  /// #mesh faces: non-zero for those of the sheet that is measured.
   std::vector<std::uint8_t> excluded_;
-  /// The faces that are excluded only while one face of the sheet is measured.
-  std::vector<Index> passed_over_;
-  std::size_t n_lookups_left_;
+  std::size_t n_left_to_examine_;
 };
 
 }  // namespace meshalyzer

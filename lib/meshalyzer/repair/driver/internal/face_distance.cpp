@@ -102,7 +102,8 @@ FaceDistance SurfaceDistance::measure(const Corners& corners) {
 SurfacePoint SurfaceDistance::closest(const Vec3& point) {
   SurfacePoint answer;
   answer.distance = kInfinity;
-  answer = closest_.find({.point = point, .hint = hint_}).value_or(answer);
+  answer = closest_.find({.point = point, .hint = hint_, .choice = FaceChoice::AnyAtPoint})
+               .value_or(answer);
   hint_ = answer.slot;
   return answer;
 }
