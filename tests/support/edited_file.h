@@ -73,8 +73,15 @@ class EditedFile {
     for (const Triangle& t : soup_.triangles) {
       for (const Index v : t) ++n_uses[v];
     }
-    for (Index v = static_cast<Index>(n_uses.size()); v-- > 0;) {
-      if (n_uses[v] == 0) drop_vertex(v);
+    std::vector<Index> new_index;
+    Index n_used = 0;
+    for (const Index n : n_uses) new_index.push_back(n > 0 ? n_used++ : kNoIndex);
+    keep(soup_.positions, new_index);
+    if (has_vertex_normals_) keep(soup_.normals, new_index);
+    keep(soup_.vertex_ids.named, new_index);
+    keep(mesh_.vertices, new_index);
+    for (Triangle& t : soup_.triangles) {
+      for (Index& v : t) v = new_index[v];
     }
   }
 
@@ -94,6 +101,16 @@ class EditedFile {
   template <typename T>
   static void erase(std::vector<T>& list, Index i) {
     if (!list.empty()) list.erase(list.begin() + i);
+  }
+  /// Keeps the entries of a list that have a new index; a list that is not used is empty.
+  template <typename T>
+  static void keep(std::vector<T>& list, const std::vector<Index>& new_index) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (new_index[i] != kNoIndex) list[new_index[i]] = std::move(list[i]);
+    }
+    const auto n_kept =
+        std::count_if(new_index.begin(), new_index.end(), [](Index i) { return i != kNoIndex; });
+    if (!list.empty()) list.resize(static_cast<std::size_t>(n_kept));
   }
   /// The place where the records are named.
   static void add_id(Ids& ids) {

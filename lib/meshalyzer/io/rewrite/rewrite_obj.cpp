@@ -22,6 +22,18 @@ std::string reference_text(std::string_view old, Index index, std::size_t n_so_f
   return parse_integer(old) == number ? std::string(old) : std::to_string(number);
 }
 
+/// Returns, for each old vertex and for the end, how many of the vertices before it are kept.
+///
+/// @param numbers  The new number of each old vertex, ascending; kNoIndex for dropped ones.
+std::vector<Index> count_kept(const std::vector<Index>& numbers) {
+  std::vector<Index> counts{0};
+  counts.reserve(numbers.size() + 1);
+  for (const Index number : numbers) {
+    counts.push_back(number == kNoIndex ? counts.back() : number + 1);
+  }
+  return counts;
+}
+
 class ObjRewriter {
  public:
   ObjRewriter(const EditedMesh& mesh, std::string_view text)
@@ -29,6 +41,7 @@ class ObjRewriter {
         records_(find_obj_records(text)),
         plan_(plan_faces(mesh, records_.face_records)),
         numbers_(new_vertices(mesh)),
+        n_kept_before_(count_kept(numbers_)),
         attributes_(mesh, text, records_),
         edits_(text) {}
 
@@ -265,13 +278,7 @@ class ObjRewriter {
   /// Returns the numbers of records before a statement after the edits.
   [[nodiscard]] ObjCounts new_counts(const ObjCounts& old) const {
     ObjCounts counts = old;
-    counts.vertices = 0;
-    for (std::size_t r = old.vertices; r-- > 0;) {
-      if (numbers_[r] != kNoIndex) {
-        counts.vertices = std::size_t{numbers_[r]} + 1;
-        break;
-      }
-    }
+    counts.vertices = n_kept_before_[old.vertices];
     if (old.vertices == records_.vertices.size()) {
       counts.vertices = mesh_.soup.n_vertices();
     }
@@ -343,6 +350,8 @@ class ObjRewriter {
   FacePlan plan_;
   /// The new number of each vertex record; kNoIndex if it was dropped.
   std::vector<Index> numbers_;
+  /// #old vertices + 1: how many of those before each are kept.
+  std::vector<Index> n_kept_before_;
   ObjAttributes attributes_;
   LineEdits edits_;
 };

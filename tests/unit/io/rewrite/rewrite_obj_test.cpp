@@ -155,6 +155,23 @@ TEST(RewriteObj, DroppedVertexMovesTheNumbersBehindIt) {
             "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\nf -3/-1 -2/-1 -1/-1\n");
 }
 
+TEST(RewriteObj, ManyDroppedVerticesBeforeManyFacesTakeNoTimeForEachFace) {
+  // Going through the dropped vertices for each corner would take 10^10 steps.
+  constexpr int kFaces = 20'000;
+  constexpr int kUnused = 200'000;
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  std::string text = "v 9 9 9\n" + vertices;
+  std::string expected = vertices;
+  for (int i = 0; i < kUnused; ++i) text += "v 8 8 8\n";
+  for (int i = 0; i < kFaces; ++i) {
+    text += "f 2 3 4\n";
+    expected += "f 1 2 3\n";
+  }
+  EditedFile file = edited(text);
+  file.drop_unused_vertices();
+  EXPECT_EQ(file.rewritten_bytes(), expected);
+}
+
 TEST(RewriteObj, LineThatLosesAVertexIsCountedAsLost) {
   EditedFile file = edited("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\nl 1 2\nl 3 4\n");
   file.drop_vertex(0);
