@@ -27,19 +27,20 @@ namespace meshalyzer::fixer {
 namespace {
 
 /// Returns the outcome of a repair for each self-intersection, if they are to be fixed.
-std::vector<PatchOutcome> find_outcomes(const Options& options, Soup soup,
+std::vector<PatchOutcome> find_outcomes(RepairOptions repair, Soup soup,
                                         const DefectReport& found) {
   constexpr DefectCode kCode = DefectCode::SelfIntersection;
-  if (found.count(kCode) == 0 || !options.repair.fixes.contains(kCode)) return {};
-  const StopRequest stop(options.time_limit);
-  RepairOptions repair = options.repair;
-  repair.wants_to_stop = [&] { return stop.is_made(); };
+  if (found.count(kCode) == 0 || !repair.fixes.contains(kCode)) return {};
   repair.reports_patches = true;
   return fix_defects(std::move(soup), repair).patches;
 }
 
 ExitCode find(const Options& options, Soup soup, Streams streams) {
+  const StopRequest stop(options.time_limit);
   std::optional<PreparedMesh> mesh(std::in_place, soup);
+  RepairOptions repair = options.repair;
+  repair.wants_to_stop = [&] { return stop.is_made(); };
+  mesh->limit_intersecting_pairs(pair_limits(repair, soup.n_faces()));
   const DefectReport report = find_defects(*mesh, {.codes = DefectCodes::all(),
                                                    .tolerances = options.repair.tolerances,
                                                    .max_defects = options.repair.max_defects});
@@ -47,7 +48,7 @@ ExitCode find(const Options& options, Soup soup, Streams streams) {
   const DefectCodes& requested = options.repair.fixes;
   const Scene scene = options.html ? scene_of(*mesh, report) : Scene{};
   mesh.reset();
-  const std::vector<PatchOutcome> patches = find_outcomes(options, std::move(soup), report);
+  const std::vector<PatchOutcome> patches = find_outcomes(repair, std::move(soup), report);
   if (options.html) write_page(*options.html, {name, report, requested, scene, patches});
   const FoundDefects found{name, report, requested, patches};
   const ExitCode status = write_report(

@@ -51,7 +51,7 @@ void count_pairs(const PreparedMesh& mesh, Analysis& analysis) {
 void describe_parts(std::shared_ptr<PreparedMesh> mesh, const AnalysisOptions& options,
                     ComponentFindings found, Analysis& analysis) {
   static_cast<void>(mesh->shells());
-  analysis.characteristics.is_search_stopped = mesh->was_intersection_search_stopped();
+  analysis.characteristics.is_search_stopped = mesh->was_intersection_search_cut();
   const bool has_pairs = options.scope == Scope::Everything;
   if (options.keep_mesh) {
     found.boxes = mesh->component_boxes();

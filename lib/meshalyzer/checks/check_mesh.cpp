@@ -102,7 +102,7 @@ class FileFindingsBuilder {
       end += report.count(code);
       if (begin == end || catalogue_entry(code).severity != severity) continue;
       FindingCount& found = count(defect_name(code), severity, report.count(code));
-      found.is_at_least = is_of_pairs(code) && mesh_.are_intersecting_pairs_cut();
+      found.is_at_least = is_of_pairs(code) && mesh_.was_intersection_search_cut();
       for (std::size_t i = begin; i < end; ++i) found.fixable += defects.is_fixable(i) ? 1 : 0;
       for (std::size_t i = begin; i < begin + n_listed(report.count(code)); ++i) {
         file_.findings.push_back(finding_of(defects[i], mesh_.soup()));

@@ -113,7 +113,13 @@ DefectReport find_in(const Soup& soup, const PreparedMesh* mesh, const DefectOpt
   Search search(options.codes, tolerances);
   search.search_records(soup);
   if (mesh != nullptr) search.search_mesh(*mesh);
-  return make_report(search.take(), tolerances, options.max_defects);
+  DefectReport report = make_report(search.take(), tolerances, options.max_defects);
+  if (mesh != nullptr && mesh->was_intersection_search_cut()) {
+    report.warnings.emplace_back(
+        "the search for intersecting faces ended early: there may be more self-intersections, and "
+        "inward components, than are listed");
+  }
+  return report;
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ struct DefectReport {
   std::array<std::size_t, kDefectCodes> counts{};
   /// The tolerances that the finders used.
   Tolerances tolerances;
-  /// Sentences that say which tolerances contradict each other.
+  /// Sentences that say which tolerances contradict each other, and whether the search for
+  /// intersecting faces ended before it had found all (PreparedMesh::limit_intersecting_pairs()).
   std::vector<std::string> warnings;
 
   [[nodiscard]] std::size_t count(DefectCode code) const {

@@ -27,6 +27,12 @@ std::array<Vec3, 3> corners_of(const Soup& soup, Index face) {
   return {soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]};
 }
 
+bool have_equal_corners(const Soup& soup, Index a, Index b) {
+  const std::array<Vec3, 3> of_a = corners_of(soup, a);
+  const std::array<Vec3, 3> of_b = corners_of(soup, b);
+  return std::is_permutation(of_a.begin(), of_a.end(), of_b.begin());
+}
+
 Index group_of(const Soup& soup, Index face) {
   // A group without faces begins where the next one does: the last group that begins here counts.
   const auto after =

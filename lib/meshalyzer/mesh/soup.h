@@ -92,6 +92,9 @@ struct Soup {
 /// defined.
 [[nodiscard]] std::array<Vec3, 3> corners_of(const Soup& soup, Index face);
 
+/// Tells whether the corners of two faces of the complex are at the same three positions.
+[[nodiscard]] bool have_equal_corners(const Soup& soup, Index a, Index b);
+
 /// Returns the index of the group that a face belongs to, or kNoIndex if it belongs to none.
 ///
 /// @complexity O(log #groups).

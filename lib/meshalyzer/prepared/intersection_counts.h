@@ -19,9 +19,8 @@ struct IntersectionCounts {
   std::vector<std::size_t> of_component;
   /// The pairs of components that intersect, as find_nesting() needs them.
   std::vector<PartContact> contacts;
-  /// Tells whether the search was told to stop (PairLimits::wants_to_stop) before its end, so that
-  /// the counts are lower bounds.
-  bool was_stopped = false;
+  /// Tells whether all pairs were found; else the counts are lower bounds (see PairLimits).
+  bool is_complete = true;
 };
 
 }  // namespace meshalyzer

@@ -6,6 +6,7 @@
 #include "meshalyzer/spatial/pair_collector.h"
 #include "meshalyzer/spatial/self_intersection.h"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -69,43 +70,62 @@ std::vector<Box3> PreparedMesh::component_boxes() && {
 }
 
 const std::vector<IntersectingPair>& PreparedMesh::intersecting_pairs() const& {
-  return pairs_.get([this] { return search_intersecting_pairs(); });
+  return found_pairs().listed;
 }
 
 std::vector<IntersectingPair> PreparedMesh::intersecting_pairs() && {
   static_cast<void>(std::as_const(*this).intersecting_pairs());
-  return pairs_.take();
+  return pairs_.take().listed;
 }
 
 void PreparedMesh::set_intersecting_pairs(std::vector<IntersectingPair> pairs) {
-  static_cast<void>(pairs_.get([&] { return std::move(pairs); }));
+  static_cast<void>(pairs_.get([&] {
+    FoundPairs found;
+    found.counts.add(pairs);
+    found.listed = std::move(pairs);
+    return found;
+  }));
+}
+
+const FoundPairs& PreparedMesh::found_pairs() const {
+  return pairs_.get([this] { return search_intersecting_pairs(); });
 }
 
 const IntersectionCounts& PreparedMesh::intersection_counts() const {
-  const std::vector<IntersectingPair>& pairs = intersecting_pairs();
+  const FoundPairs& found = found_pairs();
   return intersection_counts_.get([&] {
     return count_intersecting_pairs([&](PairListener& counter) {
-      counter.on_pairs(pairs);
-      return true;  // the search was not told to stop
+      counter.on_pairs(found.listed);
+      return found.is_complete;
     });
   });
 }
 
-/// Searches the pairs. If not all are listed, they are counted as they are found.
-std::vector<IntersectingPair> PreparedMesh::search_intersecting_pairs() const {
-  const bool are_all_listed = limits_.max_listed >= limits_.max_found && !limits_.wants_to_stop;
-  if (are_all_listed) return find_self_intersections(cut_, tree(), limits_.max_found);
-  PairCollector collector(limits_.max_listed);
-  static_cast<void>(intersection_counts_.get([&] {
-    return count_intersecting_pairs([&](PairListener& counter) {
-      TwoListeners both(collector, counter);
-      return visit_self_intersections(cut_, tree(), limits_, both);
-    });
-  }));
-  return collector.take().listed;
+/// Searches the pairs. If the list is shorter than the search is long, they are counted as they are
+/// found.
+FoundPairs PreparedMesh::search_intersecting_pairs() const {
+  PairCollector collector(std::min(limits_.max_listed, limits_.max_found));
+  // Only one pair more tells that those found are not all.
+  PairLimits limits = limits_;
+  if (limits.max_found != kAllPairs) ++limits.max_found;
+  bool is_complete = true;
+  if (limits_.max_listed >= limits_.max_found) {
+    is_complete = visit_self_intersections(cut_, tree(), limits, collector);
+  } else {
+    static_cast<void>(intersection_counts_.get([&] {
+      return count_intersecting_pairs([&](PairListener& counter) {
+        TwoListeners both(collector, counter);
+        is_complete = visit_self_intersections(cut_, tree(), limits, both);
+        return is_complete;
+      });
+    }));
+  }
+  FoundPairs found = collector.take();
+  found.is_complete = is_complete && found.counts.total() <= limits_.max_found;
+  return found;
 }
 
-/// @param visit  Passes on all pairs, and returns whether it was complete.
+/// @param visit  Passes on the pairs, and returns whether these are all.
 IntersectionCounts PreparedMesh::count_intersecting_pairs(
     const std::function<bool(PairListener&)>& visit) const {
   const std::vector<std::uint8_t> is_shell = which_are_shells(cut_, components());
@@ -113,9 +133,9 @@ IntersectionCounts PreparedMesh::count_intersecting_pairs(
                                .components = components(),
                                .is_shell = is_shell,
                                .boxes = component_boxes()});
-  const bool was_stopped = !visit(counter);
+  const bool is_complete = visit(counter);
   IntersectionCounts counts = counter.take();
-  counts.was_stopped = was_stopped;
+  counts.is_complete = is_complete;
   return counts;
 }
 

@@ -82,21 +82,15 @@ class PreparedMesh {
   /// their first use.
   void limit_intersecting_pairs(PairLimits limits) { limits_ = std::move(limits); }
 
-  /// Tells whether the search for intersecting pairs ended because it had found enough. It triggers
-  /// the search.
-  [[nodiscard]] bool are_intersecting_pairs_cut() const {
-    return intersecting_pairs().size() >= limits_.max_found;
-  }
-
   /// Counts the intersecting pairs, listed or not. It triggers the search and uses the components.
   ///
   /// @complexity O(pairs) time in addition to the search; memory does not grow with their number.
   [[nodiscard]] const IntersectionCounts& intersection_counts() const;
 
-  /// Tells whether a search for intersecting pairs was told to stop before its end; it triggers
-  /// none.
-  [[nodiscard]] bool was_intersection_search_stopped() const {
-    return intersection_counts_.is_made() && intersection_counts().was_stopped;
+  /// Tells whether a search for intersecting pairs has left out some: it had found enough or was
+  /// told to stop, see limit_intersecting_pairs(). It triggers no search.
+  [[nodiscard]] bool was_intersection_search_cut() const {
+    return pairs_.is_made() && !found_pairs().is_complete;
   }
 
   /// Returns the role of each component as the wall of a solid: see find_shells(). It builds the
@@ -107,7 +101,8 @@ class PreparedMesh {
   [[nodiscard]] std::vector<Shell> shells() &&;
 
  private:
-  [[nodiscard]] std::vector<IntersectingPair> search_intersecting_pairs() const;
+  [[nodiscard]] const FoundPairs& found_pairs() const;
+  [[nodiscard]] FoundPairs search_intersecting_pairs() const;
   [[nodiscard]] IntersectionCounts count_intersecting_pairs(
       const std::function<bool(PairListener&)>& visit) const;
 
@@ -117,7 +112,7 @@ class PreparedMesh {
   mutable Lazy<Components> components_;
   mutable Lazy<std::vector<Box3>> component_boxes_;
   PairLimits limits_;
-  mutable Lazy<std::vector<IntersectingPair>> pairs_;
+  mutable Lazy<FoundPairs> pairs_;
   mutable Lazy<IntersectionCounts> intersection_counts_;
   mutable Lazy<std::vector<Shell>> shells_;
 };

@@ -30,7 +30,7 @@ std::optional<Nesting> nesting_of_components(const PreparedMesh& mesh,
   if (components.count == 1) {
     return Nesting{.depth = {0}, .inside = {kNoIndex}};  // no tree is needed
   }
-  if (mesh.intersection_counts().was_stopped) return std::nullopt;
+  if (!mesh.intersection_counts().is_complete) return std::nullopt;
   return find_nesting(mesh.tree(),
                       {.parts = {.of_face = components.of_face, .count = components.count},
                        .is_closed = is_shell,

@@ -34,8 +34,8 @@ struct Shell {
                                                          const Components& components);
 
 /// Finds the volume of each component, whether it points outward, and which shell directly encloses
-/// it; directions and enclosures are exact. Components that cross do not enclose each other. If the
-/// search for intersecting pairs was told to stop, only the volumes are known.
+/// it; directions and enclosures are exact. Components that cross do not enclose each other. If not
+/// all intersecting pairs were searched, only the volumes are known.
 ///
 /// PreparedMesh::shells() keeps the result.
 ///

@@ -7,6 +7,7 @@
 #include "meshalyzer/repair/driver/internal/fixed_vertices.h"
 #include "meshalyzer/repair/driver/internal/patch_outcomes.h"
 #include "meshalyzer/repair/driver/internal/plan.h"
+#include "meshalyzer/repair/driver/internal/reason_left.h"
 #include "meshalyzer/repair/driver/internal/repair_driver.h"
 #include "meshalyzer/repair/edits/apply_edits.h"
 #include "meshalyzer/repair/records/internal/keep_largest.h"
@@ -25,6 +26,13 @@ TrackedMesh renumbered(const TrackedMesh& tracked, const Tolerances& tolerances)
   const PreparedMesh mesh(tracked.soup);
   const RepairLimits limits;
   return apply_edits(tracked, renumber({tracked.soup, tracked, mesh, tolerances, limits}).edits);
+}
+
+/// Finds the defects of a mesh within the limit of a repair.
+DefectReport find_within(std::size_t max_pairs, const Soup& soup, const DefectOptions& options) {
+  PreparedMesh mesh(soup);
+  mesh.limit_intersecting_pairs({.max_found = max_pairs, .wants_to_stop = {}});
+  return find_defects(mesh, options);
 }
 
 std::vector<RepairedMesh> finished_meshes(RepairDriver& driver, const RepairOptions& options,
@@ -49,16 +57,15 @@ std::vector<RepairedMesh> finished_meshes(RepairDriver& driver, const RepairOpti
   for (TrackedMesh& tracked : tracked_meshes) {
     RepairedMesh& mesh = meshes.emplace_back();
     mesh.tracked = is_renumbered ? renumbered(tracked, tolerances) : std::move(tracked);
-    mesh.remaining = find_defects(mesh.tracked.soup, find);
+    mesh.remaining = find_within(driver.max_pairs(), mesh.tracked.soup, find);
   }
   return meshes;
 }
 
 /// Adds a refusal for each code that was to be fixed and remains without a reason from any pass.
-void name_what_has_no_reason(const RepairOptions& options, RepairResult& result) {
+void name_what_has_no_reason(const RepairOptions& options, const std::string& reason,
+                             RepairResult& result) {
   DefectCodes unexplained = options.fixes;
-  // No pass repairs these yet; their defects state that themselves.
-  unexplained.erase(DefectCode::SelfIntersection);
   if (options.borders == Borders::Intended) unexplained.erase(DefectCode::Hole);
   for (const LoggedRefusal& refusal : result.log.refusals) unexplained.erase(refusal.code);
   for (const RepairedMesh& mesh : result.meshes) {
@@ -74,8 +81,7 @@ void name_what_has_no_reason(const RepairOptions& options, RepairResult& result)
         refusal.vertex = mesh.tracked.vertex_keys[defect.vertices.front()];
       }
       if (!defect.faces.empty()) refusal.face = mesh.tracked.face_keys[defect.faces.front()];
-      refusal.reason = result.is_stopped ? "the repair was stopped before"
-                                         : "no pass found a way within the maximum deviation";
+      refusal.reason = reason;
     }
   }
 }
@@ -94,6 +100,39 @@ bool is_any_sheet_to_cut(const RepairDriver& driver, const RepairOptions& option
          !find_border_edges(mesh.cut()).empty();
 }
 
+/// Drops equal faces: a few thousand of them make millions of pairs.
+/// @return Whether all pairs are now known, so that the mesh can be repaired.
+bool drop_equal_faces(RepairDriver& driver, const RepairOptions& options,
+                      const DefectReport& before) {
+  constexpr DefectCode kCode = DefectCode::DuplicateFacet;
+  if (!options.fixes.contains(kCode) || before.count(kCode) == 0) return false;
+  return driver.run_trial({.change = {"drop duplicates", kCode, drop_duplicates},
+                           .plan = {},
+                           .is_wanted = [](const RepairState& state) {
+                             static_cast<void>(state.mesh().intersecting_pairs());
+                             return !state.mesh().was_intersection_search_cut();
+                           }});
+}
+
+/// Runs all passes, and replaces what they leave if that is asked for.
+void repair(RepairDriver& driver, const RepairOptions& options, const Tolerances& tolerances,
+            RepairResult& result) {
+  driver.run_plan(plan_passes(options, tolerances), options);
+  if (is_any_sheet_to_cut(driver, options)) {
+    driver.run_plan(plan_with_sheets_cut(options, tolerances), options, OnWorse::Leave);
+  }
+  if (options.guarantee) result.notes = guarantee_goodness(driver, options, tolerances);
+  if (options.reports_patches) result.patches = find_patch_outcomes(driver, result.before);
+  if (options.keep_largest != 0) {
+    driver.apply_unchecked({"keep largest", DefectCode::Disjoint, [&](const PassInput& input) {
+                              return keep_largest(input, options.keep_largest);
+                            }});
+  }
+  result.deviation = driver.deviation();
+  result.is_stopped = driver.is_stopped();
+  result.rises = driver.rises();
+}
+
 }  // namespace
 
 RepairResult fix_defects(Soup soup, const RepairOptions& options) {
@@ -106,34 +145,30 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   limits.max_deviation = length_of(options.max_deviation, box);
   limits.groups = options.groups;
 
+  const PairLimits pairs = pair_limits(options, soup.n_faces());
+
   RepairResult result;
   result.max_deviation = limits.max_deviation;
-  RepairDriver driver(std::move(soup), tolerances, std::move(limits),
-                      [&](const TrackedMesh& tracked, const CutMesh& cut) {
-                        return find_fixed_vertices(tracked, cut, options);
-                      });
+  RepairDriver driver(
+      std::move(soup), tolerances, std::move(limits),
+      [&](const TrackedMesh& tracked, const CutMesh& cut) {
+        return find_fixed_vertices(tracked, cut, options);
+      },
+      pairs);
   result.before = find_defects(driver.mesh(), {.codes = DefectCodes::all(),
                                                .tolerances = options.tolerances,
                                                .max_defects = options.max_defects});
   if (options.on_input) options.on_input(driver.mesh(), result.before);
-  driver.run_plan(plan_passes(options, tolerances), options);
-  if (is_any_sheet_to_cut(driver, options)) {
-    driver.run_plan(plan_with_sheets_cut(options, tolerances), options, OnWorse::Leave);
-  }
-  if (options.guarantee) result.notes = guarantee_goodness(driver, options, tolerances);
-  if (options.reports_patches) result.patches = find_patch_outcomes(driver, result.before);
-  if (options.keep_largest != 0) {
-    driver.apply_unchecked({"keep largest", DefectCode::Disjoint, [&](const PassInput& input) {
-                              return keep_largest(input, options.keep_largest);
-                            }});
+  if (reason_against_repair(driver).empty() || drop_equal_faces(driver, options, result.before)) {
+    repair(driver, options, tolerances, result);
+  } else {
+    result.is_stopped = options.wants_to_stop && options.wants_to_stop();
+    if (options.reports_patches) result.patches = find_patch_outcomes(driver, result.before);
   }
   result.meshes = finished_meshes(driver, options, tolerances);
-  result.deviation = driver.deviation();
-  result.is_stopped = driver.is_stopped();
-  result.rises = driver.rises();
   result.log = driver.take_log();
   append_dropped_parts(driver.input(), driver.tracked(), result.log, result.notes);
-  name_what_has_no_reason(options, result);
+  name_what_has_no_reason(options, reason_of_defects_left(driver), result);
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include "meshalyzer/repair/edits/edits.h"
 #include "meshalyzer/repair/edits/tracked_mesh.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -36,6 +37,10 @@ struct RepairLimits {
   [[nodiscard]] bool is_fixed(const TrackedMesh& tracked, Index vertex) const {
     const Index key = tracked.vertex_keys[vertex];
     return key < fixed_vertices.size() && fixed_vertices[key] != 0;
+  }
+  [[nodiscard]] bool has_fixed_corner(const TrackedMesh& tracked, Index face) const {
+    const Triangle& t = tracked.soup.triangles[face];
+    return std::any_of(t.begin(), t.end(), [&](Index v) { return is_fixed(tracked, v); });
   }
 };
 

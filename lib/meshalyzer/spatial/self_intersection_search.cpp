@@ -22,8 +22,10 @@ constexpr std::size_t kLeavesPerChunk = 64;
 /// So few leaves are one task: to start threads would take as long as most searches of them.
 constexpr std::size_t kFewLeaves = 320;
 
-/// The number of leaves after which a search that may end early tests whether it has found enough.
-constexpr std::size_t kLeavesPerRound = 64 * kLeavesPerChunk;
+/// The numbers of leaves after which a search that may end early tests whether it has found enough:
+/// the first, which is then doubled, and the last.
+constexpr std::size_t kFewestLeavesPerRound = 2 * kLeavesPerChunk;
+constexpr std::size_t kMostLeavesPerRound = 64 * kLeavesPerChunk;
 
 /// The number of pairs that a task keeps before it passes them on.
 constexpr std::size_t kPairsInBuffer = 4096;
@@ -293,15 +295,18 @@ class BoundedSearch {
     // The number of pairs is tested between rounds, so that the result does not depend on the
     // threads.
     const bool is_complete = limits_.max_found == kAllPairs;
-    const std::size_t per_round = is_complete ? n_leaves : kLeavesPerRound;
+    std::size_t per_round = is_complete ? n_leaves : kFewestLeavesPerRound;
     const std::size_t per_chunk =
         is_complete && n_leaves <= kFewLeaves ? kFewLeaves : kLeavesPerChunk;
     if (scene_.groups != nullptr) pair_up_groups();
     std::size_t first = 0;
-    for (; first < n_leaves && n_found_ < limits_.max_found && !is_stopped_; first += per_round) {
-      parallel_chunks(std::min(per_round, n_leaves - first), per_chunk, [&](Chunk chunk) {
+    while (first < n_leaves && n_found_ < limits_.max_found && !is_stopped_) {
+      const std::size_t end = std::min(first + per_round, n_leaves);
+      parallel_chunks(end - first, per_chunk, [&](Chunk chunk) {
         n_found_ += search(first + chunk.begin, first + chunk.end);
       });
+      first = end;
+      per_round = std::min(2 * per_round, kMostLeavesPerRound);
     }
     return first >= n_leaves && !is_ended_;
   }

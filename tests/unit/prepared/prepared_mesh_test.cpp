@@ -104,7 +104,7 @@ void expect_same_counts(const PreparedMesh& mesh, const IntersectionCounts& expe
   EXPECT_EQ(counts.kinds, expected.kinds);
   EXPECT_EQ(counts.intersects, expected.intersects);
   EXPECT_EQ(counts.of_component, expected.of_component);
-  EXPECT_FALSE(counts.was_stopped);
+  EXPECT_TRUE(counts.is_complete);
 }
 
 /// Faces with the same three vertices, in the way of other meshes, and loose ones at their place.
@@ -146,11 +146,29 @@ TEST(PreparedMesh, SearchThatIsToldToStopKnowsNoShellsOfSeveralComponents) {
   const Soup soup = crossing_cubes();
   PreparedMesh mesh(soup);
   mesh.limit_intersecting_pairs({.wants_to_stop = [] { return true; }});
-  EXPECT_FALSE(mesh.was_intersection_search_stopped());  // nobody has searched
+  EXPECT_FALSE(mesh.was_intersection_search_cut());  // nobody has searched
   EXPECT_TRUE(mesh.intersecting_pairs().empty());
-  EXPECT_TRUE(mesh.was_intersection_search_stopped());
+  EXPECT_TRUE(mesh.was_intersection_search_cut());
   EXPECT_EQ(mesh.shells().at(0).outward, std::nullopt);
   EXPECT_EQ(mesh.shells().at(0).volume, 1.0);
+}
+
+TEST(PreparedMesh, SearchThatHasFoundEnoughKnowsNoShellsOfSeveralComponents) {
+  const Soup soup = crossing_cubes();
+  const std::size_t n_pairs = PreparedMesh(soup).intersecting_pairs().size();
+  PreparedMesh few(soup);
+  few.limit_intersecting_pairs({.max_found = n_pairs - 1, .wants_to_stop = {}});
+  EXPECT_EQ(few.intersecting_pairs().size(), n_pairs - 1);
+  EXPECT_TRUE(few.was_intersection_search_cut());
+  EXPECT_FALSE(few.intersection_counts().is_complete);
+  EXPECT_EQ(few.shells().at(0).outward, std::nullopt);
+  EXPECT_EQ(few.shells().at(0).volume, 1.0);
+
+  PreparedMesh enough(soup);
+  enough.limit_intersecting_pairs({.max_found = n_pairs, .wants_to_stop = {}});
+  EXPECT_EQ(enough.intersecting_pairs().size(), n_pairs);
+  EXPECT_FALSE(enough.was_intersection_search_cut());
+  EXPECT_EQ(enough.shells().at(0).outward, true);
 }
 
 TEST(PreparedMesh, MeshWithoutFacesHasNoParts) {

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/defects/find_defects.h"
 #include "meshalyzer/repair/passes.h"
+#include "meshalyzer/spatial/pair_limits.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -69,6 +70,9 @@ struct RepairOptions {
   bool guarantee = false;
   /// Tells how many of the largest components are kept, whatever is lost; 0 keeps all.
   std::size_t keep_largest = 0;
+  /// The largest number of intersecting pairs of a mesh that is repaired: one with more is left as
+  /// it is, so that memory stays bounded. By default it is four million, or 32 a face.
+  std::optional<std::size_t> max_pairs;
   /// Tells how many remaining defects are listed at most; 0 lists all.
   std::size_t max_defects = 0;
   /// The format of the file that the result will be written to, by default that of the input. The
@@ -91,5 +95,9 @@ struct RepairOptions {
 ///
 /// @throws InvalidArgument  if it is negative or not finite.
 [[nodiscard]] double length_of(const Deviation& deviation, const Box3& box);
+
+/// Returns the limits of a search for the intersecting pairs of a mesh that is to be repaired, see
+/// RepairOptions::max_pairs and wants_to_stop.
+[[nodiscard]] PairLimits pair_limits(const RepairOptions& options, std::size_t n_faces);
 
 }  // namespace meshalyzer

@@ -89,9 +89,7 @@ Index vertex_origin(const TrackedMesh& tracked, Index vertex) {
 /// Tells whether an added vertex lies where a sheet was cut.
 bool cuts_sheet(const TrackedMesh& tracked, const Edits::AddedVertex& added) {
   return added.cuts_sheet ||
-         (added.copy_of != kNoIndex &&
-          std::binary_search(tracked.sheet_cuts.begin(), tracked.sheet_cuts.end(),
-                             tracked.vertex_keys[added.copy_of]));
+         (added.copy_of != kNoIndex && tracked.is_where_sheet_was_cut(added.copy_of));
 }
 
 void set_vertex_keys(const Work& work, const VertexMoves& moves, TrackedMesh& result) {

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/mesh/soup.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -26,6 +27,11 @@ struct TrackedMesh {
   std::vector<Index> vertex_origins;
   /// The keys of the added vertices that lie where sheets were cut, and of their copies; ascending.
   std::vector<Index> sheet_cuts;
+
+  /// Tells whether a vertex of the soup lies where a sheet was cut.
+  [[nodiscard]] bool is_where_sheet_was_cut(Index vertex) const {
+    return std::binary_search(sheet_cuts.begin(), sheet_cuts.end(), vertex_keys[vertex]);
+  }
 
   /// Returns the input's face that a face of the soup was made of; kNoIndex where it is part of a
   /// hole patch.

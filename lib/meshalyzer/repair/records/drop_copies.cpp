@@ -12,20 +12,13 @@
 namespace meshalyzer {
 namespace {
 
-/// Tells whether the corners of two faces that overlap are at the same three positions.
-bool coincide(const Soup& soup, const IntersectingPair& pair) {
-  if (pair.kind != ContactKind::CoplanarOverlap) return false;
-  const Corners a = corners_of(soup, pair.face_a);
-  const Corners b = corners_of(soup, pair.face_b);
-  return std::is_permutation(a.begin(), a.end(), b.begin());
-}
-
 /// Decides which components are copies.
 class CopySearch {
  public:
   explicit CopySearch(const PreparedMesh& mesh) : soup_(mesh.soup()) {
     for (const IntersectingPair& pair : mesh.intersecting_pairs()) {
-      if (!coincide(soup_, pair)) continue;
+      if (pair.kind != ContactKind::CoplanarOverlap) continue;
+      if (!have_equal_corners(soup_, pair.face_a, pair.face_b)) continue;
       twins_.push_back({pair.face_a, pair.face_b});
       twins_.push_back({pair.face_b, pair.face_a});
     }
@@ -84,9 +77,7 @@ class CopySearch {
 
 bool has_fixed_vertex(const PassInput& input, const std::vector<Index>& faces) {
   return std::any_of(faces.begin(), faces.end(), [&](Index face) {
-    const Triangle& t = input.tracked.soup.triangles[face];
-    return std::any_of(t.begin(), t.end(),
-                       [&](Index v) { return input.limits.is_fixed(input.tracked, v); });
+    return input.limits.has_fixed_corner(input.tracked, face);
   });
 }
 

@@ -165,13 +165,18 @@ class DuplicateDropper {
   /// Returns the first of those that fit best to their neighbours: that are oriented consistently
   /// with most of the single other faces at their edges.
   [[nodiscard]] Index best_of(const EqualFaces& set) const {
-    return *std::max_element(set.faces.begin(), set.faces.end(), [&](Index f, Index g) {
-      return agreement(set, f) < agreement(set, g);
-    });
+    const auto opposed = std::find(set.is_like_first.begin(), set.is_like_first.end(), 0);
+    // Opposed faces agree with those neighbours with which the first does not.
+    if (opposed == set.is_like_first.end() || agreement_of_first(set) >= 0) {
+      return set.faces.front();
+    }
+    return set.faces[static_cast<std::size_t>(opposed - set.is_like_first.begin())];
   }
 
-  [[nodiscard]] int agreement(const EqualFaces& set, Index face) const {
-    const Triangle& t = mesh_.triangle(face);
+  /// Returns the number of neighbours with which the first face is oriented consistently, less the
+  /// number of the others.
+  [[nodiscard]] int agreement_of_first(const EqualFaces& set) const {
+    const Triangle& t = mesh_.triangle(set.faces.front());
     int score = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const Index a = t[k];

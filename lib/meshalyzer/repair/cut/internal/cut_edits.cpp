@@ -126,10 +126,8 @@ class CutEdits {
     }
     for (const Index face : surface_.loose) obstacles_[parts_.find(face)] = Obstacle::Loose;
     for (const Index face : changed_) {
-      const Triangle& t = soup_.triangles[face];
-      const bool is_fixed = std::any_of(
-          t.begin(), t.end(), [&](Index v) { return input_.limits.is_fixed(input_.tracked, v); });
-      if (is_fixed) obstacles_[parts_.find(face)] = Obstacle::Fixed;
+      if (!input_.limits.has_fixed_corner(input_.tracked, face)) continue;
+      obstacles_[parts_.find(face)] = Obstacle::Fixed;
     }
     find_lost_components();
   }

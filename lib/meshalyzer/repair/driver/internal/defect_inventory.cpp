@@ -84,10 +84,8 @@ class Inventory {
 
   /// Tells whether an edge has an end where a sheet was cut.
   [[nodiscard]] bool cuts_sheet(const std::array<Index, 2>& ends) const {
-    const std::vector<Index>& cuts = tracked_.sheet_cuts;
-    return std::any_of(ends.begin(), ends.end(), [&](Index v) {
-      return std::binary_search(cuts.begin(), cuts.end(), tracked_.vertex_keys[v]);
-    });
+    return std::any_of(ends.begin(), ends.end(),
+                       [&](Index v) { return tracked_.is_where_sheet_was_cut(v); });
   }
 
   CountedElement& add(CountedDefect kind) {

@@ -96,10 +96,8 @@ std::vector<Index> faces_where_sheets_end(const TrackedMesh& repaired) {
   const CutMesh cut = build(repaired.soup);
   for (const HalfedgeHandle border : find_border_edges(cut)) {
     const auto ends = file_ends(cut, border);
-    const bool is_at_cut = std::all_of(ends.begin(), ends.end(), [&](Index v) {
-      return std::binary_search(repaired.sheet_cuts.begin(), repaired.sheet_cuts.end(),
-                                repaired.vertex_keys[v]);
-    });
+    const bool is_at_cut = std::all_of(ends.begin(), ends.end(),
+                                       [&](Index v) { return repaired.is_where_sheet_was_cut(v); });
     const Index face = cut.side.face(cut.mesh.face_handle(border));
     const Index origin = repaired.origin_of_face(face);
     if (is_at_cut && origin != kNoIndex) faces.push_back(origin);

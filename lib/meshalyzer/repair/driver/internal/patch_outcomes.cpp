@@ -1,5 +1,7 @@
 #include "meshalyzer/repair/driver/internal/patch_outcomes.h"
 
+#include "meshalyzer/repair/driver/internal/reason_left.h"
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -71,8 +73,7 @@ class OutcomeFinder {
 
   /// A refusal may name a face of one patch and apply to several connected ones.
   void find_reasons() {
-    std::string general = "no pass found a way within the maximum deviation";
-    if (driver_.is_stopped()) general = "the repair was stopped before";
+    std::string general = reason_of_defects_left(driver_);
     for (const LoggedRefusal& refusal : driver_.log().refusals) {
       if (refusal.code != DefectCode::SelfIntersection) continue;
       general = refusal.reason;

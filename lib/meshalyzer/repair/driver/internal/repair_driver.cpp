@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/repair/driver/internal/log_edits.h"
+#include "meshalyzer/repair/driver/internal/log_refusals.h"
 #include "meshalyzer/repair/edits/apply_edits.h"
 
 #include <algorithm>
@@ -42,25 +43,26 @@ bool are_many_alike(std::size_t n_pairs, std::size_t n_before) {
 }  // namespace
 
 RepairDriver::RepairDriver(Soup input, const Tolerances& tolerances, RepairLimits limits,
-                           FixedVertices fixed)
+                           FixedVertices fixed, PairLimits pairs)
     : input_(std::move(input)),
       tolerances_(tolerances),
       limits_(std::move(limits)),
       fixed_(std::move(fixed)),
       meter_(std::in_place, input_),
-      state_(std::make_shared<RepairState>(track_mesh(input_), tolerances_)) {}
+      max_pairs_(pairs.max_found),
+      state_(std::make_shared<RepairState>(track_mesh(input_), tolerances_, pairs)),
+      wants_to_stop_(std::move(pairs.wants_to_stop)) {}
 
 void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOptions& options,
                             OnWorse on_worse) {
   on_progress_ = options.on_progress;
-  wants_to_stop_ = options.wants_to_stop;
   const FinalCheck check = final_check_for(options, input_.format);
   DefectInventory before = list_defective_in_file(*state_, tolerances_, check);
   const bool turns_over = std::any_of(plan.begin(), plan.end(), [](const PlannedPass& pass) {
     return pass.may_create.contains(DefectCode::Inward);
   });
   if (turns_over) before.is_yes[static_cast<std::size_t>(Attribute::Outward)] = false;
-  if (input_counts_) set_checkpoint();
+  if (input_counts_ || checkpoint_) set_checkpoint();
   if (!input_counts_) input_counts_ = {{}, before.counts, before.is_yes};
   for (std::size_t stage = 0; stage < kMaxStages; ++stage) {
     std::optional<DefectInventory> after = run_stage(plan, {check, before, on_worse});
@@ -177,13 +179,18 @@ void RepairDriver::return_to_input() {
 
 void RepairDriver::restore(const Checkpoint& checkpoint) {
   meter_.emplace(input_);
-  state_ = std::make_shared<RepairState>(checkpoint.tracked, tolerances_);
+  state_ = search_all(checkpoint.tracked);
   meter_->include_patches(state_->tracked());
   log_ = checkpoint.log;
   deviation_ = checkpoint.deviation;
   walls_ = checkpoint.walls;
   is_deviation_known_ = true;
   applied_.clear();
+}
+
+std::shared_ptr<const RepairState> RepairDriver::search_all(TrackedMesh tracked) const {
+  return std::make_shared<RepairState>(std::move(tracked), tolerances_,
+                                       PairLimits{.max_found = max_pairs_, .wants_to_stop = {}});
 }
 
 void RepairDriver::run_rounds(const std::vector<PlannedPass>& plan) {
@@ -252,7 +259,7 @@ void RepairDriver::apply_unchecked(const PlannedPass& pass) {
   log_edits(std::string(pass.name), pass.code,
             {state_->tracked(), result.edits, {}, tracked, affected}, log_);
   walls_ = walls_with(result.edits, std::vector<std::uint8_t>(result.edits.n_operations, 0));
-  state_ = std::make_shared<RepairState>(std::move(tracked), tolerances_);
+  state_ = search_all(std::move(tracked));
   include_patches(result.edits);
 }
 
@@ -274,7 +281,7 @@ bool RepairDriver::run(const PlannedPass& pass) {
       // One bad step may have caused the rejection of all steps of its operation.
       size = OperationSize::Smallest;
     } else {
-      log_refusals(pass, result.refused);
+      log_refusals(pass, result.refused, state_->tracked(), log_);
       return has_changed;
     }
   }
@@ -291,12 +298,12 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
   for (std::size_t op = 0; op < skipped.size(); ++op) {
     const bool is_banned = banned_.contains(pass.name, site[op]);
     if (is_banned && before.rejected.insert(signature[op]).second) {
-      log_rejection(pass, signature[op], Rejection::EndsWorse);
+      log_rejection(pass, signature[op], Rejection::EndsWorse, log_);
     }
     const bool is_rejected = before.rejected.contains(signature[op]);
     const bool is_far = !is_rejected && too_far_.contains(hash[op]);
     if (is_far && before.too_far.insert(signature[op]).second) {
-      log_rejection(pass, signature[op], Rejection::TooFar);
+      log_rejection(pass, signature[op], Rejection::TooFar, log_);
     }
     skipped[op] = is_rejected || is_far;
   }
@@ -325,7 +332,7 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
       skipped[op] = 1;
       before.rejected.insert(signature[op]);
       if (acceptance.rejections[op] == Rejection::TooFar) too_far_.insert(hash[op]);
-      log_rejection(pass, signature[op], acceptance.rejections[op]);
+      log_rejection(pass, signature[op], acceptance.rejections[op], log_);
     }
   }
   return false;
@@ -362,33 +369,6 @@ void RepairDriver::include_patches(const Edits& edits) {
   const bool has_patches = std::any_of(edits.added_faces.begin(), edits.added_faces.end(),
                                        [](const auto& face) { return face.fills_hole; });
   if (has_patches) meter_->include_patches(state_->tracked());
-}
-
-void RepairDriver::log_refusals(const PlannedPass& pass, const std::vector<Refusal>& refused) {
-  const TrackedMesh& tracked = state_->tracked();
-  for (const Refusal& refusal : refused) {
-    LoggedRefusal& logged = log_.refusals.emplace_back();
-    logged.pass = pass.name;
-    logged.code = refusal.code;
-    logged.vertex = refusal.vertex == kNoIndex ? kNoIndex : tracked.vertex_keys[refusal.vertex];
-    logged.face = refusal.face == kNoIndex ? kNoIndex : tracked.face_keys[refusal.face];
-    logged.reason = refusal.reason;
-    logged.rejection = refusal.rejection;
-  }
-}
-
-void RepairDriver::log_rejection(const PlannedPass& pass, const OperationSignature& signature,
-                                 Rejection rejection) {
-  LoggedRefusal& logged = log_.refusals.emplace_back();
-  logged.pass = pass.name;
-  logged.code = pass.code;
-  if (signature.size() > 1 && signature.front() == kNoIndex) {
-    logged.vertex = signature[1];
-  } else if (!signature.empty()) {
-    logged.face = signature.front();
-  }
-  logged.reason = rejection_reason(rejection);
-  logged.rejection = rejection;
 }
 
 }  // namespace meshalyzer

@@ -42,7 +42,10 @@ class RepairDriver {
 
   /// @param limits  The limits without fixed vertices.
   /// @param fixed   Called before each round, because a border may have been closed since.
-  RepairDriver(Soup input, const Tolerances& tolerances, RepairLimits limits, FixedVertices fixed);
+  /// @param pairs   The limits of each search of the whole mesh for intersecting pairs; only the
+  ///                first one is stopped by its function, which stops the repair too.
+  RepairDriver(Soup input, const Tolerances& tolerances, RepairLimits limits, FixedVertices fixed,
+               PairLimits pairs = {});
 
   [[nodiscard]] const TrackedMesh& tracked() const { return state_->tracked(); }
   /// Returns the mesh before all repairs.
@@ -68,7 +71,7 @@ class RepairDriver {
   /// to the mesh that it had before. If a plan was run before, the mesh that it has left takes the
   /// place of the input.
   ///
-  /// @param options   The receiver of the progress, and the function that may stop the repair.
+  /// @param options   The receiver of the progress, and the format that is written.
   /// @param on_worse  What happens if the mesh becomes worse.
   void run_plan(const std::vector<PlannedPass>& plan, const RepairOptions& options,
                 OnWorse on_worse = OnWorse::TryAgain);
@@ -104,6 +107,8 @@ class RepairDriver {
   [[nodiscard]] std::vector<double> measure_parts(std::span<const Index> part_of,
                                                   std::size_t n_parts) const;
   [[nodiscard]] double max_deviation() const { return limits_.max_deviation; }
+  /// Returns the largest number of intersecting pairs that is searched for.
+  [[nodiscard]] std::size_t max_pairs() const { return max_pairs_; }
   /// Notes a deviation that was measured outside.
   void raise_deviation(double deviation);
   /// Tells whether run_plan() was stopped.
@@ -174,6 +179,7 @@ class RepairDriver {
   /// @param idle_run   The last run of the pass that changed nothing.
   void run_unless_idle(const PlannedPass& pass, std::size_t& n_changes,
                        std::optional<IdleRun>& idle_run);
+  [[nodiscard]] std::shared_ptr<const RepairState> search_all(TrackedMesh tracked) const;
   /// Asks whether to stop; once the answer is yes, it stays so.
   bool is_to_stop();
   bool run(const PlannedPass& pass);
@@ -194,9 +200,6 @@ class RepairDriver {
                                                      std::span<const std::uint8_t> skipped) const;
   /// Lets later edits lie on the hole patches that these edits have added.
   void include_patches(const Edits& edits);
-  void log_refusals(const PlannedPass& pass, const std::vector<Refusal>& refused);
-  void log_rejection(const PlannedPass& pass, const OperationSignature& signature,
-                     Rejection rejection);
 
   Soup input_;
   Tolerances tolerances_;
@@ -205,6 +208,7 @@ class RepairDriver {
   std::optional<DeviationMeter> meter_;
   /// The parts of the surface that separated no inside from no outside and were removed.
   std::vector<InteriorWall> walls_;
+  std::size_t max_pairs_;
   std::shared_ptr<const RepairState> state_;
   /// The deviation when it was last measured.
   double deviation_ = 0.0;

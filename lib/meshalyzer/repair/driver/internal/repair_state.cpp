@@ -56,10 +56,12 @@ std::vector<Index> affected_faces(const AffectedElements& affected,
 
 }  // namespace
 
-RepairState::RepairState(TrackedMesh tracked, const Tolerances& tolerances)
+RepairState::RepairState(TrackedMesh tracked, const Tolerances& tolerances, PairLimits limits)
     : tracked_(std::move(tracked)),
       mesh_(tracked_.soup),
-      defective_elements_(find_defective_elements(tracked_, mesh_, tolerances)) {}
+      defective_elements_(find_defective_elements(tracked_, mesh_, tolerances)) {
+  mesh_.limit_intersecting_pairs(std::move(limits));
+}
 
 RepairState::RepairState(TrackedMesh tracked, const Tolerances& tolerances,
                          const RepairState& before, const AffectedElements& affected)

@@ -16,7 +16,7 @@ namespace meshalyzer {
 class RepairState {
  public:
   /// Searches the whole mesh for intersecting pairs.
-  RepairState(TrackedMesh tracked, const Tolerances& tolerances);
+  RepairState(TrackedMesh tracked, const Tolerances& tolerances, PairLimits limits = {});
 
   /// Updates the pairs after a change: only the pairs of the faces that it affected are searched.
   RepairState(TrackedMesh tracked, const Tolerances& tolerances, const RepairState& before,

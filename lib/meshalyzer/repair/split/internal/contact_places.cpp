@@ -21,23 +21,21 @@ bool precedes(const Vec3& a, const Vec3& b) {
   return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
 }
 
-/// The corners of two faces that are at one position but not one vertex, and the number of corners
-/// at one position.
-struct SharedPlaces {
-  std::vector<Link> links;
-  std::size_t count = 0;
-};
-
-SharedPlaces shared_places(const Soup& soup, const IntersectingPair& pair) {
-  SharedPlaces shared;
+/// Appends the corners of two faces that are at one position but not one vertex.
+void append_links(const Soup& soup, const IntersectingPair& pair, std::vector<Link>& links) {
   for (const Index a : soup.triangles[pair.face_a]) {
     for (const Index b : soup.triangles[pair.face_b]) {
-      if (soup.positions[a] != soup.positions[b]) continue;
-      ++shared.count;
-      if (a != b) shared.links.push_back({std::min(a, b), std::max(a, b)});
+      if (a != b && soup.positions[a] == soup.positions[b]) {
+        links.push_back({std::min(a, b), std::max(a, b)});
+      }
     }
   }
-  return shared;
+}
+
+/// Tells whether two faces cover each other.
+bool coincide(const Soup& soup, const IntersectingPair& pair) {
+  return pair.kind == ContactKind::CoplanarOverlap &&
+         have_equal_corners(soup, pair.face_a, pair.face_b);
 }
 
 /// #file faces: 1 for those of components without a border.
@@ -68,8 +66,7 @@ std::vector<std::uint8_t> vertices_of_doubled_faces(const PreparedMesh& mesh) {
   std::vector<std::uint8_t> is_doubled(soup.n_vertices(), 0);
   std::vector<std::uint8_t> is_closed;
   for (const IntersectingPair& pair : mesh.intersecting_pairs()) {
-    if (pair.kind != ContactKind::CoplanarOverlap) continue;
-    if (shared_places(soup, pair).count < 3 || !have_same_direction(soup, pair)) continue;
+    if (!coincide(soup, pair) || !have_same_direction(soup, pair)) continue;
     if (is_closed.empty()) is_closed = faces_of_closed_parts(mesh);
     if (is_closed[pair.face_a] == 0 || is_closed[pair.face_b] == 0) continue;
     for (const Index face : {pair.face_a, pair.face_b}) {
@@ -84,10 +81,9 @@ std::vector<Link> find_links(const PreparedMesh& mesh) {
   const std::vector<std::uint8_t> is_doubled = vertices_of_doubled_faces(mesh);
   std::vector<Link> links;
   for (const IntersectingPair& pair : mesh.intersecting_pairs()) {
-    if (pair.kind != ContactKind::Unwelded && pair.kind != ContactKind::CoplanarOverlap) continue;
-    const SharedPlaces shared = shared_places(mesh.soup(), pair);
-    if (pair.kind == ContactKind::CoplanarOverlap && shared.count < 3) continue;
-    links.insert(links.end(), shared.links.begin(), shared.links.end());
+    if (pair.kind == ContactKind::Unwelded || coincide(mesh.soup(), pair)) {
+      append_links(mesh.soup(), pair, links);
+    }
   }
   std::erase_if(links, [&](const Link& link) {
     return is_doubled[link[0]] != 0 && is_doubled[link[1]] != 0;

@@ -1,0 +1,74 @@
+#include "meshalyzer/repair/fix_defects.h"
+#include "support/same_soup.h"
+#include "support/shapes.h"
+#include "unit/repair/repaired_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+namespace meshalyzer {
+namespace {
+
+Soup cubes_that_cross() {
+  return shapes::merged(shapes::cube(), shapes::cube(1.0, {0.5, 0.25, 0.375}));
+}
+
+/// Returns why the self-intersections were left; empty if no reason was logged.
+std::string reason_left(const RepairResult& result) {
+  const auto& refusals = result.log.refusals;
+  const auto refusal = std::find_if(refusals.begin(), refusals.end(), [](const auto& logged) {
+    return logged.code == DefectCode::SelfIntersection;
+  });
+  return refusal == refusals.end() ? "" : refusal->reason;
+}
+
+TEST(MaxPairs, MeshWithMorePairsIsLeftAndTheReasonSaid) {
+  const Soup soup = cubes_that_cross();
+  RepairOptions options;
+  options.max_pairs = PreparedMesh(soup).intersecting_pairs().size();
+  EXPECT_EQ(count_after(fix_defects(soup, options), DefectCode::SelfIntersection), 0U);
+
+  *options.max_pairs -= 1;
+  options.reports_patches = true;
+  const RepairResult left = fix_defects(soup, options);
+  EXPECT_TRUE(same_soup(only_mesh(left), soup));
+  EXPECT_FALSE(left.is_stopped);
+  EXPECT_NE(reason_left(left).find("pairs of faces intersect"), std::string::npos);
+  ASSERT_FALSE(left.before.warnings.empty());
+  EXPECT_NE(left.before.warnings.back().find("search"), std::string::npos);
+  ASSERT_EQ(left.patches.size(), 1U);
+  EXPECT_FALSE(left.patches.front().is_mended);
+  EXPECT_EQ(left.patches.front().reason, reason_left(left));
+}
+
+TEST(MaxPairs, EqualFacesAreDroppedBeforeTheirPairsAreCounted) {
+  Soup soup = shapes::cube();
+  soup.triangles.resize(200, soup.triangles.back());
+  RepairOptions options;
+  options.max_pairs = 100;
+  const RepairResult mended = fix_defects(soup, options);
+  EXPECT_TRUE(same_soup(only_mesh(mended), shapes::cube()));
+
+  // Where other pairs are left, everything stays.
+  Soup crossing = cubes_that_cross();
+  crossing.triangles.resize(200, crossing.triangles.back());
+  options.max_pairs = 2;
+  const RepairResult left = fix_defects(crossing, options);
+  EXPECT_TRUE(same_soup(only_mesh(left), crossing));
+  EXPECT_TRUE(left.log.steps.empty());
+  EXPECT_FALSE(reason_left(left).empty());
+}
+
+TEST(MaxPairs, RepairThatIsStoppedInTheFirstSearchLeavesTheMesh) {
+  RepairOptions options;
+  options.wants_to_stop = [] { return true; };
+  const RepairResult result = fix_defects(cubes_that_cross(), options);
+  EXPECT_TRUE(same_soup(only_mesh(result), cubes_that_cross()));
+  EXPECT_TRUE(result.is_stopped);
+}
+
+}  // namespace
+}  // namespace meshalyzer
