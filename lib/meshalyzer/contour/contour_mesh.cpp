@@ -19,8 +19,10 @@
 namespace meshalyzer {
 namespace {
 
-/// The initial cells have edges of 1/32 of the grid's cube.
-constexpr std::uint32_t kFirstLevel = 3 * 5;
+/// The initial cells round the mesh have edges of 1/32 of the grid's cube, or of about this
+/// multiple of the maximum deviation if that is larger.
+constexpr double kMostHalvings = 5.0;
+constexpr double kFirstCell = 2.0;
 /// Points of the mesh are taken at this distance, as a share of its diagonal.
 constexpr double kSpacing = 1.0 / 128.0;
 /// The sides of a face are sampled at this distance, as a share of the maximum deviation.
@@ -35,23 +37,42 @@ constexpr double kCosCrease = 0.9975;
 /// away.
 constexpr double kMostBisections = 6.0;
 
-/// A mesh with its search structures, and points of the part of it that bounds its solid.
-struct Target {
-  explicit Target(const Soup& mesh)
-      : soup(mesh), cut(build(mesh)), tree(cut), region(mesh, tree), closest(tree) {}
+/// A mesh with its search structures.
+struct SearchedMesh {
+  explicit SearchedMesh(const Soup& mesh) : soup(mesh), cut(build(mesh)), tree(cut) {}
 
   const Soup& soup;
   CutMesh cut;
   FaceTree tree;
+};
+
+/// A mesh, its solid, and points of the part of it that bounds the solid.
+struct Target {
+  explicit Target(const Soup& soup) : mesh(soup), region(soup, mesh.tree), closest(mesh.tree) {}
+
+  SearchedMesh mesh;
   MeshRegion region;
   ClosestPoints closest;
   SurfaceParts parts;
 };
 
+/// Returns the faces that may have a part in a box.
+Soup faces_in(const Soup& soup, const Box3& box) {
+  Soup result;
+  result.positions = soup.positions;
+  for (const Triangle& t : soup.triangles) {
+    if (!is_in_complex(t)) continue;
+    Box3 around;
+    for (const Index v : t) around.extend(soup.positions[v]);
+    if (around.intersects(box)) result.triangles.push_back(t);
+  }
+  return result;
+}
+
 /// Marks the faces that intersect others, of which a part may lie inside or outside.
-std::vector<std::uint8_t> intersecting_faces(const Target& target) {
-  std::vector<std::uint8_t> result(target.soup.n_faces());
-  for (const IntersectingPair& pair : find_self_intersections(target.cut, target.tree)) {
+std::vector<std::uint8_t> intersecting_faces(const SearchedMesh& mesh) {
+  std::vector<std::uint8_t> result(mesh.soup.n_faces());
+  for (const IntersectingPair& pair : find_self_intersections(mesh.cut, mesh.tree)) {
     result[pair.face_a] = 1;
     result[pair.face_b] = 1;
   }
@@ -70,17 +91,17 @@ double length_round(const Soup& soup, const std::vector<std::uint8_t>& faces) {
 }
 
 /// Marks the edges where the surface bends, or ends.
-std::vector<std::uint8_t> find_creases(const Target& target) {
-  std::vector<std::uint8_t> result(target.soup.n_faces());
-  const TriMesh& mesh = target.cut.mesh;
+std::vector<std::uint8_t> find_creases(const SearchedMesh& searched) {
+  std::vector<std::uint8_t> result(searched.soup.n_faces());
+  const TriMesh& mesh = searched.cut.mesh;
   const auto normal = [&](FaceHandle f) {
-    return normal_of(corners_of(target.soup, target.cut.side.face(f))).stableNormalized();
+    return normal_of(corners_of(searched.soup, searched.cut.side.face(f))).stableNormalized();
   };
   const auto mark = [&](HalfedgeHandle h) {
     if (mesh.is_boundary(h)) return;
-    const Index face = target.cut.side.face(mesh.face_handle(h));
-    const Triangle& t = target.soup.triangles[face];
-    const Index from = target.cut.side.vertex(mesh.from_vertex_handle(h));
+    const Index face = searched.cut.side.face(mesh.face_handle(h));
+    const Triangle& t = searched.soup.triangles[face];
+    const Index from = searched.cut.side.vertex(mesh.from_vertex_handle(h));
     const auto k = std::find(t.begin(), t.end(), from) - t.begin();
     result[face] = static_cast<std::uint8_t>(result[face] | 1U << static_cast<unsigned>(k));
   };
@@ -156,7 +177,10 @@ class ContourSearch {
 
  private:
   void refine_at_samples() {
-    for (const Vec3& p : target_.parts.separating) refine_at(p, kFirstLevel);
+    const double cube = grid_.step() * BisectionGrid::kSize;
+    const double halvings = std::log2(cube / (kFirstCell * limits_.max_deviation));
+    const auto level = 3 * static_cast<std::uint32_t>(std::clamp(halvings, 1.0, kMostHalvings));
+    for (const Vec3& p : target_.parts.separating) refine_at(p, level);
     leaves_ = grid_.leaves();
   }
 
@@ -210,6 +234,7 @@ class ContourSearch {
   }
 
   void note(const Vec3& point, double distance) {
+    if (limits_.within && !limits_.within->contains(point)) return;
     deviation_ = std::max(deviation_, distance);
     if (distance > limits_.max_deviation) far_.emplace_back(point, distance);
   }
@@ -224,6 +249,26 @@ class ContourSearch {
   std::vector<std::pair<Vec3, double>> far_;
   double deviation_ = 0.0;
 };
+
+/// Divides those faces that may have a part in a box, and leaves out what lies outside.
+SurfaceParts divide_near(const Box3& box, const Target& target, const ContourLimits& limits) {
+  const Soup near = faces_in(target.mesh.soup, box);
+  const SearchedMesh searched(near);
+  const FaceHints hints{intersecting_faces(searched), find_creases(searched)};
+  const double least = kCreaseSpacing * limits.max_deviation;
+  SurfaceParts parts = divide_surface(
+      near, target.region, hints,
+      {.spacing = kSpacing * box.diagonal().norm(),
+       .reach = kReach * limits.max_deviation,
+       .crease_spacing = std::max(least, length_round(near, hints.creases) / kMostPieces),
+       .least_piece = std::max(least, length_round(near, hints.changes_inside) / kMostPieces)});
+  if (limits.within) {
+    std::erase_if(parts.separating, [&](const Vec3& point) { return !box.contains(point); });
+    std::erase_if(parts.walls,
+                  [&](const Corners& wall) { return !box.contains(centroid_of(wall)); });
+  }
+  return parts;
+}
 
 std::optional<BisectionGrid> grid_round(const Box3& box) {
   try {
@@ -240,16 +285,10 @@ std::optional<ContouredMesh> contour_mesh(const Soup& soup, const ContourLimits&
     throw InvalidArgument("the deviation of a contour is not positive");
   }
   Target target(soup);
-  const auto grid = grid_round(target.tree.bounds());
+  const Box3 box = limits.within.value_or(target.mesh.tree.bounds());
+  const auto grid = grid_round(box);
   if (!grid) return std::nullopt;
-  const FaceHints hints{intersecting_faces(target), find_creases(target)};
-  const double least = kCreaseSpacing * limits.max_deviation;
-  target.parts = divide_surface(
-      soup, target.region, hints,
-      {.spacing = kSpacing * target.tree.bounds().diagonal().norm(),
-       .reach = kReach * limits.max_deviation,
-       .crease_spacing = std::max(least, length_round(soup, hints.creases) / kMostPieces),
-       .least_piece = std::max(least, length_round(soup, hints.changes_inside) / kMostPieces)});
+  target.parts = divide_near(box, target, limits);
   ContouredMesh result = ContourSearch(target, *grid, limits).run();
   result.walls = std::move(target.parts.walls);
   return result;

@@ -17,6 +17,10 @@ struct ContourLimits {
   double max_deviation = 0.0;
   /// The largest number of tetrahedra of the grid.
   std::size_t max_tetrahedra = 4'000'000;
+  /// If given, the contour is that of the part of the solid in this box, which must neither be
+  /// empty nor a point, and a little beyond it, where it is closed by any surface. Only what lies
+  /// in the box is refined and compared.
+  std::optional<Box3> within = {};
 };
 
 /// The result of contour_mesh().

@@ -10,47 +10,44 @@
 namespace meshalyzer {
 namespace {
 
-/// Marks the components that are broken.
-class BrokenComponents {
+/// Collects the faces at which a mesh is broken.
+class BrokenFaces {
  public:
-  explicit BrokenComponents(const PreparedMesh& mesh)
-      : mesh_(mesh), cut_(mesh.cut()), is_broken_(mesh.components().count) {}
+  explicit BrokenFaces(const PreparedMesh& mesh)
+      : mesh_(mesh), cut_(mesh.cut()), is_broken_(mesh.soup().n_faces(), 0) {}
 
-  std::vector<std::uint8_t> find() {
+  std::vector<Index> find() {
     // If the complex is not manifold or not consistently oriented, the cut mesh has borders too.
     for (const HalfedgeHandle h : cut_.mesh.halfedges()) {
       const HalfedgeHandle opposite = cut_.mesh.opposite_halfedge_handle(h);
       if (!cut_.mesh.is_boundary(h) && cut_.mesh.is_boundary(opposite)) {
-        mark(cut_.mesh.face_handle(h));
+        is_broken_[cut_.side.face(cut_.mesh.face_handle(h))] = 1;
       }
-    }
-    for (const FaceHandle f : cut_.mesh.faces()) {
-      if (has_no_area(f)) mark(f);
     }
     for (const IntersectingPair& pair : mesh_.intersecting_pairs()) {
-      for (const Index face : {pair.face_a, pair.face_b}) {
-        is_broken_[mesh_.components().of_face[cut_.side.mesh_face(face)]] = 1;
-      }
+      is_broken_[pair.face_a] = 1;
+      is_broken_[pair.face_b] = 1;
     }
-    mark_pinched();
-    return std::move(is_broken_);
+    mark_pinched_and_flat();
+    std::vector<Index> faces;
+    for (Index face = 0; face < is_broken_.size(); ++face) {
+      if (is_broken_[face] != 0) faces.push_back(face);
+    }
+    return faces;
   }
 
  private:
-  void mark(FaceHandle f) {
-    is_broken_[mesh_.components().of_face[static_cast<std::size_t>(f.idx())]] = 1;
-  }
-
-  [[nodiscard]] bool has_no_area(FaceHandle f) const {
-    const auto [a, b, c] = corners_of(mesh_.soup(), cut_.side.face(f));
-    return accurate_normal(a, b, c).isZero(0.0);
-  }
-
-  /// Copies of one vertex belong to one component, so that examining the first suffices.
-  void mark_pinched() {
-    for (const Index v : cut_.side.non_manifold_vertices) {
-      const VertexHandle vertex(static_cast<int>(v));
-      for (const FaceHandle f : cut_.mesh.vf_range(vertex)) mark(f);
+  void mark_pinched_and_flat() {
+    const Soup& soup = mesh_.soup();
+    std::vector<std::uint8_t> is_pinched(soup.n_vertices(), 0);
+    for (const Index v : cut_.side.non_manifold_vertices) is_pinched[v] = 1;
+    for (const Index face : cut_.side.faces) {
+      const Triangle& t = soup.triangles[face];
+      const auto [a, b, c] = corners_of(soup, face);
+      if (std::any_of(t.begin(), t.end(), [&](Index v) { return is_pinched[v] != 0; }) ||
+          accurate_normal(a, b, c).isZero(0.0)) {
+        is_broken_[face] = 1;
+      }
     }
   }
 
@@ -78,9 +75,17 @@ void note_component(bool bounds_solid, BrokenSolid& solid) {
 
 }  // namespace
 
+std::vector<Index> find_broken_faces(const PreparedMesh& mesh) {
+  return BrokenFaces(mesh).find();
+}
+
 std::vector<BrokenSolid> find_broken_solids(const PreparedMesh& mesh) {
-  const std::vector<std::uint8_t> is_broken = BrokenComponents(mesh).find();
-  if (std::find(is_broken.begin(), is_broken.end(), 1) == is_broken.end()) return {};
+  const std::vector<Index> broken_faces = find_broken_faces(mesh);
+  if (broken_faces.empty()) return {};
+  std::vector<std::uint8_t> is_broken(mesh.components().count, 0);
+  for (const Index face : broken_faces) {
+    is_broken[mesh.components().of_face[mesh.cut().side.mesh_face(face)]] = 1;
+  }
   const std::vector<std::uint8_t> bounds = bounds_solid(mesh, mesh.components());
   DisjointSets sets = united_components(mesh);
   std::vector<BrokenSolid> solids;

@@ -16,6 +16,14 @@ struct BrokenSolid {
   bool any_bounds_solid = false;
 };
 
+/// Finds the faces at which a mesh is not good: those at edges with another number of faces than
+/// two or with faces of opposed orientation, at pinched vertices, those that intersect others, and
+/// those of zero area.
+///
+/// @return     The faces, by index into the soup, ascending.
+/// @complexity O(#F) and the cost of PreparedMesh::intersecting_pairs().
+[[nodiscard]] std::vector<Index> find_broken_faces(const PreparedMesh& mesh);
+
 /// Finds the components that are not closed, not manifold, not consistently oriented, intersect
 /// themselves or others, or have faces of zero area, and unites those that intersect each other.
 ///

@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/replace/internal/guarantee.h"
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/repair/driver/internal/final_check.h"
 #include "meshalyzer/repair/passes.h"
@@ -7,7 +8,10 @@
 #include "meshalyzer/repair/replace/internal/unite_from_input.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <functional>
 #include <initializer_list>
+#include <string_view>
 #include <utility>
 
 namespace meshalyzer {
@@ -36,7 +40,8 @@ class Guarantee {
     const bool may_drop = options_.solid && !may_replace;
     const bool is_done = (options_.solid && thicken()) ||
                          unite(may_drop ? BehindHoles::Dropped : BehindHoles::Kept) ||
-                         replace(Scope::Broken) || (!is_all_broken() && replace(Scope::Whole)) ||
+                         replace_in_boxes() || replace(Scope::Broken) ||
+                         (!is_all_broken() && replace(Scope::Whole)) ||
                          (options_.solid && may_replace && unite(BehindHoles::Dropped));
     if (!is_done) note_failure();
     return std::move(notes_);
@@ -87,30 +92,68 @@ class Guarantee {
     return true;
   }
 
+  /// Tells whether everything that is broken means a solid.
+  [[nodiscard]] bool bounds_solids() const {
+    const std::vector<BrokenSolid> solids = find_broken_solids(driver_.mesh());
+    return std::all_of(solids.begin(), solids.end(), [&](const BrokenSolid& solid) {
+      return solid.any_bounds_solid && (solid.all_bound_solid || options_.solid);
+    });
+  }
+
+  /// Replaces what lies in boxes round the broken places, first in small ones.
+  bool replace_in_boxes() {
+    if (!bounds_solids()) return false;
+    const double left = max_deviation_ - driver_.deviation();
+    for (const double margin : {2.0 * max_deviation_, 16.0 * max_deviation_}) {
+      const BoxOptions how{.margin = margin,
+                           .max_deviation = left,
+                           .lost = options_.solid ? LostParts::Allowed : LostParts::Refused};
+      const auto propose = [&](const PassInput& input) {
+        return meshalyzer::replace_in_boxes(input, how);
+      };
+      if (try_replacement({"replace in boxes", propose, plan_passes(options_, tolerances_)})) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /// Replaces the broken parts, or all of the mesh.
   bool replace(ReplaceOptions::Scope scope) {
     const ReplaceOptions how{
         .scope = scope,
         .sheets = options_.solid ? ReplaceOptions::Sheets::Dropped : ReplaceOptions::Sheets::Kept,
         .max_deviation = max_deviation_ - driver_.deviation()};
+    const auto propose = [&](const PassInput& input) { return replace_broken_solids(input, how); };
+    return try_replacement({"replace broken solids", propose, plan_after_replacement(options_)});
+  }
+
+  /// A replacement, and the passes after it.
+  struct Trial {
+    std::string_view name;
+    std::function<Replacement(const PassInput&)> propose;
+    std::vector<PlannedPass> plan;
+  };
+
+  /// Keeps a replacement if it is good, and notes what it is.
+  bool try_replacement(Trial trial) {
     Replacement made;
     const double before = driver_.deviation();
-    const PlannedPass pass{"replace broken solids", DefectCode::SelfIntersection,
-                           [&](const PassInput& input) {
-                             made = replace_broken_solids(input, how);
+    const PlannedPass pass{trial.name, DefectCode::SelfIntersection, [&](const PassInput& input) {
+                             made = trial.propose(input);
                              return made.result;
                            }};
     const std::size_t n_before = driver_.tracked().soup.n_faces();
-    if (!try_pass(pass, plan_after_replacement(options_))) {
+    if (!try_pass(pass, std::move(trial.plan))) {
       if (!made.result.refused.empty()) reason_ = made.result.refused.front().reason;
       return false;
     }
     driver_.raise_deviation(before + made.deviation);
-    notes_.push_back(
-        "the part that was still broken, or the mesh round it, was replaced by a new surface, " +
-        shortest(made.deviation) + " from the old one at most where it was sampled (" +
-        std::to_string(n_before) + " -> " + std::to_string(driver_.tracked().soup.n_faces()) +
-        " faces)");
+    const auto n_new = made.result.edits.added_faces.size();
+    notes_.push_back("what was still broken was replaced by a new surface of " + grouped(n_new) +
+                     " faces, " + shortest(made.deviation) +
+                     " from the old one at most where it was sampled (" + std::to_string(n_before) +
+                     " -> " + std::to_string(driver_.tracked().soup.n_faces()) + " faces)");
     return true;
   }
 

@@ -1,0 +1,251 @@
+#include "meshalyzer/base/triangle.h"
+#include "meshalyzer/boolean/combine_solids.h"
+#include "meshalyzer/contour/contour_mesh.h"
+#include "meshalyzer/exact/predicates.h"
+#include "meshalyzer/repair/cut/internal/cut_edits.h"
+#include "meshalyzer/repair/passes.h"
+#include "meshalyzer/repair/replace/internal/broken_boxes.h"
+#include "meshalyzer/spatial/closest_point.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// Grids of all boxes together with more tetrahedra are not made, because they would take more than
+/// some seconds.
+constexpr std::size_t kMaxTetrahedraInBoxes = 500'000;
+/// Boxes that hold a larger share of the faces are not replaced: the whole solid is, instead.
+constexpr double kLargestShareInBoxes = 0.5;
+/// Above this number of pairs cutting would take longer than a replacement of the whole solid.
+constexpr std::size_t kMostPairsAtBoxes = 200'000;
+/// Rounding may take this share of the deviation.
+constexpr double kShareOfRounding = 0.1;
+
+bool holds(const Box3& box, const Corners& corners) {
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](const Vec3& p) { return box.contains(p); });
+}
+
+/// The solids that are combined: first the mesh outside the boxes, then each box and the contour
+/// that is put into it.
+class OperandsOfBoxes {
+ public:
+  /// The operands of box i.
+  static constexpr Index box(Index i) { return 1 + 2 * i; }
+  static constexpr Index contour(Index i) { return 2 + 2 * i; }
+
+  explicit OperandsOfBoxes(const Soup& mesh) { soup_.positions = mesh.positions; }
+
+  /// @param origin  The face of the mesh that it is, or kNoIndex.
+  void add(const Triangle& t, Index operand, Index origin = kNoIndex) {
+    soup_.triangles.push_back(t);
+    of_face_.push_back(operand);
+    origins_.push_back(origin);
+  }
+
+  Index add_vertex(const Vec3& p) {
+    soup_.positions.push_back(p);
+    return static_cast<Index>(soup_.positions.size() - 1);
+  }
+
+  void add_contour(Index i, const Soup& contour) {
+    const auto first = static_cast<Index>(soup_.positions.size());
+    soup_.positions.insert(soup_.positions.end(), contour.positions.begin(),
+                           contour.positions.end());
+    for (Triangle t : contour.triangles) {
+      for (Index& v : t) v += first;
+      add(t, OperandsOfBoxes::contour(i));
+    }
+  }
+
+  void add_box(Index i, const Box3& box) {
+    // Corner k has the larger coordinate along axis a where bit a of k is set; the faces are
+    // oriented outwards.
+    static constexpr std::array<Triangle, 12> kFaces{{{0, 2, 3},
+                                                      {0, 3, 1},
+                                                      {4, 5, 7},
+                                                      {4, 7, 6},
+                                                      {0, 1, 5},
+                                                      {0, 5, 4},
+                                                      {2, 6, 7},
+                                                      {2, 7, 3},
+                                                      {0, 4, 6},
+                                                      {0, 6, 2},
+                                                      {1, 3, 7},
+                                                      {1, 7, 5}}};
+    const auto first = static_cast<Index>(soup_.positions.size());
+    for (int k = 0; k < 8; ++k) {
+      soup_.positions.push_back(box.corner(static_cast<Box3::CornerType>(k)));
+    }
+    for (Triangle t : kFaces) {
+      for (Index& v : t) v += first;
+      add(t, OperandsOfBoxes::box(i));
+    }
+  }
+
+  [[nodiscard]] const Soup& soup() const { return soup_; }
+  [[nodiscard]] const std::vector<Index>& origins() const { return origins_; }
+
+  /// Combines them: in a box inside the contour, elsewhere inside the mesh.
+  [[nodiscard]] CombinedSolid combine(std::size_t n_boxes, const CombineOptions& options) const {
+    const InsideRule rule = [n_boxes](std::span<const int> windings) {
+      for (Index i = 0; i < n_boxes; ++i) {
+        if (windings[box(i)] >= 1) return windings[contour(i)] >= 1;
+      }
+      return windings[0] >= 1;
+    };
+    return combine_solids({.soup = soup_, .of_face = of_face_, .count = 1 + 2 * n_boxes}, rule,
+                          options);
+  }
+
+ private:
+  Soup soup_;
+  std::vector<Index> of_face_;
+  std::vector<Index> origins_;
+};
+
+/// Proposes to replace what lies in boxes.
+class ReplacingInBoxes {
+ public:
+  ReplacingInBoxes(const PassInput& input, const BoxOptions& options)
+      : input_(input),
+        options_(options),
+        soup_(input.tracked.soup),
+        boxes_(boxes_round_broken_faces(input.mesh, options.margin)),
+        operands_(soup_) {}
+
+  Replacement run() {
+    if (!(options_.max_deviation > 0.0)) return refuse("no deviation is left for a replacement");
+    if (boxes_.empty()) return refuse("it is broken in too many places");
+    if (!add_rest()) return refuse("the boxes round the broken places hold most of the mesh");
+    if (!add_contours()) return refuse("no replacement within the maximum deviation was found");
+    const CombinedSolid solid = operands_.combine(
+        boxes_.size(), {.max_deviation = kShareOfRounding * options_.max_deviation,
+                        .max_pairs = kMostPairsAtBoxes,
+                        .wants_to_stop = input_.wants_to_stop});
+    if (solid.outcome != CombineOutcome::Done) {
+      return refuse("the replacement cannot be united with the rest");
+    }
+    return replacement_from(solid);
+  }
+
+ private:
+  /// Adds the faces that are not in a box, closed by cones that lie in the boxes, where nothing
+  /// depends on them. Returns whether that is most of the mesh, and could be closed.
+  bool add_rest() {
+    std::map<std::array<Index, 2>, int> balance;
+    std::size_t n_replaced = 0;
+    for (Index face = 0; face < soup_.n_faces(); ++face) {
+      const Triangle& t = soup_.triangles[face];
+      if (!is_in_complex(t)) continue;
+      const Corners corners = corners_of(soup_, face);
+      const bool is_replaced = std::any_of(boxes_.begin(), boxes_.end(),
+                                           [&](const Box3& box) { return holds(box, corners); });
+      if (is_replaced) {
+        ++n_replaced;
+        continue;
+      }
+      operands_.add(t, 0, face);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index a = t[k];
+        const Index b = t[(k + 1) % 3];
+        balance[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
+      }
+    }
+    std::erase_if(balance, [](const auto& edge) { return edge.second == 0; });
+    const auto n_faces = static_cast<double>(soup_.n_faces());
+    return static_cast<double>(n_replaced) <= kLargestShareInBoxes * n_faces && add_cones(balance);
+  }
+
+  /// Closes a surface by triangles between its border edges and the middles of their boxes.
+  ///
+  /// @param balance  How much oftener a face runs along each edge from its lower end than to it.
+  bool add_cones(const std::map<std::array<Index, 2>, int>& balance) {
+    std::vector<Index> apexes;
+    for (const Box3& box : boxes_) apexes.push_back(operands_.add_vertex(box.center()));
+    for (const auto& [ends, count] : balance) {
+      const Vec3& p = soup_.positions[ends[0]];
+      const Vec3& q = soup_.positions[ends[1]];
+      const auto box = std::find_if(boxes_.begin(), boxes_.end(),
+                                    [&](const Box3& b) { return b.contains(p) && b.contains(q); });
+      if (box == boxes_.end() || are_collinear(p, q, box->center())) return false;
+      const Index apex = apexes[static_cast<std::size_t>(box - boxes_.begin())];
+      const bool runs_forward = count > 0;
+      for (int i = 0; i < std::abs(count); ++i) {
+        operands_.add({ends[runs_forward ? 1 : 0], ends[runs_forward ? 0 : 1], apex}, 0);
+      }
+    }
+    return true;
+  }
+
+  bool add_contours() {
+    for (Index i = 0; i < boxes_.size(); ++i) {
+      std::optional<ContouredMesh> made =
+          contour_mesh(soup_, {.max_deviation = (1.0 - kShareOfRounding) * options_.max_deviation,
+                               .max_tetrahedra = kMaxTetrahedraInBoxes / boxes_.size(),
+                               .within = boxes_[i]});
+      if (!made || !made->is_within) return false;
+      deviation_ = std::max(deviation_, made->deviation);
+      walls_.insert(walls_.end(), made->walls.begin(), made->walls.end());
+      operands_.add_box(i, boxes_[i]);
+      operands_.add_contour(i, made->soup);
+    }
+    return true;
+  }
+
+  Replacement replacement_from(const CombinedSolid& solid) const {
+    const ClosestPoints closest(input_.mesh.tree());
+    CutSurface surface;
+    surface.positions = solid.positions;
+    Index hint = kNoIndex;
+    for (const CombinedFace& face : solid.faces) {
+      Index origin = operands_.origins()[face.origin];
+      if (origin == kNoIndex) {
+        const auto [a, b, c] = face.corners;
+        const auto found = closest.find(
+            {.point = centroid_of({solid.positions[a], solid.positions[b], solid.positions[c]}),
+             .hint = hint});
+        hint = found->slot;
+        origin = input_.mesh.cut().side.faces[found->mesh_face];
+      }
+      surface.triangles.push_back(face.corners);
+      surface.origins.push_back(origin);
+    }
+    Replacement replacement;
+    replacement.result = cut_edits_as_one(input_, {}, surface, options_.lost);
+    replacement.deviation = deviation_ + solid.largest_move;
+    Edits& edits = replacement.result.edits;
+    if (edits.n_operations == 0) return replacement;
+    for (const Corners& wall : walls_) edits.interior_walls.push_back({0, {wall}});
+    return replacement;
+  }
+
+  [[nodiscard]] Replacement refuse(const char* reason) const {
+    Replacement replacement;
+    replacement.result.refused.push_back(
+        {.code = DefectCode::SelfIntersection, .face = 0, .reason = reason});
+    return replacement;
+  }
+
+  const PassInput& input_;
+  const BoxOptions& options_;
+  const Soup& soup_;
+  std::vector<Box3> boxes_;
+  OperandsOfBoxes operands_;
+  std::vector<Corners> walls_;
+  double deviation_ = 0.0;
+};
+
+}  // namespace
+
+Replacement replace_in_boxes(const PassInput& input, const BoxOptions& options) {
+  return ReplacingInBoxes(input, options).run();
+}
+
+}  // namespace meshalyzer
