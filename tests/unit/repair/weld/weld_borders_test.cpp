@@ -57,18 +57,6 @@ TEST(WeldBorders, JitteredClosedMeshesComeBackWhole) {
   }
 }
 
-TEST(WeldBorders, StoppedOneLooksForNoNearBorders) {
-  const Soup torn = jittered(unwelded(shapes::icosphere(1)), 0.004, 3);
-  const TrackedMesh tracked = track_mesh(torn);
-  const PreparedMesh mesh(tracked.soup);
-  const Tolerances tolerances = resolve_tolerances({}, box_of(torn));
-  const RepairLimits limits = wide_limits(torn);
-  PassInput input{torn, tracked, mesh, tolerances, limits};
-  EXPECT_FALSE(weld(0.014)(input).edits.empty());
-  input.wants_to_stop = [] { return true; };
-  EXPECT_TRUE(weld(0.014)(input).edits.empty());
-}
-
 TEST(WeldBorders, MeshWithoutCoincidentBordersIsLeft) {
   for (const Soup& soup : {shapes::icosphere(1), shapes::open_cube(), shapes::grid(4, 3),
                            shapes::moebius_strip(7), shapes::fan_of_three(), Soup{}}) {

@@ -15,6 +15,18 @@
 namespace meshalyzer {
 namespace {
 
+TEST(WeldBorders, StoppedOneLooksForNoNearBorders) {
+  const Soup torn = jittered(unwelded(shapes::icosphere(1)), 0.004, 3);
+  const TrackedMesh tracked = track_mesh(torn);
+  const PreparedMesh mesh(tracked.soup);
+  const Tolerances tolerances = resolve_tolerances({}, box_of(torn));
+  const RepairLimits limits = wide_limits(torn);
+  PassInput input{torn, tracked, mesh, tolerances, limits};
+  EXPECT_FALSE(weld(0.014)(input).edits.empty());
+  input.wants_to_stop = [] { return true; };
+  EXPECT_TRUE(weld(0.014)(input).edits.empty());
+}
+
 TEST(WeldBorders, CrackWithJunctionsIsClosed) {
   for (const double gap : {0.0, 0.001}) {
     const Soup torn = crack_with_junctions(gap, {0.25, 0.5, 0.75});
