@@ -2,6 +2,8 @@
 
 #include "meshalyzer/base/numbers.h"
 
+#include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -20,11 +22,10 @@ struct Decimal {
 
 namespace decimal_internal {
 
-/// The powers of ten that are exact as doubles.
-inline constexpr double kExactPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                               1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                               1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-inline constexpr int kLargestExactPower = 22;
+/// The powers of ten up to that of the most digits that fit in 64 bits; doubles hold them exactly.
+inline constexpr double kExactPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,
+                                               1e7,  1e8,  1e9,  1e10, 1e11, 1e12, 1e13,
+                                               1e14, 1e15, 1e16, 1e17, 1e18, 1e19};
 /// Integers up to here are exact as doubles.
 inline constexpr std::uint64_t kLargestExactInteger = std::uint64_t{1} << 53;
 
@@ -44,6 +45,41 @@ inline Decimal<double> scan_any_real(const char* begin, const char* end) {
   return std::isfinite(value) ? Decimal<double>{value, stop} : Decimal<double>{};
 }
 
+#ifdef __SIZEOF_INT128__
+__extension__ using Uint128 = unsigned __int128;
+
+/// The powers of five for as many digits.
+inline constexpr auto kPowersOfFive = [] {
+  std::array<std::uint64_t, 20> powers{1};
+  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = 5 * powers[i - 1];
+  return powers;
+}();
+
+/// Returns the double nearest to `mantissa` / 10^`fractional`, by one division of whole numbers.
+///
+/// If mantissa and 5^fractional are shifted until their highest bits are set, their quotient has 63
+/// or 64 bits. Its lowest bit is set if there is a remainder; that is far below the 53 bits of a
+/// double and the bit that decides how they are rounded, so that the conversion rounds rightly.
+///
+/// @pre mantissa > 0 and fractional < 20
+inline double divide_by_power_of_ten(std::uint64_t mantissa, std::ptrdiff_t fractional) {
+  const std::uint64_t five = kPowersOfFive[static_cast<std::size_t>(fractional)];
+  const int shift = std::countl_zero(mantissa);
+  const int shift_of_five = std::countl_zero(five);
+  const std::uint64_t divisor = five << shift_of_five;
+  const Uint128 dividend = Uint128{mantissa << shift} << 63U;
+  const auto quotient = static_cast<std::uint64_t>(dividend / divisor);
+  // The remainder is less than the divisor, so that its lowest 64 bits are all of it.
+  const std::uint64_t remainder = static_cast<std::uint64_t>(dividend) - quotient * divisor;
+  // Half of the quotient is converted, because a signed number takes one instruction.
+  const std::uint64_t half = quotient >> 1U | (quotient & 1U) | (remainder != 0 ? 1U : 0U);
+  const int exponent = shift_of_five - shift - 62 - static_cast<int>(fractional);
+  const auto power_of_two =
+      std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52U);
+  return static_cast<double>(static_cast<std::int64_t>(half)) * power_of_two;
+}
+#endif
+
 }  // namespace decimal_internal
 
 /// Reads the non-negative integer of at most 18 digits at the beginning of [begin, end).
@@ -62,9 +98,10 @@ inline Decimal<double> scan_any_real(const char* begin, const char* end) {
 
 /// Reads the finite number at the beginning of [begin, end): the nearest double.
 ///
-/// If the digits make an integer m <= 2^53 and the exponent k is within 22, m and 10^|k| are
-/// doubles, so that one multiplication or division rounds once and is right (Clinger 1990, "How to
-/// read floating point numbers accurately"). Everything else is left to std::from_chars.
+/// If the digits make an integer m <= 2^53, m and 10^k are doubles for k digits behind the point,
+/// so that one division rounds once and is right (Clinger 1990, "How to read floating point numbers
+/// accurately"). Larger integers of up to 19 digits are divided as such. What has more digits or an
+/// exponent is left to std::from_chars.
 [[nodiscard]] inline Decimal<double> scan_real(const char* begin, const char* end) {
   using namespace decimal_internal;
   constexpr std::ptrdiff_t kDigitsThatFit = 19;
@@ -87,12 +124,20 @@ inline Decimal<double> scan_any_real(const char* begin, const char* end) {
     digits += fractional;
   }
   const bool has_exponent = at != end && (*at == 'e' || *at == 'E');
-  if (digits == 0 || digits > kDigitsThatFit || mantissa > kLargestExactInteger ||
-      fractional > kLargestExactPower || has_exponent) {
+  if (digits == 0 || digits > kDigitsThatFit || has_exponent) {
     return scan_any_real(begin, end);
   }
-  const double value = static_cast<double>(mantissa) / kExactPowersOfTen[fractional];
-  return {negative ? -value : value, at};
+  const auto with_sign = [&](double value) {
+    return Decimal<double>{negative ? -value : value, at};
+  };
+  if (mantissa <= kLargestExactInteger) {
+    return with_sign(static_cast<double>(mantissa) / kExactPowersOfTen[fractional]);
+  }
+#ifdef __SIZEOF_INT128__
+  return with_sign(divide_by_power_of_ten(mantissa, fractional));
+#else
+  return scan_any_real(begin, end);
+#endif
 }
 
 }  // namespace meshalyzer

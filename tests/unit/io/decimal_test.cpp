@@ -22,8 +22,7 @@ Decimal<double> scan(const std::string& text) {
 TEST(ScanReal, AgreesWithTheLibraryToTheBit) {
   std::mt19937_64 random(3);
   for (int i = 0; i < 200000; ++i) {
-    // Few digits and a short exponent: what the quick way is for. Many digits: what it must leave
-    // to the library.
+    // Few digits, up to nineteen, and more or an exponent: what each way of reading is for.
     std::string text = std::to_string(random() >> (random() % 64));
     text.insert(text.begin() + static_cast<std::ptrdiff_t>(random() % (text.size() + 1)), '.');
     if (random() % 2 == 0) {
@@ -39,6 +38,18 @@ TEST(ScanReal, AgreesWithTheLibraryToTheBit) {
     ASSERT_EQ(std::bit_cast<std::uint64_t>(got.value), std::bit_cast<std::uint64_t>(*expected))
         << text;
   }
+}
+
+TEST(ScanReal, RoundsHalfToEven) {
+  // Between 2^53 and 2^54 doubles are 2 apart, so that these lie in the middle of two.
+  EXPECT_EQ(scan("9007199254740993").value, 0x1p53);
+  EXPECT_EQ(scan("9007199254740995").value, 0x1p53 + 4);
+  EXPECT_EQ(scan("-9007199254740993").value, -0x1p53);
+  // As near to the middle as nineteen digits go, on either side; the exact middle behind a point.
+  EXPECT_EQ(scan("9007199254740993.001").value, 0x1p53 + 2);
+  EXPECT_EQ(scan("9007199254740992.999").value, 0x1p53);
+  EXPECT_EQ(scan("4503599627370496.5").value, 0x1p52);
+  EXPECT_EQ(scan("4503599627370497.500").value, 0x1p52 + 2);
 }
 
 TEST(ScanReal, EndsWhereTheNumberEnds) {
