@@ -73,17 +73,19 @@ struct Visit {
 };
 
 /// Returns the corners of the leaf's faces in the coordinates of the inner tree.
-LeafCorners corners_of_leaf(const Visit& visit) {
-  LeafCorners corners(visit.outer, visit.leaf);
+LeafTriangles corners_of_leaf(const Visit& visit) {
+  LeafTriangles faces(visit.outer, visit.leaf);
   const std::size_t last = visit.outer.n_faces() - 1;
-  for (std::size_t i = 0; i < LeafCorners::kCorners; ++i) {
-    const Triangle& t = visit.outer.triangle(std::min(8 * visit.leaf + i / 3, last));
-    const auto p = map_foreign(visit.inner, visit.outer.point(t[i % 3]));
-    for (std::size_t k = 0; k < 3; ++k) {
-      corners.coordinates[k][i] = p[k];
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Triangle& t = visit.outer.triangle(std::min(8 * visit.leaf + i, last));
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto p = map_foreign(visit.inner, visit.outer.point(t[c]));
+      for (std::size_t k = 0; k < 3; ++k) {
+        faces.corners[c][k][i] = p[k];
+      }
     }
   }
-  return corners;
+  return faces;
 }
 
 /// Returns the boxes of the leaf's faces in the coordinates of the inner tree.
@@ -183,7 +185,7 @@ class LeafVisitor {
   TreeBox box_;
   float slack_;
   /// The corners of the leaf, if they are to be compared with slabs.
-  std::optional<LeafCorners> corners_;
+  std::optional<LeafTriangles> corners_;
 };
 
 }  // namespace

@@ -30,21 +30,38 @@ constexpr double kFinest = 0x1p20;
 /// separates above from below.
 const Vec3 kOddDirection(419.0, -281.0, 733.0);
 
+/// Three coordinates that stay in registers. A product of vectors is written to memory in parts
+/// and read as a whole, for which processors wait longer than it takes to compute.
+struct Coordinates {
+  double x;
+  double y;
+  double z;
+};
+
+Coordinates cross_product(const Arm& a, const Arm& b) {
+  const Vec3& u = a.vector;
+  const Vec3& v = b.vector;
+  return {u.y() * v.z() - u.z() * v.y(), u.z() * v.x() - u.x() * v.z(),
+          u.x() * v.y() - u.y() * v.x()};
+}
+
 double largest(const Vec3& v) {
   return std::max({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
 }
 
 /// Returns the mean direction of the faces' normals, in whole numbers.
 std::optional<Vec3> facing_direction(const Star& star) {
-  Vec3 sum = Vec3::Zero();
+  Coordinates all{0.0, 0.0, 0.0};
   for (std::size_t i = 0; i < star.n_faces(); ++i) {
-    const Vec3 normal = star.first_arm(i).cross(star.second_arm(i));
-    const double squared_length = normal.squaredNorm();
+    const auto [x, y, z] = cross_product(star.first_arm(i), star.second_arm(i));
+    const double squared_length = x * x + y * y + z * z;
     if (squared_length == 0.0) {
       return std::nullopt;
     }
-    sum += normal / std::sqrt(squared_length);
+    const double factor = 1.0 / std::sqrt(squared_length);
+    all = {all.x + factor * x, all.y + factor * y, all.z + factor * z};
   }
+  const Vec3 sum(all.x, all.y, all.z);
   const double length = largest(sum);
   // Normals that overflow have no direction; their sum is infinite or NaN.
   if (!(length > 0.0) || !sum.allFinite()) {
@@ -59,10 +76,12 @@ std::optional<Vec3> facing_direction(const Star& star) {
 bool all_surely_face(const Star& star, const Vec3& direction) {
   const double bound = kFacingBound * largest(direction);
   for (std::size_t i = 0; i < star.n_faces(); ++i) {
-    const Vec3& u = star.first_arm(i);
-    const Vec3& v = star.second_arm(i);
-    const double area = largest(u) * largest(v);
-    const bool is_sure = direction.dot(u.cross(v)) > bound * area && area > kSmall;
+    const Arm& u = star.first_arm(i);
+    const Arm& v = star.second_arm(i);
+    const auto [x, y, z] = cross_product(u, v);
+    const double facing = direction.x() * x + direction.y() * y + direction.z() * z;
+    const double area = u.size * v.size;
+    const bool is_sure = facing > bound * area && area > kSmall;
     if (!is_sure) {
       return false;
     }
@@ -81,11 +100,10 @@ struct Crossings {
 /// @return Nothing if an arm is not surely on one side.
 std::optional<Crossings> count_crossings(const Star& star, const Vec3& normal) {
   const double bound = kSideBound * largest(normal);
-  const auto is_sure = [&](double height, const Vec3& arm) {
-    const double size = largest(arm);
-    return std::abs(height) > bound * size && size > kSmall;
+  const auto is_sure = [&](double height, const Arm& arm) {
+    return std::abs(height) > bound * arm.size && arm.size > kSmall;
   };
-  const double first = normal.dot(star.arms.front());
+  const double first = normal.dot(star.arms.front().vector);
   if (!is_sure(first, star.arms.front())) {
     return std::nullopt;
   }
@@ -96,8 +114,8 @@ std::optional<Crossings> count_crossings(const Star& star, const Vec3& normal) {
     crossings.down += static_cast<int>(!above && is_above);
     is_above = above;
   };
-  for (const Vec3& arm : star.arms.subspan(1)) {
-    const double height = normal.dot(arm);
+  for (const Arm& arm : star.arms.subspan(1)) {
+    const double height = normal.dot(arm.vector);
     if (!is_sure(height, arm)) {
       return std::nullopt;
     }
@@ -111,7 +129,7 @@ std::optional<Crossings> count_crossings(const Star& star, const Vec3& normal) {
 
 bool has_small_arms(const Star& star) {
   return std::all_of(star.arms.begin(), star.arms.end(),
-                     [](const Vec3& arm) { return largest(arm) < kLarge; });
+                     [](const Arm& arm) { return arm.size < kLarge; });
 }
 
 }  // namespace

@@ -6,19 +6,27 @@
 
 namespace meshalyzer {
 
+/// The vector from the hub of a star to another vertex of it, each coordinate rounded once.
+struct Arm {
+  Arm(const Vec3& hub, const Vec3& end) : vector(end - hub), size(vector.cwiseAbs().maxCoeff()) {}
+
+  Vec3 vector;
+  /// The largest magnitude of a coordinate.
+  double size;
+};
+
 /// The faces of one fan round a vertex, the hub. Face i has the arms i and i + 1.
 struct Star {
-  /// The vectors from the hub to the other vertices of the fan, counter-clockwise, each coordinate
-  /// rounded once. A closed fan does not repeat its first arm at the end.
-  std::span<const Vec3> arms;
+  /// The arms of the fan, counter-clockwise. A closed fan does not repeat its first arm at the end.
+  std::span<const Arm> arms;
   bool is_closed = false;
 
   [[nodiscard]] std::size_t n_faces() const {
     return is_closed || arms.empty() ? arms.size() : arms.size() - 1;
   }
   /// Returns the first arm of a face.
-  [[nodiscard]] const Vec3& first_arm(std::size_t face) const { return arms[face]; }
-  [[nodiscard]] const Vec3& second_arm(std::size_t face) const {
+  [[nodiscard]] const Arm& first_arm(std::size_t face) const { return arms[face]; }
+  [[nodiscard]] const Arm& second_arm(std::size_t face) const {
     return arms[face + 1 == arms.size() ? 0 : face + 1];
   }
 };

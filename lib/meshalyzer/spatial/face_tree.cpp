@@ -24,13 +24,18 @@ struct Item {
   Index face;
 };
 
+/// Of many items about so many are looked at to find the widest axis.
+constexpr std::size_t kSampledItems = 512;
+
 std::size_t widest_axis(std::span<const Item> items) {
   std::array<float, 3> low = items.front().middle;
   std::array<float, 3> high = low;
-  for (const Item& item : items) {
+  // An odd step does not stay in one row of a grid.
+  const std::size_t step = items.size() / kSampledItems | 1U;
+  for (std::size_t i = 0; i < items.size(); i += step) {
     for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], item.middle[k]);
-      high[k] = std::max(high[k], item.middle[k]);
+      low[k] = std::min(low[k], items[i].middle[k]);
+      high[k] = std::max(high[k], items[i].middle[k]);
     }
   }
   std::array<float, 3> width{high[0] - low[0], high[1] - low[1], high[2] - low[2]};
@@ -110,6 +115,18 @@ std::array<float, 3> FaceTree::map(const Vec3& point) const {
           static_cast<float>((point.z() - centre_.z()) * scale_)};
 }
 
+TreeBox FaceTree::box_of(const Triangle& t) const {
+  const auto a = map(points_[t[0]]);
+  const auto b = map(points_[t[1]]);
+  const auto c = map(points_[t[2]]);
+  TreeBox box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] = std::min({a[k], b[k], c[k]});
+    box.high[k] = std::max({a[k], b[k], c[k]});
+  }
+  return box;
+}
+
 void FaceTree::choose_map(std::span<const Triangle> triangles) {
   const auto boxes = map_chunks<Box3>(triangles.size(), [&](Chunk chunk) {
     Box3 box;
@@ -132,12 +149,10 @@ void FaceTree::order_faces(std::span<const Triangle> triangles) {
   std::vector<Item> items(triangles.size());
   parallel_chunks(items.size(), [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const auto a = map(points_[triangles[i][0]]);
-      const auto b = map(points_[triangles[i][1]]);
-      const auto c = map(points_[triangles[i][2]]);
+      const TreeBox box = box_of(triangles[i]);
       for (std::size_t k = 0; k < 3; ++k) {
         // Zero has one sign only, so that it has one key.
-        items[i].middle[k] = std::min({a[k], b[k], c[k]}) + std::max({a[k], b[k], c[k]}) + 0.0F;
+        items[i].middle[k] = box.low[k] + box.high[k] + 0.0F;
       }
       items[i].face = static_cast<Index>(i);
     }
@@ -164,12 +179,10 @@ void FaceTree::box_faces() {
   parallel_chunks(n_faces(), [&](Chunk chunk) {
     for (std::size_t slot = chunk.begin; slot < chunk.end; ++slot) {
       EightBoxes& leaf = levels_.front()[slot / kTreeWidth];
-      for (const Index v : triangle(slot)) {
-        const auto p = map(points_[v]);
-        for (std::size_t k = 0; k < 3; ++k) {
-          leaf.min[k][slot % kTreeWidth] = std::min(leaf.min[k][slot % kTreeWidth], p[k]);
-          leaf.max[k][slot % kTreeWidth] = std::max(leaf.max[k][slot % kTreeWidth], p[k]);
-        }
+      const TreeBox box = box_of(triangle(slot));
+      for (std::size_t k = 0; k < 3; ++k) {
+        leaf.min[k][slot % kTreeWidth] = box.low[k];
+        leaf.max[k][slot % kTreeWidth] = box.high[k];
       }
     }
   });

@@ -84,6 +84,7 @@ class FaceTree {
   [[nodiscard]] std::array<float, 3> map(const Vec3& point) const;
 
  private:
+  [[nodiscard]] TreeBox box_of(const Triangle& t) const;
   void choose_map(std::span<const Triangle> triangles);
   void order_faces(std::span<const Triangle> triangles);
   void box_faces();

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <span>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -33,41 +33,28 @@ bool names(const Triangle& t, Index v) {
   return t[0] == v || t[1] == v || t[2] == v;
 }
 
-/// Returns the fan of the faces of one leaf.
-Fan fan_of_leaf(const FaceTree& tree, std::size_t begin, std::size_t end) {
-  Fan fan;
+/// Returns the vertex that all faces of a leaf have in common, or kNoIndex.
+Index hub_of_leaf(const FaceTree& tree, std::size_t leaf) {
+  const std::size_t begin = 8 * leaf;
+  const std::size_t end = std::min(begin + 8, tree.n_faces());
   for (const Index candidate : tree.triangle(begin)) {
     std::size_t slot = begin + 1;
-    while (slot < end && names(tree.triangle(slot), candidate)) {
-      ++slot;
-    }
-    if (slot == end) {
-      fan.hub = candidate;
-      break;
-    }
+    while (slot < end && names(tree.triangle(slot), candidate)) ++slot;
+    if (slot == end) return candidate;
   }
-  if (fan.hub == kNoIndex) {
-    return fan;
-  }
-  fan.rim = kEmpty;
-  for (std::size_t slot = begin; slot < end; ++slot) {
-    for (const Index v : tree.triangle(slot)) {
-      if (v != fan.hub) {
-        const auto p = tree.map(tree.point(v));
-        extend(fan.rim, {p, p});
-      }
-    }
-  }
-  return fan;
+  return kNoIndex;
 }
 
-Fan fan_of_node(std::span<const Fan> children) {
-  Fan fan = children.front();
-  for (const Fan& child : children.subspan(1)) {
-    if (child.hub != fan.hub) {
-      return {};
+/// @param hub  The vertex that all faces of the leaf have in common.
+Fan fan_of_leaf(const FaceTree& tree, std::size_t leaf, Index hub) {
+  Fan fan{hub, kEmpty};
+  const std::size_t end = std::min(8 * (leaf + 1), tree.n_faces());
+  for (std::size_t slot = 8 * leaf; slot < end; ++slot) {
+    for (const Index v : tree.triangle(slot)) {
+      if (v == hub) continue;
+      const auto p = tree.map(tree.point(v));
+      extend(fan.rim, {p, p});
     }
-    extend(fan.rim, child.rim);
   }
   return fan;
 }
@@ -75,21 +62,36 @@ Fan fan_of_node(std::span<const Fan> children) {
 }  // namespace
 
 FanTree::FanTree(const FaceTree& tree) {
-  levels_.emplace_back(tree.n_leaves());
-  parallel_chunks(tree.n_leaves(), 1024, [&](Chunk chunk) {
-    for (std::size_t leaf = chunk.begin; leaf < chunk.end; ++leaf) {
-      levels_.front()[leaf] = fan_of_leaf(tree, 8 * leaf, std::min(8 * (leaf + 1), tree.n_faces()));
-    }
-  });
-  while (levels_.size() < tree.n_levels()) {
-    const std::vector<Fan>& below = levels_.back();
-    std::vector<Fan> level((below.size() + 7) / 8);
-    for (std::size_t i = 0; i < level.size(); ++i) {
-      level[i] = fan_of_node(
-          std::span(below).subspan(8 * i, std::min<std::size_t>(8, below.size() - 8 * i)));
-    }
-    levels_.push_back(std::move(level));
+  add_leaves(tree);
+  while (levels_.size() < tree.n_levels()) add_level();
+}
+
+void FanTree::add_leaves(const FaceTree& tree) {
+  levels_.emplace_back(tree.n_leaves(), Index{0});
+  const std::vector<Index> leaves = parallel_filter(
+      tree.n_leaves(), [&](Index leaf) { return hub_of_leaf(tree, leaf) != kNoIndex; });
+  for (const Index leaf : leaves) {
+    levels_.front()[leaf] = static_cast<Index>(fans_.size());
+    fans_.push_back(fan_of_leaf(tree, leaf, hub_of_leaf(tree, leaf)));
   }
+}
+
+void FanTree::add_level() {
+  const std::vector<Index>& below = levels_.back();
+  std::vector<Index> level((below.size() + 7) / 8, 0);
+  for (std::size_t i = 0; i < level.size(); ++i) {
+    const auto children =
+        std::span(below).subspan(8 * i, std::min<std::size_t>(8, below.size() - 8 * i));
+    Fan fan = fans_[children.front()];
+    const bool is_fan = fan.hub != kNoIndex &&
+                        std::all_of(children.begin(), children.end(),
+                                    [&](Index child) { return fans_[child].hub == fan.hub; });
+    if (!is_fan) continue;
+    for (const Index child : children) extend(fan.rim, fans_[child].rim);
+    level[i] = static_cast<Index>(fans_.size());
+    fans_.push_back(fan);
+  }
+  levels_.push_back(std::move(level));
 }
 
 bool FanTree::meet_at_hub_only(const Fan& a, const TreeBox& box_a, const Fan& b,

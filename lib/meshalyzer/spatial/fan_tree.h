@@ -25,7 +25,9 @@ class FanTree {
   explicit FanTree(const FaceTree& tree);
 
   /// Returns the fan of all faces below FaceTree::node(level, i).
-  [[nodiscard]] const Fan& fan(std::size_t level, std::size_t i) const { return levels_[level][i]; }
+  [[nodiscard]] const Fan& fan(std::size_t level, std::size_t i) const {
+    return fans_[levels_[level][i]];
+  }
 
   /// Tells whether the faces of two nodes meet only at the hub that all of them share.
   ///
@@ -34,7 +36,15 @@ class FanTree {
                                              const TreeBox& box_b);
 
  private:
-  std::vector<std::vector<Fan>> levels_;
+  void add_leaves(const FaceTree& tree);
+  /// Adds the nodes one level above the highest so far.
+  void add_level();
+
+  /// The number of each node's fan in `fans_`, in four bytes, since hardly any leaf of most meshes
+  /// is one.
+  std::vector<std::vector<Index>> levels_;
+  /// The first is that of the nodes whose faces have no vertex in common.
+  std::vector<Fan> fans_{Fan{}};
 };
 
 }  // namespace meshalyzer

@@ -27,11 +27,11 @@ std::vector<std::uint8_t> uncut_vertices(const CutMesh& cut) {
 }
 
 /// @param arms  Scratch memory for the arms of a star.
-bool is_proven(const TriMesh& mesh, VertexHandle v, std::vector<Vec3>& arms) {
+bool is_proven(const TriMesh& mesh, VertexHandle v, std::vector<Arm>& arms) {
   arms.clear();
   bool is_closed = true;
   for (const HalfedgeHandle h : one_ring_halfedges(mesh, v)) {
-    arms.push_back(mesh.point(mesh.to_vertex_handle(h)) - mesh.point(v));
+    arms.emplace_back(mesh.point(v), mesh.point(mesh.to_vertex_handle(h)));
     is_closed = !mesh.is_boundary(h);
   }
   return is_surely_embedded({.arms = arms, .is_closed = is_closed});
@@ -42,7 +42,7 @@ bool is_proven(const TriMesh& mesh, VertexHandle v, std::vector<Vec3>& arms) {
 std::vector<std::uint8_t> prove_stars(const CutMesh& cut) {
   std::vector<std::uint8_t> proven = uncut_vertices(cut);
   parallel_chunks(proven.size(), [&](Chunk chunk) {
-    std::vector<Vec3> arms;
+    std::vector<Arm> arms;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       if (proven[i] != 0) {
         proven[i] =

@@ -86,11 +86,8 @@ class PartnerSearch {
         wanted_(wanted_lanes(scene, leaf)),
         first_leaf_(scene.wanted.empty() ? leaf : 0),
         box_(box_of_wanted(scene, leaf)),
-        proven_(proven_vertices(scene, leaf)) {
-    if (scene.slabs.has_useful()) {
-      corners_.emplace(tree_, leaf);
-    }
-  }
+        fan_(scene.fans.fan(0, leaf)),
+        proven_(proven_vertices(scene, leaf)) {}
 
   void run() {
     const std::size_t top = tree_.n_levels() - 1;
@@ -119,13 +116,13 @@ class PartnerSearch {
   }
 
   /// Tells whether the slabs or the fan of a node prove that none of its faces meets the leaf's.
-  bool is_excluded(std::size_t level, std::size_t i, const TreeBox& box) const {
-    const Slabs& slabs = scene_.slabs.slabs(level, i);
-    if (slabs.is_useful && slabs.exclude(*corners_)) {
-      return true;
+  bool is_excluded(std::size_t level, std::size_t i, const TreeBox& box) {
+    if (scene_.slabs.has_useful()) {
+      const Slabs& slabs = scene_.slabs.slabs(level, i);
+      if (slabs.is_useful && slabs.exclude(triangles())) return true;
     }
-    return FanTree::meet_at_hub_only(scene_.fans.fan(0, leaf_), box_, scene_.fans.fan(level, i),
-                                     box);
+    return fan_.hub != kNoIndex &&
+           FanTree::meet_at_hub_only(fan_, box_, scene_.fans.fan(level, i), box);
   }
 
   /// The lanes of another leaf whose faces may meet the face in each lane of this one.
@@ -274,10 +271,9 @@ class PartnerSearch {
   /// Leaves before this one are not searched.
   std::size_t first_leaf_;
   TreeBox box_;
+  const Fan& fan_;
   EightFaces proven_;
-  /// The corners of the leaf, if slabs may separate faces.
-  std::optional<LeafCorners> corners_;
-  /// The triangles of the leaf, if many pairs remain.
+  /// The triangles of the leaf, if slabs may separate faces or many pairs remain.
   std::optional<LeafTriangles> triangles_;
   std::optional<LeafFrame> frame_;
   std::array<std::optional<SeparatingDirections>, 8> directions_;

@@ -1,9 +1,11 @@
 #include "meshalyzer/spatial/slab_tree.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/spatial/eight_reaches.h"
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -24,8 +26,28 @@ Vec3f mapped(const FaceTree& tree, Index v) {
   return {p[0], p[1], p[2]};
 }
 
-/// Returns the corners of a range of slots, one after the other.
-std::vector<Vec3f> corners_of(const FaceTree& tree, std::size_t begin, std::size_t end) {
+/// Tells whether a face is as long and thin as those of bundles are on average. Squares that
+/// overflow make no face long, which changes no answer of a search.
+bool is_long(const FaceTree& tree, const Triangle& t) {
+  const Vec3 u = tree.point(t[1]) - tree.point(t[0]);
+  const Vec3 v = tree.point(t[2]) - tree.point(t[0]);
+  const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
+  return longest * longest > double{kThin} * kThin * u.cross(v).squaredNorm();
+}
+
+bool has_long_face(const FaceTree& tree, std::size_t leaf) {
+  const std::size_t end = std::min(8 * (leaf + 1), tree.n_faces());
+  for (std::size_t slot = 8 * leaf; slot < end; ++slot) {
+    if (is_long(tree, tree.triangle(slot))) return true;
+  }
+  return false;
+}
+
+/// Returns the corners of all faces below FaceTree::node(level, i), one after the other.
+std::vector<Vec3f> corners_of(const FaceTree& tree, std::size_t level, std::size_t i) {
+  const std::size_t faces_per_node = std::size_t{8} << (3 * level);
+  const std::size_t begin = i * faces_per_node;
+  const std::size_t end = std::min(begin + faces_per_node, tree.n_faces());
   std::vector<Vec3f> corners;
   corners.reserve(3 * (end - begin));
   for (std::size_t slot = begin; slot < end; ++slot) {
@@ -100,28 +122,12 @@ Slabs make_slabs(std::span<const Vec3f> corners) {
 
 }  // namespace
 
-LeafCorners::LeafCorners(const FaceTree& tree, std::size_t leaf) {
-  const std::size_t last = tree.n_faces() - 1;
-  for (std::size_t i = 0; i < 8; ++i) {
-    const Triangle& t = tree.triangle(std::min(8 * leaf + i, last));
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto p = tree.map(tree.point(t[k]));
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        coordinates[axis][3 * i + k] = p[axis];
-      }
-    }
-  }
-}
-
-bool Slabs::exclude(const LeafCorners& corners) const {
+bool Slabs::exclude(const LeafTriangles& faces) const {
+  const EightCorners corners = loaded(faces);
   for (std::size_t a = 0; a < 2; ++a) {
-    std::array<float, LeafCorners::kCorners> along;
-    for (std::size_t i = 0; i < along.size(); ++i) {
-      along[i] = axis[a][0] * corners.coordinates[0][i] + axis[a][1] * corners.coordinates[1][i] +
-                 axis[a][2] * corners.coordinates[2][i];
-    }
-    const auto [lowest, highest] = std::minmax_element(along.begin(), along.end());
-    if (*lowest > high[a] || *highest < low[a]) {
+    const EightReaches reaches(eight_times(axis[a]), corners);
+    if ((EightFloats::all(high[a]) < reaches.low).bits() == 0xFFU ||
+        (reaches.high < EightFloats::all(low[a])).bits() == 0xFFU) {
       return true;
     }
   }
@@ -129,33 +135,31 @@ bool Slabs::exclude(const LeafCorners& corners) const {
 }
 
 SlabTree::SlabTree(const FaceTree& tree) {
-  std::size_t faces_per_node = 8;
-  std::size_t nodes = tree.n_leaves();
-  for (std::size_t level = 0; level < tree.n_levels(); ++level) {
-    levels_.emplace_back(nodes);
-    parallel_chunks(nodes, kNodesPerChunk, [&](Chunk chunk) {
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-        const std::size_t end = std::min((i + 1) * faces_per_node, tree.n_faces());
-        // A bundle consists of bundles: if no child is one, neither is the parent, and the faces
-        // need no further test.
-        const auto children_begin = level == 0 ? nullptr : levels_[level - 1].data() + 8 * i;
-        const auto children_end = level == 0 ? nullptr
-                                             : levels_[level - 1].data() +
-                                                   std::min(8 * (i + 1), levels_[level - 1].size());
-        const bool may_be_useful =
-            level == 0 ||
-            std::any_of(children_begin, children_end, [](const Slabs& s) { return s.is_useful; });
-        if (may_be_useful && i * faces_per_node < end) {
-          levels_[level][i] = make_slabs(corners_of(tree, i * faces_per_node, end));
-          if (levels_[level][i].is_useful) {
-            has_useful_.store(true, std::memory_order_relaxed);
-          }
-        }
-      }
-    });
-    faces_per_node *= 8;
-    nodes = (nodes + 7) / 8;
-  }
+  // A bundle consists of bundles: where no leaf is one, no node is.
+  const std::vector<Index> bundles = parallel_filter(tree.n_leaves(), [&](Index leaf) {
+    return has_long_face(tree, leaf) && make_slabs(corners_of(tree, 0, leaf)).is_useful;
+  });
+  if (bundles.empty()) return;
+  while (levels_.size() < tree.n_levels()) add_level(tree);
+}
+
+void SlabTree::add_level(const FaceTree& tree) {
+  const std::size_t number = levels_.size();
+  const std::vector<Slabs> none;
+  const std::vector<Slabs>& below = number == 0 ? none : levels_.back();
+  const auto may_be_useful = [&](std::size_t i) {
+    const auto children =
+        std::span(below).subspan(8 * i, std::min<std::size_t>(8, below.size() - 8 * i));
+    return std::any_of(children.begin(), children.end(),
+                       [](const Slabs& s) { return s.is_useful; });
+  };
+  std::vector<Slabs> level(number == 0 ? tree.n_leaves() : (below.size() + 7) / 8);
+  parallel_chunks(level.size(), kNodesPerChunk, [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      if (number == 0 || may_be_useful(i)) level[i] = make_slabs(corners_of(tree, number, i));
+    }
+  });
+  levels_.push_back(std::move(level));
 }
 
 }  // namespace meshalyzer

@@ -1,23 +1,11 @@
 #pragma once
 
-#include "meshalyzer/spatial/face_tree.h"
+#include "meshalyzer/spatial/leaf_triangles.h"
 
 #include <array>
-#include <atomic>
 #include <vector>
 
 namespace meshalyzer {
-
-/// The corners of the faces of one leaf of a FaceTree, coordinate by coordinate, in the tree's
-/// coordinates.
-///
-/// Leaves with fewer than eight faces repeat one of them.
-struct LeafCorners {
-  static constexpr std::size_t kCorners = 24;
-  std::array<std::array<float, kCorners>, 3> coordinates;
-
-  LeafCorners(const FaceTree& tree, std::size_t leaf);
-};
 
 /// Two slabs across the long side of a bundle of faces; all its corners lie in both.
 struct Slabs {
@@ -33,28 +21,33 @@ struct Slabs {
   /// Whether the faces are long and thin, so that they have a direction in common.
   [[nodiscard]] bool has_axes() const { return axis[0] != axis[1]; }
 
-  /// Tells whether all corners surely lie on one side of one of the slabs, so that no face of the
-  /// leaf meets the bundle.
-  [[nodiscard]] bool exclude(const LeafCorners& corners) const;
+  /// Tells whether the corners of all faces of a leaf surely lie on one side of one of the slabs,
+  /// so that none of them meets the bundle.
+  [[nodiscard]] bool exclude(const LeafTriangles& faces) const;
 };
 
 /// Oriented slabs for those nodes of a FaceTree that axis-aligned boxes fit badly: bundles of long
 /// faces oblique to the axes, millions of whose boxes meet although the faces are far apart.
 class SlabTree {
  public:
-  /// @complexity O(#F) if no node is such a bundle, else O(#F log #F).
+  /// @complexity O(#F) time and no memory if no node is such a bundle, else O(#F log #F) time.
   explicit SlabTree(const FaceTree& tree);
 
+  /// Tells whether any node has slabs worth a test.
+  [[nodiscard]] bool has_useful() const { return !levels_.empty(); }
+
   /// Returns the slabs of all faces below FaceTree::node(level, i).
+  ///
+  /// @pre has_useful()
   [[nodiscard]] const Slabs& slabs(std::size_t level, std::size_t i) const {
     return levels_[level][i];
   }
-  /// Tells whether any node has slabs worth a test.
-  [[nodiscard]] bool has_useful() const { return has_useful_; }
 
  private:
+  /// Makes the slabs of the nodes one level above the highest so far.
+  void add_level(const FaceTree& tree);
+
   std::vector<std::vector<Slabs>> levels_;
-  std::atomic<bool> has_useful_ = false;
 };
 
 }  // namespace meshalyzer

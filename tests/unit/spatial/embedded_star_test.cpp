@@ -27,9 +27,9 @@ struct Ring {
 };
 
 bool is_proven(const Ring& ring) {
-  std::vector<Vec3> arms;
+  std::vector<Arm> arms;
   for (const Vec3& p : ring.link) {
-    arms.emplace_back(p - ring.hub);
+    arms.emplace_back(ring.hub, p);
   }
   return is_surely_embedded({.arms = arms, .is_closed = ring.is_closed});
 }
