@@ -2,6 +2,10 @@
 
 namespace meshalyzer {
 
+// A program that links this asks the system for huge pages where it allocates large blocks: they
+// are filled in half the time, and random access to them is faster. Where the system has none,
+// nothing changes.
+
 /// Makes the allocator return every large block to the system as soon as it is freed.
 ///
 /// By default glibc keeps blocks of up to 32 MiB for later requests once one was freed, where they
