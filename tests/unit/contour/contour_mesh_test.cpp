@@ -81,6 +81,26 @@ TEST(ContourMesh, FindsAPlateThatIsThinnerThanTheFirstCells) {
   EXPECT_NEAR(volume_of(contour_within(plate, 0.01)), 4 * 4 * 0.04, 0.1);
 }
 
+TEST(ContourMesh, OfWhatLiesInABoxIsNearTheSurfaceThereAndClosedBeyond) {
+  // The sphere of radius 1 in a box round its pole.
+  const Soup sphere = shapes::icosphere(4);
+  const Box3 box(Vec3(-0.25, -0.25, 0.75), Vec3(0.25, 0.25, 1.25));
+  const auto made = contour_mesh(sphere, {.max_deviation = 0.01, .within = box});
+  ASSERT_TRUE(made && made->is_within);
+  expect_embedded_solid(made->soup);
+  std::size_t n_in_box = 0;
+  for (const Vec3& p : made->soup.positions) {
+    EXPECT_LE(p.norm(), 1.01);
+    EXPECT_GT(p.z(), 0.5);
+    if (!box.contains(p)) continue;
+    ++n_in_box;
+    // The flat faces lie within 0.002 of the sphere.
+    EXPECT_NEAR(p.norm(), 1.0, 0.0125);
+  }
+  EXPECT_GT(n_in_box, 100U);
+  EXPECT_LT(made->soup.n_faces(), contour_within(sphere, 0.01).n_faces() / 4);
+}
+
 TEST(ContourMesh, SaysWhereTheGridWouldBeTooLarge) {
   const auto made =
       contour_mesh(shapes::icosphere(1), {.max_deviation = 1e-9, .max_tetrahedra = 10'000});

@@ -1,8 +1,8 @@
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/contour/contour_mesh.h"
 #include "meshalyzer/mesh/build.h"
-#include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/replace/internal/broken_solids.h"
+#include "meshalyzer/repair/replace/internal/replacements.h"
 #include "meshalyzer/spatial/closest_point.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 #include "meshalyzer/contour/contour_mesh.h"
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/repair/cut/internal/cut_edits.h"
-#include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/replace/internal/broken_boxes.h"
+#include "meshalyzer/repair/replace/internal/replacements.h"
 #include "meshalyzer/spatial/closest_point.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 /// Grids of all boxes together with more tetrahedra are not made, because they would take more than
 /// some seconds.
-constexpr std::size_t kMaxTetrahedraInBoxes = 500'000;
+constexpr std::size_t kMaxTetrahedraInBoxes = 150'000;
 /// Boxes that hold a larger share of the faces are not replaced: the whole solid is, instead.
 constexpr double kLargestShareInBoxes = 0.5;
 /// Above this number of pairs cutting would take longer than a replacement of the whole solid.

@@ -5,10 +5,11 @@
 #include "meshalyzer/repair/driver/internal/final_check.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/replace/internal/broken_solids.h"
+#include "meshalyzer/repair/replace/internal/replacements.h"
 #include "meshalyzer/repair/replace/internal/unite_from_input.h"
 
 #include <algorithm>
-#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <initializer_list>
 #include <string_view>
@@ -100,6 +101,15 @@ class Guarantee {
     });
   }
 
+  enum class Outcome : std::uint8_t { Kept, NotGood, NotProposed };
+
+  /// A replacement, and the passes after it.
+  struct Trial {
+    std::string_view name;
+    std::function<Replacement(const PassInput&)> propose;
+    std::vector<PlannedPass> plan;
+  };
+
   /// Replaces what lies in boxes round the broken places, first in small ones.
   bool replace_in_boxes() {
     if (!bounds_solids()) return false;
@@ -111,9 +121,9 @@ class Guarantee {
       const auto propose = [&](const PassInput& input) {
         return meshalyzer::replace_in_boxes(input, how);
       };
-      if (try_replacement({"replace in boxes", propose, plan_passes(options_, tolerances_)})) {
-        return true;
-      }
+      const Outcome outcome =
+          try_replacement({"replace in boxes", propose, plan_passes(options_, tolerances_)});
+      if (outcome != Outcome::NotGood) return outcome == Outcome::Kept;
     }
     return false;
   }
@@ -125,18 +135,12 @@ class Guarantee {
         .sheets = options_.solid ? ReplaceOptions::Sheets::Dropped : ReplaceOptions::Sheets::Kept,
         .max_deviation = max_deviation_ - driver_.deviation()};
     const auto propose = [&](const PassInput& input) { return replace_broken_solids(input, how); };
-    return try_replacement({"replace broken solids", propose, plan_after_replacement(options_)});
+    return Outcome::Kept ==
+           try_replacement({"replace broken solids", propose, plan_after_replacement(options_)});
   }
 
-  /// A replacement, and the passes after it.
-  struct Trial {
-    std::string_view name;
-    std::function<Replacement(const PassInput&)> propose;
-    std::vector<PlannedPass> plan;
-  };
-
   /// Keeps a replacement if it is good, and notes what it is.
-  bool try_replacement(Trial trial) {
+  Outcome try_replacement(Trial trial) {
     Replacement made;
     const double before = driver_.deviation();
     const PlannedPass pass{trial.name, DefectCode::SelfIntersection, [&](const PassInput& input) {
@@ -146,7 +150,7 @@ class Guarantee {
     const std::size_t n_before = driver_.tracked().soup.n_faces();
     if (!try_pass(pass, std::move(trial.plan))) {
       if (!made.result.refused.empty()) reason_ = made.result.refused.front().reason;
-      return false;
+      return made.result.edits.empty() ? Outcome::NotProposed : Outcome::NotGood;
     }
     driver_.raise_deviation(before + made.deviation);
     const auto n_new = made.result.edits.added_faces.size();
@@ -154,7 +158,7 @@ class Guarantee {
                      " faces, " + shortest(made.deviation) +
                      " from the old one at most where it was sampled (" + std::to_string(n_before) +
                      " -> " + std::to_string(driver_.tracked().soup.n_faces()) + " faces)");
-    return true;
+    return Outcome::Kept;
   }
 
   void note_failure() {
