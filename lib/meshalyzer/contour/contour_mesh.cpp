@@ -22,7 +22,7 @@ namespace {
 /// The initial cells round the mesh have edges of 1/32 of the grid's cube, or of about this
 /// multiple of the maximum deviation if that is larger.
 constexpr double kMostHalvings = 5.0;
-constexpr double kFirstCell = 8.0;
+constexpr double kFirstCell = 4.0;
 /// Points of the mesh are taken at this distance, as a share of its diagonal.
 constexpr double kSpacing = 1.0 / 128.0;
 /// The sides of a face are sampled at this distance, as a share of the maximum deviation.

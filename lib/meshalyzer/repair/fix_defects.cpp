@@ -67,6 +67,7 @@ void name_what_has_no_reason(const RepairOptions& options, const std::string& re
                              RepairResult& result) {
   DefectCodes unexplained = options.fixes;
   if (options.borders == Borders::Intended) unexplained.erase(DefectCode::Hole);
+  if (options.contact == Contact::Keep) unexplained.erase(DefectCode::SelfIntersection);
   for (const LoggedRefusal& refusal : result.log.refusals) unexplained.erase(refusal.code);
   for (const RepairedMesh& mesh : result.meshes) {
     const DefectList& defects = mesh.remaining.defects;
