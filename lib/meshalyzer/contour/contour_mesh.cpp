@@ -23,7 +23,8 @@ namespace {
 /// multiple of the maximum deviation if that is larger.
 constexpr double kMostHalvings = 5.0;
 constexpr double kFirstCell = 4.0;
-/// Points of the mesh are taken at this distance, as a share of its diagonal.
+/// Points of the mesh are taken at this distance, as a share of its diagonal, or at the maximum
+/// deviation if that is larger.
 constexpr double kSpacing = 1.0 / 128.0;
 /// The sides of a face are sampled at this distance, as a share of the maximum deviation.
 constexpr double kReach = 1.0 / 16.0;
@@ -258,7 +259,7 @@ SurfaceParts divide_near(const Box3& box, const Target& target, const ContourLim
   const double least = kCreaseSpacing * limits.max_deviation;
   SurfaceParts parts = divide_surface(
       near, target.region, hints,
-      {.spacing = kSpacing * box.diagonal().norm(),
+      {.spacing = std::max(kSpacing * box.diagonal().norm(), limits.max_deviation),
        .reach = kReach * limits.max_deviation,
        .crease_spacing = std::max(least, length_round(near, hints.creases) / kMostPieces),
        .least_piece = std::max(least, length_round(near, hints.changes_inside) / kMostPieces)});

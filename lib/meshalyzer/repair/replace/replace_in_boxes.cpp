@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <map>
 #include <optional>
 #include <utility>
@@ -27,9 +28,19 @@ constexpr std::size_t kMostPairsAtBoxes = 200'000;
 /// Rounding may take this share of the deviation.
 constexpr double kShareOfRounding = 0.1;
 
-bool holds(const Box3& box, const Corners& corners) {
-  return std::all_of(corners.begin(), corners.end(),
-                     [&](const Vec3& p) { return box.contains(p); });
+/// By the ends of an edge, the lower first: how much oftener faces run along it from there than
+/// towards it.
+using EdgeBalance = std::map<std::array<Index, 2>, int>;
+
+/// #positions: the number of the box that holds each; kNoIndex where none does.
+std::vector<Index> boxes_of(const std::vector<Vec3>& positions, const std::vector<Box3>& boxes) {
+  std::vector<Index> box_of(positions.size(), kNoIndex);
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const auto box = std::find_if(boxes.begin(), boxes.end(),
+                                  [&](const Box3& b) { return b.contains(positions[v]); });
+    if (box != boxes.end()) box_of[v] = static_cast<Index>(box - boxes.begin());
+  }
+  return box_of;
 }
 
 /// The solids that are combined: first the mesh outside the boxes, then each box and the contour
@@ -118,6 +129,7 @@ class ReplacingInBoxes {
         options_(options),
         soup_(input.tracked.soup),
         boxes_(boxes_round_broken_faces(input.mesh, options.margin)),
+        box_of_(boxes_of(soup_.positions, boxes_)),
         operands_(soup_) {}
 
   Replacement run() {
@@ -137,17 +149,16 @@ class ReplacingInBoxes {
 
  private:
   /// Adds the faces that are not in a box, closed by cones that lie in the boxes, where nothing
-  /// depends on them. Returns whether that is most of the mesh, and could be closed.
+  /// depends on them.
+  /// @return Whether that is most of the mesh, and could be closed.
   bool add_rest() {
-    std::map<std::array<Index, 2>, int> balance;
+    EdgeBalance balance;
     std::size_t n_replaced = 0;
     for (Index face = 0; face < soup_.n_faces(); ++face) {
       const Triangle& t = soup_.triangles[face];
       if (!is_in_complex(t)) continue;
-      const Corners corners = corners_of(soup_, face);
-      const bool is_replaced = std::any_of(boxes_.begin(), boxes_.end(),
-                                           [&](const Box3& box) { return holds(box, corners); });
-      if (is_replaced) {
+      if (box_of_[t[0]] != kNoIndex && box_of_[t[0]] == box_of_[t[1]] &&
+          box_of_[t[0]] == box_of_[t[2]]) {
         ++n_replaced;
         continue;
       }
@@ -155,30 +166,28 @@ class ReplacingInBoxes {
       for (std::size_t k = 0; k < 3; ++k) {
         const Index a = t[k];
         const Index b = t[(k + 1) % 3];
+        // Where an end is outside, no face was replaced or is broken.
+        if (box_of_[a] == kNoIndex || box_of_[a] != box_of_[b]) continue;
         balance[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
       }
     }
-    std::erase_if(balance, [](const auto& edge) { return edge.second == 0; });
     const auto n_faces = static_cast<double>(soup_.n_faces());
     return static_cast<double>(n_replaced) <= kLargestShareInBoxes * n_faces && add_cones(balance);
   }
 
   /// Closes a surface by triangles between its border edges and the middles of their boxes.
-  ///
-  /// @param balance  How much oftener a face runs along each edge from its lower end than to it.
-  bool add_cones(const std::map<std::array<Index, 2>, int>& balance) {
+  bool add_cones(const EdgeBalance& balance) {
     std::vector<Index> apexes;
     for (const Box3& box : boxes_) apexes.push_back(operands_.add_vertex(box.center()));
     for (const auto& [ends, count] : balance) {
-      const Vec3& p = soup_.positions[ends[0]];
-      const Vec3& q = soup_.positions[ends[1]];
-      const auto box = std::find_if(boxes_.begin(), boxes_.end(),
-                                    [&](const Box3& b) { return b.contains(p) && b.contains(q); });
-      if (box == boxes_.end() || are_collinear(p, q, box->center())) return false;
-      const Index apex = apexes[static_cast<std::size_t>(box - boxes_.begin())];
+      if (count == 0) continue;
+      const Index box = box_of_[ends[0]];
+      if (are_collinear(soup_.positions[ends[0]], soup_.positions[ends[1]], boxes_[box].center())) {
+        return false;
+      }
       const bool runs_forward = count > 0;
       for (int i = 0; i < std::abs(count); ++i) {
-        operands_.add({ends[runs_forward ? 1 : 0], ends[runs_forward ? 0 : 1], apex}, 0);
+        operands_.add({ends[runs_forward ? 1 : 0], ends[runs_forward ? 0 : 1], apexes[box]}, 0);
       }
     }
     return true;
@@ -228,8 +237,7 @@ class ReplacingInBoxes {
 
   [[nodiscard]] Replacement refuse(const char* reason) const {
     Replacement replacement;
-    replacement.result.refused.push_back(
-        {.code = DefectCode::SelfIntersection, .face = 0, .reason = reason});
+    replacement.result.refused.push_back({.code = DefectCode::SelfIntersection, .reason = reason});
     return replacement;
   }
 
@@ -237,6 +245,8 @@ class ReplacingInBoxes {
   const BoxOptions& options_;
   const Soup& soup_;
   std::vector<Box3> boxes_;
+  /// #V: the box that holds each.
+  std::vector<Index> box_of_;
   OperandsOfBoxes operands_;
   std::vector<Corners> walls_;
   double deviation_ = 0.0;
