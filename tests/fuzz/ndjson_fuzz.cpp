@@ -13,7 +13,7 @@ const std::vector<std::string> kNames{"a.mesh", "b\xE9.mesh", "c \"c\".off"};
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Request asked() {
+Request full_request() {
   Request request;
   request.mesh.goodness = GoodnessThresholds{2.5, 10, kInfinity};
   request.mesh.curvature = VertexArea::OneRing;
@@ -43,7 +43,7 @@ std::string good_line() {
                       .of = 3,
                       .path = "b\xE9.mesh",
                       .stamp = {12, -34},
-                      .asked = asked(),
+                      .request = full_request(),
                       .set = "ab12"};
   return between_line(head, findings, kNames);
 }
