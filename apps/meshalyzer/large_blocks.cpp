@@ -49,6 +49,25 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
   return meshalyzer::allocate(size, static_cast<std::size_t>(alignment));
 }
 
+// Sanitizers have these two of their own, which would not fit the operators delete below.
+
+void* operator new(std::size_t size, const std::nothrow_t& /*tag*/) noexcept {
+  try {
+    return operator new(size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
+void* operator new(std::size_t size, std::align_val_t alignment,
+                   const std::nothrow_t& /*tag*/) noexcept {
+  try {
+    return operator new(size, alignment);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
 void operator delete(void* block) noexcept {
   std::free(block);
 }
