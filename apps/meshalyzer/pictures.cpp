@@ -159,8 +159,7 @@ void Pictures::on_findings(const ObjectFindings& findings) {
 void Pictures::read_and_draw(Index number, const Waiting& waiting,
                              const ObjectSeparation* separation) {
   const Soup soup = read_mesh(run_.inputs.files[number]);
-  PreparedMesh mesh(soup);
-  mesh.limit_intersecting_pairs(pair_limits(run_.request.mesh, {}));
+  PreparedMesh mesh(soup, pair_limits(run_.request.mesh, {}));
   if (waiting.pairs) {
     mesh.set_intersecting_pairs(*waiting.pairs);
   }

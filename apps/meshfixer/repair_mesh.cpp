@@ -49,20 +49,13 @@ bool is_same_but_for_order(const Soup& a, const Soup& b, const std::vector<Index
   return true;
 }
 
-/// The options of the final search.
-struct FinalSearch {
-  DefectOptions defects;
-  /// See PairLimits::max_found.
-  std::size_t max_pairs = kAllPairs;
-};
-
 /// Returns the options of the final search: all defects, with the tolerances and limits of the
 /// input.
-FinalSearch final_search(const Options& options, const RepairReport& report) {
-  return {.defects = {.codes = DefectCodes::all(),
-                      .tolerances = as_options(report.result.before.tolerances),
-                      .max_defects = options.repair.max_defects},
-          .max_pairs = pair_limits(options.repair, report.input.n_faces).max_found};
+DefectOptions final_search(const Options& options, const RepairReport& report) {
+  return {.codes = DefectCodes::all(),
+          .tolerances = as_options(report.result.before.tolerances),
+          .max_defects = options.repair.max_defects,
+          .pairs = pair_limits(options.repair, report.input.n_faces)};
 }
 
 /// Returns the defects that remain in the mesh on disk: those that the repair found, unless the
@@ -72,7 +65,7 @@ FinalSearch final_search(const Options& options, const RepairReport& report) {
 /// @param face_records  See Output::face_records.
 /// @param final_soup    Receives the prepared form of the mesh on disk, if there is one.
 DefectReport remaining_on_disk(const RepairedMesh& mesh, const std::vector<Index>& face_records,
-                               const FinalSearch& search, FinalSoup& final_soup) {
+                               const DefectOptions& search, FinalSoup& final_soup) {
   const Soup& disk = *final_soup.soup;
   const bool is_same = is_same_mesh(disk, mesh.tracked.soup);
   if (is_same) final_soup.prepared = mesh.prepared;
@@ -83,10 +76,8 @@ DefectReport remaining_on_disk(const RepairedMesh& mesh, const std::vector<Index
   if (is_same && has_numbers == (mesh.tracked.soup.format == Format::Mesh)) {
     return mesh.remaining;
   }
-  const auto prepared = std::make_shared<PreparedMesh>(final_soup.soup);
-  prepared->limit_intersecting_pairs({.max_found = search.max_pairs, .wants_to_stop = {}});
-  final_soup.prepared = prepared;
-  return find_defects(*prepared, search.defects);
+  final_soup.prepared = std::make_shared<const PreparedMesh>(final_soup.soup, search.pairs);
+  return find_defects(*final_soup.prepared, search);
 }
 
 /// Tells whether a result is the input as it was read.
@@ -188,7 +179,7 @@ std::vector<FinalSoup> write_all(const Job& job, const std::vector<std::string>&
   const Options& options = job.options;
   std::vector<FinalSoup> finals;
   std::vector<Loss> losses;
-  const FinalSearch search = final_search(options, report);
+  const DefectOptions search = final_search(options, report);
   const bool is_changed = !is_unchanged(report);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const RepairedMesh& mesh = report.result.meshes[i];

@@ -37,10 +37,9 @@ std::vector<PatchOutcome> find_outcomes(RepairOptions repair, Soup soup,
 
 ExitCode find(const Options& options, Soup soup, Streams streams) {
   const StopRequest stop(options.time_limit);
-  std::optional<PreparedMesh> mesh(std::in_place, soup);
   RepairOptions repair = options.repair;
   repair.wants_to_stop = [&] { return stop.is_made(); };
-  mesh->limit_intersecting_pairs(pair_limits(repair, soup.n_faces()));
+  std::optional<PreparedMesh> mesh(std::in_place, soup, pair_limits(repair, soup.n_faces()));
   const DefectReport report = find_defects(*mesh, {.codes = DefectCodes::all(),
                                                    .tolerances = options.repair.tolerances,
                                                    .max_defects = options.repair.max_defects});

@@ -107,8 +107,7 @@ Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options) {
   analysis.integrity = check_integrity(soup, analysis.offenders);
   phase("half-edges");
   auto file = std::make_shared<Soup>(std::move(soup));
-  auto mesh = std::make_shared<PreparedMesh>(file);
-  mesh->limit_intersecting_pairs(pair_limits(options, options.wants_to_stop));
+  auto mesh = std::make_shared<PreparedMesh>(file, pair_limits(options, options.wants_to_stop));
   count_records(*file, analysis.characteristics);
   keep_what_reports_need(std::exchange(file, nullptr), options, *mesh, analysis);
   phase("topology");

@@ -140,8 +140,8 @@ class FileFindingsBuilder {
 }  // namespace
 
 FileFindings check_mesh(Soup soup, std::string path, const CheckCriteria& criteria) {
-  PreparedMesh mesh(std::make_shared<const Soup>(std::move(soup)));
-  mesh.limit_intersecting_pairs({.max_found = criteria.max_pairs, .wants_to_stop = {}});
+  PreparedMesh mesh(std::make_shared<const Soup>(std::move(soup)),
+                    {.max_found = criteria.max_pairs, .wants_to_stop = {}});
   FileFindings file;
   file.path = std::move(path);
   file.format = mesh.soup().format;

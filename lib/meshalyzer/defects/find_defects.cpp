@@ -138,7 +138,7 @@ std::size_t DefectReport::total() const {
 
 DefectReport find_defects(const Soup& soup, const DefectOptions& options) {
   if (!has_finite_positions(soup)) return find_in(soup, nullptr, options);
-  const PreparedMesh mesh(soup);
+  const PreparedMesh mesh(soup, options.pairs);
   return find_in(soup, &mesh, options);
 }
 

@@ -3,6 +3,7 @@
 #include "meshalyzer/defects/defect_list.h"
 #include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
+#include "meshalyzer/spatial/pair_limits.h"
 
 #include <array>
 #include <cstddef>
@@ -18,6 +19,8 @@ struct DefectOptions {
   ToleranceOptions tolerances = {};
   /// The largest number of defects that are listed; 0 lists all. Counts are complete in any case.
   std::size_t max_defects = 0;
+  /// The limits of the search for intersecting faces; a prepared mesh has limits of its own.
+  PairLimits pairs = {};
 };
 
 /// The defects of a mesh.
@@ -29,7 +32,7 @@ struct DefectReport {
   /// The tolerances that the finders used.
   Tolerances tolerances;
   /// Sentences that say which tolerances contradict each other, and whether the search for
-  /// intersecting faces ended before it had found all (PreparedMesh::limit_intersecting_pairs()).
+  /// intersecting faces ended before it had found all (PairLimits).
   std::vector<std::string> warnings;
 
   [[nodiscard]] std::size_t count(DefectCode code) const {

@@ -39,10 +39,11 @@ class TwoListeners : public PairListener {
 
 }  // namespace
 
-PreparedMesh::PreparedMesh(const Soup& soup) : PreparedMesh(borrow(soup)) {}
+PreparedMesh::PreparedMesh(const Soup& soup, PairLimits pair_limits)
+    : PreparedMesh(borrow(soup), std::move(pair_limits)) {}
 
-PreparedMesh::PreparedMesh(std::shared_ptr<const Soup> soup)
-    : soup_(std::move(soup)), cut_(build(*soup_)) {}
+PreparedMesh::PreparedMesh(std::shared_ptr<const Soup> soup, PairLimits pair_limits)
+    : soup_(std::move(soup)), cut_(build(*soup_)), pair_limits_(std::move(pair_limits)) {}
 
 const Soup& PreparedMesh::soup() const {
   if (!soup_) throw InvalidArgument("the records of this mesh were released");
@@ -104,12 +105,12 @@ const IntersectionCounts& PreparedMesh::intersection_counts() const {
 /// Searches the pairs. If the list is shorter than the search is long, they are counted as they are
 /// found.
 FoundPairs PreparedMesh::search_intersecting_pairs() const {
-  PairCollector collector(std::min(limits_.max_listed, limits_.max_found));
+  PairCollector collector(std::min(pair_limits_.max_listed, pair_limits_.max_found));
   // Only one pair more tells that those found are not all.
-  PairLimits limits = limits_;
+  PairLimits limits = pair_limits_;
   if (limits.max_found != kAllPairs) ++limits.max_found;
   bool is_complete = true;
-  if (limits_.max_listed >= limits_.max_found) {
+  if (pair_limits_.max_listed >= pair_limits_.max_found) {
     is_complete = visit_self_intersections(cut_, tree(), limits, collector);
   } else {
     static_cast<void>(intersection_counts_.get([&] {
@@ -121,7 +122,7 @@ FoundPairs PreparedMesh::search_intersecting_pairs() const {
     }));
   }
   FoundPairs found = collector.take();
-  found.is_complete = is_complete && found.counts.total() <= limits_.max_found;
+  found.is_complete = is_complete && found.counts.total() <= pair_limits_.max_found;
   return found;
 }
 

@@ -28,10 +28,11 @@ class PreparedMesh {
  public:
   /// Prepares a mesh whose records the caller keeps.
   ///
-  /// @param soup  The records, which must outlive this object until release_soup().
-  explicit PreparedMesh(const Soup& soup);
+  /// @param soup         The records, which must outlive this object until release_soup().
+  /// @param pair_limits  The limits of the search for intersecting pairs.
+  explicit PreparedMesh(const Soup& soup, PairLimits pair_limits = {});
   /// Prepares a mesh and keeps its records.
-  explicit PreparedMesh(std::shared_ptr<const Soup> soup);
+  explicit PreparedMesh(std::shared_ptr<const Soup> soup, PairLimits pair_limits = {});
   PreparedMesh(const PreparedMesh&) = delete;
   PreparedMesh& operator=(const PreparedMesh&) = delete;
 
@@ -65,7 +66,7 @@ class PreparedMesh {
   [[nodiscard]] std::vector<Box3> component_boxes() &&;
 
   /// Returns the intersecting pairs of faces, see find_self_intersections(), or the first of them
-  /// if limit_intersecting_pairs() was called. It uses the tree.
+  /// if the search is limited. It uses the tree.
   ///
   /// @complexity O(#F log #F + candidates) time.
   [[nodiscard]] const std::vector<IntersectingPair>& intersecting_pairs() const&;
@@ -78,17 +79,13 @@ class PreparedMesh {
   /// @param pairs  The pairs that find_self_intersections() would return.
   void set_intersecting_pairs(std::vector<IntersectingPair> pairs);
 
-  /// Limits the search for intersecting pairs, or the list of those found. It must be called before
-  /// their first use.
-  void limit_intersecting_pairs(PairLimits limits) { limits_ = std::move(limits); }
-
   /// Counts the intersecting pairs, listed or not. It triggers the search and uses the components.
   ///
   /// @complexity O(pairs) time in addition to the search; memory does not grow with their number.
   [[nodiscard]] const IntersectionCounts& intersection_counts() const;
 
   /// Tells whether a search for intersecting pairs has left out some: it had found enough or was
-  /// told to stop, see limit_intersecting_pairs(). It triggers no search.
+  /// told to stop, see PairLimits. It triggers no search.
   [[nodiscard]] bool was_intersection_search_cut() const {
     return pairs_.is_made() && !found_pairs().is_complete;
   }
@@ -111,7 +108,7 @@ class PreparedMesh {
   mutable Lazy<FaceTree> tree_;
   mutable Lazy<Components> components_;
   mutable Lazy<std::vector<Box3>> component_boxes_;
-  PairLimits limits_;
+  PairLimits pair_limits_;
   mutable Lazy<FoundPairs> pairs_;
   mutable Lazy<IntersectionCounts> intersection_counts_;
   mutable Lazy<std::vector<Shell>> shells_;

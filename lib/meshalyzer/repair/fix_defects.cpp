@@ -28,18 +28,12 @@ TrackedMesh renumbered(const TrackedMesh& tracked, const Tolerances& tolerances)
   return apply_edits(tracked, renumber({tracked.soup, tracked, mesh, tolerances, limits}).edits);
 }
 
-/// Finds the defects of a mesh within the limit of a repair.
-DefectReport find_within(std::size_t max_pairs, const Soup& soup, const DefectOptions& options) {
-  PreparedMesh mesh(soup);
-  mesh.limit_intersecting_pairs({.max_found = max_pairs, .wants_to_stop = {}});
-  return find_defects(mesh, options);
-}
-
 std::vector<RepairedMesh> finished_meshes(RepairDriver& driver, const RepairOptions& options,
                                           const Tolerances& tolerances) {
   const DefectOptions find{.codes = DefectCodes::all(),
                            .tolerances = as_options(tolerances),
-                           .max_defects = options.max_defects};
+                           .max_defects = options.max_defects,
+                           .pairs = {.max_found = driver.max_pairs(), .wants_to_stop = {}}};
   const bool is_separated = options.fixes.contains(DefectCode::Disjoint);
   const bool is_renumbered = options.fixes.contains(DefectCode::Numbering);
   if (!is_separated && !is_renumbered) {
@@ -57,7 +51,7 @@ std::vector<RepairedMesh> finished_meshes(RepairDriver& driver, const RepairOpti
   for (TrackedMesh& tracked : tracked_meshes) {
     RepairedMesh& mesh = meshes.emplace_back();
     mesh.tracked = is_renumbered ? renumbered(tracked, tolerances) : std::move(tracked);
-    mesh.remaining = find_within(driver.max_pairs(), mesh.tracked.soup, find);
+    mesh.remaining = find_defects(mesh.tracked.soup, find);
   }
   return meshes;
 }
@@ -101,12 +95,14 @@ bool is_any_sheet_to_cut(const RepairDriver& driver, const RepairOptions& option
          !find_border_edges(mesh.cut()).empty();
 }
 
-/// Drops equal faces: a few thousand of them make millions of pairs.
+/// Drops equal faces where too many pairs of faces intersect: a few thousand of them make millions.
 /// @return Whether all pairs are now known, so that the mesh can be repaired.
 bool drop_equal_faces(RepairDriver& driver, const RepairOptions& options,
                       const DefectReport& before) {
   constexpr DefectCode kCode = DefectCode::DuplicateFacet;
-  if (!options.fixes.contains(kCode) || before.count(kCode) == 0) return false;
+  if (!has_too_many_pairs(driver) || !options.fixes.contains(kCode) || before.count(kCode) == 0) {
+    return false;
+  }
   return driver.run_trial({.change = {"drop duplicates", kCode, drop_duplicates},
                            .plan = {},
                            .is_wanted = [](const RepairState& state) {

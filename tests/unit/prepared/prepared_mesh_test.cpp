@@ -129,8 +129,7 @@ TEST(PreparedMesh, CountsPairsThatItDoesNotList) {
   for (const std::size_t n_threads : {1, 2, 5}) {
     const ThreadLimit limit(n_threads);
     for (const std::size_t max_listed : {1, 17, 1000}) {
-      PreparedMesh mesh(soup);
-      mesh.limit_intersecting_pairs({.max_listed = max_listed, .wants_to_stop = {}});
+      const PreparedMesh mesh(soup, {.max_listed = max_listed, .wants_to_stop = {}});
       expect_same_counts(mesh, expected);
       EXPECT_EQ(mesh.intersecting_pairs(),
                 std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(max_listed)));
@@ -144,8 +143,7 @@ TEST(PreparedMesh, CountsPairsThatItDoesNotList) {
 
 TEST(PreparedMesh, SearchThatIsToldToStopKnowsNoShellsOfSeveralComponents) {
   const Soup soup = crossing_cubes();
-  PreparedMesh mesh(soup);
-  mesh.limit_intersecting_pairs({.wants_to_stop = [] { return true; }});
+  const PreparedMesh mesh(soup, {.wants_to_stop = [] { return true; }});
   EXPECT_FALSE(mesh.was_intersection_search_cut());  // nobody has searched
   EXPECT_TRUE(mesh.intersecting_pairs().empty());
   EXPECT_TRUE(mesh.was_intersection_search_cut());
@@ -156,16 +154,14 @@ TEST(PreparedMesh, SearchThatIsToldToStopKnowsNoShellsOfSeveralComponents) {
 TEST(PreparedMesh, SearchThatHasFoundEnoughKnowsNoShellsOfSeveralComponents) {
   const Soup soup = crossing_cubes();
   const std::size_t n_pairs = PreparedMesh(soup).intersecting_pairs().size();
-  PreparedMesh few(soup);
-  few.limit_intersecting_pairs({.max_found = n_pairs - 1, .wants_to_stop = {}});
+  const PreparedMesh few(soup, {.max_found = n_pairs - 1, .wants_to_stop = {}});
   EXPECT_EQ(few.intersecting_pairs().size(), n_pairs - 1);
   EXPECT_TRUE(few.was_intersection_search_cut());
   EXPECT_FALSE(few.intersection_counts().is_complete);
   EXPECT_EQ(few.shells().at(0).outward, std::nullopt);
   EXPECT_EQ(few.shells().at(0).volume, 1.0);
 
-  PreparedMesh enough(soup);
-  enough.limit_intersecting_pairs({.max_found = n_pairs, .wants_to_stop = {}});
+  const PreparedMesh enough(soup, {.max_found = n_pairs, .wants_to_stop = {}});
   EXPECT_EQ(enough.intersecting_pairs().size(), n_pairs);
   EXPECT_FALSE(enough.was_intersection_search_cut());
   EXPECT_EQ(enough.shells().at(0).outward, true);

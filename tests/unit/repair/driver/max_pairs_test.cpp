@@ -16,12 +16,12 @@ Soup cubes_that_cross() {
   return shapes::merged(shapes::cube(), shapes::cube(1.0, {0.5, 0.25, 0.375}));
 }
 
-/// Returns why the self-intersections were left; empty if no reason was logged.
-std::string reason_left(const RepairResult& result) {
+/// Returns why defects of a code were left; empty if no reason was logged.
+std::string reason_left(const RepairResult& result,
+                        DefectCode code = DefectCode::SelfIntersection) {
   const auto& refusals = result.log.refusals;
-  const auto refusal = std::find_if(refusals.begin(), refusals.end(), [](const auto& logged) {
-    return logged.code == DefectCode::SelfIntersection;
-  });
+  const auto refusal = std::find_if(refusals.begin(), refusals.end(),
+                                    [&](const auto& logged) { return logged.code == code; });
   return refusal == refusals.end() ? "" : refusal->reason;
 }
 
@@ -68,6 +68,13 @@ TEST(MaxPairs, RepairThatIsStoppedInTheFirstSearchLeavesTheMesh) {
   const RepairResult result = fix_defects(cubes_that_cross(), options);
   EXPECT_TRUE(same_soup(only_mesh(result), cubes_that_cross()));
   EXPECT_TRUE(result.is_stopped);
+
+  Soup equal_faces = shapes::cube();
+  equal_faces.triangles.resize(200, equal_faces.triangles.back());
+  const RepairResult stopped = fix_defects(equal_faces, options);
+  EXPECT_TRUE(same_soup(only_mesh(stopped), equal_faces));
+  EXPECT_NE(reason_left(stopped, DefectCode::DuplicateFacet).find("was stopped"),
+            std::string::npos);
 }
 
 }  // namespace

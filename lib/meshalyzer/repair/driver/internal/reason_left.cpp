@@ -4,9 +4,14 @@
 
 namespace meshalyzer {
 
+bool has_too_many_pairs(const RepairDriver& driver) {
+  return driver.mesh().was_intersection_search_cut() &&
+         driver.mesh().intersecting_pairs().size() == driver.max_pairs();
+}
+
 std::string reason_against_repair(const RepairDriver& driver) {
   if (!driver.mesh().was_intersection_search_cut()) return "";
-  if (driver.mesh().intersecting_pairs().size() < driver.max_pairs()) {
+  if (!has_too_many_pairs(driver)) {
     return "the repair was stopped before all intersecting faces were found";
   }
   return "more than " + grouped(driver.max_pairs()) +

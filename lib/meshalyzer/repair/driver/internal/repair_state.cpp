@@ -58,10 +58,8 @@ std::vector<Index> affected_faces(const AffectedElements& affected,
 
 RepairState::RepairState(TrackedMesh tracked, const Tolerances& tolerances, PairLimits limits)
     : tracked_(std::move(tracked)),
-      mesh_(tracked_.soup),
-      defective_elements_(find_defective_elements(tracked_, mesh_, tolerances)) {
-  mesh_.limit_intersecting_pairs(std::move(limits));
-}
+      mesh_(tracked_.soup, std::move(limits)),
+      defective_elements_(find_defective_elements(tracked_, mesh_, tolerances)) {}
 
 RepairState::RepairState(TrackedMesh tracked, const Tolerances& tolerances,
                          const RepairState& before, const AffectedElements& affected)
