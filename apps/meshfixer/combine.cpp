@@ -173,17 +173,19 @@ class CombinationRun {
       operand.volume = volumes[i];
     }
     enum : std::uint8_t { Gone, Cut, Whole };
-    std::vector<std::uint8_t> fates(operands.soup.n_faces(), Gone);
+    std::vector<std::uint8_t> outcomes(operands.soup.n_faces(), Gone);
     for (const CombinedFace& face : solid.faces) {
-      if (face.origin >= fates.size()) continue;
+      if (face.origin >= outcomes.size()) continue;
       Triangle before = operands.soup.triangles[face.origin];
       if (face.is_turned) std::swap(before[1], before[2]);
-      fates[face.origin] = face.corners == before ? Whole : Cut;
+      outcomes[face.origin] = face.corners == before ? Whole : Cut;
     }
-    for (std::size_t f = 0; f < fates.size(); ++f) {
+    for (std::size_t f = 0; f < outcomes.size(); ++f) {
       BooleanOperand& operand = report_.operands[first + operands.of_face[f]];
       ++operand.n_faces;
-      ++(fates[f] == Whole ? operand.n_whole : fates[f] == Cut ? operand.n_cut : operand.n_gone);
+      ++(outcomes[f] == Whole ? operand.n_whole
+         : outcomes[f] == Cut ? operand.n_cut
+                              : operand.n_gone);
     }
   }
 

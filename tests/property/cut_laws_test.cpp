@@ -64,13 +64,13 @@ std::optional<Moments> kept_moments(const Soup& soup) {
   const Arrangement arrangement = arrange(soup);
   const Cells cells = find_cells(soup, arrangement);
   if (cells.n_components != 1) return std::nullopt;
-  const std::vector<PieceFate> fates =
+  const std::vector<PieceClass> classes =
       select_pieces({soup, cut, tree, arrangement, cells}, std::vector<std::uint8_t>{1}, {});
   std::vector<Triangle> kept;
-  for (std::size_t i = 0; i < fates.size(); ++i) {
+  for (std::size_t i = 0; i < classes.size(); ++i) {
     Triangle t = arrangement.pieces[i];
-    if (fates[i] == PieceFate::Turned) std::swap(t[1], t[2]);
-    if (fates[i] == PieceFate::Kept || fates[i] == PieceFate::Turned) kept.push_back(t);
+    if (classes[i] == PieceClass::Turned) std::swap(t[1], t[2]);
+    if (classes[i] == PieceClass::Kept || classes[i] == PieceClass::Turned) kept.push_back(t);
   }
   return test::moments_enclosed(triangles_of(rational_places(arrangement), kept));
 }

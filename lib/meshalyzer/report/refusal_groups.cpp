@@ -47,7 +47,7 @@ class RefusalCollector {
   std::size_t number_of(const LoggedRefusal& refusal, std::optional<std::size_t> mesh) {
     const Key key{mesh, refusal.pass, refusal.code, refusal.reason};
     const auto [found, is_new] = numbers_.emplace(key, groups_.size());
-    if (is_new) groups_.push_back({.like = &refusal, .mesh = mesh});
+    if (is_new) groups_.push_back({.first = &refusal, .mesh = mesh});
     return found->second;
   }
 

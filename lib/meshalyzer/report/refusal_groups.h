@@ -11,8 +11,8 @@ namespace meshalyzer {
 
 /// The places that a pass left unchanged for the same reason.
 struct RefusalGroup {
-  /// A refusal with the pass, code and reason of all of them.
-  const LoggedRefusal* like = nullptr;
+  /// The first of these refusals; all have its pass, code and reason.
+  const LoggedRefusal* first = nullptr;
   /// The index into RepairReport::meshes; absent if the elements were removed.
   std::optional<std::size_t> mesh = std::nullopt;
   /// The number of different places, each counted once.

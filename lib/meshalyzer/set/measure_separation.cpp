@@ -185,9 +185,9 @@ class Separator {
       for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
         const std::size_t i = open_[k];
         if (is_in_reach(other.box(), i)) {
-          ClosestQuery asked = query(i);
-          asked.hint = hint;
-          hint = take(i, number, other, asked);
+          ClosestQuery closest_query = query(i);
+          closest_query.hint = hint;
+          hint = take(i, number, other, closest_query);
         }
       }
     });
@@ -201,9 +201,9 @@ class Separator {
     parallel_chunks(vertices_.size(), length, [&](Chunk chunk) {
       EdgeNeighbourhood neighbourhood(tree, faces);
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-        ClosestQuery asked = query(i);
-        asked.excluded = neighbourhood.mark_within(vertices_[i], *options_.include_self);
-        (void)take(i, number_, *object_, asked);
+        ClosestQuery closest_query = query(i);
+        closest_query.excluded = neighbourhood.mark_within(vertices_[i], *options_.include_self);
+        (void)take(i, number_, *object_, closest_query);
       }
     });
   }
@@ -211,8 +211,9 @@ class Separator {
   /// Queries an object, and keeps its point if it is closer, or as close and on an object of lower
   /// number.
   /// @return A good guess for the next vertex.
-  Index take(std::size_t i, Index number, const SetObject& other, const ClosestQuery& asked) {
-    const std::optional<SurfacePoint> found = other.closest().find(asked);
+  Index take(std::size_t i, Index number, const SetObject& other,
+             const ClosestQuery& closest_query) {
+    const std::optional<SurfacePoint> found = other.closest().find(closest_query);
     if (!found) {
       return kNoIndex;
     }

@@ -35,7 +35,7 @@ TEST(GroupRefusals, OneReasonMakesOneGroupOfPlacesByTheIdsOfTheOutput) {
   result.log.refusals = {refusal(3, 2), refusal(0, 0), refusal(kNoIndex, 3)};
   const std::vector<RefusalGroup> groups = groups_of(result);
   ASSERT_EQ(groups.size(), 1U);
-  EXPECT_EQ(groups[0].like->reason, "too far");
+  EXPECT_EQ(groups[0].first->reason, "too far");
   EXPECT_EQ(groups[0].mesh, 0U);
   EXPECT_EQ(groups[0].places, 3U);
   EXPECT_EQ(groups[0].vertices, (List{1, 3}));
@@ -69,9 +69,9 @@ TEST(GroupRefusals, OtherPassCodeOrReasonMakesAnotherGroup) {
   result.log.refusals = {refusal(0, 0), other_pass, other_code, refusal(0, 0, "meets others")};
   const std::vector<RefusalGroup> groups = groups_of(result);
   ASSERT_EQ(groups.size(), 4U);
-  EXPECT_EQ(groups[1].like->pass, "fill holes");
-  EXPECT_EQ(groups[2].like->code, DefectCode::Hole);
-  EXPECT_EQ(groups[3].like->reason, "meets others");
+  EXPECT_EQ(groups[1].first->pass, "fill holes");
+  EXPECT_EQ(groups[2].first->code, DefectCode::Hole);
+  EXPECT_EQ(groups[3].first->reason, "meets others");
 }
 
 TEST(GroupRefusals, WhatIsGoneBelongsToNoMesh) {

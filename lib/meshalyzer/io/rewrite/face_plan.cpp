@@ -21,10 +21,10 @@ class FacePlanner {
   }
 
   FacePlan plan() {
-    plan_.fates.reserve(records_.size());
+    plan_.changes.reserve(records_.size());
     for (Index r = 0; r < records_.size(); ++r) {
-      plan_.fates.push_back(fate_of(r));
-      if (plan_.fates.back() == RecordFate::Dropped) {
+      plan_.changes.push_back(change_of(r));
+      if (plan_.changes.back() == RecordChange::Dropped) {
         place_triangles(r);
       }
     }
@@ -47,21 +47,21 @@ class FacePlanner {
     Index face;
   };
 
-  [[nodiscard]] RecordFate fate_of(Index record) const {
+  [[nodiscard]] RecordChange change_of(Index record) const {
     const Index begin = records_.first_triangle[record];
     const Index end = records_.first_triangle[record + 1];
     if (std::find(faces_.begin() + begin, faces_.begin() + end, kNoIndex) != faces_.begin() + end) {
-      return RecordFate::Dropped;
+      return RecordChange::Dropped;
     }
     if (is_fan(begin, end)) {
-      return RecordFate::Kept;
+      return RecordChange::Kept;
     }
     for (Index t = begin; t < end; ++t) {
       if (!is_turn_of(source_corners(faces_[t]), mesh_.source.triangles[t])) {
-        return RecordFate::Dropped;
+        return RecordChange::Dropped;
       }
     }
-    return RecordFate::Turned;
+    return RecordChange::Turned;
   }
 
   /// Tells whether some triangles are still a fan round one corner, each beginning where the
@@ -140,7 +140,7 @@ class FacePlanner {
       }
     };
     for (Index r = 0; r < records_.size(); ++r) {
-      if (plan_.fates[r] != RecordFate::Dropped) {
+      if (plan_.changes[r] != RecordChange::Dropped) {
         number_record(r);
       }
       number_up_to(r);
@@ -153,7 +153,7 @@ class FacePlanner {
     const Index begin = records_.first_triangle[record];
     const Index end = records_.first_triangle[record + 1];
     for (Index t = begin; t < end; ++t) {
-      const bool is_turned = plan_.fates[record] == RecordFate::Turned;
+      const bool is_turned = plan_.changes[record] == RecordChange::Turned;
       plan_.file_faces[faces_[t]] = n_numbered_ + (is_turned ? end - 1 - t : t - begin);
     }
     n_numbered_ += end - begin;
@@ -165,7 +165,7 @@ class FacePlanner {
     const auto note_remainder = [&](Index triangle) {
       const Index record = records_.record_of(triangle);
       is_split[record] =
-          plan_.fates[record] == RecordFate::Dropped && records_.n_triangles(record) > 1;
+          plan_.changes[record] == RecordChange::Dropped && records_.n_triangles(record) > 1;
     };
     for (const Placed& placed : placed_) {
       const ElementOrigin& origin = mesh_.faces[placed.face];

@@ -37,8 +37,8 @@ struct FanCorner {
 /// Returns the number, in the order of the file, of a triangle's corner in its record.
 [[nodiscard]] std::size_t local_corner(const FaceRecords& records, Index record, FanCorner corner);
 
-/// The fate of a face record of the source.
-enum class RecordFate : std::uint8_t {
+/// What becomes of a face record of the source.
+enum class RecordChange : std::uint8_t {
   /// All its triangles still exist and form one polygon, possibly with other vertices at its
   /// corners.
   Kept,
@@ -57,8 +57,8 @@ struct FacePlan {
     /// A face of the edited mesh.
     Index face;
   };
-  /// The fate of each record of the source.
-  std::vector<RecordFate> fates;
+  /// What becomes of each record of the source.
+  std::vector<RecordChange> changes;
   /// The face of the edited mesh that each triangle of the source is; kNoIndex if it was dropped.
   std::vector<Index> faces;
   /// The faces written as records of their own, in the order of the file.

@@ -150,11 +150,11 @@ class InriaRewriter {
 
   /// Edits or drops a face record. Returns true if it stays.
   bool edit_face(Index record) {
-    if (plan_.fates[record] == RecordFate::Dropped) {
+    if (plan_.changes[record] == RecordChange::Dropped) {
       edits_.erase_with_lines(faces_[record]);
       return false;
     }
-    const bool is_turned = plan_.fates[record] == RecordFate::Turned;
+    const bool is_turned = plan_.changes[record] == RecordChange::Turned;
     const std::vector<std::string_view> old = inria_numbers(faces_[record]);
     const std::size_t n = old.size() - 1;
     for (std::size_t i = 0; i < n; ++i) {
@@ -271,7 +271,7 @@ class InriaRewriter {
   }
 
   void append_record(Index record, std::vector<Index>& order) const {
-    if (plan_.fates[record] == RecordFate::Dropped) {
+    if (plan_.changes[record] == RecordChange::Dropped) {
       return;
     }
     const std::size_t begin = order.size();
@@ -279,7 +279,7 @@ class InriaRewriter {
          t < face_records_.first_triangle[record + 1]; ++t) {
       order.push_back(plan_.faces[t]);
     }
-    if (plan_.fates[record] == RecordFate::Turned) {
+    if (plan_.changes[record] == RecordChange::Turned) {
       std::reverse(order.begin() + static_cast<std::ptrdiff_t>(begin), order.end());
     }
   }

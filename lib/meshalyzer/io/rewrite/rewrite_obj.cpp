@@ -49,7 +49,7 @@ class ObjRewriter {
     edit_vertices();
     write_faces();
     settle_new_records();
-    for (Index r = 0; r < plan_.fates.size(); ++r) {
+    for (Index r = 0; r < plan_.changes.size(); ++r) {
       edit_face(r);
     }
     for (const std::size_t statement : records_.lines_and_points) {
@@ -126,8 +126,8 @@ class ObjRewriter {
   /// Replaces dropped records by their remaining triangles, and inserts added faces.
   void write_faces() {
     auto next = plan_.written.begin();
-    for (Index r = 0; r < plan_.fates.size(); ++r) {
-      const bool is_dropped = plan_.fates[r] == RecordFate::Dropped;
+    for (Index r = 0; r < plan_.changes.size(); ++r) {
+      const bool is_dropped = plan_.changes[r] == RecordChange::Dropped;
       if (!is_dropped && (next == plan_.written.end() || next->record != r)) {
         continue;
       }
@@ -152,8 +152,8 @@ class ObjRewriter {
   /// Adds the new records that kept faces name: their number must be known before statements that
   /// count backwards are edited.
   void settle_new_records() {
-    for (Index r = 0; records_.has_relative_faces && r < plan_.fates.size(); ++r) {
-      if (plan_.fates[r] == RecordFate::Dropped) {
+    for (Index r = 0; records_.has_relative_faces && r < plan_.changes.size(); ++r) {
+      if (plan_.changes[r] == RecordChange::Dropped) {
         continue;
       }
       const std::vector<std::string_view> old = words(records_.faces[r]);
@@ -216,11 +216,11 @@ class ObjRewriter {
   }
 
   void edit_face(Index record) {
-    const RecordFate fate = plan_.fates[record];
-    if (fate == RecordFate::Dropped) {
+    const RecordChange change = plan_.changes[record];
+    if (change == RecordChange::Dropped) {
       return;
     }
-    if (fate == RecordFate::Kept && !records_.has_relative_faces && !is_renumbered(record) &&
+    if (change == RecordChange::Kept && !records_.has_relative_faces && !is_renumbered(record) &&
         keeps_normals(record)) {
       return;
     }
@@ -229,7 +229,7 @@ class ObjRewriter {
     const std::size_t n = old.size() - 1;
     for (std::size_t i = 0; i < n; ++i) {
       // A reversed polygon begins at the same corner, and goes round in the opposite direction.
-      const std::size_t local = fate == RecordFate::Turned ? (n - i) % n : i;
+      const std::size_t local = change == RecordChange::Turned ? (n - i) % n : i;
       const ObjCorner named = parse_obj_corner(old[1 + local], counts, TextScanner(old[1 + local]));
       edits_.replace(old[1 + i],
                      corner_text(old[1 + local], corner_now(record, local, named), counts));
@@ -244,7 +244,7 @@ class ObjRewriter {
     const Triangle& now = mesh_.soup.triangles[face];
     // The triangles of a reversed polygon have the same vertices at other corners.
     const std::size_t k =
-        plan_.fates[record] == RecordFate::Turned
+        plan_.changes[record] == RecordChange::Turned
             ? static_cast<std::size_t>(std::find(now.begin(), now.end(), vertex) - now.begin())
             : corner.corner;
     if (vertex != kNoIndex && now[k] == vertex) {

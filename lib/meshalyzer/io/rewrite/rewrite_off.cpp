@@ -118,8 +118,8 @@ class OffRewriter {
 
   void write_faces() {
     auto next = plan_.written.begin();
-    for (Index r = 0; r < plan_.fates.size(); ++r) {
-      if (plan_.fates[r] != RecordFate::Dropped) {
+    for (Index r = 0; r < plan_.changes.size(); ++r) {
+      if (plan_.changes[r] != RecordChange::Dropped) {
         edit_face(r);
         continue;
       }
@@ -162,7 +162,7 @@ class OffRewriter {
   }
 
   void edit_face(Index record) {
-    const bool is_turned = plan_.fates[record] == RecordFate::Turned;
+    const bool is_turned = plan_.changes[record] == RecordChange::Turned;
     if (!is_turned && !is_renumbered(record)) {
       return;
     }

@@ -200,8 +200,8 @@ class PlyRewriter {
   void edit_faces() {
     set_count(face_, plan_.n_records);
     auto next = plan_.written.begin();
-    for (Index r = 0; r < plan_.fates.size(); ++r) {
-      if (plan_.fates[r] != RecordFate::Dropped) {
+    for (Index r = 0; r < plan_.changes.size(); ++r) {
+      if (plan_.changes[r] != RecordChange::Dropped) {
         edit_face(r);
         continue;
       }
@@ -226,7 +226,7 @@ class PlyRewriter {
   }
 
   void edit_face(Index record) {
-    const bool is_turned = plan_.fates[record] == RecordFate::Turned;
+    const bool is_turned = plan_.changes[record] == RecordChange::Turned;
     if (!is_turned && index_type_ == properties(face_)[corners_].type && !is_renumbered(record)) {
       return;
     }

@@ -85,7 +85,7 @@ class CombinedEdits {
     }
     edits_.added_faces.push_back({.op = op_,
                                   .corners = corners,
-                                  .like = is_of_source(face) ? face.origin : model_,
+                                  .prototype = is_of_source(face) ? face.origin : model_,
                                   .fills_hole = !is_of_source(face)});
   }
 

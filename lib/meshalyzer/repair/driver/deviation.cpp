@@ -40,7 +40,7 @@ struct SideResult {
 };
 
 /// The question that is answered about the distance between two surfaces.
-struct Asked {
+struct DistanceQuery {
   double bound = 0.0;
   DistanceQuestion question = DistanceQuestion::HowFar;
 
@@ -65,7 +65,7 @@ double drop_settled(const std::vector<double>& distances, Side& side) {
 
 /// Removes the faces that are near enough to a single face of the other mesh, and returns the
 /// largest of their distances.
-double settle_near_faces(Side& side, const Asked& asked) {
+double settle_near_faces(Side& side, const DistanceQuery& query) {
   std::vector<double> distances(side.faces.size(), -1.0);
   parallel_chunks(side.faces.size(), [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
@@ -73,7 +73,7 @@ double settle_near_faces(Side& side, const Asked& asked) {
       if (changed.other == kNoIndex) continue;
       const double distance =
           largest_distance(corners_of(side.from, changed.face), corners_of(side.to, changed.other));
-      if (distance <= asked.near_enough()) distances[i] = distance;
+      if (distance <= query.near_enough()) distances[i] = distance;
     }
   });
   return drop_settled(distances, side);
@@ -118,7 +118,7 @@ class PartsOfFaces {
 
 /// Removes the faces of the input that lie near enough to the pieces they were cut into, and
 /// returns the largest of their distances.
-double settle_cut_faces(Side& old_side, const PartsOfFaces& parts, const Asked& asked) {
+double settle_cut_faces(Side& old_side, const PartsOfFaces& parts, const DistanceQuery& query) {
   std::vector<double> distances(old_side.faces.size(), -1.0);
   parallel_chunks(distances.size(), kFacesPerChunk, [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
@@ -126,9 +126,9 @@ double settle_cut_faces(Side& old_side, const PartsOfFaces& parts, const Asked& 
       const Corners corners = corners_of(old_side.from, face);
       const std::vector<Corners> pieces = parts.of(face);
       // If vertices were moved a little after the cut, the pieces do not fit together exactly.
-      for (const double slack : {0.0, kMatchingShare * asked.resolution()}) {
+      for (const double slack : {0.0, kMatchingShare * query.resolution()}) {
         const auto distance = distance_from_parts(corners, pieces, slack);
-        if (!distance || *distance > asked.near_enough()) continue;
+        if (!distance || *distance > query.near_enough()) continue;
         distances[i] = *distance;
         break;
       }
@@ -210,16 +210,16 @@ Soup surface_with_walls(const Side& old_side, std::span<const InteriorWall> wall
 
 /// Measures the far faces of the input again, with walls as part of the new surface.
 SideResult measure_with_walls(Side& old_side, const SideResult& without,
-                              std::span<const InteriorWall> walls, const Asked& asked) {
+                              std::span<const InteriorWall> walls, const DistanceQuery& query) {
   std::erase_if(old_side.faces, [&](const ChangedFace& changed) {
     return !std::binary_search(without.far.begin(), without.far.end(), changed.face);
   });
-  const Soup soup = surface_with_walls(old_side, walls, asked.bound);
+  const Soup soup = surface_with_walls(old_side, walls, query.bound);
   const CutMesh cut = build(soup);
   const FaceTree tree(cut);
   const ClosestPoints closest(tree);
   SideResult result = measure_side(
-      old_side, [&] { return SurfaceDistance(tree, closest, asked.bound, asked.question); });
+      old_side, [&] { return SurfaceDistance(tree, closest, query.bound, query.question); });
   result.largest = std::max(result.largest, without.largest_near);
   return result;
 }
@@ -321,23 +321,23 @@ DeviationMeter::Result DeviationMeter::measure_changes(ChangedFaces changes,
                                                        std::span<const InteriorWall> own_walls,
                                                        DistanceQuestion question) const {
   const TrackedMesh& tracked = repaired.tracked;
-  const Asked asked{repaired.bound, question};
+  const DistanceQuery query{repaired.bound, question};
   Side old_side{input_, tracked.soup, std::move(changes.of_input)};
   Side new_side{tracked.soup, input_, std::move(changes.of_repaired)};
   Result result;
-  result.largest = settle_near_faces(old_side, asked);
+  result.largest = settle_near_faces(old_side, query);
   if (!old_side.faces.empty()) {
     const PartsOfFaces parts(tracked, new_side.faces, own_walls);
-    result.largest = std::max(result.largest, settle_cut_faces(old_side, parts, asked));
+    result.largest = std::max(result.largest, settle_cut_faces(old_side, parts, query));
   }
-  result.largest = std::max(result.largest, settle_near_faces(new_side, asked));
+  result.largest = std::max(result.largest, settle_near_faces(new_side, query));
   if (!old_side.faces.empty()) {
     const ClosestPoints closest(repaired.tree);
     SideResult old_result = measure_side(old_side, [&] {
-      return SurfaceDistance(repaired.tree, closest, asked.bound, asked.question);
+      return SurfaceDistance(repaired.tree, closest, query.bound, query.question);
     });
     if (!old_result.far.empty() && !repaired.walls.empty()) {
-      old_result = measure_with_walls(old_side, old_result, repaired.walls, asked);
+      old_result = measure_with_walls(old_side, old_result, repaired.walls, query);
     }
     result.largest = std::max(result.largest, old_result.largest);
     result.far.of_input = std::move(old_result.far);
@@ -345,7 +345,7 @@ DeviationMeter::Result DeviationMeter::measure_changes(ChangedFaces changes,
   if (!new_side.faces.empty()) {
     const Surface::Built& input = surface_->of(input_);
     SideResult new_result = measure_side(new_side, [&] {
-      return SurfaceDistance(input.tree, input.closest, asked.bound, asked.question);
+      return SurfaceDistance(input.tree, input.closest, query.bound, query.question);
     });
     result.largest = std::max(result.largest, new_result.largest);
     result.far.of_repaired = std::move(new_result.far);

@@ -120,7 +120,7 @@ void set_face_keys(const Work& work, TrackedMesh& result) {
     if (work.skipped(face.op)) continue;
     added_keys[i] = static_cast<Index>(result.n_input_faces + result.face_origins.size());
     result.face_origins.push_back(face.fills_hole ? kNoIndex
-                                                  : work.tracked.origin_of_face(face.like));
+                                                  : work.tracked.origin_of_face(face.prototype));
   }
   result.face_keys.reserve(work.faces.sources.size());
   for (const Index f : work.faces.sources) {

@@ -63,7 +63,7 @@ struct Edits {
     Triangle corners;
     /// A face of the soup that the new face is modelled on: the new face joins its group, takes its
     /// normals at common corners, and counts as made of it unless fills_hole is set.
-    Index like;
+    Index prototype;
     /// Tells whether it fills a hole, so that it replaces nothing of the old surface.
     bool fills_hole = false;
   };

@@ -373,17 +373,17 @@ void FoldoverRemover::put_replacement(const FaceDisc& disc,
   const Index op = edits.begin_operation();
   for (const Index f : disc.faces) edits.removed_faces.push_back({op, cut_.side.faces[f]});
   for (const PlacedFace& face : replacement) {
-    // The model is the old face at the same edge of the outline, if there is one.
-    Index like = cut_.side.faces[disc.faces.front()];
+    // The prototype is the old face at the same edge of the outline, if there is one.
+    Index prototype = cut_.side.faces[disc.faces.front()];
     for (const HalfedgeHandle h : disc.outline) {
       const auto& t = face.vertices;
       const Index from = cut_.side.vertex(cut_.mesh.from_vertex_handle(h));
       const Index to = cut_.side.vertex(cut_.mesh.to_vertex_handle(h));
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (t[i] == from && t[(i + 1) % 3] == to) like = cut_.side.face(cut_.mesh.face_handle(h));
-      }
+      const auto begin = std::find(t.begin(), t.end(), from);
+      if (begin == t.end() || t[(begin - t.begin() + 1) % 3] != to) continue;
+      prototype = cut_.side.face(cut_.mesh.face_handle(h));
     }
-    edits.added_faces.push_back({.op = op, .corners = face.vertices, .like = like});
+    edits.added_faces.push_back({.op = op, .corners = face.vertices, .prototype = prototype});
   }
 }
 

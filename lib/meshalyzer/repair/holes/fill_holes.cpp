@@ -22,14 +22,15 @@ namespace meshalyzer {
 namespace {
 
 /// Returns, by face of the patch, the file face that it is modelled on.
-std::vector<Index> likes_of(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patch) {
+std::vector<Index> prototypes_of(const PreparedMesh& mesh, const HoleLoop& loop,
+                                 const Patch& patch) {
   const CutMesh& cut = mesh.cut();
   const PatchEdges edges(patch);
-  std::vector<Index> likes(patch.triangles.size(), kNoIndex);
+  std::vector<Index> prototypes(patch.triangles.size(), kNoIndex);
   std::vector<Index> reached;
-  const auto reach = [&](Index face, Index like) {
-    if (face == kNoIndex || likes[face] != kNoIndex) return;
-    likes[face] = like;
+  const auto reach = [&](Index face, Index prototype) {
+    if (face == kNoIndex || prototypes[face] != kNoIndex) return;
+    prototypes[face] = prototype;
     reached.push_back(face);
   };
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -40,10 +41,10 @@ std::vector<Index> likes_of(const PreparedMesh& mesh, const HoleLoop& loop, cons
   for (std::size_t i = 0; i < reached.size(); ++i) {
     const Triangle& t = patch.triangles[reached[i]];
     for (std::size_t k = 0; k < 3; ++k) {
-      reach(edges.face_at({t[(k + 1) % 3], t[k]}), likes[reached[i]]);
+      reach(edges.face_at({t[(k + 1) % 3], t[k]}), prototypes[reached[i]]);
     }
   }
-  return likes;
+  return prototypes;
 }
 
 /// Adds a patch as one operation. Each of its faces is modelled on the face beyond the border edge
@@ -55,12 +56,12 @@ void add_patch(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patc
   for (const Vec3& position : patch.added) {
     edits.added_vertices.push_back({.op = op, .position = position});
   }
-  const std::vector<Index> likes = likes_of(mesh, loop, patch);
+  const std::vector<Index> prototypes = prototypes_of(mesh, loop, patch);
   for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
     Triangle corners = patch.triangles[i];
     for (Index& v : corners) v += v >= n_vertices ? shift : 0;
     edits.added_faces.push_back(
-        {.op = op, .corners = corners, .like = likes[i], .fills_hole = true});
+        {.op = op, .corners = corners, .prototype = prototypes[i], .fills_hole = true});
   }
 }
 

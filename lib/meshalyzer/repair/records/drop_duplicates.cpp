@@ -46,8 +46,8 @@ class WallFinder {
       : mesh_(mesh),
         sets_(sets),
         walls_(sets.size()),
-        is_closed_(sets.size(), 0),
-        is_spoilt_(sets.size(), 0) {
+        has_closed_edge_(sets.size(), 0),
+        has_other_edge_(sets.size(), 0) {
     for (std::size_t s = 0; s < sets.size(); ++s) {
       if (!sets[s].cancel_out()) continue;
       for (const Index f : sets[s].faces) candidate_of_[f] = static_cast<Index>(s);
@@ -59,9 +59,9 @@ class WallFinder {
       if (sets_[s].cancel_out()) look_at(s);
     }
     std::vector<std::uint8_t> is_wall(sets_.size(), 0);
-    for (Index s = 0; s < sets_.size(); ++s) is_wall[walls_.find(s)] |= is_closed_[s];
+    for (Index s = 0; s < sets_.size(); ++s) is_wall[walls_.find(s)] |= has_closed_edge_[s];
     for (Index s = 0; s < sets_.size(); ++s) {
-      if (is_spoilt_[s] != 0) is_wall[walls_.find(s)] = 0;
+      if (has_other_edge_[s] != 0) is_wall[walls_.find(s)] = 0;
     }
     std::vector<Index> walls(sets_.size(), kNoIndex);
     for (Index s = 0; s < sets_.size(); ++s) {
@@ -75,8 +75,8 @@ class WallFinder {
     const Triangle& t = mesh_.triangle(sets_[set].faces.front());
     for (std::size_t k = 0; k < 3; ++k) {
       const Rest rest = look_at_edge(set, t[k], t[(k + 1) % 3]);
-      if (rest == Rest::Closed) is_closed_[set] = 1;
-      if (rest == Rest::Otherwise) is_spoilt_[set] = 1;
+      if (rest == Rest::Closed) has_closed_edge_[set] = 1;
+      if (rest == Rest::Otherwise) has_other_edge_[set] = 1;
     }
   }
 
@@ -100,8 +100,8 @@ class WallFinder {
   std::span<const EqualFaces> sets_;
   DisjointSets walls_;
   /// Indexed by set: whether it has an edge like this.
-  std::vector<std::uint8_t> is_closed_;
-  std::vector<std::uint8_t> is_spoilt_;
+  std::vector<std::uint8_t> has_closed_edge_;
+  std::vector<std::uint8_t> has_other_edge_;
   std::unordered_map<Index, Index> candidate_of_;
 };
 

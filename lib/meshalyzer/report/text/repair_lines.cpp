@@ -76,12 +76,12 @@ std::string step_text(const LogStep& step) {
 
 void append_refusal(LineSink& lines, const RefusalGroup& group, ListLength lists) {
   std::string name = "left by ";
-  name += group.like->pass;
-  std::string text(defect_name(group.like->code));
+  name += group.first->pass;
+  std::string text(defect_name(group.first->code));
   text += ", ";
   text += counted(group.places, "place", "places");
   text += ": ";
-  text += group.like->reason;
+  text += group.first->reason;
   append_places(text, group.vertices.size() == 1 ? "vertex" : "vertices", group.vertices, lists);
   append_places(text, group.faces.size() == 1 ? "face" : "faces", group.faces, lists);
   lines.line(name, text);

@@ -21,12 +21,12 @@ const Vec3 kTop(0, 0, 1);
 /// A face at the edge from kBottom to kTop, at so many degrees round it, seen from above. Seen so,
 /// a face that crosses upwards has its normal on the side of growing angles: material ends there.
 FaceAtEdge face_at(double degrees, Crossing crossing, Index component = kNoIndex,
-                   double openness = 0.0) {
+                   double border_share = 0.0) {
   const double angle = degrees * std::numbers::pi / 180;
   return {.apex = {std::cos(angle), std::sin(angle), 0.5},
           .crossing = crossing,
           .component = component,
-          .openness = openness};
+          .border_share = border_share};
 }
 
 std::vector<Index> partners(const std::vector<FaceAtEdge>& faces) {

@@ -227,7 +227,7 @@ class CutEdits {
       result_.edits.added_faces.push_back(
           {.op = op,
            .corners = corners,
-           .like = fills_hole ? patches_[origin - soup_.n_faces()].like : origin,
+           .prototype = fills_hole ? patches_[origin - soup_.n_faces()].prototype : origin,
            .fills_hole = fills_hole});
     }
   }

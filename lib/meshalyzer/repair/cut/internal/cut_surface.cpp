@@ -28,13 +28,13 @@ bool is_flat(const std::vector<Vec3>& positions, const Triangle& t) {
 }
 
 /// Tells whether faces stay as they are in the end, so that nothing is gained by cutting them on.
-bool is_left(PieceFate fate) {
-  return fate == PieceFate::Uncut || fate == PieceFate::Loose;
+bool is_left(PieceClass piece_class) {
+  return piece_class == PieceClass::Uncut || piece_class == PieceClass::Loose;
 }
 
-bool stays(PieceFate fate) {
-  return fate == PieceFate::Kept || fate == PieceFate::Turned || fate == PieceFate::OfSheet ||
-         is_left(fate);
+bool stays(PieceClass piece_class) {
+  return piece_class == PieceClass::Kept || piece_class == PieceClass::Turned ||
+         piece_class == PieceClass::OfSheet || is_left(piece_class);
 }
 
 /// Cuts a surface, round by round.
@@ -98,12 +98,12 @@ class CuttingRounds {
     const Arrangement arrangement = arrange(soup_, pairs);
     if (is_to_stop()) return give_up(pairs);
     const Cells cells = find_cells(soup_, arrangement);
-    const std::vector<PieceFate> fates =
+    const std::vector<PieceClass> classes =
         select_pieces({soup_, cut, tree, arrangement, cells},
                       components_to_select(arrangement, cells, pairs), options_);
     tie_faces(arrangement, pairs);
-    if (round_ == 0) result_.pocket_share = share_of_pockets(arrangement, fates);
-    take(arrangement, fates, round_vertices(arrangement, rounding()));
+    if (round_ == 0) result_.pocket_share = share_of_pockets(arrangement, classes);
+    take(arrangement, classes, round_vertices(arrangement, rounding()));
   }
 
   [[nodiscard]] bool is_to_stop() const { return input_.wants_to_stop && input_.wants_to_stop(); }
@@ -147,46 +147,46 @@ class CuttingRounds {
   }
 
   [[nodiscard]] static double share_of_pockets(const Arrangement& arrangement,
-                                               std::span<const PieceFate> fates) {
+                                               std::span<const PieceClass> classes) {
     double pockets = 0.0;
     double kept = 0.0;
-    for (std::size_t i = 0; i < fates.size(); ++i) {
-      if (fates[i] != PieceFate::Exterior && !stays(fates[i])) continue;
-      (stays(fates[i]) ? kept : pockets) += normal_of(arrangement.corners_of(i)).norm();
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+      if (classes[i] != PieceClass::Exterior && !stays(classes[i])) continue;
+      (stays(classes[i]) ? kept : pockets) += normal_of(arrangement.corners_of(i)).norm();
     }
     return kept > 0.0 ? pockets / kept : 1.0;
   }
 
-  void take(const Arrangement& arrangement, std::span<const PieceFate> fates,
+  void take(const Arrangement& arrangement, std::span<const PieceClass> classes,
             RoundedVertices rounded) {
     std::vector<std::uint8_t> was_cut(soup_.n_faces(), 0);
     for (const Index face : arrangement.cut_faces) was_cut[face] = 1;
     std::vector<Triangle> triangles;
     std::vector<Index> origins;
     new_faces_.clear();
-    for (std::size_t i = 0; i < fates.size(); ++i) {
+    for (std::size_t i = 0; i < classes.size(); ++i) {
       const auto sources = arrangement.sources_of(i);
       const Index face = sources.front().face;
       Triangle t = arrangement.pieces[i];
       const bool is_forgotten =
-          fates[i] == PieceFate::Exterior && options_.pockets == Pockets::Forgotten;
+          classes[i] == PieceClass::Exterior && options_.pockets == Pockets::Forgotten;
       const bool is_gone =
-          is_forgotten || fates[i] == PieceFate::Interior || fates[i] == PieceFate::Cancelled;
+          is_forgotten || classes[i] == PieceClass::Interior || classes[i] == PieceClass::Cancelled;
       // The remaining part of one face represents all faces that coincide with it.
       for (const PieceSource& source : sources.subspan(is_gone ? 0 : 1)) {
         add_wall(source.face, arrangement, i);
       }
-      if (was_cut[face] != 0) note_sheets(origins_[face], fates[i]);
-      if (!stays(fates[i])) continue;
+      if (was_cut[face] != 0) note_sheets(origins_[face], classes[i]);
+      if (!stays(classes[i])) continue;
       for (Index& v : t) v = rounded.stands_for[v];
       const bool is_moved = t != arrangement.pieces[i];
-      if (fates[i] == PieceFate::Turned) std::swap(t[1], t[2]);
+      if (classes[i] == PieceClass::Turned) std::swap(t[1], t[2]);
       if (was_cut[face] != 0 || is_moved) {
         if (!is_in_complex(t) || is_flat(rounded.positions, t)) {
           add_wall(face, arrangement, i);
           continue;
         }
-        if (!is_left(fates[i])) new_faces_.push_back(static_cast<Index>(triangles.size()));
+        if (!is_left(classes[i])) new_faces_.push_back(static_cast<Index>(triangles.size()));
       }
       triangles.push_back(t);
       origins.push_back(origins_[face]);
@@ -196,10 +196,10 @@ class CuttingRounds {
     origins_ = std::move(origins);
   }
 
-  void note_sheets(Index origin, PieceFate fate) {
-    if (fate == PieceFate::OfSheet) result_.of_sheets.push_back(origin);
-    if (fate == PieceFate::Uncut) result_.of_uncut_sheets.push_back(origin);
-    if (fate == PieceFate::Loose) result_.loose.push_back(origin);
+  void note_sheets(Index origin, PieceClass piece_class) {
+    if (piece_class == PieceClass::OfSheet) result_.of_sheets.push_back(origin);
+    if (piece_class == PieceClass::Uncut) result_.of_uncut_sheets.push_back(origin);
+    if (piece_class == PieceClass::Loose) result_.loose.push_back(origin);
   }
 
   void add_wall(Index face, const Arrangement& arrangement, std::size_t piece) {

@@ -35,7 +35,7 @@ class PieceSelection {
         cells_(arranged.cells),
         pockets_(options.pockets),
         sheets_(options.sheets),
-        fates_(arranged.arrangement.pieces.size(), PieceFate::Kept) {
+        classes_(arranged.arrangement.pieces.size(), PieceClass::Kept) {
     is_closed_.assign(cells_.n_components, 0);
     is_open_.assign(cells_.n_components, 0);
     for (std::size_t c = 0; c < cells_.n_components; ++c) {
@@ -43,7 +43,7 @@ class PieceSelection {
     }
   }
 
-  std::vector<PieceFate> run() {
+  std::vector<PieceClass> run() {
     select_exactly();
     closed_ = find_closed_part(a_, is_open_);
     select_sheets(sheets_ == Sheets::Cut ? closed_.tells_inside : closed_.encloses_rest);
@@ -53,7 +53,7 @@ class PieceSelection {
     } else {
       leave_open();
     }
-    return std::move(fates_);
+    return std::move(classes_);
   }
 
  private:
@@ -73,17 +73,19 @@ class PieceSelection {
     }
     keep_all(pending);
     // In a cavity, the outside is known.
-    for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
+    for (std::size_t piece = 0; piece < classes_.size(); ++piece) {
       const bool is_cavity = windings.others[cells_.component_of[piece]] > 0;
-      if (is_cavity && fates_[piece] == PieceFate::Exterior) fates_[piece] = PieceFate::Cancelled;
+      PieceClass& piece_class = classes_[piece];
+      if (is_cavity && piece_class == PieceClass::Exterior) piece_class = PieceClass::Cancelled;
     }
   }
 
   /// #components: 1 for those of which something stays.
   [[nodiscard]] std::vector<std::uint8_t> components_kept() const {
     std::vector<std::uint8_t> is_kept(cells_.n_components, 0);
-    for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
-      const bool stays = fates_[piece] == PieceFate::Kept || fates_[piece] == PieceFate::Turned;
+    for (std::size_t piece = 0; piece < classes_.size(); ++piece) {
+      const bool stays =
+          classes_[piece] == PieceClass::Kept || classes_[piece] == PieceClass::Turned;
       if (stays) is_kept[cells_.component_of[piece]] = 1;
     }
     return is_kept;
@@ -117,12 +119,12 @@ class PieceSelection {
       // No component is lost.
       if (is_kept[c] == 0) solid[c] = 0;
     }
-    for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
+    for (std::size_t piece = 0; piece < classes_.size(); ++piece) {
       const bool is_sure = windings.of_cell[cells_.front(piece)] >= kSurelyInside &&
                            windings.of_cell[cells_.behind(piece)] >= kSurelyInside;
       const bool is_estimated = solid[cells_.component_of[piece]] != 0;
-      if (is_estimated && fates_[piece] == PieceFate::Interior && !is_sure) {
-        fates_[piece] = PieceFate::Exterior;
+      if (is_estimated && classes_[piece] == PieceClass::Interior && !is_sure) {
+        classes_[piece] = PieceClass::Exterior;
       }
     }
     if (sheets_ == Sheets::Cut) leave_those_with_flaps(solid);
@@ -136,12 +138,12 @@ class PieceSelection {
   void leave_those_with_flaps(std::vector<std::uint8_t>& components) const {
     std::vector<double> area(cells_.n_components, 0.0);
     std::vector<double> area_of_flaps(cells_.n_components, 0.0);
-    for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
+    for (std::size_t piece = 0; piece < classes_.size(); ++piece) {
       const Index component = cells_.component_of[piece];
       if (components[component] == 0) continue;
       const double size = normal_of(a_.arrangement.corners_of(piece)).norm();
       area[component] += size;
-      if (fates_[piece] == PieceFate::Exterior) area_of_flaps[component] += size;
+      if (classes_[piece] == PieceClass::Exterior) area_of_flaps[component] += size;
     }
     for (std::size_t c = 0; c < components.size(); ++c) {
       if (area_of_flaps[c] > kMostFlaps * area[c]) components[c] = 0;
@@ -157,11 +159,11 @@ class PieceSelection {
       if (is_kept[c] != 0) inside_out[c] = 0;
     }
     decide_by_closed_part(inside_out, Pockets::Kept);
-    for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
+    for (std::size_t piece = 0; piece < classes_.size(); ++piece) {
       const Index component = cells_.component_of[piece];
       if (components[component] == 0 || closed_.is_of_chain[piece] != 0) continue;
-      if (fates_[piece] == PieceFate::Interior) continue;
-      fates_[piece] = closed_.is_loose[component] != 0 ? PieceFate::Loose : PieceFate::OfSheet;
+      if (classes_[piece] == PieceClass::Interior) continue;
+      classes_[piece] = closed_.is_loose[component] != 0 ? PieceClass::Loose : PieceClass::OfSheet;
     }
     for (std::size_t c = 0; c < components.size(); ++c) {
       if (components[c] != 0) is_open_[c] = 0;
@@ -169,33 +171,33 @@ class PieceSelection {
   }
 
   void leave_open() {
-    for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
-      if (is_open_[cells_.component_of[piece]] != 0) fates_[piece] = PieceFate::Uncut;
+    for (std::size_t piece = 0; piece < classes_.size(); ++piece) {
+      if (is_open_[cells_.component_of[piece]] != 0) classes_[piece] = PieceClass::Uncut;
     }
   }
 
   template <typename IsInside>
   void decide(const std::vector<std::uint8_t>& components, const IsInside& is_inside) {
-    for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
+    for (std::size_t piece = 0; piece < classes_.size(); ++piece) {
       const Index component = cells_.component_of[piece];
       if (components[component] == 0) continue;
-      fates_[piece] = fate_of(piece, is_inside(component, cells_.front(piece)),
-                              is_inside(component, cells_.behind(piece)));
+      classes_[piece] = class_of(piece, is_inside(component, cells_.front(piece)),
+                                 is_inside(component, cells_.behind(piece)));
     }
   }
 
-  [[nodiscard]] PieceFate fate_of(std::size_t piece, bool is_front_inside,
-                                  bool is_inside_behind) const {
+  [[nodiscard]] PieceClass class_of(std::size_t piece, bool is_front_inside,
+                                    bool is_inside_behind) const {
     if (is_front_inside != is_inside_behind) {
-      return is_inside_behind ? PieceFate::Kept : PieceFate::Turned;
+      return is_inside_behind ? PieceClass::Kept : PieceClass::Turned;
     }
-    if (is_front_inside) return PieceFate::Interior;
-    return a_.arrangement.multiplicity(piece) == 0 ? PieceFate::Cancelled : PieceFate::Exterior;
+    if (is_front_inside) return PieceClass::Interior;
+    return a_.arrangement.multiplicity(piece) == 0 ? PieceClass::Cancelled : PieceClass::Exterior;
   }
 
   void keep_all(const std::vector<std::uint8_t>& components) {
-    for (std::size_t piece = 0; piece < fates_.size(); ++piece) {
-      if (components[cells_.component_of[piece]] != 0) fates_[piece] = PieceFate::Kept;
+    for (std::size_t piece = 0; piece < classes_.size(); ++piece) {
+      if (components[cells_.component_of[piece]] != 0) classes_[piece] = PieceClass::Kept;
     }
   }
 
@@ -207,14 +209,14 @@ class PieceSelection {
   /// #components: 1 for those whose pieces are still to be selected.
   std::vector<std::uint8_t> is_closed_;
   std::vector<std::uint8_t> is_open_;
-  std::vector<PieceFate> fates_;
+  std::vector<PieceClass> classes_;
 };
 
 }  // namespace
 
-std::vector<PieceFate> select_pieces(const ArrangedSoup& arranged,
-                                     std::span<const std::uint8_t> is_cut,
-                                     const SelectOptions& options) {
+std::vector<PieceClass> select_pieces(const ArrangedSoup& arranged,
+                                      std::span<const std::uint8_t> is_cut,
+                                      const SelectOptions& options) {
   return PieceSelection(arranged, is_cut, options).run();
 }
 

@@ -23,7 +23,7 @@ struct SelectOptions {
 };
 
 /// The decision on a piece of an arrangement.
-enum class PieceFate : std::uint8_t {
+enum class PieceClass : std::uint8_t {
   /// The piece stays as it is.
   Kept,
   /// The piece stays, turned over.
@@ -53,8 +53,8 @@ enum class PieceFate : std::uint8_t {
 ///
 /// @param is_cut  #components: non-zero for those whose pieces are to be selected.
 /// @return        #pieces.
-[[nodiscard]] std::vector<PieceFate> select_pieces(const ArrangedSoup& arranged,
-                                                   std::span<const std::uint8_t> is_cut,
-                                                   const SelectOptions& options);
+[[nodiscard]] std::vector<PieceClass> select_pieces(const ArrangedSoup& arranged,
+                                                    std::span<const std::uint8_t> is_cut,
+                                                    const SelectOptions& options);
 
 }  // namespace meshalyzer

@@ -17,7 +17,7 @@ std::vector<OperationSite> sites_of(const TrackedMesh& tracked, const Edits& edi
   };
   for (const auto& edit : edits.removed_faces) add_face(edit.op, edit.face);
   for (const auto& edit : edits.changed_faces) add_face(edit.op, edit.face);
-  for (const auto& edit : edits.added_faces) add_face(edit.op, edit.like);
+  for (const auto& edit : edits.added_faces) add_face(edit.op, edit.prototype);
   for (const auto& edit : edits.moved_vertices) {
     const Index key = tracked.vertex_keys[edit.vertex];
     sites[edit.op].push_back(2 * std::uint64_t{vertex_identity(tracked, key)} + 1);
@@ -33,7 +33,7 @@ std::vector<OperationSignature> signatures_of(const TrackedMesh& tracked, const 
   };
   for (const auto& edit : edits.removed_faces) add_face(edit.op, edit.face);
   for (const auto& edit : edits.changed_faces) add_face(edit.op, edit.face);
-  for (const auto& edit : edits.added_faces) add_face(edit.op, edit.like);
+  for (const auto& edit : edits.added_faces) add_face(edit.op, edit.prototype);
   for (const auto& edit : edits.moved_vertices) {
     // A prefix distinguishes keys of vertices from those of faces.
     signatures[edit.op].push_back(kNoIndex);

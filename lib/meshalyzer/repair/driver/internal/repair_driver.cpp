@@ -113,7 +113,7 @@ void RepairDriver::set_checkpoint() {
 
 bool RepairDriver::run_trial(const Trial& trial) {
   set_checkpoint();
-  vain_run_.reset();
+  costly_idle_run_.reset();
   if (!trial.from_input.empty()) {
     return_to_input();
     run_rounds(trial.from_input);
@@ -225,8 +225,9 @@ void RepairDriver::run_unless_idle(const PlannedPass& pass, std::size_t& n_chang
   }
   const std::size_t n_pairs =
       pass.takes_time_for_pairs ? state_->mesh().intersecting_pairs().size() : 0;
-  if (vain_run_ && are_many_alike(n_pairs, vain_run_->n_pairs)) {
-    refusals.insert(refusals.end(), vain_run_->refusals.begin(), vain_run_->refusals.end());
+  if (costly_idle_run_ && are_many_alike(n_pairs, costly_idle_run_->n_pairs)) {
+    refusals.insert(refusals.end(), costly_idle_run_->refusals.begin(),
+                    costly_idle_run_->refusals.end());
     return;
   }
   const auto n_refusals = static_cast<std::ptrdiff_t>(refusals.size());
@@ -236,9 +237,9 @@ void RepairDriver::run_unless_idle(const PlannedPass& pass, std::size_t& n_chang
   }
   idle_run = {n_changes, {refusals.begin() + n_refusals, refusals.end()}};
   if (!pass.takes_time_for_pairs) return;
-  vain_run_ = {n_pairs, idle_run->refusals};
+  costly_idle_run_ = {n_pairs, idle_run->refusals};
   // Only keys of the input name the same faces after a restart.
-  std::erase_if(vain_run_->refusals, [&](const LoggedRefusal& refusal) {
+  std::erase_if(costly_idle_run_->refusals, [&](const LoggedRefusal& refusal) {
     return refusal.face >= state_->tracked().n_input_faces;
   });
 }

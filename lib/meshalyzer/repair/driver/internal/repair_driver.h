@@ -157,7 +157,7 @@ class RepairDriver {
   };
 
   /// The last run of a pass that takes time for each intersecting pair and changed nothing.
-  struct VainRun {
+  struct CostlyIdleRun {
     std::size_t n_pairs = 0;
     std::vector<LoggedRefusal> refusals;
   };
@@ -219,7 +219,7 @@ class RepairDriver {
   RepairLog log_;
   std::vector<AppliedOperation> applied_;
   BannedOperations banned_;
-  std::optional<VainRun> vain_run_;
+  std::optional<CostlyIdleRun> costly_idle_run_;
   /// The operations that moved the surface too far. What else is repaired hardly changes that, so
   /// that they are not tried again.
   std::set<OperationHash> too_far_;

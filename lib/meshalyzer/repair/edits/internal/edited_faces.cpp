@@ -32,7 +32,7 @@ std::vector<std::pair<Index, Index>> added_by_run(const Soup& soup, const Edits&
   std::vector<std::pair<Index, Index>> added;
   for (std::size_t i = 0; i < edits.added_faces.size(); ++i) {
     if (skipped(edits.added_faces[i].op)) continue;
-    const Index group = group_of(soup, edits.added_faces[i].like);
+    const Index group = group_of(soup, edits.added_faces[i].prototype);
     // kNoIndex + 1 is 0: faces without a group belong to the first run.
     added.emplace_back(group + 1, static_cast<Index>(i));
   }

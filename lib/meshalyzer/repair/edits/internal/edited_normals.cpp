@@ -82,8 +82,9 @@ Triangle normals_of_added(const Soup& before, const Edits& edits, const Edits::A
     if (v >= before.n_vertices()) v = edits.added_vertices[v - before.n_vertices()].copy_of;
     if (v == kNoIndex) return kNoNormals;
     normals[k] = first[v];
+    const Triangle& corners = before.triangles[face.prototype];
     for (std::size_t j = 0; j < 3; ++j) {
-      if (before.triangles[face.like][j] == v) normals[k] = before.corner_normals[face.like][j];
+      if (corners[j] == v) normals[k] = before.corner_normals[face.prototype][j];
     }
     if (normals[k] == kNoIndex) return kNoNormals;
   }

@@ -23,7 +23,7 @@ struct MendStep {
   };
   struct NewFace {
     Triangle corners;
-    Index like;
+    Index prototype;
   };
   struct Move {
     Index vertex;

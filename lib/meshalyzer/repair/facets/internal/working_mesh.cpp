@@ -79,7 +79,7 @@ void WorkingMesh::make(const MendStep& step) {
     if (change.corners != kNoTriangle) attach(change.face, change.corners);
   }
   for (const MendStep::NewFace& face : step.added) {
-    likes_.push_back(original(face.like));
+    prototypes_.push_back(original(face.prototype));
     triangles_.push_back(kNoTriangle);
     is_thin_.push_back(0);
     attach(static_cast<Index>(triangles_.size() - 1), face.corners);

@@ -32,7 +32,7 @@ class WorkingMesh {
   [[nodiscard]] bool is_thin(Index face) const { return is_thin_[face] != 0; }
   /// Returns the face of the soup that a face is, or was modelled on when it was added.
   [[nodiscard]] Index original(Index face) const {
-    return face < n_original_faces_ ? face : likes_[face - n_original_faces_];
+    return face < n_original_faces_ ? face : prototypes_[face - n_original_faces_];
   }
 
   /// Returns the faces at a vertex, in no particular but a reproducible order. The result is valid
@@ -57,7 +57,7 @@ class WorkingMesh {
   std::vector<Vec3> positions_;
   std::vector<std::uint8_t> is_thin_;
   std::size_t n_original_faces_;
-  std::vector<Index> likes_;
+  std::vector<Index> prototypes_;
   double tolerance_;
   /// #V + 1: where the initial faces of each vertex begin.
   std::vector<Index> begin_;

@@ -22,7 +22,7 @@ struct ManifoldComponents {
   std::vector<Index> of_face;
   /// For each component, the fraction of border edges among the edges of its boundary; 0 if it has
   /// none.
-  std::vector<double> openness;
+  std::vector<double> border_share;
 };
 
 Index face_of(const CutMesh& cut, HalfedgeHandle h) {
@@ -50,7 +50,7 @@ ManifoldComponents find_manifold_components(const CutMesh& cut) {
   const std::vector<EdgeKind> kinds = classify_edges(cut);
   DisjointSets::Numbers number = number_components(cut, kinds);
   const std::size_t count = number.count;
-  ManifoldComponents components{.of_face = std::move(number.of), .openness = {}};
+  ManifoldComponents components{.of_face = std::move(number.of), .border_share = {}};
   std::vector<double> n_rim(count, 0.0);
   std::vector<double> n_border(count, 0.0);
   for (const EdgeHandle e : cut.mesh.edges()) {
@@ -63,7 +63,7 @@ ManifoldComponents find_manifold_components(const CutMesh& cut) {
     if (kind == EdgeKind::Border) n_border[component] += 1.0;
   }
   for (std::size_t i = 0; i < count; ++i) {
-    components.openness.push_back(n_border[i] / std::max(1.0, n_rim[i]));
+    components.border_share.push_back(n_border[i] / std::max(1.0, n_rim[i]));
   }
   return components;
 }
@@ -97,7 +97,7 @@ SinglePairings pair_each(const PreparedMesh& mesh, const EdgeIncidences& inciden
       FaceAtEdge& face = faces.emplace_back(
           face_at_edge(soup, incidences.ends[edge], incidences.faces[incidence]));
       face.component = components.of_face[mesh.cut().side.mesh_face(incidences.faces[incidence])];
-      face.openness = components.openness[face.component];
+      face.border_share = components.border_share[face.component];
     }
     const auto [a, b] = incidences.ends[edge];
     const EdgePairing pairing = pair_round_edge(soup.positions[a], soup.positions[b], faces);

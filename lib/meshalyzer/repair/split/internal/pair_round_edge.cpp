@@ -180,9 +180,9 @@ class EdgeMatcher {
   }
 
   [[nodiscard]] Candidate candidate(std::size_t i, std::size_t j, double turn) const {
-    const double openness = faces_[face_at(i)].openness + faces_[face_at(j)].openness;
+    const double border_share = faces_[face_at(i)].border_share + faces_[face_at(j)].border_share;
     return {.is_other_component = !same_component(face_at(i), face_at(j)),
-            .cost = turn / std::numbers::pi + kOpenPenalty * openness,
+            .cost = turn / std::numbers::pi + kOpenPenalty * border_share,
             .span = (j + n_places() - i) % n_places(),
             .first = i,
             .second = j};

@@ -22,9 +22,9 @@ struct FaceAtEdge {
   Crossing crossing = Crossing::Along;
   /// The same number for faces that are connected elsewhere; kNoIndex if that is unknown.
   Index component = kNoIndex;
-  /// The openness of the face's component: 0 if it has no border, 1 if it has nothing else. A fin
-  /// is open, a wall is not.
-  double openness = 0.0;
+  /// See ManifoldComponents: 0 if the component of the face has no border, 1 if it has nothing
+  /// else. A fin is open, a wall is not.
+  double border_share = 0.0;
 };
 
 /// The pairing of the faces at an edge.

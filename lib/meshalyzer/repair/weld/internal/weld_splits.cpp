@@ -267,7 +267,7 @@ class Splitter {
       for (std::size_t i = 1; i < split.parts.size(); ++i) {
         edits.added_faces.push_back({.op = op,
                                      .corners = joined(split.parts[i], closing),
-                                     .like = split.face,
+                                     .prototype = split.face,
                                      .fills_hole = false});
       }
     }
