@@ -36,12 +36,12 @@ std::string line_of_bad_mesh() {
 void check(std::string_view text) {
   Analysis analysis;
   try {
-    analysis = read_mesh_json(text);
+    analysis = read_mesh_members(text);
   } catch (const InvalidArgument&) {
     return;
   }
   const std::string line = line_of(analysis);
-  const Analysis again = read_mesh_json(line);
+  const Analysis again = read_mesh_members(line);
   const bool is_kept = line_of(again) == line && text_report(again, OffenderStyle::Ids) ==
                                                      text_report(analysis, OffenderStyle::Ids);
   if (!is_kept) {

@@ -42,7 +42,7 @@ void expect_same_verdict(const std::optional<Goodness>& actual,
 void expect_line_to_keep(const Analysis& analysis, JsonOffenders offenders) {
   const std::string line = line_of(analysis, offenders);
   EXPECT_EQ(line.find('\n'), line.size() - 1) << "not one line";
-  const Analysis read = read_mesh_json(line);
+  const Analysis read = read_mesh_members(line);
   EXPECT_TRUE(line_of(read, offenders) == line);
   EXPECT_TRUE(json_of(read, offenders) == json_of(analysis, offenders));
   EXPECT_TRUE(json_of(read, JsonOffenders::Omit) == json_of(analysis, JsonOffenders::Omit));

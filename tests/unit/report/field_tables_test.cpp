@@ -64,9 +64,9 @@ void expect_row(const FieldInfo& info, const json& object, const std::string& de
 /// Expects the reader to need a row's member.
 void expect_read(const FieldInfo& info, const std::string& object) {
   json mesh = report_of(full_analysis());
-  ASSERT_NO_THROW(static_cast<void>(read_mesh_json(mesh.dump())));
+  ASSERT_NO_THROW(static_cast<void>(read_mesh_members(mesh.dump())));
   mesh[object].erase(std::string(info.key));
-  EXPECT_ANY_THROW(static_cast<void>(read_mesh_json(mesh.dump()))) << info.key;
+  EXPECT_ANY_THROW(static_cast<void>(read_mesh_members(mesh.dump()))) << info.key;
 }
 
 TEST(FieldTables, EachFieldOfAMeshIsInAllReports) {

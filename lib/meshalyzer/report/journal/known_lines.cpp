@@ -66,7 +66,7 @@ auto KnownLines::understood(const Line& line, const Read& read) const {
 
 std::optional<Analysis> KnownLines::mesh(Index number) const {
   const Line* line = find(LineHead::Kind::Mesh, number);
-  return line != nullptr ? std::optional(understood(*line, read_mesh_json)) : std::nullopt;
+  return line != nullptr ? std::optional(understood(*line, read_mesh_members)) : std::nullopt;
 }
 
 std::optional<std::string> KnownLines::error(Index number) const {

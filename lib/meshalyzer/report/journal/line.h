@@ -39,7 +39,7 @@ struct LineHead {
 };
 
 /// Returns a line of a journal: one JSON object, ended by a line feed. The head's members come
-/// first, then those of an element of "meshes" in the report: read_mesh_json() reads these.
+/// first, then those of an element of "meshes" in the report: read_mesh_members() reads these.
 /// @param head  The head, whose kind and path are ignored: the path of the analysis is written.
 [[nodiscard]] std::string mesh_line(const LineHead& head, const Analysis& analysis,
                                     JsonOffenders offenders);

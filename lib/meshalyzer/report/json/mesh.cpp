@@ -289,7 +289,7 @@ void write_mesh_members(JsonWriter& json, const Analysis& analysis, JsonOffender
   }
 }
 
-Analysis read_mesh_json(std::string_view object_text) {
+Analysis read_mesh_members(std::string_view object_text) {
   const JsonTree tree(object_text);
   const JsonNode mesh = tree.root();
   Analysis analysis;

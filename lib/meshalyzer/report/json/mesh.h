@@ -14,7 +14,7 @@ enum class JsonOffenders;
 /// object.
 ///
 /// The members hold everything in the reports of the mesh except the positions that
-/// OffenderStyle::CustomPoints needs, so that read_mesh_json() gives the same reports.
+/// OffenderStyle::CustomPoints needs, so that read_mesh_members() gives the same reports.
 void write_mesh_members(JsonWriter& json, const Analysis& analysis, JsonOffenders offenders);
 
 /// Reads back an analysis from the JSON of a mesh: an element of "meshes" in a report, or a line
@@ -28,7 +28,7 @@ void write_mesh_members(JsonWriter& json, const Analysis& analysis, JsonOffender
 /// @param object_text  One JSON object, whose unknown members are ignored.
 /// @throws InvalidArgument  if it is no such object; the message names the wrong member.
 /// @complexity  O(n log n) in the length of the text, dozens of ns a byte.
-[[nodiscard]] Analysis read_mesh_json(std::string_view object_text);
+[[nodiscard]] Analysis read_mesh_members(std::string_view object_text);
 
 /// Defines "mesh" and its parts.
 void define_mesh(SchemaDefinitions& schema);

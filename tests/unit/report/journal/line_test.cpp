@@ -139,7 +139,7 @@ TEST(MeshLine, KeepsHeadAndMesh) {
   const auto report = [](const Analysis& mesh) {
     return json_report({&mesh, 1}, nullptr, JsonOffenders::List);
   };
-  EXPECT_EQ(report(read_mesh_json(line)), report(analysis));
+  EXPECT_EQ(report(read_mesh_members(line)), report(analysis));
 }
 
 TEST(MeshLine, IsOneObjectOnOneLine) {

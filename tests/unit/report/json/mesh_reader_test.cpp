@@ -94,112 +94,112 @@ void expect_verdict(const std::optional<Goodness>& verdict, const Goodness& expe
 
 std::string message_of(const std::string& text) {
   try {
-    static_cast<void>(read_mesh_json(text));
+    static_cast<void>(read_mesh_members(text));
   } catch (const InvalidArgument& error) {
     return error.what();
   }
   return "nothing thrown";
 }
 
-TEST(ReadMeshJson, EveryMemberComesBackInTheReports) {
-  expect_same_reports(read_mesh_json(line_of(full_analysis())), full_analysis());
+TEST(ReadMeshMembers, EveryMemberComesBackInTheReports) {
+  expect_same_reports(read_mesh_members(line_of(full_analysis())), full_analysis());
 }
 
-TEST(ReadMeshJson, MeshOfAReportReadsLikeALine) {
+TEST(ReadMeshMembers, MeshOfAReportReadsLikeALine) {
   const std::vector<Analysis> meshes{full_analysis()};
   const std::string report = json_report(meshes, nullptr, JsonOffenders::List);
   const std::size_t begin = report.find('{', 1);
   const std::size_t end = report.rfind(']');
-  expect_same_reports(read_mesh_json(report.substr(begin, end - begin)), full_analysis());
+  expect_same_reports(read_mesh_members(report.substr(begin, end - begin)), full_analysis());
 }
 
-TEST(ReadMeshJson, MembersThatAreNoneOfAMeshDoNotMatter) {
+TEST(ReadMeshMembers, MembersThatAreNoneOfAMeshDoNotMatter) {
   json line = json::parse(line_of(full_analysis()));
   line["number"] = 5;
   line["stamp"] = json::parse(R"({"path": 1, "integrity": [[], {}]})");
-  expect_same_reports(read_mesh_json(line.dump()), full_analysis());
+  expect_same_reports(read_mesh_members(line.dump()), full_analysis());
 }
 
-TEST(ReadMeshJson, WithoutOffendersTheBreaksOfTheFileAreStillTold) {
+TEST(ReadMeshMembers, WithoutOffendersTheBreaksOfTheFileAreStillTold) {
   const Analysis written = full_analysis();
-  const Analysis read = read_mesh_json(line_of(written, JsonOffenders::Omit));
+  const Analysis read = read_mesh_members(line_of(written, JsonOffenders::Omit));
   EXPECT_EQ(text_report(read, OffenderStyle::None), text_report(written, OffenderStyle::None));
   EXPECT_EQ(line_of(read, JsonOffenders::Omit), line_of(written, JsonOffenders::Omit));
 }
 
-TEST(ReadMeshJson, OnlyAttributesStayOnlyAttributes) {
+TEST(ReadMeshMembers, OnlyAttributesStayOnlyAttributes) {
   Analysis written = full_analysis();
   written.has_characteristics = false;
-  const Analysis read = read_mesh_json(line_of(written));
+  const Analysis read = read_mesh_members(line_of(written));
   EXPECT_FALSE(read.has_characteristics);
   expect_same_reports(read, written);
 }
 
-TEST(ReadMeshJson, VerdictsComeBackWithTheirReasons) {
+TEST(ReadMeshMembers, VerdictsComeBackWithTheirReasons) {
   Analysis written = full_analysis();
   written.goodness = Goodness{false, {"one", "two"}};
-  expect_verdict(read_mesh_json(line_of(written)).goodness, *written.goodness);
+  expect_verdict(read_mesh_members(line_of(written)).goodness, *written.goodness);
   written.goodness = Goodness{true, {}};
-  expect_verdict(read_mesh_json(line_of(written)).goodness, *written.goodness);
+  expect_verdict(read_mesh_members(line_of(written)).goodness, *written.goodness);
   written.goodness.reset();
-  EXPECT_FALSE(read_mesh_json(line_of(written)).goodness.has_value());
+  EXPECT_FALSE(read_mesh_members(line_of(written)).goodness.has_value());
 }
 
-TEST(ReadMeshJson, FitnessOfOnlyAttributesComesBackWhereItWasJudged) {
+TEST(ReadMeshMembers, FitnessOfOnlyAttributesComesBackWhereItWasJudged) {
   Analysis written = sample_analysis();
   written.has_characteristics = false;
   written.fitness.reset();
-  EXPECT_FALSE(read_mesh_json(line_of(written)).fitness.has_value());
+  EXPECT_FALSE(read_mesh_members(line_of(written)).fitness.has_value());
   written.fitness = Goodness{false, {"not closed"}};
-  expect_verdict(read_mesh_json(line_of(written)).fitness, *written.fitness);
+  expect_verdict(read_mesh_members(line_of(written)).fitness, *written.fitness);
 }
 
-TEST(ReadMeshJson, FitnessFollowsFromTheCharacteristics) {
+TEST(ReadMeshMembers, FitnessFollowsFromTheCharacteristics) {
   Analysis written;
   written.attributes = {{true, ""}, {true, ""}, {true, ""}, {true, ""}, {true, ""}};
-  expect_verdict(read_mesh_json(line_of(written)).fitness, {true, {}});
+  expect_verdict(read_mesh_members(line_of(written)).fitness, {true, {}});
   written.characteristics.intersecting_pairs = 2;
-  expect_verdict(read_mesh_json(line_of(written)).fitness,
+  expect_verdict(read_mesh_members(line_of(written)).fitness,
                  {false, {"intersecting pairs of faces: 2"}});
 }
 
-TEST(ReadMeshJson, PathThatIsNotUnicodeComesBackByteByByte) {
+TEST(ReadMeshMembers, PathThatIsNotUnicodeComesBackByteByByte) {
   Analysis written = sample_analysis();
   written.path = "caf\xE9/\xC3\xA9\n\".mesh";
-  EXPECT_EQ(read_mesh_json(line_of(written)).path, written.path);
+  EXPECT_EQ(read_mesh_members(line_of(written)).path, written.path);
   written.path = "caf\xC3\xA9.mesh";
-  EXPECT_EQ(read_mesh_json(line_of(written)).path, written.path);
+  EXPECT_EQ(read_mesh_members(line_of(written)).path, written.path);
   EXPECT_FALSE(json::parse(line_of(written)).contains("path_bytes"));
 }
 
-TEST(ReadMeshJson, MeasuresBeyondADoubleComeBack) {
+TEST(ReadMeshMembers, MeasuresBeyondADoubleComeBack) {
   Analysis written;
   written.characteristics.area = kInfinity;
   written.characteristics.volume.value = -kInfinity;
-  const Analysis read = read_mesh_json(line_of(written));
+  const Analysis read = read_mesh_members(line_of(written));
   EXPECT_EQ(read.characteristics.area, kInfinity);
   EXPECT_EQ(read.characteristics.volume.value, -kInfinity);
 }
 
-TEST(ReadMeshJson, IdsThatOccurMakeSmallAscendingTables) {
+TEST(ReadMeshMembers, IdsThatOccurMakeSmallAscendingTables) {
   Analysis written = sample_analysis();
   written.vertex_ids.named = {40, 30, 20, -10};
-  const Analysis read = read_mesh_json(line_of(written));
+  const Analysis read = read_mesh_members(line_of(written));
   EXPECT_EQ(read.vertex_ids.named, (std::vector<std::int32_t>{-10, 20, 30, 40}));
   EXPECT_EQ(read.face_ids.named, (std::vector<std::int32_t>{7, 9}));
   EXPECT_EQ(read.offenders.orphan_vertices, (std::vector<Index>{1, 0}));  // 20, -10 as in the file
   expect_same_reports(read, written);
 }
 
-TEST(ReadMeshJson, IdsBeyondThirtyTwoBitsAreRefused) {
+TEST(ReadMeshMembers, IdsBeyondThirtyTwoBitsAreRefused) {
   json line = json::parse(line_of(sample_analysis()));
   line["offenders"]["orphan_vertices"] = json::parse("[1, 2147483647, -2147483648]");
-  EXPECT_EQ(read_mesh_json(line.dump()).offenders.orphan_vertices.size(), 3U);
+  EXPECT_EQ(read_mesh_members(line.dump()).offenders.orphan_vertices.size(), 3U);
   line["offenders"]["orphan_vertices"] = json::parse("[1, 2147483648]");
   EXPECT_THAT(message_of(line.dump()), testing::StartsWith("offenders.orphan_vertices[1]: "));
 }
 
-TEST(ReadMeshJson, ElementOfTooFewOrTooManyPartsIsRefused) {
+TEST(ReadMeshMembers, ElementOfTooFewOrTooManyPartsIsRefused) {
   const json line = json::parse(line_of(full_analysis()));
   for (const char* list : {"border_edges", "intersecting_pairs", "long_edges", "small_angles",
                            "large_aspect_ratios"}) {
@@ -212,7 +212,7 @@ TEST(ReadMeshJson, ElementOfTooFewOrTooManyPartsIsRefused) {
   }
 }
 
-TEST(ReadMeshJson, LineCutOffAnywhereIsRefused) {
+TEST(ReadMeshMembers, LineCutOffAnywhereIsRefused) {
   const std::string line = line_of(full_analysis());
   for (std::size_t length = 0; length + 2 < line.size(); ++length) {
     EXPECT_NE(message_of(line.substr(0, length)), "nothing thrown") << length;
@@ -231,7 +231,7 @@ std::vector<json::json_pointer> places_of(const json& value) {
   return places;
 }
 
-TEST(ReadMeshJson, AnyOtherKindOfValueAnywhereIsRefusedOrShown) {
+TEST(ReadMeshMembers, AnyOtherKindOfValueAnywhereIsRefusedOrShown) {
   const json line = json::parse(line_of(full_analysis()));
   test::Effort effort;
   for (const auto& place : places_of(line)) {
@@ -242,7 +242,7 @@ TEST(ReadMeshJson, AnyOtherKindOfValueAnywhereIsRefusedOrShown) {
       json changed = line;
       changed[place] = json::parse(other);
       try {
-        const Analysis read = read_mesh_json(changed.dump());
+        const Analysis read = read_mesh_members(changed.dump());
         EXPECT_FALSE(text_report(read, OffenderStyle::Ids).empty());
       } catch (const InvalidArgument&) {
         SUCCEED();
@@ -251,7 +251,7 @@ TEST(ReadMeshJson, AnyOtherKindOfValueAnywhereIsRefusedOrShown) {
   }
 }
 
-TEST(ReadMeshJson, MemberThatIsMissingIsNamed) {
+TEST(ReadMeshMembers, MemberThatIsMissingIsNamed) {
   Analysis written = full_analysis();
   written.goodness = Goodness{true, {}};
   const json line = json::parse(line_of(written));
@@ -278,13 +278,13 @@ TEST(ReadMeshJson, MemberThatIsMissingIsNamed) {
   }
 }
 
-TEST(ReadMeshJson, TornLinesNeedTheirFirst) {
+TEST(ReadMeshMembers, TornLinesNeedTheirFirst) {
   json line = json::parse(line_of(full_analysis(), JsonOffenders::Omit));
   line["integrity"].erase("first_torn_line");
   EXPECT_THAT(message_of(line.dump()), testing::HasSubstr("first_torn_line"));
 }
 
-TEST(ReadMeshJson, UnknownFormatAndContactAreRefused) {
+TEST(ReadMeshMembers, UnknownFormatAndContactAreRefused) {
   json line = json::parse(line_of(full_analysis()));
   line["format"] = "vrml";
   EXPECT_THAT(message_of(line.dump()), testing::StartsWith("format: "));
