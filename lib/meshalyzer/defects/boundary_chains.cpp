@@ -141,10 +141,12 @@ std::vector<BoundaryChain> find_boundary_chains(const PreparedMesh& mesh,
                                                 const ChainOptions& options) {
   const CutMesh& cut = mesh.cut();
   std::vector<BoundaryChain> chains;
-  const std::vector<BoundaryLoop> loops = find_boundary_loops(cut);
+  const BoundaryLoops loops = find_boundary_loops(cut);
   if (loops.empty()) return chains;
   WalkCutter cutter(cut.side.n_file_vertices);
-  for (const BoundaryLoop& loop : loops) cutter.cut(vertices_of(cut, loop), loop.shape, chains);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    cutter.cut(vertices_of(cut, loops[i]), loops[i].shape, chains);
+  }
   sort_chains(chains);
   if (options.max_edges != 0) {
     std::erase_if(chains, [&](const BoundaryChain& c) { return n_edges(c) > options.max_edges; });

@@ -51,11 +51,11 @@ double length(const Soup& soup, const std::vector<Edge>& edges) {
 
 DefectList find_holes(const PreparedMesh& mesh, const DefectList& slits) {
   DefectList defects;
-  const std::vector<BoundaryLoop> loops = find_boundary_loops(mesh.cut());
+  const BoundaryLoops loops = find_boundary_loops(mesh.cut());
   if (loops.empty()) return defects;
   const std::vector<Edge> slit = slit_edges(slits);
-  for (const BoundaryLoop& loop : loops) {
-    std::vector<Edge> edges = edges_of(mesh.cut(), loop);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    std::vector<Edge> edges = edges_of(mesh.cut(), loops[i]);
     const bool is_slit = std::all_of(edges.begin(), edges.end(), [&](const Edge& edge) {
       return std::binary_search(slit.begin(), slit.end(), edge);
     });

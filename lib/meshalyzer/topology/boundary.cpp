@@ -41,18 +41,18 @@ class BorderWalk {
   [[nodiscard]] bool is_visited(HalfedgeHandle h) const { return visited_[edge(h)] != 0; }
 
   /// Walks on from an end of a border edge until a loop is closed or a chain ends, and marks the
-  /// edges as visited. The walk begins with the edge itself.
-  [[nodiscard]] BoundaryLoop walk(EdgeEnd start) {
-    BoundaryLoop loop;
+  /// edges as visited.
+  ///
+  /// @param walk  The edges are appended to it, beginning with the first one itself.
+  BoundaryShape walk_from(EdgeEnd start, std::vector<HalfedgeHandle>& walk) {
     std::optional<EdgeEnd> at = start;
     do {
       visited_[edge(at->halfedge)] = 1;
-      loop.halfedges.push_back(at->halfedge);
+      walk.push_back(at->halfedge);
       at = across_fan(*at);
       if (at) at->end = other(at->end);
     } while (at && at->halfedge != start.halfedge);
-    loop.shape = at ? BoundaryShape::Loop : BoundaryShape::Chain;
-    return loop;
+    return at ? BoundaryShape::Loop : BoundaryShape::Chain;
   }
 
  private:
@@ -95,31 +95,38 @@ class BorderWalk {
   std::vector<std::uint8_t> visited_;
 };
 
-/// Returns the boundary that an unvisited border edge is on.
-BoundaryLoop trace(BorderWalk& border, HalfedgeHandle lowest) {
-  BoundaryLoop onwards = border.walk({lowest, End::To});
-  if (onwards.shape == BoundaryShape::Loop) return onwards;
-  // The walk began in the middle of a chain: put the edges before it in front.
-  BoundaryLoop chain = border.walk({lowest, End::From});
-  std::reverse(chain.halfedges.begin(), chain.halfedges.end());
-  chain.halfedges.insert(chain.halfedges.end(), onwards.halfedges.begin() + 1,
-                         onwards.halfedges.end());
-  return chain;
+/// Appends the boundary that an unvisited border edge is on.
+void trace(BorderWalk& border, HalfedgeHandle lowest, BoundaryLoops& loops) {
+  std::vector<HalfedgeHandle>& all = loops.halfedges;
+  const auto first = static_cast<std::ptrdiff_t>(all.size());
+  const BoundaryShape shape = border.walk_from({lowest, End::To}, all);
+  if (shape == BoundaryShape::Chain) {
+    // The walk began in the middle of a chain: it is repeated after the edges before it.
+    all.resize(static_cast<std::size_t>(first));
+    border.walk_from({lowest, End::From}, all);
+    std::reverse(all.begin() + first, all.end());
+    all.pop_back();
+    border.walk_from({lowest, End::To}, all);
+  }
+  loops.begin.push_back(static_cast<Index>(all.size()));
+  loops.shapes.push_back(shape);
 }
 
 }  // namespace
 
-std::vector<BoundaryLoop> find_boundary_loops(const CutMesh& cut) {
+BoundaryLoops find_boundary_loops(const CutMesh& cut) {
   return find_boundary_loops(cut, find_border_edges(cut));
 }
 
-std::vector<BoundaryLoop> find_boundary_loops(const CutMesh& cut,
-                                              std::span<const HalfedgeHandle> border_edges) {
-  std::vector<BoundaryLoop> loops;
+BoundaryLoops find_boundary_loops(const CutMesh& cut,
+                                  std::span<const HalfedgeHandle> border_edges) {
+  BoundaryLoops loops;
   if (border_edges.empty()) return loops;
+  // Each border edge is on one boundary.
+  loops.halfedges.reserve(border_edges.size());
   BorderWalk border(cut);
   for (const HalfedgeHandle h : border_edges) {
-    if (!border.is_visited(h)) loops.push_back(trace(border, h));
+    if (!border.is_visited(h)) trace(border, h, loops);
   }
   return loops;
 }

@@ -22,8 +22,22 @@ struct BoundaryLoop {
   /// The inner half-edges of the border edges in walking order. The walk runs along the half-edge
   /// of its lowest border edge; beyond flipped edges the faces are turned, so that half-edges may
   /// run against the walk. A loop begins with its lowest border edge, a chain with one of its ends.
-  std::vector<HalfedgeHandle> halfedges;
+  std::span<const HalfedgeHandle> halfedges;
   BoundaryShape shape = BoundaryShape::Loop;
+};
+
+/// A list of boundaries, stored in one array: a mesh may have a million short ones.
+struct BoundaryLoops {
+  /// #boundaries + 1: where each boundary's half-edges begin in `halfedges`.
+  std::vector<Index> begin{0};
+  std::vector<HalfedgeHandle> halfedges;
+  std::vector<BoundaryShape> shapes;
+
+  [[nodiscard]] std::size_t size() const { return shapes.size(); }
+  [[nodiscard]] bool empty() const { return shapes.empty(); }
+  [[nodiscard]] BoundaryLoop operator[](std::size_t i) const {
+    return {std::span(halfedges).subspan(begin[i], begin[i + 1] - begin[i]), shapes[i]};
+  }
 };
 
 /// Finds the boundaries of a complex.
@@ -40,12 +54,12 @@ struct BoundaryLoop {
 ///             find_border_edges(); every border edge is in exactly one of them. A closed complex
 ///             has none.
 /// @complexity O(#E + #B log #B), #B the number of border edges.
-[[nodiscard]] std::vector<BoundaryLoop> find_boundary_loops(const CutMesh& cut);
+[[nodiscard]] BoundaryLoops find_boundary_loops(const CutMesh& cut);
 
 /// Does the same for a caller that has the border edges already.
 ///
 /// @param border_edges  The result of find_border_edges().
-[[nodiscard]] std::vector<BoundaryLoop> find_boundary_loops(
-    const CutMesh& cut, std::span<const HalfedgeHandle> border_edges);
+[[nodiscard]] BoundaryLoops find_boundary_loops(const CutMesh& cut,
+                                                std::span<const HalfedgeHandle> border_edges);
 
 }  // namespace meshalyzer

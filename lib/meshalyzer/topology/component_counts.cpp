@@ -39,7 +39,8 @@ class Counter {
   }
 
   void add_boundaries() {
-    for (const BoundaryLoop& boundary : input_.boundaries) {
+    for (std::size_t i = 0; i < input_.boundaries.size(); ++i) {
+      const BoundaryLoop boundary = input_.boundaries[i];
       ComponentCounts& counts = at(boundary.halfedges.front());
       ++counts.boundaries;
       counts.border_edges += static_cast<Index>(boundary.halfedges.size());

@@ -20,7 +20,7 @@ struct ComponentCountsInput {
   /// The result of find_orientability().
   const Orientability& orientability;
   /// The result of find_boundary_loops().
-  std::span<const BoundaryLoop> boundaries;
+  const BoundaryLoops& boundaries;
 };
 
 /// The topological counts of one component of a complex. They are indices, as a mesh with a million

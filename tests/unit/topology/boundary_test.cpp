@@ -20,9 +20,10 @@ using Walk = std::vector<direct::Edge>;
 std::vector<Walk> walks_of(const Soup& soup) {
   const CutMesh cut = build(soup);
   std::vector<Walk> walks;
-  for (const BoundaryLoop& loop : find_boundary_loops(cut)) {
+  const BoundaryLoops loops = find_boundary_loops(cut);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
     Walk& walk = walks.emplace_back();
-    for (const HalfedgeHandle h : loop.halfedges) walk.push_back(direct::edge_of(cut, h));
+    for (const HalfedgeHandle h : loops[i].halfedges) walk.push_back(direct::edge_of(cut, h));
   }
   return walks;
 }
@@ -92,11 +93,11 @@ TEST(FindBoundaryLoops, MoebiusStripHasOne) {
 
 TEST(FindBoundaryLoops, FanOfThreeHasAChainForEachFace) {
   const CutMesh cut = build(shapes::fan_of_three());
-  const std::vector<BoundaryLoop> loops = find_boundary_loops(cut);
+  const BoundaryLoops loops = find_boundary_loops(cut);
   ASSERT_EQ(loops.size(), 3U);
-  for (const BoundaryLoop& loop : loops) {
-    EXPECT_EQ(loop.shape, BoundaryShape::Chain);
-    EXPECT_EQ(loop.halfedges.size(), 2U);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    EXPECT_EQ(loops[i].shape, BoundaryShape::Chain);
+    EXPECT_EQ(loops[i].halfedges.size(), 2U);
   }
 }
 
@@ -147,7 +148,9 @@ TEST(FindBoundaryLoops, WalksStepFromEdgeToEdgeInRandomSoups) {
     SCOPED_TRACE(seed);
     const CutMesh cut = build(direct::random_soup(seed, 1 + seed % 20));
     std::vector<direct::Edge> lowest;
-    for (const BoundaryLoop& loop : find_boundary_loops(cut)) {
+    const BoundaryLoops loops = find_boundary_loops(cut);
+    for (std::size_t k = 0; k < loops.size(); ++k) {
+      const BoundaryLoop loop = loops[k];
       Walk walk;
       for (const HalfedgeHandle h : loop.halfedges) walk.push_back(direct::edge_of(cut, h));
       for (std::size_t i = 1; i < walk.size(); ++i) {

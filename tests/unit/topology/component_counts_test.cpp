@@ -21,7 +21,7 @@ std::vector<ComponentCounts> counts_of(const CutMesh& cut) {
   const Components components = find_components(cut);
   const Components edge_components = find_edge_components(cut);
   const Orientability orientability = find_orientability(cut, edge_components);
-  const std::vector<BoundaryLoop> boundaries = find_boundary_loops(cut);
+  const BoundaryLoops boundaries = find_boundary_loops(cut);
   return count_by_component(cut, {.components = components,
                                   .edge_components = edge_components,
                                   .orientability = orientability,

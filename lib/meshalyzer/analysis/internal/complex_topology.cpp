@@ -21,7 +21,7 @@ void count_components(const PreparedMesh& mesh, std::span<const HalfedgeHandle> 
   const Components edge_components =
       cut.side.copies.empty() ? mesh.components() : find_edge_components(cut);
   const Orientability orientability = find_orientability(cut, edge_components);
-  const std::vector<BoundaryLoop> boundaries = find_boundary_loops(cut, border_edges);
+  const BoundaryLoops boundaries = find_boundary_loops(cut, border_edges);
   topology.counts = count_by_component(cut, {.components = mesh.components(),
                                              .edge_components = edge_components,
                                              .orientability = orientability,
