@@ -15,6 +15,10 @@ namespace {
 /// Fewer faces do not form a group: their pairs are searched as fast.
 constexpr std::size_t kSmallestGroup = 8;
 
+/// Fewer faces of a leaf that have the same box are no crowd: the two halves of a rectangle along
+/// the axes have it too.
+constexpr int kSmallestCrowd = 3;
+
 /// Returns the lanes of a leaf whose faces have the same box as the one in lane i, as bits.
 unsigned lanes_like(const EightBoxes& boxes, std::size_t i) {
   unsigned alike = 0xFFU;
@@ -28,15 +32,15 @@ unsigned lanes_like(const EightBoxes& boxes, std::size_t i) {
   return alike;
 }
 
-/// Returns the slots of faces whose box equals that of another face of their leaf: nearly all faces
+/// Returns the slots of faces whose box equals those of other faces of their leaf: nearly all faces
 /// of a crowd at one place, which the tree cannot separate.
-std::vector<Index> slots_with_twins(const FaceTree& tree) {
+std::vector<Index> slots_in_crowds(const FaceTree& tree) {
   std::vector<Index> slots;
   for (std::size_t leaf = 0; leaf < tree.n_faces() / kTreeWidth; ++leaf) {
     const EightBoxes& boxes = tree.node(0, leaf);
-    if (std::popcount(lanes_like(boxes, 0)) == 1) continue;  // the faces are no crowd
+    if (std::popcount(lanes_like(boxes, 0)) < kSmallestCrowd) continue;  // the faces are no crowd
     for (std::size_t i = 0; i < kTreeWidth; ++i) {
-      if (std::popcount(lanes_like(boxes, i)) > 1) {
+      if (std::popcount(lanes_like(boxes, i)) >= kSmallestCrowd) {
         slots.push_back(static_cast<Index>(kTreeWidth * leaf + i));
       }
     }
@@ -85,7 +89,7 @@ void for_each_run(std::span<const Index> slots, const Alike& alike, const Visit&
 }  // namespace
 
 FaceGroups::FaceGroups(const CutMesh& cut, const FaceTree& tree) {
-  std::vector<Index> slots = slots_with_twins(tree);
+  std::vector<Index> slots = slots_in_crowds(tree);
   if (slots.empty()) return;
   const std::vector<Index> uses = count_uses(tree, cut.side.n_file_vertices);
   const auto key = [&](Index slot) {
