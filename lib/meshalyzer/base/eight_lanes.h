@@ -24,6 +24,7 @@ struct EightFlags {
   /// Bit i is set where flag i is.
   [[nodiscard]] unsigned bits() const { return flags; }
   friend EightFlags operator|(EightFlags a, EightFlags b) { return {a.flags | b.flags}; }
+  friend EightFlags operator&(EightFlags a, EightFlags b) { return {a.flags & b.flags}; }
 };
 
 template <typename Number>
@@ -36,6 +37,7 @@ struct EightNumbers {
     eight.lanes.fill(number);
     return eight;
   }
+  [[nodiscard]] std::array<Number, 8> numbers() const { return lanes; }
 
   friend EightNumbers operator+(const EightNumbers& a, const EightNumbers& b) {
     return combine(a, b, [](Number x, Number y) { return x + y; });
@@ -46,6 +48,17 @@ struct EightNumbers {
   friend EightNumbers operator*(const EightNumbers& a, const EightNumbers& b) {
     return combine(a, b, [](Number x, Number y) { return x * y; });
   }
+  friend EightNumbers operator/(const EightNumbers& a, const EightNumbers& b) {
+    return combine(a, b, [](Number x, Number y) { return x / y; });
+  }
+  /// Returns the first numbers where the flags are set, and the second ones elsewhere.
+  friend EightNumbers select(EightFlags flags, const EightNumbers& a, const EightNumbers& b) {
+    EightNumbers result;
+    for (std::size_t i = 0; i < 8; ++i) {
+      result.lanes[i] = (flags.flags >> i & 1U) != 0 ? a.lanes[i] : b.lanes[i];
+    }
+    return result;
+  }
   /// Returns the smaller numbers. Where two are equal or cannot be compared, it returns the second.
   friend EightNumbers min(const EightNumbers& a, const EightNumbers& b) {
     return combine(a, b, [](Number x, Number y) { return x < y ? x : y; });
@@ -55,6 +68,9 @@ struct EightNumbers {
   }
   friend EightFlags operator<(const EightNumbers& a, const EightNumbers& b) {
     return compare(a, b, [](Number x, Number y) { return x < y; });
+  }
+  friend EightFlags operator<=(const EightNumbers& a, const EightNumbers& b) {
+    return compare(a, b, [](Number x, Number y) { return x <= y; });
   }
   friend EightFlags operator==(const EightNumbers& a, const EightNumbers& b) {
     return compare(a, b, [](Number x, Number y) { return x == y; });
@@ -99,6 +115,9 @@ struct EightFlags {
   friend EightFlags operator|(const EightFlags& a, const EightFlags& b) {
     return {_mm_or_ps(a.low, b.low), _mm_or_ps(a.high, b.high)};
   }
+  friend EightFlags operator&(const EightFlags& a, const EightFlags& b) {
+    return {_mm_and_ps(a.low, b.low), _mm_and_ps(a.high, b.high)};
+  }
 };
 
 struct EightFloats {
@@ -111,6 +130,12 @@ struct EightFloats {
   [[nodiscard]] static EightFloats all(float number) {
     return {_mm_set1_ps(number), _mm_set1_ps(number)};
   }
+  [[nodiscard]] std::array<float, 8> numbers() const {
+    std::array<float, 8> numbers;
+    _mm_storeu_ps(numbers.data(), low);
+    _mm_storeu_ps(numbers.data() + 4, high);
+    return numbers;
+  }
   friend EightFloats operator+(const EightFloats& a, const EightFloats& b) {
     return {_mm_add_ps(a.low, b.low), _mm_add_ps(a.high, b.high)};
   }
@@ -120,6 +145,13 @@ struct EightFloats {
   friend EightFloats operator*(const EightFloats& a, const EightFloats& b) {
     return {_mm_mul_ps(a.low, b.low), _mm_mul_ps(a.high, b.high)};
   }
+  friend EightFloats operator/(const EightFloats& a, const EightFloats& b) {
+    return {_mm_div_ps(a.low, b.low), _mm_div_ps(a.high, b.high)};
+  }
+  friend EightFloats select(const EightFlags& flags, const EightFloats& a, const EightFloats& b) {
+    return {_mm_or_ps(_mm_and_ps(flags.low, a.low), _mm_andnot_ps(flags.low, b.low)),
+            _mm_or_ps(_mm_and_ps(flags.high, a.high), _mm_andnot_ps(flags.high, b.high))};
+  }
   friend EightFloats min(const EightFloats& a, const EightFloats& b) {
     return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)};
   }
@@ -128,6 +160,9 @@ struct EightFloats {
   }
   friend EightFlags operator<(const EightFloats& a, const EightFloats& b) {
     return {_mm_cmplt_ps(a.low, b.low), _mm_cmplt_ps(a.high, b.high)};
+  }
+  friend EightFlags operator<=(const EightFloats& a, const EightFloats& b) {
+    return {_mm_cmple_ps(a.low, b.low), _mm_cmple_ps(a.high, b.high)};
   }
 };
 

@@ -59,6 +59,18 @@ bool may_undercut(double distance_of_box, double distance) {
   return !(distance_of_box * kGrant > distance);
 }
 
+/// Tells whether something in a box may be as near to a point as a distance or nearer, with the
+/// same tolerance.
+///
+/// It compares squares, which is much faster. Where they underflow, it accepts the box; where that
+/// of the box overflows, so does the other, or it is smaller.
+bool may_undercut(const Box3& box, const Vec3& point, double distance) {
+  constexpr double kGrant = 1.0 - 1e-11;
+  const Vec3 gap = (box.min() - point).cwiseMax(point - box.max()).cwiseMax(Vec3::Zero());
+  return distance >= 0.0 &&
+         !(gap.squaredNorm() * kGrant > distance * distance + std::numeric_limits<double>::min());
+}
+
 /// Tells whether a box may intersect a cone with its apex at `apex`: false only if it lies behind
 /// the apex, or its bounding sphere beside the cone.
 bool may_hold(const Box3& box, const Vec3& apex, const Cone& cone) {
@@ -127,7 +139,7 @@ class Separator {
   }
 
   [[nodiscard]] bool is_in_reach(const Box3& box, std::size_t i) const {
-    return may_undercut(distance(box, Box3(point(i))), best_[i].distance) &&
+    return may_undercut(box, point(i), best_[i].distance) &&
            (normals_.empty() || may_hold(box, point(i), cone(i)));
   }
 

@@ -1,6 +1,8 @@
 #include "meshalyzer/spatial/closest_point.h"
 
+#include "meshalyzer/base/eight_lanes.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/spatial/eight_reaches.h"
 
 #include <algorithm>
 #include <array>
@@ -29,51 +31,91 @@ constexpr double kRelativeSlack = 0x1p-19;
 /// never takes it farther from any face, because it projects onto a box that contains them all.
 constexpr double kFarthest = 0x1p30;
 
-/// One number for each child of a node, as vector registers hold them.
-using Eight = Eigen::Array<float, 8, 1>;
-
-Eight squared_distances(const EightBoxes& boxes, const std::array<float, 3>& from) {
-  Eight squared = Eight::Zero();
+EightFloats squared_distances(const EightBoxes& boxes, const std::array<float, 3>& from) {
+  const EightFloats zero = EightFloats::all(0.0F);
+  EightFloats squared = zero;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Eigen::Map<const Eight, Eigen::Aligned16> low(boxes.min[k].data());
-    const Eigen::Map<const Eight, Eigen::Aligned16> high(boxes.max[k].data());
-    squared += (low - from[k]).max(from[k] - high).max(0.0F).square();
+    const EightFloats at = EightFloats::all(from[k]);
+    const EightFloats below = EightFloats::load(boxes.min[k]) - at;
+    const EightFloats above = at - EightFloats::load(boxes.max[k]);
+    const EightFloats gap = max(max(below, above), zero);
+    squared = squared + gap * gap;
   }
   return squared;
 }
 
-/// Returns lower bounds of the squared distances of eight triangles.
-///
-/// Along any direction no point of a triangle is nearer than its nearest corner; the direction to
-/// the centroid is a good and cheap choice.
-Eight squared_distances(const EightTriangles& triangles, const std::array<float, 3>& from) {
-  std::array<std::array<Eight, 3>, 3> corner;
-  std::array<Eight, 3> middle;
-  Eight length = Eight::Constant(std::numeric_limits<float>::min());
+/// Returns the corners of eight triangles relative to a point.
+EightCorners seen_from(const std::array<float, 3>& from, const EightTriangles& triangles) {
+  EightCorners corners;
   for (std::size_t k = 0; k < 3; ++k) {
+    const EightFloats at = EightFloats::all(from[k]);
     for (std::size_t i = 0; i < 3; ++i) {
-      corner[i][k] =
-          Eigen::Map<const Eight, Eigen::Aligned16>(triangles.corners[i][k].data()) - from[k];
+      corners[i][k] = EightFloats::load(triangles.corners[i][k]) - at;
     }
-    middle[k] = corner[0][k] + corner[1][k] + corner[2][k];
-    length += middle[k].square();
   }
-  const auto along = [&](std::size_t i) -> Eight {
-    return corner[i][0] * middle[0] + corner[i][1] * middle[1] + corner[i][2] * middle[2];
+  return corners;
+}
+
+/// Returns lower bounds of the squared distances of eight triangles from the origin, each from a
+/// direction: along any direction no point of a triangle is nearer than its nearest corner. The
+/// closer the direction is to that of the closest point, the better the bound.
+EightFloats squared_distances(const EightCorners& corners, const EightVectors& direction) {
+  const EightFloats along =
+      min(min(dot_product(corners[0], direction), dot_product(corners[1], direction)),
+          dot_product(corners[2], direction));
+  const EightFloats ahead = max(along, EightFloats::all(0.0F));
+  const EightFloats length =
+      dot_product(direction, direction) + EightFloats::all(std::numeric_limits<float>::min());
+  return ahead * ahead / length;
+}
+
+/// Returns directions from the origin to eight triangles, which are cheap to compute: those to the
+/// centroids.
+EightVectors rough_direction(const EightCorners& corners) {
+  EightVectors direction;
+  for (std::size_t k = 0; k < 3; ++k) {
+    direction[k] = corners[0][k] + corners[1][k] + corners[2][k];
+  }
+  return direction;
+}
+
+EightVectors select(const EightFlags& flags, const EightVectors& a, const EightVectors& b) {
+  return {select(flags, a[0], b[0]), select(flags, a[1], b[1]), select(flags, a[2], b[2])};
+}
+
+/// Returns the points of eight triangles that are closest to the origin, up to rounding; where
+/// rounding matters much, as in slivers, any point.
+EightVectors fine_direction(const EightCorners& corners) {
+  const EightFloats zero = EightFloats::all(0.0F);
+  const EightFloats one = EightFloats::all(1.0F);
+  const EightFloats tiny = EightFloats::all(std::numeric_limits<float>::min());
+  EightCorners side;
+  EightVectors best = corners[0];
+  EightFloats squared = dot_product(best, best);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const EightVectors& from = corners[i];
+    side[i] = subtracted(corners[(i + 1) % 3], from);
+    const EightFloats foot =
+        (zero - dot_product(from, side[i])) / max(dot_product(side[i], side[i]), tiny);
+    const EightFloats at = min(max(foot, zero), one);
+    const EightVectors point{from[0] + at * side[i][0], from[1] + at * side[i][1],
+                             from[2] + at * side[i][2]};
+    const EightFloats of_point = dot_product(point, point);
+    best = select(of_point < squared, point, best);
+    squared = min(of_point, squared);
+  }
+  const EightVectors normal = cross_product(side[0], side[1]);
+  const EightFloats height =
+      dot_product(normal, corners[0]) / max(dot_product(normal, normal), tiny);
+  const auto is_within_side = [&](std::size_t i) {
+    return zero < dot_product(normal, cross_product(corners[i], corners[(i + 1) % 3]));
   };
-  return along(0).min(along(1)).min(along(2)).max(0.0F).square() / length;
+  const EightFlags is_inside = is_within_side(0) & is_within_side(1) & is_within_side(2);
+  return select(is_inside, EightVectors{height * normal[0], height * normal[1], height * normal[2]},
+                best);
 }
 
-/// Returns a mask in which bit i is set if number i is at most `limit`.
-unsigned within(const Eight& numbers, float limit) {
-  unsigned bits = 0;
-  for (unsigned i = 0; i < 8; ++i) {
-    bits |= static_cast<unsigned>(numbers[i] <= limit) << i;
-  }
-  return bits;
-}
-
-/// A face (level 0), or a node of the tree's level `level` - 1, that remains to be searched.
+/// A node of the tree that remains to be searched.
 struct Entry {
   /// A lower bound of its squared distance.
   float squared;
@@ -127,15 +169,13 @@ class Search {
     if (query_.hint < tree_.n_faces()) {
       consider(query_.hint);
     }
-    stack_.insert(0, {0.0F, static_cast<std::uint32_t>(tree_.n_levels()), 0});
+    stack_.insert(0, {0.0F, static_cast<std::uint32_t>(tree_.n_levels() - 1), 0});
     while (!stack_.empty()) {
       const Entry entry = stack_.pop();
       if (entry.squared > reach_) {
         continue;
       }
       if (entry.level == 0) {
-        consider(entry.index);
-      } else if (entry.level == 1) {
         open_leaf(entry.index);
       } else {
         open_node(entry);
@@ -145,28 +185,60 @@ class Search {
   }
 
  private:
-  /// Pushes the children of a node that may hold the answer.
+  /// Pushes the children of a node that may hold the answer, or opens them if they are leaves.
   void open_node(const Entry& entry) {
-    const EightBoxes& node = tree_.node(entry.level - 1, entry.index);
-    const Eight squared = squared_distances(node, clamped_);
+    const EightBoxes& node = tree_.node(entry.level, entry.index);
+    const EightFloats squared = squared_distances(node, clamped_);
+    unsigned near = within_reach(squared);
+    if (query_.cone) {
+      near = those_in_cone(*query_.cone, node, near);
+    }
+    const std::array<float, 8> numbers = squared.numbers();
+    if (entry.level == 1) {
+      nearest_first(numbers, near, [&](unsigned i) { open_leaf(8 * entry.index + i); });
+      return;
+    }
     const std::size_t bottom = stack_.size();
-    for (unsigned bits = within(squared, reach_); bits != 0; bits &= bits - 1) {
-      const auto i = static_cast<unsigned>(std::countr_zero(bits));
-      if (!(query_.cone && is_outside(*query_.cone, node.box(i)))) {
-        stack_.insert(bottom, {squared[i], entry.level - 1, 8 * entry.index + i});
-      }
+    for (; near != 0; near &= near - 1) {
+      const auto i = static_cast<unsigned>(std::countr_zero(near));
+      stack_.insert(bottom, {numbers[i], entry.level - 1, 8 * entry.index + i});
     }
   }
 
-  /// Pushes the faces of a leaf that may hold the answer; their corners cull more than their boxes
-  /// would.
+  /// Considers the faces of a leaf that may hold the answer; their corners cull more than their
+  /// boxes would.
   void open_leaf(Index leaf) {
-    const Eight squared = squared_distances(triangles_[leaf], clamped_);
-    const std::size_t bottom = stack_.size();
-    for (unsigned bits = within(squared, reach_); bits != 0; bits &= bits - 1) {
-      const auto i = static_cast<unsigned>(std::countr_zero(bits));
-      stack_.insert(bottom, {squared[i], 0, 8 * leaf + i});
+    const EightCorners corners = seen_from(clamped_, triangles_[leaf]);
+    if (within_reach(squared_distances(corners, rough_direction(corners))) == 0) {
+      return;
     }
+    const EightFloats squared = squared_distances(corners, fine_direction(corners));
+    nearest_first(squared.numbers(), within_reach(squared),
+                  [&](unsigned i) { consider(8 * leaf + i); });
+  }
+
+  /// Calls `visit` with the nearest of some lanes, and with the others that are still within reach
+  /// then. To sort them all takes longer than it saves.
+  template <typename Visit>
+  void nearest_first(const std::array<float, 8>& squared, unsigned lanes, const Visit& visit) {
+    if (lanes == 0) {
+      return;
+    }
+    auto nearest = static_cast<unsigned>(std::countr_zero(lanes));
+    for (unsigned bits = lanes & (lanes - 1); bits != 0; bits &= bits - 1) {
+      const auto i = static_cast<unsigned>(std::countr_zero(bits));
+      nearest = squared[i] < squared[nearest] ? i : nearest;
+    }
+    visit(nearest);
+    for (unsigned bits = lanes & ~(1U << nearest); bits != 0; bits &= bits - 1) {
+      const auto i = static_cast<unsigned>(std::countr_zero(bits));
+      if (squared[i] <= reach_) visit(i);
+    }
+  }
+
+  /// Returns a mask in which bit i is set if number i is that of something within reach.
+  [[nodiscard]] unsigned within_reach(const EightFloats& squared) const {
+    return (squared <= EightFloats::all(reach_)).bits();
   }
 
   void consider(Index slot) {
@@ -187,6 +259,17 @@ class Search {
       best_ = {found->point, found->distance, face, slot};
       set_reach();
     }
+  }
+
+  /// Returns those of some children of a node that are not outside a cone.
+  [[nodiscard]] unsigned those_in_cone(const Cone& cone, const EightBoxes& node,
+                                       unsigned lanes) const {
+    unsigned inside = 0;
+    for (unsigned bits = lanes; bits != 0; bits &= bits - 1) {
+      const auto i = static_cast<unsigned>(std::countr_zero(bits));
+      inside |= static_cast<unsigned>(!is_outside(cone, node.box(i))) << i;
+    }
+    return inside;
   }
 
   /// Tells whether a plane along the side of the cone separates the cone from the box.

@@ -46,6 +46,18 @@ inline EightFloats dot_product(const EightVectors& a, const EightVectors& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+// These templates work for single numbers and for eight of them.
+
+template <typename Vector>
+Vector subtracted(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+template <typename Vector>
+Vector cross_product(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 using EightCorners = std::array<EightVectors, 3>;
 
 inline EightCorners loaded(const LeafTriangles& faces) {

@@ -38,7 +38,7 @@ struct Coordinates {
   double z;
 };
 
-Coordinates cross_product(const Arm& a, const Arm& b) {
+Coordinates cross_product_of_arms(const Arm& a, const Arm& b) {
   const Vec3& u = a.vector;
   const Vec3& v = b.vector;
   return {u.y() * v.z() - u.z() * v.y(), u.z() * v.x() - u.x() * v.z(),
@@ -53,7 +53,7 @@ double largest(const Vec3& v) {
 std::optional<Vec3> facing_direction(const Star& star) {
   Coordinates all{0.0, 0.0, 0.0};
   for (std::size_t i = 0; i < star.n_faces(); ++i) {
-    const auto [x, y, z] = cross_product(star.first_arm(i), star.second_arm(i));
+    const auto [x, y, z] = cross_product_of_arms(star.first_arm(i), star.second_arm(i));
     const double squared_length = x * x + y * y + z * z;
     if (squared_length == 0.0) {
       return std::nullopt;
@@ -78,7 +78,7 @@ bool all_surely_face(const Star& star, const Vec3& direction) {
   for (std::size_t i = 0; i < star.n_faces(); ++i) {
     const Arm& u = star.first_arm(i);
     const Arm& v = star.second_arm(i);
-    const auto [x, y, z] = cross_product(u, v);
+    const auto [x, y, z] = cross_product_of_arms(u, v);
     const double facing = direction.x() * x + direction.y() * y + direction.z() * z;
     const double area = u.size * v.size;
     const bool is_sure = facing > bound * area && area > kSmall;

@@ -10,16 +10,6 @@ namespace {
 
 using Float3 = std::array<float, 3>;
 
-Float3 subtracted(const Float3& a, const Float3& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-/// The template works for single numbers and for eight of them.
-template <typename Vector>
-Vector cross_product(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// Scales a direction to a length of about 1, so that products of directions neither overflow nor
 /// vanish; zero stays zero.
 Float3 near_unit_length(const Float3& v) {
@@ -29,10 +19,6 @@ Float3 near_unit_length(const Float3& v) {
 
 EightFloats magnitude(const EightFloats& a) {
   return max(a, EightFloats::all(0.0F) - a);
-}
-
-EightVectors subtracted(const EightVectors& a, const EightVectors& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
 /// Tells which of eight faces have a plane with the triangle surely on one side.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 #include <random>
@@ -38,6 +39,15 @@ TEST(EightLanes, SaysOfEachLaneWhetherItIsLess) {
   EXPECT_EQ((a < EightFloats::all(3.0F)).bits(), 0b00000111U);
   EXPECT_EQ((EightFloats::all(5.0F) < a).bits(), 0b11000000U);
   EXPECT_EQ(((a < EightFloats::all(1.0F)) | (EightFloats::all(6.0F) < a)).bits(), 0b10000001U);
+  EXPECT_EQ(((a < EightFloats::all(6.0F)) & (EightFloats::all(3.0F) < a)).bits(), 0b00110000U);
+  EXPECT_EQ((a <= EightFloats::all(3.0F)).bits(), 0b00001111U);
+}
+
+TEST(EightLanes, SelectsByFlag) {
+  const std::array<float, 8> numbers{0, 1, 2, 3, 4, 5, 6, 7};
+  const auto a = EightFloats::load(numbers);
+  const auto selected = select(a < EightFloats::all(2.0F), EightFloats::all(9.0F), a);
+  EXPECT_EQ(selected.numbers(), (std::array<float, 8>{9, 9, 2, 3, 4, 5, 6, 7}));
 }
 
 TEST(EightLanes, SaysOfEachLaneWhetherItIsTheSameId) {
@@ -69,8 +79,13 @@ TEST(EightLanes, ArithmeticOfRegistersAndOfThePortablePathGivesTheSameBits) {
     EXPECT_EQ(bits_of(a + b), portable_bits_of(p + q));
     EXPECT_EQ(bits_of(a - b), portable_bits_of(p - q));
     EXPECT_EQ(bits_of(a * b), portable_bits_of(p * q));
+    if (std::ranges::none_of(y, [](float number) { return number == 0.0F; })) {
+      EXPECT_EQ(bits_of(a / b), portable_bits_of(p / q));
+    }
     EXPECT_EQ(bits_of(min(a, b)), portable_bits_of(min(p, q)));
     EXPECT_EQ(bits_of(max(a, b)), portable_bits_of(max(p, q)));
+    EXPECT_EQ(bits_of(select(a < b, a, b)), portable_bits_of(select(p < q, p, q)));
+    EXPECT_EQ(a.numbers(), p.numbers());
   }
 }
 
@@ -87,6 +102,8 @@ TEST(EightLanes, RegistersAndThePortablePathGiveTheSameBits) {
               (portable::EightFloats::load(x) < portable::EightFloats::load(y)).bits());
     EXPECT_EQ((EightFloats::load(x) < EightFloats::all(y[0])).bits(),
               (portable::EightFloats::load(x) < portable::EightFloats::all(y[0])).bits());
+    EXPECT_EQ((EightFloats::load(x) <= EightFloats::load(y)).bits(),
+              (portable::EightFloats::load(x) <= portable::EightFloats::load(y)).bits());
     const auto ids = any_eight(kIds, random);
     const auto others = any_eight(kIds, random);
     EXPECT_EQ((EightIds::load(ids) == EightIds::load(others)).bits(),
