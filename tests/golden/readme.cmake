@@ -1,5 +1,6 @@
 # Fails where a report that README.md shows is not what the command before it prints; behind `| head -N` stand its first
-# N lines. What a command writes goes to build/, which is made for it and is no part of the project.
+# N lines. What a command writes goes to build/, which is made for it and is no part of the project. It also fails where
+# an option of a program is missing in its document.
 cmake_minimum_required(VERSION 3.25)
 file(READ ${ROOT}/README.md readme)
 
@@ -50,6 +51,26 @@ function(check_commands command program least)
   endforeach()
 endfunction()
 
+# check_options(DOCUMENT PROGRAM...): every option that `PROGRAM... --help` lists stands in the document.
+function(check_options document)
+  execute_process(COMMAND ${ARGN} --help OUTPUT_VARIABLE help COMMAND_ERROR_IS_FATAL ANY)
+  file(READ ${ROOT}/${document} text)
+  string(REGEX MATCHALL "\n  (-[a-z], )?--[a-z-]+" options "${help}")
+  list(LENGTH options n_options)
+  if(n_options LESS 20)
+    message(SEND_ERROR "${ARGN} --help lists only ${n_options} options")
+  endif()
+  foreach(option IN LISTS options)
+    string(REGEX REPLACE ".*(--[a-z-]+)$" "\\1" option "${option}")
+    if(NOT text MATCHES "[` ]${option}[^a-z-]")
+      message(SEND_ERROR "${document}: the option ${option} is missing")
+    endif()
+  endforeach()
+endfunction()
+
+check_options(README.md ${MESHALYZER})
+check_options(README.md ${MESHFIXER})
+check_options(doc/check.md ${MESHALYZER} check)
 file(MAKE_DIRECTORY ${ROOT}/build)
 check_commands(run ${MESHALYZER} 2)
 check_commands(fix ${MESHFIXER} 1)
