@@ -55,6 +55,14 @@ void append_shortest(std::string& text, double value) {
   text.append(buffer, end);
 }
 
+std::string readable(double value) {
+  char buffer[32];
+  const double number = value + 0.0;  // -0.0 + 0.0 is 0.0
+  const auto [end, error] =
+      std::to_chars(buffer, buffer + sizeof buffer, number, std::chars_format::general, 10);
+  return {buffer, end};
+}
+
 std::optional<double> parse_real(std::string_view token) {
   token = without_plus(token);
   double value = 0.0;

@@ -14,6 +14,9 @@ namespace meshalyzer {
 /// Appends shortest(value) to `text` without a temporary.
 void append_shortest(std::string& text, double value);
 
+/// Returns a real for people: ten significant digits at most, independent of the locale, no "-0".
+[[nodiscard]] std::string readable(double value);
+
 /// Parses a whole token as a double, independent of the locale. "inf", "nan" and a leading '+' are
 /// accepted. The result is the nearest double, an infinity for a magnitude that is too large, 0 for
 /// one that is too small.

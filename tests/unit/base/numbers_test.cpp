@@ -22,6 +22,16 @@ TEST(Shortest, IsTheShortestTextOfTheDouble) {
   EXPECT_EQ(shortest(1e300), "1e+300");
 }
 
+TEST(Readable, TenDigitsAtMost) {
+  EXPECT_EQ(readable(6.0), "6");
+  EXPECT_EQ(readable(0.1 + 0.2), "0.3");
+  EXPECT_EQ(readable(2.0 / 3.0), "0.6666666667");
+  EXPECT_EQ(readable(-12345678901.5), "-1.23456789e+10");
+  EXPECT_EQ(readable(1e-300), "1e-300");
+  EXPECT_EQ(readable(-0.0), "0");
+  EXPECT_EQ(readable(-std::numeric_limits<double>::infinity()), "-inf");
+}
+
 TEST(Shortest, KeepsTheSignOfZero) {
   EXPECT_EQ(shortest(0.0), "0");
   EXPECT_EQ(shortest(-0.0), "-0");

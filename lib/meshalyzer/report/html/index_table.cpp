@@ -1,6 +1,7 @@
 #include "meshalyzer/report/html/index_table.h"
 
 #include "meshalyzer/base/grouped_digits.h"
+#include "meshalyzer/base/numbers.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/text/lines.h"

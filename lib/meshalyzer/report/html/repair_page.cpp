@@ -1,5 +1,6 @@
 #include "meshalyzer/report/html/repair_page.h"
 
+#include "meshalyzer/base/numbers.h"
 #include "meshalyzer/report/format_text.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/defect_list.h"

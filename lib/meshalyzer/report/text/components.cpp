@@ -1,5 +1,7 @@
 #include "meshalyzer/report/text/components.h"
 
+#include "meshalyzer/base/numbers.h"
+
 #include <algorithm>
 #include <array>
 #include <concepts>

@@ -1,5 +1,6 @@
 #include "meshalyzer/report/text/defect_lines.h"
 
+#include "meshalyzer/base/numbers.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/report/text/short_list.h"
 

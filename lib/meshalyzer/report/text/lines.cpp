@@ -6,10 +6,6 @@
 
 namespace meshalyzer {
 
-std::string readable(double value) {
-  return fmt::format("{:.10g}", value + 0.0);  // -0.0 + 0.0 is 0.0
-}
-
 std::string undefined(const std::string& reason) {
   return reason.empty() ? "undefined" : fmt::format("undefined ({})", reason);
 }

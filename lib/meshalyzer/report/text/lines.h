@@ -1,5 +1,7 @@
 #pragma once
 
+#include "meshalyzer/base/numbers.h"
+
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -9,9 +11,6 @@
 #include <vector>
 
 namespace meshalyzer {
-
-/// Returns a real for people: ten significant digits at most, no locale, no "-0".
-[[nodiscard]] std::string readable(double value);
 
 /// Returns the text in place of an undefined value, with the reason if there is one.
 [[nodiscard]] std::string undefined(const std::string& reason);

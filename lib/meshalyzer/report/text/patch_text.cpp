@@ -1,5 +1,6 @@
 #include "meshalyzer/report/text/patch_text.h"
 
+#include "meshalyzer/base/numbers.h"
 #include "meshalyzer/report/text/lines.h"
 #include "meshalyzer/report/text/short_list.h"
 

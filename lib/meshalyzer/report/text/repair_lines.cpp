@@ -1,5 +1,6 @@
 #include "meshalyzer/report/text/repair_lines.h"
 
+#include "meshalyzer/base/numbers.h"
 #include "meshalyzer/report/format_text.h"
 #include "meshalyzer/report/text/short_list.h"
 

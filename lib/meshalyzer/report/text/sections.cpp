@@ -1,6 +1,7 @@
 #include "meshalyzer/report/text/sections.h"
 
 #include "meshalyzer/analysis/fields.h"
+#include "meshalyzer/base/numbers.h"
 #include "meshalyzer/report/format_text.h"
 #include "meshalyzer/report/text/offenders.h"
 

@@ -1,5 +1,6 @@
 #include "meshalyzer/report/text/separation.h"
 
+#include "meshalyzer/base/numbers.h"
 #include "meshalyzer/report/text/statistics.h"
 
 namespace meshalyzer {

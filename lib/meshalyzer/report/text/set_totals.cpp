@@ -1,5 +1,6 @@
 #include "meshalyzer/report/text/set_totals.h"
 
+#include "meshalyzer/base/numbers.h"
 #include "meshalyzer/set/set_counts.h"
 
 #include <fmt/format.h>

@@ -39,7 +39,7 @@ std::string faces_text(const Soup& input, const std::vector<Index>& faces) {
 
 /// Describes a part by its area and faces: "0.25, with face 7 and 3 more".
 std::string part_text(const Soup& input, const std::vector<Index>& faces) {
-  return shortest(area_of(input, faces)) + ", with " + faces_text(input, faces);
+  return readable(area_of(input, faces)) + ", with " + faces_text(input, faces);
 }
 
 bool is_of_pass(const RepairLog& log, const LoggedOperation& operation, std::string_view pass) {
@@ -113,7 +113,7 @@ void append_note(const Soup& input, const OpenPart& part, std::vector<std::strin
   } else if (part.is_cut_sheet && part.area_lost > kLeastLostShare * area_of(input, part.removed)) {
     notes.push_back(
         "dropped, because it lies inside a solid that a sheet crosses: a part of area " +
-        shortest(part.area_lost) + ", of " + faces_text(input, part.removed));
+        readable(part.area_lost) + ", of " + faces_text(input, part.removed));
   }
 }
 

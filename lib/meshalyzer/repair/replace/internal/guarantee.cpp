@@ -79,7 +79,7 @@ class Guarantee {
                              }};
       if (!try_pass(pass, plan_passes(options_, tolerances_))) continue;
       driver_.raise_deviation(thickness / 2.0);
-      notes_.push_back("a surface that encloses nothing was made a solid " + shortest(thickness) +
+      notes_.push_back("a surface that encloses nothing was made a solid " + readable(thickness) +
                        " thick");
       return true;
     }
@@ -155,7 +155,7 @@ class Guarantee {
     driver_.raise_deviation(before + made.deviation);
     const auto n_new = made.result.edits.added_faces.size();
     notes_.push_back("what was still broken was replaced by a new surface of " + grouped(n_new) +
-                     " faces, " + shortest(made.deviation) +
+                     " faces, " + readable(made.deviation) +
                      " from the old one at most where it was sampled (" + std::to_string(n_before) +
                      " -> " + std::to_string(driver_.tracked().soup.n_faces()) + " faces)");
     return Outcome::Kept;

@@ -123,7 +123,7 @@ std::string unite_from_input(RepairDriver& driver, const RepairOptions& options,
       "repairs part by part left defects, so the mesh was replaced by its union with itself";
   if (from_input.distance_behind_holes() > driver.max_deviation()) {
     note += "; parts that lie inside it, because holes are filled, were dropped, " +
-            shortest(from_input.distance_behind_holes()) + " from its surface at most";
+            readable(from_input.distance_behind_holes()) + " from its surface at most";
   }
   return note;
 }
