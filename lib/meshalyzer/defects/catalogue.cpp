@@ -99,7 +99,8 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
             "are dropped, and the others stay. Parts that lie on others, face on face, are "
             "dropped. Loose faces are left.",
      .fix_summary = "meshfixer mends it",
-     .passes = "weld borders, drop duplicates, drop copies, remove foldovers or cut intersections",
+     .passes = "weld borders, drop duplicates, drop copies, remove foldovers, refill tangles or "
+               "cut intersections",
      .fixed_by_default = true},
     {.code = DefectCode::NonManifold,
      .name = "non-manifold",

@@ -125,6 +125,14 @@ struct CutOptions {
 /// Tells whether a pass may drop open components that bound a solid.
 enum class LostParts : std::uint8_t { Refused, Allowed };
 
+/// Takes small tangles away, discs of faces that intersect themselves, with up to three rings of
+/// faces round them, and fills the holes, where cutting would not keep the topology: where it would
+/// leave the tangle, or leave handles, separate parts, or edges with four faces. It proposes what
+/// moves the corners and middles of the faces by no more than the deviation.
+///
+/// @param cut  How the mesh would be cut instead.
+[[nodiscard]] PassResult refill_tangles(const PassInput& input, const CutOptions& cut);
+
 struct SelfUnionOptions {
   /// The holes that are filled before.
   FillOptions fill;

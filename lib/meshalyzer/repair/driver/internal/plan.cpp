@@ -109,11 +109,14 @@ void plan_fixes_from_cutting(const RepairOptions& options, Sheets sheets, Planne
   if (options.contact == Contact::Part) {
     plan.add({"part contacts", NonManifold, part_contacts});
   }
+  const CutOptions cut = cut_options(options, sheets);
+  plan.add({"refill tangles",
+            SelfIntersection,
+            [cut](const PassInput& input) { return refill_tangles(input, cut); },
+            {FlatFacet}});
   plan.add({"cut intersections",
             SelfIntersection,
-            [cut = cut_options(options, sheets)](const PassInput& input) {
-              return cut_intersections(input, cut);
-            },
+            [cut](const PassInput& input) { return cut_intersections(input, cut); },
             {NonManifold, FlatFacet, DegenerateFacet, Foldover, Flipped, Hole},
             Repeat::UntilDone,
             true});

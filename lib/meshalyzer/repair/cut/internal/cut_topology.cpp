@@ -1,0 +1,58 @@
+#include "meshalyzer/repair/cut/internal/cut_topology.h"
+
+#include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/sort_unique.h"
+
+#include <algorithm>
+#include <array>
+
+namespace meshalyzer {
+
+SurfaceTopology topology_of(std::span<const Triangle> faces) {
+  SurfaceTopology topology;
+  std::vector<Index> vertices;
+  // Both ends of each edge, the lower first, and its face.
+  std::vector<std::array<Index, 3>> edges;
+  for (Index face = 0; face < faces.size(); ++face) {
+    const Triangle& t = faces[face];
+    vertices.insert(vertices.end(), t.begin(), t.end());
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
+      edges.push_back({low, high, face});
+    }
+  }
+  sort_unique(vertices);
+  std::sort(edges.begin(), edges.end());
+  DisjointSets connected(faces.size());
+  std::size_t n_edges = 0;
+  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+    for (end = begin;
+         end < edges.size() && edges[end][0] == edges[begin][0] && edges[end][1] == edges[begin][1];
+         ++end) {
+      connected.unite(edges[begin][2], edges[end][2]);
+    }
+    ++n_edges;
+    topology.is_manifold = topology.is_manifold && end - begin <= 2;
+  }
+  topology.components = connected.number_all().count;
+  topology.euler_characteristic = static_cast<std::ptrdiff_t>(vertices.size()) -
+                                  static_cast<std::ptrdiff_t>(n_edges) +
+                                  static_cast<std::ptrdiff_t>(faces.size());
+  return topology;
+}
+
+std::vector<std::uint8_t> faces_replaced_alike(const Soup& soup, const Edits& edits) {
+  std::vector<std::vector<Triangle>> removed(edits.n_operations);
+  std::vector<std::vector<Triangle>> added(edits.n_operations);
+  for (const auto& [op, face] : edits.removed_faces) removed[op].push_back(soup.triangles[face]);
+  for (const Edits::AddedFace& face : edits.added_faces) added[face.op].push_back(face.corners);
+  std::vector<std::uint8_t> is_alike(edits.n_operations);
+  for (std::size_t op = 0; op < edits.n_operations; ++op) {
+    is_alike[op] = topology_of(removed[op]) == topology_of(added[op]) ? 1 : 0;
+  }
+  std::vector<std::uint8_t> result(soup.n_faces(), 0);
+  for (const auto& [op, face] : edits.removed_faces) result[face] = is_alike[op];
+  return result;
+}
+
+}  // namespace meshalyzer

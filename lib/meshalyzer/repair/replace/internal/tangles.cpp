@@ -1,0 +1,148 @@
+#include "meshalyzer/repair/replace/internal/tangles.h"
+
+#include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/topology/components.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+constexpr Triangle kNoFace{kNoIndex, kNoIndex, kNoIndex};
+
+class TangleSearch {
+ public:
+  TangleSearch(const PreparedMesh& mesh, std::size_t max_faces)
+      : mesh_(mesh),
+        soup_(mesh.soup()),
+        max_faces_(max_faces),
+        is_taken_(soup_.n_faces(), 0),
+        joined_(soup_.n_vertices()) {}
+
+  Tangles run(std::size_t n_rings) {
+    for (const IntersectingPair& pair : mesh_.intersecting_pairs()) {
+      is_taken_[pair.face_a] = 1;
+      is_taken_[pair.face_b] = 1;
+    }
+    for (std::size_t ring = 0; ring < n_rings; ++ring) take_ring();
+    group();
+    if (places_.empty()) return {};
+    take_what_is_cut_off();
+    group();
+    if (places_.empty()) return {};
+    Soup rest = without_places();
+    return {std::move(places_), std::move(rest)};
+  }
+
+ private:
+  template <typename Function>
+  void for_each_taken(const Function& function) const {
+    for (Index face = 0; face < soup_.n_faces(); ++face) {
+      if (is_taken_[face] != 0) function(face);
+    }
+  }
+
+  void take_ring() {
+    std::vector<std::uint8_t> is_reached(soup_.n_vertices(), 0);
+    for_each_taken([&](Index face) {
+      for (const Index v : soup_.triangles[face]) is_reached[v] = 1;
+    });
+    for (const Index face : mesh_.cut().side.faces) {
+      const Triangle& t = soup_.triangles[face];
+      if (std::any_of(t.begin(), t.end(), [&](Index v) { return is_reached[v] != 0; })) {
+        is_taken_[face] = 1;
+      }
+    }
+  }
+
+  /// Groups the faces that are taken. Those that have a vertex in common, or intersect, belong to
+  /// one place.
+  void group() {
+    for_each_taken([&](Index face) {
+      const Triangle& t = soup_.triangles[face];
+      joined_.unite(t[0], t[1]);
+      joined_.unite(t[0], t[2]);
+    });
+    for (const IntersectingPair& pair : mesh_.intersecting_pairs()) {
+      joined_.unite(soup_.triangles[pair.face_a][0], soup_.triangles[pair.face_b][0]);
+    }
+    places_.clear();
+    std::vector<Index> place_of(soup_.n_vertices(), kNoIndex);
+    for_each_taken([&](Index face) {
+      Index& place = place_of[joined_.find(soup_.triangles[face][0])];
+      if (place == kNoIndex) {
+        place = static_cast<Index>(places_.size());
+        places_.emplace_back();
+      }
+      places_[place].push_back(face);
+    });
+    std::erase_if(places_, [&](const std::vector<Index>& faces) {
+      if (faces.size() <= max_faces_ && is_of_one_component(faces)) return false;
+      for (const Index face : faces) is_taken_[face] = 0;
+      return true;
+    });
+  }
+
+  [[nodiscard]] bool is_of_one_component(const std::vector<Index>& faces) const {
+    const auto component_of = [&](Index face) {
+      return mesh_.components().of_face[mesh_.cut().side.mesh_face(face)];
+    };
+    return std::all_of(faces.begin(), faces.end(), [&](Index face) {
+      return component_of(face) == component_of(faces.front());
+    });
+  }
+
+  [[nodiscard]] Soup without_places() const {
+    Soup rest;
+    rest.positions = soup_.positions;
+    rest.triangles = soup_.triangles;
+    for_each_taken([&](Index face) { rest.triangles[face] = kNoFace; });
+    return rest;
+  }
+
+  /// Takes all that is left of a component but its largest part, where that is small: a bubble, or
+  /// the tip of a spike. A component of which nothing is left is not taken.
+  void take_what_is_cut_off() {
+    const CutMesh cut = build(without_places());
+    const Components parts = find_edge_components(cut);
+    const Components& whole = mesh_.components();
+    std::vector<std::size_t> n_faces(parts.count, 0);
+    for (const Index part : parts.of_face) ++n_faces[part];
+    const auto component_of = [&](Index face) {
+      return whole.of_face[mesh_.cut().side.mesh_face(face)];
+    };
+    std::vector<Index> largest(whole.count, kNoIndex);
+    for (std::size_t f = 0; f < parts.of_face.size(); ++f) {
+      Index& found = largest[component_of(cut.side.faces[f])];
+      const Index part = parts.of_face[f];
+      if (found == kNoIndex || n_faces[part] > n_faces[found]) found = part;
+    }
+    for_each_taken([&](Index face) {
+      if (largest[component_of(face)] == kNoIndex) is_taken_[face] = 0;
+    });
+    for (std::size_t f = 0; f < parts.of_face.size(); ++f) {
+      const Index part = parts.of_face[f];
+      const Index face = cut.side.faces[f];
+      if (part != largest[component_of(face)] && n_faces[part] <= max_faces_) is_taken_[face] = 1;
+    }
+  }
+
+  const PreparedMesh& mesh_;
+  const Soup& soup_;
+  std::size_t max_faces_;
+  /// #faces: 1 for those of places.
+  std::vector<std::uint8_t> is_taken_;
+  /// The vertices, united where they belong to one place.
+  DisjointSets joined_;
+  std::vector<std::vector<Index>> places_;
+};
+
+}  // namespace
+
+Tangles find_tangles(const PreparedMesh& mesh, std::size_t n_rings, std::size_t max_faces) {
+  return TangleSearch(mesh, max_faces).run(n_rings);
+}
+
+}  // namespace meshalyzer
