@@ -13,4 +13,7 @@ namespace meshalyzer {
 /// @complexity O(#F).
 [[nodiscard]] std::vector<Triangle> unbuild(const CutMesh& cut);
 
+/// Returns the triangle of one mesh face, as unbuild() returns it.
+[[nodiscard]] Triangle unbuild_face(const CutMesh& cut, FaceHandle face);
+
 }  // namespace meshalyzer

@@ -122,7 +122,8 @@ class LeafVisitor {
         mine_(boxes_of_leaf(visit)),
         box_(TreeBox::around(mine_)),
         slack_(kRelativeRounding * reach_of(box_)) {
-    if (visit.slabs != nullptr && reach_of(box_) < kFarthestForSlabs) {
+    const float farthest = inner_.has_far_faces() ? 1.0F : kFarthestForSlabs;
+    if (visit.slabs != nullptr && reach_of(box_) < farthest) {
       corners_.emplace(corners_of_leaf(visit));
     }
   }

@@ -27,6 +27,7 @@ namespace {
 // The sum is at most 18 u + 14 u d, so these constants are generous:
 constexpr double kAbsoluteSlack = 0x1p-18;
 constexpr double kRelativeSlack = 0x1p-19;
+// With far faces coordinates are at most 2, which doubles the first three at most.
 /// Coordinates of the query are clamped to this, so that fourth powers do not overflow. Clamping
 /// never takes it farther from any face, because it projects onto a box that contains them all.
 constexpr double kFarthest = 0x1p30;
@@ -154,10 +155,9 @@ class Search {
         triangles_(triangles),
         query_(query),
         place_((query.point - tree.centre()) * tree.scale()) {
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      clamped_[static_cast<std::size_t>(k)] =
-          static_cast<float>(std::clamp(place_[k], -kFarthest, kFarthest));
-    }
+    const std::array<float, 3> place = tree.map(query.point);
+    constexpr auto kLimit = static_cast<float>(kFarthest);
+    for (std::size_t k = 0; k < 3; ++k) clamped_[k] = std::clamp(place[k], -kLimit, kLimit);
     best_.distance = query.within;
     set_reach();
   }
@@ -206,13 +206,20 @@ class Search {
   }
 
   /// Considers the faces of a leaf that may hold the answer; their corners cull more than their
-  /// boxes would.
+  /// boxes would, but those of far faces are in other places.
   void open_leaf(Index leaf) {
+    if (tree_.is_far_leaf(leaf)) {
+      return consider_lanes(leaf, squared_distances(tree_.node(0, leaf), clamped_));
+    }
     const EightCorners corners = seen_from(clamped_, triangles_[leaf]);
     if (within_reach(squared_distances(corners, rough_direction(corners))) == 0) {
       return;
     }
-    const EightFloats squared = squared_distances(corners, fine_direction(corners));
+    consider_lanes(leaf, squared_distances(corners, fine_direction(corners)));
+  }
+
+  /// @param squared  Lower bounds of the squared distances of the leaf's faces.
+  void consider_lanes(Index leaf, const EightFloats& squared) {
     nearest_first(squared.numbers(), within_reach(squared),
                   [&](unsigned i) { consider(8 * leaf + i); });
   }
@@ -274,6 +281,8 @@ class Search {
 
   /// Tells whether a plane along the side of the cone separates the cone from the box.
   [[nodiscard]] bool is_outside(const Cone& cone, const TreeBox& box) const {
+    // The boxes of far faces are in other directions than these.
+    if (tree_.has_far_faces()) return false;
     Vec3 middle;
     Vec3 half;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -62,6 +62,34 @@ void split(std::span<Item> items) {
   }
 }
 
+/// Faces are far if a few of them make the box this many times wider than that of the others.
+constexpr double kMuchWider = 1024.0;
+/// Far faces are few if they are at most the square root of this multiple of all: the boxes of any
+/// two of them may meet.
+constexpr std::size_t kFarFacesSquared = 64;
+/// The coordinate of boxes beyond which there is nothing, if there are far faces.
+constexpr float kFarPlace = 2.0F;
+
+/// Returns a box round most of the corners of faces: that of the middle three quarters of a sample
+/// along each axis, and four times its width round it. It is empty if these are at one place.
+Box3 box_of_most(std::span<const Triangle> triangles, std::span<const Vec3> points) {
+  const std::size_t step = triangles.size() / kSampledItems | 1U;
+  std::vector<double> sample;
+  Vec3 low;
+  Vec3 high;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    sample.clear();
+    for (std::size_t i = 0; i < triangles.size(); i += step) {
+      sample.push_back(points[triangles[i][i % 3]][k]);
+    }
+    std::sort(sample.begin(), sample.end());
+    low[k] = sample[sample.size() / 8];
+    high[k] = sample[sample.size() - 1 - sample.size() / 8];
+  }
+  const double margin = 4.0 * (high - low).maxCoeff();
+  return margin > 0.0 ? Box3(low.array() - margin, high.array() + margin) : Box3();
+}
+
 /// Returns the number of leaves; a tree without faces also has one.
 std::size_t n_leaves_of(std::size_t n_faces) {
   return std::max<std::size_t>(1, (n_faces + kTreeWidth - 1) / kTreeWidth);
@@ -105,14 +133,37 @@ FaceTree::FaceTree(const CutMesh& cut) : points_(cut.mesh.points(), cut.mesh.n_v
   }
   box_faces();
   box_levels();
+  mark_far_leaves();
+}
+
+FaceTree::FaceTree(const CutMesh& cut, std::span<const Index> mesh_faces)
+    : points_(cut.mesh.points(), cut.mesh.n_vertices()) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(mesh_faces.size());
+  for (const Index f : mesh_faces) {
+    triangles.push_back(unbuild_face(cut, FaceHandle(static_cast<int>(f))));
+  }
+  choose_map(triangles);
+  order_faces(triangles);
+  for (Index& face : mesh_faces_) face = mesh_faces[face];
+  box_faces();
+  box_levels();
+  mark_far_leaves();
 }
 
 std::array<float, 3> FaceTree::map(const Vec3& point) const {
-  // Rounded subtraction, multiplication by a positive factor and conversion are monotone, so their
-  // composition is.
-  return {static_cast<float>((point.x() - centre_.x()) * scale_),
-          static_cast<float>((point.y() - centre_.y()) * scale_),
-          static_cast<float>((point.z() - centre_.z()) * scale_)};
+  // Rounded subtraction, multiplication by a positive factor, conversion and clamping are monotone,
+  // so their composition is.
+  const auto place = [&](Eigen::Index k) {
+    return std::clamp(static_cast<float>((point[k] - centre_[k]) * scale_), -limit_, limit_);
+  };
+  return {place(0), place(1), place(2)};
+}
+
+bool FaceTree::is_far(const Vec3& point) const {
+  if (limit_ > kFarPlace) return false;
+  const std::array<float, 3> place = map(point);
+  return std::any_of(place.begin(), place.end(), [](float x) { return std::abs(x) > 1.0F; });
 }
 
 TreeBox FaceTree::box_of(const Triangle& t) const {
@@ -136,13 +187,43 @@ void FaceTree::choose_map(std::span<const Triangle> triangles) {
     return box;
   });
   for (const Box3& box : boxes) bounds_.extend(box);
-  if (bounds_.isEmpty()) {
-    return;
-  }
+  if (!bounds_.isEmpty() && !choose_map_of_most(triangles)) set_map(bounds_);
+}
+
+/// Chooses the map for all but a few far faces. Does nothing and returns false if there are none.
+bool FaceTree::choose_map_of_most(std::span<const Triangle> triangles) {
+  const Box3 most = box_of_most(triangles, points_);
+  const auto half_width = [](const Box3& box) {
+    return (box.max() / 2 - box.min() / 2).maxCoeff();
+  };
+  if (most.isEmpty() || !(half_width(bounds_) > kMuchWider * half_width(most))) return false;
+  const auto is_outside = [&](Index v) { return !most.contains(points_[v]); };
+  const auto n_far = static_cast<std::size_t>(std::count_if(
+      triangles.begin(), triangles.end(),
+      [&](const Triangle& t) { return std::any_of(t.begin(), t.end(), is_outside); }));
+  if (n_far * n_far > kFarFacesSquared * triangles.size()) return false;
+  set_map(most);
+  limit_ = kFarPlace;
+  return true;
+}
+
+/// Maps a box to -1 ... 1.
+void FaceTree::set_map(const Box3& box) {
   // Halves are added and subtracted, because sum and difference of the coordinates may overflow.
-  centre_ = bounds_.min() / 2 + bounds_.max() / 2;
-  const double half = (bounds_.max() / 2 - bounds_.min() / 2).maxCoeff();
+  centre_ = box.min() / 2 + box.max() / 2;
+  const double half = (box.max() / 2 - box.min() / 2).maxCoeff();
   scale_ = half > 0.0 ? std::min(1.0 / half, std::numeric_limits<double>::max()) : 1.0;
+}
+
+void FaceTree::mark_far_leaves() {
+  if (limit_ > kFarPlace) return;
+  is_far_leaf_.assign(n_leaves(), 0);
+  for (std::size_t slot = 0; slot < n_faces(); ++slot) {
+    const Triangle t = triangle(slot);
+    if (std::any_of(t.begin(), t.end(), [&](Index v) { return is_far(points_[v]); })) {
+      is_far_leaf_[slot / kTreeWidth] = 1;
+    }
+  }
 }
 
 void FaceTree::order_faces(std::span<const Triangle> triangles) {

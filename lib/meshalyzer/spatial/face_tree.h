@@ -3,6 +3,8 @@
 #include "meshalyzer/mesh/side_table.h"
 
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -48,10 +50,19 @@ struct alignas(32) EightFaces {
 /// Faces are ordered by splitting at the median of the widest axis, so the depth is logarithmic for
 /// any input; the nodes need no pointers. The tree also holds the faces' vertices in tree order,
 /// for locality. It refers to the points of the mesh, which must outlive it unchanged.
+///
+/// If a few faces reach a thousand times farther than all others, the coordinates of boxes are
+/// those of the others, because in floats made for all of them the others would be one point. What
+/// lies outside is moved to the nearest place within -2 ... 2: that is monotone, too, and takes no
+/// two points farther apart.
 class FaceTree {
  public:
   /// @complexity O(#F log #F) time; 48 bytes a face.
   explicit FaceTree(const CutMesh& cut);
+  /// Makes a tree over some faces of a mesh.
+  ///
+  /// @param mesh_faces  Ascending, each once.
+  FaceTree(const CutMesh& cut, std::span<const Index> mesh_faces);
 
   [[nodiscard]] std::size_t n_faces() const { return mesh_faces_.size(); }
   [[nodiscard]] std::size_t n_leaves() const { return levels_.front().size(); }
@@ -77,26 +88,42 @@ class FaceTree {
   /// are no faces.
   [[nodiscard]] const Box3& bounds() const { return bounds_; }
   /// Returns the centre in the map of points to the coordinates of boxes, (point - centre) * scale,
-  /// rounded; points of the mesh are mapped to about -1 ... 1.
+  /// rounded; points of the mesh that are not far are mapped to about -1 ... 1.
   [[nodiscard]] const Vec3& centre() const { return centre_; }
   [[nodiscard]] double scale() const { return scale_; }
   /// Maps a point to the coordinates of the boxes, monotonically in each coordinate.
   [[nodiscard]] std::array<float, 3> map(const Vec3& point) const;
 
+  /// Tells whether some faces are so far from the others that their boxes are in another place.
+  [[nodiscard]] bool has_far_faces() const { return !is_far_leaf_.empty(); }
+  /// Tells whether a leaf has such a face. Only the boxes of its faces may be compared with others.
+  [[nodiscard]] bool is_far_leaf(std::size_t leaf) const {
+    return has_far_faces() && is_far_leaf_[leaf] != 0;
+  }
+  /// Tells whether a point may be in another place than (point - centre) * scale.
+  [[nodiscard]] bool is_far(const Vec3& point) const;
+
  private:
   [[nodiscard]] TreeBox box_of(const Triangle& t) const;
   void choose_map(std::span<const Triangle> triangles);
+  [[nodiscard]] bool choose_map_of_most(std::span<const Triangle> triangles);
+  void set_map(const Box3& box);
   void order_faces(std::span<const Triangle> triangles);
   void box_faces();
   void box_levels();
+  void mark_far_leaves();
 
   std::span<const Vec3> points_;
   Box3 bounds_;
   Vec3 centre_ = Vec3::Zero();
   double scale_ = 1.0;
+  /// The largest coordinate of a box.
+  float limit_ = std::numeric_limits<float>::infinity();
   std::vector<EightFaces> faces_;
   std::vector<Index> mesh_faces_;
   std::vector<std::vector<EightBoxes>> levels_;
+  /// #leaves: non-zero for those with a far face; empty if there is none.
+  std::vector<std::uint8_t> is_far_leaf_;
 };
 
 }  // namespace meshalyzer

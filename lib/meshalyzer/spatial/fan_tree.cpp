@@ -33,8 +33,10 @@ bool names(const Triangle& t, Index v) {
   return t[0] == v || t[1] == v || t[2] == v;
 }
 
-/// Returns the vertex that all faces of a leaf have in common, or kNoIndex.
+/// Returns the vertex that all faces of a leaf have in common, or kNoIndex. A leaf with far faces
+/// has none, because its rim would be in another place.
 Index hub_of_leaf(const FaceTree& tree, std::size_t leaf) {
+  if (tree.is_far_leaf(leaf)) return kNoIndex;
   const std::size_t begin = 8 * leaf;
   const std::size_t end = std::min(begin + 8, tree.n_faces());
   for (const Index candidate : tree.triangle(begin)) {

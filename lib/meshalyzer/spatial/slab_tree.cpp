@@ -43,7 +43,8 @@ bool has_long_face(const FaceTree& tree, std::size_t leaf) {
   return false;
 }
 
-/// Returns the corners of all faces below FaceTree::node(level, i), one after the other.
+/// Returns the corners of all faces below FaceTree::node(level, i), one after the other; none if
+/// one of the faces is far, because its corners would be in another place.
 std::vector<Vec3f> corners_of(const FaceTree& tree, std::size_t level, std::size_t i) {
   const std::size_t faces_per_node = std::size_t{8} << (3 * level);
   const std::size_t begin = i * faces_per_node;
@@ -51,6 +52,7 @@ std::vector<Vec3f> corners_of(const FaceTree& tree, std::size_t level, std::size
   std::vector<Vec3f> corners;
   corners.reserve(3 * (end - begin));
   for (std::size_t slot = begin; slot < end; ++slot) {
+    if (slot % 8 == 0 && tree.is_far_leaf(slot / 8)) return {};
     for (const Index v : tree.triangle(slot)) {
       corners.push_back(mapped(tree, v));
     }
@@ -100,6 +102,7 @@ float width_of_box(std::span<const Vec3f> corners) {
 
 Slabs make_slabs(std::span<const Vec3f> corners) {
   Slabs slabs;
+  if (corners.empty()) return slabs;
   const Vec3f along = common_direction(corners);
   if (along.isZero()) {
     return slabs;

@@ -84,6 +84,14 @@ Soup random_triangles(std::size_t n, RandomVectors& random) {
   return soup;
 }
 
+/// A torus of which two vertices are far away, as a wrong exponent puts them.
+Soup torus_with_far_vertices() {
+  Soup soup = shapes::torus(2, 0.5, 30, 30);
+  soup.positions[7] = {1e28, 0, 3};
+  soup.positions[400] = {1, -2e5, 4e4};
+  return soup;
+}
+
 std::vector<Soup> soups(RandomVectors& random) {
   return {shapes::icosphere(3),
           shapes::grid(15, 9),
@@ -92,6 +100,7 @@ std::vector<Soup> soups(RandomVectors& random) {
           shapes::pillow(),
           shapes::translated(shapes::torus(2, 0.5, 40, 20), {1e6, -1e3, 7}),
           damaged(shapes::torus(2, 0.5, 30, 30), 10, random.engine()),
+          torus_with_far_vertices(),
           random_triangles(700, random)};
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -32,6 +33,56 @@ TEST(FaceTree, HoldsEveryFaceOnce) {
     ++seen[tree.mesh_face(slot)];
   }
   EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(seen.size()));
+}
+
+TEST(FaceTree, OfSomeFacesHoldsTheseOnce) {
+  const CutMesh cut = build(shapes::uv_sphere(17, 23));
+  const FaceTree all(cut);
+  std::vector<Triangle> corners(cut.mesh.n_faces());
+  for (std::size_t slot = 0; slot < all.n_faces(); ++slot) {
+    corners[all.mesh_face(slot)] = all.triangle(slot);
+  }
+  std::vector<Index> some;
+  for (Index f = 5; f < cut.mesh.n_faces(); f += 3) some.push_back(f);
+  const FaceTree tree(cut, some);
+  std::vector<Index> held;
+  for (std::size_t slot = 0; slot < tree.n_faces(); ++slot) {
+    held.push_back(tree.mesh_face(slot));
+    EXPECT_EQ(tree.triangle(slot), corners[tree.mesh_face(slot)]);
+  }
+  std::sort(held.begin(), held.end());
+  EXPECT_EQ(held, some);
+  EXPECT_EQ(FaceTree(cut, {}).n_faces(), 0U);
+}
+
+TEST(FaceTree, FewFarFacesLeaveTheOthersTheirPlaces) {
+  Soup soup = shapes::uv_sphere(17, 23);
+  EXPECT_FALSE(FaceTree(build(soup)).has_far_faces());
+  const Vec3 near_far = soup.positions[60];
+  soup.positions[60] = {1e28, 0, 0};
+  const CutMesh cut = build(soup);
+  const FaceTree tree(cut);
+  EXPECT_TRUE(tree.has_far_faces());
+  EXPECT_TRUE(tree.is_far(soup.positions[60]));
+  EXPECT_FALSE(tree.is_far(near_far));
+  EXPECT_EQ(tree.map(soup.positions[60])[0], 2.0F);
+  EXPECT_GT(tree.map({0.5, 0, 0})[0], tree.map({0.499, 0, 0})[0]);
+  // Each leaf without far faces has a part of the sphere, and no more.
+  std::size_t n_far = 0;
+  for (std::size_t leaf = 0; leaf < tree.n_leaves(); ++leaf) {
+    const TreeBox box = TreeBox::around(tree.node(0, leaf));
+    EXPECT_EQ(tree.is_far_leaf(leaf), box.high[0] == 2.0F);
+    n_far += tree.is_far_leaf(leaf) ? 1 : 0;
+    EXPECT_TRUE(tree.is_far_leaf(leaf) || box.high[0] - box.low[0] < 0.15F);
+  }
+  EXPECT_GT(n_far, 0U);
+  EXPECT_LT(n_far, 7U);
+}
+
+TEST(FaceTree, ManyFarFacesAreNotFar) {
+  const Soup two = shapes::merged(shapes::uv_sphere(30, 40),
+                                  shapes::translated(shapes::uv_sphere(30, 20), {1e9, 0, 0}));
+  EXPECT_FALSE(FaceTree(build(two)).has_far_faces());
 }
 
 TEST(FaceTree, BoxesHoldTheCornersOfTheirFaces) {

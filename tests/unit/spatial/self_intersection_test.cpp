@@ -174,6 +174,22 @@ TEST(FindSelfIntersections, MeshesOfManyLeavesEqualBruteForce) {
   EXPECT_EQ(listed(self_intersections(soup)), listed(expected));
 }
 
+TEST(FindSelfIntersections, MeshesWithFarVerticesEqualBruteForce) {
+  Soup spheres = shapes::merged(shapes::uv_sphere(7, 10),
+                                shapes::translated(shapes::uv_sphere(6, 9), {0.9, 0.3, 0.2}));
+  Soup slivers = test::sliver_tube(40, {20, 22, 18});
+  for (Soup* soup : {&spheres, &slivers}) {
+    soup->positions[20] = {1e28, 0, 0};
+    soup->positions[40] = {3, -1e7, 2};
+    const CutMesh cut = build(*soup);
+    const FaceTree tree(cut);
+    EXPECT_TRUE(tree.has_far_faces());
+    const Pairs expected = brute_force(*soup);
+    EXPECT_GT(expected.size(), 5u);
+    EXPECT_EQ(find_self_intersections(cut, tree), expected);
+  }
+}
+
 TEST(FindSelfIntersections, BundlesOfSliversEqualBruteForce) {
   const std::size_t sides = test::one_of() == 1 ? 120 : 30;
   const Soup one = test::sliver_tube(sides, {20, 22, 18});
