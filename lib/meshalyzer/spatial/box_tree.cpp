@@ -1,5 +1,6 @@
 #include "meshalyzer/spatial/box_tree.h"
 
+#include "meshalyzer/base/parallel.h"
 #include "meshalyzer/spatial/tree_width.h"
 
 #include <algorithm>
@@ -11,13 +12,14 @@ namespace {
 
 constexpr unsigned kBits = 21;
 
-/// Spreads the lowest 21 bits of `x` to every third bit of the result.
+/// Spreads the lowest 21 bits of `x` to every third bit of the result: halves of what is still
+/// together are moved apart, step by step.
 std::uint64_t spread(std::uint64_t x) {
-  std::uint64_t spread = 0;
-  for (unsigned bit = 0; bit < kBits; ++bit) {
-    spread |= (x >> bit & 1U) << (3 * bit);
-  }
-  return spread;
+  x = (x | x << 32U) & 0x001F00000000FFFFU;
+  x = (x | x << 16U) & 0x001F0000FF0000FFU;
+  x = (x | x << 8U) & 0x100F00F00F00F00FU;
+  x = (x | x << 4U) & 0x10C30C30C30C30C3U;
+  return (x | x << 2U) & 0x1249249249249249U;
 }
 
 Box3 box_of(std::span<const Box3> boxes) {
@@ -41,22 +43,23 @@ std::uint64_t morton_code(const Box3& box, const Box3& all) {
   return code;
 }
 
+}  // namespace
+
 std::vector<Index> order_in_space(std::span<const Box3> boxes) {
   const Box3 all = box_of(boxes);
-  std::vector<std::pair<std::uint64_t, Index>> keys;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (!boxes[i].isEmpty()) {
-      keys.emplace_back(morton_code(boxes[i], all), static_cast<Index>(i));
-    }
-  }
+  auto keys = collect_chunks<std::pair<std::uint64_t, Index>>(
+      boxes.size(), [&](Chunk chunk, std::vector<std::pair<std::uint64_t, Index>>& found) {
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+          if (boxes[i].isEmpty()) continue;
+          found.emplace_back(morton_code(boxes[i], all), static_cast<Index>(i));
+        }
+      });
   std::sort(keys.begin(), keys.end());
   std::vector<Index> order(keys.size());
   std::transform(keys.begin(), keys.end(), order.begin(),
                  [](const auto& key) { return key.second; });
   return order;
 }
-
-}  // namespace
 
 BoxTree::BoxTree(std::span<const Box3> boxes) : order_(order_in_space(boxes)), levels_(1) {
   for (const Index i : order_) {
@@ -79,6 +82,23 @@ std::vector<Index> BoxTree::meeting(const Box3& box) const {
   }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+bool BoxTree::meets_any(const Box3& box) const {
+  for (std::size_t i = 0; i < levels_.back().size(); ++i) {
+    if (meets_below(levels_.size() - 1, i, box)) return true;
+  }
+  return false;
+}
+
+bool BoxTree::meets_below(std::size_t level, std::size_t i, const Box3& box) const {
+  if (!levels_[level][i].intersects(box)) return false;
+  if (level == 0) return true;
+  const std::size_t end = std::min(kTreeWidth * (i + 1), levels_[level - 1].size());
+  for (std::size_t child = kTreeWidth * i; child < end; ++child) {
+    if (meets_below(level - 1, child, box)) return true;
+  }
+  return false;
 }
 
 void BoxTree::collect(std::size_t level, std::size_t i, const Box3& box,

@@ -1,6 +1,8 @@
 #include "meshalyzer/spatial/self_intersection_of.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/triangle.h"
+#include "meshalyzer/spatial/faces_near.h"
 #include "meshalyzer/spatial/self_intersection_search.h"
 
 #include <algorithm>
@@ -49,6 +51,18 @@ std::vector<IntersectingPair> find_self_intersections_of(const CutMesh& cut, con
   const std::vector<std::uint8_t> wanted = lanes_of(tree, marked(cut.side, faces));
   return search_self_intersections(
       {.cut = cut, .tree = tree, .slabs = slabs, .fans = fans, .wanted = wanted});
+}
+
+std::vector<IntersectingPair> find_self_intersections_of(const CutMesh& cut, const Soup& soup,
+                                                         std::span<const Index> faces) {
+  std::vector<Box3> boxes;
+  boxes.reserve(faces.size());
+  for (const Index face : faces) {
+    if (is_in_complex(soup.triangles[face])) boxes.push_back(box_of(corners_of(soup, face)));
+  }
+  std::vector<Index> near = find_faces_near(soup, boxes);
+  for (Index& face : near) face = static_cast<Index>(cut.side.mesh_face(face));
+  return find_self_intersections_of(cut, FaceTree(cut, near), faces);
 }
 
 }  // namespace meshalyzer

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/mesh/side_table.h"
+#include "meshalyzer/mesh/soup.h"
 #include "meshalyzer/spatial/face_tree.h"
 #include "meshalyzer/spatial/intersecting_pair.h"
 
@@ -17,5 +18,12 @@ namespace meshalyzer {
 /// @complexity   O(#F + n log #F + candidates) for n faces.
 [[nodiscard]] std::vector<IntersectingPair> find_self_intersections_of(
     const CutMesh& cut, const FaceTree& tree, std::span<const Index> faces);
+
+/// Does the same without a tree over all faces, in a part of the time if the given faces are few.
+///
+/// @param soup        The mesh that `cut` was built from.
+/// @complexity        O(#F log n + candidates) for n faces.
+[[nodiscard]] std::vector<IntersectingPair> find_self_intersections_of(
+    const CutMesh& cut, const Soup& soup, std::span<const Index> faces);
 
 }  // namespace meshalyzer

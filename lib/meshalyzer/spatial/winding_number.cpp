@@ -160,12 +160,10 @@ struct WindingNumbers::Tree {
         p = scale(p);
       }
     }
-    triangles.reserve(soup.size());
-    const std::vector<Box3> boxes = boxes_of(soup);
-    const BoxTree in_space(boxes);
-    for (const Index i : in_space.order()) {
-      triangles.push_back(soup[i]);
-    }
+    const std::vector<Index> order = order_in_space(boxes_of(soup));
+    triangles.reserve(order.size());
+    for (const Index i : order) triangles.push_back(soup[i]);
+    soup = {};
     for (std::size_t length = kTreeWidth; !triangles.empty(); length *= kTreeWidth) {
       levels.push_back(level_of(length));
       if (levels.back().size() <= kTreeWidth) {

@@ -147,6 +147,22 @@ TEST(BoxTreeMeeting, EqualsAllPairsHoweverTheyLie) {
   }
 }
 
+TEST(BoxTreeMeetsAny, EqualsWhetherSomethingIsMet) {
+  std::mt19937 random(8);
+  std::size_t n_met = 0;
+  for (const Index extent : {3U, 12U, 60U}) {
+    const BoxTree tree(random_boxes(150, {extent, extent, extent}, random));
+    for (const Box3& box : random_boxes(150, {extent, extent, extent}, random)) {
+      if (box.isEmpty()) continue;
+      EXPECT_EQ(tree.meets_any(box), !tree.meeting(box).empty());
+      n_met += tree.meets_any(box) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(n_met, 100U);
+  EXPECT_LT(n_met, 400U);
+  EXPECT_FALSE(BoxTree({}).meets_any(unit_box({0, 0, 0})));
+}
+
 TEST(BoxTreeMeeting, NoneAndOneMeetNothing) {
   EXPECT_EQ(meetings({}), Meetings());
   EXPECT_EQ(meetings(std::vector<Box3>{unit_box({0, 0, 0})}), Meetings(1));

@@ -7,10 +7,10 @@
 #include "meshalyzer/repair/driver/internal/changed_faces.h"
 #include "meshalyzer/repair/driver/internal/face_cover.h"
 #include "meshalyzer/repair/driver/internal/face_distance.h"
+#include "meshalyzer/spatial/faces_near.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <iterator>
 #include <mutex>
 #include <optional>
@@ -137,11 +137,20 @@ double settle_cut_faces(Side& old_side, const PartsOfFaces& parts, const Distanc
   return drop_settled(distances, old_side);
 }
 
+/// A surface whose points can be searched.
+struct SearchedSurface {
+  explicit SearchedSurface(const Soup& soup) : cut(build(soup)) {}
+  CutMesh cut;
+  FaceTree tree{cut};
+  ClosestPoints closest{tree};
+};
+
 /// Measures all remaining faces of a side.
-SideResult measure_side(const Side& side, const std::function<SurfaceDistance()>& make_meter) {
+SideResult measure_side(const Side& side, const FaceTree& tree, const ClosestPoints& closest,
+                        const DistanceQuery& query) {
   std::vector<FaceDistance> distances(side.faces.size());
   parallel_chunks(side.faces.size(), kFacesPerChunk, [&](Chunk chunk) {
-    SurfaceDistance meter = make_meter();
+    SurfaceDistance meter(tree, closest, query.bound, query.question);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       distances[i] = meter.measure(corners_of(side.from, side.faces[i].face));
     }
@@ -156,6 +165,62 @@ SideResult measure_side(const Side& side, const std::function<SurfaceDistance()>
     }
   }
   return result;
+}
+
+/// A tree over the whole of the other surface is worth its time if there is more than one face to
+/// measure for so many of its faces.
+constexpr std::size_t kFacesPerMeasured = 16;
+
+/// Returns the boxes of everything within the bound of the faces of a side.
+std::vector<Box3> boxes_within(const Side& side, double bound) {
+  // Distances are computed with errors that are some 2^-50 of the coordinates.
+  constexpr double kBeyondRounding = 0x1p-40;
+  std::vector<Box3> boxes;
+  boxes.reserve(side.faces.size());
+  for (const ChangedFace& changed : side.faces) {
+    Box3& box = boxes.emplace_back(box_of(corners_of(side.from, changed.face)));
+    const double largest =
+        std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+    const double margin = bound * (1.0 + kBeyondRounding) + kBeyondRounding * largest;
+    box.min().array() -= margin;
+    box.max().array() += margin;
+  }
+  return boxes;
+}
+
+/// Returns some faces of a soup with their vertices, in the same order.
+Soup extract_faces(const Soup& soup, const std::vector<Index>& faces) {
+  Soup part;
+  std::vector<Index> number(soup.n_vertices(), kNoIndex);
+  for (const Index face : faces) {
+    Triangle corners = soup.triangles[face];
+    for (Index& v : corners) {
+      if (number[v] == kNoIndex) {
+        number[v] = static_cast<Index>(part.positions.size());
+        part.positions.push_back(soup.positions[v]);
+      }
+      v = number[v];
+    }
+    part.triangles.push_back(corners);
+  }
+  return part;
+}
+
+/// Measures the remaining faces of a side: if they are few, from those faces of the other surface
+/// alone that may be within the bound, which takes no tree over the whole of it.
+///
+/// @param other          The other surface.
+/// @param measure_whole  Measures them from the whole of it: called if they are many, or if a
+///                       distance beyond the bound is to be known.
+template <typename MeasureWhole>
+SideResult measure_rest(const Side& side, const Soup& other, const DistanceQuery& query,
+                        const MeasureWhole& measure_whole) {
+  if (side.faces.size() * kFacesPerMeasured >= other.n_faces()) return measure_whole();
+  const SearchedSurface near(
+      extract_faces(other, find_faces_near(other, boxes_within(side, query.bound))));
+  SideResult result = measure_side(side, near.tree, near.closest, query);
+  const bool is_known = query.question == DistanceQuestion::IsWithin || result.far.empty();
+  return is_known ? result : measure_whole();
 }
 
 /// Puts corners in an order that does not depend on which one is first.
@@ -214,12 +279,8 @@ SideResult measure_with_walls(Side& old_side, const SideResult& without,
   std::erase_if(old_side.faces, [&](const ChangedFace& changed) {
     return !std::binary_search(without.far.begin(), without.far.end(), changed.face);
   });
-  const Soup soup = surface_with_walls(old_side, walls, query.bound);
-  const CutMesh cut = build(soup);
-  const FaceTree tree(cut);
-  const ClosestPoints closest(tree);
-  SideResult result = measure_side(
-      old_side, [&] { return SurfaceDistance(tree, closest, query.bound, query.question); });
+  const SearchedSurface surface(surface_with_walls(old_side, walls, query.bound));
+  SideResult result = measure_side(old_side, surface.tree, surface.closest, query);
   result.largest = std::max(result.largest, without.largest_near);
   return result;
 }
@@ -227,23 +288,19 @@ SideResult measure_with_walls(Side& old_side, const SideResult& without,
 }  // namespace
 
 struct DeviationMeter::Surface {
-  struct Built {
-    explicit Built(const Soup& soup) : cut(build(soup)) {}
-    CutMesh cut;
-    FaceTree tree{cut};
-    ClosestPoints closest{tree};
-  };
-
+  [[nodiscard]] const Soup& soup(const Soup& input) const {
+    return with_patches ? *with_patches : input;
+  }
   /// Builds the surface at the first call.
-  const Built& of(const Soup& input) {
-    std::call_once(is_known, [&] { built.emplace(with_patches ? *with_patches : input); });
-    return *built;
+  const SearchedSurface& built(const Soup& input) {
+    std::call_once(is_built, [&] { searched.emplace(soup(input)); });
+    return *searched;
   }
 
   /// The input's faces, then the patches; empty if there are none.
   std::optional<Soup> with_patches;
-  std::once_flag is_known;
-  std::optional<Built> built;
+  std::once_flag is_built;
+  std::optional<SearchedSurface> searched;
 };
 
 DeviationMeter::DeviationMeter(const Soup& input)
@@ -332,9 +389,9 @@ DeviationMeter::Result DeviationMeter::measure_changes(ChangedFaces changes,
   }
   result.largest = std::max(result.largest, settle_near_faces(new_side, query));
   if (!old_side.faces.empty()) {
-    const ClosestPoints closest(repaired.tree);
-    SideResult old_result = measure_side(old_side, [&] {
-      return SurfaceDistance(repaired.tree, closest, query.bound, query.question);
+    SideResult old_result = measure_rest(old_side, tracked.soup, query, [&] {
+      const FaceTree& tree = repaired.mesh.tree();
+      return measure_side(old_side, tree, ClosestPoints(tree), query);
     });
     if (!old_result.far.empty() && !repaired.walls.empty()) {
       old_result = measure_with_walls(old_side, old_result, repaired.walls, query);
@@ -343,9 +400,9 @@ DeviationMeter::Result DeviationMeter::measure_changes(ChangedFaces changes,
     result.far.of_input = std::move(old_result.far);
   }
   if (!new_side.faces.empty()) {
-    const Surface::Built& input = surface_->of(input_);
-    SideResult new_result = measure_side(new_side, [&] {
-      return SurfaceDistance(input.tree, input.closest, query.bound, query.question);
+    SideResult new_result = measure_rest(new_side, surface_->soup(input_), query, [&] {
+      const SearchedSurface& input = surface_->built(input_);
+      return measure_side(new_side, input.tree, input.closest, query);
     });
     result.largest = std::max(result.largest, new_result.largest);
     result.far.of_repaired = std::move(new_result.far);

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/repair/edits/edits.h"
 #include "meshalyzer/repair/edits/tracked_mesh.h"
-#include "meshalyzer/spatial/face_tree.h"
 #include "meshalyzer/spatial/triangle_contact.h"
 
 #include <cstddef>
@@ -29,8 +29,8 @@ struct FarFaces {
 
 /// Measures how far repaired surfaces are from the input that they were made of.
 ///
-/// Construction is cheap, and the tree over the input is built by the first measurement that needs
-/// it. It is safe to ask from several threads.
+/// Construction is cheap, and the tree over the input is built by the first measurement of so many
+/// faces that it pays. It is safe to ask from several threads.
 class DeviationMeter {
  public:
   /// @param input  Must outlive this, unchanged.
@@ -49,8 +49,8 @@ class DeviationMeter {
   /// A repaired mesh to be measured. It only refers to its data.
   struct Repaired {
     const TrackedMesh& tracked;
-    /// The tree over the tracked mesh's faces.
-    const FaceTree& tree;
+    /// The tracked mesh, prepared: its tree is built if very many faces are to be measured.
+    const PreparedMesh& mesh;
     /// A finite length, at least 0.
     double bound = 0.0;
     /// The walls of the input that were removed: the input may be near to them instead of the new

@@ -25,9 +25,8 @@ using Faces = std::vector<Index>;
 using Result = DeviationMeter::Result;
 
 Result measure(const Soup& input, const TrackedMesh& tracked, double bound) {
-  const CutMesh cut = build(tracked.soup);
-  const FaceTree tree(cut);
-  return DeviationMeter(input).measure({tracked, tree, bound});
+  const PreparedMesh mesh(tracked.soup);
+  return DeviationMeter(input).measure({tracked, mesh, bound});
 }
 
 TrackedMesh moved(const Soup& input, const Vec3& by) {

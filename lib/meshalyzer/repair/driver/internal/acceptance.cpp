@@ -165,8 +165,8 @@ Acceptance check_acceptance(const RepairState& before, const RepairState& after,
   AcceptanceCheck check(before, after, affected, rules, acceptance.rejections);
   check.check_defects();
   check.check_contacts();
-  check.check_deviation(rules.meter.find_far(
-      {after.tracked(), after.mesh().tree(), rules.max_deviation, rules.walls}));
+  check.check_deviation(
+      rules.meter.find_far({after.tracked(), after.mesh(), rules.max_deviation, rules.walls}));
   return acceptance;
 }
 

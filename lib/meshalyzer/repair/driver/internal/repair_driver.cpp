@@ -78,8 +78,8 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
 
 std::vector<double> RepairDriver::measure_parts(std::span<const Index> part_of,
                                                 std::size_t n_parts) const {
-  return meter_->measure_parts(
-      {state_->tracked(), state_->mesh().tree(), limits_.max_deviation, walls_}, part_of, n_parts);
+  return meter_->measure_parts({state_->tracked(), state_->mesh(), limits_.max_deviation, walls_},
+                               part_of, n_parts);
 }
 
 void RepairDriver::update_deviation() {
@@ -95,8 +95,7 @@ double RepairDriver::deviation() {
 
 double RepairDriver::measure_deviation() {
   deviation_ =
-      meter_->measure({state_->tracked(), state_->mesh().tree(), limits_.max_deviation, walls_})
-          .largest;
+      meter_->measure({state_->tracked(), state_->mesh(), limits_.max_deviation, walls_}).largest;
   is_deviation_known_ = true;
   return deviation_;
 }

@@ -43,6 +43,16 @@ std::vector<IntersectingPair> unaffected_pairs(const RepairState& before,
   return kept;
 }
 
+/// A tree over all faces is worth its time if there are more than this share of affected ones.
+constexpr std::size_t kFacesPerAffected = 16;
+
+std::vector<IntersectingPair> find_pairs_of(const PreparedMesh& mesh,
+                                            const std::vector<Index>& faces) {
+  return faces.size() * kFacesPerAffected < mesh.soup().n_faces()
+             ? find_self_intersections_of(mesh.cut(), mesh.soup(), faces)
+             : find_self_intersections_of(mesh.cut(), mesh.tree(), faces);
+}
+
 std::vector<Index> affected_faces(const AffectedElements& affected,
                                   const std::vector<Index>& place) {
   std::vector<Index> faces;
@@ -67,8 +77,7 @@ RepairState::RepairState(TrackedMesh tracked, const Tolerances& tolerances,
       mesh_(tracked_.soup),
       defective_elements_(find_defective_elements(tracked_, mesh_, tolerances)) {
   const std::vector<Index> place = places_of_keys(tracked_);
-  affected_pairs_ =
-      find_self_intersections_of(mesh_.cut(), mesh_.tree(), affected_faces(affected, place));
+  affected_pairs_ = find_pairs_of(mesh_, affected_faces(affected, place));
   std::vector<IntersectingPair> pairs = unaffected_pairs(before, affected, place);
   pairs.insert(pairs.end(), affected_pairs_.begin(), affected_pairs_.end());
   std::sort(pairs.begin(), pairs.end(), comes_before);
