@@ -16,18 +16,28 @@ struct BorderEdge {
   HalfedgeHandle halfedge;
 };
 
+/// Returns the mesh edges that are parts of edges with several faces, ascending.
+std::vector<Index> find_cut_edges(const CutMesh& cut) {
+  std::vector<Index> edges;
+  for (const CutEdges* kind : {&cut.side.flipped_edges, &cut.side.non_manifold_edges}) {
+    for (const HalfedgeHandle h : kind->halfedges) {
+      edges.push_back(static_cast<Index>(cut.mesh.edge_handle(h).idx()));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
 }  // namespace
 
 std::vector<HalfedgeHandle> find_border_edges(const CutMesh& cut) {
   const TriMesh& mesh = cut.mesh;
   const std::vector<Index> candidates = parallel_filter(
       mesh.n_edges(), [&](Index e) { return mesh.is_boundary(EdgeHandle(static_cast<int>(e))); });
-  // Most meshes have no border: these need no kinds.
-  if (candidates.empty()) return {};
-  const std::vector<EdgeKind> kinds = classify_edges(cut);
+  const std::vector<Index> cut_edges = find_cut_edges(cut);
   std::vector<BorderEdge> borders;
   for (const Index e : candidates) {
-    if (kinds[e] != EdgeKind::Border) continue;
+    if (std::binary_search(cut_edges.begin(), cut_edges.end(), e)) continue;
     const HalfedgeHandle first = mesh.halfedge_handle(EdgeHandle(static_cast<int>(e)), 0);
     const HalfedgeHandle inner =
         mesh.is_boundary(first) ? mesh.opposite_halfedge_handle(first) : first;

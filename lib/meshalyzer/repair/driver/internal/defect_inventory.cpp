@@ -67,11 +67,15 @@ class Inventory {
   }
 
   [[nodiscard]] DefectInventory take() {
-    for (const CountedElement& element : inventory_.elements) {
-      ++inventory_.counts[static_cast<std::size_t>(element.kind)];
+    for (std::size_t kind = 0; kind < elements_.size(); ++kind) {
+      std::vector<CountedElement>& elements = elements_[kind];
+      inventory_.counts[kind] = elements.size();
+      if (!std::is_sorted(elements.begin(), elements.end())) {
+        std::stable_sort(elements.begin(), elements.end());
+      }
+      inventory_.elements.insert(inventory_.elements.end(), elements.begin(), elements.end());
     }
     answer_attributes();
-    std::stable_sort(inventory_.elements.begin(), inventory_.elements.end());
     return std::move(inventory_);
   }
 
@@ -89,7 +93,7 @@ class Inventory {
   }
 
   CountedElement& add(CountedDefect kind) {
-    CountedElement& element = inventory_.elements.emplace_back();
+    CountedElement& element = elements_[static_cast<std::size_t>(kind)].emplace_back();
     element.kind = kind;
     return element;
   }
@@ -143,6 +147,8 @@ class Inventory {
   const TrackedMesh& tracked_;
   const CutMesh& cut_;
   const PreparedMesh& mesh_;
+  /// The elements of each kind.
+  std::array<std::vector<CountedElement>, kCountedDefects> elements_;
   DefectInventory inventory_;
 };
 
