@@ -83,6 +83,8 @@ struct Refusal {
 struct PassResult {
   Edits edits;
   std::vector<Refusal> refused;
+  /// Tells whether the pass would propose just the same for OperationSize::Smallest.
+  bool is_smallest = false;
 };
 
 /// A pass examines a mesh and proposes changes, but makes none. It is a pure function, and its

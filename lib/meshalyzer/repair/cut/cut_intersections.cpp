@@ -102,7 +102,11 @@ PassResult cut_intersections(const PassInput& input, const CutOptions& options) 
   if (options.fill && !has_sheets_to_split(input)) patches = crossing_patches(input, *options.fill);
   if (pairs.empty() && patches.empty()) return {};
   if (input.operation_size == OperationSize::Normal) {
-    return cut_edits(input, patches, cut_surface(input, patches, {.sheets = options.sheets}));
+    const CutSurface surface = cut_surface(input, patches, {.sheets = options.sheets});
+    PassResult result = cut_edits(input, patches, surface);
+    // Only pockets are treated otherwise in smaller operations.
+    result.is_smallest = !surface.has_pockets;
+    return result;
   }
   return cut_edits(input, patches, cut_keeping_pockets(input, patches, options.sheets));
 }

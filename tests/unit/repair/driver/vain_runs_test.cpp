@@ -68,5 +68,30 @@ TEST(RepairDriver, PassThatTakesTimeForVeryManyPairsIsRunInVainOnce) {
   EXPECT_EQ(count_runs(100, true), 3U);
 }
 
+/// Counts the proposals of a pass whose only operation moves the surface too far.
+std::size_t count_proposals(bool is_smallest) {
+  const Soup soup = star_of_faces(1);
+  RepairDriver driver(soup, {}, RepairLimits(), [](const TrackedMesh&, const CutMesh&) {
+    return std::vector<std::uint8_t>();
+  });
+  std::size_t n_proposals = 0;
+  const PassFunction move_too_far = [&](const PassInput& input) {
+    ++n_proposals;
+    PassResult result;
+    result.is_smallest = is_smallest;
+    const Index op = result.edits.begin_operation();
+    const Vec3 to = input.tracked.soup.positions[0] + Vec3{0.0, 1.0, 0.0};
+    result.edits.moved_vertices.push_back({.op = op, .vertex = 0, .to = to});
+    return result;
+  };
+  driver.run_plan({{.name = "move", .run = move_too_far}}, {});
+  return n_proposals;
+}
+
+TEST(RepairDriver, PassIsRunForSmallerOperationsOnlyIfTheseDiffer) {
+  EXPECT_EQ(count_proposals(false), 2U);
+  EXPECT_EQ(count_proposals(true), 1U);
+}
+
 }  // namespace
 }  // namespace meshalyzer

@@ -103,6 +103,8 @@ class CuttingRounds {
                       components_to_select(arrangement, cells, pairs), options_);
     tie_faces(arrangement, pairs);
     if (round_ == 0) result_.pocket_share = share_of_pockets(arrangement, classes);
+    result_.has_pockets = result_.has_pockets || std::find(classes.begin(), classes.end(),
+                                                           PieceClass::Exterior) != classes.end();
     take(arrangement, classes, round_vertices(arrangement, rounding()));
   }
 

@@ -277,7 +277,7 @@ bool RepairDriver::run(const PlannedPass& pass) {
     const PassResult result = propose(pass, size);
     if (!result.edits.empty() && apply_accepted(pass, result.edits, before)) {
       has_changed = true;
-    } else if (!before.rejected.empty() && size != OperationSize::Smallest) {
+    } else if (!before.rejected.empty() && size != OperationSize::Smallest && !result.is_smallest) {
       // One bad step may have caused the rejection of all steps of its operation.
       size = OperationSize::Smallest;
     } else {
