@@ -40,9 +40,11 @@ ExitCode find(const Options& options, Soup soup, Streams streams) {
   RepairOptions repair = options.repair;
   repair.wants_to_stop = [&] { return stop.is_made(); };
   std::optional<PreparedMesh> mesh(std::in_place, soup, pair_limits(repair, soup.n_faces()));
-  const DefectReport report = find_defects(*mesh, {.codes = DefectCodes::all(),
-                                                   .tolerances = options.repair.tolerances,
-                                                   .max_defects = options.repair.max_defects});
+  DefectOptions find_all;
+  find_all.tolerances = repair.tolerances;
+  find_all.max_defects = repair.max_defects;
+  find_all.wants_to_stop = repair.wants_to_stop;
+  const DefectReport report = find_defects(*mesh, find_all);
   const MeshName name = name_of(soup, options.input);
   const DefectCodes& requested = options.repair.fixes;
   const Scene scene = options.html ? scene_of(*mesh, report) : Scene{};

@@ -26,8 +26,8 @@ class Findings {
 /// Runs the finders of the codes that are asked for.
 class Search {
  public:
-  Search(const DefectCodes& codes, const Tolerances& tolerances)
-      : codes_(codes), tolerances_(tolerances) {}
+  Search(const DefectOptions& options, const Tolerances& tolerances)
+      : codes_(options.codes), tolerances_(tolerances), wants_to_stop_(options.wants_to_stop) {}
 
   /// Runs the finders that need only the records, not the positions of vertices.
   void search_records(const Soup& soup) {
@@ -49,7 +49,8 @@ class Search {
     run_at_once(mesh.cut().mesh.n_faces());
     // The finders run one after the other, each in parallel. Several of them need the intersecting
     // pairs: if they ran at the same time, all but the first would wait.
-    add(DefectCode::Foldover, [&] { return find_foldovers(mesh, tolerances_); });
+    add(DefectCode::Foldover,
+        [&] { return find_foldovers(mesh, tolerances_, [this] { return is_to_stop(); }); });
     add(DefectCode::SelfIntersection, [&] { return find_self_intersection_patches(mesh); });
     add(DefectCode::Inward, [&] { return find_inward(mesh); });
     if (asks(DefectCode::Slit) || asks(DefectCode::Hole)) {
@@ -59,8 +60,15 @@ class Search {
   }
 
   [[nodiscard]] Findings take() { return std::move(findings_); }
+  /// Tells whether a search was told to stop.
+  [[nodiscard]] bool was_stopped() const { return was_stopped_; }
 
  private:
+  bool is_to_stop() {
+    was_stopped_ = was_stopped_ || (wants_to_stop_ && wants_to_stop_());
+    return was_stopped_;
+  }
+
   [[nodiscard]] bool asks(DefectCode code) const { return codes_.contains(code); }
 
   template <typename Finder>
@@ -88,6 +96,8 @@ class Search {
 
   const DefectCodes& codes_;
   const Tolerances& tolerances_;
+  const std::function<bool()>& wants_to_stop_;
+  bool was_stopped_ = false;
   std::vector<std::function<void()>> finders_;
   Findings findings_;
 };
@@ -110,7 +120,7 @@ DefectReport make_report(Findings findings, Tolerances tolerances, std::size_t m
 DefectReport find_in(const Soup& soup, const PreparedMesh* mesh, const DefectOptions& options) {
   const Box3 box = mesh != nullptr ? used_box(soup) : Box3();
   const Tolerances tolerances = resolve_tolerances(options.tolerances, box);
-  Search search(options.codes, tolerances);
+  Search search(options, tolerances);
   search.search_records(soup);
   if (mesh != nullptr) search.search_mesh(*mesh);
   DefectReport report = make_report(search.take(), tolerances, options.max_defects);
@@ -118,6 +128,10 @@ DefectReport find_in(const Soup& soup, const PreparedMesh* mesh, const DefectOpt
     report.warnings.emplace_back(
         "the search for intersecting faces ended early: there may be more self-intersections, and "
         "inward components, than are listed");
+  }
+  if (search.was_stopped()) {
+    report.warnings.emplace_back(
+        "the search for foldovers ended early: there may be more than are listed");
   }
   return report;
 }

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct DefectOptions {
   std::size_t max_defects = 0;
   /// The limits of the search for intersecting faces; a prepared mesh has limits of its own.
   PairLimits pairs = {};
+  /// Called now and then by the search for foldovers, which ends once it returns true. May be
+  /// empty.
+  std::function<bool()> wants_to_stop = {};
 };
 
 /// The defects of a mesh.
@@ -31,8 +35,8 @@ struct DefectReport {
   std::array<std::size_t, kDefectCodes> counts{};
   /// The tolerances that the finders used.
   Tolerances tolerances;
-  /// Sentences that say which tolerances contradict each other, and whether the search for
-  /// intersecting faces ended before it had found all (PairLimits).
+  /// Sentences that say which tolerances contradict each other, and which searches ended before
+  /// they had found all (PairLimits, DefectOptions::wants_to_stop).
   std::vector<std::string> warnings;
 
   [[nodiscard]] std::size_t count(DefectCode code) const {

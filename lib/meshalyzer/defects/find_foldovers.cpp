@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
 #include <tuple>
 #include <vector>
@@ -269,14 +270,15 @@ Defect describe(const PreparedMesh& mesh, const Patch& patch, double height_tole
 
 }  // namespace
 
-DefectList find_foldovers(const PreparedMesh& mesh, const Tolerances& tolerances) {
+DefectList find_foldovers(const PreparedMesh& mesh, const Tolerances& tolerances,
+                          const std::function<bool()>& wants_to_stop) {
   const std::vector<HalfedgeHandle> folds =
       find_folds(mesh.cut().mesh, tolerances.max_foldover_angle);
   if (folds.empty()) return {};
   FoldedPatches folded(mesh.cut(), folds);
   std::vector<Patch>& patches = folded.patches();
   if (patches.empty()) return {};
-  SheetCover cover(mesh, folded.of_face(), tolerances.height);
+  SheetCover cover(mesh, folded.of_face(), tolerances.height, wants_to_stop);
   for (Patch& patch : patches) {
     if (has_room(patches, patch)) patch.distance = cover.measure({patch.faces, patch.neighbours});
   }

@@ -4,6 +4,8 @@
 #include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 
+#include <functional>
+
 namespace meshalyzer {
 
 // Each finder searches one code, or two, and has a file of its own. All are pure, may be called at
@@ -18,7 +20,11 @@ namespace meshalyzer {
 /// doc/definitions.md). A defect lists the faces of its region and the edges of the folds round it;
 /// its value is the largest distance of the region from its surroundings, its limit the height
 /// tolerance.
-[[nodiscard]] DefectList find_foldovers(const PreparedMesh& mesh, const Tolerances& tolerances);
+///
+/// @param wants_to_stop  Called now and then; once it returns true, no more are found. May be
+/// empty.
+[[nodiscard]] DefectList find_foldovers(const PreparedMesh& mesh, const Tolerances& tolerances,
+                                        const std::function<bool()>& wants_to_stop = {});
 
 /// Finds the faces with an altitude below the degeneracy tolerance, one defect each. A face is a
 /// degenerate facet if it also has an edge below the tolerance or names a vertex twice, else a flat

@@ -28,8 +28,10 @@ TrackedMesh renumbered(const TrackedMesh& tracked, const Tolerances& tolerances)
   return apply_edits(tracked, renumber({tracked.soup, tracked, mesh, tolerances, limits}).edits);
 }
 
+/// @param before  The defects of the input.
 std::vector<RepairedMesh> finished_meshes(RepairDriver& driver, const RepairOptions& options,
-                                          const Tolerances& tolerances) {
+                                          const Tolerances& tolerances,
+                                          const DefectReport& before) {
   const DefectOptions find{.codes = DefectCodes::all(),
                            .tolerances = as_options(tolerances),
                            .max_defects = options.max_defects,
@@ -38,7 +40,7 @@ std::vector<RepairedMesh> finished_meshes(RepairDriver& driver, const RepairOpti
   const bool is_renumbered = options.fixes.contains(DefectCode::Numbering);
   if (!is_separated && !is_renumbered) {
     return {{.tracked = driver.tracked(),
-             .remaining = find_defects(driver.mesh(), find),
+             .remaining = driver.log().steps.empty() ? before : find_defects(driver.mesh(), find),
              .prepared = options.keep_prepared ? driver.shared_mesh() : nullptr}};
   }
   std::vector<TrackedMesh> tracked_meshes;
@@ -152,9 +154,11 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
         return find_fixed_vertices(tracked, cut, options);
       },
       pairs);
-  result.before = find_defects(driver.mesh(), {.codes = DefectCodes::all(),
-                                               .tolerances = options.tolerances,
-                                               .max_defects = options.max_defects});
+  DefectOptions find;
+  find.tolerances = options.tolerances;
+  find.max_defects = options.max_defects;
+  find.wants_to_stop = options.wants_to_stop;
+  result.before = find_defects(driver.mesh(), find);
   if (options.on_input) options.on_input(driver.mesh(), result.before);
   if (reason_against_repair(driver).empty() || drop_equal_faces(driver, options, result.before)) {
     repair(driver, options, tolerances, result);
@@ -162,7 +166,7 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
     result.is_stopped = options.wants_to_stop && options.wants_to_stop();
     if (options.reports_patches) result.patches = find_patch_outcomes(driver, result.before);
   }
-  result.meshes = finished_meshes(driver, options, tolerances);
+  result.meshes = finished_meshes(driver, options, tolerances, result.before);
   result.log = driver.take_log();
   append_dropped_parts(driver.input(), driver.tracked(), result.log, result.notes);
   name_what_has_no_reason(options, reason_of_defects_left(driver), result);

@@ -3,6 +3,7 @@
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/defects/catalogue.h"
+#include "support/foldovers.h"
 #include "support/random_soups.h"
 #include "support/shapes.h"
 
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <limits>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace meshalyzer {
@@ -156,6 +158,18 @@ TEST(FindDefects, AreTheSameForAnyNumberOfThreads) {
     const ThreadLimit one(1);
     EXPECT_EQ(described(find_defects(soup)), many);
   }
+}
+
+TEST(FindDefects, SearchForFoldoversThatIsStoppedSaysSo) {
+  const Soup soup = shapes::dragged_vertex();
+  EXPECT_EQ(find_defects(soup).count(DefectCode::Foldover), 1U);
+  EXPECT_TRUE(find_defects(soup).warnings.empty());
+  DefectOptions options;
+  options.wants_to_stop = [] { return true; };
+  const DefectReport stopped = find_defects(soup, options);
+  EXPECT_EQ(stopped.count(DefectCode::Foldover), 0U);
+  ASSERT_EQ(stopped.warnings.size(), 1U);
+  EXPECT_NE(stopped.warnings.front().find("foldovers"), std::string::npos);
 }
 
 }  // namespace

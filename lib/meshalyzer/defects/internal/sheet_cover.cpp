@@ -73,19 +73,21 @@ std::vector<double> heights_above_side(const Polygon& polygon, const Corners& t,
 }  // namespace
 
 SheetCover::SheetCover(const PreparedMesh& mesh, std::span<const Index> patch_of_face,
-                       double tolerance)
+                       double tolerance, const std::function<bool()>& wants_to_stop)
     : mesh_(mesh.cut().mesh),
       closest_(mesh.tree()),
       patch_of_face_(patch_of_face),
       tolerance_(tolerance + rounding_of(mesh.tree().bounds())),
       excluded_(mesh_.n_faces(), 0),
-      n_left_to_examine_(kMaxExamined + kMaxExaminedPerFace * mesh_.n_faces()) {}
+      n_left_to_examine_(kMaxExamined + kMaxExaminedPerFace * mesh_.n_faces()),
+      wants_to_stop_(wants_to_stop) {}
 
 std::optional<double> SheetCover::measure(const SheetQuery& query) {
   for (const Index f : query.faces) excluded_[f] = 1;
   std::optional<double> largest = 0.0;
   for (const Index f : query.faces) {
-    const std::optional<double> distance = measure_face(f, query);
+    const bool is_to_stop = wants_to_stop_ && wants_to_stop_();
+    const std::optional<double> distance = is_to_stop ? std::nullopt : measure_face(f, query);
     if (!distance) {
       largest.reset();
       break;

@@ -390,10 +390,13 @@ void FoldoverRemover::put_replacement(const FaceDisc& disc,
 }  // namespace
 
 PassResult remove_foldovers(const PassInput& input) {
-  const DefectList foldovers = find_foldovers(input.mesh, input.tolerances);
+  const DefectList foldovers = find_foldovers(input.mesh, input.tolerances, input.wants_to_stop);
   if (foldovers.empty()) return {};
   FoldoverRemover remover(input, foldovers);
-  for (const Defect& foldover : foldovers) remover.treat(foldover);
+  for (const Defect& foldover : foldovers) {
+    if (input.wants_to_stop && input.wants_to_stop()) break;
+    remover.treat(foldover);
+  }
   return remover.take();
 }
 
