@@ -2,6 +2,7 @@
 
 #include "exit_code.h"
 #include "guarded.h"
+#include "large_blocks.h"
 #include "meshalyzer/base/parallel.h"
 #include "options.h"
 #include "session.h"
@@ -25,6 +26,7 @@ ExitCode run_command(int argc, const char* const* argv, Streams streams) {
 
 int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   const Streams streams{out, err};
+  return_large_blocks();
   return run_guarded("meshfixer", streams, [&] { return run_command(argc, argv, streams); });
 }
 
