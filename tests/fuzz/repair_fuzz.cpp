@@ -14,6 +14,7 @@ namespace {
 
 /// On so few points nearly all faces meet each other: more of them only take longer.
 constexpr std::size_t kMaxFaces = 24;
+constexpr std::size_t kMaxFacesToCut = 12;
 constexpr std::size_t kMaxBytes = 96;
 /// A repair is done after the first run, but for meshes where a patch of a hole, part of the
 /// surface the next time, lets more be done.
@@ -42,8 +43,7 @@ RepairOptions read_options(Bytes& bytes) {
   options.fill.sheets = bytes.next_bit() ? FillSheets::Yes : FillSheets::No;
   constexpr std::array<double, 6> kDeviations{0.001, 0.0, 1e-12, 0.05, 0.5, 10.0};
   options.max_deviation.value = kDeviations[bytes.next() % kDeviations.size()];
-  // Where nearly all faces cross, cutting finds more to do in what it has made, run after run.
-  options.fixes.erase(DefectCode::SelfIntersection);
+  if (!bytes.next_bit()) options.fixes.erase(DefectCode::SelfIntersection);
   const unsigned left_out = bytes.next();
   if (left_out < kDefectCodes) options.fixes.erase(all_defect_codes()[left_out]);
   if (bytes.next_bit()) options.fixes.insert(DefectCode::Numbering);
@@ -61,7 +61,7 @@ Vec3 read_position(Bytes& bytes, double scale) {
 
 /// Few points and many faces, so that nearly everything coincides; one corner value stands for a
 /// missing vertex.
-Soup read_soup(Bytes& bytes) {
+Soup read_soup(Bytes& bytes, std::size_t max_faces) {
   constexpr std::array<double, 4> kScales{1.0, 1e-3, 1e-310, 1e305};
   constexpr std::array<Format, 3> kFormats{Format::Mesh, Format::Obj, Format::Ply};
   Soup soup;
@@ -71,7 +71,7 @@ Soup read_soup(Bytes& bytes) {
   for (unsigned i = 0; i < n_vertices; ++i) {
     soup.positions.push_back(read_position(bytes, scale));
   }
-  while (bytes.left() >= 3 && soup.n_faces() < kMaxFaces) {
+  while (bytes.left() >= 3 && soup.n_faces() < max_faces) {
     const auto face = static_cast<Index>(soup.n_faces());
     Triangle triangle{};
     for (std::uint8_t corner = 0; corner < 3; ++corner) {
@@ -123,11 +123,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size > kMaxBytes) return 0;
   Bytes bytes(data, size);
   const RepairOptions options = read_options(bytes);
-  Soup soup = read_soup(bytes);
+  const bool cuts = options.fixes.contains(DefectCode::SelfIntersection);
+  Soup soup = read_soup(bytes, cuts ? kMaxFacesToCut : kMaxFaces);
   for (std::size_t run = 0; run < kMaxRuns; ++run) {
     RepairResult result = fix_defects(soup, options);
     check(soup, result);
-    if (result.log.operations.empty()) return 0;
+    // Where nearly all faces cross, cutting finds more to do in what it has made, run after run.
+    if (result.log.operations.empty() || cuts) return 0;
     soup = std::move(result.meshes.front().tracked.soup);
   }
   __builtin_trap();
