@@ -3,11 +3,10 @@
 #include "meshalyzer/base/lexicographic.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/triangle.h"
-#include "meshalyzer/mesh/build.h"
 #include "meshalyzer/repair/driver/internal/changed_faces.h"
 #include "meshalyzer/repair/driver/internal/face_cover.h"
 #include "meshalyzer/repair/driver/internal/face_distance.h"
-#include "meshalyzer/spatial/faces_near.h"
+#include "meshalyzer/repair/driver/internal/searched_surface.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -137,14 +136,6 @@ double settle_cut_faces(Side& old_side, const PartsOfFaces& parts, const Distanc
   return drop_settled(distances, old_side);
 }
 
-/// A surface whose points can be searched.
-struct SearchedSurface {
-  explicit SearchedSurface(const Soup& soup) : cut(build(soup)) {}
-  CutMesh cut;
-  FaceTree tree{cut};
-  ClosestPoints closest{tree};
-};
-
 /// Measures all remaining faces of a side.
 SideResult measure_side(const Side& side, const FaceTree& tree, const ClosestPoints& closest,
                         const DistanceQuery& query) {
@@ -171,41 +162,6 @@ SideResult measure_side(const Side& side, const FaceTree& tree, const ClosestPoi
 /// measure for so many of its faces.
 constexpr std::size_t kFacesPerMeasured = 16;
 
-/// Returns the boxes of everything within the bound of the faces of a side.
-std::vector<Box3> boxes_within(const Side& side, double bound) {
-  // Distances are computed with errors that are some 2^-50 of the coordinates.
-  constexpr double kBeyondRounding = 0x1p-40;
-  std::vector<Box3> boxes;
-  boxes.reserve(side.faces.size());
-  for (const ChangedFace& changed : side.faces) {
-    Box3& box = boxes.emplace_back(box_of(corners_of(side.from, changed.face)));
-    const double largest =
-        std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-    const double margin = bound * (1.0 + kBeyondRounding) + kBeyondRounding * largest;
-    box.min().array() -= margin;
-    box.max().array() += margin;
-  }
-  return boxes;
-}
-
-/// Returns some faces of a soup with their vertices, in the same order.
-Soup extract_faces(const Soup& soup, const std::vector<Index>& faces) {
-  Soup part;
-  std::vector<Index> number(soup.n_vertices(), kNoIndex);
-  for (const Index face : faces) {
-    Triangle corners = soup.triangles[face];
-    for (Index& v : corners) {
-      if (number[v] == kNoIndex) {
-        number[v] = static_cast<Index>(part.positions.size());
-        part.positions.push_back(soup.positions[v]);
-      }
-      v = number[v];
-    }
-    part.triangles.push_back(corners);
-  }
-  return part;
-}
-
 /// Measures the remaining faces of a side: if they are few, from those faces of the other surface
 /// alone that may be within the bound, which takes no tree over the whole of it.
 ///
@@ -216,8 +172,10 @@ template <typename MeasureWhole>
 SideResult measure_rest(const Side& side, const Soup& other, const DistanceQuery& query,
                         const MeasureWhole& measure_whole) {
   if (side.faces.size() * kFacesPerMeasured >= other.n_faces()) return measure_whole();
-  const SearchedSurface near(
-      extract_faces(other, find_faces_near(other, boxes_within(side, query.bound))));
+  std::vector<Corners> faces(side.faces.size());
+  std::transform(side.faces.begin(), side.faces.end(), faces.begin(),
+                 [&](const ChangedFace& changed) { return corners_of(side.from, changed.face); });
+  const SearchedSurface near(part_within(other, faces, query.bound));
   SideResult result = measure_side(side, near.tree, near.closest, query);
   const bool is_known = query.question == DistanceQuestion::IsWithin || result.far.empty();
   return is_known ? result : measure_whole();

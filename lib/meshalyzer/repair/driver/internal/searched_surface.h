@@ -1,0 +1,32 @@
+#pragma once
+
+#include "meshalyzer/base/corners.h"
+#include "meshalyzer/mesh/build.h"
+#include "meshalyzer/spatial/closest_point.h"
+
+#include <span>
+
+namespace meshalyzer {
+
+// Private to DeviationMeter.
+
+/// A surface whose closest points can be searched. It is neither copied nor moved, because its
+/// parts refer to each other.
+struct SearchedSurface {
+  explicit SearchedSurface(const Soup& soup) : cut(build(soup)) {}
+  SearchedSurface(const SearchedSurface&) = delete;
+  SearchedSurface& operator=(const SearchedSurface&) = delete;
+
+  CutMesh cut;
+  FaceTree tree{cut};
+  ClosestPoints closest{tree};
+};
+
+/// Returns the faces of a surface that may have a point within a distance of some triangles, in
+/// the same order.
+///
+/// @complexity That of find_faces_near().
+[[nodiscard]] Soup part_within(const Soup& surface, std::span<const Corners> triangles,
+                               double distance);
+
+}  // namespace meshalyzer
