@@ -13,6 +13,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <span>
 #include <utility>
 
 namespace meshalyzer {
@@ -22,6 +23,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// The number of vertices in one task. They follow each other on the surface, so that the answer of
 /// one is a good first guess for the next.
 constexpr std::size_t kVerticesPerChunk = 256;
+/// The number of vertices that are excluded together where another object is far from all of them:
+/// as many as still lie close together.
+constexpr std::size_t kVerticesPerPatch = 16;
 /// The largest number of tasks that search an object's own surface.
 constexpr std::size_t kSelfChunks = 64;
 
@@ -194,15 +198,30 @@ class Separator {
   void look_at(Index number, const SetObject& other) {
     parallel_chunks(open_.size(), kVerticesPerChunk, [&](Chunk chunk) {
       Index hint = kNoIndex;
-      for (std::size_t k = chunk.begin; k < chunk.end; ++k) {
-        const std::size_t i = open_[k];
-        if (is_in_reach(other.box(), i)) {
-          ClosestQuery closest_query = query(i);
-          closest_query.hint = hint;
-          hint = take(i, number, other, closest_query);
+      for (std::size_t k = chunk.begin; k < chunk.end; k += kVerticesPerPatch) {
+        const std::size_t n = std::min(kVerticesPerPatch, chunk.end - k);
+        const auto patch = std::span(open_).subspan(k, n);
+        if (!may_be_near(other, patch)) continue;
+        for (const std::size_t i : patch) {
+          if (is_in_reach(other.box(), i)) {
+            ClosestQuery closest_query = query(i);
+            closest_query.hint = hint;
+            hint = take(i, number, other, closest_query);
+          }
         }
       }
     });
+  }
+
+  /// Tells whether another object may be as near to any of some vertices as the best so far.
+  [[nodiscard]] bool may_be_near(const SetObject& other, std::span<const std::size_t> patch) const {
+    Box3 box;
+    double farthest = -kInfinity;
+    for (const std::size_t i : patch) {
+      box.extend(point(i));
+      farthest = std::max(farthest, best_[i].distance);
+    }
+    return farthest >= 0.0 && other.closest().may_be_within(box, farthest);
   }
 
   void look_at_self() {

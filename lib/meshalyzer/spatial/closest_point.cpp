@@ -32,13 +32,13 @@ constexpr double kRelativeSlack = 0x1p-19;
 /// never takes it farther from any face, because it projects onto a box that contains them all.
 constexpr double kFarthest = 0x1p30;
 
-EightFloats squared_distances(const EightBoxes& boxes, const std::array<float, 3>& from) {
+/// Returns the squared distances of eight boxes from another one.
+EightFloats squared_distances(const EightBoxes& boxes, const TreeBox& from) {
   const EightFloats zero = EightFloats::all(0.0F);
   EightFloats squared = zero;
   for (std::size_t k = 0; k < 3; ++k) {
-    const EightFloats at = EightFloats::all(from[k]);
-    const EightFloats below = EightFloats::load(boxes.min[k]) - at;
-    const EightFloats above = at - EightFloats::load(boxes.max[k]);
+    const EightFloats below = EightFloats::load(boxes.min[k]) - EightFloats::all(from.high[k]);
+    const EightFloats above = EightFloats::all(from.low[k]) - EightFloats::load(boxes.max[k]);
     const EightFloats gap = max(max(below, above), zero);
     squared = squared + gap * gap;
   }
@@ -116,6 +116,35 @@ EightVectors fine_direction(const EightCorners& corners) {
                 best);
 }
 
+/// Maps a point to the coordinates of a tree's boxes.
+std::array<float, 3> clamped(const FaceTree& tree, const Vec3& point) {
+  constexpr auto kLimit = static_cast<float>(kFarthest);
+  std::array<float, 3> place = tree.map(point);
+  for (float& x : place) x = std::clamp(x, -kLimit, kLimit);
+  return place;
+}
+
+/// Returns the squared distance in the tree's coordinates beyond which nothing is within a distance
+/// in the mesh's unit.
+float squared_reach(const FaceTree& tree, double distance) {
+  const double reach = distance * tree.scale() * (1 + kRelativeSlack) + kAbsoluteSlack;
+  // Empty boxes lie at infinity and are never within reach.
+  return static_cast<float>(
+      std::min(reach * reach, static_cast<double>(std::numeric_limits<float>::max())));
+}
+
+/// Tells whether a leaf below a node is within reach of a box.
+bool has_leaf_near(const FaceTree& tree, std::size_t level, std::size_t i, const TreeBox& box,
+                   float reach) {
+  unsigned near = (squared_distances(tree.node(level, i), box) <= EightFloats::all(reach)).bits();
+  if (level <= 1) return near != 0;
+  for (; near != 0; near &= near - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(near));
+    if (has_leaf_near(tree, level - 1, 8 * i + lane, box, reach)) return true;
+  }
+  return false;
+}
+
 /// A node of the tree that remains to be searched.
 struct Entry {
   /// A lower bound of its squared distance.
@@ -154,10 +183,8 @@ class Search {
       : tree_(tree),
         triangles_(triangles),
         query_(query),
-        place_((query.point - tree.centre()) * tree.scale()) {
-    const std::array<float, 3> place = tree.map(query.point);
-    constexpr auto kLimit = static_cast<float>(kFarthest);
-    for (std::size_t k = 0; k < 3; ++k) clamped_[k] = std::clamp(place[k], -kLimit, kLimit);
+        place_((query.point - tree.centre()) * tree.scale()),
+        clamped_(clamped(tree, query.point)) {
     best_.distance = query.within;
     set_reach();
   }
@@ -188,7 +215,7 @@ class Search {
   /// Pushes the children of a node that may hold the answer, or opens them if they are leaves.
   void open_node(const Entry& entry) {
     const EightBoxes& node = tree_.node(entry.level, entry.index);
-    const EightFloats squared = squared_distances(node, clamped_);
+    const EightFloats squared = squared_distances(node, TreeBox{clamped_, clamped_});
     unsigned near = within_reach(squared);
     if (query_.cone) {
       near = those_in_cone(*query_.cone, node, near);
@@ -209,7 +236,8 @@ class Search {
   /// boxes would, but those of far faces are in other places.
   void open_leaf(Index leaf) {
     if (tree_.is_far_leaf(leaf)) {
-      return consider_lanes(leaf, squared_distances(tree_.node(0, leaf), clamped_));
+      return consider_lanes(leaf,
+                            squared_distances(tree_.node(0, leaf), TreeBox{clamped_, clamped_}));
     }
     const EightCorners corners = seen_from(clamped_, triangles_[leaf]);
     if (within_reach(squared_distances(corners, rough_direction(corners))) == 0) {
@@ -314,10 +342,7 @@ class Search {
       reach_ = -1.0F;
       return;
     }
-    const double reach = best_.distance * tree_.scale() * (1 + kRelativeSlack) + kAbsoluteSlack;
-    // Empty boxes lie at infinity and are never within reach.
-    reach_ = static_cast<float>(
-        std::min(reach * reach, static_cast<double>(std::numeric_limits<float>::max())));
+    reach_ = squared_reach(tree_, best_.distance);
   }
 
   const FaceTree& tree_;
@@ -325,7 +350,7 @@ class Search {
   const ClosestQuery& query_;
   /// The point of the query in the tree's coordinates.
   Vec3 place_;
-  std::array<float, 3> clamped_{};
+  std::array<float, 3> clamped_;
   SurfacePoint best_;
   float reach_ = 0.0F;
   Stack stack_;
@@ -356,6 +381,12 @@ ClosestPoints::ClosestPoints(const FaceTree& tree)
       }
     }
   });
+}
+
+bool ClosestPoints::may_be_within(const Box3& box, double distance) const {
+  return has_leaf_near(tree_, tree_.n_levels() - 1, 0,
+                       {clamped(tree_, box.min()), clamped(tree_, box.max())},
+                       squared_reach(tree_, distance));
 }
 
 std::optional<SurfacePoint> ClosestPoints::find(const ClosestQuery& query) const {

@@ -78,6 +78,14 @@ class ClosestPoints {
   /// @complexity   O(log #F) on average; O(#F) if all faces are equally far up to rounding.
   [[nodiscard]] std::optional<SurfacePoint> find(const ClosestQuery& query) const;
 
+  /// Tells whether the mesh may come as near to a box as `distance`. If it does not, no point in
+  /// the box has an answer within this distance.
+  ///
+  /// @param box       A box that is not empty.
+  /// @param distance  At least 0; it may be infinite.
+  /// @complexity      O(log #F) for a box that is small beside the distance.
+  [[nodiscard]] bool may_be_within(const Box3& box, double distance) const;
+
  private:
   const FaceTree& tree_;
   std::vector<EightTriangles> triangles_;

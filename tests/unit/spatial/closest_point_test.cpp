@@ -337,6 +337,40 @@ TEST(ClosestPoints, SphereIsSeenAtItsRadius) {
   }
 }
 
+TEST(ClosestPoints, NothingIsWithinADistanceOfABoxThatTheMeshIsNotNear) {
+  RandomVectors random;
+  int n_not_near = 0;
+  for (const Soup& soup : soups(random)) {
+    const Scene scene(soup);
+    const double size = scene.tree.bounds().diagonal().norm();
+    for (int i = 0; i < 300; ++i) {
+      const Vec3 p = query_point(scene, random);
+      Box3 box(p);
+      box.extend((p + 0.1 * size * random.vector()).eval());
+      // As near as the mesh is to p, or a little nearer.
+      const double nearest = scene.by_brute_force({.point = p})->distance;
+      EXPECT_TRUE(scene.closest.may_be_within(box, nearest));
+      const bool is_near = scene.closest.may_be_within(box, 0.5 * nearest);
+      n_not_near += is_near ? 0 : 1;
+      const Vec3 other = box.center();
+      EXPECT_TRUE(is_near || !scene.by_brute_force({.point = other, .within = 0.5 * nearest}));
+    }
+  }
+  EXPECT_GT(n_not_near, 500);
+}
+
+TEST(ClosestPoints, BoxIsAsFarFromASphereAsItsCornerIs) {
+  // The corner (3, 3, 3) is sqrt(27) - 1 = 4.196 from the unit sphere; boxes of leaves reach out of it
+  // a little.
+  const Scene scene(shapes::icosphere(4));
+  const Box3 box(Vec3(3, 3, 3), Vec3(4, 5, 6));
+  EXPECT_FALSE(scene.closest.may_be_within(box, 4.0));
+  EXPECT_TRUE(scene.closest.may_be_within(box, 4.2));
+  EXPECT_TRUE(scene.closest.may_be_within(box, kInfinity));
+  EXPECT_TRUE(scene.closest.may_be_within(Box3(Vec3(0.9, -9, -9), Vec3(9, 9, 9)), 0.0));
+  EXPECT_FALSE(scene.closest.may_be_within(Box3(Vec3(1.1, -9, -9), Vec3(9, 9, 9)), 0.0));
+}
+
 TEST(ClosestPoints, DistanceBeyondTheLargestNumberIsInfinite) {
   const Scene scene(shapes::scaled(shapes::cube(), 1e308));
   const auto found = scene.closest.find({.point = Vec3::Constant(-1.7e308)});
