@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 namespace meshalyzer {
@@ -49,16 +50,22 @@ double largest(const Vec3& v) {
   return std::max({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
 }
 
+/// What a face counts for in a mean of normals.
+enum class Weight : std::uint8_t { Area, One };
+
 /// Returns the mean direction of the faces' normals, in whole numbers.
-std::optional<Vec3> facing_direction(const Star& star) {
+std::optional<Vec3> facing_direction(const Star& star, Weight weight) {
   Coordinates all{0.0, 0.0, 0.0};
   for (std::size_t i = 0; i < star.n_faces(); ++i) {
     const auto [x, y, z] = cross_product_of_arms(star.first_arm(i), star.second_arm(i));
-    const double squared_length = x * x + y * y + z * z;
-    if (squared_length == 0.0) {
-      return std::nullopt;
+    double factor = 1.0;
+    if (weight == Weight::One) {
+      const double squared_length = x * x + y * y + z * z;
+      if (squared_length == 0.0) {
+        return std::nullopt;
+      }
+      factor = 1.0 / std::sqrt(squared_length);
     }
-    const double factor = 1.0 / std::sqrt(squared_length);
     all = {all.x + factor * x, all.y + factor * y, all.z + factor * z};
   }
   const Vec3 sum(all.x, all.y, all.z);
@@ -132,13 +139,8 @@ bool has_small_arms(const Star& star) {
                      [](const Arm& arm) { return arm.size < kLarge; });
 }
 
-}  // namespace
-
-bool is_surely_embedded(const Star& star) {
-  if (star.n_faces() == 0 || !has_small_arms(star)) {
-    return false;
-  }
-  const std::optional<Vec3> direction = facing_direction(star);
+/// Tells whether the test succeeds with a direction, if there is one.
+bool is_surely_embedded_along(const std::optional<Vec3>& direction, const Star& star) {
   if (!direction || !all_surely_face(star, *direction)) {
     return false;
   }
@@ -151,6 +153,17 @@ bool is_surely_embedded(const Star& star) {
     return false;
   }
   return star.is_closed ? crossings->up == 1 : crossings->up == 0 || crossings->down == 0;
+}
+
+}  // namespace
+
+bool is_surely_embedded(const Star& star) {
+  if (star.n_faces() == 0 || !has_small_arms(star)) {
+    return false;
+  }
+  // Weights of areas need no square roots, and are as good unless the areas differ much.
+  return is_surely_embedded_along(facing_direction(star, Weight::Area), star) ||
+         is_surely_embedded_along(facing_direction(star, Weight::One), star);
 }
 
 }  // namespace meshalyzer

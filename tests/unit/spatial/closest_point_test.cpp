@@ -360,8 +360,8 @@ TEST(ClosestPoints, NothingIsWithinADistanceOfABoxThatTheMeshIsNotNear) {
 }
 
 TEST(ClosestPoints, BoxIsAsFarFromASphereAsItsCornerIs) {
-  // The corner (3, 3, 3) is sqrt(27) - 1 = 4.196 from the unit sphere; boxes of leaves reach out of it
-  // a little.
+  // The corner (3, 3, 3) is sqrt(27) - 1 = 4.196 from the unit sphere; boxes of leaves reach out of
+  // it a little.
   const Scene scene(shapes::icosphere(4));
   const Box3 box(Vec3(3, 3, 3), Vec3(4, 5, 6));
   EXPECT_FALSE(scene.closest.may_be_within(box, 4.0));
