@@ -39,8 +39,9 @@ std::string note_of(const FileFindings& file) {
 }
 
 std::string left_out_of(const FileFindings& file, const FindingCount& found) {
-  return fmt::format("... and {}{} more", found.is_at_least ? "at least " : "",
-                     grouped(n_left_out(file, found)));
+  const std::size_t n = n_left_out(file, found);
+  if (n == 0) return "... and perhaps more";
+  return fmt::format("... and {}{} more", found.is_at_least ? "at least " : "", grouped(n));
 }
 
 }  // namespace meshalyzer

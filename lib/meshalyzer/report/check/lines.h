@@ -21,7 +21,8 @@ namespace meshalyzer {
 /// Returns the number of findings of a code that are not listed.
 [[nodiscard]] std::size_t n_left_out(const FileFindings& file, const FindingCount& found);
 
-/// Returns "... and 35 more" or "... and at least 35 more".
+/// Returns "... and 35 more", "... and at least 35 more", or "... and perhaps more" where all that
+/// were found are listed, but not all were searched.
 [[nodiscard]] std::string left_out_of(const FileFindings& file, const FindingCount& found);
 
 /// Returns a note on a file that is no finding: that its name does not match its format. It is

@@ -70,6 +70,25 @@ std::string measured(const Analysis& analysis, T value, std::size_t width) {
   return analysis.has_characteristics ? fitted(value, width) : std::string(kNone);
 }
 
+/// Returns a number with no digit but its first.
+std::size_t rounded_down(std::size_t number) {
+  std::size_t unit = 1;
+  while (number / unit >= 10) unit *= 10;
+  return number / unit * unit;
+}
+
+/// Returns the number of intersecting pairs, as ">=85" where the search was stopped: then it is not
+/// rounded up.
+std::string pairs_cell(const Analysis& analysis, std::size_t width) {
+  const Characteristics& c = analysis.characteristics;
+  if (!c.is_search_stopped) return measured(analysis, c.intersecting_pairs, width);
+  constexpr std::string_view kAtLeast = ">=";
+  const std::string all = std::to_string(c.intersecting_pairs);
+  const std::size_t left = width - kAtLeast.size();
+  return std::string(kAtLeast) +
+         (all.size() <= left ? all : fitted(rounded_down(c.intersecting_pairs), left));
+}
+
 /// A column of the table: its title and its entry for a mesh.
 struct SummaryColumn {
   std::string_view title;
@@ -102,10 +121,7 @@ constexpr std::array kSummaryColumns{
                     const auto& genus = analysis.characteristics.genus.value;
                     return genus ? std::to_string(*genus) : std::string(kNone);
                   }},
-    SummaryColumn{"selfint", 7,
-                  [](const Analysis& analysis, std::size_t width) {
-                    return measured(analysis, analysis.characteristics.intersecting_pairs, width);
-                  }},
+    SummaryColumn{"selfint", 7, pairs_cell},
     SummaryColumn{"area", 9,
                   [](const Analysis& analysis, std::size_t width) {
                     return measured(analysis, analysis.characteristics.area, width);

@@ -76,6 +76,17 @@ TEST(CheckReport, TextTellsAFindingALineAndTheTotalsLast) {
             "3 meshes in 6.1 s: 1 good, 1 not (36 errors, 1 warning; 36 fixable), 1 unreadable\n");
 }
 
+TEST(CheckReport, TextTellsThatThereMayBeMoreThanIsListed) {
+  FileFindings file = bad_file();
+  file.counts[1].is_at_least = true;
+  std::string text;
+  const auto report = make_check_report(
+      CheckFormat::Text, [&](std::string_view piece) { text += piece; }, TextColour::Never);
+  report->add(file);
+  EXPECT_NE(text.find("a b.obj: ... and perhaps more orphan-vertex\n"), std::string::npos);
+  EXPECT_EQ(text.find("at least 0"), std::string::npos);
+}
+
 TEST(CheckReport, TextOnATerminalColoursSeverities) {
   const std::string text = report_as(CheckFormat::Text, TextColour::Always);
   EXPECT_NE(text.find("\x1b[1;31merror\x1b[0m[hole]"), std::string::npos);

@@ -88,6 +88,18 @@ TEST(SummaryLine, LargeNumbersKeepTheirColumns) {
             " yes\n");
 }
 
+TEST(SummaryLine, StoppedSearchHasFoundAtLeastSoManyPairs) {
+  Analysis analysis = good_cube();
+  analysis.characteristics.is_search_stopped = true;
+  const auto pairs_cell = [&](std::size_t n_pairs) {
+    analysis.characteristics.intersecting_pairs = n_pairs;
+    return summary_line("a", analysis, kWidth).substr(kWidth + 45, 8);
+  };
+  EXPECT_EQ(pairs_cell(0), "     >=0");
+  EXPECT_EQ(pairs_cell(98765), " >=98765");
+  EXPECT_EQ(pairs_cell(7837085), " >=7e+06");
+}
+
 TEST(SummaryLine, LongNamesLoseTheirMiddle) {
   // Three of the seven characters beside the gap are of the front.
   EXPECT_THAT(summary_line("abcdefghijk", {}, kWidth), testing::StartsWith("abc...hijk "));
