@@ -56,6 +56,11 @@ namespace meshalyzer {
 /// smallest step after which the faces round them share no point.
 [[nodiscard]] PassResult part_contacts(const PassInput& input);
 
+/// Cuts off the tips of the surface that touch another part of it at copies of a vertex, where
+/// part_contacts() finds no way to move them: the faces round one of the copies are cut off near
+/// it, within the deviation, and the hole is filled.
+[[nodiscard]] PassResult cut_off_tips(const PassInput& input);
+
 /// Turns faces until no edge is crossed twice in the same direction. In each edge component the
 /// smaller part is turned; components that cannot be oriented are left.
 [[nodiscard]] PassResult orient_consistently(const PassInput& input);

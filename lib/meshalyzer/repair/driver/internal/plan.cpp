@@ -120,6 +120,7 @@ void plan_fixes_from_cutting(const RepairOptions& options, Sheets sheets, Planne
             {NonManifold, FlatFacet, DegenerateFacet, Foldover, Flipped, Hole},
             Repeat::UntilDone,
             true});
+  if (options.contact == Contact::Part) plan.add({"cut off tips", NonManifold, cut_off_tips});
   plan.add(drop(options.solid ? Fragments::All : Fragments::Debris));
   plan.add({"renew normals", VertexNormal, renew_normals});
   plan.add({"drop orphans", OrphanVertex, drop_orphans});
