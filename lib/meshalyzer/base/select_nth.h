@@ -16,14 +16,13 @@ namespace meshalyzer {
 /// Returns a key that is ordered as the numbers are; -0.0 comes before 0.0. NaN has no place.
 [[nodiscard]] inline std::uint32_t ordered_bits(float number) {
   const auto bits = std::bit_cast<std::uint32_t>(number);
-  constexpr std::uint32_t sign = std::uint32_t{1} << 31;
-  return (bits & sign) != 0 ? ~bits : bits | sign;
+  // Negative numbers have all bits flipped, the others only the sign.
+  return bits ^ ((0U - (bits >> 31)) | std::uint32_t{1} << 31);
 }
 
 [[nodiscard]] inline std::uint64_t ordered_bits(double number) {
   const auto bits = std::bit_cast<std::uint64_t>(number);
-  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
-  return (bits & sign) != 0 ? ~bits : bits | sign;
+  return bits ^ ((std::uint64_t{0} - (bits >> 63)) | std::uint64_t{1} << 63);
 }
 
 namespace detail {

@@ -155,7 +155,9 @@ std::array<float, 3> FaceTree::map(const Vec3& point) const {
   // Rounded subtraction, multiplication by a positive factor, conversion and clamping are monotone,
   // so their composition is.
   const auto place = [&](Eigen::Index k) {
-    return std::clamp(static_cast<float>((point[k] - centre_[k]) * scale_), -limit_, limit_);
+    const auto x = static_cast<float>((point[k] - centre_[k]) * scale_);
+    // Unlike std::clamp(), this compiles to two instructions without a branch.
+    return std::min(std::max(x, -limit_), limit_);
   };
   return {place(0), place(1), place(2)};
 }
@@ -167,15 +169,11 @@ bool FaceTree::is_far(const Vec3& point) const {
 }
 
 TreeBox FaceTree::box_of(const Triangle& t) const {
-  const auto a = map(points_[t[0]]);
-  const auto b = map(points_[t[1]]);
-  const auto c = map(points_[t[2]]);
-  TreeBox box;
-  for (std::size_t k = 0; k < 3; ++k) {
-    box.low[k] = std::min({a[k], b[k], c[k]});
-    box.high[k] = std::max({a[k], b[k], c[k]});
-  }
-  return box;
+  const Vec3& a = points_[t[0]];
+  const Vec3& b = points_[t[1]];
+  const Vec3& c = points_[t[2]];
+  // The map is monotone, so it takes the corners of the box to those of the box of the places.
+  return {map(a.cwiseMin(b).cwiseMin(c)), map(a.cwiseMax(b).cwiseMax(c))};
 }
 
 void FaceTree::choose_map(std::span<const Triangle> triangles) {
