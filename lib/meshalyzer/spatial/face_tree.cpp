@@ -151,17 +151,6 @@ FaceTree::FaceTree(const CutMesh& cut, std::span<const Index> mesh_faces)
   mark_far_leaves();
 }
 
-std::array<float, 3> FaceTree::map(const Vec3& point) const {
-  // Rounded subtraction, multiplication by a positive factor, conversion and clamping are monotone,
-  // so their composition is.
-  const auto place = [&](Eigen::Index k) {
-    const auto x = static_cast<float>((point[k] - centre_[k]) * scale_);
-    // Unlike std::clamp(), this compiles to two instructions without a branch.
-    return std::min(std::max(x, -limit_), limit_);
-  };
-  return {place(0), place(1), place(2)};
-}
-
 bool FaceTree::is_far(const Vec3& point) const {
   if (limit_ > kFarPlace) return false;
   const std::array<float, 3> place = map(point);
