@@ -83,7 +83,11 @@ class LoopFiller {
 
   /// Returns a new vertex in the middle of the loop, with a triangle for each edge.
   [[nodiscard]] std::optional<Patch> try_fan() {
-    if (polygon_.size() > kMaxFan || !rules_.bridges.empty()) return std::nullopt;
+    // The middle of three points lies in their plane, so that a fan is no better than the triangle,
+    // and beyond it only by rounding.
+    if (polygon_.size() == 3 || polygon_.size() > kMaxFan || !rules_.bridges.empty()) {
+      return std::nullopt;
+    }
     const Soup& soup = task_.mesh.soup();
     const double share = 1.0 / static_cast<double>(loop_.size());
     Vec3 middle = Vec3::Zero();
