@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -158,6 +159,25 @@ TEST(ClosestPoints, LimitConeAndExclusionAgreeWithBruteForceToTheBit) {
   }
   EXPECT_GT(n_found, 1000);
   EXPECT_GT(n_missed, 1000);
+}
+
+TEST(ClosestPoints, PointsOnFacesThatReachFarAgreeWithBruteForceToTheBit) {
+  const Scene scene(torus_with_far_vertices());
+  ASSERT_TRUE(scene.tree.has_far_faces());
+  std::size_t n_far = 0;
+  for (std::size_t slot = 0; slot < scene.tree.n_faces(); ++slot) {
+    Triangle t = scene.tree.triangle(slot);
+    const auto far = std::find_if(t.begin(), t.end(), [](Index v) { return v == 7 || v == 400; });
+    if (far == t.end()) continue;
+    ++n_far;
+    std::rotate(t.begin(), far, t.end());
+    const Vec3 side = scene.tree.point(t[0]) - scene.tree.point(t[1]);
+    for (const double away : {0.5, 2.0, 7.0, 30.0, 1000.0}) {
+      const ClosestQuery query{.point = scene.tree.point(t[1]) + away / side.norm() * side};
+      expect_same(scene.closest.find(query), scene.by_brute_force(query));
+    }
+  }
+  EXPECT_EQ(n_far, 12U);
 }
 
 TEST(ClosestPoints, MeshesOfAnySizeAgreeWithBruteForceToTheBit) {
