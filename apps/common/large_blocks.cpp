@@ -10,9 +10,6 @@
 namespace meshalyzer {
 namespace {
 
-/// Mapping a block costs as much as writing a few pages, which does not show from this size on.
-constexpr std::size_t kMappedBlock = std::size_t{1} << 20U;
-
 /// From this size on huge pages pay, though some of the block is in small ones.
 constexpr std::size_t kLargeBlock = std::size_t{4} << 20U;
 
@@ -36,8 +33,8 @@ void* allocate(std::size_t size, std::size_t alignment) {
 
 }  // namespace
 
-void return_large_blocks() {
-  ::mallopt(M_MMAP_THRESHOLD, int{kMappedBlock});
+void return_large_blocks(int least_mib) {
+  ::mallopt(M_MMAP_THRESHOLD, least_mib << 20);
 }
 
 }  // namespace meshalyzer

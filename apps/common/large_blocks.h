@@ -10,6 +10,10 @@ namespace meshalyzer {
 ///
 /// By default glibc keeps blocks of up to 32 MiB for later requests once one was freed, where they
 /// lie between others: a fifth of the memory of a large mesh.
-void return_large_blocks();
+///
+/// @param least_mib  The size from which on a block is returned, in MiB. The system fills each
+///                   block with zeros when it gives it again, which takes time where blocks are
+///                   often freed and allocated.
+void return_large_blocks(int least_mib);
 
 }  // namespace meshalyzer
