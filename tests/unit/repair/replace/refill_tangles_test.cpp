@@ -143,6 +143,17 @@ TEST(FindTangles, TheFacesRoundAreTakenRingByRing) {
   EXPECT_TRUE(find_tangles(PreparedMesh(shapes::icosphere(1)), 2, 1000).places.empty());
 }
 
+TEST(FindTangles, WhatATangleCutsOffIsTakenToo) {
+  // One ring of vertices is moved through the axis, so that the 32 faces at it intersect each
+  // other. Beyond them lies a cap of 8 + 16 faces.
+  constexpr Index kSides = 8;
+  Soup soup = shapes::uv_sphere(16, kSides);
+  for (Index v = 2 * kSides; v < 3 * kSides; ++v) soup.positions[v].head<2>() *= -1.0;
+  const Tangles tangles = find_tangles(PreparedMesh(soup), 0, 100);
+  ASSERT_EQ(tangles.places.size(), 1U);
+  EXPECT_EQ(tangles.places[0].size(), 32U + 24U);
+}
+
 TEST(TopologyOf, IsThatOfDiscsSpheresAndHandles) {
   const auto topology = [](const Soup& soup) { return topology_of(soup.triangles); };
   EXPECT_EQ(topology(shapes::grid(3, 2)), (SurfaceTopology{1, 1, true}));
