@@ -178,7 +178,8 @@ TEST(FindSelfIntersections, MeshesWithFarVerticesEqualBruteForce) {
   Soup spheres = shapes::merged(shapes::uv_sphere(7, 10),
                                 shapes::translated(shapes::uv_sphere(6, 9), {0.9, 0.3, 0.2}));
   Soup slivers = test::sliver_tube(40, {20, 22, 18});
-  for (Soup* soup : {&spheres, &slivers}) {
+  Soup tangle = shapes::tangle(100);
+  for (Soup* soup : {&spheres, &slivers, &tangle}) {
     soup->positions[20] = {1e28, 0, 0};
     soup->positions[40] = {3, -1e7, 2};
     const CutMesh cut = build(*soup);
