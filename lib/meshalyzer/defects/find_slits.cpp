@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -150,32 +149,27 @@ struct NamedEdge {
 /// Sorts border edges by their positions, so that edges at exactly the same positions follow each
 /// other. Edges of length 0 are skipped.
 ///
-/// They are distributed by the smaller names first: few edges have the same one.
+/// They are grouped by the smaller names first, because few edges have the same one.
 std::vector<NamedEdge> by_place(const Soup& soup, std::span<const BorderEdge> edges) {
   const std::vector<Index> names = names_of_places(soup, edges);
-  std::vector<Index> end_of(soup.n_vertices(), 0);
-  const auto named_edge = [&](Index e) -> NamedEdge {
-    const auto [low, high] = std::minmax(names[edges[e].ends[0]], names[edges[e].ends[1]]);
-    return {std::uint64_t{low} << 32 | high, e};
+  const auto ends_of = [&](Index e) {
+    return std::minmax(names[edges[e].ends[0]], names[edges[e].ends[1]]);
   };
-  const auto low_name = [](const NamedEdge& edge) { return edge.places >> 32U; };
-  const auto has_length = [&](Index e) {
-    return names[edges[e].ends[0]] != names[edges[e].ends[1]];
-  };
+  std::vector<Index> low_name(edges.size(), kNoIndex);
   for (Index e = 0; e < edges.size(); ++e) {
-    if (has_length(e)) ++end_of[low_name(named_edge(e))];
+    const auto [low, high] = ends_of(e);
+    if (low != high) low_name[e] = low;
   }
-  std::partial_sum(end_of.begin(), end_of.end(), end_of.begin());
-  std::vector<NamedEdge> named(end_of.empty() ? 0 : end_of.back());
-  for (auto e = static_cast<Index>(edges.size()); e-- > 0;) {
-    if (has_length(e)) named[--end_of[low_name(named_edge(e))]] = named_edge(e);
-  }
-  for (auto begin = named.begin(); begin != named.end();) {
-    const auto end = std::find_if(begin, named.end(), [&](const NamedEdge& edge) {
-      return low_name(edge) != low_name(*begin);
-    });
-    std::sort(begin, end);
-    begin = end;
+  const ItemsByGroup by_low_name(low_name, soup.n_vertices());
+  std::vector<NamedEdge> named;
+  named.reserve(edges.size());
+  for (std::size_t group = 0; group < by_low_name.size(); ++group) {
+    const auto begin = static_cast<std::ptrdiff_t>(named.size());
+    for (const Index e : by_low_name[group]) {
+      const auto [low, high] = ends_of(e);
+      named.push_back({std::uint64_t{low} << 32 | high, e});
+    }
+    std::sort(named.begin() + begin, named.end());
   }
   return named;
 }

@@ -218,13 +218,6 @@ class TangleRefill {
     return fill_loop(task, {.loop = loop_of(place), .bridges = {}}).patch;
   }
 
-  [[nodiscard]] Corners corners(const Patch& patch, const Triangle& t) const {
-    const auto position = [&](Index v) {
-      return v < soup_.n_vertices() ? soup_.positions[v] : patch.added[v - soup_.n_vertices()];
-    };
-    return {position(t[0]), position(t[1]), position(t[2])};
-  }
-
   /// Tells whether the corners and middles of the old faces are within the deviation of the new
   /// surface. All of both surfaces is measured only for what is proposed.
   [[nodiscard]] bool is_near(Index place, const Patch& patch) {
@@ -233,7 +226,7 @@ class TangleRefill {
     const auto is_point_near = [&](const Vec3& point) {
       const bool is_on_patch =
           std::any_of(patch.triangles.begin(), patch.triangles.end(), [&](const Triangle& t) {
-            return closest_on_triangle(corners(patch, t), point).distance <= within;
+            return closest_on_triangle(corners_of(soup_, patch, t), point).distance <= within;
           });
       return is_on_patch || closest_->find({.point = point, .within = within}).has_value();
     };
@@ -252,7 +245,7 @@ class TangleRefill {
     const auto shift = static_cast<Index>(edits.added_vertices.size());
     for (const Vec3& p : refill.patch.added) edits.added_vertices.push_back({op, p});
     for (Triangle t : refill.patch.triangles) {
-      const Index prototype = nearest_of(faces, centroid_of(corners(refill.patch, t)));
+      const Index prototype = nearest_of(faces, centroid_of(corners_of(soup_, refill.patch, t)));
       for (Index& v : t) v += v >= soup_.n_vertices() ? shift : 0;
       edits.added_faces.push_back({.op = op, .corners = t, .prototype = prototype});
     }

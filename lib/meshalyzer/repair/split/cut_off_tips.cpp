@@ -137,7 +137,7 @@ class TipCutter {
         if (v < soup_.n_vertices()) continue;
         const auto next = static_cast<Index>(soup_.n_vertices() + edits.added_vertices.size());
         const auto [entry, is_new] = number_of.emplace(v, next);
-        if (is_new) edits.added_vertices.push_back({op, position(lid, v)});
+        if (is_new) edits.added_vertices.push_back({op, position_of(trimmed_, lid, v)});
         v = entry->second;
       }
       edits.added_faces.push_back({.op = op, .corners = t, .prototype = prototype});
@@ -145,10 +145,6 @@ class TipCutter {
     for (const Index face : tip.faces) edits.removed_faces.push_back({op, face});
     for (const auto& [side, face] : tip.sides) add(side, face);
     for (const Triangle& t : lid.triangles) add(t, tip.faces.front());
-  }
-
-  [[nodiscard]] Vec3 position(const Patch& lid, Index v) const {
-    return v < trimmed_.n_vertices() ? trimmed_.positions[v] : lid.added[v - trimmed_.n_vertices()];
   }
 
   const PassInput& input_;

@@ -60,6 +60,15 @@ void find_meetings_with_mesh(const PreparedMesh& mesh, const PatchSoup& patch, c
 
 }  // namespace
 
+const Vec3& position_of(const Soup& mesh, const Patch& patch, Index v) {
+  return v < mesh.n_vertices() ? mesh.positions[v] : patch.added[v - mesh.n_vertices()];
+}
+
+Corners corners_of(const Soup& mesh, const Patch& patch, const Triangle& t) {
+  return {position_of(mesh, patch, t[0]), position_of(mesh, patch, t[1]),
+          position_of(mesh, patch, t[2])};
+}
+
 PatchSoup make_soup(const Soup& mesh, const Patch& patch) {
   PatchSoup result;
   for (const Triangle& t : patch.triangles) {
@@ -67,8 +76,7 @@ PatchSoup make_soup(const Soup& mesh, const Patch& patch) {
   }
   sort_unique(result.vertices);
   for (const Index v : result.vertices) {
-    result.soup.positions.push_back(v < mesh.n_vertices() ? mesh.positions[v]
-                                                          : patch.added[v - mesh.n_vertices()]);
+    result.soup.positions.push_back(position_of(mesh, patch, v));
   }
   result.soup.triangles = patch.triangles;
   for (Triangle& t : result.soup.triangles) {

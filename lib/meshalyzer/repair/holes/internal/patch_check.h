@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 
 #include <span>
@@ -13,6 +14,12 @@ struct Patch {
   std::vector<Triangle> triangles;
   std::vector<Vec3> added;
 };
+
+/// Returns the position of a vertex of a patch.
+[[nodiscard]] const Vec3& position_of(const Soup& mesh, const Patch& patch, Index v);
+
+/// Returns the corners of a triangle of a patch.
+[[nodiscard]] Corners corners_of(const Soup& mesh, const Patch& patch, const Triangle& t);
 
 /// The faults of a patch.
 struct PatchFaults {

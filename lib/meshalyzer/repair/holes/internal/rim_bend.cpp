@@ -35,15 +35,6 @@ struct RimEdge {
   }
 };
 
-Vec3 position_of(const Soup& soup, const Patch& patch, Index v) {
-  return v < soup.n_vertices() ? soup.positions[v] : patch.added[v - soup.n_vertices()];
-}
-
-Corners corners_of(const Soup& soup, const Patch& patch, const Triangle& t) {
-  return {position_of(soup, patch, t[0]), position_of(soup, patch, t[1]),
-          position_of(soup, patch, t[2])};
-}
-
 /// Returns the edges of a hole that are no bridges and have faces with an area on both sides.
 std::vector<RimEdge> rim_edges(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patch) {
   const CutMesh& cut = mesh.cut();
