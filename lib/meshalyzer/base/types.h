@@ -23,4 +23,7 @@ inline constexpr Index kNoIndex = 0xFFFFFFFFU;
 /// Three vertex indices, in the order of the file.
 using Triangle = std::array<Index, 3>;
 
+/// The triangle that means "none": no corners, because the face was removed, or no normals.
+inline constexpr Triangle kNoTriangle = {kNoIndex, kNoIndex, kNoIndex};
+
 }  // namespace meshalyzer

@@ -184,20 +184,10 @@ CombinedSolid combine_solids(const Operands& operands, const InsideRule& rule,
 }
 
 Soup as_soup(const CombinedSolid& solid) {
-  Soup soup;
-  std::vector<Index> number(solid.positions.size(), kNoIndex);
-  for (const CombinedFace& face : solid.faces) {
-    Triangle t = face.corners;
-    for (Index& v : t) {
-      if (number[v] == kNoIndex) {
-        number[v] = static_cast<Index>(soup.positions.size());
-        soup.positions.push_back(solid.positions[v]);
-      }
-      v = number[v];
-    }
-    soup.triangles.push_back(t);
-  }
-  return soup;
+  std::vector<Triangle> triangles(solid.faces.size());
+  std::transform(solid.faces.begin(), solid.faces.end(), triangles.begin(),
+                 [](const CombinedFace& face) { return face.corners; });
+  return compact_soup(solid.positions, std::move(triangles));
 }
 
 }  // namespace meshalyzer

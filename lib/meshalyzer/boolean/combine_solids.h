@@ -37,7 +37,7 @@ enum class CombineOutcome : std::uint8_t {
 
 /// A face of the result of a boolean operation.
 struct CombinedFace {
-  Triangle corners{kNoIndex, kNoIndex, kNoIndex};
+  Triangle corners = kNoTriangle;
   /// The face of the soup that it is, or is a part of.
   Index origin = kNoIndex;
   /// Tells whether its orientation is opposite to that of its origin.

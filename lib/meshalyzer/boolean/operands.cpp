@@ -54,12 +54,11 @@ class Concatenation {
 
   /// Appends the normals of a mesh; corners of meshes without normals have none.
   void add_normals(const Soup& mesh, Index n_faces) {
-    constexpr Triangle kNone{kNoIndex, kNoIndex, kNoIndex};
     const bool has_any = !all_.corner_normals.empty() || !mesh.corner_normals.empty();
     if (!has_any) return;
-    all_.corner_normals.resize(n_faces, kNone);
+    all_.corner_normals.resize(n_faces, kNoTriangle);
     if (mesh.corner_normals.empty()) {
-      all_.corner_normals.resize(n_faces + mesh.n_faces(), kNone);
+      all_.corner_normals.resize(n_faces + mesh.n_faces(), kNoTriangle);
     } else {
       append_shifted(mesh.corner_normals, static_cast<Index>(all_.normals.size()),
                      all_.corner_normals);

@@ -21,8 +21,6 @@ constexpr std::array<std::string_view, 39> kSkippedKeywords = {
     "surf",     "parm",     "trim",       "hole",      "scrv", "sp",    "end",    "con",
     "call",     "csh",      "bsp",        "bzp",       "cdc",  "cdp",   "res"};
 
-constexpr Triangle kNoNormals = {kNoIndex, kNoIndex, kNoIndex};
-
 bool is_skipped(std::string_view word) {
   return std::find(kSkippedKeywords.begin(), kSkippedKeywords.end(), word) !=
          kSkippedKeywords.end();
@@ -97,7 +95,7 @@ class ObjParser {
     uses_normals_ = uses_normals_ || std::any_of(corner_normals_.begin(), corner_normals_.end(),
                                                  [](Index normal) { return normal != kNoIndex; });
     if (uses_normals_) {
-      soup_.corner_normals.resize(soup_.n_faces(), kNoNormals);
+      soup_.corner_normals.resize(soup_.n_faces(), kNoTriangle);
       append_fan(soup_.corner_normals, corner_normals_);
     }
   }
@@ -111,7 +109,7 @@ class ObjParser {
       soup_.corner_normals.clear();
       return;
     }
-    soup_.corner_normals.resize(soup_.n_faces(), kNoNormals);
+    soup_.corner_normals.resize(soup_.n_faces(), kNoTriangle);
     for (Triangle& corners : soup_.corner_normals) {
       for (Index& normal : corners) {
         normal = normal < soup_.normals.size() ? normal : kNoIndex;

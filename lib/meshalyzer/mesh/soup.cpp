@@ -1,6 +1,7 @@
 #include "meshalyzer/mesh/soup.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace meshalyzer {
 
@@ -31,6 +32,23 @@ bool have_equal_corners(const Soup& soup, Index a, Index b) {
   const std::array<Vec3, 3> of_a = corners_of(soup, a);
   const std::array<Vec3, 3> of_b = corners_of(soup, b);
   return std::is_permutation(of_a.begin(), of_a.end(), of_b.begin());
+}
+
+Soup compact_soup(const std::vector<Vec3>& positions, std::vector<Triangle> triangles) {
+  Soup compact;
+  std::vector<Index> numbers(positions.size(), kNoIndex);
+  for (Triangle& t : triangles) {
+    for (Index& v : t) {
+      Index& number = numbers[v];
+      if (number == kNoIndex) {
+        number = static_cast<Index>(compact.positions.size());
+        compact.positions.push_back(positions[v]);
+      }
+      v = number;
+    }
+  }
+  compact.triangles = std::move(triangles);
+  return compact;
 }
 
 Index group_of(const Soup& soup, Index face) {

@@ -95,6 +95,13 @@ struct Soup {
 /// Tells whether the corners of two faces of the complex are at the same three positions.
 [[nodiscard]] bool have_equal_corners(const Soup& soup, Index a, Index b);
 
+/// Returns triangles as a mesh of their own: in their order, with the vertices that they use alone,
+/// numbered by first use. All corners must be defined.
+///
+/// @complexity O(#V + #F).
+[[nodiscard]] Soup compact_soup(const std::vector<Vec3>& positions,
+                                std::vector<Triangle> triangles);
+
 /// Returns the index of the group that a face belongs to, or kNoIndex if it belongs to none.
 ///
 /// @complexity O(log #groups).

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace meshalyzer {
 namespace {
 
@@ -19,6 +21,18 @@ TEST(IsInComplex, AMissingVertexIsNotWhereverItStands) {
   EXPECT_FALSE(is_in_complex({kNoIndex, 1, 2}));
   EXPECT_FALSE(is_in_complex({1, kNoIndex, 2}));
   EXPECT_FALSE(is_in_complex({1, 2, kNoIndex}));
+}
+
+TEST(CompactSoup, NumbersVerticesByFirstUseAndDropsTheOthers) {
+  const std::vector<Vec3> positions{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}};
+  const Soup soup = compact_soup(positions, {{4, 1, 3}, {3, 1, 0}});
+  EXPECT_EQ(soup.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}}));
+  EXPECT_EQ(soup.positions,
+            (std::vector<Vec3>{positions[4], positions[1], positions[3], positions[0]}));
+}
+
+TEST(CompactSoup, HasNoVerticesWithoutTriangles) {
+  EXPECT_EQ(compact_soup({{1, 2, 3}}, {}).n_vertices(), 0U);
 }
 
 TEST(Ids, SilentRecordsCountFromTheFirst) {

@@ -86,7 +86,7 @@ class TipCutter {
     if (tip.point_at.size() != faces.size()) return trimmed_.positions.resize(n_points);
     for (const Index face : faces) {
       is_used_[face] = 1;
-      trimmed_.triangles[face] = {kNoIndex, kNoIndex, kNoIndex};
+      trimmed_.triangles[face] = kNoTriangle;
     }
     for (const auto& [side, face] : tip.sides) trimmed_.triangles.push_back(side);
     tips_.push_back(std::move(tip));

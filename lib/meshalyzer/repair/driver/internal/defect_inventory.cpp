@@ -168,7 +168,7 @@ Index face_identity(const TrackedMesh& tracked, Index key) {
 ElementCorners corners_of(const TrackedMesh& tracked, const CountedElement& element) {
   const auto identity = [&](Index v) { return vertex_identity(tracked, tracked.vertex_keys[v]); };
   ElementCorners corners;
-  for (Triangle& none : corners) none = {kNoIndex, kNoIndex, kNoIndex};
+  corners.fill(kNoTriangle);
   const bool has_faces = element.kind == CountedDefect::IntersectingPairs ||
                          element.kind == CountedDefect::DuplicateFaces ||
                          element.kind == CountedDefect::ZeroAreaFaces;

@@ -4,6 +4,7 @@
 #include "meshalyzer/spatial/faces_near.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -21,31 +22,15 @@ Box3 box_within(const Corners& triangle, double distance) {
   return box;
 }
 
-/// Returns some faces of a soup with their vertices, in the same order.
-Soup extract_faces(const Soup& soup, const std::vector<Index>& faces) {
-  Soup part;
-  std::vector<Index> number(soup.n_vertices(), kNoIndex);
-  for (const Index face : faces) {
-    Triangle corners = soup.triangles[face];
-    for (Index& v : corners) {
-      if (number[v] == kNoIndex) {
-        number[v] = static_cast<Index>(part.positions.size());
-        part.positions.push_back(soup.positions[v]);
-      }
-      v = number[v];
-    }
-    part.triangles.push_back(corners);
-  }
-  return part;
-}
-
 }  // namespace
 
 Soup part_within(const Soup& surface, std::span<const Corners> triangles, double distance) {
   std::vector<Box3> boxes(triangles.size());
   std::transform(triangles.begin(), triangles.end(), boxes.begin(),
                  [&](const Corners& triangle) { return box_within(triangle, distance); });
-  return extract_faces(surface, find_faces_near(surface, boxes));
+  std::vector<Triangle> near;
+  for (const Index face : find_faces_near(surface, boxes)) near.push_back(surface.triangles[face]);
+  return compact_soup(surface.positions, std::move(near));
 }
 
 }  // namespace meshalyzer

@@ -9,8 +9,6 @@
 namespace meshalyzer {
 namespace {
 
-constexpr Triangle kNoNormals = {kNoIndex, kNoIndex, kNoIndex};
-
 /// Returns the mean of the normals of the old vertices that share a face with each new one; zero if
 /// there is none.
 std::vector<Vec3> neighbour_means(const Soup& before, const EditedFaces& faces,
@@ -76,17 +74,17 @@ std::vector<Index> first_normals(const Soup& soup) {
 /// vertex; none if a corner has none, since a face has all or none.
 Triangle normals_of_added(const Soup& before, const Edits& edits, const Edits::AddedFace& face,
                           std::span<const Index> first) {
-  Triangle normals = kNoNormals;
+  Triangle normals = kNoTriangle;
   for (std::size_t k = 0; k < 3; ++k) {
     Index v = face.corners[k];
     if (v >= before.n_vertices()) v = edits.added_vertices[v - before.n_vertices()].copy_of;
-    if (v == kNoIndex) return kNoNormals;
+    if (v == kNoIndex) return kNoTriangle;
     normals[k] = first[v];
     const Triangle& corners = before.triangles[face.prototype];
     for (std::size_t j = 0; j < 3; ++j) {
       if (corners[j] == v) normals[k] = before.corner_normals[face.prototype][j];
     }
-    if (normals[k] == kNoIndex) return kNoNormals;
+    if (normals[k] == kNoIndex) return kNoTriangle;
   }
   return normals;
 }

@@ -11,9 +11,6 @@
 
 namespace meshalyzer {
 
-/// The corners of a face that was removed.
-inline constexpr Triangle kNoTriangle = {kNoIndex, kNoIndex, kNoIndex};
-
 /// A small change of a WorkingMesh, and the facts that it relies on.
 struct MendStep {
   struct NewCorners {

@@ -10,8 +10,6 @@
 namespace meshalyzer {
 namespace {
 
-constexpr Triangle kNoFace{kNoIndex, kNoIndex, kNoIndex};
-
 class TangleSearch {
  public:
   TangleSearch(const PreparedMesh& mesh, std::size_t max_faces)
@@ -98,7 +96,7 @@ class TangleSearch {
     Soup rest;
     rest.positions = soup_.positions;
     rest.triangles = soup_.triangles;
-    for_each_taken([&](Index face) { rest.triangles[face] = kNoFace; });
+    for_each_taken([&](Index face) { rest.triangles[face] = kNoTriangle; });
     return rest;
   }
 
