@@ -170,7 +170,7 @@ struct Analysis {
   Offenders offenders;
   /// The file itself; kept only if AnalysisOptions::keep_soup is set.
   std::shared_ptr<const Soup> soup;
-  /// The file with its search structures; kept only if AnalysisOptions::keep_mesh is set.
+  /// The mesh with its search structures; kept only if AnalysisOptions::keep_mesh says so.
   std::shared_ptr<const PreparedMesh> mesh;
   /// The measured values in no particular order; kept only if AnalysisOptions::keep_values is set.
   MeasuredValues values;

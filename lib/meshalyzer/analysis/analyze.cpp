@@ -22,14 +22,14 @@ namespace {
 /// the rest.
 void keep_what_reports_need(std::shared_ptr<Soup> soup, const AnalysisOptions& options,
                             PreparedMesh& mesh, Analysis& analysis) {
-  if (options.keep_soup || options.keep_mesh) {
+  if (options.keep_soup || options.keep_mesh == MeshKept::Everything) {
     analysis.vertex_ids = soup->vertex_ids;
     analysis.face_ids = soup->face_ids;
   } else {
     analysis.vertex_ids = std::move(soup->vertex_ids);
     analysis.face_ids = std::move(soup->face_ids);
   }
-  if (!options.keep_mesh) {
+  if (options.keep_mesh != MeshKept::Everything) {
     mesh.release_soup();
   }
   if (options.keep_soup) {
@@ -53,16 +53,20 @@ void describe_parts(std::shared_ptr<PreparedMesh> mesh, const AnalysisOptions& o
   static_cast<void>(mesh->shells());
   analysis.characteristics.is_search_stopped = mesh->was_intersection_search_cut();
   const bool has_pairs = options.scope == Scope::Everything;
-  if (options.keep_mesh) {
-    found.boxes = mesh->component_boxes();
-    found.shells = mesh->shells();
-    if (has_pairs) analysis.offenders.intersecting_pairs = mesh->intersecting_pairs();
-    analysis.mesh = std::move(mesh);
-  } else {
+  std::vector<IntersectingPair>& pairs = analysis.offenders.intersecting_pairs;
+  if (options.keep_mesh == MeshKept::Nothing) {
     found.boxes = std::move(*mesh).component_boxes();
     found.shells = std::move(*mesh).shells();
-    if (has_pairs) analysis.offenders.intersecting_pairs = std::move(*mesh).intersecting_pairs();
+    if (has_pairs) pairs = std::move(*mesh).intersecting_pairs();
     mesh.reset();
+  } else {
+    const bool keeps_pairs = options.keep_mesh == MeshKept::Everything;
+    found.boxes = mesh->component_boxes();
+    found.shells = mesh->shells();
+    if (has_pairs) {
+      pairs = keeps_pairs ? mesh->intersecting_pairs() : std::move(*mesh).intersecting_pairs();
+    }
+    analysis.mesh = std::move(mesh);
   }
   for (const Box3& box : found.boxes) analysis.characteristics.bounding_box.extend(box);
   analysis.components = describe_components(found);

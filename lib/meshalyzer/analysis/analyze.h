@@ -5,6 +5,7 @@
 #include "meshalyzer/spatial/pair_limits.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -59,14 +60,23 @@ struct MeshRequest {
   friend bool operator==(const MeshRequest&, const MeshRequest&) = default;
 };
 
+/// What is kept of a prepared mesh when its analysis is done.
+enum class MeshKept : std::uint8_t {
+  Nothing,
+  /// The half-edge mesh, its tree and its components with their boxes, for the work between meshes.
+  ForNeighbours,
+  /// All of it and the records, for finding defects and for pictures.
+  Everything,
+};
+
 /// The options of analyze(): what to find out, and what else to keep.
 struct AnalysisOptions : MeshRequest {
   /// Keeps the measured values in the result, for the statistics of a set.
   bool keep_values = false;
   /// Keeps the file in the result, for reports that show positions.
   bool keep_soup = false;
-  /// Keeps the prepared mesh in the result, for finding defects and for pictures.
-  bool keep_mesh = false;
+  /// What to keep of the prepared mesh in the result.
+  MeshKept keep_mesh = MeshKept::Nothing;
   PhaseListener on_phase;
   /// Called now and then, from any thread: the search for intersecting pairs ends when it returns
   /// true.

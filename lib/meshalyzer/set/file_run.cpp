@@ -6,6 +6,7 @@
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/set/files_at_once.h"
+#include "meshalyzer/set/object_cache.h"
 
 #include <new>
 #include <optional>
@@ -39,7 +40,7 @@ FileRun::FileRun(const std::vector<std::string>& paths, const SetOptions& option
 bool FileRun::run(const std::function<void(Index, const FileResult&)>& take) {
   bool is_stopped = false;
   parallel_in_order(
-      paths_.size(), n_files_at_once(paths_, options_.memory_limit),
+      paths_.size(), n_files_at_once(paths_, memory_for_files()),
       [this](std::size_t i) { return look_at(static_cast<Index>(i)); },
       [&](std::size_t i, const FileResult& result) {
         is_stopped = listener_.wants_to_stop();
@@ -80,6 +81,7 @@ FileResult FileRun::look_at_own(Index number) const {
     }
   } else {
     result.mesh = analysis_of(number);
+    if (keeps_objects() && result.mesh.mesh) result.object = object_of(result.mesh);
   }
   result.box = result.mesh.characteristics.bounding_box;
   result.n_faces = result.mesh.characteristics.faces;
@@ -90,12 +92,38 @@ Analysis FileRun::analysis_of(Index number) const {
   AnalysisOptions options{options_.request.mesh,
                           wants_values(),
                           options_.keep_soup,
-                          options_.keep_mesh,
+                          mesh_kept(),
                           {},
                           end_of_search(options_.request, deadline_)};
   options.judge_fitness =
       options.judge_fitness || (looks_between() && options_.request.between.separation);
   return analyze(read_mesh(paths_[number]), paths_[number], options);
+}
+
+std::uint64_t FileRun::memory_for_files() const {
+  const std::uint64_t limit = options_.memory_limit;
+  return keeps_objects() ? limit - memory_for_objects(limit) : limit;
+}
+
+MeshKept FileRun::mesh_kept() const {
+  if (options_.keep_mesh) return MeshKept::Everything;
+  const bool has_room = object_bytes_ < memory_for_objects(options_.memory_limit);
+  return keeps_objects() && has_room ? MeshKept::ForNeighbours : MeshKept::Nothing;
+}
+
+/// Tells whether meshes become objects of the set at once: not for pictures, which take memory for
+/// the records too, nor in a shard, which needs few of the objects.
+bool FileRun::keeps_objects() const {
+  return looks_between() && options_.shard.count == 1 && !options_.keep_mesh;
+}
+
+std::shared_ptr<const SetObject> FileRun::object_of(Analysis& analysis) const {
+  const ClosestUse use =
+      options_.request.between.separation ? ClosestUse::Prepared : ClosestUse::Never;
+  auto object = std::make_shared<const SetObject>(std::exchange(analysis.mesh, nullptr),
+                                                  analysis.vertex_ids, analysis.face_ids, use);
+  object_bytes_ += object->bytes();
+  return object;
 }
 
 /// Tells whether the values for the statistics of the set are needed: not by a shard, nor if only

@@ -4,11 +4,14 @@
 #include "meshalyzer/base/deadline.h"
 #include "meshalyzer/base/types.h"
 #include "meshalyzer/set/run_listener.h"
+#include "meshalyzer/set/set_object.h"
 #include "meshalyzer/set/set_options.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,6 +27,8 @@ struct FileResult {
   /// empty for a file that cannot be read or has no face.
   Box3 box;
   std::size_t n_faces = 0;
+  /// The mesh as an object of the set, if it was kept for the work between objects; else null.
+  std::shared_ptr<const SetObject> object;
 };
 
 /// Returns the function that ends searches for intersecting pairs; empty if the request has no time
@@ -33,7 +38,8 @@ struct FileResult {
 [[nodiscard]] std::function<bool()> end_of_search(const Request& request, const Deadline& deadline);
 
 /// Analyses files one by one: a few at a time, as memory allows, and large ones with several
-/// threads each. If they are a set, each is prepared for the analysis between meshes.
+/// threads each. If something between the meshes is asked for, each becomes an object of the set as
+/// long as there is memory for them, so that it is read and built once.
 class FileRun {
  public:
   /// All arguments must outlive this object.
@@ -53,6 +59,10 @@ class FileRun {
   [[nodiscard]] FileResult look_at_own(Index number) const;
   [[nodiscard]] FileResult glance_at(Index number) const;
   [[nodiscard]] Analysis analysis_of(Index number) const;
+  [[nodiscard]] bool keeps_objects() const;
+  [[nodiscard]] MeshKept mesh_kept() const;
+  [[nodiscard]] std::uint64_t memory_for_files() const;
+  [[nodiscard]] std::shared_ptr<const SetObject> object_of(Analysis& analysis) const;
   [[nodiscard]] bool wants_values() const;
   [[nodiscard]] bool looks_between() const;
   void notify(Index number, const FileResult& result);
@@ -62,6 +72,8 @@ class FileRun {
   RunListener& listener_;
   const Deadline& deadline_;
   RunProgress progress_;
+  /// The memory of the objects that were made for the work between objects.
+  mutable std::atomic<std::uint64_t> object_bytes_ = 0;
 };
 
 }  // namespace meshalyzer

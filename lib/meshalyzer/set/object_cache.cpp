@@ -29,17 +29,24 @@ std::shared_ptr<const SetObject> ObjectCache::get(std::size_t object) {
   }
   lock.lock();
   slot.is_loading = false;
+  ++n_loads_;
   keep(object, loaded);
   changed_.notify_all();
   return loaded;
 }
 
-void ObjectCache::keep(std::size_t object, std::shared_ptr<const SetObject> loaded) {
+void ObjectCache::add(std::size_t object, std::shared_ptr<const SetObject> made) {
+  const std::lock_guard lock(mutex_);
+  const Slot& slot = slots_[object];
+  if (slot.object || slot.is_loading || bytes_ + made->bytes() > byte_limit_) return;
+  keep(object, std::move(made));
+}
+
+void ObjectCache::keep(std::size_t object, std::shared_ptr<const SetObject> made) {
   Slot& slot = slots_[object];
-  slot.bytes = loaded->bytes();
-  slot.object = std::move(loaded);
+  slot.bytes = made->bytes();
+  slot.object = std::move(made);
   slot.use = used_.insert(used_.begin(), object);
-  ++n_loads_;
   bytes_ += slot.bytes;
   peak_bytes_ = std::max(peak_bytes_, bytes_);
   forget_unused();

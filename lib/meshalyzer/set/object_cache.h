@@ -12,6 +12,12 @@
 
 namespace meshalyzer {
 
+/// Returns how much of the memory limit of a run is for objects that are kept. The rest is for
+/// files that are being read and built.
+[[nodiscard]] constexpr std::uint64_t memory_for_objects(std::uint64_t memory_limit) {
+  return memory_limit / 8 * 5;
+}
+
 /// Loads the objects of a set on request and keeps them as long as memory allows; the least
 /// recently used ones are dropped first, and loaded again on request.
 ///
@@ -24,6 +30,10 @@ class ObjectCache {
   /// @param load        Loads an object; called for one object by one thread at a time. Its
   ///     exceptions pass through get().
   ObjectCache(std::size_t n_objects, std::uint64_t byte_limit, Load load);
+
+  /// Adds an object that need not be loaded any more, unless it would exceed the limit, or is
+  /// there.
+  void add(std::size_t object, std::shared_ptr<const SetObject> made);
 
   /// Returns the object, which stays valid as long as the pointer is held.
   [[nodiscard]] std::shared_ptr<const SetObject> get(std::size_t object);
@@ -42,7 +52,7 @@ class ObjectCache {
     std::list<std::size_t>::iterator use;
   };
 
-  void keep(std::size_t object, std::shared_ptr<const SetObject> loaded);
+  void keep(std::size_t object, std::shared_ptr<const SetObject> made);
   void forget_unused();
 
   std::uint64_t byte_limit_;

@@ -4,6 +4,7 @@
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -42,6 +43,12 @@ std::vector<Index> first_vertices(const CutMesh& cut, const Components& componen
   return vertices;
 }
 
+std::shared_ptr<const PreparedMesh> prepared_without_records(const Soup& soup) {
+  auto mesh = std::make_shared<PreparedMesh>(soup);
+  mesh->release_soup();
+  return mesh;
+}
+
 template <typename T>
 std::uint64_t bytes_of(const std::vector<T>& items) {
   return items.size() * sizeof(T);
@@ -50,19 +57,20 @@ std::uint64_t bytes_of(const std::vector<T>& items) {
 }  // namespace
 
 SetObject::SetObject(const Soup& soup, ClosestUse use)
-    : PreparedMesh(soup),
+    : SetObject(prepared_without_records(soup), soup.vertex_ids, soup.face_ids, use) {}
+
+SetObject::SetObject(std::shared_ptr<const PreparedMesh> mesh, Ids vertex_ids, Ids face_ids,
+                     ClosestUse use)
+    : mesh_(std::move(mesh)),
+      use_(use),
       component_vertices_(first_vertices(cut(), components())),
       solids_(find_solids(cut(), components())),
-      vertex_ids_(soup.vertex_ids),
-      face_ids_(soup.face_ids) {
-  release_soup();
+      vertex_ids_(std::move(vertex_ids)),
+      face_ids_(std::move(face_ids)) {
   for (const Box3& box : component_boxes()) {
     box_.extend(box);
   }
-  const FaceTree& faces = tree();
-  if (use == ClosestUse::Prepared) {
-    closest_.emplace(faces);
-  }
+  static_cast<void>(tree());
 }
 
 Side SetObject::side_of(const Vec3& point) const {
@@ -83,11 +91,13 @@ std::uint64_t SetObject::bytes() const {
   constexpr std::uint64_t kVertex = 32;
   constexpr std::uint64_t kEdge = 40;
   constexpr std::uint64_t kFace = 56;
-  const std::uint64_t closest = closest_ ? cut().mesh.n_faces() * sizeof(EightTriangles) / 8 : 0;
+  const std::uint64_t closest =
+      use_ == ClosestUse::Prepared ? cut().mesh.n_faces() * sizeof(EightTriangles) / 8 : 0;
   return cut().mesh.n_vertices() * kVertex + cut().mesh.n_edges() * kEdge +
          cut().mesh.n_faces() * kFace + bytes_of(cut().side.faces) +
          bytes_of(components().of_face) + bytes_of(solids_.of_face) + bytes_of(vertex_ids_.named) +
-         bytes_of(face_ids_.named) + bytes_of(component_boxes()) + closest + sizeof(SetObject);
+         bytes_of(face_ids_.named) + bytes_of(component_boxes()) + closest + sizeof(PreparedMesh) +
+         sizeof(SetObject);
 }
 
 }  // namespace meshalyzer

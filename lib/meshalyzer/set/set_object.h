@@ -1,11 +1,12 @@
 #pragma once
 
+#include "meshalyzer/base/lazy.h"
 #include "meshalyzer/mesh/soup.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/spatial/closest_point.h"
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <vector>
 
 namespace meshalyzer {
@@ -28,15 +29,31 @@ enum class ClosestUse : std::uint8_t { Never, Prepared };
 
 /// One mesh of a set, prepared for queries about its surroundings. Its tree and its components are
 /// built by the constructor, so that its size is known; only the ids of its records are kept.
-class SetObject : public PreparedMesh {
+class SetObject {
  public:
   /// @param soup  The records, which are not needed afterwards.
   /// @complexity  O(#F log #F) time.
   explicit SetObject(const Soup& soup, ClosestUse use = ClosestUse::Never);
+  /// Takes over a mesh that was prepared for its analysis, and the ids of its records.
+  ///
+  /// @param mesh  As MeshKept::ForNeighbours leaves it.
+  /// @complexity  O(#F) time if its tree is built.
+  SetObject(std::shared_ptr<const PreparedMesh> mesh, Ids vertex_ids, Ids face_ids,
+            ClosestUse use = ClosestUse::Never);
 
-  /// Returns the search structure for closest points, which is there only with
-  /// ClosestUse::Prepared.
-  [[nodiscard]] const ClosestPoints& closest() const { return *closest_; }
+  [[nodiscard]] const CutMesh& cut() const { return mesh_->cut(); }
+  [[nodiscard]] const FaceTree& tree() const { return mesh_->tree(); }
+  [[nodiscard]] const Components& components() const { return mesh_->components(); }
+  [[nodiscard]] const std::vector<Box3>& component_boxes() const {
+    return mesh_->component_boxes();
+  }
+  /// Returns the search structure for closest points, which is built when it is first needed.
+  ///
+  /// @pre         The object was made with ClosestUse::Prepared.
+  /// @complexity  O(#F) time at its first use.
+  [[nodiscard]] const ClosestPoints& closest() const {
+    return closest_.get([this] { return ClosestPoints(tree()); });
+  }
   /// Returns a file vertex of each component.
   [[nodiscard]] const std::vector<Index>& component_vertices() const { return component_vertices_; }
   [[nodiscard]] const Ids& vertex_ids() const { return vertex_ids_; }
@@ -56,7 +73,9 @@ class SetObject : public PreparedMesh {
   [[nodiscard]] std::uint64_t bytes() const;
 
  private:
-  std::optional<ClosestPoints> closest_;
+  std::shared_ptr<const PreparedMesh> mesh_;
+  ClosestUse use_;
+  mutable Lazy<ClosestPoints> closest_;
   std::vector<Index> component_vertices_;
   SolidParts solids_;
   Box3 box_;

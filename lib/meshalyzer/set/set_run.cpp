@@ -22,6 +22,10 @@
 namespace meshalyzer {
 namespace {
 
+/// For each thread so many objects may wait until the findings of an earlier one have been used.
+/// Findings are small beside objects.
+constexpr std::size_t kOwnersPerThread = 8;
+
 struct Numbered {
   Index number;
   const SetObject& object;
@@ -68,6 +72,10 @@ class SetRun {
   }
 
   std::optional<SetAnalysis> run() {
+    if (options_.request.between.is_between()) {
+      objects_.emplace(paths_.size(), memory_for_objects(options_.memory_limit),
+                       [this](std::size_t i) { return load(i); });
+    }
     FileRun files(paths_, options_, listener_, deadline_);
     is_stopped_ = !files.run([this](Index number, const FileResult& file) { take(number, file); });
     if (!is_stopped_) {
@@ -93,6 +101,7 @@ class SetRun {
   void take(Index number, const FileResult& file) {
     boxes_[number] = file.box;
     n_faces_[number] = file.n_faces;
+    if (file.object) objects_->add(number, file.object);
     if (file.kind == FileResult::Kind::Mesh) {
       totals_.add_mesh(number, file.mesh);
     } else if (file.kind == FileResult::Kind::Unreadable && options_.shard.owns_file(number)) {
@@ -114,14 +123,11 @@ class SetRun {
     for (std::size_t i = 0; i < order_.size(); ++i) {
       rank_[order_[i]] = static_cast<Index>(i);
     }
-    // The rest of the memory is for files being read and built.
-    ObjectCache objects(paths_.size(), options_.memory_limit / 8 * 5,
-                        [&](std::size_t i) { return load(i); });
     const ShardRange range = range_of(options_.shard, order_, n_faces_);
     progress_ = {.stage = RunProgress::Stage::Between, .total = range.end - range.begin};
     parallel_in_order(
-        range.end - range.begin, max_threads(),
-        [&](std::size_t i) { return look_from(order_[range.begin + i], objects); },
+        range.end - range.begin, kOwnersPerThread * max_threads(),
+        [&](std::size_t i) { return look_from(order_[range.begin + i]); },
         [&](std::size_t, const ObjectFindings& findings) {
           return listener_.wants_to_stop() ? stop() : notify(findings);
         });
@@ -136,7 +142,7 @@ class SetRun {
     return object;
   }
 
-  [[nodiscard]] ObjectFindings look_from(Index owner, ObjectCache& objects) const {
+  [[nodiscard]] ObjectFindings look_from(Index owner) {
     if (listener_.wants_to_stop()) {
       return {};
     }
@@ -153,16 +159,16 @@ class SetRun {
     ObjectFindings findings;
     findings.owner = owner;
     if (wanted_.intersections) {
-      findings.intersections = intersect_from(owner, objects);
+      findings.intersections = intersect_from(owner);
     }
     if (wanted_.separation) {
       findings.separation = measure_separation(
-          owner, {.boxes = boxes_, .tree = *box_tree_, .objects = objects}, *wanted_.separation);
+          owner, {.boxes = boxes_, .tree = *box_tree_, .objects = *objects_}, *wanted_.separation);
     }
     return findings;
   }
 
-  [[nodiscard]] SetIntersections intersect_from(Index owner, ObjectCache& objects) const {
+  [[nodiscard]] SetIntersections intersect_from(Index owner) {
     const std::size_t max_list = options_.request.mesh.max_list;
     const PairLimits limits =
         pair_limits(options_.request.mesh, end_of_search(options_.request, deadline_));
@@ -174,8 +180,8 @@ class SetRun {
           break;
         }
         const auto [a, b] = std::minmax(owner, other);
-        const auto first = objects.get(a);
-        const auto second = objects.get(b);
+        const auto first = objects_->get(a);
+        const auto second = objects_->get(b);
         append_intersections(
             intersections_of(find_meeting(*first, *second, limits), {a, *first}, {b, *second}),
             max_list, found);
@@ -211,6 +217,8 @@ class SetRun {
   /// The position of each object in order_.
   std::vector<Index> rank_;
   std::optional<BoxTree> box_tree_;
+  /// There if anything between objects is asked for.
+  std::optional<ObjectCache> objects_;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "meshalyzer/analysis/analyze.h"
 
+#include "meshalyzer/base/error.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/report/json/report.h"
@@ -186,13 +187,31 @@ TEST(Analyze, KeptMeshKnowsTheRecordsAndThePairsThatWereFound) {
       shapes::merged(shapes::cube(), shapes::cube(1.0, {0.5, 0.25, 0.125}));  // they cross
   EXPECT_EQ(analyze(soup, "cubes").mesh, nullptr);
   AnalysisOptions options;
-  options.keep_mesh = true;
+  options.keep_mesh = MeshKept::Everything;
   const Analysis analysis = analyze(soup, "cubes", options);
   ASSERT_NE(analysis.mesh, nullptr);
   EXPECT_EQ(analysis.mesh->soup().triangles, soup.triangles);
   EXPECT_FALSE(analysis.offenders.intersecting_pairs.empty());
   EXPECT_EQ(analysis.mesh->intersecting_pairs(), analysis.offenders.intersecting_pairs);
   EXPECT_EQ(analysis.vertex_ids.first, soup.vertex_ids.first);
+}
+
+TEST(Analyze, MeshForNeighboursIsKeptWithoutRecordsAndChangesNothing) {
+  const Soup soup =
+      shapes::merged(shapes::cube(), shapes::cube(1.0, {0.5, 0.25, 0.125}));  // they cross
+  const Analysis plain = analyze(soup, "cubes");
+  AnalysisOptions options;
+  options.keep_mesh = MeshKept::ForNeighbours;
+  const Analysis analysis = analyze(soup, "cubes", options);
+  ASSERT_NE(analysis.mesh, nullptr);
+  EXPECT_THROW((void)analysis.mesh->soup(), InvalidArgument);
+  EXPECT_EQ(analysis.mesh->components().count, 2U);
+  EXPECT_EQ(analysis.mesh->component_boxes().size(), 2U);
+  EXPECT_EQ(analysis.mesh->tree().n_faces(), soup.n_faces());
+  EXPECT_FALSE(plain.offenders.intersecting_pairs.empty());
+  EXPECT_EQ(analysis.offenders.intersecting_pairs, plain.offenders.intersecting_pairs);
+  EXPECT_EQ(analysis.components.size(), plain.components.size());
+  EXPECT_EQ(analysis.components[1].outward, plain.components[1].outward);
 }
 
 TEST(Analyze, CurvatureIsMeasuredOnlyWhereAskedFor) {

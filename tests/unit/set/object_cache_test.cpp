@@ -110,6 +110,30 @@ TEST(ObjectCache, ObjectStaysValidAsLongAsItIsHeld) {
   }
 }
 
+TEST(ObjectCache, WhatIsAddedIsNotLoaded) {
+  Cubes cubes(2);
+  const Pointer made = cube(3);
+  cubes.cache.add(3, made);
+  EXPECT_EQ(cubes.cache.get(3), made);
+  EXPECT_EQ(cubes.cache.n_loads(), 0U);
+  // It is not replaced, nor counted twice: there is still memory for one more.
+  cubes.cache.add(3, cube(3));
+  EXPECT_EQ(cubes.cache.get(3), made);
+  EXPECT_TRUE(cubes.loads(4));
+  EXPECT_FALSE(cubes.loads(3));
+}
+
+TEST(ObjectCache, NothingIsAddedBeyondTheLimit) {
+  Cubes cubes(2);
+  for (std::size_t object = 0; object < 3; ++object) {
+    cubes.cache.add(object, cube(object));
+  }
+  EXPECT_EQ(cubes.cache.peak_bytes(), 2 * cubes.size);
+  EXPECT_FALSE(cubes.loads(0));
+  EXPECT_FALSE(cubes.loads(1));
+  EXPECT_TRUE(cubes.loads(2));
+}
+
 TEST(ObjectCache, PeakIsTheLimitAndWhatIsLoadedBeyondIt) {
   Cubes cubes(4);
   EXPECT_EQ(cubes.cache.peak_bytes(), 0U);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <ostream>
 #include <random>
 #include <vector>
@@ -177,13 +178,31 @@ TEST(SetObject, KeepsTheIdsOfTheFile) {
   EXPECT_EQ(object.face_ids().of(3), 3);
 }
 
+TEST(SetObject, MeshThatIsTakenOverIsTheSameObject) {
+  Soup soup = shapes::merged(shapes::tetrahedron(), shapes::icosphere(2));
+  soup.face_ids.first = 0;
+  const SetObject built(soup, ClosestUse::Prepared);
+  auto mesh = std::make_shared<PreparedMesh>(soup);
+  mesh->release_soup();
+  const SetObject taken(mesh, soup.vertex_ids, soup.face_ids, ClosestUse::Prepared);
+  EXPECT_EQ(&taken.tree(), &mesh->tree());
+  EXPECT_EQ(taken.bytes(), built.bytes());
+  EXPECT_EQ(taken.component_vertices(), built.component_vertices());
+  EXPECT_EQ(taken.face_ids().of(3), 3);
+  EXPECT_TRUE(taken.box().isApprox(built.box(), 0));
+  EXPECT_EQ(taken.side_of(Vec3::Zero()), built.side_of(Vec3::Zero()));
+  const Vec3 away(3, 1, 2);
+  EXPECT_EQ(taken.closest().find({.point = away})->point,
+            built.closest().find({.point = away})->point);
+}
+
 TEST(SetObject, MemoryGrowsWithFacesAndWithWhatIsPrepared) {
   const Soup sphere = shapes::icosphere(3);
   const std::uint64_t plain = SetObject(sphere).bytes();
   // Four times the faces, but for what does not depend on them, most of which is the object itself;
   // and 36 bytes a face to be asked for closest points: see FaceTree and ClosestPoints.
   const auto that_grows = [](std::uint64_t bytes) {
-    return static_cast<double>(bytes - sizeof(SetObject));
+    return static_cast<double>(bytes - sizeof(SetObject) - sizeof(PreparedMesh));
   };
   EXPECT_NEAR(that_grows(SetObject(shapes::icosphere(4)).bytes()), 4 * that_grows(plain), 4096);
   EXPECT_EQ(SetObject(sphere, ClosestUse::Prepared).bytes(), plain + 36 * sphere.n_faces());

@@ -296,16 +296,30 @@ TEST(AnalyzeSet, FileThatChangesMeanwhileIsAnError) {
     const SoupFiles files(row_of_cubes(3));
     const std::string& path = files.paths()[1];
     Meddler meddler(2, [&] { write_mesh(shapes::cube(1.0, {-2.0625, 0, 0}), path); });
-    EXPECT_EQ(trouble_of(files, asking(!separation, separation), meddler),
+    EXPECT_EQ(trouble_of(files, asking(!separation, separation, 0), meddler),
               separation ? path + ": has changed while the set was being analysed" : "");
   }
+}
+
+TEST(AnalyzeSet, FilesAreReadOnceWhereMemoryAllows) {
+  const SoupFiles files(row_of_cubes(3));
+  const SetAnalysis whole = analyzed(files, asking(true, true));
+  Meddler meddler(2, [&] {
+    for (const std::string& path : files.paths()) std::remove(path.c_str());
+  });
+  const auto found = analyze_set(files.paths(), asking(true, true), meddler);
+  ASSERT_TRUE(found);
+  ASSERT_TRUE(found->separation);
+  EXPECT_EQ(found->separation->all.count, 24U);
+  EXPECT_EQ(found->separation->all.mean, whole.separation->all.mean);
+  EXPECT_EQ(found->intersections->n_pairs(), 0U);
 }
 
 TEST(AnalyzeSet, FileThatGoesAwayMeanwhileIsAnError) {
   const SoupFiles files(row_of_cubes(3));
   const std::string& path = files.paths()[0];
   Meddler meddler(2, [&] { std::remove(path.c_str()); });
-  EXPECT_EQ(trouble_of(files, asking(false, true), meddler).find(path + ": "), 0U);
+  EXPECT_EQ(trouble_of(files, asking(false, true, 0), meddler).find(path + ": "), 0U);
   // The findings before it in the order in space were reported.
   EXPECT_EQ(meddler.told.findings.count(2), 1U);
 }

@@ -138,8 +138,8 @@ TEST(SetTotals, AttributesAloneAreNeitherMeasuredNorJudged) {
   SetOptions options;
   options.request.mesh.scope = Scope::AttributesOnly;
   SetTotals totals({"a"}, options);
-  totals.add_mesh(
-      0, analyze(shapes::cube(), "a", {options.request.mesh, false, false, false, {}, {}}));
+  totals.add_mesh(0, analyze(shapes::cube(), "a",
+                             {options.request.mesh, false, false, MeshKept::Nothing, {}, {}}));
   const SetAnalysis set = totals.finish();
   EXPECT_FALSE(set.is_measured);
   EXPECT_FALSE(set.statistics.has_value());
@@ -169,8 +169,8 @@ TEST(SetTotals, ThresholdsDecideWhereThereAreAny) {
   SetOptions options;
   options.request.mesh.goodness = {.aspect_ratio = 9, .edge_angle_degrees = 0, .edge_length = 1};
   SetTotals totals({"a"}, options);
-  totals.add_mesh(
-      0, analyze(shapes::cube(), "a", {options.request.mesh, false, false, false, {}, {}}));
+  totals.add_mesh(0, analyze(shapes::cube(), "a",
+                             {options.request.mesh, false, false, MeshKept::Nothing, {}, {}}));
   const SetAnalysis set = totals.finish();
   EXPECT_EQ(set.good, 0U);
   EXPECT_EQ(set.not_good.at(0).reasons, Reasons{"shortest edge 1 is not longer than 1"});
