@@ -104,6 +104,13 @@ TEST(EightLanes, RegistersAndThePortablePathGiveTheSameBits) {
               (portable::EightFloats::load(x) < portable::EightFloats::all(y[0])).bits());
     EXPECT_EQ((EightFloats::load(x) <= EightFloats::load(y)).bits(),
               (portable::EightFloats::load(x) <= portable::EightFloats::load(y)).bits());
+    const auto is_less = EightFloats::load(x) < EightFloats::load(y);
+    const auto is_no_more = EightFloats::load(y) <= EightFloats::all(x[0]);
+    const auto is_less_there = portable::EightFloats::load(x) < portable::EightFloats::load(y);
+    const auto is_no_more_there =
+        portable::EightFloats::load(y) <= portable::EightFloats::all(x[0]);
+    EXPECT_EQ((is_less | is_no_more).bits(), (is_less_there | is_no_more_there).bits());
+    EXPECT_EQ((is_less & is_no_more).bits(), (is_less_there & is_no_more_there).bits());
     const auto ids = any_eight(kIds, random);
     const auto others = any_eight(kIds, random);
     EXPECT_EQ((EightIds::load(ids) == EightIds::load(others)).bits(),
