@@ -13,6 +13,7 @@ struct LeafTriangles {
   /// The coordinates, by corner, coordinate, and face.
   alignas(16) std::array<std::array<std::array<float, 8>, 3>, 3> corners;
 
+  LeafTriangles() = default;
   LeafTriangles(const FaceTree& tree, std::size_t leaf);
 };
 

@@ -131,17 +131,16 @@ class PartnerSearch {
   void meet_leaf(std::size_t other, const TreeBox& box) {
     const EightBoxes& mine = tree_.node(0, leaf_);
     const EightBoxes& theirs = tree_.node(0, other);
-    Partners partners{};
+    Partners partners = not_apart_in_frame(other, wanted_ & mine.meeting(box));
     int n_meeting = 0;
-    for (unsigned lanes = wanted_ & mine.meeting(box); lanes != 0; lanes &= lanes - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
-      unsigned bits =
+    for (std::size_t i = 0; i < 8; ++i) {
+      if (partners[i] == 0) continue;
+      partners[i] &=
           theirs.meeting(mine.box(i)) & ~(done_lanes(other, i) | left_out(scene_, other));
-      if (bits != 0) {
-        bits &= ~settled_lanes(other, i);
+      if (partners[i] != 0) {
+        partners[i] &= ~settled_lanes(other, i);
       }
-      partners[i] = bits;
-      n_meeting += static_cast<int>(bits != 0);
+      n_meeting += static_cast<int>(partners[i] != 0);
     }
     if (n_meeting >= kManyFaces) {
       drop_separated(other, partners);
@@ -153,26 +152,34 @@ class PartnerSearch {
     }
   }
 
+  /// Returns for some of the faces, given as lanes, those of another leaf that the frame, if there
+  /// is one, does not prove to be apart.
+  Partners not_apart_in_frame(std::size_t other, unsigned lanes) {
+    Partners partners;
+    for (std::size_t i = 0; i < 8; ++i) partners[i] = (lanes >> i & 1U) != 0 ? 0xFFU : 0U;
+    if (lanes != 0 && has_frame()) frame().drop_apart(scene_.slabs.triangles(other), partners);
+    return partners;
+  }
+
   /// Drops partners that are surely apart: neighbours by the angles of their corners, others by
   /// directions with a gap between them.
   void drop_separated(std::size_t other, Partners& partners) {
-    std::optional<LeafTriangles> theirs;
-    if (has_frame()) {
-      theirs.emplace(tree_, other);
-      frame().drop_apart(*theirs, partners);
-    }
+    std::optional<LeafTriangles> made;
+    const LeafTriangles* theirs =
+        scene_.slabs.has_useful() ? &scene_.slabs.triangles(other) : nullptr;
     for (std::size_t i = 0; i < 8; ++i) {
       if (partners[i] == 0) continue;
       const Neighbours near = neighbours(other, i, partners[i]);
       partners[i] &= ~near.apart;
       const unsigned strangers = partners[i] & ~near.all;
       if (strangers == 0) continue;
-      if (!theirs) theirs.emplace(tree_, other);
+      if (theirs == nullptr) theirs = &made.emplace(tree_, other);
       partners[i] &= ~strangers | directions(i).perhaps_meeting(*theirs, strangers);
     }
   }
 
   const LeafTriangles& triangles() {
+    if (scene_.slabs.has_useful()) return scene_.slabs.triangles(leaf_);
     if (!triangles_) triangles_.emplace(tree_, leaf_);
     return *triangles_;
   }
@@ -273,7 +280,7 @@ class PartnerSearch {
   TreeBox box_;
   const Fan& fan_;
   EightFaces proven_;
-  /// The triangles of the leaf, if slabs may separate faces or many pairs remain.
+  /// The triangles of the leaf, if many pairs remain and there are no slabs, which keep them.
   std::optional<LeafTriangles> triangles_;
   std::optional<LeafFrame> frame_;
   std::array<std::optional<SeparatingDirections>, 8> directions_;

@@ -144,6 +144,14 @@ SlabTree::SlabTree(const FaceTree& tree) {
   });
   if (bundles.empty()) return;
   while (levels_.size() < tree.n_levels()) add_level(tree);
+  keep_triangles(tree);
+}
+
+void SlabTree::keep_triangles(const FaceTree& tree) {
+  triangles_.resize(tree.n_leaves());
+  parallel_chunks(triangles_.size(), kNodesPerChunk, [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) triangles_[i] = LeafTriangles(tree, i);
+  });
 }
 
 void SlabTree::add_level(const FaceTree& tree) {

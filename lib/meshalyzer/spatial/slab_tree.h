@@ -30,7 +30,8 @@ struct Slabs {
 /// faces oblique to the axes, millions of whose boxes meet although the faces are far apart.
 class SlabTree {
  public:
-  /// @complexity O(#F) time and no memory if no node is such a bundle, else O(#F log #F) time.
+  /// @complexity O(#F) time and no memory if no node is such a bundle, else O(#F log #F) time and
+  ///             some 45 bytes a face.
   explicit SlabTree(const FaceTree& tree);
 
   /// Tells whether any node has slabs worth a test.
@@ -43,11 +44,21 @@ class SlabTree {
     return levels_[level][i];
   }
 
+  /// Returns the faces of a leaf, whose corners are kept because very many leaves are compared with
+  /// each.
+  ///
+  /// @pre has_useful()
+  [[nodiscard]] const LeafTriangles& triangles(std::size_t leaf) const { return triangles_[leaf]; }
+
  private:
   /// Makes the slabs of the nodes one level above the highest so far.
   void add_level(const FaceTree& tree);
 
+  void keep_triangles(const FaceTree& tree);
+
   std::vector<std::vector<Slabs>> levels_;
+  /// #leaves.
+  std::vector<LeafTriangles> triangles_;
 };
 
 }  // namespace meshalyzer
