@@ -92,7 +92,7 @@ std::uint64_t SetObject::bytes() const {
   constexpr std::uint64_t kEdge = 40;
   constexpr std::uint64_t kFace = 56;
   const std::uint64_t closest =
-      use_ == ClosestUse::Prepared ? cut().mesh.n_faces() * sizeof(EightTriangles) / 8 : 0;
+      use_ == ClosestUse::Prepared ? ClosestPoints::bytes_for(cut().mesh.n_faces()) : 0;
   return cut().mesh.n_vertices() * kVertex + cut().mesh.n_edges() * kEdge +
          cut().mesh.n_faces() * kFace + bytes_of(cut().side.faces) +
          bytes_of(components().of_face) + bytes_of(solids_.of_face) + bytes_of(vertex_ids_.named) +

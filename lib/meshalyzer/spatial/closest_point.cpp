@@ -3,6 +3,8 @@
 #include "meshalyzer/base/eight_lanes.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/spatial/eight_reaches.h"
+#include "meshalyzer/spatial/oriented_boxes.h"
+#include "meshalyzer/spatial/tree_width.h"
 
 #include <algorithm>
 #include <array>
@@ -21,10 +23,13 @@ namespace {
 //   and by u of its distance for the subtraction.
 // - That distance is at most d + sqrt(12), the diagonal of the tree's bounds. The product with a
 //   direction adds 3 u of it.
+// - The place of the query along a direction of an oriented box is off by less than 7 u (1 + d),
+//   and three of these together by sqrt(3) times that. Their directions add 2 u d (see
+//   squared_distances()), the bounds of such a box nothing, as they allow for their own errors.
 // - Squares, sums, quotient and the length of the direction add less than 8 u d.
 // - What closest_on_triangle() computes is off by some 2^-53 (d + 4): nothing beside u.
 //
-// The sum is at most 18 u + 14 u d, so these constants are generous:
+// The sum is at most 18 u + 23 u d, so these constants are generous:
 constexpr double kAbsoluteSlack = 0x1p-18;
 constexpr double kRelativeSlack = 0x1p-19;
 // With far faces coordinates are at most 2, which doubles the first three at most.
@@ -145,6 +150,15 @@ bool has_leaf_near(const FaceTree& tree, std::size_t level, std::size_t i, const
   return false;
 }
 
+/// The number of nodes with eight leaves each that one task bounds: those of as many faces as other
+/// tasks have.
+constexpr std::size_t kNodesOfLeavesPerChunk = kChunkLength / (kTreeWidth * kTreeWidth);
+
+/// Returns how many groups of eight hold so many items.
+std::size_t n_eights(std::size_t n) {
+  return (n + kTreeWidth - 1) / kTreeWidth;
+}
+
 /// A node of the tree that remains to be searched.
 struct Entry {
   /// A lower bound of its squared distance.
@@ -179,9 +193,11 @@ class Stack {
 /// One query while it descends the tree.
 class Search {
  public:
-  Search(const FaceTree& tree, std::span<const EightTriangles> triangles, const ClosestQuery& query)
+  Search(const FaceTree& tree, std::span<const EightTriangles> triangles,
+         std::span<const EightOrientedBoxes> leaf_boxes, const ClosestQuery& query)
       : tree_(tree),
         triangles_(triangles),
+        leaf_boxes_(leaf_boxes),
         query_(query),
         place_((query.point - tree.centre()) * tree.scale()),
         clamped_(clamped(tree, query.point)) {
@@ -220,16 +236,26 @@ class Search {
     if (query_.cone) {
       near = those_in_cone(*query_.cone, node, near);
     }
-    const std::array<float, 8> numbers = squared.numbers();
     if (entry.level == 1) {
-      nearest_first(numbers, near, [&](unsigned i) { open_leaf(8 * entry.index + i); });
+      open_near_leaves(entry.index, squared, near);
       return;
     }
+    const std::array<float, 8> numbers = squared.numbers();
     const std::size_t bottom = stack_.size();
     for (; near != 0; near &= near - 1) {
       const auto i = static_cast<unsigned>(std::countr_zero(near));
       stack_.insert(bottom, {numbers[i], entry.level - 1, 8 * entry.index + i});
     }
+  }
+
+  /// Opens the leaves of a node that their oriented boxes do not prove to be out of reach.
+  ///
+  /// @param squared  Lower bounds of the squared distances of the leaves.
+  void open_near_leaves(Index node, const EightFloats& squared, unsigned near) {
+    if (near == 0) return;
+    const EightFloats bounds = max(squared, squared_distances(leaf_boxes_[node], clamped_));
+    nearest_first(bounds.numbers(), near & within_reach(bounds),
+                  [&](unsigned i) { open_leaf(8 * node + i); });
   }
 
   /// Considers the faces of a leaf that may hold the answer; their corners cull more than their
@@ -347,6 +373,7 @@ class Search {
 
   const FaceTree& tree_;
   std::span<const EightTriangles> triangles_;
+  std::span<const EightOrientedBoxes> leaf_boxes_;
   const ClosestQuery& query_;
   /// The point of the query in the tree's coordinates.
   Vec3 place_;
@@ -369,7 +396,9 @@ EightTriangles EightTriangles::none() {
 }
 
 ClosestPoints::ClosestPoints(const FaceTree& tree)
-    : tree_(tree), triangles_(tree.n_leaves(), EightTriangles::none()) {
+    : tree_(tree),
+      triangles_(tree.n_leaves(), EightTriangles::none()),
+      leaf_boxes_(n_eights(tree.n_leaves())) {
   parallel_chunks(tree.n_faces(), [&](Chunk chunk) {
     for (std::size_t slot = chunk.begin; slot < chunk.end; ++slot) {
       EightTriangles& leaf = triangles_[slot / 8];
@@ -381,6 +410,16 @@ ClosestPoints::ClosestPoints(const FaceTree& tree)
       }
     }
   });
+  parallel_chunks(leaf_boxes_.size(), kNodesOfLeavesPerChunk, [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      leaf_boxes_[i] = oriented_boxes_of(tree, triangles_, kTreeWidth * i);
+    }
+  });
+}
+
+std::uint64_t ClosestPoints::bytes_for(std::size_t n_faces) {
+  const std::size_t n_leaves = n_eights(n_faces);
+  return n_leaves * sizeof(EightTriangles) + n_eights(n_leaves) * sizeof(EightOrientedBoxes);
 }
 
 bool ClosestPoints::may_be_within(const Box3& box, double distance) const {
@@ -390,7 +429,7 @@ bool ClosestPoints::may_be_within(const Box3& box, double distance) const {
 }
 
 std::optional<SurfacePoint> ClosestPoints::find(const ClosestQuery& query) const {
-  return Search(tree_, triangles_, query).run();
+  return Search(tree_, triangles_, leaf_boxes_, query).run();
 }
 
 }  // namespace meshalyzer
