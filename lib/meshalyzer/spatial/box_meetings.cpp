@@ -60,6 +60,57 @@ std::vector<Index> leaves_near(const FaceTree& tree, const FaceTree& other) {
   return nodes;
 }
 
+/// Returns a box in the coordinates of `to` round all points that are in a box of the faces of
+/// `from`, in spite of rounding; nothing if some number is too large for that.
+///
+/// With u = 2^-53: a coordinate in `from` is that of a point, at most 1, rounded to float. To map
+/// it back takes three roundings, and to subtract the other centre one more, each of less than u of
+/// the largest number below. The map to `to` takes two, each of u of its result.
+std::optional<TreeBox> foreign_box(const FaceTree& from, const TreeBox& box, const FaceTree& to) {
+  constexpr double kFloatSlack = 0x1p-23;
+  constexpr double kSlack = 0x1p-49;
+  constexpr double kFarthest = std::numeric_limits<float>::max();
+  TreeBox foreign{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    const double size = 1.0 / from.scale();
+    const double slack =
+        kSlack * (size + std::abs(from.centre()[axis]) + std::abs(to.centre()[axis]));
+    const auto place = [&](float x, double side) {
+      const double point =
+          (static_cast<double>(x) + side * kFloatSlack) * size + from.centre()[axis];
+      const double there = (point + side * slack - to.centre()[axis]) * to.scale();
+      return there + side * kSlack * std::abs(there);
+    };
+    const double low = place(box.low[k], -1.0);
+    const double high = place(box.high[k], 1.0);
+    if (!std::isfinite(low) || !std::isfinite(high)) return std::nullopt;
+    foreign.low[k] = static_cast<float>(std::clamp(low, -kFarthest, kFarthest));
+    foreign.high[k] = static_cast<float>(std::clamp(high, -kFarthest, kFarthest));
+  }
+  return foreign;
+}
+
+/// Tells whether a box meets that of a leaf below a node, or of a face if the node is a leaf.
+bool meets_leaf(const FaceTree& tree, std::size_t level, std::size_t i, const TreeBox& box) {
+  unsigned bits = tree.node(level, i).meeting(box);
+  if (level <= 1) return bits != 0;
+  for (; bits != 0; bits &= bits - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+    if (meets_leaf(tree, level - 1, 8 * i + lane, box)) return true;
+  }
+  return false;
+}
+
+/// Tells whether a leaf of one tree may have a face whose box meets that of a leaf of another. It
+/// asks for the box of the leaf, which is much less work than to map the corners of its faces.
+bool may_meet(const FaceTree& outer, std::size_t leaf, const FaceTree& inner) {
+  if (outer.has_far_faces() || inner.has_far_faces()) return true;
+  const std::optional<TreeBox> box =
+      foreign_box(outer, TreeBox::around(outer.node(0, leaf)), inner);
+  return !box || meets_leaf(inner, inner.n_levels() - 1, 0, *box);
+}
+
 /// A leaf of the outer tree that is to be compared with the inner one.
 struct Visit {
   const FaceTree& outer;
@@ -214,6 +265,7 @@ BoxMeetings::Next BoxMeetings::run(const Meet& meet) const {
   std::atomic<bool> is_stopped = false;
   parallel_chunks(leaves_.size(), kOuterLeavesPerChunk, [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end && !is_stopped; ++i) {
+      if (!may_meet(*outer_, leaves_[i], *inner_)) continue;
       const Visit visit{.outer = *outer_,
                         .inner = *inner_,
                         .slabs = slabs_.get(),
