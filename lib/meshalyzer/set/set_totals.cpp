@@ -1,6 +1,7 @@
 #include "meshalyzer/set/set_totals.h"
 
 #include "meshalyzer/analysis/goodness.h"
+#include "meshalyzer/base/parallel.h"
 #include "meshalyzer/set/meetings.h"
 #include "meshalyzer/set/set_counts.h"
 
@@ -108,9 +109,10 @@ void SetTotals::add_separation(Index owner, const ObjectSeparation& separation) 
 
 SetStatistics SetTotals::summarize_measures() {
   SetStatistics statistics;
-  for (std::size_t i = 0; i < kElementMeasures<PooledValues>.size(); ++i) {
-    statistics[i] = pooled_[i].summarize();
-  }
+  // To read the values again and select among them is one task for each quantity.
+  parallel_chunks(kElementMeasures<PooledValues>.size(), 1, [&](Chunk chunk) {
+    statistics[chunk.begin] = pooled_[chunk.begin].summarize();
+  });
   return statistics;
 }
 
