@@ -2,6 +2,7 @@
 
 #include "meshalyzer/spatial/face_tree.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +20,21 @@ struct AngleRange {
   /// Whether two ranges have no angle in common. One as wide as a turn is apart from none.
   [[nodiscard]] bool is_apart_from(const AngleRange& other) const {
     return other.begin - begin > width && begin - other.begin > other.width;
+  }
+
+  /// Returns a range that holds two others: the smaller one of those that begin where one of them
+  /// begins.
+  [[nodiscard]] static AngleRange around(const AngleRange& a, const AngleRange& b) {
+    const auto from = [](const AngleRange& first, const AngleRange& second) {
+      const std::uint64_t end = std::uint64_t{second.begin - first.begin} + second.width;
+      const std::uint64_t width = std::max<std::uint64_t>(first.width, end);
+      constexpr std::uint32_t kTurn = ~std::uint32_t{0};
+      return width < kTurn ? AngleRange{first.begin, static_cast<std::uint32_t>(width)}
+                           : AngleRange{};
+    };
+    const AngleRange from_a = from(a, b);
+    const AngleRange from_b = from(b, a);
+    return from_a.width < from_b.width ? from_a : from_b;
   }
 };
 
@@ -43,6 +59,11 @@ class CornerAngles {
   [[nodiscard]] bool are_apart(std::size_t slot_a, std::size_t corner_a, std::size_t slot_b,
                                std::size_t corner_b) const {
     return ranges_[slot_a][corner_a].is_apart_from(ranges_[slot_b][corner_b]);
+  }
+
+  /// Returns the range of a corner; a whole turn where nothing is known.
+  [[nodiscard]] AngleRange range(std::size_t slot, std::size_t corner) const {
+    return empty() ? AngleRange{} : ranges_[slot][corner];
   }
 
  private:

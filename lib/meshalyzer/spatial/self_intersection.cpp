@@ -4,8 +4,10 @@
 #include "meshalyzer/spatial/pair_collector.h"
 #include "meshalyzer/spatial/proven_stars.h"
 #include "meshalyzer/spatial/self_intersection_search.h"
+#include "meshalyzer/spatial/shared_vertices.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace meshalyzer {
 
@@ -24,12 +26,16 @@ bool visit_self_intersections(const CutMesh& cut, const FaceTree& tree, const Pa
   const std::vector<std::uint8_t> proven = prove_stars(cut);
   const CornerAngles angles(tree, proven);
   const FaceGroups groups(cut, tree);
+  // Only of bundles so many leaves are compared with each other that this pays.
+  std::optional<SharedVertices> shared;
+  if (slabs.has_useful()) shared.emplace(tree, angles);
   return search_self_intersections({.cut = cut,
                                     .tree = tree,
                                     .slabs = slabs,
                                     .fans = fans,
                                     .proven = proven,
                                     .angles = angles.empty() ? nullptr : &angles,
+                                    .shared = shared ? &*shared : nullptr,
                                     .groups = groups.size() == 0 ? nullptr : &groups},
                                    limits, listener);
 }

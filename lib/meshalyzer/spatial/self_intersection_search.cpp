@@ -31,8 +31,9 @@ constexpr std::size_t kMostLeavesPerRound = 64 * kLeavesPerChunk;
 constexpr std::size_t kPairsInBuffer = 4096;
 
 /// Separating directions pay from this number of faces of a leaf that have possible partners in
-/// another leaf.
-constexpr int kManyFaces = 2;
+/// another leaf, and from a smaller one where the corners of leaves are kept.
+constexpr int kManyFaces = 3;
+constexpr int kManyFacesOfKept = 2;
 
 using Scene = SelfIntersectionScene;
 
@@ -49,6 +50,7 @@ unsigned wanted_lanes(const Scene& scene, std::size_t leaf) {
 /// Returns the box of the wanted faces of a leaf.
 TreeBox box_of_wanted(const Scene& scene, std::size_t leaf) {
   const EightBoxes& all = scene.tree.node(0, leaf);
+  if (wanted_lanes(scene, leaf) == 0xFFU) return TreeBox::around(all);
   EightBoxes boxes = EightBoxes::empty();
   for (unsigned bits = wanted_lanes(scene, leaf); bits != 0; bits &= bits - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(bits));
@@ -132,6 +134,10 @@ class PartnerSearch {
     const EightBoxes& mine = tree_.node(0, leaf_);
     const EightBoxes& theirs = tree_.node(0, other);
     Partners partners = not_apart_in_frame(other, wanted_ & mine.meeting(box));
+    const bool is_any_left =
+        std::any_of(partners.begin(), partners.end(), [](unsigned lanes) { return lanes != 0; });
+    if (!is_any_left) return;
+    find_shared(other);
     int n_meeting = 0;
     for (std::size_t i = 0; i < 8; ++i) {
       if (partners[i] == 0) continue;
@@ -142,13 +148,29 @@ class PartnerSearch {
       }
       n_meeting += static_cast<int>(partners[i] != 0);
     }
-    if (n_meeting >= kManyFaces) {
+    if (n_meeting >= (scene_.slabs.has_useful() ? kManyFacesOfKept : kManyFaces)) {
       drop_separated(other, partners);
     }
     for (std::size_t i = 0; n_meeting != 0 && i < 8; ++i) {
       for (unsigned bits = partners[i]; bits != 0; bits &= bits - 1) {
         meet_face(8 * leaf_ + i, 8 * other + static_cast<std::size_t>(std::countr_zero(bits)));
       }
+    }
+  }
+
+  /// Finds out what vertices this leaf and another one have in common.
+  void find_shared(std::size_t other) {
+    common_hubs_.clear();
+    if (scene_.shared == nullptr) return;
+    const std::span<const Index> near = scene_.shared->neighbours(leaf_);
+    may_share_others_ = std::binary_search(near.begin(), near.end(), static_cast<Index>(other));
+    const std::span<const HubFaces> theirs = scene_.shared->hubs(other);
+    for (const HubFaces& mine : scene_.shared->hubs(leaf_)) {
+      const auto same = std::find_if(theirs.begin(), theirs.end(),
+                                     [&](const HubFaces& hub) { return hub.hub == mine.hub; });
+      if (same == theirs.end()) continue;
+      const bool is_proven = !scene_.proven.empty() && scene_.proven[mine.hub] != 0;
+      common_hubs_.push_back({&mine, &*same, is_proven || mine.angles.is_apart_from(same->angles)});
     }
   }
 
@@ -207,6 +229,7 @@ class PartnerSearch {
   };
 
   Neighbours neighbours(std::size_t other, std::size_t i, unsigned lanes) const {
+    if (!may_share_others_) return neighbours_at_hubs(other, i, lanes);
     Neighbours found;
     for (std::size_t c = 0; c < 3; ++c) {
       const EightIds mine = EightIds::all(tree_.leaf_faces(leaf_).corners[c][i]);
@@ -225,9 +248,33 @@ class PartnerSearch {
     return found;
   }
 
-  /// Returns the lanes of a leaf whose faces have a proven vertex in common with the face in lane
-  /// i.
+  Neighbours neighbours_at_hubs(std::size_t other, std::size_t i, unsigned lanes) const {
+    Neighbours found;
+    for (const CommonHub& hub : common_hubs_) {
+      const unsigned common = (hub.mine->lanes >> i & 1U) != 0 ? hub.theirs->lanes & lanes : 0U;
+      found.all |= common;
+      if (scene_.angles == nullptr) continue;
+      for (unsigned bits = common; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+        const bool is_apart = scene_.angles->are_apart(8 * leaf_ + i, hub.mine->corner(i),
+                                                       8 * other + lane, hub.theirs->corner(lane));
+        found.apart |= static_cast<unsigned>(is_apart) << lane;
+      }
+    }
+    return found;
+  }
+
+  /// Returns the lanes of a leaf whose faces have a vertex in common with the face in lane i that
+  /// is proven, or at which the faces of both leaves are seen at different angles.
   unsigned settled_lanes(std::size_t other, std::size_t i) const {
+    unsigned settled = 0;
+    for (const CommonHub& hub : common_hubs_) {
+      if (hub.is_settled && (hub.mine->lanes >> i & 1U) != 0) settled |= hub.theirs->lanes;
+    }
+    return may_share_others_ ? settled | lanes_with_proven_vertex(other, i) : settled;
+  }
+
+  unsigned lanes_with_proven_vertex(std::size_t other, std::size_t i) const {
     const EightFaces& theirs = tree_.leaf_faces(other);
     EightFlags common{};
     for (const auto& corner : theirs.corners) {
@@ -283,6 +330,16 @@ class PartnerSearch {
   /// The triangles of the leaf, if many pairs remain and there are no slabs, which keep them.
   std::optional<LeafTriangles> triangles_;
   std::optional<LeafFrame> frame_;
+  /// A hub that this leaf and another one have in common.
+  struct CommonHub {
+    const HubFaces* mine;
+    const HubFaces* theirs;
+    /// Whether none of the faces of one share anything else with those of the other.
+    bool is_settled;
+  };
+  std::vector<CommonHub> common_hubs_;
+  /// Whether this leaf and another one may have vertices in common that are no hubs.
+  bool may_share_others_ = true;
   std::array<std::optional<SeparatingDirections>, 8> directions_;
 };
 

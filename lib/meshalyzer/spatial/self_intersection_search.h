@@ -7,6 +7,7 @@
 #include "meshalyzer/spatial/fan_tree.h"
 #include "meshalyzer/spatial/pair_limits.h"
 #include "meshalyzer/spatial/pair_listener.h"
+#include "meshalyzer/spatial/shared_vertices.h"
 #include "meshalyzer/spatial/slab_tree.h"
 
 #include <cstdint>
@@ -30,6 +31,8 @@ struct SelfIntersectionScene {
   std::span<const std::uint8_t> proven = {};
   /// Angles at crowded vertices; null if there are none.
   const CornerAngles* angles = nullptr;
+  /// Which leaves have vertices in common; null if all of their vertices are to be compared.
+  const SharedVertices* shared = nullptr;
   /// The groups of faces represented by others; null if all are searched. It excludes `wanted`.
   const FaceGroups* groups = nullptr;
 };

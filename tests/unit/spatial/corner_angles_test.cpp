@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <numbers>
 #include <random>
@@ -68,6 +69,33 @@ CornerTally expect_sound_corners(const Soup& soup) {
     }
   }
   return tally;
+}
+
+TEST(AngleRange, RangeAroundTwoHoldsBothAndIsNoWiderThanNeeded) {
+  Random random(7);
+  for (int round = 0; round < 3000; ++round) {
+    // Narrow ranges, wide ones, and some that go past a full turn.
+    const auto any = [&] {
+      return AngleRange{static_cast<std::uint32_t>(random()),
+                        static_cast<std::uint32_t>(random() >> (random() % 32))};
+    };
+    const AngleRange a = any();
+    const AngleRange b = any();
+    const AngleRange both = AngleRange::around(a, b);
+    for (const AngleRange& part : {a, b}) {
+      const std::uint32_t from_begin = part.begin - both.begin;
+      EXPECT_TRUE(both.width == ~std::uint32_t{0} ||
+                  std::uint64_t{from_begin} + part.width <= both.width);
+    }
+    const AngleRange other_way = AngleRange::around(b, a);
+    EXPECT_EQ(both.width, other_way.width);
+    if (a.width < (1U << 20) && b.width < (1U << 20) && b.begin - a.begin < (1U << 30)) {
+      EXPECT_LT(both.width, (1U << 30) + (1U << 20));
+    }
+  }
+  constexpr std::uint32_t kTenth = ~std::uint32_t{0} / 10;
+  EXPECT_EQ(AngleRange::around({0, kTenth}, {9 * kTenth, kTenth / 2}).begin, 9 * kTenth);
+  EXPECT_EQ(AngleRange::around({kTenth, kTenth}, {0, 5 * kTenth}).width, 5 * kTenth);
 }
 
 TEST(AngleRange, RangesThatOnlyAdjoinOrWrapRoundAreToldRightly) {
