@@ -24,8 +24,8 @@ struct Item {
   Index face;
 };
 
-/// Of many items about so many are looked at to find the widest axis.
-constexpr std::size_t kSampledItems = 512;
+/// Of many items about so many are looked at to find the widest axis, which need not be exactly so.
+constexpr std::size_t kSampledItems = 128;
 
 std::size_t widest_axis(std::span<const Item> items) {
   std::array<float, 3> low = items.front().middle;
@@ -67,13 +67,15 @@ constexpr double kMuchWider = 1024.0;
 /// Far faces are few if they are at most the square root of this multiple of all: the boxes of any
 /// two of them may meet.
 constexpr std::size_t kFarFacesSquared = 64;
+/// Of many faces about so many are looked at to find where most of them are.
+constexpr std::size_t kSampledTriangles = 512;
 /// The coordinate of boxes beyond which there is nothing, if there are far faces.
 constexpr float kFarPlace = 2.0F;
 
 /// Returns a box round most of the corners of faces: that of the middle three quarters of a sample
 /// along each axis, and four times its width round it. It is empty if these are at one place.
 Box3 box_of_most(std::span<const Triangle> triangles, std::span<const Vec3> points) {
-  const std::size_t step = triangles.size() / kSampledItems | 1U;
+  const std::size_t step = triangles.size() / kSampledTriangles | 1U;
   std::vector<double> sample;
   Vec3 low;
   Vec3 high;
@@ -119,8 +121,17 @@ unsigned EightBoxes::meeting(const TreeBox& other) const {
 TreeBox TreeBox::around(const EightBoxes& boxes) {
   TreeBox box;
   for (std::size_t k = 0; k < 3; ++k) {
-    box.low[k] = *std::min_element(boxes.min[k].begin(), boxes.min[k].end());
-    box.high[k] = *std::max_element(boxes.max[k].begin(), boxes.max[k].end());
+    std::array<float, 8> low = boxes.min[k];
+    std::array<float, 8> high = boxes.max[k];
+    // Halves are compared with each other, several numbers at a time.
+    for (std::size_t half = 4; half > 0; half /= 2) {
+      for (std::size_t i = 0; i < half; ++i) {
+        low[i] = std::min(low[i], low[i + half]);
+        high[i] = std::max(high[i], high[i + half]);
+      }
+    }
+    box.low[k] = low[0];
+    box.high[k] = high[0];
   }
   return box;
 }

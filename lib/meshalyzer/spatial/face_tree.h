@@ -93,7 +93,7 @@ class FaceTree {
   [[nodiscard]] const Vec3& centre() const { return centre_; }
   [[nodiscard]] double scale() const { return scale_; }
   /// Maps a point to the coordinates of the boxes, monotonically in each coordinate.
-  [[nodiscard]] std::array<float, 3> map(const Vec3& point) const {
+  [[nodiscard, gnu::always_inline]] inline std::array<float, 3> map(const Vec3& point) const {
     // Rounded subtraction, multiplication by a positive factor, conversion and clamping are
     // monotone, so their composition is.
     const auto place = [&](Eigen::Index k) {
