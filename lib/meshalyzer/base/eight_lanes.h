@@ -8,12 +8,15 @@
 #ifdef __SSE2__
 #include <emmintrin.h>
 #endif
+#ifdef __AVX2__
+#include <immintrin.h>
+#endif
 
 namespace meshalyzer {
 
 // Eight numbers side by side, as the leaves and nodes of trees hold them, and comparisons of all
-// eight at once. There are two sets of types with the same names and the same answers to the last
-// bit: `sse2` where the processor has such registers, and `portable` everywhere.
+// eight at once. There are three sets of types with the same names and the same answers to the last
+// bit: `avx2` and `sse2` where the compiler may use such registers, and `portable` everywhere.
 
 namespace portable {
 
@@ -185,7 +188,87 @@ struct EightIds {
 };
 
 }  // namespace sse2
+#endif
 
+#ifdef __AVX2__
+namespace avx2 {
+
+/// Eight truth values; all bits of a lane are set, or none.
+struct EightFlags {
+  __m256 lanes;
+
+  [[nodiscard]] unsigned bits() const { return static_cast<unsigned>(_mm256_movemask_ps(lanes)); }
+  friend EightFlags operator|(const EightFlags& a, const EightFlags& b) {
+    return {_mm256_or_ps(a.lanes, b.lanes)};
+  }
+  friend EightFlags operator&(const EightFlags& a, const EightFlags& b) {
+    return {_mm256_and_ps(a.lanes, b.lanes)};
+  }
+};
+
+struct EightFloats {
+  __m256 lanes;
+
+  [[nodiscard]] static EightFloats load(const std::array<float, 8>& numbers) {
+    return {_mm256_loadu_ps(numbers.data())};
+  }
+  [[nodiscard]] static EightFloats all(float number) { return {_mm256_set1_ps(number)}; }
+  [[nodiscard]] std::array<float, 8> numbers() const {
+    std::array<float, 8> numbers;
+    _mm256_storeu_ps(numbers.data(), lanes);
+    return numbers;
+  }
+  friend EightFloats operator+(const EightFloats& a, const EightFloats& b) {
+    return {_mm256_add_ps(a.lanes, b.lanes)};
+  }
+  friend EightFloats operator-(const EightFloats& a, const EightFloats& b) {
+    return {_mm256_sub_ps(a.lanes, b.lanes)};
+  }
+  friend EightFloats operator*(const EightFloats& a, const EightFloats& b) {
+    return {_mm256_mul_ps(a.lanes, b.lanes)};
+  }
+  friend EightFloats operator/(const EightFloats& a, const EightFloats& b) {
+    return {_mm256_div_ps(a.lanes, b.lanes)};
+  }
+  friend EightFloats select(const EightFlags& flags, const EightFloats& a, const EightFloats& b) {
+    return {_mm256_blendv_ps(b.lanes, a.lanes, flags.lanes)};
+  }
+  friend EightFloats min(const EightFloats& a, const EightFloats& b) {
+    return {_mm256_min_ps(a.lanes, b.lanes)};
+  }
+  friend EightFloats max(const EightFloats& a, const EightFloats& b) {
+    return {_mm256_max_ps(a.lanes, b.lanes)};
+  }
+  friend EightFlags operator<(const EightFloats& a, const EightFloats& b) {
+    return {_mm256_cmp_ps(a.lanes, b.lanes, _CMP_LT_OS)};
+  }
+  friend EightFlags operator<=(const EightFloats& a, const EightFloats& b) {
+    return {_mm256_cmp_ps(a.lanes, b.lanes, _CMP_LE_OS)};
+  }
+};
+
+struct EightIds {
+  __m256i lanes;
+
+  [[nodiscard]] static EightIds load(const std::array<std::uint32_t, 8>& numbers) {
+    return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(numbers.data()))};
+  }
+  [[nodiscard]] static EightIds all(std::uint32_t number) {
+    return {_mm256_set1_epi32(std::bit_cast<int>(number))};
+  }
+  friend EightFlags operator==(const EightIds& a, const EightIds& b) {
+    return {_mm256_castsi256_ps(_mm256_cmpeq_epi32(a.lanes, b.lanes))};
+  }
+};
+
+}  // namespace avx2
+#endif
+
+#if defined(__AVX2__)
+using avx2::EightFlags;
+using avx2::EightFloats;
+using avx2::EightIds;
+#elif defined(__SSE2__)
 using sse2::EightFlags;
 using sse2::EightFloats;
 using sse2::EightIds;
