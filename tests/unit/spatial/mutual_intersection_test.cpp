@@ -193,6 +193,19 @@ TEST(FindIntersections, EqualsBruteForceFarFromTheOrigin) {
   expect_brute_force_on_soups(huge, tiny_at_its_corner);
 }
 
+TEST(FindIntersections, FacesThatReachFarAreMetFarAway) {
+  // In the tree of the first mesh the end of its far face lies at the edge of the other faces.
+  Soup mesh = shapes::grid(40, 40);
+  mesh.positions.push_back(Vec3(1e9, 1e9, 1e9));
+  mesh.triangles.push_back({0, 1, static_cast<Index>(mesh.positions.size() - 1)});
+  ASSERT_TRUE(FaceTree(build(mesh)).has_far_faces());
+  const Vec3 on_face(5e8 + 0.25, 5e8, 5e8);
+  const Soup across = shapes::make(
+      {on_face + Vec3(0, 9, -9), on_face + Vec3(0, -9, 9), on_face + Vec3(9, 9, 9)}, {{0, 1, 2}});
+  EXPECT_EQ(expect_brute_force(mesh, across), 1U);
+  EXPECT_EQ(expect_brute_force(across, mesh), 1U);
+}
+
 TEST(FindIntersections, FaceBeyondAllBoundsMeetsNoneThatAreNotThere) {
   // Its box under the map of the other mesh is all of space, and the other mesh's leaf has five
   // places without a face.

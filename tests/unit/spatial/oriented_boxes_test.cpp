@@ -109,6 +109,18 @@ TEST(OrientedBoxes, BoxOfFlatFacesAskewIsFlat) {
   }
 }
 
+TEST(OrientedBoxes, BoxIsNearlyAsFarAsItsLeafIsFromFarAway) {
+  std::mt19937 random(2);
+  const BoxedLeaves scene(shapes::icosphere(3));
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 point = 1000.0 * any_vector(random).normalized();
+    const std::array<double, 8> bounds = scene.bounds(point);
+    for (std::size_t leaf = 0; leaf < 8; ++leaf) {
+      EXPECT_GT(bounds[leaf], 0.99 * scene.distance(leaf, point));
+    }
+  }
+}
+
 TEST(OrientedBoxes, LeavesThatAreNotThereAreFartherThanAnything) {
   const BoxedLeaves scene(shapes::cube());  // 12 faces, two leaves
   const std::array<double, 8> bounds = scene.bounds(Vec3::Zero());

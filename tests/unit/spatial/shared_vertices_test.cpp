@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <numbers>
 #include <set>
@@ -15,14 +16,16 @@
 namespace meshalyzer {
 namespace {
 
-/// A cone of n faces, all of which have the first vertex.
+/// A cone of n faces, all of which have the first vertex, at one corner or another.
 Soup cone(std::size_t n) {
   std::vector<Vec3> positions{Vec3(0, 0, 1)};
   std::vector<Triangle> triangles;
   for (std::size_t i = 0; i < n; ++i) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n);
     positions.push_back(Vec3(std::cos(angle), std::sin(angle), 0));
-    triangles.push_back({0, static_cast<Index>(i + 1), static_cast<Index>((i + 1) % n + 1)});
+    Triangle t{0, static_cast<Index>(i + 1), static_cast<Index>((i + 1) % n + 1)};
+    std::rotate(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(i % 3), t.end());
+    triangles.push_back(t);
   }
   return shapes::make(positions, triangles);
 }
