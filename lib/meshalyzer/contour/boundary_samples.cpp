@@ -48,9 +48,10 @@ class BoundarySampler {
 
  private:
   [[nodiscard]] bool is_boundary(const Vec3& p, const Vec3& step) const {
-    const double front = std::abs(windings_.at(p + step));
-    const double behind = std::abs(windings_.at(p - step));
-    return std::min(front, behind) <= kClearlyOutside && std::max(front, behind) >= kClearlyInside;
+    const auto [front, behind] = windings_.at_both(p + step, p - step);
+    const double least = std::min(std::abs(front), std::abs(behind));
+    const double most = std::max(std::abs(front), std::abs(behind));
+    return least <= kClearlyOutside && most >= kClearlyInside;
   }
 
   WindingNumbers windings_;

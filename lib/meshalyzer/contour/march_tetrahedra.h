@@ -19,6 +19,12 @@ class Region {
   /// Tells whether a point belongs to the region. It is called from several threads.
   [[nodiscard]] virtual bool contains(const Vec3& point) const = 0;
 
+  /// Tells whether exactly one of two points belongs to the region. It is called from several
+  /// threads.
+  [[nodiscard]] virtual bool contains_one_of(const Vec3& first, const Vec3& second) const {
+    return contains(first) != contains(second);
+  }
+
   /// Returns where a segment leaves the region, as a share of its length. It is called from several
   /// threads.
   ///

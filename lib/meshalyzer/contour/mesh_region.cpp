@@ -82,6 +82,11 @@ bool MeshRegion::contains(const Vec3& point) const {
   return std::abs(winding_.at(point)) >= kInside;
 }
 
+bool MeshRegion::contains_one_of(const Vec3& first, const Vec3& second) const {
+  const auto [a, b] = winding_.at_both(first, second);
+  return (std::abs(a) >= kInside) != (std::abs(b) >= kInside);
+}
+
 bool MeshRegion::spans_hole_at(const Vec3& point) const {
   return std::abs(std::abs(winding_.at(point)) - kInside) < kMidway;
 }

@@ -20,6 +20,8 @@ class MeshRegion : public Region {
 
   [[nodiscard]] bool contains(const Vec3& point) const override;
 
+  [[nodiscard]] bool contains_one_of(const Vec3& first, const Vec3& second) const override;
+
   /// Tells whether the boundary of the region may lie at a point although the mesh has no face
   /// there. The winding numbers of a closed mesh are whole, so a hole must be spanned where the
   /// number lies midway between whole ones.

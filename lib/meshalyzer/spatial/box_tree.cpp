@@ -22,7 +22,7 @@ std::uint64_t spread(std::uint64_t x) {
   return (x | x << 2U) & 0x1249249249249249U;
 }
 
-Box3 box_of(std::span<const Box3> boxes) {
+Box3 box_round(std::span<const Box3> boxes) {
   Box3 all;
   for (const Box3& box : boxes) {
     all.extend(box);
@@ -46,7 +46,7 @@ std::uint64_t morton_code(const Box3& box, const Box3& all) {
 }  // namespace
 
 std::vector<Index> order_in_space(std::span<const Box3> boxes) {
-  const Box3 all = box_of(boxes);
+  const Box3 all = box_round(boxes);
   auto keys = collect_chunks<std::pair<std::uint64_t, Index>>(
       boxes.size(), [&](Chunk chunk, std::vector<std::pair<std::uint64_t, Index>>& found) {
         for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
@@ -69,7 +69,7 @@ BoxTree::BoxTree(std::span<const Box3> boxes) : order_(order_in_space(boxes)), l
     const std::span<const Box3> below = levels_.back();
     std::vector<Box3> level;
     for (std::size_t i = 0; i < below.size(); i += kTreeWidth) {
-      level.push_back(box_of(below.subspan(i, std::min(kTreeWidth, below.size() - i))));
+      level.push_back(box_round(below.subspan(i, std::min(kTreeWidth, below.size() - i))));
     }
     levels_.push_back(std::move(level));
   }

@@ -16,9 +16,12 @@
 namespace meshalyzer {
 namespace {
 
-/// A node is approximated as a whole beyond this many of its radii. The error falls with the square
-/// of this: 0.04 of a sphere at 2, 0.009 at 4.
-constexpr double kFar = 4.0;
+/// A node is approximated as a whole beyond this many of its radii. The error falls with the cube
+/// of this: it is below 0.003 of a winding number for real surfaces at 2, and 0.015 at 1.5.
+constexpr double kFar = 2.0;
+/// Triangles are grouped with others whose boxes are larger or smaller by less than this factor, so
+/// that one long triangle does not make small ones near it part of a large node.
+constexpr int kBinaryDigitsOfSize = 2;
 /// A point at this distance of a triangle is on it if the size of the mesh is about 1. The distance
 /// is at least a multiple of the spacing of the coordinates.
 constexpr double kOnTriangle = 0x1p-40;
@@ -27,82 +30,169 @@ constexpr double kOnTriangleRoundings = 8.0;
 constexpr double kRounding = 0x1p-48;
 /// Beyond the square root of this distance all triangles count as a point.
 constexpr double kTooFar = 1e60;
-/// Products of smaller numbers might underflow.
+/// Products of smaller numbers might underflow, and of larger ones overflow.
 constexpr double kSmallProduct = 1e-100;
+constexpr double kLargeProduct = 1e100;
 
-/// The shares of all directions from a point that meet triangles, added up.
+/// One number for each of two points.
+using Two = Eigen::Array2d;
+
+/// Two points, or the offsets of one place from two points, which processors compute at once.
+struct TwoVectors {
+  TwoVectors(const Vec3& first, const Vec3& second)
+      : x(first.x(), second.x()), y(first.y(), second.y()), z(first.z(), second.z()) {}
+  TwoVectors(const Two& x_values, const Two& y_values, const Two& z_values)
+      : x(x_values), y(y_values), z(z_values) {}
+
+  [[nodiscard]] TwoVectors from(const Vec3& place) const {
+    return {place.x() - x, place.y() - y, place.z() - z};
+  }
+  [[nodiscard]] Two dot(const TwoVectors& other) const {
+    return x * other.x + y * other.y + z * other.z;
+  }
+  [[nodiscard]] Two dot(const Vec3& other) const {
+    return x * other.x() + y * other.y() + z * other.z();
+  }
+  [[nodiscard]] TwoVectors cross(const TwoVectors& other) const {
+    return {y * other.z - z * other.y, z * other.x - x * other.z, x * other.y - y * other.x};
+  }
+
+  Two x;
+  Two y;
+  Two z;
+};
+
+/// The shares of all directions from each of two points that meet triangles, added up.
 ///
 /// Half the solid angle of a triangle is the argument of a complex number (van Oosterom and
 /// Strackee 1983, "The solid angle of a plane triangle"), and a product of numbers has the sum of
 /// their arguments. So the arctangent, which costs more than all else, is taken of many at once.
-class ShareOfDirections {
+class SharesOfDirections {
  public:
   /// Adds the share of a triangle; it is positive where its normal points away.
   ///
   /// @param near  A point within this distance is on the triangle.
-  void add(const Corners& t, const Vec3& point, double near) {
-    const Vec3 a = t[0] - point;
-    const Vec3 b = t[1] - point;
-    const Vec3 c = t[2] - point;
-    const double x = a.norm();
-    const double y = b.norm();
-    const double z = c.norm();
-    const double sine = a.dot(b.cross(c));
+  void add(const Corners& t, const TwoVectors& points, double near) {
+    const TwoVectors a = points.from(t[0]);
+    const TwoVectors b = points.from(t[1]);
+    const TwoVectors c = points.from(t[2]);
+    const Two x = a.dot(a).sqrt();
+    const Two y = b.dot(b).sqrt();
+    const Two z = c.dot(c).sqrt();
+    const Two sine = a.dot(b.cross(c));
     // The sum is ordered so that exchanging b and c changes no bit.
-    const double cosine = x * (y * z) + (a.dot(b) * z + a.dot(c) * y) + b.dot(c) * x;
-    if (cosine > 0.0) {
-      multiply(cosine, sine);
-    } else if (std::abs(sine) > near * normal_of(t).norm() + kRounding * (x * (y * z))) {
-      sum_ += std::atan2(sine, cosine);
+    const Two cosine = x * (y * z) + (a.dot(b) * z + a.dot(c) * y) + b.dot(c) * x;
+    if (cosine.minCoeff() > 0.0 && multiply(cosine, sine)) return;
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      const double rounding = kRounding * (x[i] * (y[i] * z[i]));
+      // Behind the plane of the corners the argument is large, unless the point is on the triangle.
+      if (cosine[i] > 0.0 || std::abs(sine[i]) > near * normal_of(t).norm() + rounding) {
+        sum_[i] += std::atan2(sine[i], cosine[i]);
+      }
     }
   }
 
-  [[nodiscard]] double total() const {
-    return (sum_ + std::atan2(imaginary_, real_)) / (2.0 * std::numbers::pi);
-  }
+  [[nodiscard]] Two total() const { return (sum_ + arguments()) / (2.0 * std::numbers::pi); }
 
  private:
-  /// Both factors have arguments below a right angle, so that their sum does not wrap round.
-  void multiply(double cosine, double sine) {
-    const double real = real_ * cosine - imaginary_ * sine;
-    const double imaginary = real_ * sine + imaginary_ * cosine;
-    if (real > kSmallProduct) {
+  /// Multiplies both products by numbers whose arguments are below a right angle, as those of the
+  /// products are, so that sums of arguments do not wrap round. Once a product would become too
+  /// large, too small, or of a larger argument, its argument is added to the sum.
+  ///
+  /// @return  Whether the numbers are in the products now.
+  bool multiply(const Two& cosine, const Two& sine) {
+    const Two real = real_ * cosine - imaginary_ * sine;
+    const Two imaginary = real_ * sine + imaginary_ * cosine;
+    if (real.minCoeff() > kSmallProduct && (real + imaginary.abs()).maxCoeff() < kLargeProduct) {
       real_ = real;
       imaginary_ = imaginary;
-    } else {
-      sum_ += std::atan2(imaginary_, real_);
-      real_ = cosine;
-      imaginary_ = sine;
+      return true;
     }
+    sum_ += arguments();
+    real_ = Two::Ones();
+    imaginary_ = Two::Zero();
+    return false;
+  }
+
+  [[nodiscard]] Two arguments() const {
+    return {std::atan2(imaginary_[0], real_[0]), std::atan2(imaginary_[1], real_[1])};
   }
 
   /// The arguments of the triangles that are not in the product.
-  double sum_ = 0.0;
-  double real_ = 1.0;
-  double imaginary_ = 0.0;
+  Two sum_ = Two::Zero();
+  Two real_ = Two::Ones();
+  Two imaginary_ = Two::Zero();
 };
 
-/// The far field of some triangles: the first two terms of the multipole expansion about their
-/// centre.
-struct Dipole {
+/// The far field of some triangles: the first three terms of the multipole expansion about their
+/// centre. With r from the point to the centre and d from the centre to a place on a triangle, the
+/// flux of (r + d) / |r + d|^3 through all triangles is expanded in d. The derivatives of r / |r|^3
+/// are symmetric and traceless, so that only such parts of the moments count.
+struct FarField {
   Vec3 centre = Vec3::Zero();
   /// The square of the distance from which the expansion is accurate enough.
   double far_squared = 0.0;
   /// The sum of the area vectors.
   Vec3 area = Vec3::Zero();
-  /// The sum of the products of offset and area vector, symmetric: its diagonal, and twice the rest
-  /// (yz, zx, xy).
-  Vec3 diagonal = Vec3::Zero();
+  /// The integral of the products of offset and area vector, as the coefficients of a quadratic
+  /// form: of xx, yy, zz, and of yz, zx, xy.
+  Vec3 squares = Vec3::Zero();
   Vec3 mixed = Vec3::Zero();
+  /// The integral of the products of two offsets and the area vector, as the coefficients of a
+  /// cubic form: of xxx, yyy, zzz; of xyy, yzz, zxx; of xzz, yxx, zyy; of xyz.
+  Vec3 cubes = Vec3::Zero();
+  Vec3 with_next = Vec3::Zero();
+  Vec3 with_last = Vec3::Zero();
+  double of_all = 0.0;
 
-  /// Returns the share of directions of all the triangles together.
-  [[nodiscard]] double share_from(const Vec3& to_centre, double distance_squared) const {
-    const Vec3& r = to_centre;
-    const double inverse = 1.0 / distance_squared;
-    const double second = diagonal.dot(r.cwiseProduct(r)) +
-                          mixed.dot(Vec3(r.y() * r.z(), r.z() * r.x(), r.x() * r.y()));
-    const double sum = area.dot(r) + diagonal.sum() - 3.0 * second * inverse;
-    return sum * inverse * std::sqrt(inverse) / (4.0 * std::numbers::pi);
+  /// Adds a triangle with corners at offsets from the centre.
+  ///
+  /// @param n  The area vector.
+  void add(const Corners& d, const Vec3& n) {
+    const Vec3 sum = d[0] + (d[1] + d[2]);
+    const Vec3 mean = sum / 3.0;
+    squares += mean.cwiseProduct(n);
+    mixed += Vec3(mean.y() * n.z() + mean.z() * n.y(), mean.z() * n.x() + mean.x() * n.z(),
+                  mean.x() * n.y() + mean.y() * n.x());
+    // The means over the triangle of products of two coordinates.
+    const auto product = [&](int i, int j) {
+      const double of_corners = d[0][i] * d[0][j] + (d[1][i] * d[1][j] + d[2][i] * d[2][j]);
+      return (of_corners + sum[i] * sum[j]) / 12.0;
+    };
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      const int k = (i + 2) % 3;
+      cubes[i] += product(i, i) * n[i];
+      with_next[i] += product(j, j) * n[i] + 2.0 * product(i, j) * n[j];
+      with_last[i] += product(k, k) * n[i] + 2.0 * product(i, k) * n[k];
+      of_all += 2.0 * product(j, k) * n[i];
+    }
+  }
+
+  /// Makes both forms harmonic, which changes nothing but makes their traces zero.
+  void remove_traces() {
+    squares.array() -= squares.sum() / 3.0;
+    const Vec3 trace = (3.0 * cubes + with_next + with_last) / 5.0;
+    cubes -= trace;
+    with_next -= trace;
+    with_last -= trace;
+  }
+
+  /// Returns the shares of directions of all the triangles together, as seen from two points.
+  ///
+  /// @param r  The offsets from the points to the centre.
+  [[nodiscard]] Two share_from(const TwoVectors& r, const Two& distance_squared) const {
+    const Two inverse = 1.0 / distance_squared;
+    const TwoVectors square(r.x * r.x, r.y * r.y, r.z * r.z);
+    const TwoVectors product(r.y * r.z, r.z * r.x, r.x * r.y);
+    const Two second = square.dot(squares) + product.dot(mixed);
+    const TwoVectors factor(
+        cubes.x() * square.x + with_next.x() * square.y + with_last.x() * square.z,
+        cubes.y() * square.y + with_next.y() * square.z + with_last.y() * square.x,
+        cubes.z() * square.z + with_next.z() * square.x + with_last.z() * square.y);
+    const Two third = factor.dot(r) + of_all * (r.x * product.x);
+    const Two sum = r.dot(area) + (7.5 * third * inverse - 3.0 * second) * inverse;
+    return sum * inverse * inverse.sqrt() / (4.0 * std::numbers::pi);
   }
 };
 
@@ -110,32 +200,36 @@ Vec3 middle_of(const Corners& t) {
   return (t[0] + (t[1] + t[2])) / 3.0;
 }
 
-Dipole dipole_of(std::span<const Corners> triangles) {
-  Dipole dipole;
+FarField far_field_of(std::span<const Corners> triangles) {
+  FarField field;
   double weight = 0.0;
   for (const Corners& t : triangles) {
     const Vec3 area = normal_of(t) / 2.0;
-    dipole.area += area;
-    dipole.centre += area.norm() * middle_of(t);
+    field.area += area;
+    field.centre += area.norm() * middle_of(t);
     weight += area.norm();
   }
   if (!(weight > 0.0)) {
     return {};
   }
-  dipole.centre /= weight;
+  field.centre /= weight;
   double radius_squared = 0.0;
   for (const Corners& t : triangles) {
-    const Vec3 n = normal_of(t) / 2.0;
-    const Vec3 d = middle_of(t) - dipole.centre;
-    dipole.diagonal += d.cwiseProduct(n);
-    dipole.mixed += Vec3(d.y() * n.z() + d.z() * n.y(), d.z() * n.x() + d.x() * n.z(),
-                         d.x() * n.y() + d.y() * n.x());
-    for (const Vec3& p : t) {
-      radius_squared = std::max(radius_squared, (p - dipole.centre).squaredNorm());
-    }
+    const Corners offsets{t[0] - field.centre, t[1] - field.centre, t[2] - field.centre};
+    field.add(offsets, normal_of(t) / 2.0);
+    for (const Vec3& d : offsets) radius_squared = std::max(radius_squared, d.squaredNorm());
   }
-  dipole.far_squared = kFar * kFar * radius_squared;
-  return dipole;
+  field.remove_traces();
+  field.far_squared = kFar * kFar * radius_squared;
+  return field;
+}
+
+/// Returns the sizes of triangles as classes, from 0 for those as large as the mesh on.
+int size_class_of(const Corners& t) {
+  constexpr int kSmallest = 16;
+  const double size = box_of(t).sizes().maxCoeff();
+  if (!(size > 0.0)) return kSmallest;
+  return std::min(kSmallest, std::max(0, 1 - std::ilogb(size)) / kBinaryDigitsOfSize);
 }
 
 std::vector<Box3> boxes_of(std::span<const Corners> triangles) {
@@ -150,8 +244,8 @@ std::vector<Box3> boxes_of(std::span<const Corners> triangles) {
 
 }  // namespace
 
-/// An implicit, complete tree with eight children per node over the triangles, ordered along a
-/// space-filling curve.
+/// An implicit, complete tree with eight children per node over the triangles, ordered by size and
+/// along a space-filling curve.
 struct WindingNumbers::Tree {
   explicit Tree(std::vector<Corners> soup)
       : scale(soup), near(std::max(kOnTriangle, kOnTriangleRoundings * scale.rounding())) {
@@ -160,7 +254,10 @@ struct WindingNumbers::Tree {
         p = scale(p);
       }
     }
-    const std::vector<Index> order = order_in_space(boxes_of(soup));
+    std::vector<Index> order = order_in_space(boxes_of(soup));
+    std::stable_sort(order.begin(), order.end(), [&](Index i, Index j) {
+      return size_class_of(soup[i]) < size_class_of(soup[j]);
+    });
     triangles.reserve(order.size());
     for (const Index i : order) triangles.push_back(soup[i]);
     soup = {};
@@ -172,36 +269,37 @@ struct WindingNumbers::Tree {
     }
   }
 
-  /// Returns the dipoles of `length` triangles each.
-  [[nodiscard]] std::vector<Dipole> level_of(std::size_t length) const {
-    std::vector<Dipole> level(n_chunks(triangles.size(), length));
+  /// Returns the far fields of `length` triangles each.
+  [[nodiscard]] std::vector<FarField> level_of(std::size_t length) const {
+    std::vector<FarField> level(n_chunks(triangles.size(), length));
     const std::size_t nodes_per_task = std::max<std::size_t>(1, kChunkLength / length);
     parallel_chunks(level.size(), nodes_per_task, [&](Chunk chunk) {
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
         const std::size_t end = std::min(length * (i + 1), triangles.size());
-        level[i] = dipole_of(std::span(triangles).subspan(length * i, end - length * i));
+        level[i] = far_field_of(std::span(triangles).subspan(length * i, end - length * i));
       }
     });
     return level;
   }
 
-  [[nodiscard]] double share(std::size_t level, std::size_t i, const Vec3& point) const {
-    const Dipole& dipole = levels[level][i];
-    const Vec3 to_centre = dipole.centre - point;
-    const double distance_squared = to_centre.squaredNorm();
-    if (distance_squared > dipole.far_squared) {
-      return dipole.share_from(to_centre, distance_squared);
+  /// Returns the shares of what is far from two points, and adds the triangles that are not.
+  [[nodiscard]] Two share(std::size_t level, std::size_t i, const TwoVectors& points,
+                          SharesOfDirections& near_triangles) const {
+    const FarField& field = levels[level][i];
+    const TwoVectors to_centre = points.from(field.centre);
+    const Two distance_squared = to_centre.dot(to_centre);
+    if (distance_squared.minCoeff() > field.far_squared) {
+      return field.share_from(to_centre, distance_squared);
     }
     const std::size_t n_below = level == 0 ? triangles.size() : levels[level - 1].size();
     const std::size_t end = std::min(kTreeWidth * (i + 1), n_below);
-    if (level == 0) {
-      ShareOfDirections directions;
-      for (std::size_t t = kTreeWidth * i; t < end; ++t) directions.add(triangles[t], point, near);
-      return directions.total();
-    }
-    double sum = 0.0;
+    Two sum = Two::Zero();
     for (std::size_t child = kTreeWidth * i; child < end; ++child) {
-      sum += share(level - 1, child, point);
+      if (level == 0) {
+        near_triangles.add(triangles[child], points, near);
+      } else {
+        sum += share(level - 1, child, points, near_triangles);
+      }
     }
     return sum;
   }
@@ -209,8 +307,9 @@ struct WindingNumbers::Tree {
   UnitScale scale;
   double near;
   std::vector<Corners> triangles;
-  /// Level 0 has the dipoles of eight triangles each; each other level those of eight nodes below.
-  std::vector<std::vector<Dipole>> levels;
+  /// Level 0 has the far fields of eight triangles each; each other level those of eight nodes
+  /// below.
+  std::vector<std::vector<FarField>> levels;
 };
 
 WindingNumbers::WindingNumbers(std::vector<Corners> triangles)
@@ -219,15 +318,24 @@ WindingNumbers::WindingNumbers(std::vector<Corners> triangles)
 WindingNumbers::~WindingNumbers() = default;
 
 double WindingNumbers::at(const Vec3& point) const {
-  const Vec3 p = tree_->scale(point);
-  if (tree_->levels.empty() || !(p.squaredNorm() < kTooFar)) {
-    return 0.0;
-  }
-  double sum = 0.0;
+  return at_both(point, point)[0];
+}
+
+std::array<double, 2> WindingNumbers::at_both(const Vec3& first, const Vec3& second) const {
+  const Vec3 a = tree_->scale(first);
+  const Vec3 b = tree_->scale(second);
+  const bool is_a_near = a.squaredNorm() < kTooFar;
+  const bool is_b_near = b.squaredNorm() < kTooFar;
+  if (tree_->levels.empty() || (!is_a_near && !is_b_near)) return {0.0, 0.0};
+  // A point that is too far gets the answer of the other one, which is dropped.
+  const TwoVectors points(is_a_near ? a : b, is_b_near ? b : a);
+  SharesOfDirections near_triangles;
+  Two sum = Two::Zero();
   for (std::size_t i = 0; i < tree_->levels.back().size(); ++i) {
-    sum += tree_->share(tree_->levels.size() - 1, i, p);
+    sum += tree_->share(tree_->levels.size() - 1, i, points, near_triangles);
   }
-  return sum;
+  sum += near_triangles.total();
+  return {is_a_near ? sum[0] : 0.0, is_b_near ? sum[1] : 0.0};
 }
 
 }  // namespace meshalyzer

@@ -3,6 +3,7 @@
 #include "meshalyzer/base/types.h"
 #include "meshalyzer/spatial/triangle_contact.h"
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -12,10 +13,11 @@ namespace meshalyzer {
 /// point: 1 inside a closed outward surface, 0 outside, a value in between if the surface is open
 /// (Jacobson et al. 2013, "Robust inside-outside segmentation using generalized winding numbers").
 ///
-/// Triangles far from the point are approximated together as dipoles (Barill et al. 2018, "Fast
-/// winding numbers for soups and clouds"): the error is below 0.01 for a surface that goes round
-/// once. The numbers serve for estimates and votes, never for exact decisions. Reversing all
-/// triangles by exchanging their last two corners negates all answers, to the last bit.
+/// Triangles far from the point are approximated together by three terms of an expansion (Barill et
+/// al. 2018, "Fast winding numbers for soups and clouds"): the error is below 0.01 for a surface
+/// that goes round once. The numbers serve for estimates and votes, never for exact decisions.
+/// Reversing all triangles by exchanging their last two corners negates all answers, to the last
+/// bit.
 class WindingNumbers {
  public:
   /// @complexity O(n log n).
@@ -30,6 +32,10 @@ class WindingNumbers {
   ///
   /// @complexity O(log n) on average.
   [[nodiscard]] double at(const Vec3& point) const;
+
+  /// Returns the winding numbers at two points, such as those on both sides of a face; if they are
+  /// near each other, both cost little more than one.
+  [[nodiscard]] std::array<double, 2> at_both(const Vec3& first, const Vec3& second) const;
 
  private:
   struct Tree;

@@ -144,6 +144,41 @@ TEST(WindingNumbers, AgreeWithTheSumOverAllTrianglesByExcess) {
   EXPECT_LT(worst, 0.01);
 }
 
+TEST(WindingNumbers, FarSurfaceIsExactToTheThirdTerm) {
+  // What the expansion leaves out falls with the fourth power of the distance, relative to the
+  // share of the surface itself, here of half a sphere of radius 1 at a distance of d.
+  Soup half = shapes::icosphere(4);
+  std::erase_if(half.triangles, [&](const Triangle& t) {
+    return half.positions[t[0]].z() + half.positions[t[1]].z() + half.positions[t[2]].z() < 0.0;
+  });
+  const std::vector<Corners> triangles = corners_of(half);
+  const WindingNumbers numbers(triangles);
+  for (const double d : {8.0, 16.0, 32.0}) {
+    for (const Vec3& towards : {Vec3(1, 0, 0), Vec3(0, 0, -1), Vec3(0.6, 0.48, 0.64)}) {
+      const Vec3 point = d * towards;
+      EXPECT_NEAR(numbers.at(point), winding_by_excess(triangles, point), 0.5 * std::pow(d, -5.0))
+          << d << ' ' << towards.transpose();
+    }
+  }
+}
+
+TEST(WindingNumbers, BothOfTwoPointsHaveWhatEachHasAlone) {
+  std::mt19937 random(19);
+  const Soup soup = damaged(shapes::torus(2, 1, 60, 30), 8, random);
+  const WindingNumbers numbers(corners_of(soup));
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 first = random_point(random, 3.0);
+    const Vec3 second = i % 2 == 0 ? random_point(random, 3.0) : Vec3(first + Vec3(0, 0, 1e-3));
+    const auto [of_first, of_second] = numbers.at_both(first, second);
+    EXPECT_NEAR(of_first, numbers.at(first), 0.01);
+    EXPECT_NEAR(of_second, numbers.at(second), 0.01);
+  }
+  const Vec3 far = Vec3::Constant(1e200);
+  EXPECT_EQ(numbers.at_both(far, {2, 0, 0})[0], 0.0);
+  EXPECT_EQ(numbers.at_both(far, {2, 0, 0})[1], numbers.at({2, 0, 0}));
+  EXPECT_EQ(numbers.at_both({2, 0, 0}, far)[0], numbers.at({2, 0, 0}));
+}
+
 TEST(WindingNumbers, TrianglesBackToBackDoNotCancelEachOther) {
   // Their area vectors do: what is left falls with the cube of the distance.
   std::mt19937 random(13);

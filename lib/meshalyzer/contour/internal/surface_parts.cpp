@@ -47,7 +47,7 @@ class FaceDivision {
 
  private:
   [[nodiscard]] bool separates(const Vec3& p) const {
-    return region_.contains(p + step_) != region_.contains(p - step_);
+    return region_.contains_one_of(p + step_, p - step_);
   }
 
   /// Tells whether, at four sample points, one part of a piece separates and another does not.
