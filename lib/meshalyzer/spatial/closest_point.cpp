@@ -37,6 +37,10 @@ constexpr double kRelativeSlack = 0x1p-19;
 /// never takes it farther from any face, because it projects onto a box that contains them all.
 constexpr double kFarthest = 0x1p30;
 
+/// A squared distance in double precision times this is below the exact one: differences, squares
+/// and sums add less than 8 roundings.
+constexpr double kBelowRounding = 1.0 - 0x1p-49;
+
 /// Returns the squared distances of eight boxes from another one.
 EightFloats squared_distances(const EightBoxes& boxes, const TreeBox& from) {
   const EightFloats zero = EightFloats::all(0.0F);
@@ -312,6 +316,9 @@ class Search {
     }
     const Triangle& t = tree_.triangle(slot);
     const Corners corners{tree_.point(t[0]), tree_.point(t[1]), tree_.point(t[2])};
+    if (is_within_slack_ && is_box_farther(corners)) {
+      return;
+    }
     const std::optional<TrianglePoint> found =
         query_.cone ? closest_on_triangle(corners, query_.point, *query_.cone)
                     : closest_on_triangle(corners, query_.point);
@@ -369,6 +376,17 @@ class Search {
       return;
     }
     reach_ = squared_reach(tree_, best_.distance);
+    is_within_slack_ = best_.distance * tree_.scale() < kAbsoluteSlack || tree_.has_far_faces();
+  }
+
+  /// Tells whether the box of a triangle is farther than the best face so far, in double precision,
+  /// where the slack of the bounds in single precision is larger than what there is to tell: where
+  /// some faces are a million times larger than others, all small ones lie at one place there.
+  [[nodiscard]] bool is_box_farther(const Corners& corners) const {
+    const Vec3 low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
+    const Vec3 high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+    const Vec3 gap = (low - query_.point).cwiseMax(query_.point - high).cwiseMax(0.0);
+    return gap.squaredNorm() * kBelowRounding > best_.distance * best_.distance;
   }
 
   const FaceTree& tree_;
@@ -380,6 +398,8 @@ class Search {
   std::array<float, 3> clamped_;
   SurfacePoint best_;
   float reach_ = 0.0F;
+  /// Tells whether the best distance so far is so small that single precision tells little.
+  bool is_within_slack_ = false;
   Stack stack_;
 };
 

@@ -93,6 +93,22 @@ Soup torus_with_far_vertices() {
   return soup;
 }
 
+/// Triangles of all sizes, as random bits give them: next to the largest all others are a point in
+/// single precision.
+Soup triangles_of_all_sizes(std::size_t n, RandomVectors& random) {
+  Soup soup;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double size = std::pow(10.0, 39.0 * random.real());
+    const Vec3 corner = size * random.vector();
+    const auto first = static_cast<Index>(soup.n_vertices());
+    for (std::size_t k = 0; k < 3; ++k) {
+      soup.positions.push_back(corner + 0.2 * size * random.vector());
+    }
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  return soup;
+}
+
 std::vector<Soup> soups(RandomVectors& random) {
   return {shapes::icosphere(3),
           shapes::grid(15, 9),
@@ -102,6 +118,7 @@ std::vector<Soup> soups(RandomVectors& random) {
           shapes::translated(shapes::torus(2, 0.5, 40, 20), {1e6, -1e3, 7}),
           damaged(shapes::torus(2, 0.5, 30, 30), 10, random.engine()),
           torus_with_far_vertices(),
+          triangles_of_all_sizes(300, random),
           random_triangles(700, random)};
 }
 
