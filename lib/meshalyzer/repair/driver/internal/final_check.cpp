@@ -1,9 +1,12 @@
 #include "meshalyzer/repair/driver/internal/final_check.h"
 
+#include "meshalyzer/repair/driver/internal/pairs_of_faces.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <numeric>
 #include <vector>
 
@@ -30,6 +33,25 @@ std::vector<Index> find_representatives(const std::vector<Vec3>& positions) {
   return representative;
 }
 
+/// Prepares a mesh in which vertices at one position are one. Only the pairs of faces that have
+/// other corners than before are searched, unless even the pairs before are not all known.
+std::unique_ptr<const PreparedMesh> prepare_merged(const Soup& merged, const RepairState& state) {
+  auto mesh = std::make_unique<PreparedMesh>(merged);
+  const std::vector<Triangle>& before = state.tracked().soup.triangles;
+  std::vector<Index> changed;
+  for (Index face = 0; face < before.size(); ++face) {
+    if (merged.triangles[face] != before[face]) changed.push_back(face);
+  }
+  std::vector<IntersectingPair> others = state.mesh().intersecting_pairs();
+  if (state.mesh().was_intersection_search_cut()) return mesh;
+  std::erase_if(others, [&](const IntersectingPair& pair) {
+    return std::binary_search(changed.begin(), changed.end(), pair.face_a) ||
+           std::binary_search(changed.begin(), changed.end(), pair.face_b);
+  });
+  mesh->set_intersecting_pairs(joined_pairs(find_pairs_of(*mesh, changed), others));
+  return mesh;
+}
+
 }  // namespace
 
 FinalCheck final_check_for(const RepairOptions& options, Format input) {
@@ -49,8 +71,8 @@ DefectInventory list_defective_in_file(const RepairState& state, const Tolerance
       for (Index& v : triangle) v = v == kNoIndex ? kNoIndex : representative[v];
     }
     if (merged.soup.triangles != tracked.soup.triangles) {
-      const PreparedMesh mesh(merged.soup);
-      return list_defective(merged, mesh, tolerances, check.unwelded);
+      return list_defective(merged, *prepare_merged(merged.soup, state), tolerances,
+                            check.unwelded);
     }
   }
   return list_defective(tracked, state.mesh(), tolerances, check.unwelded);

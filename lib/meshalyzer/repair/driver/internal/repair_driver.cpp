@@ -62,7 +62,11 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
     return pass.may_create.contains(DefectCode::Inward);
   });
   if (turns_over) before.is_yes[static_cast<std::size_t>(Attribute::Outward)] = false;
-  if (input_counts_ || checkpoint_) set_checkpoint();
+  if (input_counts_ || checkpoint_) {
+    set_checkpoint();
+  } else {
+    input_pairs_ = known_pairs();
+  }
   if (!input_counts_) input_counts_ = {{}, before.counts, before.is_yes};
   for (std::size_t stage = 0; stage < kMaxStages; ++stage) {
     std::optional<DefectInventory> after = run_stage(plan, {check, before, on_worse});
@@ -106,7 +110,7 @@ void RepairDriver::raise_deviation(double deviation) {
 
 void RepairDriver::set_checkpoint() {
   banned_ = {};
-  checkpoint_ = {state_->tracked(), log_, deviation(), walls_};
+  checkpoint_ = {state_->tracked(), known_pairs(), log_, deviation(), walls_};
   applied_.clear();
 }
 
@@ -173,12 +177,18 @@ void RepairDriver::restart() {
 }
 
 void RepairDriver::return_to_input() {
-  restore({.tracked = track_mesh(input_), .log = {}, .deviation = 0.0, .walls = {}});
+  restore({.tracked = track_mesh(input_),
+           .pairs = input_pairs_,
+           .log = {},
+           .deviation = 0.0,
+           .walls = {}});
 }
 
 void RepairDriver::restore(const Checkpoint& checkpoint) {
   meter_.emplace(input_);
-  state_ = search_all(checkpoint.tracked);
+  state_ = checkpoint.pairs
+               ? std::make_shared<RepairState>(checkpoint.tracked, tolerances_, *checkpoint.pairs)
+               : search_all(checkpoint.tracked);
   meter_->include_patches(state_->tracked());
   log_ = checkpoint.log;
   deviation_ = checkpoint.deviation;
@@ -190,6 +200,12 @@ void RepairDriver::restore(const Checkpoint& checkpoint) {
 std::shared_ptr<const RepairState> RepairDriver::search_all(TrackedMesh tracked) const {
   return std::make_shared<RepairState>(std::move(tracked), tolerances_,
                                        PairLimits{.max_found = max_pairs_, .wants_to_stop = {}});
+}
+
+std::optional<std::vector<IntersectingPair>> RepairDriver::known_pairs() const {
+  const std::vector<IntersectingPair>& pairs = state_->mesh().intersecting_pairs();
+  if (state_->mesh().was_intersection_search_cut()) return std::nullopt;
+  return pairs;
 }
 
 void RepairDriver::run_rounds(const std::vector<PlannedPass>& plan) {

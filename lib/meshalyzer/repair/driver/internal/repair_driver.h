@@ -144,6 +144,8 @@ class RepairDriver {
   /// The state from which a stage starts again.
   struct Checkpoint {
     TrackedMesh tracked;
+    /// Its intersecting pairs, if all of them are known.
+    std::optional<std::vector<IntersectingPair>> pairs;
     RepairLog log;
     double deviation = 0.0;
     std::vector<InteriorWall> walls;
@@ -180,6 +182,8 @@ class RepairDriver {
   void run_unless_idle(const PlannedPass& pass, std::size_t& n_changes,
                        std::optional<IdleRun>& idle_run);
   [[nodiscard]] std::shared_ptr<const RepairState> search_all(TrackedMesh tracked) const;
+  /// Returns the intersecting pairs of the tracked mesh, if all of them are known.
+  [[nodiscard]] std::optional<std::vector<IntersectingPair>> known_pairs() const;
   /// Asks whether to stop; once the answer is yes, it stays so.
   bool is_to_stop();
   bool run(const PlannedPass& pass);
@@ -225,8 +229,9 @@ class RepairDriver {
   std::set<OperationHash> too_far_;
   /// The tracked mesh; nothing while it is the input.
   std::optional<Checkpoint> checkpoint_;
-  /// The counts of the input, once a plan was run.
+  /// The counts of the input, once a plan was run, and its intersecting pairs, if all are known.
   std::optional<DefectInventory> input_counts_;
+  std::optional<std::vector<IntersectingPair>> input_pairs_;
   std::vector<CountRise> rises_;
 };
 

@@ -1,7 +1,7 @@
 #include "meshalyzer/repair/driver/internal/repair_state.h"
 
 #include "meshalyzer/base/sort_unique.h"
-#include "meshalyzer/spatial/self_intersection_of.h"
+#include "meshalyzer/repair/driver/internal/pairs_of_faces.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -9,10 +9,6 @@
 
 namespace meshalyzer {
 namespace {
-
-bool comes_before(const IntersectingPair& p, const IntersectingPair& q) {
-  return std::pair(p.face_a, p.face_b) < std::pair(q.face_a, q.face_b);
-}
 
 /// Returns, by face key, where the face stands in the soup.
 std::vector<Index> places_of_keys(const TrackedMesh& tracked) {
@@ -43,16 +39,6 @@ std::vector<IntersectingPair> unaffected_pairs(const RepairState& before,
   return kept;
 }
 
-/// A tree over all faces is worth its time if there are more than this share of affected ones.
-constexpr std::size_t kFacesPerAffected = 16;
-
-std::vector<IntersectingPair> find_pairs_of(const PreparedMesh& mesh,
-                                            const std::vector<Index>& faces) {
-  return faces.size() * kFacesPerAffected < mesh.soup().n_faces()
-             ? find_self_intersections_of(mesh.cut(), mesh.soup(), faces)
-             : find_self_intersections_of(mesh.cut(), mesh.tree(), faces);
-}
-
 std::vector<Index> affected_faces(const AffectedElements& affected,
                                   const std::vector<Index>& place) {
   std::vector<Index> faces;
@@ -72,16 +58,20 @@ RepairState::RepairState(TrackedMesh tracked, const Tolerances& tolerances, Pair
       defective_elements_(find_defective_elements(tracked_, mesh_, tolerances)) {}
 
 RepairState::RepairState(TrackedMesh tracked, const Tolerances& tolerances,
+                         std::vector<IntersectingPair> pairs)
+    : RepairState(std::move(tracked), tolerances) {
+  mesh_.set_intersecting_pairs(std::move(pairs));
+}
+
+RepairState::RepairState(TrackedMesh tracked, const Tolerances& tolerances,
                          const RepairState& before, const AffectedElements& affected)
     : tracked_(std::move(tracked)),
       mesh_(tracked_.soup),
       defective_elements_(find_defective_elements(tracked_, mesh_, tolerances)) {
   const std::vector<Index> place = places_of_keys(tracked_);
   affected_pairs_ = find_pairs_of(mesh_, affected_faces(affected, place));
-  std::vector<IntersectingPair> pairs = unaffected_pairs(before, affected, place);
-  pairs.insert(pairs.end(), affected_pairs_.begin(), affected_pairs_.end());
-  std::sort(pairs.begin(), pairs.end(), comes_before);
-  mesh_.set_intersecting_pairs(std::move(pairs));
+  mesh_.set_intersecting_pairs(
+      joined_pairs(unaffected_pairs(before, affected, place), affected_pairs_));
 }
 
 }  // namespace meshalyzer

@@ -18,6 +18,12 @@ class RepairState {
   /// Searches the whole mesh for intersecting pairs.
   RepairState(TrackedMesh tracked, const Tolerances& tolerances, PairLimits limits = {});
 
+  /// Takes intersecting pairs that are known.
+  ///
+  /// @param pairs  All pairs of the mesh, as find_self_intersections() returns them.
+  RepairState(TrackedMesh tracked, const Tolerances& tolerances,
+              std::vector<IntersectingPair> pairs);
+
   /// Updates the pairs after a change: only the pairs of the faces that it affected are searched.
   RepairState(TrackedMesh tracked, const Tolerances& tolerances, const RepairState& before,
               const AffectedElements& affected);

@@ -1,0 +1,35 @@
+#include "meshalyzer/repair/driver/internal/pairs_of_faces.h"
+
+#include "meshalyzer/spatial/self_intersection_of.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// A tree over all faces is worth its time if there are more than this share of given ones.
+constexpr std::size_t kFacesPerGiven = 16;
+
+bool comes_before(const IntersectingPair& p, const IntersectingPair& q) {
+  return std::pair(p.face_a, p.face_b) < std::pair(q.face_a, q.face_b);
+}
+
+}  // namespace
+
+std::vector<IntersectingPair> find_pairs_of(const PreparedMesh& mesh,
+                                            const std::vector<Index>& faces) {
+  return faces.size() * kFacesPerGiven < mesh.soup().n_faces()
+             ? find_self_intersections_of(mesh.cut(), mesh.soup(), faces)
+             : find_self_intersections_of(mesh.cut(), mesh.tree(), faces);
+}
+
+std::vector<IntersectingPair> joined_pairs(std::vector<IntersectingPair> of_faces,
+                                           const std::vector<IntersectingPair>& others) {
+  of_faces.insert(of_faces.end(), others.begin(), others.end());
+  std::sort(of_faces.begin(), of_faces.end(), comes_before);
+  return of_faces;
+}
+
+}  // namespace meshalyzer
