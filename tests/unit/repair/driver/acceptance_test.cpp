@@ -12,9 +12,9 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns the acceptance of edits of a soup; distances do not matter.
+/// Returns the acceptance of edits of a soup; distances do not matter unless they are limited.
 std::vector<Rejection> harms_of(const Soup& soup, const Edits& edits,
-                                const DefectCodes& may_create = {}) {
+                                const DefectCodes& may_create = {}, double max_deviation = 1e3) {
   const Tolerances tolerances = resolve_tolerances({}, box_of(soup));
   const RepairState before(track_mesh(soup), tolerances);
   TrackedMesh tracked = apply_edits(before.tracked(), edits);
@@ -23,7 +23,7 @@ std::vector<Rejection> harms_of(const Soup& soup, const Edits& edits,
   const RepairState after(std::move(tracked), tolerances, before, affected);
   const DeviationMeter meter(soup);
   return check_acceptance(before, after, affected, edits.n_operations,
-                          {soup, meter, 1e3, may_create})
+                          {soup, meter, max_deviation, may_create})
       .rejections;
 }
 
@@ -118,6 +118,16 @@ TEST(JudgeTrial, FlawThatIsMadeIsHarmUnlessThePassMayMakeIt) {
   edits.removed_faces.push_back({edits.begin_operation(), 0});
   EXPECT_EQ(harms_of(shapes::cube(), edits), std::vector{Rejection::MoreDefects});
   EXPECT_EQ(harms_of(shapes::cube(), edits, {DefectCode::Hole}), std::vector{Rejection::None});
+}
+
+TEST(JudgeTrial, DistancesAreMeasuredOnlyIfNothingElseIsHarm) {
+  // Without one side a cube has a hole, and the middle of that side is 1/2 from the others.
+  Edits edits;
+  const Index op = edits.begin_operation();
+  for (const Index face : {0U, 1U}) edits.removed_faces.push_back({op, face});
+  EXPECT_EQ(harms_of(shapes::cube(), edits, {}, 0.1), std::vector{Rejection::MoreDefects});
+  EXPECT_EQ(harms_of(shapes::cube(), edits, {DefectCode::Hole}, 0.1),
+            std::vector{Rejection::TooFar});
 }
 
 }  // namespace

@@ -165,6 +165,8 @@ Acceptance check_acceptance(const RepairState& before, const RepairState& after,
   AcceptanceCheck check(before, after, affected, rules, acceptance.rejections);
   check.check_defects();
   check.check_contacts();
+  // Distances take longest, and would have to be measured again without the rejected operations.
+  if (!acceptance.all_accepted()) return acceptance;
   check.check_deviation(
       rules.meter.find_far({after.tracked(), after.mesh(), rules.max_deviation, rules.walls}));
   return acceptance;
