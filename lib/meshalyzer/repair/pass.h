@@ -62,9 +62,11 @@ struct PassInput {
   const Tolerances& tolerances;
   const RepairLimits& limits;
   OperationSize operation_size = OperationSize::Normal;
-  /// Called now and then by a pass that takes long, which proposes no more once it returns true.
-  /// May be empty.
+  /// Called now and then by a pass that takes long, from any thread; once it returns true, the pass
+  /// ends as soon as it can, and what it proposes is not applied. May be empty.
   std::function<bool()> wants_to_stop = {};
+
+  [[nodiscard]] bool is_to_stop() const { return wants_to_stop && wants_to_stop(); }
 };
 
 /// A defect that a pass could not repair, and the reason.
@@ -83,8 +85,8 @@ struct Refusal {
 struct PassResult {
   Edits edits;
   std::vector<Refusal> refused;
-  /// Tells whether the pass would propose just the same for OperationSize::Smallest.
-  bool is_smallest = false;
+  /// Tells whether the pass may propose others for OperationSize::Smallest.
+  bool has_smaller_operations = false;
 };
 
 /// A pass examines a mesh and proposes changes, but makes none. It is a pure function, and its

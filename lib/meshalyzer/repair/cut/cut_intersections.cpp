@@ -105,7 +105,7 @@ PassResult cut_intersections(const PassInput& input, const CutOptions& options) 
     const CutSurface surface = cut_surface(input, patches, {.sheets = options.sheets});
     PassResult result = cut_edits(input, patches, surface);
     // Only pockets are treated otherwise in smaller operations.
-    result.is_smallest = !surface.has_pockets;
+    result.has_smaller_operations = surface.has_pockets;
     return result;
   }
   return cut_edits(input, patches, cut_keeping_pockets(input, patches, options.sheets));

@@ -86,8 +86,9 @@ struct RepairOptions {
   bool keep_prepared = false;
   /// Tells whether RepairResult::patches is computed.
   bool reports_patches = false;
-  /// Called before each attempt of a pass; when it returns true, the repair ends with the mesh that
-  /// it has reached. May be empty. It is called from the thread that called the library.
+  /// Called before each attempt of a pass and within those that take long, from any thread. Once it
+  /// returns true it must go on to do so, and the repair ends with the mesh that it has reached.
+  /// May be empty.
   std::function<bool()> wants_to_stop;
 };
 

@@ -94,6 +94,7 @@ FlatComponents find_flat_components(const PassInput& input, std::span<const Inde
   if (faces_of.empty()) return flat;
   const RestOfMesh rest(input, flat.faces);
   for (const auto& [component, faces] : faces_of) {
+    if (input.is_to_stop()) break;
     if (rest.are_near(places_of(input.tracked.soup, faces))) flat.needless.push_back(faces);
   }
   return flat;
@@ -118,7 +119,8 @@ enum class Effort : std::uint8_t {
 class Mender {
  public:
   Mender(const PassInput& input, std::span<const Index> thin_faces)
-      : soup_(input.tracked.soup),
+      : input_(input),
+        soup_(input.tracked.soup),
         rules_(input),
         mesh_(input.tracked.soup, thin_faces, input.tolerances.degeneracy),
         journal_(input.operation_size == OperationSize::Smallest ? 1 : kMaxStepsTogether) {}
@@ -157,7 +159,7 @@ class Mender {
   }
 
   void mend_queue(Effort effort) {
-    while (!queue_.empty()) {
+    while (!queue_.empty() && !input_.is_to_stop()) {
       const Index f = queue_.front();
       queue_.pop_front();
       is_queued_.erase(f);
@@ -245,6 +247,7 @@ class Mender {
     }
   }
 
+  const PassInput& input_;
   const Soup& soup_;
   MendRules rules_;
   WorkingMesh mesh_;
@@ -272,6 +275,7 @@ void mend_in_complex(const PassInput& input, const DefectList& defects, PassResu
   Mender mender(input, thin);
   mender.mend(mendable);
   result.edits = mender.edits();
+  result.has_smaller_operations = true;
   mender.report(defects, result.refused);
   std::unordered_set<Index> dropped;
   for (const std::vector<Index>& faces : flat.needless) {

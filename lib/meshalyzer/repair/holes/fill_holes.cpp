@@ -122,9 +122,10 @@ void choose_nearest(const PassInput& input, std::span<const HoleLoop> loops, con
 }
 
 /// Removes the loops of sheets.
-void refuse_sheets(const PreparedMesh& mesh, std::span<const HoleLoop> loops, Choice& choice) {
+void refuse_sheets(const PassInput& input, std::span<const HoleLoop> loops, Choice& choice) {
+  const PreparedMesh& mesh = input.mesh;
   const Components components = find_edge_components(mesh.cut());
-  const std::vector<std::uint8_t> is_solid = bounds_solid(mesh, components);
+  const std::vector<std::uint8_t> is_solid = bounds_solid(mesh, components, input.wants_to_stop);
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const FaceHandle beyond = mesh.cut().mesh.face_handle(loops[i].halfedges.front());
     const Index component = components.of_face[static_cast<std::size_t>(beyond.idx())];
@@ -154,7 +155,7 @@ Choice choose_loops(const PassInput& input, std::span<const HoleLoop> loops,
   }
   const bool is_any_left =
       std::find(choice.is_chosen.begin(), choice.is_chosen.end(), 1) != choice.is_chosen.end();
-  if (options.sheets == FillSheets::No && is_any_left) refuse_sheets(input.mesh, loops, choice);
+  if (options.sheets == FillSheets::No && is_any_left) refuse_sheets(input, loops, choice);
   return choice;
 }
 
@@ -179,6 +180,7 @@ class HoleFiller {
 
   [[nodiscard]] PassResult run() {
     for (const std::size_t i : by_length()) {
+      if (task_.is_to_stop()) break;
       if (choice_.is_chosen[i] != 0 && is_free(i)) fill(i);
     }
     return result();
@@ -280,10 +282,12 @@ std::vector<Edits::AddedFace> crossing_patches(const PassInput& input, const Fil
   const FillTask task{.mesh = input.mesh,
                       .existing = existing,
                       .degeneracy = input.tolerances.degeneracy,
-                      .shape = FillShape::Linear};
+                      .shape = FillShape::Linear,
+                      .wants_to_stop = input.wants_to_stop};
   const Choice choice = choose_loops(input, found.loops, options);
   Edits edits;
   for (std::size_t i = 0; i < found.loops.size(); ++i) {
+    if (input.is_to_stop()) break;
     if (choice.is_chosen[i] == 0) continue;
     const std::optional<Patch> patch = first_patch(task, {.loop = found.loops[i], .bridges = {}});
     if (patch) add_patch(input.mesh, found.loops[i], *patch, edits);
@@ -299,7 +303,8 @@ PassResult fill_holes(const PassInput& input, const FillOptions& options) {
     const FillTask task{.mesh = input.mesh,
                         .existing = existing,
                         .degeneracy = input.tolerances.degeneracy,
-                        .shape = options.shape};
+                        .shape = options.shape,
+                        .wants_to_stop = input.wants_to_stop};
     result = HoleFiller(task, found.loops, choose_loops(input, found.loops, options)).run();
   }
   result.refused.insert(result.refused.begin(), std::make_move_iterator(found.refused.begin()),

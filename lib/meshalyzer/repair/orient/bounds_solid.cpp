@@ -37,13 +37,14 @@ std::vector<std::uint8_t> which_are_closed(const CutMesh& cut, const Components&
   return is_closed;
 }
 
-std::vector<std::uint8_t> bounds_solid(const PreparedMesh& mesh, const Components& components) {
+std::vector<std::uint8_t> bounds_solid(const PreparedMesh& mesh, const Components& components,
+                                       const std::function<bool()>& wants_to_stop) {
   std::vector<std::uint8_t> is_solid = which_are_closed(mesh.cut(), components);
   if (std::find(is_solid.begin(), is_solid.end(), 0) == is_solid.end()) return is_solid;
   const std::vector<std::uint8_t> is_flipped = which_are_flipped(mesh);
   const FacesByPart faces(components.of_face, components.count);
   parallel_chunks(components.count, 1, [&](Chunk chunk) {
-    if (is_solid[chunk.begin] != 0) return;
+    if (is_solid[chunk.begin] != 0 || (wants_to_stop && wants_to_stop())) return;
     std::vector<Corners> triangles;
     triangles.reserve(faces.of(chunk.begin).size());
     for (const Index f : faces.of(chunk.begin)) {

@@ -4,6 +4,7 @@
 #include "meshalyzer/topology/components.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace meshalyzer {
@@ -21,11 +22,14 @@ namespace meshalyzer {
 /// A component whose orientation is inconsistent is judged as if its flipped edges were repaired,
 /// if they can be. A large component is judged by a few hundred faces.
 ///
-/// @param components  The result of find_components() or find_edge_components().
-/// @return            #components: 1 for those that bound a solid; closed ones (no edge has only
+/// @param components     The result of find_components() or find_edge_components().
+/// @param wants_to_stop  Called for each component, from any thread; once it returns true, no
+/// further open component counts as one that bounds a solid. May be empty.
+/// @return               #components: 1 for those that bound a solid; closed ones (no edge has only
 /// one face) always do.
-/// @complexity        O(#E), and O(#F log #F) for open components.
-[[nodiscard]] std::vector<std::uint8_t> bounds_solid(const PreparedMesh& mesh,
-                                                     const Components& components);
+/// @complexity           O(#E), and O(#F log #F) for open components.
+[[nodiscard]] std::vector<std::uint8_t> bounds_solid(
+    const PreparedMesh& mesh, const Components& components,
+    const std::function<bool()>& wants_to_stop = {});
 
 }  // namespace meshalyzer

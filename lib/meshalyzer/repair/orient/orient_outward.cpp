@@ -32,7 +32,7 @@ enum class RegionRole : std::uint8_t {
 
 /// The input of vote_outward(). This holds references only.
 struct OutwardQuery {
-  const PreparedMesh& mesh;
+  const PassInput& input;
   /// The regions as find_oriented_regions() returns them.
   const Components& regions;
   /// #regions.
@@ -74,11 +74,13 @@ std::vector<Voter> collect_voters(const OutwardQuery& query) {
   }
   const FacesByPart faces(query.regions.of_face, query.regions.count);
   parallel_chunks(voters.size(), 1, [&](Chunk chunk) {
+    if (query.input.is_to_stop()) return;
     Voter& voter = voters[chunk.begin];
     std::vector<Corners> triangles;
     triangles.reserve(faces.of(voter.region).size());
     for (const Index f : faces.of(voter.region)) {
-      triangles.push_back(corners_of(query.mesh.soup(), query.mesh.cut().side.faces[f]));
+      triangles.push_back(
+          corners_of(query.input.mesh.soup(), query.input.mesh.cut().side.faces[f]));
     }
     voter = make_voter(voter.region, std::move(triangles));
   });
@@ -96,7 +98,7 @@ struct Around {
 class EncloserSearch {
  public:
   EncloserSearch(const OutwardQuery& query, std::span<const Voter> voters)
-      : tree_(query.mesh.tree()),
+      : tree_(query.input.mesh.tree()),
         voters_(voters),
         boxes_(boxes_of(voters)),
         shells_(query.regions.of_face),
@@ -184,8 +186,8 @@ class EncloserSearch {
 
 /// Patches that cross are not inside each other, even if they cross only slightly.
 void drop_crossing(const OutwardQuery& query, std::vector<std::vector<Index>>& enclosers) {
-  const SideTable& side = query.mesh.cut().side;
-  for (const IntersectingPair& pair : query.mesh.intersecting_pairs()) {
+  const SideTable& side = query.input.mesh.cut().side;
+  for (const IntersectingPair& pair : query.input.mesh.intersecting_pairs()) {
     if (pair.kind == ContactKind::Crossing) {
       const Index a = query.regions.of_face[side.mesh_face(pair.face_a)];
       const Index b = query.regions.of_face[side.mesh_face(pair.face_b)];
@@ -201,6 +203,7 @@ std::vector<std::vector<Index>> find_enclosers(const OutwardQuery& query,
   const EncloserSearch search(query, voters);
   std::vector<std::vector<Index>> enclosers(query.regions.count);
   parallel_chunks(voters.size(), 16, [&](Chunk chunk) {
+    if (query.input.is_to_stop()) return;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       if (voters[i].votes.is_clear()) enclosers[voters[i].region] = search.enclosers(voters[i]);
     }
@@ -238,21 +241,22 @@ std::vector<std::uint8_t> vote_outward(const OutwardQuery& query) {
 /// beyond that edge would have to be turned with it.
 class WrongRegions {
  public:
-  explicit WrongRegions(const PreparedMesh& mesh)
-      : mesh_(mesh),
-        regions_(find_oriented_regions(mesh.cut())),
+  explicit WrongRegions(const PassInput& input)
+      : input_(input),
+        regions_(find_oriented_regions(input.mesh.cut())),
         component_(regions_.count),
         roles_(regions_.count) {
-    const Components& components = mesh.components();
-    const std::vector<std::uint8_t> is_shell = which_are_shells(mesh.cut(), components);
+    const CutMesh& cut = input.mesh.cut();
+    const Components& components = input.mesh.components();
+    const std::vector<std::uint8_t> is_shell = which_are_shells(cut, components);
     for (std::size_t f = 0; f < regions_.of_face.size(); ++f) {
       const Index component = components.of_face[f];
       component_[regions_.of_face[f]] = component;
       roles_[regions_.of_face[f]] =
           is_shell[component] != 0 ? RegionRole::Shell : RegionRole::Voter;
     }
-    for (const HalfedgeHandle h : mesh.cut().side.flipped_edges.halfedges) {
-      const auto face = static_cast<std::size_t>(mesh.cut().mesh.face_handle(h).idx());
+    for (const HalfedgeHandle h : cut.side.flipped_edges.halfedges) {
+      const auto face = static_cast<std::size_t>(cut.mesh.face_handle(h).idx());
       roles_[regions_.of_face[face]] = RegionRole::None;
     }
   }
@@ -262,17 +266,17 @@ class WrongRegions {
   /// #regions: 1 for those to be turned. A shell is one region, and all of its component.
   [[nodiscard]] std::vector<std::uint8_t> find() const {
     std::vector<std::uint8_t> is_wrong =
-        vote_outward({.mesh = mesh_, .regions = regions_, .roles = roles_});
+        vote_outward({.input = input_, .regions = regions_, .roles = roles_});
     for (std::size_t p = 0; p < regions_.count; ++p) {
       if (roles_[p] == RegionRole::Shell) {
-        is_wrong[p] = mesh_.shells()[component_[p]].outward.value_or(true) ? 0 : 1;
+        is_wrong[p] = input_.mesh.shells()[component_[p]].outward.value_or(true) ? 0 : 1;
       }
     }
     return is_wrong;
   }
 
  private:
-  const PreparedMesh& mesh_;
+  const PassInput& input_;
   Components regions_;
   /// The component and the role of each region.
   std::vector<Index> component_;
@@ -282,7 +286,7 @@ class WrongRegions {
 }  // namespace
 
 PassResult orient_outward(const PassInput& input) {
-  const WrongRegions wrong(input.mesh);
+  const WrongRegions wrong(input);
   const std::vector<std::uint8_t> is_wrong = wrong.find();
   PassResult result;
   std::vector<Index> operation(is_wrong.size(), kNoIndex);

@@ -33,8 +33,9 @@ struct SurfaceParts {
   std::vector<std::uint8_t> bounds;
 };
 
-SurfaceParts find_parts(const PreparedMesh& mesh, Components components,
+SurfaceParts find_parts(const PassInput& input, Components components,
                         std::vector<std::uint8_t> is_closed) {
+  const PreparedMesh& mesh = input.mesh;
   SurfaceParts parts{.components = std::move(components),
                      .areas = {},
                      .face_areas = {},
@@ -47,7 +48,7 @@ SurfaceParts find_parts(const PreparedMesh& mesh, Components components,
     parts.face_areas[f] = accurate_normal(a, b, c).norm() / 2.0;
     parts.areas[parts.components.of_face[f]] += parts.face_areas[f];
   }
-  parts.bounds = bounds_solid(mesh, parts.components);
+  parts.bounds = bounds_solid(mesh, parts.components, input.wants_to_stop);
   return parts;
 }
 
@@ -116,7 +117,7 @@ PassResult drop_fragments(const PassInput& input, Fragments which) {
   if (std::find(is_closed.begin(), is_closed.end(), 0) == is_closed.end()) return {};
   // The last part of a mesh stays.
   if (components.count < 2) return {};
-  const SurfaceParts parts = find_parts(input.mesh, std::move(components), std::move(is_closed));
+  const SurfaceParts parts = find_parts(input, std::move(components), std::move(is_closed));
   const std::vector<std::uint8_t> is_dropped =
       which == Fragments::Debris ? find_debris(input, parts) : find_sheets(parts, which);
   const std::size_t n = parts.components.count;

@@ -214,7 +214,8 @@ class TangleRefill {
     const FillTask task{.mesh = rest_,
                         .existing = existing_,
                         .degeneracy = input_.tolerances.degeneracy,
-                        .shape = shape};
+                        .shape = shape,
+                        .wants_to_stop = input_.wants_to_stop};
     return fill_loop(task, {.loop = loop_of(place), .bridges = {}}).patch;
   }
 

@@ -115,7 +115,8 @@ class TipCutter {
     const FillTask task{.mesh = mesh,
                         .existing = existing,
                         .degeneracy = input_.tolerances.degeneracy,
-                        .shape = FillShape::Linear};
+                        .shape = FillShape::Linear,
+                        .wants_to_stop = input_.wants_to_stop};
     std::map<Index, const HoleLoop*> loop_at;
     for (const HoleLoop& loop : found.loops) loop_at[loop.vertices.front()] = &loop;
     for (const Tip& tip : tips_) {

@@ -69,7 +69,7 @@ TEST(RepairDriver, PassThatTakesTimeForVeryManyPairsIsRunInVainOnce) {
 }
 
 /// Counts the proposals of a pass whose only operation moves the surface too far.
-std::size_t count_proposals(bool is_smallest) {
+std::size_t count_proposals(bool has_smaller_operations) {
   const Soup soup = star_of_faces(1);
   RepairDriver driver(soup, {}, RepairLimits(), [](const TrackedMesh&, const CutMesh&) {
     return std::vector<std::uint8_t>();
@@ -78,7 +78,7 @@ std::size_t count_proposals(bool is_smallest) {
   const PassFunction move_too_far = [&](const PassInput& input) {
     ++n_proposals;
     PassResult result;
-    result.is_smallest = is_smallest;
+    result.has_smaller_operations = has_smaller_operations;
     const Index op = result.edits.begin_operation();
     const Vec3 to = input.tracked.soup.positions[0] + Vec3{0.0, 1.0, 0.0};
     result.edits.moved_vertices.push_back({.op = op, .vertex = 0, .to = to});
@@ -89,8 +89,8 @@ std::size_t count_proposals(bool is_smallest) {
 }
 
 TEST(RepairDriver, PassIsRunForSmallerOperationsOnlyIfTheseDiffer) {
-  EXPECT_EQ(count_proposals(false), 2U);
-  EXPECT_EQ(count_proposals(true), 1U);
+  EXPECT_EQ(count_proposals(true), 2U);
+  EXPECT_EQ(count_proposals(false), 1U);
 }
 
 }  // namespace

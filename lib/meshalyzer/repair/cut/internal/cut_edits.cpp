@@ -149,7 +149,8 @@ class CutEdits {
       if (face < soup_.n_faces()) is_lost[component_of[face]] = 0;
     }
     if (std::none_of(is_lost.begin(), is_lost.end(), [](auto lost) { return lost != 0; })) return;
-    const std::vector<std::uint8_t> bounds = bounds_solid(input_.mesh, components);
+    const std::vector<std::uint8_t> bounds =
+        bounds_solid(input_.mesh, components, input_.wants_to_stop);
     for (const Index face : changed_) {
       const Index component = component_of[face];
       if (is_lost[component] != 0 && bounds[component] != 0) {

@@ -32,6 +32,10 @@ bool is_left(PieceClass piece_class) {
   return piece_class == PieceClass::Uncut || piece_class == PieceClass::Loose;
 }
 
+bool is_exterior(PieceClass piece_class) {
+  return piece_class == PieceClass::Exterior || piece_class == PieceClass::PerhapsExterior;
+}
+
 bool stays(PieceClass piece_class) {
   return piece_class == PieceClass::Kept || piece_class == PieceClass::Turned ||
          piece_class == PieceClass::OfSheet || is_left(piece_class);
@@ -43,6 +47,7 @@ class CuttingRounds {
   CuttingRounds(const PassInput& input, std::span<const Edits::AddedFace> patches,
                 const SelectOptions& options)
       : input_(input), mesh_(input.mesh), options_(options), extent_(extent_of(mesh_.soup())) {
+    options_.wants_to_stop = input.wants_to_stop;
     soup_.positions = mesh_.soup().positions;
     for (const Triangle& t : mesh_.soup().triangles) add(t);
     for (const Edits::AddedFace& patch : patches) add(patch.corners);
@@ -85,7 +90,7 @@ class CuttingRounds {
     if (pairs.empty()) return false;
     if (round_ == 0) most_pairs_ = kMorePairs + kTimesFirstPairs * pairs.size();
     n_pairs_cut_ += pairs.size();
-    if (round_ == kRoundingRounds || n_pairs_cut_ > most_pairs_ || is_to_stop()) {
+    if (round_ == kRoundingRounds || n_pairs_cut_ > most_pairs_ || input_.is_to_stop()) {
       give_up(pairs);
       return false;
     }
@@ -96,19 +101,18 @@ class CuttingRounds {
 
   void cut_once(const CutMesh& cut, const FaceTree& tree, const Pairs& pairs) {
     const Arrangement arrangement = arrange(soup_, pairs);
-    if (is_to_stop()) return give_up(pairs);
+    if (input_.is_to_stop()) return give_up(pairs);
     const Cells cells = find_cells(soup_, arrangement);
     const std::vector<PieceClass> classes =
         select_pieces({soup_, cut, tree, arrangement, cells},
                       components_to_select(arrangement, cells, pairs), options_);
+    if (input_.is_to_stop()) return give_up(pairs);
     tie_faces(arrangement, pairs);
     if (round_ == 0) result_.pocket_share = share_of_pockets(arrangement, classes);
     result_.has_pockets = result_.has_pockets || std::find(classes.begin(), classes.end(),
                                                            PieceClass::Exterior) != classes.end();
     take(arrangement, classes, round_vertices(arrangement, rounding()));
   }
-
-  [[nodiscard]] bool is_to_stop() const { return input_.wants_to_stop && input_.wants_to_stop(); }
 
   [[nodiscard]] static double extent_of(const Soup& soup) {
     const Box3 box = used_box(soup);
@@ -153,7 +157,7 @@ class CuttingRounds {
     double pockets = 0.0;
     double kept = 0.0;
     for (std::size_t i = 0; i < classes.size(); ++i) {
-      if (classes[i] != PieceClass::Exterior && !stays(classes[i])) continue;
+      if (!is_exterior(classes[i]) && !stays(classes[i])) continue;
       (stays(classes[i]) ? kept : pockets) += normal_of(arrangement.corners_of(i)).norm();
     }
     return kept > 0.0 ? pockets / kept : 1.0;
@@ -170,8 +174,7 @@ class CuttingRounds {
       const auto sources = arrangement.sources_of(i);
       const Index face = sources.front().face;
       Triangle t = arrangement.pieces[i];
-      const bool is_forgotten =
-          classes[i] == PieceClass::Exterior && options_.pockets == Pockets::Forgotten;
+      const bool is_forgotten = is_exterior(classes[i]) && options_.pockets == Pockets::Forgotten;
       const bool is_gone =
           is_forgotten || classes[i] == PieceClass::Interior || classes[i] == PieceClass::Cancelled;
       // The remaining part of one face represents all faces that coincide with it.

@@ -23,7 +23,8 @@ struct CutSurface {
   std::vector<InteriorWall> walls;
   /// The area of the dropped pockets, relative to the area that stays.
   double pocket_share = 0.0;
-  /// Tells whether a round has met pockets, whatever became of them.
+  /// Tells whether a round has met pockets, whatever became of them; if not, SelectOptions::pockets
+  /// makes no difference.
   bool has_pockets = false;
   /// Sets of faces of the input whose parts stay or are dropped together.
   std::vector<std::array<Index, 2>> ties;

@@ -18,6 +18,12 @@ namespace {
 constexpr std::size_t kMostSamplesOfPatch = 64;
 constexpr std::size_t kLeastSamplesOfPatch = 4;
 constexpr std::size_t kSamples = 4096;
+/// A component of many pieces is clearly a sheet if less than this share of a few samples separates
+/// whole winding numbers, where half is needed: that is four standard deviations.
+constexpr std::size_t kFewSamples = 64;
+constexpr std::size_t kManyPieces = 4 * kFewSamples;
+constexpr double kClearlySheet = 0.25;
+constexpr double kHalf = 0.5;
 /// A winding number is whole if it is no farther than this from an integer. It comes as near as 1/4
 /// beside a sheet that another one crosses.
 constexpr double kNearWhole = 0.15;
@@ -68,8 +74,25 @@ std::vector<Sample> choose_samples(const Patches& patches) {
   return samples;
 }
 
-/// Selects pieces of the patches of each component together, whatever their patches.
-std::vector<Sample> choose_few_samples(const Patches& patches) {
+/// Chooses pieces at equal steps through the area, in the order of the pieces.
+void choose_by_area(const std::vector<Sample>& pieces, std::size_t most,
+                    std::vector<Sample>& samples) {
+  double step = 0.0;
+  for (const Sample& sample : pieces) step += sample.area / static_cast<double>(most);
+  if (!(step > 0.0)) return;
+  double reached = 0.0;
+  double next = step / 2;
+  for (Sample sample : pieces) {
+    reached += sample.area;
+    sample.area = 0.0;
+    for (; next < reached; next += step) sample.area += step;
+    if (sample.area > 0.0) samples.push_back(sample);
+  }
+}
+
+/// Selects pieces of each component with at least some number of pieces, whatever their patches.
+std::vector<Sample> choose_of_components(const Patches& patches, std::size_t most,
+                                         std::size_t least_pieces) {
   std::vector<Sample> samples;
   std::vector<Sample> of_component;
   for (auto patch = patches.begin(); patch != patches.end();) {
@@ -78,7 +101,7 @@ std::vector<Sample> choose_few_samples(const Patches& patches) {
     for (; patch != patches.end() && patch->first[0] == component; ++patch) {
       of_component.insert(of_component.end(), patch->second.begin(), patch->second.end());
     }
-    choose_from(of_component, kSamples, samples);
+    if (of_component.size() >= least_pieces) choose_by_area(of_component, most, samples);
   }
   return samples;
 }
@@ -92,51 +115,82 @@ WindingNumbers windings_of(const Soup& soup) {
   return WindingNumbers(std::move(triangles));
 }
 
-void estimate(const ArrangedSoup& a, const WindingNumbers& windings, std::vector<Sample>& samples) {
-  parallel_chunks(samples.size(), 256, [&](Chunk chunk) {
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      Sample& sample = samples[i];
-      // On the piece itself, the winding number is half-way between those on both sides.
-      sample.front = windings.at(centroid_of(a.arrangement.corners_of(sample.piece))) -
-                     0.5 * a.arrangement.multiplicity(sample.piece);
-    }
-  });
-}
+/// The area of a component that samples represent, and of the samples that separate whole winding
+/// numbers.
+struct Separation {
+  double area = 0.0;
+  double whole = 0.0;
+};
 
-/// #components: 1 for those of which at least half of the area separates whole winding numbers.
-std::vector<std::uint8_t> find_solids(const Cells& cells, std::span<const Sample> samples) {
-  std::vector<double> whole(cells.n_components, 0.0);
+/// #components.
+std::vector<Separation> measure_separation(const Cells& cells, std::span<const Sample> samples) {
+  std::vector<Separation> found(cells.n_components);
   for (const Sample& sample : samples) {
     const bool is_whole = std::abs(sample.front - std::round(sample.front)) <= kNearWhole;
-    whole[cells.component_of[sample.piece]] += is_whole ? sample.area : -sample.area;
+    Separation& component = found[cells.component_of[sample.piece]];
+    component.area += sample.area;
+    if (is_whole) component.whole += sample.area;
   }
-  std::vector<std::uint8_t> solids(whole.size());
-  for (std::size_t i = 0; i < whole.size(); ++i) solids[i] = whole[i] > 0.0 ? 1 : 0;
-  return solids;
+  return found;
 }
 
-/// Removes the patches of sheets if there are so many that sampling each would take long.
-void drop_sheets(const ArrangedSoup& a, const WindingNumbers& windings, Patches& patches) {
-  if (patches.size() <= kSamples) return;
-  std::vector<Sample> samples = choose_few_samples(patches);
-  estimate(a, windings, samples);
-  const std::vector<std::uint8_t> solids = find_solids(a.cells, samples);
-  std::erase_if(patches, [&](const auto& patch) { return solids[patch.first[0]] == 0; });
-}
+/// Computes winding numbers beside pieces.
+class Estimator {
+ public:
+  Estimator(const ArrangedSoup& arranged, const std::function<bool()>& wants_to_stop)
+      : a_(arranged), windings_(windings_of(arranged.soup)), wants_to_stop_(wants_to_stop) {}
+
+  /// Sets the winding numbers of samples; all are 0 that are reached once it is to stop.
+  void estimate(std::vector<Sample>& samples) const {
+    parallel_chunks(samples.size(), 256, [&](Chunk chunk) {
+      if (wants_to_stop_ && wants_to_stop_()) return;
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+        Sample& sample = samples[i];
+        // On the piece itself, the winding number is half-way between those on both sides.
+        sample.front = windings_.at(centroid_of(a_.arrangement.corners_of(sample.piece))) -
+                       0.5 * a_.arrangement.multiplicity(sample.piece);
+      }
+    });
+  }
+
+  /// Removes the patches of components that are clearly sheets, by a few samples; then those of
+  /// all sheets, if there are so many patches that sampling each would take long.
+  void drop_sheets(Patches& patches) const {
+    drop_sheets(choose_of_components(patches, kFewSamples, kManyPieces), kClearlySheet, patches);
+    if (patches.size() <= kSamples) return;
+    drop_sheets(choose_of_components(patches, kSamples, 0), kHalf, patches);
+  }
+
+ private:
+  /// Removes the patches of components of which less than a share of the samples separates whole
+  /// winding numbers.
+  void drop_sheets(std::vector<Sample> samples, double share, Patches& patches) const {
+    estimate(samples);
+    const std::vector<Separation> found = measure_separation(a_.cells, samples);
+    std::erase_if(patches, [&](const auto& patch) {
+      return found[patch.first[0]].whole < share * found[patch.first[0]].area;
+    });
+  }
+
+  const ArrangedSoup& a_;
+  WindingNumbers windings_;
+  const std::function<bool()>& wants_to_stop_;
+};
 
 }  // namespace
 
 EstimatedWindings estimate_windings(const ArrangedSoup& arranged,
-                                    std::span<const std::uint8_t> wanted) {
+                                    std::span<const std::uint8_t> wanted,
+                                    const std::function<bool()>& wants_to_stop) {
   const Cells& cells = arranged.cells;
   EstimatedWindings result{.of_cell = std::vector<double>(cells.count, 0.0),
                            .bounds_solid = std::vector<std::uint8_t>(cells.n_components, 0)};
   Patches patches = find_patches(arranged, wanted);
   if (patches.empty()) return result;
-  const WindingNumbers windings = windings_of(arranged.soup);
-  drop_sheets(arranged, windings, patches);
+  const Estimator estimator(arranged, wants_to_stop);
+  estimator.drop_sheets(patches);
   std::vector<Sample> samples = choose_samples(patches);
-  estimate(arranged, windings, samples);
+  estimator.estimate(samples);
   std::vector<double> areas(cells.count, 0.0);
   for (const Sample& sample : samples) {
     const double behind = sample.front + arranged.arrangement.multiplicity(sample.piece);
@@ -148,7 +202,10 @@ EstimatedWindings estimate_windings(const ArrangedSoup& arranged,
   for (std::size_t i = 0; i < cells.count; ++i) {
     if (areas[i] > 0.0) result.of_cell[i] /= areas[i];
   }
-  result.bounds_solid = find_solids(cells, samples);
+  const std::vector<Separation> separation = measure_separation(cells, samples);
+  for (std::size_t i = 0; i < separation.size(); ++i) {
+    result.bounds_solid[i] = separation[i].whole > kHalf * separation[i].area ? 1 : 0;
+  }
   return result;
 }
 

@@ -3,6 +3,8 @@
 #include "meshalyzer/arrangement/windings.h"
 
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
 namespace meshalyzer {
@@ -17,9 +19,12 @@ struct EstimatedWindings {
   std::vector<std::uint8_t> bounds_solid;
 };
 
-/// @param wanted  #components: non-zero for those that are to be estimated.
-/// @complexity    O(#F log #F) for the first piece, O(log #F) for each other.
+/// @param wanted         #components: non-zero for those that are to be estimated.
+/// @param wants_to_stop  Called now and then, from any thread; once it returns true, the numbers
+/// mean nothing. May be empty.
+/// @complexity           O(#F log #F) for the first piece, O(log #F) for each other.
 [[nodiscard]] EstimatedWindings estimate_windings(const ArrangedSoup& arranged,
-                                                  std::span<const std::uint8_t> wanted);
+                                                  std::span<const std::uint8_t> wanted,
+                                                  const std::function<bool()>& wants_to_stop);
 
 }  // namespace meshalyzer

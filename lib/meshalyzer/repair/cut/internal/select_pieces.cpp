@@ -35,6 +35,7 @@ class PieceSelection {
         cells_(arranged.cells),
         pockets_(options.pockets),
         sheets_(options.sheets),
+        wants_to_stop_(options.wants_to_stop),
         classes_(arranged.arrangement.pieces.size(), PieceClass::Kept) {
     is_closed_.assign(cells_.n_components, 0);
     is_open_.assign(cells_.n_components, 0);
@@ -108,7 +109,7 @@ class PieceSelection {
   }
 
   void select_by_estimates() {
-    const EstimatedWindings windings = estimate_windings(a_, is_open_);
+    const EstimatedWindings windings = estimate_windings(a_, is_open_, wants_to_stop_);
     std::vector<std::uint8_t> solid = is_open_;
     for (std::size_t c = 0; c < solid.size(); ++c) {
       if (windings.bounds_solid[c] == 0) solid[c] = 0;
@@ -122,9 +123,10 @@ class PieceSelection {
     for (std::size_t piece = 0; piece < classes_.size(); ++piece) {
       const bool is_sure = windings.of_cell[cells_.front(piece)] >= kSurelyInside &&
                            windings.of_cell[cells_.behind(piece)] >= kSurelyInside;
-      const bool is_estimated = solid[cells_.component_of[piece]] != 0;
-      if (is_estimated && classes_[piece] == PieceClass::Interior && !is_sure) {
-        classes_[piece] = PieceClass::Exterior;
+      if (solid[cells_.component_of[piece]] == 0) continue;
+      const bool is_unsure = classes_[piece] == PieceClass::Interior && !is_sure;
+      if (is_unsure || classes_[piece] == PieceClass::Exterior) {
+        classes_[piece] = PieceClass::PerhapsExterior;
       }
     }
     if (sheets_ == Sheets::Cut) leave_those_with_flaps(solid);
@@ -143,7 +145,7 @@ class PieceSelection {
       if (components[component] == 0) continue;
       const double size = normal_of(a_.arrangement.corners_of(piece)).norm();
       area[component] += size;
-      if (classes_[piece] == PieceClass::Exterior) area_of_flaps[component] += size;
+      if (classes_[piece] == PieceClass::PerhapsExterior) area_of_flaps[component] += size;
     }
     for (std::size_t c = 0; c < components.size(); ++c) {
       if (area_of_flaps[c] > kMostFlaps * area[c]) components[c] = 0;
@@ -205,6 +207,7 @@ class PieceSelection {
   const Cells& cells_;
   Pockets pockets_;
   Sheets sheets_;
+  const std::function<bool()>& wants_to_stop_;
   ClosedPart closed_;
   /// #components: 1 for those whose pieces are still to be selected.
   std::vector<std::uint8_t> is_closed_;

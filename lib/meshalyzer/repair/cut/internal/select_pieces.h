@@ -4,6 +4,8 @@
 #include "meshalyzer/repair/passes.h"
 
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
 namespace meshalyzer {
@@ -20,6 +22,9 @@ enum class Pockets : std::uint8_t {
 struct SelectOptions {
   Pockets pockets = Pockets::Dropped;
   Sheets sheets = Sheets::Left;
+  /// Called now and then, from any thread; once it returns true, the selection means nothing. May
+  /// be empty.
+  std::function<bool()> wants_to_stop = {};
 };
 
 /// The decision on a piece of an arrangement.
@@ -32,8 +37,11 @@ enum class PieceClass : std::uint8_t {
   Interior,
   /// The piece is dropped, because its faces cancel each other out.
   Cancelled,
-  /// The piece is dropped, because both of its sides are outside.
+  /// The piece is dropped, because both of its sides are outside, exactly: it is the wall of a
+  /// pocket.
   Exterior,
+  /// The piece is dropped, because both of its sides are outside, by estimates.
+  PerhapsExterior,
   /// The piece stays, though both of its sides are outside: it is part of a sheet.
   OfSheet,
   /// The piece stays uncut: it belongs to sheets, or to solids that they cross, and sheets are

@@ -293,7 +293,8 @@ bool RepairDriver::run(const PlannedPass& pass) {
     const PassResult result = propose(pass, size);
     if (!result.edits.empty() && apply_accepted(pass, result.edits, before)) {
       has_changed = true;
-    } else if (!before.rejected.empty() && size != OperationSize::Smallest && !result.is_smallest) {
+    } else if (!before.rejected.empty() && size != OperationSize::Smallest &&
+               result.has_smaller_operations) {
       // One bad step may have caused the rejection of all steps of its operation.
       size = OperationSize::Smallest;
     } else {

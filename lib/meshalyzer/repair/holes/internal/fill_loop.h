@@ -1,24 +1,14 @@
 #pragma once
 
+#include "meshalyzer/repair/holes/internal/fill_task.h"
 #include "meshalyzer/repair/holes/internal/join_loops.h"
-#include "meshalyzer/repair/holes/internal/loop_polygon.h"
 #include "meshalyzer/repair/holes/internal/patch_check.h"
-#include "meshalyzer/repair/passes.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace meshalyzer {
-
-/// The data that filling a loop needs.
-struct FillTask {
-  const PreparedMesh& mesh;
-  const ExistingEdges& existing;
-  /// Triangles with an altitude below this are avoided. In the mesh's unit.
-  double degeneracy = 0.0;
-  FillShape shape = FillShape::Auto;
-};
 
 /// The outcome of filling a loop.
 struct Filling {

@@ -52,12 +52,12 @@ Diamond diamond_of(const TriMesh& mesh, EdgeHandle e) {
 
 class Refiner {
  public:
-  Refiner(const ExistingEdges& existing, WorkingPatch& patch)
-      : existing_(existing), patch_(patch), mesh_(patch.mesh) {}
+  Refiner(const FillTask& task, WorkingPatch& patch)
+      : task_(task), patch_(patch), mesh_(patch.mesh) {}
 
-  void run(const PreparedMesh& mesh, const HoleLoop& loop) {
+  void run(const HoleLoop& loop) {
     if (patch_.spacing.empty()) {
-      read_spacing(mesh, loop);
+      read_spacing(loop);
     } else {
       flip_edges();
     }
@@ -71,11 +71,11 @@ class Refiner {
 
   /// Computes the target lengths round the loop, and enlarges them if they would require too many
   /// vertices.
-  void read_spacing(const PreparedMesh& mesh, const HoleLoop& loop) {
+  void read_spacing(const HoleLoop& loop) {
     std::unordered_map<Index, double> length_at;
     for (std::size_t i = 0; i < loop.size(); ++i) {
       if (!loop.halfedges[i].is_valid()) continue;
-      const TriMesh& beyond = mesh.cut().mesh;
+      const TriMesh& beyond = task_.mesh.cut().mesh;
       length_at[loop.vertices[i]] =
           mean_edge_length(beyond, beyond.to_vertex_handle(loop.halfedges[i]));
     }
@@ -100,6 +100,7 @@ class Refiner {
     const std::size_t n_faces = mesh_.n_faces();
     const std::size_t n_most = patch_.names.size() + 2 * kMaxNewVertices;
     bool has_split = false;
+    if (task_.is_to_stop()) return false;
     for (std::size_t i = 0; i < n_faces && mesh_.n_vertices() < n_most; ++i) {
       has_split |= split_if_large(FaceHandle(static_cast<int>(i)));
     }
@@ -127,7 +128,7 @@ class Refiner {
   }
 
   void flip_edges() {
-    for (std::size_t sweep = 0; sweep < kMaxSweeps; ++sweep) {
+    for (std::size_t sweep = 0; sweep < kMaxSweeps && !task_.is_to_stop(); ++sweep) {
       bool has_flipped = false;
       for (std::size_t i = 0; i < mesh_.n_edges(); ++i) {
         const EdgeHandle e(static_cast<int>(i));
@@ -171,20 +172,19 @@ class Refiner {
   /// Tells whether the mesh has the edge that a flip would make.
   [[nodiscard]] bool exists(const Diamond& d) const {
     if (patch_.is_new(d.left) || patch_.is_new(d.right)) return false;
-    return existing_.contains(patch_.names[static_cast<std::size_t>(d.left.idx())],
-                              patch_.names[static_cast<std::size_t>(d.right.idx())]);
+    return task_.existing.contains(patch_.names[static_cast<std::size_t>(d.left.idx())],
+                                   patch_.names[static_cast<std::size_t>(d.right.idx())]);
   }
 
-  const ExistingEdges& existing_;
+  const FillTask& task_;
   WorkingPatch& patch_;
   TriMesh& mesh_;
 };
 
 }  // namespace
 
-void refine_patch(const PreparedMesh& mesh, const HoleLoop& loop, const ExistingEdges& existing,
-                  WorkingPatch& patch) {
-  Refiner(existing, patch).run(mesh, loop);
+void refine_patch(const FillTask& task, const HoleLoop& loop, WorkingPatch& patch) {
+  Refiner(task, patch).run(loop);
 }
 
 }  // namespace meshalyzer

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "meshalyzer/repair/holes/internal/existing_edges.h"
+#include "meshalyzer/repair/holes/internal/fill_task.h"
+#include "meshalyzer/repair/holes/internal/hole_loop.h"
 
 #include <vector>
 
@@ -27,10 +28,9 @@ struct WorkingPatch {
 /// A patch that was moved since its last refinement is refined further where it has grown.
 ///
 /// No edge is made that the mesh has, and no more than some 50,000 vertices: larger patches stay
-/// coarser than their surroundings.
+/// coarser than their surroundings. The refinement ends early if the task is to stop.
 ///
 /// @complexity  O(n log n) for n triangles.
-void refine_patch(const PreparedMesh& mesh, const HoleLoop& loop, const ExistingEdges& existing,
-                  WorkingPatch& patch);
+void refine_patch(const FillTask& task, const HoleLoop& loop, WorkingPatch& patch);
 
 }  // namespace meshalyzer

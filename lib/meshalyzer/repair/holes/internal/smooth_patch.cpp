@@ -181,15 +181,15 @@ bool relax(Surroundings& all) {
 /// the bi-Laplacian energy with cotangent weights, while the loop and the faces beyond it stay
 /// unchanged (Botsch et al. 2010, "Polygon Mesh Processing", section 4.3; Liepa 2003).
 ///
-/// @return      Whether there is a minimum; if not, all vertices stay.
+/// @return      Whether there is a minimum, and the task is not to stop; if not, all vertices stay.
 /// @complexity  That of a sparse factorisation of n rows, about O(n^1.5).
-bool fair_patch(const PreparedMesh& mesh, const HoleLoop& loop, WorkingPatch& patch) {
-  Surroundings all = SurroundingsMaker(mesh, patch).run(loop);
+bool fair_patch(const FillTask& task, const HoleLoop& loop, WorkingPatch& patch) {
+  Surroundings all = SurroundingsMaker(task.mesh, patch).run(loop);
   const Frame frame(all);
   if (all.n_new == 0 || !frame.is_usable()) return false;
   for (Vec3& p : all.points) p = frame.into(p);
   for (std::size_t round = 0; round < kReweightings; ++round) {
-    if (!relax(all)) return false;
+    if (task.is_to_stop() || !relax(all)) return false;
   }
   for (std::size_t i = 0; i < all.n_new; ++i) {
     const VertexHandle v(static_cast<int>(all.n_loop + i));
@@ -200,16 +200,16 @@ bool fair_patch(const PreparedMesh& mesh, const HoleLoop& loop, WorkingPatch& pa
 
 }  // namespace
 
-std::optional<Patch> smooth_patch(const PreparedMesh& mesh, const HoleLoop& loop,
-                                  const ExistingEdges& existing, const Patch& patch) {
-  PatchSoup own = make_soup(mesh.soup(), patch);
+std::optional<Patch> smooth_patch(const FillTask& task, const HoleLoop& loop, const Patch& patch) {
+  const Soup& soup = task.mesh.soup();
+  PatchSoup own = make_soup(soup, patch);
   WorkingPatch working{.mesh = build(own.soup).mesh, .names = std::move(own.vertices)};
   if (working.mesh.n_vertices() != working.names.size()) return std::nullopt;
-  refine_patch(mesh, loop, existing, working);
-  if (!fair_patch(mesh, loop, working)) return std::nullopt;
+  refine_patch(task, loop, working);
+  if (!fair_patch(task, loop, working)) return std::nullopt;
   // A patch that has bulged is coarser than its surroundings.
-  refine_patch(mesh, loop, existing, working);
-  if (!fair_patch(mesh, loop, working)) return std::nullopt;
+  refine_patch(task, loop, working);
+  if (!fair_patch(task, loop, working)) return std::nullopt;
 
   Patch result;
   const std::size_t n_loop = working.names.size();
@@ -218,7 +218,7 @@ std::optional<Patch> smooth_patch(const PreparedMesh& mesh, const HoleLoop& loop
     if (!place.allFinite()) return std::nullopt;
     result.added.push_back(place);
   }
-  const auto first_added = static_cast<Index>(mesh.soup().n_vertices());
+  const auto first_added = static_cast<Index>(soup.n_vertices());
   for (const FaceHandle f : working.mesh.faces()) {
     Triangle t{};
     std::size_t k = 0;

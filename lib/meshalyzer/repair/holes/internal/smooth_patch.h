@@ -1,6 +1,7 @@
 #pragma once
 
-#include "meshalyzer/repair/holes/internal/existing_edges.h"
+#include "meshalyzer/repair/holes/internal/fill_task.h"
+#include "meshalyzer/repair/holes/internal/hole_loop.h"
 #include "meshalyzer/repair/holes/internal/patch_check.h"
 
 #include <optional>
@@ -12,8 +13,8 @@ namespace meshalyzer {
 ///
 /// @param patch  A triangulation of the loop, and a manifold.
 /// @return       Nothing if the patch needs no new vertex, or if the fair surface cannot be
-/// computed in floating point.
-[[nodiscard]] std::optional<Patch> smooth_patch(const PreparedMesh& mesh, const HoleLoop& loop,
-                                                const ExistingEdges& existing, const Patch& patch);
+/// computed in floating point, or if the task is to stop.
+[[nodiscard]] std::optional<Patch> smooth_patch(const FillTask& task, const HoleLoop& loop,
+                                                const Patch& patch);
 
 }  // namespace meshalyzer
