@@ -1,3 +1,4 @@
+#include "meshalyzer/repair/facets/internal/facet_shape.h"
 #include "meshalyzer/repair/holes/internal/fill_loop.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/split/internal/contact_places.h"
@@ -16,9 +17,10 @@ namespace {
 /// deviation.
 constexpr double kLargestShareOfEdge = 0.25;
 constexpr double kShareOfDeviation = 0.5;
-/// Shorter tips are tried if longer ones cannot be closed, each shorter by this factor.
-constexpr double kShorterBy = 1.0 / 8.0;
-constexpr std::size_t kLengths = 4;
+/// The shortest tips have this share of the largest length. Longer ones are tried if shorter ones
+/// cannot be closed or would leave flat faces, each longer by this factor.
+constexpr double kShortestShare = 0x1p-9;
+constexpr double kLongerBy = 8.0;
 /// As many vertices at a place are tried at most.
 constexpr std::size_t kMostUnits = 4;
 constexpr std::size_t kMostFacesAtTip = 256;
@@ -124,9 +126,25 @@ class TipCutter {
         const auto loop = loop_at.find(point);
         if (loop == loop_at.end() || loop->second->size() != tip.faces.size()) continue;
         const Filling lid = fill_loop(task, {.loop = *loop->second, .bridges = {}});
-        if (lid.patch) propose(tip, *lid.patch);
+        if (lid.patch && !makes_flat_faces(tip, *lid.patch)) propose(tip, *lid.patch);
       }
     }
+  }
+
+  /// Tells whether more of the new faces than of those that they replace are flat.
+  [[nodiscard]] bool makes_flat_faces(const Tip& tip, const Patch& lid) const {
+    const auto is_flat = [&](const Corners& corners) {
+      return !measure_facet(corners).is_sound(input_.tolerances.degeneracy);
+    };
+    const auto n_old = std::count_if(tip.faces.begin(), tip.faces.end(),
+                                     [&](Index face) { return is_flat(corners_of(soup_, face)); });
+    const auto n_sides = std::count_if(tip.sides.begin(), tip.sides.end(), [&](const auto& side) {
+      return is_flat(corners_of(trimmed_, {}, side.first));
+    });
+    const auto n_of_lid =
+        std::count_if(lid.triangles.begin(), lid.triangles.end(),
+                      [&](const Triangle& t) { return is_flat(corners_of(trimmed_, lid, t)); });
+    return n_sides + n_of_lid > n_old;
   }
 
   void propose(const Tip& tip, const Patch& lid) {
@@ -166,8 +184,7 @@ PassResult cut_off_tips(const PassInput& input) {
   const ContactPlaces contacts = find_contact_places(input.mesh);
   if (contacts.places.empty()) return {};
   for (std::size_t rank = 0; rank < kMostUnits; ++rank) {
-    double share = 1.0;
-    for (std::size_t i = 0; i < kLengths; ++i, share *= kShorterBy) {
+    for (double share = kShortestShare; share <= 1.0; share *= kLongerBy) {
       PassResult result = TipCutter(input, contacts).run(rank, share);
       if (!result.edits.empty()) return result;
     }

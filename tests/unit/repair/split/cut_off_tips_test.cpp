@@ -24,15 +24,24 @@ TEST(CutOffTips, OneOfTwoCornersThatTouchIsCutOff) {
   const PassRun run = run_pass(soup, cut_off_tips, limits);
   EXPECT_EQ(run.operations, 1U);
   EXPECT_TRUE(is_good(run.tracked.soup));
-  // Each edge of length 1 is cut off at half of the deviation, and three faces are now two, and a
-  // lid.
+  // Each edge of length 1 is cut off at a 512th of half of the deviation, and three faces are now
+  // two, and a lid.
   EXPECT_EQ(run.tracked.soup.n_faces(), soup.n_faces() + 3 + 1);
-  EXPECT_NEAR(volume_of(run.tracked.soup), (2 - std::pow(0.05, 3)) / 6, 1e-12);
+  EXPECT_NEAR(volume_of(run.tracked.soup), (2 - std::pow(0.05 / 512, 3)) / 6, 1e-14);
   for (const Vec3& p : soup.positions) {
     // Only copies of the origin are gone.
     const auto& kept = run.tracked.soup.positions;
     EXPECT_NE(std::find(kept.begin(), kept.end(), p), kept.end());
   }
+}
+
+TEST(CutOffTips, TipsAreNoShorterThanFlatFacesAllow) {
+  const Soup soup = touching_corners();
+  const RepairLimits limits{.max_deviation = 0.1, .fixed_vertices = {}, .groups = Groups::Names};
+  // Tips of a length of 0.05 / 512 and 0.05 / 64 would leave faces with a lower altitude.
+  const PassRun run = run_pass(soup, cut_off_tips, limits, {.degeneracy = 0.001});
+  EXPECT_EQ(run.operations, 1U);
+  EXPECT_NEAR(volume_of(run.tracked.soup), (2 - std::pow(0.05 / 8, 3)) / 6, 1e-14);
 }
 
 TEST(CutOffTips, MeshesWithoutContactsAreLeft) {
