@@ -110,9 +110,8 @@ void SetTotals::add_separation(Index owner, const ObjectSeparation& separation) 
 SetStatistics SetTotals::summarize_measures() {
   SetStatistics statistics;
   // To read the values again and select among them is one task for each quantity.
-  parallel_chunks(kElementMeasures<PooledValues>.size(), 1, [&](Chunk chunk) {
-    statistics[chunk.begin] = pooled_[chunk.begin].summarize();
-  });
+  parallel_chunks(kElementMeasures<PooledValues>.size(), 1,
+                  [&](Chunk chunk) { statistics[chunk.begin] = pooled_[chunk.begin].summarize(); });
   return statistics;
 }
 
