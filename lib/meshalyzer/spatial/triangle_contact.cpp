@@ -260,15 +260,6 @@ bool opposite_edge_is_apart(const Corners& p, const Corners& q) {
   return false;
 }
 
-/// Tells whether the boxes of two triangles have no point in common.
-bool boxes_are_apart(const Corners& p, const Corners& q) {
-  const Vec3 low_p = p[0].cwiseMin(p[1]).cwiseMin(p[2]);
-  const Vec3 high_p = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
-  const Vec3 low_q = q[0].cwiseMin(q[1]).cwiseMin(q[2]);
-  const Vec3 high_q = q[0].cwiseMax(q[1]).cwiseMax(q[2]);
-  return (high_p.array() < low_q.array()).any() || (high_q.array() < low_p.array()).any();
-}
-
 /// Tells whether the corners of q from `first` on lie surely and strictly on one side of the plane
 /// of p.
 bool surely_beside(const Corners& p, const Corners& q, std::size_t first) {
@@ -328,7 +319,7 @@ std::optional<ContactKind> find_contact(const Corners& p, const Corners& q, Comm
     }
     // The boxes of a search are in single precision: where some faces are a million times larger
     // than others, all small ones are at one place there, and exact signs take long.
-    if (boxes_are_apart(p, q)) {
+    if (!box_of(p).intersects(box_of(q))) {
       return std::nullopt;
     }
   }

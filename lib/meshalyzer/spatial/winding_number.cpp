@@ -255,9 +255,10 @@ struct WindingNumbers::Tree {
       }
     }
     std::vector<Index> order = order_in_space(boxes_of(soup));
-    std::stable_sort(order.begin(), order.end(), [&](Index i, Index j) {
-      return size_class_of(soup[i]) < size_class_of(soup[j]);
-    });
+    std::vector<int> size_classes(soup.size());
+    std::transform(soup.begin(), soup.end(), size_classes.begin(), size_class_of);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index i, Index j) { return size_classes[i] < size_classes[j]; });
     triangles.reserve(order.size());
     for (const Index i : order) triangles.push_back(soup[i]);
     soup = {};
