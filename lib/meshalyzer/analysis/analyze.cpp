@@ -8,6 +8,7 @@
 #include "meshalyzer/analysis/internal/integrity.h"
 #include "meshalyzer/analysis/internal/measures.h"
 #include "meshalyzer/analysis/internal/volume.h"
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 
 #include <algorithm>
@@ -88,7 +89,7 @@ void conclude(const AnalysisOptions& options, bool is_orientable, Analysis& anal
 
 }  // namespace
 
-PairLimits pair_limits(const MeshRequest& request, std::function<bool()> wants_to_stop) {
+PairLimits pair_limits(const MeshRequest& request, StopQuery wants_to_stop) {
   return {.max_listed = request.max_list == 0 ? kAllPairs : request.max_list,
           .wants_to_stop = std::move(wants_to_stop)};
 }

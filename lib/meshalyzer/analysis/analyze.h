@@ -2,11 +2,11 @@
 
 #include "meshalyzer/analysis/analysis.h"
 #include "meshalyzer/base/progress.h"
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/spatial/pair_limits.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -80,12 +80,11 @@ struct AnalysisOptions : MeshRequest {
   PhaseListener on_phase;
   /// Called now and then, from any thread: the search for intersecting pairs ends when it returns
   /// true.
-  std::function<bool()> wants_to_stop;
+  StopQuery wants_to_stop;
 };
 
 /// Returns the limits of the search for intersecting pairs of a request.
-[[nodiscard]] PairLimits pair_limits(const MeshRequest& request,
-                                     std::function<bool()> wants_to_stop);
+[[nodiscard]] PairLimits pair_limits(const MeshRequest& request, StopQuery wants_to_stop);
 
 /// Analyses one mesh.
 ///

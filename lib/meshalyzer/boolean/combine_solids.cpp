@@ -82,7 +82,7 @@ class Combination {
 
  private:
   CombineOutcome run_rounds(const InsideRule& rule) {
-    if (is_to_stop()) return CombineOutcome::Stopped;
+    if (options_.wants_to_stop()) return CombineOutcome::Stopped;
     {
       const CutMesh cut = build(soup_);
       const FaceTree tree(cut);
@@ -102,7 +102,7 @@ class Combination {
       const FaceTree tree(cut);
       const Pairs pairs = find_self_intersections_of(cut, tree, new_faces_);
       if (pairs.empty()) return CombineOutcome::Done;
-      if (is_to_stop()) return CombineOutcome::Stopped;
+      if (options_.wants_to_stop()) return CombineOutcome::Stopped;
       n_pairs_cut += pairs.size();
       if (round == kRoundingRounds ||
           n_pairs_cut > kMorePairsInRounds + kTimesFirstRound * result_.n_pairs) {
@@ -111,10 +111,6 @@ class Combination {
       operand_of_.assign(soup_.n_faces(), 0);
       take(find_exact_solid({soup_, cut, tree, pairs}, operand_of_, 1, union_rule()), round);
     }
-  }
-
-  [[nodiscard]] bool is_to_stop() const {
-    return options_.wants_to_stop && options_.wants_to_stop();
   }
 
   /// Replaces the soup by the rounded boundary of a solid.

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/boolean/inside_rule.h"
 #include "meshalyzer/boolean/operands.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <vector>
 
@@ -19,8 +19,8 @@ struct CombineOptions {
   double max_deviation = 0.0;
   /// The largest number of intersecting pairs of faces that are cut.
   std::size_t max_pairs = kMostPairsCombined;
-  /// Called before each round; the operation stops once it returns true. It may be empty.
-  std::function<bool()> wants_to_stop = {};
+  /// Called before each round; the operation stops once it returns true.
+  StopQuery wants_to_stop = {};
 };
 
 /// The outcome of a boolean operation.

@@ -1,6 +1,7 @@
 #include "meshalyzer/defects/find_defects.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/mesh/used_box.h"
 
@@ -65,7 +66,7 @@ class Search {
 
  private:
   bool is_to_stop() {
-    was_stopped_ = was_stopped_ || (wants_to_stop_ && wants_to_stop_());
+    was_stopped_ = was_stopped_ || wants_to_stop_();
     return was_stopped_;
   }
 
@@ -96,7 +97,7 @@ class Search {
 
   const DefectCodes& codes_;
   const Tolerances& tolerances_;
-  const std::function<bool()>& wants_to_stop_;
+  const StopQuery& wants_to_stop_;
   bool was_stopped_ = false;
   std::vector<std::function<void()>> finders_;
   Findings findings_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/defects/defect_list.h"
 #include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
@@ -7,7 +8,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,9 +22,8 @@ struct DefectOptions {
   std::size_t max_defects = 0;
   /// The limits of the search for intersecting faces; a prepared mesh has limits of its own.
   PairLimits pairs = {};
-  /// Called now and then by the search for foldovers, which ends once it returns true. May be
-  /// empty.
-  std::function<bool()> wants_to_stop = {};
+  /// Called now and then by the search for foldovers, which ends once it returns true.
+  StopQuery wants_to_stop = {};
 };
 
 /// The defects of a mesh.

@@ -1,6 +1,7 @@
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/internal/places.h"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <numeric>
 #include <tuple>
 #include <vector>
@@ -271,7 +271,7 @@ Defect describe(const PreparedMesh& mesh, const Patch& patch, double height_tole
 }  // namespace
 
 DefectList find_foldovers(const PreparedMesh& mesh, const Tolerances& tolerances,
-                          const std::function<bool()>& wants_to_stop) {
+                          const StopQuery& wants_to_stop) {
   const std::vector<HalfedgeHandle> folds =
       find_folds(mesh.cut().mesh, tolerances.max_foldover_angle);
   if (folds.empty()) return {};

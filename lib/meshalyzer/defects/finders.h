@@ -1,10 +1,9 @@
 #pragma once
 
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/defects/defect_list.h"
 #include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
-
-#include <functional>
 
 namespace meshalyzer {
 
@@ -21,10 +20,9 @@ namespace meshalyzer {
 /// its value is the largest distance of the region from its surroundings, its limit the height
 /// tolerance.
 ///
-/// @param wants_to_stop  Called now and then; once it returns true, no more are found. May be
-/// empty.
+/// @param wants_to_stop  Called now and then; once it returns true, no more are found.
 [[nodiscard]] DefectList find_foldovers(const PreparedMesh& mesh, const Tolerances& tolerances,
-                                        const std::function<bool()>& wants_to_stop = {});
+                                        const StopQuery& wants_to_stop = {});
 
 /// Finds the faces with an altitude below the degeneracy tolerance, one defect each. A face is a
 /// degenerate facet if it also has an edge below the tolerance or names a vertex twice, else a flat

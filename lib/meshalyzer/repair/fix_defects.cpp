@@ -163,7 +163,7 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   if (reason_against_repair(driver).empty() || drop_equal_faces(driver, options, result.before)) {
     repair(driver, options, tolerances, result);
   } else {
-    result.is_stopped = options.wants_to_stop && options.wants_to_stop();
+    result.is_stopped = options.wants_to_stop();
     if (options.reports_patches) result.patches = find_patch_outcomes(driver, result.before);
   }
   result.meshes = finished_meshes(driver, options, tolerances, result.before);

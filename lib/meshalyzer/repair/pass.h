@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/defects/defect.h"
 #include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
@@ -63,10 +64,8 @@ struct PassInput {
   const RepairLimits& limits;
   OperationSize operation_size = OperationSize::Normal;
   /// Called now and then by a pass that takes long, from any thread; once it returns true, the pass
-  /// ends as soon as it can, and what it proposes is not applied. May be empty.
-  std::function<bool()> wants_to_stop = {};
-
-  [[nodiscard]] bool is_to_stop() const { return wants_to_stop && wants_to_stop(); }
+  /// ends as soon as it can, and what it proposes is not applied.
+  StopQuery wants_to_stop = {};
 };
 
 /// A defect that a pass could not repair, and the reason.

@@ -24,7 +24,7 @@ FileResult unreadable(std::string why) {
 
 }  // namespace
 
-std::function<bool()> end_of_search(const Request& request, const Deadline& deadline) {
+StopQuery end_of_search(const Request& request, const Deadline& deadline) {
   if (!request.time_limit) return {};
   return [&deadline] { return deadline.is_over(); };
 }

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/analysis/analysis.h"
 #include "meshalyzer/base/deadline.h"
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/base/types.h"
 #include "meshalyzer/set/run_listener.h"
 #include "meshalyzer/set/set_object.h"
@@ -31,11 +32,11 @@ struct FileResult {
   std::shared_ptr<const SetObject> object;
 };
 
-/// Returns the function that ends searches for intersecting pairs; empty if the request has no time
+/// Returns what ends searches for intersecting pairs: the deadline, if the request has a time
 /// limit.
 ///
-/// @param deadline  The deadline, which must outlive the function.
-[[nodiscard]] std::function<bool()> end_of_search(const Request& request, const Deadline& deadline);
+/// @param deadline  The deadline, which must outlive the returned query.
+[[nodiscard]] StopQuery end_of_search(const Request& request, const Deadline& deadline);
 
 /// Analyses files one by one: a few at a time, as memory allows, and large ones with several
 /// threads each. If something between the meshes is asked for, each becomes an object of the set as

@@ -175,7 +175,7 @@ class SetRun {
     SetIntersections found;
     for (const Index other : box_tree_->meeting(boxes_[owner])) {
       if (rank_[other] > rank_[owner]) {
-        if (limits.wants_to_stop && limits.wants_to_stop()) {
+        if (limits.wants_to_stop()) {
           found.is_search_stopped = true;
           break;
         }

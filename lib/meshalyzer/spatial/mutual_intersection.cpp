@@ -66,7 +66,7 @@ FoundPairs count_intersections(const CutMesh& a, const FaceTree& tree_a, const C
                            .face_b = b.side.faces[tree_b.mesh_face(g)],
                            .kind = *kind});
     }
-    return limits.wants_to_stop && limits.wants_to_stop() ? Next::Stop : Next::GoOn;
+    return limits.wants_to_stop() ? Next::Stop : Next::GoOn;
   });
   for (PairBuffer& buffer : buffers) buffer.flush();
   FoundPairs found = collector.take();

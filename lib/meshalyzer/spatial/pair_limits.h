@@ -1,9 +1,9 @@
 #pragma once
 
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/spatial/intersecting_pair.h"
 
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <vector>
 
@@ -20,9 +20,8 @@ struct PairLimits {
   /// The largest number of pairs that are listed: the first ones by their lower face, then by their
   /// higher one.
   std::size_t max_listed = kAllPairs;
-  /// The search calls this now and then, from any thread, and ends when it returns true. It may be
-  /// empty.
-  std::function<bool()> wants_to_stop;
+  /// The search calls this now and then, from any thread, and ends when it returns true.
+  StopQuery wants_to_stop;
 };
 
 /// The result of a search for intersecting pairs.

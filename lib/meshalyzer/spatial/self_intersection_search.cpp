@@ -400,7 +400,7 @@ class BoundedSearch {
   }
 
   bool wants_to_stop() {
-    if (!is_stopped_ && limits_.wants_to_stop && limits_.wants_to_stop()) is_stopped_ = true;
+    if (!is_stopped_ && limits_.wants_to_stop()) is_stopped_ = true;
     return is_stopped_;
   }
 

@@ -1,5 +1,6 @@
 #include "meshalyzer/defects/internal/sheet_cover.h"
 
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/geometry/face_measures.h"
 
@@ -73,7 +74,7 @@ std::vector<double> heights_above_side(const Polygon& polygon, const Corners& t,
 }  // namespace
 
 SheetCover::SheetCover(const PreparedMesh& mesh, std::span<const Index> patch_of_face,
-                       double tolerance, const std::function<bool()>& wants_to_stop)
+                       double tolerance, const StopQuery& wants_to_stop)
     : mesh_(mesh.cut().mesh),
       closest_(mesh.tree()),
       patch_of_face_(patch_of_face),
@@ -86,7 +87,7 @@ std::optional<double> SheetCover::measure(const SheetQuery& query) {
   for (const Index f : query.faces) excluded_[f] = 1;
   std::optional<double> largest = 0.0;
   for (const Index f : query.faces) {
-    const bool is_to_stop = wants_to_stop_ && wants_to_stop_();
+    const bool is_to_stop = wants_to_stop_();
     const std::optional<double> distance = is_to_stop ? std::nullopt : measure_face(f, query);
     if (!distance) {
       largest.reset();

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "meshalyzer/base/corners.h"
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/spatial/closest_point.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -31,10 +31,10 @@ class SheetCover {
  public:
   /// @param patch_of_face  #mesh faces: the patch of each, kNoIndex if no sheet may lie on it.
   /// @param wants_to_stop  Called for each face; once it returns true, no sheet lies on patches. It
-  ///                       may be empty, and must outlive this.
+  ///                       must outlive this.
   /// @complexity           O(#F).
   SheetCover(const PreparedMesh& mesh, std::span<const Index> patch_of_face, double tolerance,
-             const std::function<bool()>& wants_to_stop);
+             const StopQuery& wants_to_stop);
 
   /// Returns the distance of a sheet from the patches.
   ///
@@ -59,7 +59,7 @@ class SheetCover {
   /// #mesh faces: non-zero for those of the sheet that is measured.
   std::vector<std::uint8_t> excluded_;
   std::size_t n_left_to_examine_;
-  const std::function<bool()>& wants_to_stop_;
+  const StopQuery& wants_to_stop_;
 };
 
 }  // namespace meshalyzer

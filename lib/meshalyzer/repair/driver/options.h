@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/defects/find_defects.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/spatial/pair_limits.h"
@@ -88,8 +89,7 @@ struct RepairOptions {
   bool reports_patches = false;
   /// Called before each attempt of a pass and within those that take long, from any thread. Once it
   /// returns true it must go on to do so, and the repair ends with the mesh that it has reached.
-  /// May be empty.
-  std::function<bool()> wants_to_stop;
+  StopQuery wants_to_stop;
 };
 
 /// Converts a maximum deviation to a length, for a mesh with this box.

@@ -94,7 +94,7 @@ FlatComponents find_flat_components(const PassInput& input, std::span<const Inde
   if (faces_of.empty()) return flat;
   const RestOfMesh rest(input, flat.faces);
   for (const auto& [component, faces] : faces_of) {
-    if (input.is_to_stop()) break;
+    if (input.wants_to_stop()) break;
     if (rest.are_near(places_of(input.tracked.soup, faces))) flat.needless.push_back(faces);
   }
   return flat;
@@ -159,7 +159,7 @@ class Mender {
   }
 
   void mend_queue(Effort effort) {
-    while (!queue_.empty() && !input_.is_to_stop()) {
+    while (!queue_.empty() && !input_.wants_to_stop()) {
       const Index f = queue_.front();
       queue_.pop_front();
       is_queued_.erase(f);

@@ -394,7 +394,7 @@ PassResult remove_foldovers(const PassInput& input) {
   if (foldovers.empty()) return {};
   FoldoverRemover remover(input, foldovers);
   for (const Defect& foldover : foldovers) {
-    if (input.is_to_stop()) break;
+    if (input.wants_to_stop()) break;
     remover.treat(foldover);
   }
   return remover.take();

@@ -180,7 +180,7 @@ class HoleFiller {
 
   [[nodiscard]] PassResult run() {
     for (const std::size_t i : by_length()) {
-      if (task_.is_to_stop()) break;
+      if (task_.wants_to_stop()) break;
       if (choice_.is_chosen[i] != 0 && is_free(i)) fill(i);
     }
     return result();
@@ -287,7 +287,7 @@ std::vector<Edits::AddedFace> crossing_patches(const PassInput& input, const Fil
   const Choice choice = choose_loops(input, found.loops, options);
   Edits edits;
   for (std::size_t i = 0; i < found.loops.size(); ++i) {
-    if (input.is_to_stop()) break;
+    if (input.wants_to_stop()) break;
     if (choice.is_chosen[i] == 0) continue;
     const std::optional<Patch> patch = first_patch(task, {.loop = found.loops[i], .bridges = {}});
     if (patch) add_patch(input.mesh, found.loops[i], *patch, edits);

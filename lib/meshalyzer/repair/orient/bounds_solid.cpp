@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/orient/bounds_solid.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/repair/orient/internal/side_votes.h"
 #include "meshalyzer/topology/border.h"
@@ -38,13 +39,13 @@ std::vector<std::uint8_t> which_are_closed(const CutMesh& cut, const Components&
 }
 
 std::vector<std::uint8_t> bounds_solid(const PreparedMesh& mesh, const Components& components,
-                                       const std::function<bool()>& wants_to_stop) {
+                                       const StopQuery& wants_to_stop) {
   std::vector<std::uint8_t> is_solid = which_are_closed(mesh.cut(), components);
   if (std::find(is_solid.begin(), is_solid.end(), 0) == is_solid.end()) return is_solid;
   const std::vector<std::uint8_t> is_flipped = which_are_flipped(mesh);
   const FacesByPart faces(components.of_face, components.count);
   parallel_chunks(components.count, 1, [&](Chunk chunk) {
-    if (is_solid[chunk.begin] != 0 || (wants_to_stop && wants_to_stop())) return;
+    if (is_solid[chunk.begin] != 0 || wants_to_stop()) return;
     std::vector<Corners> triangles;
     triangles.reserve(faces.of(chunk.begin).size());
     for (const Index f : faces.of(chunk.begin)) {

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/topology/components.h"
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace meshalyzer {
@@ -28,8 +28,8 @@ namespace meshalyzer {
 /// @return               #components: 1 for those that bound a solid; closed ones (no edge has only
 /// one face) always do.
 /// @complexity           O(#E), and O(#F log #F) for open components.
-[[nodiscard]] std::vector<std::uint8_t> bounds_solid(
-    const PreparedMesh& mesh, const Components& components,
-    const std::function<bool()>& wants_to_stop = {});
+[[nodiscard]] std::vector<std::uint8_t> bounds_solid(const PreparedMesh& mesh,
+                                                     const Components& components,
+                                                     const StopQuery& wants_to_stop = {});
 
 }  // namespace meshalyzer

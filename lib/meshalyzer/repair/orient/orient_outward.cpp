@@ -74,7 +74,7 @@ std::vector<Voter> collect_voters(const OutwardQuery& query) {
   }
   const FacesByPart faces(query.regions.of_face, query.regions.count);
   parallel_chunks(voters.size(), 1, [&](Chunk chunk) {
-    if (query.input.is_to_stop()) return;
+    if (query.input.wants_to_stop()) return;
     Voter& voter = voters[chunk.begin];
     std::vector<Corners> triangles;
     triangles.reserve(faces.of(voter.region).size());
@@ -203,7 +203,7 @@ std::vector<std::vector<Index>> find_enclosers(const OutwardQuery& query,
   const EncloserSearch search(query, voters);
   std::vector<std::vector<Index>> enclosers(query.regions.count);
   parallel_chunks(voters.size(), 16, [&](Chunk chunk) {
-    if (query.input.is_to_stop()) return;
+    if (query.input.wants_to_stop()) return;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       if (voters[i].votes.is_clear()) enclosers[voters[i].region] = search.enclosers(voters[i]);
     }

@@ -68,7 +68,7 @@ class Parting {
   [[nodiscard]] PassResult part_all() {
     DisjointSets connected = connect_places(contacts_);
     std::vector<Index> operation(contacts_.places.size(), kNoIndex);
-    for (Index i = 0; i < contacts_.places.size() && !input_.is_to_stop(); ++i) {
+    for (Index i = 0; i < contacts_.places.size() && !input_.wants_to_stop(); ++i) {
       n_checks_left_ = kMostChecks + n_more_checks_;
       const std::vector<Index> moved = part(contacts_.places[i]);
       n_more_checks_ = std::min(n_more_checks_, n_checks_left_);

@@ -154,10 +154,10 @@ PassResult weld_borders(const PassInput& input, double within) {
                   .is_busy = std::vector<std::uint8_t>(soup.n_vertices(), 0),
                   .result = {}};
   const std::vector<std::uint8_t> is_done = zip_coincident(state, places);
-  if (rules.reach > 0.0 && !input.is_to_stop()) {
+  if (rules.reach > 0.0 && !input.wants_to_stop()) {
     const std::vector<Index> present = free_edges(state, is_done);
     zip_near(state, present);
-    if (!input.is_to_stop()) close_junctions(state, places, present, free_edges(state, is_done));
+    if (!input.wants_to_stop()) close_junctions(state, places, present, free_edges(state, is_done));
   }
   return std::move(state.result);
 }

@@ -90,7 +90,7 @@ class CuttingRounds {
     if (pairs.empty()) return false;
     if (round_ == 0) most_pairs_ = kMorePairs + kTimesFirstPairs * pairs.size();
     n_pairs_cut_ += pairs.size();
-    if (round_ == kRoundingRounds || n_pairs_cut_ > most_pairs_ || input_.is_to_stop()) {
+    if (round_ == kRoundingRounds || n_pairs_cut_ > most_pairs_ || input_.wants_to_stop()) {
       give_up(pairs);
       return false;
     }
@@ -101,12 +101,12 @@ class CuttingRounds {
 
   void cut_once(const CutMesh& cut, const FaceTree& tree, const Pairs& pairs) {
     const Arrangement arrangement = arrange(soup_, pairs);
-    if (input_.is_to_stop()) return give_up(pairs);
+    if (input_.wants_to_stop()) return give_up(pairs);
     const Cells cells = find_cells(soup_, arrangement);
     const std::vector<PieceClass> classes =
         select_pieces({soup_, cut, tree, arrangement, cells},
                       components_to_select(arrangement, cells, pairs), options_);
-    if (input_.is_to_stop()) return give_up(pairs);
+    if (input_.wants_to_stop()) return give_up(pairs);
     tie_faces(arrangement, pairs);
     if (round_ == 0) result_.pocket_share = share_of_pockets(arrangement, classes);
     result_.has_pockets = result_.has_pockets || std::find(classes.begin(), classes.end(),

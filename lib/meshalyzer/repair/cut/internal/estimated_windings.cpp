@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/cut/internal/estimated_windings.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/spatial/winding_number.h"
 
@@ -137,13 +138,13 @@ std::vector<Separation> measure_separation(const Cells& cells, std::span<const S
 /// Computes winding numbers beside pieces.
 class Estimator {
  public:
-  Estimator(const ArrangedSoup& arranged, const std::function<bool()>& wants_to_stop)
+  Estimator(const ArrangedSoup& arranged, const StopQuery& wants_to_stop)
       : a_(arranged), windings_(windings_of(arranged.soup)), wants_to_stop_(wants_to_stop) {}
 
   /// Sets the winding numbers of samples; all are 0 that are reached once it is to stop.
   void estimate(std::vector<Sample>& samples) const {
     parallel_chunks(samples.size(), 256, [&](Chunk chunk) {
-      if (wants_to_stop_ && wants_to_stop_()) return;
+      if (wants_to_stop_()) return;
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
         Sample& sample = samples[i];
         // On the piece itself, the winding number is half-way between those on both sides.
@@ -174,14 +175,14 @@ class Estimator {
 
   const ArrangedSoup& a_;
   WindingNumbers windings_;
-  const std::function<bool()>& wants_to_stop_;
+  const StopQuery& wants_to_stop_;
 };
 
 }  // namespace
 
 EstimatedWindings estimate_windings(const ArrangedSoup& arranged,
                                     std::span<const std::uint8_t> wanted,
-                                    const std::function<bool()>& wants_to_stop) {
+                                    const StopQuery& wants_to_stop) {
   const Cells& cells = arranged.cells;
   EstimatedWindings result{.of_cell = std::vector<double>(cells.count, 0.0),
                            .bounds_solid = std::vector<std::uint8_t>(cells.n_components, 0)};

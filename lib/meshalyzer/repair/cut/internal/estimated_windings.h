@@ -1,9 +1,9 @@
 #pragma once
 
 #include "meshalyzer/arrangement/windings.h"
+#include "meshalyzer/base/stop_query.h"
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -25,6 +25,6 @@ struct EstimatedWindings {
 /// @complexity           O(#F log #F) for the first piece, O(log #F) for each other.
 [[nodiscard]] EstimatedWindings estimate_windings(const ArrangedSoup& arranged,
                                                   std::span<const std::uint8_t> wanted,
-                                                  const std::function<bool()>& wants_to_stop);
+                                                  const StopQuery& wants_to_stop);
 
 }  // namespace meshalyzer

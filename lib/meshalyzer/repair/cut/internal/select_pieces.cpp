@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/cut/internal/select_pieces.h"
 
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/repair/cut/internal/closed_part.h"
 #include "meshalyzer/repair/cut/internal/estimated_windings.h"
@@ -207,7 +208,7 @@ class PieceSelection {
   const Cells& cells_;
   Pockets pockets_;
   Sheets sheets_;
-  const std::function<bool()>& wants_to_stop_;
+  const StopQuery& wants_to_stop_;
   ClosedPart closed_;
   /// #components: 1 for those whose pieces are still to be selected.
   std::vector<std::uint8_t> is_closed_;

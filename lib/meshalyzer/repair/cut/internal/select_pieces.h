@@ -1,10 +1,10 @@
 #pragma once
 
 #include "meshalyzer/arrangement/windings.h"
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/repair/passes.h"
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -22,9 +22,8 @@ enum class Pockets : std::uint8_t {
 struct SelectOptions {
   Pockets pockets = Pockets::Dropped;
   Sheets sheets = Sheets::Left;
-  /// Called now and then, from any thread; once it returns true, the selection means nothing. May
-  /// be empty.
-  std::function<bool()> wants_to_stop = {};
+  /// Called now and then, from any thread; once it returns true, the selection means nothing.
+  StopQuery wants_to_stop = {};
 };
 
 /// The decision on a piece of an arrangement.

@@ -260,7 +260,7 @@ void RepairDriver::run_unless_idle(const PlannedPass& pass, std::size_t& n_chang
 }
 
 bool RepairDriver::is_to_stop() {
-  is_stopped_ = is_stopped_ || (wants_to_stop_ && wants_to_stop_());
+  is_stopped_ = is_stopped_ || wants_to_stop_();
   return is_stopped_;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/base/progress.h"
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/repair/driver/deviation.h"
 #include "meshalyzer/repair/driver/internal/acceptance.h"
 #include "meshalyzer/repair/driver/internal/applied_operations.h"
@@ -218,7 +219,7 @@ class RepairDriver {
   double deviation_ = 0.0;
   bool is_deviation_known_ = true;
   RepairListener on_progress_;
-  std::function<bool()> wants_to_stop_;
+  StopQuery wants_to_stop_;
   bool is_stopped_ = false;
   RepairLog log_;
   std::vector<AppliedOperation> applied_;

@@ -67,7 +67,7 @@ class LoopFiller {
     constexpr std::array kWeights{LoopWeight::BendThenArea, LoopWeight::Area, LoopWeight::Flat};
     std::vector<Triangle> met;
     for (std::size_t i = 0; i < n_rounds() * kWeights.size(); ++i) {
-      if (task_.is_to_stop()) return std::nullopt;
+      if (task_.wants_to_stop()) return std::nullopt;
       rules_.weight = kWeights[i % kWeights.size()];
       if (i % kWeights.size() == 0) rules_.forbid(std::exchange(met, {}));
       std::optional<Patch> patch = triangulated();

@@ -1,10 +1,9 @@
 #pragma once
 
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/repair/holes/internal/existing_edges.h"
 #include "meshalyzer/repair/passes.h"
-
-#include <functional>
 
 namespace meshalyzer {
 
@@ -16,10 +15,7 @@ struct FillTask {
   double degeneracy = 0.0;
   FillShape shape = FillShape::Auto;
   /// Called before each step of filling a loop; once it returns true, no patch is found any more.
-  /// May be empty.
-  std::function<bool()> wants_to_stop = {};
-
-  [[nodiscard]] bool is_to_stop() const { return wants_to_stop && wants_to_stop(); }
+  StopQuery wants_to_stop = {};
 };
 
 }  // namespace meshalyzer

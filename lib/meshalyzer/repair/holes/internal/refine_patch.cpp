@@ -100,7 +100,7 @@ class Refiner {
     const std::size_t n_faces = mesh_.n_faces();
     const std::size_t n_most = patch_.names.size() + 2 * kMaxNewVertices;
     bool has_split = false;
-    if (task_.is_to_stop()) return false;
+    if (task_.wants_to_stop()) return false;
     for (std::size_t i = 0; i < n_faces && mesh_.n_vertices() < n_most; ++i) {
       has_split |= split_if_large(FaceHandle(static_cast<int>(i)));
     }
@@ -128,7 +128,7 @@ class Refiner {
   }
 
   void flip_edges() {
-    for (std::size_t sweep = 0; sweep < kMaxSweeps && !task_.is_to_stop(); ++sweep) {
+    for (std::size_t sweep = 0; sweep < kMaxSweeps && !task_.wants_to_stop(); ++sweep) {
       bool has_flipped = false;
       for (std::size_t i = 0; i < mesh_.n_edges(); ++i) {
         const EdgeHandle e(static_cast<int>(i));

@@ -189,7 +189,7 @@ bool fair_patch(const FillTask& task, const HoleLoop& loop, WorkingPatch& patch)
   if (all.n_new == 0 || !frame.is_usable()) return false;
   for (Vec3& p : all.points) p = frame.into(p);
   for (std::size_t round = 0; round < kReweightings; ++round) {
-    if (task.is_to_stop() || !relax(all)) return false;
+    if (task.wants_to_stop() || !relax(all)) return false;
   }
   for (std::size_t i = 0; i < all.n_new; ++i) {
     const VertexHandle v(static_cast<int>(all.n_loop + i));
