@@ -48,16 +48,7 @@ class Search {
       finders_.emplace_back([&] { search_thin_facets(mesh); });
     }
     run_at_once(mesh.cut().mesh.n_faces());
-    // The finders run one after the other, each in parallel. Several of them need the intersecting
-    // pairs: if they ran at the same time, all but the first would wait.
-    add(DefectCode::Foldover,
-        [&] { return find_foldovers(mesh, tolerances_, [this] { return is_to_stop(); }); });
-    add(DefectCode::SelfIntersection, [&] { return find_self_intersection_patches(mesh); });
-    add(DefectCode::Inward, [&] { return find_inward(mesh); });
-    if (asks(DefectCode::Slit) || asks(DefectCode::Hole)) {
-      finders_.emplace_back([&] { search_borders(mesh); });
-    }
-    run_in_turn();
+    search_positions(mesh);
   }
 
   [[nodiscard]] Findings take() { return std::move(findings_); }
@@ -77,6 +68,22 @@ class Search {
     if (asks(code)) finders_.emplace_back([this, code, finder] { findings_[code] = finder(); });
   }
 
+  /// Runs the finders that search in space, in parallel each.
+  void search_positions(const PreparedMesh& mesh) {
+    if (asks(DefectCode::Foldover)) {
+      findings_[DefectCode::Foldover] =
+          find_foldovers(mesh, tolerances_, [this] { return is_to_stop(); });
+    }
+    // Two of the others need the intersecting pairs: if these were not known, one would wait.
+    if (asks(DefectCode::SelfIntersection)) static_cast<void>(mesh.intersecting_pairs());
+    add(DefectCode::SelfIntersection, [&] { return find_self_intersection_patches(mesh); });
+    add(DefectCode::Inward, [&] { return find_inward(mesh); });
+    if (asks(DefectCode::Slit) || asks(DefectCode::Hole)) {
+      finders_.emplace_back([&] { search_borders(mesh); });
+    }
+    run_at_once(mesh.cut().mesh.n_faces());
+  }
+
   void search_thin_facets(const PreparedMesh& mesh) {
     for (const Defect& defect : find_thin_facets(mesh, tolerances_)) {
       if (asks(defect.code)) findings_[defect.code].push_back(defect);
@@ -90,10 +97,6 @@ class Search {
   }
 
   void run_at_once(std::size_t n_items) { parallel_invoke(n_items, std::exchange(finders_, {})); }
-
-  void run_in_turn() {
-    for (const auto& finder : std::exchange(finders_, {})) finder();
-  }
 
   const DefectCodes& codes_;
   const Tolerances& tolerances_;

@@ -26,6 +26,7 @@ ObjAttributes::ObjAttributes(const EditedMesh& mesh, std::string_view text,
     : mesh_(mesh),
       text_(text),
       records_(records),
+      has_none_(records.texture_points.empty() && mesh.soup.corner_normals.empty()),
       blender_(mesh, records.face_records, [this](Index a, Index b) {
         return source_corner(a).texture_point == source_corner(b).texture_point;
       }) {}
@@ -41,6 +42,7 @@ Index ObjAttributes::NewRecords::insert(std::string value) {
 ObjCorner ObjAttributes::corner(FanCorner corner) {
   ObjCorner named;
   named.vertex = mesh_.soup.triangles[corner.triangle][corner.corner];
+  if (has_none_) return named;
   const Blend blend = blender_.blend(corner);
   if (blend.is_empty()) {
     named.normal = normal(corner, kNoIndex);

@@ -45,6 +45,8 @@ class ObjAttributes {
   const EditedMesh& mesh_;
   std::string_view text_;
   const ObjRecords& records_;
+  /// Tells whether there is no texture point and no normal that a corner could name.
+  bool has_none_;
   CornerBlender blender_;
   NewRecords texture_points_;
   NewRecords normals_;

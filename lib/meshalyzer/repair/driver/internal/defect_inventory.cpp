@@ -11,6 +11,7 @@
 #include "meshalyzer/topology/orientation.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -57,6 +58,7 @@ class Inventory {
   }
 
   void add_pairs(UnweldedPairs unwelded) {
+    elements_of(CountedDefect::IntersectingPairs).reserve(mesh_.intersecting_pairs().size());
     for (const IntersectingPair& pair : mesh_.intersecting_pairs()) {
       if (unwelded == UnweldedPairs::Ignore && pair.kind == ContactKind::Unwelded) continue;
       CountedElement& element = add(CountedDefect::IntersectingPairs);
@@ -67,12 +69,12 @@ class Inventory {
   }
 
   [[nodiscard]] DefectInventory take() {
+    std::size_t n_elements = 0;
+    for (const std::vector<CountedElement>& elements : elements_) n_elements += elements.size();
+    inventory_.elements.reserve(n_elements);
     for (std::size_t kind = 0; kind < elements_.size(); ++kind) {
-      std::vector<CountedElement>& elements = elements_[kind];
+      const std::vector<CountedElement> elements = sorted(std::exchange(elements_[kind], {}));
       inventory_.counts[kind] = elements.size();
-      if (!std::is_sorted(elements.begin(), elements.end())) {
-        std::stable_sort(elements.begin(), elements.end());
-      }
       inventory_.elements.insert(inventory_.elements.end(), elements.begin(), elements.end());
     }
     answer_attributes();
@@ -92,8 +94,18 @@ class Inventory {
                        [&](Index v) { return tracked_.is_where_sheet_was_cut(v); });
   }
 
+  [[nodiscard]] static std::vector<CountedElement> sorted(std::vector<CountedElement> elements) {
+    if (!std::is_sorted(elements.begin(), elements.end())) {
+      std::stable_sort(elements.begin(), elements.end());
+    }
+    return elements;
+  }
+
+  [[nodiscard]] std::vector<CountedElement>& elements_of(CountedDefect kind) {
+    return elements_[static_cast<std::size_t>(kind)];
+  }
   CountedElement& add(CountedDefect kind) {
-    CountedElement& element = elements_[static_cast<std::size_t>(kind)].emplace_back();
+    CountedElement& element = elements_of(kind).emplace_back();
     element.kind = kind;
     return element;
   }

@@ -25,13 +25,12 @@ std::vector<IntersectingPair> unaffected_pairs(const RepairState& before,
                                                const std::vector<Index>& place) {
   std::vector<IntersectingPair> kept;
   const std::vector<Index>& keys = before.tracked().face_keys;
+  std::vector<std::uint8_t> is_affected(place.size(), 0);
+  for (const AffectedElement& entry : affected.faces_before) is_affected[entry.key] = 1;
   for (IntersectingPair pair : before.mesh().intersecting_pairs()) {
     const Index a = keys[pair.face_a];
     const Index b = keys[pair.face_b];
-    if (!operations_on(affected.faces_before, a).empty() ||
-        !operations_on(affected.faces_before, b).empty()) {
-      continue;
-    }
+    if (is_affected[a] != 0 || is_affected[b] != 0) continue;
     pair.face_a = std::min(place[a], place[b]);
     pair.face_b = std::max(place[a], place[b]);
     kept.push_back(pair);
