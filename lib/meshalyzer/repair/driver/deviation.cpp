@@ -294,9 +294,20 @@ DeviationMeter::Result DeviationMeter::measure(const Repaired& repaired) const {
 }
 
 FarFaces DeviationMeter::find_far(const Repaired& repaired) const {
-  return measure_changes(find_measured_faces(repaired), repaired, repaired.walls,
-                         DistanceQuestion::IsWithin)
+  ChangedFaces changes = find_measured_faces(repaired);
+  if (repaired.step != nullptr) drop_unaffected(repaired, changes.of_input);
+  return measure_changes(std::move(changes), repaired, repaired.walls, DistanceQuestion::IsWithin)
       .far;
+}
+
+/// What is near to a face of the input lies within the bound of it. So the face stays near unless
+/// the step has removed something there.
+void DeviationMeter::drop_unaffected(const Repaired& repaired,
+                                     std::vector<ChangedFace>& of_input) const {
+  const std::vector<Index> affected = faces_within(input_, repaired.step->gone, repaired.bound);
+  std::erase_if(of_input, [&](const ChangedFace& changed) {
+    return !std::binary_search(affected.begin(), affected.end(), changed.face);
+  });
 }
 
 ChangedFaces DeviationMeter::find_measured_faces(const Repaired& repaired) const {
@@ -344,6 +355,12 @@ DeviationMeter::Result DeviationMeter::measure_changes(ChangedFaces changes,
   if (!old_side.faces.empty()) {
     const PartsOfFaces parts(tracked, new_side.faces, own_walls);
     result.largest = std::max(result.largest, settle_cut_faces(old_side, parts, query));
+  }
+  if (repaired.step != nullptr) {
+    // The input has not changed, so that the faces that are not new are as near to it as before.
+    std::erase_if(new_side.faces, [&](const ChangedFace& changed) {
+      return repaired.step->is_new[changed.face] == 0;
+    });
   }
   result.largest = std::max(result.largest, settle_near_faces(new_side, query));
   if (!old_side.faces.empty()) {

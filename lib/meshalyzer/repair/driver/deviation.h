@@ -13,6 +13,7 @@
 
 namespace meshalyzer {
 
+struct ChangedFace;
 struct ChangedFaces;
 enum class DistanceQuestion;
 
@@ -25,6 +26,14 @@ struct FarFaces {
   std::vector<Index> of_repaired;
 
   [[nodiscard]] bool empty() const { return of_input.empty() && of_repaired.empty(); }
+};
+
+/// The latest step of a repair that was within the bound before. It only refers to its data.
+struct SurfaceStep {
+  /// #F of the tracked mesh: non-zero for each face that the step has added or changed.
+  std::span<const std::uint8_t> is_new;
+  /// The triangles of the surface before that are no longer part of it.
+  std::span<const Corners> gone;
 };
 
 /// Measures how far repaired surfaces are from the input that they were made of.
@@ -56,6 +65,9 @@ class DeviationMeter {
     /// The walls of the input that were removed: the input may be near to them instead of the new
     /// surface.
     std::span<const InteriorWall> walls = {};
+    /// Tells find_far() what may have changed since the surface was last found to be within the
+    /// bound; null if it never was.
+    const SurfaceStep* step = nullptr;
   };
 
   /// The faces that are farther than a bound from the other surface, and the distance of the rest.
@@ -78,7 +90,8 @@ class DeviationMeter {
   /// thousandth of the bound only, no other face is visited.
   [[nodiscard]] Result measure(const Repaired& repaired) const;
 
-  /// Finds the faces that measure() would find to be far, in a part of the time.
+  /// Finds the faces that measure() would find to be far, in a part of the time. If the latest step
+  /// is known, only faces that it may have taken beyond the bound are measured.
   [[nodiscard]] FarFaces find_far(const Repaired& repaired) const;
 
   /// Measures parts of the input separately: the distance of their faces from the new surface, and
@@ -94,6 +107,8 @@ class DeviationMeter {
   struct Surface;
   /// Returns the faces that differ between the two meshes, without those that are walls.
   [[nodiscard]] ChangedFaces find_measured_faces(const Repaired& repaired) const;
+  /// Removes the faces of the input that the latest step has left as near as they were.
+  void drop_unaffected(const Repaired& repaired, std::vector<ChangedFace>& of_input) const;
   /// @param own_walls  The walls that were parts of the changed faces; others may be near them too.
   /// @param question   If it is IsWithin, Result::largest is meaningless.
   [[nodiscard]] Result measure_changes(ChangedFaces changes, const Repaired& repaired,

@@ -12,6 +12,8 @@ std::string_view rejection_reason(Rejection rejection) {
       return "undone: it would make faces intersect";
     case Rejection::MoreDefects:
       return "undone: it would make more defects than it mends";
+    case Rejection::MendsNothing:
+      return "undone: it would leave as many intersecting faces and border edges as there were";
     case Rejection::EndsWorse:
       return "undone: it would make the final mesh worse";
   }

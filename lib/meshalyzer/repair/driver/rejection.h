@@ -15,6 +15,8 @@ enum class Rejection : std::uint8_t {
   Intersects,
   /// It would create more defective elements of a kind than it removes.
   MoreDefects,
+  /// It would leave as many intersecting pairs and border edges as there were.
+  MendsNothing,
   /// It was tried, and the mesh was worse for it after all passes.
   EndsWorse,
 };

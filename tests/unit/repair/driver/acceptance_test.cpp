@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,7 +25,10 @@ std::vector<Rejection> harms_of(const Soup& soup, const Edits& edits,
   const RepairState after(std::move(tracked), tolerances, before, affected);
   const DeviationMeter meter(soup);
   return check_acceptance(before, after, affected, edits.n_operations,
-                          {soup, meter, max_deviation, may_create})
+                          {.input = soup,
+                           .meter = meter,
+                           .max_deviation = max_deviation,
+                           .may_create = may_create})
       .rejections;
 }
 
@@ -41,6 +46,25 @@ Edits flip_of_square() {
   return edits;
 }
 
+/// Returns the acceptance of edits that must mend something.
+std::vector<Rejection> progress_of(const Soup& soup, const Edits& edits,
+                                   std::span<const std::uint8_t> skipped = {}) {
+  const Tolerances tolerances = resolve_tolerances({}, box_of(soup));
+  const RepairState before(track_mesh(soup), tolerances);
+  TrackedMesh tracked = apply_edits(before.tracked(), edits, skipped);
+  const AffectedElements affected =
+      find_affected_elements(before.tracked(), edits, SkippedOperations(skipped), tracked);
+  const RepairState after(std::move(tracked), tolerances, before, affected);
+  const DeviationMeter meter(soup);
+  return check_acceptance(before, after, affected, edits.n_operations,
+                          {.input = soup,
+                           .meter = meter,
+                           .max_deviation = 1e3,
+                           .may_create = {DefectCode::Hole},
+                           .must_mend = true})
+      .rejections;
+}
+
 /// The soup and a face more, with corners of its own.
 Soup with_face(Soup soup, const Vec3& a, const Vec3& b, const Vec3& c) {
   return shapes::merged(soup, shapes::make({a, b, c}, {{0, 1, 2}}));
@@ -48,6 +72,39 @@ Soup with_face(Soup soup, const Vec3& a, const Vec3& b, const Vec3& c) {
 
 TEST(JudgeTrial, ChangeThatMeetsNothingIsHarmless) {
   EXPECT_EQ(harms_of(square(), flip_of_square()), std::vector{Rejection::None});
+}
+
+TEST(JudgeTrial, ChangeThatMustMendSomethingAndDoesNotIsRejected) {
+  // Neither the four border edges nor a pair of faces that intersect become fewer.
+  EXPECT_EQ(progress_of(square(), flip_of_square()), std::vector{Rejection::MendsNothing});
+  const Soup crossed = with_face(square(), {0.9, 0.2, -1}, {0.9, 0.2, 1}, {1.0, 0.3, 1});
+  EXPECT_EQ(progress_of(crossed, flip_of_square()), std::vector{Rejection::MendsNothing});
+}
+
+TEST(JudgeTrial, ChangeThatMakesPairsOrBordersFewerMendsSomething) {
+  const Soup crossed = with_face(square(), {0.9, 0.2, -1}, {0.9, 0.2, 1}, {1.0, 0.3, 1});
+  Edits drops_pair;
+  drops_pair.removed_faces.push_back({drops_pair.begin_operation(), 0});
+  EXPECT_EQ(progress_of(crossed, drops_pair), std::vector{Rejection::None});
+  Soup open = shapes::cube();
+  const Triangle lid = open.triangles.back();
+  open.triangles.pop_back();
+  Edits closes;
+  closes.added_faces.push_back(
+      {.op = closes.begin_operation(), .corners = lid, .prototype = 0, .fills_hole = true});
+  EXPECT_EQ(progress_of(open, closes), std::vector{Rejection::None});
+}
+
+TEST(JudgeTrial, SkippedChangeNeedNotMendAnything) {
+  Soup open = shapes::cube();
+  const Triangle lid = open.triangles.back();
+  open.triangles.pop_back();
+  Edits edits;
+  edits.added_faces.push_back(
+      {.op = edits.begin_operation(), .corners = lid, .prototype = 0, .fills_hole = true});
+  static_cast<void>(edits.begin_operation());
+  const std::vector<std::uint8_t> skipped{0, 1};
+  EXPECT_EQ(progress_of(open, edits, skipped), (std::vector{Rejection::None, Rejection::None}));
 }
 
 TEST(JudgeTrial, ContactPassedOnIsHarmless) {

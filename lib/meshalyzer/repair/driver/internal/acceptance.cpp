@@ -1,9 +1,11 @@
 #include "meshalyzer/repair/driver/internal/acceptance.h"
 
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/repair/driver/internal/prior_contacts.h"
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <iterator>
 #include <span>
 
@@ -23,6 +25,28 @@ std::vector<DefectiveElement> difference(const std::vector<DefectiveElement>& a,
   std::vector<DefectiveElement> result;
   std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
   return result;
+}
+
+/// The faces that operations have changed, as DeviationMeter takes them.
+struct StepSurfaces {
+  std::vector<std::uint8_t> is_new;
+  std::vector<Corners> gone;
+};
+
+StepSurfaces surfaces_of_step(const RepairState& before, const RepairState& after,
+                              const AffectedElements& affected) {
+  StepSurfaces step;
+  for (const Index key : after.tracked().face_keys) {
+    step.is_new.push_back(operations_on(affected.faces_after, key).empty() ? 0 : 1);
+  }
+  const TrackedMesh& tracked = before.tracked();
+  for (Index face = 0; face < tracked.soup.n_faces(); ++face) {
+    const bool is_gone = !operations_on(affected.faces_before, tracked.face_keys[face]).empty();
+    if (is_gone && is_in_complex(tracked.soup.triangles[face])) {
+      step.gone.push_back(corners_of(tracked.soup, face));
+    }
+  }
+  return step;
 }
 
 class AcceptanceCheck {
@@ -75,6 +99,21 @@ class AcceptanceCheck {
     }
   }
 
+  /// Rejects operations that make fewer neither of the intersecting pairs nor of the border edges;
+  /// to be called after check_defects(). Others would undo what they have changed besides, and so
+  /// on for ever.
+  void check_progress() {
+    std::vector<int> balance(rejections_.size(), 0);
+    count_pairs(before_, before_.mesh().intersecting_pairs(), affected_.faces_before, -1, balance);
+    count_pairs(after_, after_.affected_pairs(), affected_.faces_after, 1, balance);
+    // Operations that are skipped affect no vertex.
+    for (const AffectedElement& entry : affected_.vertices) {
+      const std::size_t op = entry.operation;
+      const int borders = balance_[op][static_cast<std::size_t>(DefectCode::Hole)];
+      if (balance[op] >= 0 && borders >= 0) rejections_[op] = Rejection::MendsNothing;
+    }
+  }
+
  private:
   void reject(std::span<const AffectedElement> entries, Rejection rejection) {
     for (const AffectedElement& entry : entries) rejections_[entry.operation] = rejection;
@@ -117,6 +156,24 @@ class AcceptanceCheck {
       is_rejected = true;
     }
     return is_rejected;
+  }
+
+  /// Adds `by` for each pair to the balance of the operations that affect either of its faces.
+  static void count_pairs(const RepairState& state, const std::vector<IntersectingPair>& pairs,
+                          const std::vector<AffectedElement>& faces, int by,
+                          std::vector<int>& balance) {
+    const std::vector<Index>& keys = state.tracked().face_keys;
+    for (const IntersectingPair& pair : pairs) {
+      const auto of_a = operations_on(faces, keys[pair.face_a]);
+      const auto of_b = operations_on(faces, keys[pair.face_b]);
+      for (const AffectedElement& entry : of_a) balance[entry.operation] += by;
+      for (const AffectedElement& entry : of_b) {
+        const bool is_counted = std::any_of(
+            of_a.begin(), of_a.end(),
+            [&](const AffectedElement& other) { return other.operation == entry.operation; });
+        if (!is_counted) balance[entry.operation] += by;
+      }
+    }
   }
 
   /// Adds `by` for each element to the balance of the operations that affect all of its keys.
@@ -164,11 +221,17 @@ Acceptance check_acceptance(const RepairState& before, const RepairState& after,
   acceptance.rejections.assign(n_operations, Rejection::None);
   AcceptanceCheck check(before, after, affected, rules, acceptance.rejections);
   check.check_defects();
+  if (rules.must_mend) check.check_progress();
   check.check_contacts();
   // Distances take longest, and would have to be measured again without the rejected operations.
   if (!acceptance.all_accepted()) return acceptance;
-  check.check_deviation(
-      rules.meter.find_far({after.tracked(), after.mesh(), rules.max_deviation, rules.walls}));
+  const StepSurfaces surfaces = surfaces_of_step(before, after, affected);
+  const SurfaceStep step{surfaces.is_new, surfaces.gone};
+  check.check_deviation(rules.meter.find_far({.tracked = after.tracked(),
+                                              .mesh = after.mesh(),
+                                              .bound = rules.max_deviation,
+                                              .walls = rules.walls,
+                                              .step = rules.was_within ? &step : nullptr}));
   return acceptance;
 }
 

@@ -20,9 +20,13 @@ struct AcceptanceRules {
   /// The defects that the pass may create, because later passes repair them. Self-intersection
   /// stands for contact of faces that were cut apart and still coincide.
   DefectCodes may_create;
+  /// See PlannedPass::must_mend.
+  bool must_mend = false;
   /// The walls as DeviationMeter::measure() takes them, including those that these operations
   /// remove.
   std::span<const InteriorWall> walls = {};
+  /// Tells whether the mesh before is known to be within the maximum deviation.
+  bool was_within = false;
 };
 
 struct Acceptance {

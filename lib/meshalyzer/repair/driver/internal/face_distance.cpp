@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 
 namespace meshalyzer {
@@ -79,6 +80,7 @@ double largest_distance(const Corners& from, const Corners& to) {
 
 FaceDistance SurfaceDistance::measure(const Corners& corners) {
   done_ = 0.0;
+  if (const std::optional<double> within = distance_from_latest(corners)) return {*within, false};
   work_.assign(1, {corners, {}, 0});
   for (std::size_t i = 0; i < 3; ++i) work_.front().distances[i] = closest(corners[i]).distance;
   double upper_of_all = kInfinity;
@@ -97,6 +99,12 @@ FaceDistance SurfaceDistance::measure(const Corners& corners) {
     }
   }
   return {done_, false};
+}
+
+std::optional<double> SurfaceDistance::distance_from_latest(const Corners& corners) const {
+  if (question_ != DistanceQuestion::IsWithin || hint_ == kNoIndex) return std::nullopt;
+  const double distance = largest_distance(corners, corners_of(hint_));
+  return distance <= bound_ ? std::optional(distance) : std::nullopt;
 }
 
 SurfacePoint SurfaceDistance::closest(const Vec3& point) {

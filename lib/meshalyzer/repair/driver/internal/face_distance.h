@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace meshalyzer {
@@ -99,6 +100,10 @@ class SurfaceDistance {
     double at = 0.5;
   };
 
+  /// Returns how far a triangle is from the face that was nearest last, if only the bound is asked
+  /// for and this is within it. Neighbours are mostly near to one face; where the bound is larger
+  /// than most faces, nearly all are, and the nearest of them is not worth searching.
+  [[nodiscard]] std::optional<double> distance_from_latest(const Corners& corners) const;
   [[nodiscard]] SurfacePoint closest(const Vec3& point);
   [[nodiscard]] Corners corners_of(Index slot) const;
   [[nodiscard]] bool is_precise(const Estimate& known) const;

@@ -29,6 +29,9 @@ struct PlannedPass {
   Repeat repeat = Repeat::UntilDone;
   /// Tells whether it takes a time that grows with the number of intersecting pairs.
   bool takes_time_for_pairs = false;
+  /// Tells whether its operations are rejected that leave as many intersecting pairs and border
+  /// edges as there were.
+  bool must_mend = false;
 };
 
 /// Returns the passes that a repair needs, in the order in which they help each other: first those

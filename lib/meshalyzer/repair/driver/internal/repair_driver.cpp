@@ -28,10 +28,14 @@ constexpr std::size_t kAttemptsByAll = 10;
 /// Once this number of faces and intersecting pairs has been examined without success, nothing more
 /// is tried: the mesh at the beginning of the stage is kept.
 constexpr std::size_t kMaxWork = 20'000'000;
-/// A pass that takes time for each intersecting pair and has changed nothing is not tried again
-/// where there are at least this number of pairs, and no more than this fraction more or less.
+/// In a mesh with at least this number of intersecting pairs, an operation that makes faces
+/// intersect is not tried again, nor is a pass that takes time for each pair and has changed
+/// nothing, while there are no more than this fraction more or less.
 constexpr std::size_t kManyPairs = 10'000;
 constexpr double kAlikeShare = 0.1;
+/// If a mesh that a stage has made has more intersecting pairs than before, it is given up after
+/// this number of rounds, unless the last one has made them fewer.
+constexpr std::size_t kRoundsForPairs = 2;
 /// After this number of stages, banned operations stay banned.
 constexpr std::size_t kMaxStages = 10;
 
@@ -110,7 +114,7 @@ void RepairDriver::raise_deviation(double deviation) {
 
 void RepairDriver::set_checkpoint() {
   banned_ = {};
-  checkpoint_ = {state_->tracked(), known_pairs(), log_, deviation(), walls_};
+  checkpoint_ = {state_->tracked(), known_pairs(), log_, deviation(), is_within_, walls_};
   applied_.clear();
 }
 
@@ -119,12 +123,12 @@ bool RepairDriver::run_trial(const Trial& trial) {
   costly_idle_run_.reset();
   if (!trial.from_input.empty()) {
     return_to_input();
-    run_rounds(trial.from_input);
+    static_cast<void>(run_rounds(trial.from_input));
   }
   const std::vector<Index> face_keys = state_->tracked().face_keys;
   apply_unchecked(trial.change);
   if (state_->tracked().face_keys != face_keys) {
-    run_rounds(trial.plan);
+    static_cast<void>(run_rounds(trial.plan));
     if (!is_stopped_ && trial.is_wanted(*state_)) return true;
   }
   restart();
@@ -135,8 +139,15 @@ std::optional<DefectInventory> RepairDriver::run_stage(const std::vector<Planned
                                                        const StageGate& gate) {
   std::size_t work = 0;
   for (std::size_t attempt = 0;; ++attempt) {
-    run_rounds(plan);
+    // Copies that keep their contact are pairs, too.
+    const bool may_be_given_up =
+        gate.on_worse == OnWorse::Leave && gate.check.unwelded == UnweldedPairs::Count;
+    const bool is_given_up = !run_rounds(plan, may_be_given_up);
     if (applied_.empty()) return std::nullopt;
+    if (is_given_up) {
+      restart();
+      return std::nullopt;
+    }
     DefectInventory after = list_defective_in_file(*state_, tolerances_, gate.check);
     const Worsening worsening = find_worsening(gate.before, after);
     if (worsening.empty()) return after;
@@ -171,7 +182,7 @@ void RepairDriver::ban(const DefectInventory& before, const DefectInventory& aft
 }
 
 void RepairDriver::restart() {
-  too_far_.clear();
+  hopeless_.clear();
   if (!checkpoint_) return return_to_input();
   restore(*checkpoint_);
 }
@@ -181,6 +192,7 @@ void RepairDriver::return_to_input() {
            .pairs = input_pairs_,
            .log = {},
            .deviation = 0.0,
+           .is_within = true,
            .walls = {}});
 }
 
@@ -192,6 +204,7 @@ void RepairDriver::restore(const Checkpoint& checkpoint) {
   meter_->include_patches(state_->tracked());
   log_ = checkpoint.log;
   deviation_ = checkpoint.deviation;
+  is_within_ = checkpoint.is_within;
   walls_ = checkpoint.walls;
   is_deviation_known_ = true;
   applied_.clear();
@@ -208,18 +221,21 @@ std::optional<std::vector<IntersectingPair>> RepairDriver::known_pairs() const {
   return pairs;
 }
 
-void RepairDriver::run_rounds(const std::vector<PlannedPass>& plan) {
+bool RepairDriver::run_rounds(const std::vector<PlannedPass>& plan, bool may_be_given_up) {
+  const auto n_pairs = [&] { return state_->mesh().intersecting_pairs().size(); };
+  const std::size_t n_pairs_at_first = n_pairs();
   std::vector<std::optional<IdleRun>> idle_runs(plan.size());
   std::size_t n_changes = 0;
   for (std::size_t round = 0; round < kMaxRounds; ++round) {
     const std::size_t n_changes_before = n_changes;
+    const std::size_t n_pairs_before = n_pairs();
     log_.refusals.clear();
     std::vector<std::uint8_t> fixed = fixed_(state_->tracked(), state_->mesh().cut());
     if (fixed != limits_.fixed_vertices) idle_runs.assign(plan.size(), std::nullopt);
     limits_.fixed_vertices = std::move(fixed);
     for (std::size_t i = 0; i < plan.size(); ++i) {
       if (round > 0 && plan[i].repeat == Repeat::Once) continue;
-      if (is_to_stop()) return;
+      if (is_to_stop()) return true;
       if (on_progress_) {
         on_progress_({.pass = plan[i].name,
                       .round = round + 1,
@@ -227,8 +243,13 @@ void RepairDriver::run_rounds(const std::vector<PlannedPass>& plan) {
       }
       run_unless_idle(plan[i], n_changes, idle_runs[i]);
     }
-    if (n_changes == n_changes_before) return;
+    if (n_changes == n_changes_before) return true;
+    if (may_be_given_up && round >= kRoundsForPairs && n_pairs() > n_pairs_at_first &&
+        n_pairs() >= n_pairs_before) {
+      return false;
+    }
   }
+  return true;
 }
 
 void RepairDriver::run_unless_idle(const PlannedPass& pass, std::size_t& n_changes,
@@ -276,6 +297,7 @@ void RepairDriver::apply_unchecked(const PlannedPass& pass) {
             {state_->tracked(), result.edits, {}, tracked, affected}, log_);
   walls_ = walls_with(result.edits, std::vector<std::uint8_t>(result.edits.n_operations, 0));
   state_ = search_all(std::move(tracked));
+  is_within_ = false;
   include_patches(result.edits);
 }
 
@@ -318,11 +340,12 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
       log_rejection(pass, signature[op], Rejection::EndsWorse, log_);
     }
     const bool is_rejected = before.rejected.contains(signature[op]);
-    const bool is_far = !is_rejected && too_far_.contains(hash[op]);
-    if (is_far && before.too_far.insert(signature[op]).second) {
-      log_rejection(pass, signature[op], Rejection::TooFar, log_);
+    const auto known = hopeless_.find(hash[op]);
+    const bool is_hopeless = !is_rejected && known != hopeless_.end();
+    if (is_hopeless && before.hopeless.insert(signature[op]).second) {
+      log_rejection(pass, signature[op], known->second, log_);
     }
-    skipped[op] = is_rejected || is_far;
+    skipped[op] = is_rejected || is_hopeless;
   }
   for (std::size_t trial = 0; trial < kMaxTrials && !is_to_stop(); ++trial) {
     if (std::all_of(skipped.begin(), skipped.end(), [](auto s) { return s != 0; })) return false;
@@ -331,7 +354,13 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
         find_affected_elements(state_->tracked(), edits, SkippedOperations(skipped), tracked);
     auto after = std::make_shared<RepairState>(std::move(tracked), tolerances_, *state_, affected);
     std::vector<InteriorWall> walls = walls_with(edits, skipped);
-    const AcceptanceRules rules{input_, *meter_, limits_.max_deviation, pass.may_create, walls};
+    const AcceptanceRules rules{.input = input_,
+                                .meter = *meter_,
+                                .max_deviation = limits_.max_deviation,
+                                .may_create = pass.may_create,
+                                .must_mend = pass.must_mend,
+                                .walls = walls,
+                                .was_within = is_within_};
     const Acceptance acceptance =
         check_acceptance(*state_, *after, affected, skipped.size(), rules);
     if (acceptance.all_accepted()) {
@@ -341,6 +370,7 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
       state_ = std::move(after);
       walls_ = std::move(walls);
       is_deviation_known_ = false;
+      is_within_ = true;
       include_patches(edits);
       return true;
     }
@@ -348,11 +378,18 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
       if (skipped[op] != 0 || acceptance.rejections[op] == Rejection::None) continue;
       skipped[op] = 1;
       before.rejected.insert(signature[op]);
-      if (acceptance.rejections[op] == Rejection::TooFar) too_far_.insert(hash[op]);
+      if (is_hopeless_after(acceptance.rejections[op])) {
+        hopeless_.emplace(hash[op], acceptance.rejections[op]);
+      }
       log_rejection(pass, signature[op], acceptance.rejections[op], log_);
     }
   }
   return false;
+}
+
+bool RepairDriver::is_hopeless_after(Rejection rejection) const {
+  const bool is_crowded = state_->mesh().intersecting_pairs().size() >= kManyPairs;
+  return rejection == Rejection::TooFar || (rejection == Rejection::Intersects && is_crowded);
 }
 
 void RepairDriver::record_applied(const MadeOperations& made) {

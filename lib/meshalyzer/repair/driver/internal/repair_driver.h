@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -122,8 +123,8 @@ class RepairDriver {
   struct ProposedBefore {
     /// Those that were rejected in this run of the pass.
     std::set<OperationSignature> rejected;
-    /// Those that an earlier run has found to move the surface too far.
-    std::set<OperationSignature> too_far;
+    /// Those that an earlier run has found to be hopeless.
+    std::set<OperationSignature> hopeless;
   };
 
   /// The operations of a pass that were applied. This holds references only.
@@ -149,6 +150,7 @@ class RepairDriver {
     std::optional<std::vector<IntersectingPair>> pairs;
     RepairLog log;
     double deviation = 0.0;
+    bool is_within = true;
     std::vector<InteriorWall> walls;
   };
 
@@ -174,7 +176,9 @@ class RepairDriver {
   /// @return  The defective elements of the result; nothing if nothing was changed.
   std::optional<DefectInventory> run_stage(const std::vector<PlannedPass>& plan,
                                            const StageGate& gate);
-  void run_rounds(const std::vector<PlannedPass>& plan);
+  /// @return  False if the rounds were given up, because more faces intersect than before and no
+  ///          fewer than a round ago.
+  [[nodiscard]] bool run_rounds(const std::vector<PlannedPass>& plan, bool may_be_given_up = false);
   /// Runs a pass, unless it changed nothing when it ran last and nothing has changed since, or next
   /// to nothing if it would take long.
   ///
@@ -199,6 +203,8 @@ class RepairDriver {
   /// Returns to the input, and keeps the checkpoint.
   void return_to_input();
   void restore(const Checkpoint& checkpoint);
+  /// Tells whether an operation that broke this rule is not tried again.
+  [[nodiscard]] bool is_hopeless_after(Rejection rejection) const;
   void record_applied(const MadeOperations& made);
   /// Returns the walls that are removed once the operations that are not skipped are applied.
   [[nodiscard]] std::vector<InteriorWall> walls_with(const Edits& edits,
@@ -218,6 +224,9 @@ class RepairDriver {
   /// The deviation when it was last measured.
   double deviation_ = 0.0;
   bool is_deviation_known_ = true;
+  /// Tells whether no face of the input is farther from the tracked mesh than the maximum
+  /// deviation. A change that was applied unchecked may have taken some farther.
+  bool is_within_ = true;
   RepairListener on_progress_;
   StopQuery wants_to_stop_;
   bool is_stopped_ = false;
@@ -225,9 +234,9 @@ class RepairDriver {
   std::vector<AppliedOperation> applied_;
   BannedOperations banned_;
   std::optional<CostlyIdleRun> costly_idle_run_;
-  /// The operations that moved the surface too far. What else is repaired hardly changes that, so
-  /// that they are not tried again.
-  std::set<OperationHash> too_far_;
+  /// The operations that are not tried again, and the rule that they broke: what else is repaired
+  /// hardly changes that.
+  std::map<OperationHash, Rejection> hopeless_;
   /// The tracked mesh; nothing while it is the input.
   std::optional<Checkpoint> checkpoint_;
   /// The counts of the input, once a plan was run, and its intersecting pairs, if all are known.

@@ -24,12 +24,19 @@ Box3 box_within(const Corners& triangle, double distance) {
 
 }  // namespace
 
-Soup part_within(const Soup& surface, std::span<const Corners> triangles, double distance) {
+std::vector<Index> faces_within(const Soup& surface, std::span<const Corners> triangles,
+                                double distance) {
   std::vector<Box3> boxes(triangles.size());
   std::transform(triangles.begin(), triangles.end(), boxes.begin(),
                  [&](const Corners& triangle) { return box_within(triangle, distance); });
+  return find_faces_near(surface, boxes);
+}
+
+Soup part_within(const Soup& surface, std::span<const Corners> triangles, double distance) {
   std::vector<Triangle> near;
-  for (const Index face : find_faces_near(surface, boxes)) near.push_back(surface.triangles[face]);
+  for (const Index face : faces_within(surface, triangles, distance)) {
+    near.push_back(surface.triangles[face]);
+  }
   return compact_soup(surface.positions, std::move(near));
 }
 

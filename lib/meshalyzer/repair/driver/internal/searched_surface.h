@@ -5,6 +5,7 @@
 #include "meshalyzer/spatial/closest_point.h"
 
 #include <span>
+#include <vector>
 
 namespace meshalyzer {
 
@@ -22,10 +23,14 @@ struct SearchedSurface {
   ClosestPoints closest{tree};
 };
 
-/// Returns the faces of a surface that may have a point within a distance of some triangles, in
-/// the same order.
+/// Finds the faces of a surface that may have a point within a distance of some triangles.
 ///
-/// @complexity That of find_faces_near().
+/// @return      Ascending.
+/// @complexity  That of find_faces_near().
+[[nodiscard]] std::vector<Index> faces_within(const Soup& surface,
+                                              std::span<const Corners> triangles, double distance);
+
+/// Returns these faces, in the same order.
 [[nodiscard]] Soup part_within(const Soup& surface, std::span<const Corners> triangles,
                                double distance);
 
