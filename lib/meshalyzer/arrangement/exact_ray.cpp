@@ -49,10 +49,8 @@ class ExactRay {
   }
 
   void meet_face(Index face) {
-    const auto pieces = a_.arrangement.pieces_of(face);
-    if (pieces.empty()) return;
-    const Index component = a_.cells.component_of[pieces[0]];
-    if (a_.cells.is_closed[component] == 0) return;
+    const Index component = a_.component_of_face(face);
+    if (component == kNoIndex || a_.cells.is_closed[component] == 0) return;
     for (const PieceSource& source : a_.arrangement.sources_of(piece_)) {
       if (source.face == face) return;
     }

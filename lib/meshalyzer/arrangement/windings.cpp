@@ -35,8 +35,7 @@ class WindingSearch {
     const Index component = a_.cells.component_of[piece];
     int own = 0;
     for (const auto& [face, sign] : ray.crossings) {
-      const Index crossed = a_.cells.component_of[a_.arrangement.pieces_of(face)[0]];
-      (crossed == component ? own : windings_.others[component]) += sign;
+      (a_.component_of_face(face) == component ? own : windings_.others[component]) += sign;
     }
     set(ray.cell, own);
   }

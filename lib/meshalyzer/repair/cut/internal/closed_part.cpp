@@ -68,9 +68,12 @@ std::vector<EdgeCounts> count_edges(const ArrangedSoup& arranged,
                                     const std::vector<FaceEdge>& edges) {
   std::vector<EdgeCounts> counts(arranged.cells.n_components);
   for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    while (end < edges.size() && edges[end].ends == edges[begin].ends) ++end;
-    const Index piece = arranged.arrangement.pieces_of(edges[begin].face)[0];
-    EdgeCounts& count = counts[arranged.cells.component_of[piece]];
+    Index component = kNoIndex;
+    for (end = begin; end < edges.size() && edges[end].ends == edges[begin].ends; ++end) {
+      if (component == kNoIndex) component = arranged.component_of_face(edges[end].face);
+    }
+    if (component == kNoIndex) continue;
+    EdgeCounts& count = counts[component];
     ++count.all;
     if (end == begin + 1) ++count.border;
   }
@@ -141,8 +144,8 @@ class ClosedPartSearch {
     int own = 0;
     int others = 0;
     for (const auto& [face, sign] : ray.crossings) {
-      const Index crossed = a_.cells.component_of[a_.arrangement.pieces_of(face)[0]];
-      if (is_closed_face_[face] != 0) (crossed == component ? own : others) += sign;
+      if (is_closed_face_[face] == 0) continue;
+      (a_.component_of_face(face) == component ? own : others) += sign;
     }
     set(ray.cell, own + (others > 0 ? 1 : 0));
     while (!pending_.empty()) spread(std::exchange(pending_, {}));

@@ -21,14 +21,15 @@ std::vector<std::uint8_t> faces_that_overlap(const Soup& soup, const CutMesh& cu
   if (pairs.empty()) return overlaps;
   const Arrangement arrangement = arrange(soup, pairs);
   const Cells cells = find_cells(soup, arrangement);
-  const std::vector<PieceClass> classes =
-      select_pieces({soup, cut, tree, arrangement, cells}, cells.is_closed, {});
+  const ArrangedSoup arranged{soup, cut, tree, arrangement, cells};
+  const std::vector<PieceClass> classes = select_pieces(arranged, cells.is_closed, {});
   std::vector<std::uint8_t> has_wall(cells.n_components, 0);
   for (std::size_t piece = 0; piece < classes.size(); ++piece) {
     if (classes[piece] == PieceClass::Interior) has_wall[cells.component_of[piece]] = 1;
   }
   for (Index face = 0; face < soup.n_faces(); ++face) {
-    overlaps[face] = has_wall[cells.component_of[arrangement.pieces_of(face)[0]]];
+    const Index component = arranged.component_of_face(face);
+    if (component != kNoIndex) overlaps[face] = has_wall[component];
   }
   return overlaps;
 }
