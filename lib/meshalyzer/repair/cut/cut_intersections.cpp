@@ -68,9 +68,9 @@ bool has_sheets_to_split(const PassInput& input) {
 /// them.
 CutSurface cut_keeping_pockets(const PassInput& input, std::span<const Edits::AddedFace> patches,
                                Sheets sheets) {
-  CutSurface surface = cut_surface(input, patches, {Pockets::Kept, sheets});
+  CutSurface surface = cut_surface(input, patches, {Pockets::Kept, sheets}, ThinFacets::Kept);
   if (surface.unfinished.empty()) return surface;
-  CutSurface solid = cut_surface(input, patches, {Pockets::Forgotten, sheets});
+  CutSurface solid = cut_surface(input, patches, {Pockets::Forgotten, sheets}, ThinFacets::Kept);
   const bool is_better = solid.unfinished.empty() && solid.pocket_share <= kLargestForgotten;
   return is_better ? solid : surface;
 }
@@ -102,10 +102,11 @@ PassResult cut_intersections(const PassInput& input, const CutOptions& options) 
   if (options.fill && !has_sheets_to_split(input)) patches = crossing_patches(input, *options.fill);
   if (pairs.empty() && patches.empty()) return {};
   if (input.operation_size == OperationSize::Normal) {
-    const CutSurface surface = cut_surface(input, patches, {.sheets = options.sheets});
+    const CutSurface surface =
+        cut_surface(input, patches, {.sheets = options.sheets}, ThinFacets::Removed);
     PassResult result = cut_edits(input, patches, surface);
-    // Only pockets are treated otherwise in smaller operations.
-    result.has_smaller_operations = surface.has_pockets;
+    // Only pockets and thin facets are treated otherwise in smaller operations.
+    result.has_smaller_operations = surface.has_pockets || surface.has_removed_facets;
     return result;
   }
   return cut_edits(input, patches, cut_keeping_pockets(input, patches, options.sheets));

@@ -1,10 +1,12 @@
 #include "meshalyzer/repair/cut/internal/cut_surface.h"
 
+#include "meshalyzer/base/triangle.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace meshalyzer {
 namespace {
@@ -24,7 +26,8 @@ CutSurface cut(const Soup& soup, Pockets pockets) {
   const PreparedMesh mesh(tracked.soup);
   const Tolerances tolerances;
   const RepairLimits limits{.max_deviation = 1.0, .fixed_vertices = {}};
-  return cut_surface({soup, tracked, mesh, tolerances, limits}, {}, {.pockets = pockets});
+  return cut_surface({soup, tracked, mesh, tolerances, limits}, {}, {.pockets = pockets},
+                     ThinFacets::Kept);
 }
 
 double area_of(const Corners& t) {
@@ -68,6 +71,41 @@ TEST(CutSurface, PocketsThatAreKeptLeaveNothingToMiss) {
   const Soup soup = pierced_ball();
   const Areas areas = areas_of(cut(soup, Pockets::Kept));
   EXPECT_NEAR(areas.kept + areas.walls, area_of(soup), 1e-9 * area_of(soup));
+}
+
+double least_altitude(const CutSurface& surface) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b, c] : surface.triangles) {
+    const Corners t{surface.positions[a], surface.positions[b], surface.positions[c]};
+    least = std::min(least, 2.0 * area_of(t) / longest_side(t));
+  }
+  return least;
+}
+
+TEST(CutSurface, ThinFacetsThatCuttingMakesAreRemovedWhereTheyAreAskedFor) {
+  // The bottoms of two cubes that cross are 1e-10 apart.
+  const Soup soup = shapes::merged(shapes::cube(1), shapes::cube(0.7, {0.5, 0.2, 1e-10}));
+  const TrackedMesh tracked = track_mesh(soup);
+  const PreparedMesh mesh(tracked.soup);
+  Tolerances tolerances;
+  tolerances.degeneracy = 1e-8;
+  const auto cut = [&](double max_deviation, ThinFacets thin_facets) {
+    const RepairLimits limits{.max_deviation = max_deviation, .fixed_vertices = {}};
+    return cut_surface({soup, tracked, mesh, tolerances, limits}, {}, {}, thin_facets);
+  };
+  EXPECT_LT(least_altitude(cut(1e-3, ThinFacets::Kept)), 1e-9);
+  EXPECT_FALSE(cut(1e-3, ThinFacets::Kept).has_removed_facets);
+  // The tolerance must be small against the maximum deviation.
+  EXPECT_FALSE(cut(1e-7, ThinFacets::Removed).has_removed_facets);
+  const CutSurface surface = cut(1e-3, ThinFacets::Removed);
+  EXPECT_TRUE(surface.has_removed_facets);
+  EXPECT_TRUE(surface.unfinished.empty());
+  EXPECT_GT(least_altitude(surface), 1e-8);
+  const Soup solid = shapes::make(surface.positions, surface.triangles);
+  EXPECT_TRUE(PreparedMesh(solid).intersecting_pairs().empty());
+  // Inside the other are a square of 0.49 of the larger cube, and of the smaller one such a square
+  // and four rectangles of 0.5 x 0.7.
+  EXPECT_NEAR(area_of(solid), 6.0 + 6.0 * 0.49 - 0.49 - (4.0 * 0.35 + 0.49), 1e-6);
 }
 
 }  // namespace

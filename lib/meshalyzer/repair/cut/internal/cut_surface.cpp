@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/cut/internal/cut_surface.h"
 
 #include "meshalyzer/arrangement/arrange.h"
+#include "meshalyzer/arrangement/remove_slivers.h"
 #include "meshalyzer/arrangement/round_vertices.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/base/triangle.h"
@@ -10,6 +11,8 @@
 #include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/spatial/self_intersection_of.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -20,6 +23,19 @@ namespace {
 /// The maximum number of pairs that all rounds may cut, beside this multiple of those of the first.
 constexpr std::size_t kMorePairs = 1000;
 constexpr std::size_t kTimesFirstPairs = 2;
+/// Slivers are new faces thinner than this multiple of the spacing of the grid.
+constexpr double kSliverWidth = 2.0;
+/// It helps to remove them unless after a round this multiple of its pairs intersect, and some
+/// more.
+constexpr std::size_t kMostGrowthOfPairs = 2;
+constexpr std::size_t kMoreThanGrowth = 100;
+/// Facets thinner than the tolerance are removed if it is at most this fraction of the maximum
+/// deviation, and so many times at most.
+constexpr double kLargestTolerance = 0.01;
+constexpr int kThinFacetRounds = 4;
+/// What intersects after that is cut like in this round, in which vertices become the nearest
+/// doubles.
+constexpr std::size_t kRoundOfThinFacets = 1;
 
 using Pairs = std::vector<IntersectingPair>;
 
@@ -41,7 +57,7 @@ bool stays(PieceClass piece_class) {
          piece_class == PieceClass::OfSheet || is_left(piece_class);
 }
 
-/// Cuts a surface, round by round.
+/// Cuts a surface, round by round. A copy is a state to which one can return.
 class CuttingRounds {
  public:
   CuttingRounds(const PassInput& input, std::span<const Edits::AddedFace> patches,
@@ -53,13 +69,43 @@ class CuttingRounds {
     for (const Edits::AddedFace& patch : patches) add(patch.corners);
   }
 
-  CutSurface run() {
-    // If nothing was left out or added, the first round is already prepared.
-    const bool is_prepared = soup_.triangles == mesh_.soup().triangles;
-    if (!is_prepared || cut_round(mesh_.cut(), mesh_.tree(), mesh_.intersecting_pairs())) {
-      while (cut_round()) {
-      }
+  /// Cuts until no pairs are left to cut, or the vertices are to be rounded to a grid.
+  void cut_off_grid() {
+    while (has_pairs_ && !(rounding().spacing > 0.0)) has_pairs_ = cut_round();
+  }
+
+  /// Cuts until no pairs are left to cut, or it is given up.
+  void cut_to_end() {
+    while (has_pairs_) has_pairs_ = cut_round();
+  }
+
+  [[nodiscard]] bool has_pairs() const { return has_pairs_; }
+  [[nodiscard]] bool is_finished() const { return !has_pairs_ && result_.unfinished.empty(); }
+
+  /// From now on, slivers are removed after each round.
+  void remove_slivers_of_rounds() { removes_slivers_ = true; }
+
+  /// Removes facets below the tolerance that cutting has made, and cuts where faces intersect
+  /// because of that, without a grid: it would only make more of them.
+  /// @return  Whether there were any, and all that were to be cut could be cut.
+  bool remove_thin_facets() {
+    const double tolerance = input_.tolerances.degeneracy;
+    if (!(tolerance <= kLargestTolerance * input_.limits.max_deviation)) return false;
+    for (int i = 0; i < kThinFacetRounds; ++i) {
+      RoundedFaces faces = made_faces();
+      if (!has_slivers(faces, tolerance)) break;
+      remove_slivers(faces, tolerance);
+      take(std::move(faces));
+      result_.has_removed_facets = true;
+      round_ = kRoundOfThinFacets;
+      has_pairs_ = cut_round();
+      if (!result_.unfinished.empty()) return false;
+      if (!has_pairs_) break;
     }
+    return result_.has_removed_facets && is_finished();
+  }
+
+  CutSurface take_result() {
     result_.positions = std::move(soup_.positions);
     result_.triangles = std::move(soup_.triangles);
     result_.origins = std::move(origins_);
@@ -77,6 +123,10 @@ class CuttingRounds {
   /// Searches for intersecting pairs and cuts them.
   /// @return Whether another round is needed.
   bool cut_round() {
+    // If nothing was left out or added, the first round is already prepared.
+    if (round_ == 0 && soup_.triangles == mesh_.soup().triangles) {
+      return cut_round(mesh_.cut(), mesh_.tree(), mesh_.intersecting_pairs());
+    }
     if (round_ > 0 && new_faces_.empty()) return false;
     const CutMesh cut = build(soup_);
     const FaceTree tree(cut);
@@ -90,13 +140,21 @@ class CuttingRounds {
     if (pairs.empty()) return false;
     if (round_ == 0) most_pairs_ = kMorePairs + kTimesFirstPairs * pairs.size();
     n_pairs_cut_ += pairs.size();
-    if (round_ == kRoundingRounds || n_pairs_cut_ > most_pairs_ || input_.wants_to_stop()) {
+    if (round_ == kRoundingRounds || n_pairs_cut_ > most_pairs_ || is_growing(pairs.size()) ||
+        input_.wants_to_stop()) {
       give_up(pairs);
       return false;
     }
     cut_once(cut, tree, pairs);
     ++round_;
     return result_.unfinished.empty();
+  }
+
+  /// Tells whether the pairs become more although slivers are removed, as where many faces have an
+  /// edge in common.
+  bool is_growing(std::size_t n_pairs) {
+    const std::size_t before = std::exchange(n_pairs_of_round_, n_pairs);
+    return removes_slivers_ && n_pairs > kMostGrowthOfPairs * before + kMoreThanGrowth;
   }
 
   void cut_once(const CutMesh& cut, const FaceTree& tree, const Pairs& pairs) {
@@ -167,9 +225,7 @@ class CuttingRounds {
             RoundedVertices rounded) {
     std::vector<std::uint8_t> was_cut(soup_.n_faces(), 0);
     for (const Index face : arrangement.cut_faces) was_cut[face] = 1;
-    std::vector<Triangle> triangles;
-    std::vector<Index> origins;
-    new_faces_.clear();
+    RoundedFaces faces;
     for (std::size_t i = 0; i < classes.size(); ++i) {
       const auto sources = arrangement.sources_of(i);
       const Index face = sources.front().face;
@@ -186,19 +242,43 @@ class CuttingRounds {
       for (Index& v : t) v = rounded.stands_for[v];
       const bool is_moved = t != arrangement.pieces[i];
       if (classes[i] == PieceClass::Turned) std::swap(t[1], t[2]);
-      if (was_cut[face] != 0 || is_moved) {
-        if (!is_in_complex(t) || is_flat(rounded.positions, t)) {
-          add_wall(face, arrangement, i);
-          continue;
-        }
-        if (!is_left(classes[i])) new_faces_.push_back(static_cast<Index>(triangles.size()));
+      const bool is_changed = was_cut[face] != 0 || is_moved;
+      if (is_changed && (!is_in_complex(t) || is_flat(rounded.positions, t))) {
+        add_wall(face, arrangement, i);
+        continue;
       }
-      triangles.push_back(t);
-      origins.push_back(origins_[face]);
+      faces.triangles.push_back(t);
+      faces.is_new.push_back(is_changed && !is_left(classes[i]) ? 1 : 0);
+      faces.origins.push_back(origins_[face]);
     }
-    soup_.positions = std::move(rounded.positions);
-    soup_.triangles = std::move(triangles);
-    origins_ = std::move(origins);
+    faces.positions = std::move(rounded.positions);
+    if (removes_slivers_) remove_slivers(faces, kSliverWidth * rounding().spacing);
+    take(std::move(faces));
+  }
+
+  void take(RoundedFaces faces) {
+    soup_.positions = std::move(faces.positions);
+    soup_.triangles = std::move(faces.triangles);
+    origins_ = std::move(faces.origins);
+    new_faces_.clear();
+    for (Index face = 0; face < faces.is_new.size(); ++face) {
+      if (faces.is_new[face] != 0) new_faces_.push_back(face);
+    }
+  }
+
+  /// Returns the faces, of which those are new that are not faces of the input.
+  [[nodiscard]] RoundedFaces made_faces() const {
+    RoundedFaces faces{.positions = soup_.positions,
+                       .triangles = soup_.triangles,
+                       .is_new = std::vector<std::uint8_t>(soup_.n_faces(), 1),
+                       .origins = origins_};
+    const std::vector<Triangle>& input = mesh_.soup().triangles;
+    for (Index face = 0; face < soup_.n_faces(); ++face) {
+      const bool is_of_input =
+          origins_[face] < input.size() && input[origins_[face]] == soup_.triangles[face];
+      if (is_of_input) faces.is_new[face] = 0;
+    }
+    return faces;
   }
 
   void note_sheets(Index origin, PieceClass piece_class) {
@@ -223,8 +303,10 @@ class CuttingRounds {
   const PreparedMesh& mesh_;
   SelectOptions options_;
   double extent_;
+  bool has_pairs_ = true;
   std::size_t round_ = 0;
   std::size_t n_pairs_cut_ = 0;
+  std::size_t n_pairs_of_round_ = 0;
   std::size_t most_pairs_ = 0;
   Index n_added_ = 0;
   /// The surface that is cut in this round: positions and faces alone.
@@ -232,14 +314,38 @@ class CuttingRounds {
   std::vector<Index> origins_;
   /// The faces that the last round has made, ascending, without those that are left.
   std::vector<Index> new_faces_;
+  bool removes_slivers_ = false;
   CutSurface result_;
 };
+
+/// Cuts on to the end. If rounding makes faces intersect again and again, slivers are removed:
+/// their planes turn in any direction.
+CuttingRounds cut_on_grid(CuttingRounds rounds) {
+  if (!rounds.has_pairs()) return rounds;
+  CuttingRounds without_slivers = rounds;
+  rounds.cut_to_end();
+  if (rounds.is_finished()) return rounds;
+  without_slivers.remove_slivers_of_rounds();
+  without_slivers.cut_to_end();
+  return without_slivers.is_finished() ? without_slivers : rounds;
+}
+
+/// Removes thin facets that cutting has made, unless faces then intersect again and again.
+CuttingRounds without_thin_facets(CuttingRounds rounds) {
+  if (!rounds.is_finished()) return rounds;
+  CuttingRounds without = rounds;
+  return without.remove_thin_facets() ? without : rounds;
+}
 
 }  // namespace
 
 CutSurface cut_surface(const PassInput& input, std::span<const Edits::AddedFace> patches,
-                       const SelectOptions& options) {
-  return CuttingRounds(input, patches, options).run();
+                       const SelectOptions& options, ThinFacets thin_facets) {
+  CuttingRounds first(input, patches, options);
+  first.cut_off_grid();
+  CuttingRounds rounds = cut_on_grid(std::move(first));
+  if (thin_facets == ThinFacets::Kept) return rounds.take_result();
+  return without_thin_facets(std::move(rounds)).take_result();
 }
 
 }  // namespace meshalyzer

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct CutSurface {
   /// Tells whether a round has met pockets, whatever became of them; if not, SelectOptions::pockets
   /// makes no difference.
   bool has_pockets = false;
+  /// Tells whether thin facets were removed; if not, ThinFacets makes no difference.
+  bool has_removed_facets = false;
   /// Sets of faces of the input whose parts stay or are dropped together.
   std::vector<std::array<Index, 2>> ties;
   /// Faces of the input with parts that still intersect others in the end.
@@ -38,6 +41,14 @@ struct CutSurface {
   std::vector<Index> of_uncut_sheets;
 };
 
+/// The treatment of facets below the degeneracy tolerance that cutting makes.
+enum class ThinFacets : std::uint8_t {
+  Kept,
+  /// Thin facets are removed as remove_slivers() does it, unless faces then intersect again and
+  /// again, or the tolerance is not small against the maximum deviation.
+  Removed,
+};
+
 /// Cuts the intersecting faces, keeps the parts that bound the solid, and rounds new vertices. This
 /// is repeated until no faces intersect, because the rounded faces may intersect anew.
 ///
@@ -45,11 +56,11 @@ struct CutSurface {
 /// round them are cut at their corners.
 ///
 /// The search ends early, with pairs that still intersect, if it is told to stop, or if rounding
-/// makes more pairs than a multiple of the initial ones.
+/// makes more pairs than a multiple of the initial ones, even if slivers are removed.
 ///
 /// @param patches  Faces on vertices of the mesh that are added before cutting.
 [[nodiscard]] CutSurface cut_surface(const PassInput& input,
                                      std::span<const Edits::AddedFace> patches,
-                                     const SelectOptions& options);
+                                     const SelectOptions& options, ThinFacets thin_facets);
 
 }  // namespace meshalyzer
