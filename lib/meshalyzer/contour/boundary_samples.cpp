@@ -22,7 +22,7 @@ constexpr double kClearlyInside = 0.75;
 class BoundarySampler {
  public:
   BoundarySampler(const Soup& mesh, double reach)
-      : windings_(faces_in_complex(mesh)),
+      : windings_(faces_in_complex(mesh), ExpectedQueries::Many),
         spacing_(kSampleSpacing * used_box(mesh).diagonal().norm()),
         reach_(reach) {}
 

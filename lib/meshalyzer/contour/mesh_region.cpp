@@ -76,7 +76,7 @@ class SegmentHits {
 }  // namespace
 
 MeshRegion::MeshRegion(const Soup& soup, const FaceTree& tree)
-    : tree_(tree), winding_(faces_in_complex(soup)) {}
+    : tree_(tree), winding_(faces_in_complex(soup), ExpectedQueries::Many) {}
 
 bool MeshRegion::contains(const Vec3& point) const {
   return std::abs(winding_.at(point)) >= kInside;

@@ -2,7 +2,9 @@
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/triangle.h"
-#include "meshalyzer/spatial/box_tree.h"
+#include "meshalyzer/spatial/closing_triangles.h"
+#include "meshalyzer/spatial/order_by_size.h"
+#include "meshalyzer/spatial/ray_windings.h"
 #include "meshalyzer/spatial/tree_width.h"
 #include "meshalyzer/spatial/unit_scale.h"
 
@@ -10,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -19,15 +22,14 @@ namespace {
 /// A node is approximated as a whole beyond this many of its radii. The error falls with the cube
 /// of this: it is below 0.003 of a winding number for real surfaces at 2, and 0.015 at 1.5.
 constexpr double kFar = 2.0;
-/// Triangles are grouped with others whose boxes are larger or smaller by less than this factor, so
-/// that one long triangle does not make small ones near it part of a large node.
-constexpr int kBinaryDigitsOfSize = 2;
 /// A point at this distance of a triangle is on it if the size of the mesh is about 1. The distance
 /// is at least a multiple of the spacing of the coordinates.
 constexpr double kOnTriangle = 0x1p-40;
 constexpr double kOnTriangleRoundings = 8.0;
 /// Bounds the rounding error of a determinant, relative to the lengths of its rows.
 constexpr double kRounding = 0x1p-48;
+/// Rays are used where the triangles are at least this many times as many as those that close them.
+constexpr std::size_t kWorthRays = 2;
 /// Beyond the square root of this distance all triangles count as a point.
 constexpr double kTooFar = 1e60;
 /// Products of smaller numbers might underflow, and of larger ones overflow.
@@ -224,60 +226,42 @@ FarField far_field_of(std::span<const Corners> triangles) {
   return field;
 }
 
-/// Returns the sizes of triangles as classes, from 0 for those as large as the mesh on.
-int size_class_of(const Corners& t) {
-  constexpr int kSmallest = 16;
-  const double size = box_of(t).sizes().maxCoeff();
-  if (!(size > 0.0)) return kSmallest;
-  return std::min(kSmallest, std::max(0, 1 - std::ilogb(size)) / kBinaryDigitsOfSize);
-}
-
-std::vector<Box3> boxes_of(std::span<const Corners> triangles) {
-  std::vector<Box3> boxes(triangles.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    for (const Vec3& p : triangles[i]) {
-      boxes[i].extend(p);
-    }
-  }
-  return boxes;
-}
-
-}  // namespace
-
-/// An implicit, complete tree with eight children per node over the triangles, ordered by size and
-/// along a space-filling curve.
-struct WindingNumbers::Tree {
-  explicit Tree(std::vector<Corners> soup)
-      : scale(soup), near(std::max(kOnTriangle, kOnTriangleRoundings * scale.rounding())) {
-    for (Corners& t : soup) {
-      for (Vec3& p : t) {
-        p = scale(p);
-      }
-    }
-    std::vector<Index> order = order_in_space(boxes_of(soup));
-    std::vector<int> size_classes(soup.size());
-    std::transform(soup.begin(), soup.end(), size_classes.begin(), size_class_of);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](Index i, Index j) { return size_classes[i] < size_classes[j]; });
-    triangles.reserve(order.size());
-    for (const Index i : order) triangles.push_back(soup[i]);
-    soup = {};
-    for (std::size_t length = kTreeWidth; !triangles.empty(); length *= kTreeWidth) {
-      levels.push_back(level_of(length));
-      if (levels.back().size() <= kTreeWidth) {
+/// Winding numbers by the far fields of groups of triangles. It is an implicit, complete tree with
+/// eight children per node over the triangles, ordered by size and along a space-filling curve.
+class FarFieldTree {
+ public:
+  /// @param triangles  Triangles with coordinates of about -1 ... 1.
+  /// @param near       A point within this distance of a triangle is on it.
+  FarFieldTree(std::span<const Corners> triangles, double near) : near_(near) {
+    triangles_.reserve(triangles.size());
+    for (const Index i : order_by_size(triangles)) triangles_.push_back(triangles[i]);
+    for (std::size_t length = kTreeWidth; !triangles_.empty(); length *= kTreeWidth) {
+      levels_.push_back(level_of(length));
+      if (levels_.back().size() <= kTreeWidth) {
         break;
       }
     }
   }
 
+  [[nodiscard]] Two at(const TwoVectors& points) const {
+    if (levels_.empty()) return Two::Zero();
+    SharesOfDirections near_triangles;
+    Two sum = Two::Zero();
+    for (std::size_t i = 0; i < levels_.back().size(); ++i) {
+      sum += share(levels_.size() - 1, i, points, near_triangles);
+    }
+    return sum + near_triangles.total();
+  }
+
+ private:
   /// Returns the far fields of `length` triangles each.
   [[nodiscard]] std::vector<FarField> level_of(std::size_t length) const {
-    std::vector<FarField> level(n_chunks(triangles.size(), length));
+    std::vector<FarField> level(n_chunks(triangles_.size(), length));
     const std::size_t nodes_per_task = std::max<std::size_t>(1, kChunkLength / length);
     parallel_chunks(level.size(), nodes_per_task, [&](Chunk chunk) {
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-        const std::size_t end = std::min(length * (i + 1), triangles.size());
-        level[i] = far_field_of(std::span(triangles).subspan(length * i, end - length * i));
+        const std::size_t end = std::min(length * (i + 1), triangles_.size());
+        level[i] = far_field_of(std::span(triangles_).subspan(length * i, end - length * i));
       }
     });
     return level;
@@ -286,18 +270,18 @@ struct WindingNumbers::Tree {
   /// Returns the shares of what is far from two points, and adds the triangles that are not.
   [[nodiscard]] Two share(std::size_t level, std::size_t i, const TwoVectors& points,
                           SharesOfDirections& near_triangles) const {
-    const FarField& field = levels[level][i];
+    const FarField& field = levels_[level][i];
     const TwoVectors to_centre = points.from(field.centre);
     const Two distance_squared = to_centre.dot(to_centre);
     if (distance_squared.minCoeff() > field.far_squared) {
       return field.share_from(to_centre, distance_squared);
     }
-    const std::size_t n_below = level == 0 ? triangles.size() : levels[level - 1].size();
+    const std::size_t n_below = level == 0 ? triangles_.size() : levels_[level - 1].size();
     const std::size_t end = std::min(kTreeWidth * (i + 1), n_below);
     Two sum = Two::Zero();
     for (std::size_t child = kTreeWidth * i; child < end; ++child) {
       if (level == 0) {
-        near_triangles.add(triangles[child], points, near);
+        near_triangles.add(triangles_[child], points, near_);
       } else {
         sum += share(level - 1, child, points, near_triangles);
       }
@@ -305,16 +289,77 @@ struct WindingNumbers::Tree {
     return sum;
   }
 
-  UnitScale scale;
-  double near;
-  std::vector<Corners> triangles;
+  double near_;
+  std::vector<Corners> triangles_;
   /// Level 0 has the far fields of eight triangles each; each other level those of eight nodes
   /// below.
-  std::vector<std::vector<FarField>> levels;
+  std::vector<std::vector<FarField>> levels_;
 };
 
-WindingNumbers::WindingNumbers(std::vector<Corners> triangles)
-    : tree_(std::make_unique<Tree>(std::move(triangles))) {}
+/// Winding numbers by the crossings of rays with the triangles and others that close them, less the
+/// numbers of those others: exact but for the last, and the faster the smaller the boundary is.
+class ClosedByTriangles {
+ public:
+  /// @param closing  The triangles that close the others.
+  ClosedByTriangles(std::span<const Corners> triangles, std::span<const Corners> closing,
+                    double near)
+      : all_(joined(triangles, closing), near), closing_(closing, near) {}
+
+  /// Returns the numbers at two points; nothing where a ray gives no answer.
+  [[nodiscard]] std::optional<Two> at(const Vec3& first, const Vec3& second) const {
+    const auto of_all = all_.at_both(first, second);
+    if (!of_all) return std::nullopt;
+    return Two((*of_all)[0], (*of_all)[1]) - closing_.at({first, second});
+  }
+
+ private:
+  static std::vector<Corners> joined(std::span<const Corners> first,
+                                     std::span<const Corners> second) {
+    std::vector<Corners> all(first.begin(), first.end());
+    all.insert(all.end(), second.begin(), second.end());
+    return all;
+  }
+
+  RayWindings all_;
+  FarFieldTree closing_;
+};
+
+}  // namespace
+
+/// The triangles, prepared for both ways to compute their winding numbers.
+struct WindingNumbers::Prepared {
+  /// @param triangles  Triangles that were scaled.
+  Prepared(const UnitScale& unit_scale, std::span<const Corners> triangles,
+           ExpectedQueries expected)
+      : scale(unit_scale),
+        near(std::max(kOnTriangle, kOnTriangleRoundings * scale.rounding())),
+        by_far_fields(triangles, near) {
+    if (expected == ExpectedQueries::Few) return;
+    const std::vector<Corners> closing = closing_triangles(triangles);
+    if (kWorthRays * closing.size() > triangles.size()) return;
+    by_rays.emplace(triangles, closing, near);
+  }
+
+  [[nodiscard]] Two at(const Vec3& first, const Vec3& second) const {
+    if (by_rays) {
+      if (const auto found = by_rays->at(first, second)) return *found;
+    }
+    return by_far_fields.at({first, second});
+  }
+
+  UnitScale scale;
+  double near;
+  FarFieldTree by_far_fields;
+  std::optional<ClosedByTriangles> by_rays;
+};
+
+WindingNumbers::WindingNumbers(std::vector<Corners> triangles, ExpectedQueries expected) {
+  const UnitScale scale(triangles);
+  for (Corners& t : triangles) {
+    for (Vec3& p : t) p = scale(p);
+  }
+  prepared_ = std::make_unique<Prepared>(scale, triangles, expected);
+}
 
 WindingNumbers::~WindingNumbers() = default;
 
@@ -323,20 +368,14 @@ double WindingNumbers::at(const Vec3& point) const {
 }
 
 std::array<double, 2> WindingNumbers::at_both(const Vec3& first, const Vec3& second) const {
-  const Vec3 a = tree_->scale(first);
-  const Vec3 b = tree_->scale(second);
+  const Vec3 a = prepared_->scale(first);
+  const Vec3 b = prepared_->scale(second);
   const bool is_a_near = a.squaredNorm() < kTooFar;
   const bool is_b_near = b.squaredNorm() < kTooFar;
-  if (tree_->levels.empty() || (!is_a_near && !is_b_near)) return {0.0, 0.0};
+  if (!is_a_near && !is_b_near) return {0.0, 0.0};
   // A point that is too far gets the answer of the other one, which is dropped.
-  const TwoVectors points(is_a_near ? a : b, is_b_near ? b : a);
-  SharesOfDirections near_triangles;
-  Two sum = Two::Zero();
-  for (std::size_t i = 0; i < tree_->levels.back().size(); ++i) {
-    sum += tree_->share(tree_->levels.size() - 1, i, points, near_triangles);
-  }
-  sum += near_triangles.total();
-  return {is_a_near ? sum[0] : 0.0, is_b_near ? sum[1] : 0.0};
+  const Two found = prepared_->at(is_a_near ? a : b, is_b_near ? b : a);
+  return {is_a_near ? found[0] : 0.0, is_b_near ? found[1] : 0.0};
 }
 
 }  // namespace meshalyzer

@@ -3,6 +3,7 @@
 #include "support/effort.h"
 #include "support/random_soups.h"
 #include "support/shapes.h"
+#include "support/triangles_of.h"
 
 #include <gtest/gtest.h>
 
@@ -15,16 +16,8 @@
 namespace meshalyzer {
 namespace {
 
-std::vector<Corners> corners_of(const Soup& soup) {
-  std::vector<Corners> corners;
-  for (const Triangle& t : soup.triangles) {
-    corners.push_back({soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]});
-  }
-  return corners;
-}
-
 double winding(const Soup& soup, const Vec3& point) {
-  return WindingNumbers(corners_of(soup)).at(point);
+  return WindingNumbers(test::triangles_of(soup)).at(point);
 }
 
 double in_unit(std::mt19937& random) {
@@ -70,17 +63,28 @@ TEST(WindingNumbers, ClosedSurfaceHasOneInsideAndZeroOutside) {
   EXPECT_NEAR(winding(shapes::torus(3, 1, 60, 30), {0, 3, 0}), 1.0, 0.01);
 }
 
-TEST(WindingNumbers, InwardSurfaceHasTheNegativeToTheLastBit) {
-  const Soup soup = shapes::icosphere(3);
-  std::vector<Corners> turned = corners_of(soup);
-  for (Corners& t : turned) std::swap(t[1], t[2]);
-  const WindingNumbers as_is(corners_of(soup));
-  const WindingNumbers inward(std::move(turned));
+TEST(WindingNumbers, ReversedSurfaceHasTheNegativeToTheLastBit) {
   std::mt19937 random(1);
-  for (int i = 0; i < 200; ++i) {
-    const Vec3 point = random_point(random, 1.5);
-    EXPECT_EQ(inward.at(point), -as_is.at(point));
+  for (const Soup& soup : {shapes::icosphere(3), damaged(shapes::icosphere(3), 8, random)}) {
+    std::vector<Corners> turned = test::triangles_of(soup);
+    for (Corners& t : turned) std::swap(t[1], t[2]);
+    for (const ExpectedQueries expected : {ExpectedQueries::Few, ExpectedQueries::Many}) {
+      const WindingNumbers as_is(test::triangles_of(soup), expected);
+      const WindingNumbers reversed(turned, expected);
+      for (int i = 0; i < 200; ++i) {
+        const Vec3 point = random_point(random, 1.5);
+        EXPECT_EQ(reversed.at(point), -as_is.at(point));
+      }
+    }
   }
+}
+
+TEST(WindingNumbers, ClosedSurfaceHasWholeNumbersWhereRaysAreUsed) {
+  const Soup twice = shapes::merged(shapes::icosphere(3), shapes::cube(3.0, Vec3::Constant(-1.5)));
+  const WindingNumbers numbers(test::triangles_of(twice), ExpectedQueries::Many);
+  EXPECT_EQ(numbers.at({0.1, 0.2, 0.3}), 2.0);
+  EXPECT_EQ(numbers.at({1.4, 1.3, -1.2}), 1.0);
+  EXPECT_EQ(numbers.at({1.6, 0.1, 0.2}), 0.0);
 }
 
 TEST(WindingNumbers, TriangleAcrossAnOctantIsAnEighth) {
@@ -134,11 +138,14 @@ TEST(WindingNumbers, AgreeWithTheSumOverAllTrianglesByExcess) {
                            shapes::genus_block(20), damaged(shapes::icosphere(4), 2, random)}) {
     Box3 box;
     for (const Vec3& p : soup.positions) box.extend(p);
-    const std::vector<Corners> triangles = corners_of(soup);
-    const WindingNumbers numbers(triangles);
+    const std::vector<Corners> triangles = test::triangles_of(soup);
+    const WindingNumbers few(triangles);
+    const WindingNumbers many(triangles, ExpectedQueries::Many);
     for (std::size_t i = 0; i < 300; i += test::one_of()) {
       const Vec3 point = box.center() + random_point(random, 0.6 * box.sizes().maxCoeff());
-      worst = std::max(worst, std::abs(numbers.at(point) - winding_by_excess(triangles, point)));
+      const double expected = winding_by_excess(triangles, point);
+      worst = std::max(worst, std::abs(few.at(point) - expected));
+      worst = std::max(worst, std::abs(many.at(point) - expected));
     }
   }
   EXPECT_LT(worst, 0.01);
@@ -167,7 +174,7 @@ TEST(WindingNumbers, FarSurfaceIsExactToTheThirdTerm) {
 TEST(WindingNumbers, BothOfTwoPointsHaveWhatEachHasAlone) {
   std::mt19937 random(19);
   const Soup soup = damaged(shapes::torus(2, 1, 60, 30), 8, random);
-  const WindingNumbers numbers(corners_of(soup));
+  const WindingNumbers numbers(test::triangles_of(soup));
   for (int i = 0; i < 200; ++i) {
     const Vec3 first = random_point(random, 3.0);
     const Vec3 second = i % 2 == 0 ? random_point(random, 3.0) : Vec3(first + Vec3(0, 0, 1e-3));
