@@ -11,7 +11,9 @@
 #include "meshalyzer/spatial/self_intersection.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -30,7 +32,7 @@ constexpr double kSpacing = 1.0 / 128.0;
 constexpr double kReach = 1.0 / 16.0;
 /// Points along creases are taken at this distance, as a multiple of the maximum deviation.
 constexpr double kCreaseSpacing = 2.0;
-/// The approximate largest number of points along creases, and of pieces of intersecting faces.
+/// The approximate largest number of points along creases, and of pieces of faces.
 constexpr double kMostPieces = 1e5;
 /// An edge is a crease if the normals of its faces differ by more than about four degrees.
 constexpr double kCosCrease = 0.9975;
@@ -70,25 +72,48 @@ Soup faces_in(const Soup& soup, const Box3& box) {
   return result;
 }
 
-/// Marks the faces that intersect others, of which a part may lie inside or outside.
-std::vector<std::uint8_t> intersecting_faces(const SearchedMesh& mesh) {
-  std::vector<std::uint8_t> result(mesh.soup.n_faces());
+/// Returns the pairs of faces that intersect each other, each in both orders, ascending.
+std::vector<std::array<Index, 2>> intersecting_faces(const SearchedMesh& mesh) {
+  std::vector<std::array<Index, 2>> result;
   for (const IntersectingPair& pair : find_self_intersections(mesh.cut, mesh.tree)) {
-    result[pair.face_a] = 1;
-    result[pair.face_b] = 1;
+    result.push_back({pair.face_a, pair.face_b});
+    result.push_back({pair.face_b, pair.face_a});
   }
+  std::sort(result.begin(), result.end());
   return result;
 }
 
-/// Returns the length of the edges of the faces that are marked.
-double length_round(const Soup& soup, const std::vector<std::uint8_t>& faces) {
-  double sum = 0.0;
+/// Marks the faces that intersect others.
+std::vector<std::uint8_t> faces_of(const std::vector<std::array<Index, 2>>& pairs,
+                                   std::size_t n_faces) {
+  std::vector<std::uint8_t> result(n_faces);
+  for (const auto& [face, other] : pairs) result[face] = 1;
+  return result;
+}
+
+/// The size of the faces that are marked.
+struct MarkedSize {
+  /// The length of their edges.
+  double length = 0.0;
+  double area = 0.0;
+};
+
+MarkedSize size_of(const Soup& soup, const std::vector<std::uint8_t>& faces) {
+  MarkedSize size;
   for (Index f = 0; f < soup.n_faces(); ++f) {
     if (faces[f] == 0) continue;
     const auto [a, b, c] = corners_of(soup, f);
-    sum += (b - a).norm() + (c - b).norm() + (a - c).norm();
+    size.length += (b - a).norm() + (c - b).norm() + (a - c).norm();
+    size.area += normal_of(a, b, c).norm() / 2.0;
   }
-  return sum;
+  return size;
+}
+
+/// Returns the size down to which faces can be divided without too many pieces. Many layers of
+/// faces may lie in a box, so that its diagonal does not limit them.
+double size_of_pieces(double area) {
+  // A piece has at least a quarter of the square of the size, on average.
+  return 2.0 * std::sqrt(area / kMostPieces);
 }
 
 /// Marks the edges where the surface bends, or ends.
@@ -257,12 +282,17 @@ SurfaceParts divide_near(const Box3& box, const Target& target, const ContourLim
   const SearchedMesh searched(near);
   const FaceHints hints{intersecting_faces(searched), find_creases(searched)};
   const double least = kCreaseSpacing * limits.max_deviation;
+  const MarkedSize all = size_of(near, std::vector<std::uint8_t>(near.n_faces(), 1));
+  const MarkedSize creased = size_of(near, hints.creases);
+  const MarkedSize crossed = size_of(near, faces_of(hints.intersecting, near.n_faces()));
   SurfaceParts parts = divide_surface(
       near, target.region, hints,
-      {.spacing = std::max(kSpacing * box.diagonal().norm(), limits.max_deviation),
+      {.spacing = std::max(
+           {kSpacing * box.diagonal().norm(), limits.max_deviation, size_of_pieces(all.area)}),
        .reach = kReach * limits.max_deviation,
-       .crease_spacing = std::max(least, length_round(near, hints.creases) / kMostPieces),
-       .least_piece = std::max(least, length_round(near, hints.changes_inside) / kMostPieces)});
+       .crease_spacing = std::max(least, creased.length / kMostPieces),
+       .least_piece =
+           std::max({least, crossed.length / kMostPieces, size_of_pieces(crossed.area)})});
   if (limits.within) {
     std::erase_if(parts.separating, [&](const Vec3& point) { return !box.contains(point); });
     std::erase_if(parts.walls,

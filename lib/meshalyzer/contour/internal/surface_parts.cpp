@@ -2,9 +2,13 @@
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/triangle.h"
+#include "meshalyzer/spatial/triangle_contact.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
 
 namespace meshalyzer {
 namespace {
@@ -12,40 +16,63 @@ namespace {
 /// Divides one face into parts that separate the region and parts that do not.
 class FaceDivision {
  public:
+  /// @param soup    The mesh of the face.
   /// @param normal  The unit normal of the face.
-  FaceDivision(const Region& region, const PartsResolution& resolution, const Vec3& normal)
-      : region_(region), resolution_(resolution), step_(normal * resolution.reach) {}
+  FaceDivision(const Soup& soup, const Region& region, const PartsResolution& resolution,
+               const Vec3& normal)
+      : soup_(soup), region_(region), resolution_(resolution), step_(normal * resolution.reach) {}
 
   /// Halves a face along its longest edges until its pieces are small enough, and tells which
   /// separate.
-  void divide(const Corners& face, bool may_change_inside, unsigned creases,
-              SurfaceParts& parts) const {
+  ///
+  /// @param others  The face and each of those that intersect it.
+  void divide(const Corners& face, std::span<const std::array<Index, 2>> others, unsigned creases,
+              SurfaceParts& parts) {
     const std::size_t n_before = parts.separating.size();
-    std::vector<Corners> open{face};
-    while (!open.empty()) {
-      const Corners t = open.back();
-      open.pop_back();
-      const Vec3 middle = centroid_of(t);
-      const double length = longest_side(t);
-      if (length > resolution_.spacing ||
-          (may_change_inside && length > resolution_.least_piece && changes_inside(t, middle))) {
-        const auto [first, second] = halve_longest_edge(t);
-        open.push_back(second);
-        open.push_back(first);
-      } else if (separates(middle)) {
-        parts.separating.push_back(middle);
-      } else {
-        parts.walls.push_back(t);
-      }
-    }
+    for (const auto& [f, other] : others) others_.push_back(other);
+    divide_piece(face, 0, parts);
     // If no other face meets this one, a property of its interior also holds at its edges.
     const bool any_separates = parts.separating.size() > n_before;
-    if (any_separates || may_change_inside) {
-      add_crease_points(face, may_change_inside, creases, parts);
+    if (any_separates || !others.empty()) {
+      add_crease_points(face, !others.empty(), creases, parts);
     }
   }
 
  private:
+  /// @param first  The faces that may meet the piece are those from here on in `others_`.
+  void divide_piece(const Corners& t, std::size_t first, SurfaceParts& parts) {
+    const Vec3 middle = centroid_of(t);
+    const double length = longest_side(t);
+    if (length > resolution_.spacing ||
+        (length > resolution_.least_piece && may_change(t, middle, first))) {
+      const std::size_t end = others_.size();
+      for (const Corners& half : halve_longest_edge(t)) {
+        for (std::size_t i = first; i < end; ++i) {
+          if (meets(half, others_[i])) others_.push_back(others_[i]);
+        }
+        divide_piece(half, end, parts);
+        others_.resize(end);
+      }
+    } else if (separates(middle)) {
+      parts.separating.push_back(middle);
+    } else {
+      parts.walls.push_back(t);
+    }
+  }
+
+  [[nodiscard]] std::optional<ContactKind> meets(const Corners& t, Index other) const {
+    return find_contact(t, corners_of(soup_, other), Common::Nothing);
+  }
+
+  /// Tells whether one part of a piece may separate and another not.
+  [[nodiscard]] bool may_change(const Corners& t, const Vec3& middle, std::size_t first) const {
+    if (first == others_.size()) return false;
+    const bool is_crossed =
+        std::any_of(others_.begin() + static_cast<std::ptrdiff_t>(first), others_.end(),
+                    [&](Index other) { return meets(t, other) == ContactKind::Crossing; });
+    return is_crossed || changes_inside(t, middle);
+  }
+
   [[nodiscard]] bool separates(const Vec3& p) const {
     return region_.contains_one_of(p + step_, p - step_);
   }
@@ -60,7 +87,7 @@ class FaceDivision {
   }
 
   /// Adds points along creases, which centroids miss.
-  void add_crease_points(const Corners& t, bool may_change_inside, unsigned creases,
+  void add_crease_points(const Corners& t, bool may_change, unsigned creases,
                          SurfaceParts& parts) const {
     for (std::size_t i = 0; i < 3; ++i) {
       if ((creases >> i & 1U) == 0) continue;
@@ -68,15 +95,26 @@ class FaceDivision {
       const double n = std::ceil(edge.norm() / resolution_.crease_spacing);
       for (double k = 0.0; k < n; ++k) {
         const Vec3 p = t[i] + edge * (k / n);
-        if (!may_change_inside || separates(p)) parts.separating.push_back(p);
+        if (!may_change || separates(p)) parts.separating.push_back(p);
       }
     }
   }
 
+  const Soup& soup_;
   const Region& region_;
   const PartsResolution& resolution_;
   Vec3 step_;
+  /// The faces that may meet the pieces that are being divided, each followed by its halves.
+  std::vector<Index> others_;
 };
+
+/// Returns the pairs of a face with those that intersect it.
+std::span<const std::array<Index, 2>> others_of(Index face, const FaceHints& hints) {
+  const auto [first, last] = std::equal_range(
+      hints.intersecting.begin(), hints.intersecting.end(), std::array{face, kNoIndex},
+      [](const auto& a, const auto& b) { return a[0] < b[0]; });
+  return {first, last};
+}
 
 }  // namespace
 
@@ -91,8 +129,9 @@ SurfaceParts divide_surface(const Soup& soup, const Region& region, const FaceHi
       const Vec3 normal = normal_of(face);
       const double length = normal.norm();
       if (!(length > 0.0)) continue;
-      FaceDivision(region, resolution, normal / length)
-          .divide(face, hints.changes_inside[f] != 0, hints.creases[f], of_chunk[chunk.number]);
+      FaceDivision(soup, region, resolution, normal / length)
+          .divide(face, others_of(static_cast<Index>(f), hints), hints.creases[f],
+                  of_chunk[chunk.number]);
     }
   });
   SurfaceParts all;

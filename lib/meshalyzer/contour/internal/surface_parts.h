@@ -26,22 +26,24 @@ struct PartsResolution {
   double reach = 0.0;
   /// Neighbouring points along creases are at most this far apart.
   double crease_spacing = 0.0;
-  /// Pieces of which one part separates and another does not are divided down to this size.
+  /// Pieces that other faces cross are divided down to this size.
   double least_piece = 0.0;
 };
 
 /// Properties of the faces of a mesh that are known beforehand.
 struct FaceHints {
-  /// #F: 1 for faces of which one part may separate and another may not.
-  std::vector<std::uint8_t> changes_inside;
+  /// The faces that intersect others, where a part of a face may separate and another may not: each
+  /// pair in both orders, ascending.
+  std::vector<std::array<Index, 2>> intersecting;
   /// #F: bit k is set if the edge that begins at corner k is a crease.
   std::vector<std::uint8_t> creases;
 };
 
 /// Finds which parts of a mesh separate a region from the rest of space.
 ///
-/// @complexity  O(#F + points), with two to eight calls of the region for each piece, and for each
-///              crease point of a face that may change inside.
+/// @complexity  O(#F + points) with one call of the region for each piece, and for each crease
+/// point
+///              of a face that intersects others; four for a piece that others touch.
 [[nodiscard]] SurfaceParts divide_surface(const Soup& soup, const Region& region,
                                           const FaceHints& hints,
                                           const PartsResolution& resolution);
