@@ -24,7 +24,7 @@ class UniteFromInput : public ::testing::Test {
     driver_.emplace(soup, tolerances,
                     RepairLimits{.max_deviation = kMaxDeviation, .fixed_vertices = {}},
                     [](const TrackedMesh&, const CutMesh&) { return std::vector<std::uint8_t>(); });
-    return unite_from_input(*driver_, options_, tolerances, BehindHoles::Kept);
+    return unite_from_input(*driver_, options_, tolerances, BehindHoles::Kept).note;
   }
 
   [[nodiscard]] const Soup& mesh() const { return driver_->tracked().soup; }

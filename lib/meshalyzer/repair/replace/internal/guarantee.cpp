@@ -43,7 +43,7 @@ class Guarantee {
                          unite(may_drop ? BehindHoles::Dropped : BehindHoles::Kept) ||
                          replace_in_boxes() || replace(Scope::Broken) ||
                          (!is_all_broken() && replace(Scope::Whole)) ||
-                         (options_.solid && may_replace && unite(BehindHoles::Dropped));
+                         (may_replace && may_drop_after_all() && unite(BehindHoles::Dropped));
     if (!is_done) note_failure();
     return std::move(notes_);
   }
@@ -68,6 +68,9 @@ class Guarantee {
          }});
   }
 
+  /// Tells whether a union failed only because parts behind holes were kept.
+  [[nodiscard]] bool may_drop_after_all() const { return options_.solid && is_union_too_far_; }
+
   /// Makes thin solids of sheets, if the mesh consists of sheets only.
   bool thicken() {
     const double left = max_deviation_ - driver_.deviation();
@@ -87,9 +90,10 @@ class Guarantee {
   }
 
   bool unite(BehindHoles behind_holes) {
-    std::string note = unite_from_input(driver_, options_, tolerances_, behind_holes);
-    if (note.empty()) return false;
-    notes_.push_back(std::move(note));
+    UnitedFromInput united = unite_from_input(driver_, options_, tolerances_, behind_holes);
+    is_union_too_far_ = united.is_too_far;
+    if (united.note.empty()) return false;
+    notes_.push_back(std::move(united.note));
     return true;
   }
 
@@ -172,6 +176,7 @@ class Guarantee {
   const Tolerances& tolerances_;
   FinalCheck check_;
   double max_deviation_;
+  bool is_union_too_far_ = false;
   std::string reason_;
   std::vector<std::string> notes_;
 };

@@ -8,6 +8,7 @@
 #include "meshalyzer/spatial/closest_point.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -44,6 +45,7 @@ class UnionFromInput {
     return unite(FillSheets::No) || (options_.solid && !is_too_far_ && unite(FillSheets::Yes));
   }
 
+  [[nodiscard]] bool is_too_far() const { return is_too_far_; }
   [[nodiscard]] double distance_behind_holes() const { return distance_behind_holes_; }
 
  private:
@@ -115,17 +117,17 @@ class UnionFromInput {
 
 }  // namespace
 
-std::string unite_from_input(RepairDriver& driver, const RepairOptions& options,
-                             const Tolerances& tolerances, BehindHoles behind_holes) {
+UnitedFromInput unite_from_input(RepairDriver& driver, const RepairOptions& options,
+                                 const Tolerances& tolerances, BehindHoles behind_holes) {
   UnionFromInput from_input(driver, options, tolerances, behind_holes);
-  if (!from_input.run()) return "";
+  if (!from_input.run()) return {.note = "", .is_too_far = from_input.is_too_far()};
   std::string note =
       "repairs part by part left defects, so the mesh was replaced by its union with itself";
   if (from_input.distance_behind_holes() > driver.max_deviation()) {
     note += "; parts that lie inside it, because holes are filled, were dropped, " +
             readable(from_input.distance_behind_holes()) + " from its surface at most";
   }
-  return note;
+  return {.note = std::move(note)};
 }
 
 }  // namespace meshalyzer

@@ -13,6 +13,14 @@ namespace meshalyzer {
 /// far they are from its surface.
 enum class BehindHoles : std::uint8_t { Kept, Dropped };
 
+/// The result of unite_from_input().
+struct UnitedFromInput {
+  /// A sentence that says what was done; empty if nothing was.
+  std::string note;
+  /// Tells whether the union is good, but farther from the input than the maximum deviation.
+  bool is_too_far = false;
+};
+
 /// If a mesh that means a solid is not good after a repair, starts again from the input, and
 /// replaces all of it by its union with itself (self_union()). A repair part by part may fail where
 /// this does not, because a part that is left as it is obstructs others.
@@ -21,8 +29,8 @@ enum class BehindHoles : std::uint8_t { Kept, Dropped };
 /// The parts that were dropped, although they bounded the solid by winding number, are sampled:
 /// their distance from the result counts as deviation.
 ///
-/// @return A sentence that says what was done; empty if nothing was.
-[[nodiscard]] std::string unite_from_input(RepairDriver& driver, const RepairOptions& options,
-                                           const Tolerances& tolerances, BehindHoles behind_holes);
+[[nodiscard]] UnitedFromInput unite_from_input(RepairDriver& driver, const RepairOptions& options,
+                                               const Tolerances& tolerances,
+                                               BehindHoles behind_holes);
 
 }  // namespace meshalyzer
