@@ -14,7 +14,8 @@ namespace {
 
 /// The factor by which a patch may become denser than its surroundings: Liepa's alpha.
 const double kDensity = std::sqrt(2.0);
-constexpr std::size_t kMaxNewVertices = 50'000;
+/// A patch gets at most about this number of vertices: fairing takes a second for 20,000.
+constexpr std::size_t kMaxNewVertices = 10'000;
 /// Each round splits a triangle once at most, which about halves the edges' lengths in two rounds.
 constexpr std::size_t kMaxSplitRounds = 40;
 constexpr std::size_t kMaxSweeps = 20;
