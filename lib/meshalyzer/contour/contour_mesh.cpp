@@ -186,19 +186,21 @@ class ContourSearch {
   ContourSearch(const Target& target, const BisectionGrid& grid, const ContourLimits& limits)
       : target_(target), grid_(grid), limits_(limits) {}
 
-  ContouredMesh run() {
+  /// @return Nothing if it was to stop.
+  std::optional<ContouredMesh> run() {
     refine_at_samples();
-    while (true) {
+    while (!limits_.wants_to_stop()) {
       draw();
       measure();
-      if (far_.empty()) return {soup_of(contour_), {}, deviation_, true};
+      if (far_.empty()) return ContouredMesh{soup_of(contour_), {}, deviation_, true};
       const std::size_t n_before = leaves_.size();
       refine_far();
       leaves_ = grid_.leaves();
       if (leaves_.size() > limits_.max_tetrahedra || leaves_.size() == n_before) {
-        return {soup_of(contour_), {}, deviation_, false};
+        return ContouredMesh{soup_of(contour_), {}, deviation_, false};
       }
     }
+    return std::nullopt;
   }
 
  private:
@@ -292,7 +294,8 @@ SurfaceParts divide_near(const Box3& box, const Target& target, const ContourLim
        .reach = kReach * limits.max_deviation,
        .crease_spacing = std::max(least, creased.length / kMostPieces),
        .least_piece =
-           std::max({least, crossed.length / kMostPieces, size_of_pieces(crossed.area)})});
+           std::max({least, crossed.length / kMostPieces, size_of_pieces(crossed.area)})},
+      limits.wants_to_stop);
   if (limits.within) {
     std::erase_if(parts.separating, [&](const Vec3& point) { return !box.contains(point); });
     std::erase_if(parts.walls,
@@ -320,8 +323,8 @@ std::optional<ContouredMesh> contour_mesh(const Soup& soup, const ContourLimits&
   const auto grid = grid_round(box);
   if (!grid) return std::nullopt;
   target.parts = divide_near(box, target, limits);
-  ContouredMesh result = ContourSearch(target, *grid, limits).run();
-  result.walls = std::move(target.parts.walls);
+  std::optional<ContouredMesh> result = ContourSearch(target, *grid, limits).run();
+  if (result) result->walls = std::move(target.parts.walls);
   return result;
 }
 

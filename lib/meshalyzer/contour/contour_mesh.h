@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/base/corners.h"
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/mesh/soup.h"
 
 #include <array>
@@ -21,6 +22,8 @@ struct ContourLimits {
   /// empty nor a point, and a little beyond it, where it is closed by any surface. Only what lies
   /// in the box is refined and compared.
   std::optional<Box3> within = {};
+  /// Called now and then, from any thread; once it returns true, no contour is found.
+  StopQuery wants_to_stop = {};
 };
 
 /// The result of contour_mesh().
@@ -44,8 +47,8 @@ struct ContouredMesh {
 /// the mesh are too far apart, refines the grid there, and repeats. The comparison excludes walls,
 /// and the parts of the contour that span holes.
 ///
-/// @return     Nothing if the mesh has no extent, or its coordinates are too large relative to its
-///             size for a grid.
+/// @return     Nothing if the mesh has no extent, if its coordinates are too large relative to its
+///             size for a grid, or if it was to stop.
 /// @complexity O(tetrahedra log tetrahedra) per round; about 400 bytes per tetrahedron.
 [[nodiscard]] std::optional<ContouredMesh> contour_mesh(const Soup& soup,
                                                         const ContourLimits& limits);

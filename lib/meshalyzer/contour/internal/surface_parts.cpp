@@ -119,10 +119,11 @@ std::span<const std::array<Index, 2>> others_of(Index face, const FaceHints& hin
 }  // namespace
 
 SurfaceParts divide_surface(const Soup& soup, const Region& region, const FaceHints& hints,
-                            const PartsResolution& resolution) {
+                            const PartsResolution& resolution, const StopQuery& wants_to_stop) {
   constexpr std::size_t kFaces = 64;
   std::vector<SurfaceParts> of_chunk(n_chunks(soup.n_faces(), kFaces));
   parallel_chunks(soup.n_faces(), kFaces, [&](Chunk chunk) {
+    if (wants_to_stop()) return;
     for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
       if (!is_in_complex(soup.triangles[f])) continue;
       const Corners face = corners_of(soup, static_cast<Index>(f));

@@ -47,8 +47,11 @@ class Replacing {
         tree_(cut_),
         closest_(tree_) {}
 
-  [[nodiscard]] std::optional<ContouredMesh> contour(double max_deviation) const {
-    return contour_mesh(old_, {.max_deviation = max_deviation, .max_tetrahedra = kMaxTetrahedra});
+  [[nodiscard]] std::optional<ContouredMesh> contour(double max_deviation,
+                                                     const StopQuery& wants_to_stop) const {
+    return contour_mesh(old_, {.max_deviation = max_deviation,
+                               .max_tetrahedra = kMaxTetrahedra,
+                               .wants_to_stop = wants_to_stop});
   }
 
   void propose(const ContouredMesh& made) {
@@ -116,8 +119,9 @@ Replacement replace_broken_solids(const PassInput& input, const ReplaceOptions& 
       continue;
     }
     Replacing replacing(input.tracked.soup, solid, replacement.result.edits);
-    const auto made = replacing.contour(options.max_deviation);
+    const auto made = replacing.contour(options.max_deviation, input.wants_to_stop);
     if (!made || !made->is_within) {
+      replacement.needs_larger_grid = replacement.needs_larger_grid || made.has_value();
       replacement.result.refused.push_back(
           refuse(solid, "no replacement within the maximum deviation was found"));
     } else if (made->soup.triangles.empty()) {

@@ -198,7 +198,8 @@ class ReplacingInBoxes {
       std::optional<ContouredMesh> made =
           contour_mesh(soup_, {.max_deviation = (1.0 - kShareOfRounding) * options_.max_deviation,
                                .max_tetrahedra = kMaxTetrahedraInBoxes / boxes_.size(),
-                               .within = boxes_[i]});
+                               .within = boxes_[i],
+                               .wants_to_stop = input_.wants_to_stop});
       if (!made || !made->is_within) return false;
       deviation_ = std::max(deviation_, made->deviation);
       walls_.insert(walls_.end(), made->walls.begin(), made->walls.end());

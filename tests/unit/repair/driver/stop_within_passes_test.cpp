@@ -1,4 +1,5 @@
 #include "meshalyzer/repair/passes.h"
+#include "meshalyzer/repair/replace/internal/replacements.h"
 #include "support/random_soups.h"
 #include "support/run_pass.h"
 #include "support/shapes.h"
@@ -128,6 +129,18 @@ TEST(StopWithinPasses, WindingNumbersOfPiecesEndBetweenThem) {
   // for every 256 samples.
   EXPECT_GE(run_to_the_end(soup, cut).n_asked, 12U);
   EXPECT_EQ(run_stopped(soup, cut, 4).n_operations, 0U);
+}
+
+TEST(StopWithinPasses, ContoursEndBetweenFacesAndRounds) {
+  const Soup soup = open_spheres(8, 1.6, 0.9);
+  const auto replace = [](const PassInput& input) {
+    return replace_broken_solids(input, {.max_deviation = 0.05}).result;
+  };
+  EXPECT_EQ(run_to_the_end(soup, replace).n_operations, 1U);
+  // Asked for every 64 faces, and before each round.
+  EXPECT_GE(run_to_the_end(soup, replace).n_asked, soup.n_faces() / 64 + 2);
+  EXPECT_EQ(run_stopped(soup, replace, 0).n_operations, 0U);
+  EXPECT_EQ(run_stopped(soup, replace, soup.n_faces() / 64 + 2).n_operations, 0U);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ class Guarantee {
     const bool is_done = (options_.solid && thicken()) ||
                          unite(may_drop ? BehindHoles::Dropped : BehindHoles::Kept) ||
                          replace_in_boxes() || replace(Scope::Broken) ||
-                         (!is_all_broken() && replace(Scope::Whole)) ||
+                         (may_replace_more() && replace(Scope::Whole)) ||
                          (may_replace && may_drop_after_all() && unite(BehindHoles::Dropped));
     if (!is_done) note_failure();
     return std::move(notes_);
@@ -53,11 +53,13 @@ class Guarantee {
     return is_good_in_file(state, tolerances_, check_);
   }
 
-  /// Tells whether all of the mesh is one broken solid, so that nothing is left to try.
-  [[nodiscard]] bool is_all_broken() const {
+  /// Tells whether a contour of the whole mesh may serve where one of the broken parts did not: it
+  /// cannot if they are all of the mesh, or if their grid was too large.
+  [[nodiscard]] bool may_replace_more() const {
+    if (needs_larger_grid_) return false;
     const std::vector<BrokenSolid> solids = find_broken_solids(driver_.mesh());
-    return solids.size() == 1 &&
-           solids.front().faces.size() == driver_.mesh().cut().side.faces.size();
+    return solids.size() != 1 ||
+           solids.front().faces.size() != driver_.mesh().cut().side.faces.size();
   }
 
   /// Keeps the result of a pass, and of a plan after it, if it is good.
@@ -153,6 +155,7 @@ class Guarantee {
                            }};
     const std::size_t n_before = driver_.tracked().soup.n_faces();
     if (!try_pass(pass, std::move(trial.plan))) {
+      needs_larger_grid_ = made.needs_larger_grid;
       if (!made.result.refused.empty()) reason_ = made.result.refused.front().reason;
       return made.result.edits.empty() ? Outcome::NotProposed : Outcome::NotGood;
     }
@@ -177,6 +180,7 @@ class Guarantee {
   FinalCheck check_;
   double max_deviation_;
   bool is_union_too_far_ = false;
+  bool needs_larger_grid_ = false;
   std::string reason_;
   std::vector<std::string> notes_;
 };

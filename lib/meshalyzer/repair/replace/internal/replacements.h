@@ -36,6 +36,8 @@ struct Replacement {
   PassResult result;
   /// The largest distance between the new surface and the replaced one that sampling has found.
   double deviation = 0.0;
+  /// Tells whether nothing was proposed because a grid would have needed too many tetrahedra.
+  bool needs_larger_grid = false;
 };
 
 /// Replaces what lies in the smallest boxes that hold the broken faces by the contour of the solid
