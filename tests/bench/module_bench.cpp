@@ -7,11 +7,14 @@
 #include "meshalyzer/picture/scene.h"
 #include "meshalyzer/spatial/mutual_intersection.h"
 #include "meshalyzer/spatial/self_intersection.h"
+#include "meshalyzer/spatial/winding_number.h"
 #include "meshalyzer/topology/components.h"
 
 #include <benchmark/benchmark.h>
 
+#include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -158,5 +161,30 @@ BENCHMARK_CAPTURE(mutual_intersection, identical, "wavy", 1.0, Vec3(0, 0, 0))
 BENCHMARK_CAPTURE(mutual_intersection, slivers, "slivers", 0.99, Vec3(0, 0, 0))
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
+
+/// @param step  Every face with a number that this divides is left out; 0 leaves out none.
+void winding_numbers(benchmark::State& state, std::size_t step, ExpectedQueries expected) {
+  const Soup soup = bench::big_mesh("wavy", kFaces / 10);
+  std::vector<Corners> triangles;
+  Box3 box;
+  for (Index f = 0; f < soup.n_faces(); ++f) {
+    if (step != 0 && f % step == 0) continue;
+    triangles.push_back(corners_of(soup, f));
+    for (const Vec3& p : triangles.back()) box.extend(p);
+  }
+  const WindingNumbers numbers(std::move(triangles), expected);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (auto _ : state) {
+    const double x = share(random);
+    const double y = share(random);
+    const Vec3 place = box.min() + box.sizes().cwiseProduct(Vec3(x, y, share(random)));
+    benchmark::DoNotOptimize(numbers.at_both(place, place + Vec3::Constant(1e-6)));
+  }
+}
+BENCHMARK_CAPTURE(winding_numbers, closed_few, 0, ExpectedQueries::Few);
+BENCHMARK_CAPTURE(winding_numbers, closed_many, 0, ExpectedQueries::Many);
+BENCHMARK_CAPTURE(winding_numbers, holes_few, 100, ExpectedQueries::Few);
+BENCHMARK_CAPTURE(winding_numbers, holes_many, 100, ExpectedQueries::Many);
 
 }  // namespace

@@ -21,7 +21,7 @@ enum class ExpectedQueries : std::uint8_t { Few, Many };
 /// al. 2018, "Fast winding numbers for soups and clouds"): the error is below 0.01 for a surface
 /// that goes round once. Where many points are expected and the boundary is short, the crossings of
 /// a ray with the surface, closed by other triangles, are counted instead, and the winding number
-/// of the others is subtracted: that takes a tenth of the time. The numbers serve for estimates and
+/// of the others is subtracted, which is several times as fast. The numbers serve for estimates and
 /// votes, never for exact decisions. Reversing all triangles by exchanging their last two corners
 /// negates all answers, to the last bit.
 class WindingNumbers {
