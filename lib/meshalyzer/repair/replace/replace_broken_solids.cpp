@@ -101,7 +101,7 @@ const char* reason_against(const BrokenSolid& solid, const ReplaceOptions& optio
   if (!solid.all_bound_solid && options.sheets == ReplaceOptions::Sheets::Kept) {
     return "a part of it bounds no solid, which a replacement would drop";
   }
-  if (!(options.max_deviation > 0.0)) return "a replacement needs a maximum deviation above 0";
+  if (!(options.max_deviation > 0.0)) return "no deviation is left for a replacement";
   return nullptr;
 }
 

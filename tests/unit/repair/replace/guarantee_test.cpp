@@ -1,9 +1,14 @@
+#include "meshalyzer/repair/replace/internal/guarantee.h"
+
+#include "support/run_pass.h"
 #include "support/shapes.h"
 #include "unit/repair/repaired_meshes.h"
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <random>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -37,6 +42,23 @@ TEST(Guarantee, CubesThatCrossAreReplacedByTheirUnion) {
   EXPECT_TRUE(is_noted(result, "was replaced by a new surface"));
   EXPECT_LE(result.deviation, result.max_deviation);
   EXPECT_NEAR(volume_of(only_mesh(result)), 15, 0.3);
+}
+
+TEST(Guarantee, InputIsReplacedWhereRepairsHaveUsedUpTheDeviation) {
+  constexpr double kMaxDeviation = 0.03;
+  RepairOptions options = to_solid();
+  // So that nothing but the replacement can help.
+  options.fixes.erase(DefectCode::SelfIntersection);
+  const Soup cubes = shapes::merged(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
+  const Tolerances tolerances = resolve_tolerances({}, box_of(cubes));
+  RepairDriver driver(
+      cubes, tolerances, RepairLimits{.max_deviation = kMaxDeviation, .fixed_vertices = {}},
+      [](const TrackedMesh&, const CutMesh&) { return std::vector<std::uint8_t>(); });
+  driver.raise_deviation(kMaxDeviation);
+  EXPECT_EQ(guarantee_goodness(driver, options, tolerances).size(), 1U);
+  EXPECT_TRUE(is_good(driver.tracked().soup));
+  EXPECT_NEAR(volume_of(driver.tracked().soup), 15, 0.5);
+  EXPECT_LE(driver.deviation(), kMaxDeviation);
 }
 
 TEST(Guarantee, WhatIsGoodStaysAsItIs) {

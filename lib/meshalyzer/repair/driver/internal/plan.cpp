@@ -147,6 +147,14 @@ std::vector<PlannedPass> plan_before_cutting(const RepairOptions& options,
   return plan.take();
 }
 
+std::vector<PlannedPass> plan_before_contour(const RepairOptions& options,
+                                             const Tolerances& tolerances) {
+  const DefectCodes left{DefectCode::DegenerateFacet, DefectCode::Foldover, DefectCode::Hole};
+  std::vector<PlannedPass> plan = plan_before_cutting(options, tolerances);
+  std::erase_if(plan, [&](const PlannedPass& pass) { return left.contains(pass.code); });
+  return plan;
+}
+
 std::vector<PlannedPass> plan_with_sheets_cut(const RepairOptions& options,
                                               const Tolerances& tolerances) {
   Planner plan(options.fixes);

@@ -54,6 +54,13 @@ struct PlannedPass {
 [[nodiscard]] std::vector<PlannedPass> plan_before_cutting(const RepairOptions& options,
                                                            const Tolerances& tolerances);
 
+/// Returns those passes that come before a contour of the input: those that join and orient faces.
+/// Others would use up a part of the deviation for facets and holes that the contour has not.
+///
+/// @param tolerances  Must outlive the plan.
+[[nodiscard]] std::vector<PlannedPass> plan_before_contour(const RepairOptions& options,
+                                                           const Tolerances& tolerances);
+
 /// Returns the passes for a mesh of which parts were replaced by closed surfaces.
 [[nodiscard]] std::vector<PlannedPass> plan_after_replacement(const RepairOptions& options);
 

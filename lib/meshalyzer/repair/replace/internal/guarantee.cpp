@@ -43,7 +43,8 @@ class Guarantee {
                          unite(may_drop ? BehindHoles::Dropped : BehindHoles::Kept) ||
                          replace_in_boxes() || replace(Scope::Broken) ||
                          (may_replace_more() && replace(Scope::Whole)) ||
-                         (may_replace && may_drop_after_all() && unite(BehindHoles::Dropped));
+                         (may_replace && may_drop_after_all() && unite(BehindHoles::Dropped)) ||
+                         replace_from_input();
     if (!is_done) note_failure();
     return std::move(notes_);
   }
@@ -63,11 +64,15 @@ class Guarantee {
   }
 
   /// Keeps the result of a pass, and of a plan after it, if it is good.
-  bool try_pass(const PlannedPass& pass, std::vector<PlannedPass> plan) {
+  ///
+  /// @param from_input  If there are any, the trial starts from the input with these passes.
+  bool try_pass(const PlannedPass& pass, std::vector<PlannedPass> plan,
+                std::vector<PlannedPass> from_input = {}) {
     return driver_.run_trial(
-        {.change = pass, .plan = std::move(plan), .is_wanted = [&](const RepairState& state) {
-           return is_good(state);
-         }});
+        {.from_input = std::move(from_input),
+         .change = pass,
+         .plan = std::move(plan),
+         .is_wanted = [&](const RepairState& state) { return is_good(state); }});
   }
 
   /// Tells whether a union failed only because parts behind holes were kept.
@@ -112,19 +117,21 @@ class Guarantee {
   /// A replacement, and the passes after it.
   struct Trial {
     std::string_view name;
-    std::function<Replacement(const PassInput&)> propose;
+    /// Gets the mesh, and what is left of the maximum deviation.
+    std::function<Replacement(const PassInput&, double)> propose;
     std::vector<PlannedPass> plan;
+    /// If there are any, the replacement starts from the input with these passes.
+    std::vector<PlannedPass> from_input = {};
   };
 
   /// Replaces what lies in boxes round the broken places, first in small ones.
   bool replace_in_boxes() {
     if (!bounds_solids()) return false;
-    const double left = max_deviation_ - driver_.deviation();
     for (const double margin : {2.0 * max_deviation_, 16.0 * max_deviation_}) {
-      const BoxOptions how{.margin = margin,
-                           .max_deviation = left,
-                           .lost = options_.solid ? LostParts::Allowed : LostParts::Refused};
-      const auto propose = [&](const PassInput& input) {
+      BoxOptions how{.margin = margin,
+                     .lost = options_.solid ? LostParts::Allowed : LostParts::Refused};
+      const auto propose = [&](const PassInput& input, double left) {
+        how.max_deviation = left;
         return meshalyzer::replace_in_boxes(input, how);
       };
       const Outcome outcome =
@@ -136,25 +143,43 @@ class Guarantee {
 
   /// Replaces the broken parts, or all of the mesh.
   bool replace(ReplaceOptions::Scope scope) {
-    const ReplaceOptions how{
-        .scope = scope,
-        .sheets = options_.solid ? ReplaceOptions::Sheets::Dropped : ReplaceOptions::Sheets::Kept,
-        .max_deviation = max_deviation_ - driver_.deviation()};
-    const auto propose = [&](const PassInput& input) { return replace_broken_solids(input, how); };
+    return Outcome::Kept == try_replacement({"replace broken solids", contour_of(scope),
+                                             plan_after_replacement(options_)});
+  }
+
+  /// Replaces all of the input, where repairs have used up much of the deviation and left it broken
+  /// all the same.
+  bool replace_from_input() {
+    constexpr double kMuch = 0.25;
+    if (driver_.deviation() < kMuch * max_deviation_ || driver_.is_stopped()) return false;
     return Outcome::Kept ==
-           try_replacement({"replace broken solids", propose, plan_after_replacement(options_)});
+           try_replacement({"replace broken solids", contour_of(ReplaceOptions::Scope::Whole),
+                            plan_after_replacement(options_),
+                            plan_before_contour(options_, tolerances_)});
+  }
+
+  [[nodiscard]] std::function<Replacement(const PassInput&, double)> contour_of(
+      ReplaceOptions::Scope scope) const {
+    using Sheets = ReplaceOptions::Sheets;
+    const Sheets sheets = options_.solid ? Sheets::Dropped : Sheets::Kept;
+    return [=](const PassInput& input, double left) {
+      return replace_broken_solids(input,
+                                   {.scope = scope, .sheets = sheets, .max_deviation = left});
+    };
   }
 
   /// Keeps a replacement if it is good, and notes what it is.
   Outcome try_replacement(Trial trial) {
     Replacement made;
-    const double before = driver_.deviation();
+    double before = 0.0;
+    std::size_t n_before = 0;
     const PlannedPass pass{trial.name, DefectCode::SelfIntersection, [&](const PassInput& input) {
-                             made = trial.propose(input);
+                             before = driver_.deviation();
+                             n_before = input.tracked.soup.n_faces();
+                             made = trial.propose(input, max_deviation_ - before);
                              return made.result;
                            }};
-    const std::size_t n_before = driver_.tracked().soup.n_faces();
-    if (!try_pass(pass, std::move(trial.plan))) {
+    if (!try_pass(pass, std::move(trial.plan), std::move(trial.from_input))) {
       needs_larger_grid_ = made.needs_larger_grid;
       if (!made.result.refused.empty()) reason_ = made.result.refused.front().reason;
       return made.result.edits.empty() ? Outcome::NotProposed : Outcome::NotGood;
