@@ -164,12 +164,13 @@ class PartnerSearch {
     if (scene_.shared == nullptr) return;
     const std::span<const Index> near = scene_.shared->neighbours(leaf_);
     may_share_others_ = std::binary_search(near.begin(), near.end(), static_cast<Index>(other));
-    const std::span<const HubFaces> theirs = scene_.shared->hubs(other);
-    for (const HubFaces& mine : scene_.shared->hubs(leaf_)) {
-      const auto same = std::find_if(theirs.begin(), theirs.end(),
-                                     [&](const HubFaces& hub) { return hub.hub == mine.hub; });
+    const std::span<const LeafVertex> theirs = scene_.shared->hubs(other);
+    for (const LeafVertex& mine : scene_.shared->hubs(leaf_)) {
+      const auto same = std::find_if(theirs.begin(), theirs.end(), [&](const LeafVertex& hub) {
+        return hub.vertex == mine.vertex;
+      });
       if (same == theirs.end()) continue;
-      const bool is_proven = !scene_.proven.empty() && scene_.proven[mine.hub] != 0;
+      const bool is_proven = !scene_.proven.empty() && scene_.proven[mine.vertex] != 0;
       common_hubs_.push_back({&mine, &*same, is_proven || mine.angles.is_apart_from(same->angles)});
     }
   }
@@ -332,8 +333,8 @@ class PartnerSearch {
   std::optional<LeafFrame> frame_;
   /// A hub that this leaf and another one have in common.
   struct CommonHub {
-    const HubFaces* mine;
-    const HubFaces* theirs;
+    const LeafVertex* mine;
+    const LeafVertex* theirs;
     /// Whether none of the faces of one share anything else with those of the other.
     bool is_settled;
   };

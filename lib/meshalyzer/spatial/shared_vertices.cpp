@@ -15,22 +15,22 @@ constexpr std::size_t kLeavesOfHub = 16;
 constexpr std::size_t kLeavesPerTask = kChunkLength / 8;
 
 /// Returns the vertices of the faces of a leaf, ascending, each with the faces that have it.
-std::vector<HubFaces> vertices_of(const FaceTree& tree, std::size_t leaf) {
-  std::vector<HubFaces> vertices;
+std::vector<LeafVertex> vertices_of(const FaceTree& tree, std::size_t leaf) {
+  std::vector<LeafVertex> vertices;
   const std::size_t n_faces = std::min<std::size_t>(8, tree.n_faces() - 8 * leaf);
   for (std::size_t i = 0; i < n_faces; ++i) {
     const Triangle t = tree.triangle(8 * leaf + i);
     for (unsigned c = 0; c < 3; ++c) {
       const auto same = std::find_if(vertices.begin(), vertices.end(),
-                                     [&](const HubFaces& known) { return known.hub == t[c]; });
-      HubFaces& known = same == vertices.end() ? vertices.emplace_back() : *same;
-      known.hub = t[c];
+                                     [&](const LeafVertex& known) { return known.vertex == t[c]; });
+      LeafVertex& known = same == vertices.end() ? vertices.emplace_back() : *same;
+      known.vertex = t[c];
       known.lanes |= 1U << i;
       known.corners |= c << (2 * i);
     }
   }
   std::sort(vertices.begin(), vertices.end(),
-            [](const HubFaces& a, const HubFaces& b) { return a.hub < b.hub; });
+            [](const LeafVertex& a, const LeafVertex& b) { return a.vertex < b.vertex; });
   return vertices;
 }
 
@@ -42,7 +42,7 @@ struct LeavesOfVertices {
 
   explicit LeavesOfVertices(const FaceTree& tree) {
     const auto visit_once = [&](std::size_t leaf, const auto& visit) {
-      for (const HubFaces& vertex : vertices_of(tree, leaf)) visit(vertex.hub);
+      for (const LeafVertex& of_leaf : vertices_of(tree, leaf)) visit(of_leaf.vertex);
     };
     for (std::size_t leaf = 0; leaf < tree.n_leaves(); ++leaf) {
       visit_once(leaf, [&](Index v) {
@@ -64,7 +64,7 @@ struct LeavesOfVertices {
 };
 
 /// Returns a range round the angles at which the faces of a leaf are seen at a vertex.
-AngleRange angles_at(const HubFaces& vertex, const CornerAngles& angles, std::size_t leaf) {
+AngleRange angles_at(const LeafVertex& vertex, const CornerAngles& angles, std::size_t leaf) {
   std::optional<AngleRange> all;
   for (std::size_t i = 0; i < 8; ++i) {
     if ((vertex.lanes >> i & 1U) == 0) continue;
@@ -76,7 +76,7 @@ AngleRange angles_at(const HubFaces& vertex, const CornerAngles& angles, std::si
 
 /// What is known of some leaves that follow each other.
 struct Part {
-  std::vector<HubFaces> hubs;
+  std::vector<LeafVertex> hubs;
   std::vector<std::size_t> hub_counts;
   std::vector<Index> neighbours;
   std::vector<std::size_t> neighbour_counts;
@@ -85,11 +85,11 @@ struct Part {
            std::size_t leaf) {
     std::vector<Index> near;
     std::size_t n_hubs = 0;
-    for (const HubFaces& vertex : vertices_of(tree, leaf)) {
-      const std::span<const Index> its = leaves.of(vertex.hub);
+    for (const LeafVertex& of_leaf : vertices_of(tree, leaf)) {
+      const std::span<const Index> its = leaves.of(of_leaf.vertex);
       if (its.size() > kLeavesOfHub) {
-        hubs.push_back(vertex);
-        hubs.back().angles = angles_at(vertex, angles, leaf);
+        hubs.push_back(of_leaf);
+        hubs.back().angles = angles_at(of_leaf, angles, leaf);
         ++n_hubs;
       } else {
         near.insert(near.end(), its.begin(), its.end());

@@ -10,14 +10,15 @@
 
 namespace meshalyzer {
 
-/// A hub, which is a vertex of very many leaves, and those faces of one leaf that have it.
-struct HubFaces {
-  Index hub = kNoIndex;
-  /// The faces, as bits.
+/// A vertex of the faces of one leaf.
+struct LeafVertex {
+  Index vertex = kNoIndex;
+  /// The faces that have it, as bits.
   unsigned lanes = 0;
-  /// The numbers of their corners at the hub, two bits each.
+  /// The numbers of their corners there, two bits each.
   unsigned corners = 0;
-  /// A range of angles that holds those of all these corners (see CornerAngles).
+  /// A range of angles that holds those of all these corners (see CornerAngles); known of hubs
+  /// only.
   AngleRange angles;
 
   [[nodiscard]] std::size_t corner(std::size_t lane) const { return corners >> (2 * lane) & 3U; }
@@ -25,13 +26,14 @@ struct HubFaces {
 
 /// Tells which leaves of a FaceTree have vertices in common, so that the vertices of their faces
 /// need not be compared where there is none. That pays where the boxes of very many leaves meet.
+/// A hub is a vertex of very many leaves.
 class SharedVertices {
  public:
   /// @complexity O(#F) time; some 12 bytes a face.
   SharedVertices(const FaceTree& tree, const CornerAngles& angles);
 
   /// Returns the hubs of a leaf, ascending.
-  [[nodiscard]] std::span<const HubFaces> hubs(std::size_t leaf) const {
+  [[nodiscard]] std::span<const LeafVertex> hubs(std::size_t leaf) const {
     return part_of(hubs_, hub_begin_, leaf);
   }
   /// Returns the leaves that have a vertex in common with a leaf that is no hub, ascending; a leaf
@@ -47,7 +49,7 @@ class SharedVertices {
     return std::span(all).subspan(begin[leaf], begin[leaf + 1] - begin[leaf]);
   }
 
-  std::vector<HubFaces> hubs_;
+  std::vector<LeafVertex> hubs_;
   std::vector<std::size_t> hub_begin_;
   std::vector<Index> neighbours_;
   std::vector<std::size_t> neighbour_begin_;

@@ -75,7 +75,7 @@ TEST(SharedVertices, NeighboursAndHubsAreThoseFoundByComparingAllLeaves) {
         }
       }
       EXPECT_TRUE(std::ranges::equal(mesh.shared.neighbours(a), near));
-      EXPECT_TRUE(std::ranges::equal(mesh.shared.hubs(a), hubs, {}, &HubFaces::hub));
+      EXPECT_TRUE(std::ranges::equal(mesh.shared.hubs(a), hubs, {}, &LeafVertex::vertex));
       n_hubs += hubs.size();
     }
   }
@@ -87,7 +87,7 @@ TEST(SharedVertices, HubNamesItsFacesAndTheirCorners) {
   for (const Soup& soup : meshes()) {
     const LeavesOfMesh mesh(soup);
     for (std::size_t leaf = 0; leaf < mesh.tree.n_leaves(); ++leaf) {
-      for (const HubFaces& hub : mesh.shared.hubs(leaf)) {
+      for (const LeafVertex& hub : mesh.shared.hubs(leaf)) {
         for (std::size_t i = 0; i < 8; ++i) {
           const bool has_it = (hub.lanes >> i & 1U) != 0;
           if (8 * leaf + i >= mesh.tree.n_faces()) {
@@ -95,8 +95,8 @@ TEST(SharedVertices, HubNamesItsFacesAndTheirCorners) {
             continue;
           }
           const Triangle t = mesh.tree.triangle(8 * leaf + i);
-          EXPECT_EQ(has_it, std::ranges::count(t, hub.hub) == 1);
-          EXPECT_TRUE(!has_it || t[hub.corner(i)] == hub.hub);
+          EXPECT_EQ(has_it, std::ranges::count(t, hub.vertex) == 1);
+          EXPECT_TRUE(!has_it || t[hub.corner(i)] == hub.vertex);
         }
       }
     }
@@ -108,9 +108,9 @@ TEST(SharedVertices, LeavesAtAHubAreApartOnlyWhereAllOfTheirFacesAre) {
   ASSERT_FALSE(mesh.angles.empty());
   std::size_t n_apart = 0;
   for (std::size_t a = 0; a < mesh.tree.n_leaves(); ++a) {
-    const HubFaces& mine = mesh.shared.hubs(a).front();
+    const LeafVertex& mine = mesh.shared.hubs(a).front();
     for (std::size_t b = 0; b < mesh.tree.n_leaves(); ++b) {
-      const HubFaces& theirs = mesh.shared.hubs(b).front();
+      const LeafVertex& theirs = mesh.shared.hubs(b).front();
       if (!mine.angles.is_apart_from(theirs.angles)) continue;
       ++n_apart;
       for (std::size_t i = 0; i < 8; ++i) {
