@@ -2,65 +2,17 @@
 
 #include "meshalyzer/base/eight_lanes.h"
 #include "meshalyzer/base/parallel.h"
-#include "meshalyzer/base/select_nth.h"
 #include "meshalyzer/mesh/unbuild.h"
+#include "meshalyzer/spatial/face_order.h"
 #include "meshalyzer/spatial/tree_width.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
 namespace meshalyzer {
 namespace {
-
-/// With fewer faces a split is not worth a task of its own.
-constexpr std::size_t kParallelSplit = 32768;
-
-/// A face and twice the centre of its box.
-struct Item {
-  std::array<float, 3> middle;
-  Index face;
-};
-
-/// Of many items about so many are looked at to find the widest axis, which need not be exactly so.
-constexpr std::size_t kSampledItems = 128;
-
-std::size_t widest_axis(std::span<const Item> items) {
-  std::array<float, 3> low = items.front().middle;
-  std::array<float, 3> high = low;
-  // An odd step does not stay in one row of a grid.
-  const std::size_t step = items.size() / kSampledItems | 1U;
-  for (std::size_t i = 0; i < items.size(); i += step) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], items[i].middle[k]);
-      high[k] = std::max(high[k], items[i].middle[k]);
-    }
-  }
-  std::array<float, 3> width{high[0] - low[0], high[1] - low[1], high[2] - low[2]};
-  return static_cast<std::size_t>(std::max_element(width.begin(), width.end()) - width.begin());
-}
-
-/// Sorts items so that every aligned run of 8, 16, 32, ... is one side of a split at a median.
-void split(std::span<Item> items) {
-  if (items.size() <= kTreeWidth) {
-    return;
-  }
-  const std::size_t leaves = (items.size() + kTreeWidth - 1) / kTreeWidth;
-  const std::size_t left = kTreeWidth * (std::bit_ceil(leaves) / 2);
-  const std::size_t axis = widest_axis(items);
-  select_nth(items, left, [axis](const Item& item) {
-    return std::uint64_t{ordered_bits(item.middle[axis])} << 32 | item.face;
-  });
-  if (items.size() < kParallelSplit) {
-    split(items.first(left));
-    split(items.subspan(left));
-  } else {
-    parallel_invoke(items.size(),
-                    {[&] { split(items.first(left)); }, [&] { split(items.subspan(left)); }});
-  }
-}
 
 /// Faces are far if a few of them make the box this many times wider than that of the others.
 constexpr double kMuchWider = 1024.0;
@@ -225,7 +177,7 @@ void FaceTree::mark_far_leaves() {
 }
 
 void FaceTree::order_faces(std::span<const Triangle> triangles) {
-  std::vector<Item> items(triangles.size());
+  std::vector<FaceMiddle> items(triangles.size());
   parallel_chunks(items.size(), [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       const TreeBox box = box_of(triangles[i]);
@@ -236,7 +188,7 @@ void FaceTree::order_faces(std::span<const Triangle> triangles) {
       items[i].face = static_cast<Index>(i);
     }
   });
-  split(items);
+  order_for_tree(items, triangles, points_);
   EightFaces none;
   for (auto& corner : none.corners) {
     corner.fill(kNoIndex);

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/spatial/eight_reaches.h"
+#include "meshalyzer/spatial/long_face.h"
 
 #include <algorithm>
 #include <span>
@@ -26,19 +27,11 @@ Vec3f mapped(const FaceTree& tree, Index v) {
   return {p[0], p[1], p[2]};
 }
 
-/// Tells whether a face is as long and thin as those of bundles are on average. Squares that
-/// overflow make no face long, which changes no answer of a search.
-bool is_long(const FaceTree& tree, const Triangle& t) {
-  const Vec3 u = tree.point(t[1]) - tree.point(t[0]);
-  const Vec3 v = tree.point(t[2]) - tree.point(t[0]);
-  const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
-  return longest * longest > double{kThin} * kThin * u.cross(v).squaredNorm();
-}
-
 bool has_long_face(const FaceTree& tree, std::size_t leaf) {
   const std::size_t end = std::min(8 * (leaf + 1), tree.n_faces());
   for (std::size_t slot = 8 * leaf; slot < end; ++slot) {
-    if (is_long(tree, tree.triangle(slot))) return true;
+    const Triangle t = tree.triangle(slot);
+    if (is_long_face({tree.point(t[0]), tree.point(t[1]), tree.point(t[2])})) return true;
   }
   return false;
 }
@@ -76,7 +69,7 @@ Vec3f common_direction(std::span<const Vec3f> corners) {
     areas += edges[0].cross(edges[1]).norm();
     sum += sum.dot(longest) < 0.0F ? Vec3f(-longest) : longest;
   }
-  return lengths_squared > kThin * areas ? Vec3f(sum.normalized()) : Vec3f::Zero();
+  return lengths_squared > kLong * areas ? Vec3f(sum.normalized()) : Vec3f::Zero();
 }
 
 /// Returns the mean normal of the faces, made perpendicular to `along`.
