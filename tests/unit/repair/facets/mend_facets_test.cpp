@@ -1,3 +1,5 @@
+#include "meshalyzer/base/corners.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/spatial/closest_point.h"
 #include "support/effort.h"
@@ -243,6 +245,37 @@ TEST(MendFacets, NeckOfThreeShortEdgesIsNotPinched) {
   const PassRun run = run_pass(soup, mend_facets);
   EXPECT_EQ(topology_of(run.tracked.soup), topology_of(soup));
   EXPECT_FALSE(run.refused.empty());
+}
+
+/// Puts a vertex with three faces on a face, at a height above its middle.
+void put_fin_on(Soup& soup, Index face, double height) {
+  const Triangle t = soup.triangles[face];
+  const Corners p = corners_of(soup, face);
+  const auto tip = static_cast<Index>(soup.n_vertices());
+  soup.positions.emplace_back(centroid_of(p) + height * normal_of(p).normalized());
+  soup.triangles[face] = {t[0], t[1], tip};
+  soup.triangles.push_back({t[1], t[2], tip});
+  soup.triangles.push_back({t[2], t[0], tip});
+}
+
+TEST(MendFacets, FinsOnNeedlesGoWithThemAndTheTopologyStays) {
+  constexpr double kHeight = 1e-3;
+  for (Soup soup : {shapes::icosphere(2), shapes::torus(3.0, 1.0, 16, 9)}) {
+    const TopologyCounts topology = topology_of(soup);
+    for (Index face = 0; face < 280; face += 40) {
+      split_edge(soup, face, face / 40 % 3, 1e-10);
+      // The last two faces are needles: one of them gets a fin, or both.
+      const auto last = static_cast<Index>(soup.n_faces() - 1);
+      put_fin_on(soup, last, kHeight);
+      if (face % 80 == 0) put_fin_on(soup, last - 1, kHeight);
+    }
+    ASSERT_FALSE(thin_faces(soup).empty());
+    const PassRun run = run_pass(soup, mend_facets);
+    EXPECT_TRUE(thin_faces(run.tracked.soup).empty());
+    EXPECT_EQ(topology_of(run.tracked.soup), topology);
+    EXPECT_LE(sampled_distance(soup, run.tracked.soup), kHeight * (1.0 + 1e-6));
+    EXPECT_LE(sampled_distance(run.tracked.soup, soup), kHeight);
+  }
 }
 
 TEST(MendFacets, TriangularHoleWithAShortEdgeStaysAHole) {

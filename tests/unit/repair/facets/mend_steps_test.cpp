@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -34,7 +35,7 @@ struct MendFixture {
 
   [[nodiscard]] bool may_merge_ends(Index gone, Index kept) const {
     MendStep step;
-    return may_merge(mesh, gone, kept, step);
+    return may_merge(mesh, {gone, kept}, fin_tips_at(mesh, gone, kept, step), step);
   }
 };
 
@@ -101,6 +102,57 @@ TEST(MayMerge, FinOfOneFaceOnASurfaceMayNotShrinkIntoIt) {
   EXPECT_FALSE(fin.may_merge_ends(t[0], tip));
 }
 
+/// A tetrahedron with a vertex, 4, above the middle of the edge 0 1, in the face 0 1 2. On the face
+/// 0 4 2 there is a fin, of which the tip is vertex 5.
+Soup tetrahedron_with_fin() {
+  return shapes::make(
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.1, 0, 0}, {0.1, 0.5, -0.2}},
+      {{0, 5, 4}, {4, 5, 2}, {2, 5, 0}, {4, 2, 1}, {0, 4, 3}, {4, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+}
+
+TEST(FinTipsAt, VertexWithThreeFacesIsATipBetweenItsNeighbours) {
+  const MendFixture fixture(tetrahedron_with_fin());
+  MendStep step;
+  const std::vector<FinTip> fins = fin_tips_at(fixture.mesh, 0, 4, step);
+  ASSERT_EQ(fins.size(), 1U);
+  EXPECT_EQ(fins[0].tip, 5U);
+  EXPECT_EQ(fins[0].third_neighbour, 2U);
+  EXPECT_TRUE(fin_tips_at(fixture.mesh, 4, 1, step).empty());
+  EXPECT_EQ(step.read_vertices, std::vector<Index>{5});
+}
+
+TEST(MayMerge, EdgeWithAFinMayGoUnlessAThirdVertexJoinsItsEnds) {
+  // Without the fin's tip, 0 and 4 have the vertices 2 and 3 of their faces in common.
+  EXPECT_TRUE(MendFixture(tetrahedron_with_fin()).may_merge_ends(4, 0));
+  // Two fins on the faces of an edge of a tetrahedron: all its vertices are joined.
+  const MendFixture tetrahedron(
+      shapes::make({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.3, 0.3, -1}},
+                   {{0, 4, 1}, {1, 4, 2}, {2, 4, 0}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}));
+  EXPECT_FALSE(tetrahedron.may_merge_ends(0, 1));
+}
+
+TEST(CollapseEdge, FinAtTheEdgeGoesWithItAsFarAsItIsHigh) {
+  MendFixture fixture(tetrahedron_with_fin());
+  const MendAttempt attempt = collapse_edge(fixture.mesh, fixture.rules, {0, 4});
+  ASSERT_TRUE(attempt.is_possible());
+  // The tip is 0.2 below the plane of the face 0 2 1, which all of the fin stands on.
+  EXPECT_NEAR(attempt.deviation, 0.2, 1e-12);
+  fixture.mesh.make(attempt.step);
+  EXPECT_TRUE(fixture.mesh.faces_at(4).empty());
+  EXPECT_TRUE(fixture.mesh.faces_at(5).empty());
+  for (const Index v : {0U, 1U, 2U, 3U}) EXPECT_EQ(fixture.mesh.faces_at(v).size(), 3U);
+}
+
+TEST(CollapseEdge, FinThatIsTooHighOrFixedStays) {
+  MendFixture fixture(tetrahedron_with_fin());
+  fixture.limits.max_deviation = 0.19;
+  EXPECT_EQ(collapse_edge(fixture.mesh, fixture.rules, {0, 4}).outcome, MendOutcome::TooFar);
+  fixture.limits.max_deviation = 0.21;
+  EXPECT_TRUE(collapse_edge(fixture.mesh, fixture.rules, {0, 4}).is_possible());
+  fixture.limits.fixed_vertices = {0, 0, 0, 0, 0, 1};
+  EXPECT_EQ(collapse_edge(fixture.mesh, fixture.rules, {0, 4}).outcome, MendOutcome::Fixed);
+}
+
 /// A flat fan of faces round vertex 0, over an arrow-shaped polygon: seen from vertex 1, not all of
 /// it can be seen.
 Soup arrow() {
@@ -138,13 +190,53 @@ TEST(CollapseEdge, OfTwoEndsTheOneGoesWhoseFacesAreFlat) {
 }
 
 TEST(RetractCap, ApexThatIsJoinedToTheVertexBeyondAlreadyIsLeft) {
-  // Vertex 0 has three faces; the cap 0 1 2 has its apex 2 on the edge 0 1, and beyond that is 3,
-  // which 2 is joined to on the other side.
-  const Soup soup = shapes::make({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {1, 0, 3}},
-                                 {{0, 1, 2}, {1, 0, 3}, {0, 2, 3}, {1, 3, 4}, {3, 2, 4}});
+  // The cap 0 1 2 has its apex 2 on the edge 0 1, and beyond that is 3, which 2 is joined to on the
+  // other side. Vertex 0 has a fourth face, because of vertex 5.
+  const Soup soup =
+      shapes::make({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {1, 0, 3}, {0.5, 0.3, 0.1}},
+                   {{0, 1, 2}, {1, 0, 3}, {0, 2, 5}, {2, 3, 5}, {3, 0, 5}, {1, 3, 4}, {3, 2, 4}});
   const MendFixture fixture(soup, 1e-8, {0});
   EXPECT_EQ(retract_cap(fixture.mesh, fixture.rules, 0, RetractGain::FewerThin).outcome,
             MendOutcome::Topology);
+}
+
+/// Vertex 0 has three faces; the cap 0 1 2 has its apex 2 on the edge 0 1, and beyond that is 3,
+/// which the third face joins 2 to.
+Soup cap_beside_end_with_three_faces() {
+  return shapes::make({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {1, 0, 3}},
+                      {{0, 1, 2}, {1, 0, 3}, {0, 2, 3}, {1, 3, 4}, {3, 2, 4}});
+}
+
+TEST(RetractCap, EndWithThreeFacesGoesWithTheCap) {
+  MendFixture fixture(cap_beside_end_with_three_faces(), 1e-8, {0});
+  const auto retract = [&] {
+    return retract_cap(fixture.mesh, fixture.rules, 0, RetractGain::FewerThin);
+  };
+  const MendAttempt attempt = retract();
+  ASSERT_TRUE(attempt.is_possible());
+  // In the plane of the half 1 2 3 that stays, vertex 0 sees the edge from 2 to 3 in the direction
+  // of (-1, 2), 1 away from 2: the distance is 2 / sqrt 5.
+  EXPECT_NEAR(attempt.deviation, 2.0 / std::sqrt(5.0), 1e-12);
+  fixture.limits.max_deviation = 0.89;
+  EXPECT_EQ(retract().outcome, MendOutcome::TooFar);
+  fixture.limits.max_deviation = 0.9;
+  fixture.limits.fixed_vertices = {1, 0, 0, 0, 0};
+  EXPECT_EQ(retract().outcome, MendOutcome::Fixed);
+  fixture.mesh.make(attempt.step);
+  EXPECT_TRUE(fixture.mesh.faces_at(0).empty());
+  EXPECT_EQ(fixture.mesh.triangle(1), (Triangle{1, 2, 3}));
+  EXPECT_EQ(fixture.mesh.faces_at(2).size(), 2U);
+}
+
+TEST(RetractCap, FlatTetrahedronGoesAsAWhole) {
+  const Soup soup = shapes::make({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {0.5, 1, 0}},
+                                 {{0, 1, 2}, {1, 0, 3}, {0, 2, 3}, {2, 1, 3}});
+  MendFixture fixture(soup, 1e-8, {0});
+  const MendAttempt attempt = retract_cap(fixture.mesh, fixture.rules, 0, RetractGain::FewerThin);
+  ASSERT_TRUE(attempt.is_possible());
+  EXPECT_EQ(attempt.step.changed.size(), 4U);
+  fixture.mesh.make(attempt.step);
+  for (Index v = 0; v < 4; ++v) EXPECT_TRUE(fixture.mesh.faces_at(v).empty());
 }
 
 TEST(RetractCap, CapWhoseApexIsOnTheBorderTooIsLeftAtTheBorder) {

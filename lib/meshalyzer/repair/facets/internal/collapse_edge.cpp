@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/facets/internal/collapse_edge.h"
 
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/repair/facets/internal/facet_shape.h"
 #include "meshalyzer/repair/facets/internal/link_condition.h"
 #include "meshalyzer/spatial/triangle_distance.h"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -37,13 +39,19 @@ Triangle renamed(Triangle t, Index from, Index to) {
 /// A merge, and the faces round the edge before and after it.
 class MergeCandidate {
  public:
-  MergeCandidate(const WorkingMesh& mesh, const Merge& merge) : mesh_(mesh), merge_(merge) {
+  MergeCandidate(const WorkingMesh& mesh, const Merge& merge, const std::vector<FinTip>& fins)
+      : mesh_(mesh), merge_(merge), fins_(fins) {
+    for (const FinTip& fin : fins) {
+      const auto faces = mesh.faces_at(fin.tip);
+      fin_faces_.insert(fin_faces_.end(), faces.begin(), faces.end());
+    }
+    sort_unique(fin_faces_);
     for (const Index f : mesh.faces_at(merge.gone)) {
-      add(f, renamed(mesh.triangle(f), merge.gone, merge.kept));
+      if (!is_of_fin(f)) add(f, renamed(mesh.triangle(f), merge.gone, merge.kept));
     }
     if (!merge.middle) return;
     for (const Index f : mesh.faces_at(merge.kept)) {
-      if (!is_at(mesh.triangle(f), merge.gone)) add(f, mesh.triangle(f));
+      if (!is_at(mesh.triangle(f), merge.gone) && !is_of_fin(f)) add(f, mesh.triangle(f));
     }
   }
 
@@ -51,7 +59,8 @@ class MergeCandidate {
   [[nodiscard]] MendOutcome check(double tolerance) const {
     const Vec3 mean = mean_normal();
     std::size_t n_thin_made = 0;
-    std::size_t n_thin_gone = 0;
+    auto n_thin_gone = static_cast<std::size_t>(std::count_if(
+        fin_faces_.begin(), fin_faces_.end(), [&](Index f) { return mesh_.is_thin(f); }));
     for (const Face& face : faces_) {
       if (face.goes) {
         n_thin_gone += mesh_.is_thin(face.number) ? 1U : 0U;
@@ -73,23 +82,9 @@ class MergeCandidate {
   }
 
   /// Returns the approximate distance of the new surface from the old one; never less than 0 or
-  /// more than the movement of the vertices.
+  /// more than the movement of the vertices and the height of the fins.
   [[nodiscard]] double deviation() const {
-    const double moved = largest_move();
-    if (faces_.size() > kMostFacesCompared) return moved;
-    double largest = to_new_faces(mesh_.position(merge_.gone));
-    if (merge_.middle) largest = std::max(largest, to_new_faces(mesh_.position(merge_.kept)));
-    for (const Face& face : faces_) {
-      if (face.goes) continue;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3& from = face.after[k];
-        const Vec3& to = face.after[(k + 1) % 3];
-        for (const double share : {0.25, 0.5, 0.75}) {
-          largest = std::max(largest, to_old_faces(from * (1.0 - share) + to * share));
-        }
-      }
-    }
-    return std::min(largest, moved);
+    return std::max(deviation_beside_fins(), height_of_fins());
   }
 
   [[nodiscard]] MendStep step(MendStep begun) const {
@@ -100,6 +95,7 @@ class MergeCandidate {
         begun.changed.push_back({face.number, face.corners});
       }
     }
+    for (const Index f : fin_faces_) begun.changed.push_back({f, kNoTriangle});
     if (merge_.middle) begun.moved = {merge_.kept, *merge_.middle};
     return begun;
   }
@@ -139,6 +135,43 @@ class MergeCandidate {
     return sum;
   }
 
+  [[nodiscard]] bool is_of_fin(Index face) const {
+    return std::binary_search(fin_faces_.begin(), fin_faces_.end(), face);
+  }
+
+  /// Returns the largest distance of the tip of a fin from the faces that stay.
+  [[nodiscard]] double height_of_fins() const {
+    double largest = 0.0;
+    for (const FinTip& fin : fins_) {
+      const Vec3& tip = mesh_.position(fin.tip);
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const Face& face : faces_) {
+        if (face.goes) continue;
+        nearest = std::min(nearest, closest_on_triangle(face.after, tip).distance);
+      }
+      largest = std::max(largest, nearest);
+    }
+    return largest;
+  }
+
+  [[nodiscard]] double deviation_beside_fins() const {
+    const double moved = largest_move();
+    if (faces_.size() > kMostFacesCompared) return moved;
+    double largest = to_new_faces(mesh_.position(merge_.gone));
+    if (merge_.middle) largest = std::max(largest, to_new_faces(mesh_.position(merge_.kept)));
+    for (const Face& face : faces_) {
+      if (face.goes) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3& from = face.after[k];
+        const Vec3& to = face.after[(k + 1) % 3];
+        for (const double share : {0.25, 0.5, 0.75}) {
+          largest = std::max(largest, to_old_faces(from * (1.0 - share) + to * share));
+        }
+      }
+    }
+    return std::min(largest, moved);
+  }
+
   [[nodiscard]] double largest_move() const {
     const Vec3& gone = mesh_.position(merge_.gone);
     const Vec3& kept = mesh_.position(merge_.kept);
@@ -165,6 +198,10 @@ class MergeCandidate {
 
   const WorkingMesh& mesh_;
   Merge merge_;
+  const std::vector<FinTip>& fins_;
+  /// The faces at the tips of fins, all of which go, ascending.
+  std::vector<Index> fin_faces_;
+  /// The other faces.
   std::vector<Face> faces_;
 };
 
@@ -172,7 +209,10 @@ class MergeCandidate {
 class EdgeCollapse {
  public:
   EdgeCollapse(const WorkingMesh& mesh, const MendRules& rules, const std::array<Index, 2>& ends)
-      : mesh_(mesh), rules_(rules), ends_{std::min(ends[0], ends[1]), std::max(ends[0], ends[1])} {
+      : mesh_(mesh),
+        rules_(rules),
+        ends_{std::min(ends[0], ends[1]), std::max(ends[0], ends[1])},
+        fins_(fin_tips_at(mesh, ends_[0], ends_[1], begun_)) {
     for (std::size_t k = 0; k < 2; ++k) {
       is_crowded_[k] = mesh.faces_at(ends_[k]).size() > kMostFacesRoundVertex;
       is_fixed_[k] = rules.is_fixed(mesh, ends_[k]);
@@ -181,6 +221,7 @@ class EdgeCollapse {
 
   [[nodiscard]] MendAttempt run() {
     if (is_fixed_[0] && is_fixed_[1]) return {.outcome = MendOutcome::Fixed};
+    if (has_fixed_tip()) return {.outcome = MendOutcome::Fixed};
     if (!is_permitted()) return {.outcome = MendOutcome::Topology};
     const MendAttempt keep_first = attempt(1, 0);
     const MendAttempt keep_second = attempt(0, 1);
@@ -197,11 +238,18 @@ class EdgeCollapse {
     return rules_.is_between_groups(mesh_, ends_[end]);
   }
 
+  [[nodiscard]] bool has_fixed_tip() const {
+    return std::any_of(fins_.begin(), fins_.end(),
+                       [&](const FinTip& fin) { return rules_.is_fixed(mesh_, fin.tip); });
+  }
+
   /// Merging either end into the other has the same effect on the topology.
   [[nodiscard]] bool is_permitted() {
     for (const std::size_t gone : {std::size_t{1}, std::size_t{0}}) {
-      MendStep step;
-      if (is_crowded_[gone] || !may_merge(mesh_, ends_[gone], ends_[1 - gone], step)) continue;
+      MendStep step = begun_;
+      if (is_crowded_[gone] || !may_merge(mesh_, {ends_[gone], ends_[1 - gone]}, fins_, step)) {
+        continue;
+      }
       begun_ = std::move(step);
       return true;
     }
@@ -224,7 +272,7 @@ class EdgeCollapse {
   }
 
   [[nodiscard]] MendAttempt checked(const Merge& merge) const {
-    const MergeCandidate candidate(mesh_, merge);
+    const MergeCandidate candidate(mesh_, merge, fins_);
     const MendOutcome outcome = candidate.check(rules_.tolerance());
     if (outcome != MendOutcome::Possible) return {.outcome = outcome};
     const double deviation = candidate.deviation();
@@ -235,10 +283,11 @@ class EdgeCollapse {
   const WorkingMesh& mesh_;
   const MendRules& rules_;
   std::array<Index, 2> ends_;
-  std::array<bool, 2> is_crowded_{};
-  std::array<bool, 2> is_fixed_{};
   /// The facts that the permission relies on.
   MendStep begun_;
+  std::vector<FinTip> fins_;
+  std::array<bool, 2> is_crowded_{};
+  std::array<bool, 2> is_fixed_{};
 };
 
 }  // namespace

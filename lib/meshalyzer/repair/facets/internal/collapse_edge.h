@@ -13,7 +13,8 @@ namespace meshalyzer {
 /// midpoint.
 ///
 /// No face round the edge is turned over, and none becomes thin unless more thin faces are removed
-/// than created; the topology is preserved.
+/// than created; the topology is preserved. Fins at the edge go with it, i.e. vertices with three
+/// faces that would become flat.
 [[nodiscard]] MendAttempt collapse_edge(const WorkingMesh& mesh, const MendRules& rules,
                                         const std::array<Index, 2>& ends);
 

@@ -71,14 +71,22 @@ std::vector<Index> apexes(const WorkingMesh& mesh, Index a, Index b) {
 }
 
 /// Tells whether two vertices have nothing in common except the neighbourhood of their edge.
-bool is_link_shared_by_edge_alone(const WorkingMesh& mesh, Index gone, Index kept, MendStep& step) {
-  const std::vector<Index> common = apexes(mesh, gone, kept);
+bool is_link_shared_by_edge_alone(const WorkingMesh& mesh, Index gone, Index kept,
+                                  const std::vector<FinTip>& fins, MendStep& step) {
+  std::vector<Index> common = apexes(mesh, gone, kept);
+  for (const FinTip& fin : fins) {
+    std::replace(common.begin(), common.end(), fin.tip, fin.third_neighbour);
+  }
+  std::sort(common.begin(), common.end());
   if (has_twice(common)) return false;
+  const auto is_tip = [&](Index v) {
+    return std::any_of(fins.begin(), fins.end(), [&](const FinTip& fin) { return fin.tip == v; });
+  };
   const auto is_common = [&](Index v) {
     return std::binary_search(common.begin(), common.end(), v);
   };
   for (const Index v : mesh.neighbours(gone)) {
-    if (v == kept) continue;
+    if (v == kept || is_tip(v)) continue;
     step.read_edges.push_back({kept, v});
     if (!is_common(v) && mesh.are_joined(kept, v)) return false;
   }
@@ -114,11 +122,27 @@ VertexSurroundings look_round(const WorkingMesh& mesh, Index vertex) {
   return result;
 }
 
-bool may_merge(const WorkingMesh& mesh, Index gone, Index kept, MendStep& step) {
+std::vector<FinTip> fin_tips_at(const WorkingMesh& mesh, Index a, Index b, MendStep& step) {
+  std::vector<FinTip> fins;
+  for (const Index tip : apexes(mesh, a, b)) {
+    if (mesh.faces_at(tip).size() != 3) continue;
+    const std::vector<Index> neighbours = mesh.neighbours(tip);
+    if (neighbours.size() != 3 || look_round(mesh, tip).kind != VertexKind::Plain) continue;
+    step.read_vertices.push_back(tip);
+    const auto third = std::find_if(neighbours.begin(), neighbours.end(),
+                                    [&](Index v) { return v != a && v != b; });
+    fins.push_back({tip, *third});
+  }
+  return fins;
+}
+
+bool may_merge(const WorkingMesh& mesh, const std::array<Index, 2>& gone_and_kept,
+               const std::vector<FinTip>& fins, MendStep& step) {
+  const auto [gone, kept] = gone_and_kept;
   step.read_vertices.push_back(gone);
   const VertexSurroundings round = look_round(mesh, gone);
   if (round.kind == VertexKind::Corner) return false;
-  if (!is_link_shared_by_edge_alone(mesh, gone, kept, step)) return false;
+  if (!is_link_shared_by_edge_alone(mesh, gone, kept, fins, step)) return false;
   if (round.kind == VertexKind::Plain) return true;
   // The edge is part of the curve, and the curve must not be a triangle of three of its edges.
   if (round.along[0] != kept && round.along[1] != kept) return false;

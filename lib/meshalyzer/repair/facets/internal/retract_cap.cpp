@@ -1,9 +1,12 @@
 #include "meshalyzer/repair/facets/internal/retract_cap.h"
 
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/repair/facets/internal/facet_shape.h"
 #include "meshalyzer/repair/facets/internal/link_condition.h"
+#include "meshalyzer/spatial/triangle_distance.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -40,10 +43,13 @@ class Retraction {
     if (!(altitude_ <= rules_.max_deviation())) return {.outcome = MendOutcome::TooFar};
     if (!keeps_topology()) return {.outcome = MendOutcome::Topology};
     if (!keeps_group_borders()) return {.outcome = MendOutcome::GroupBorder};
+    if (has_fixed_end_that_goes()) return {.outcome = MendOutcome::Fixed};
     const MendOutcome outcome = check();
     if (outcome != MendOutcome::Possible) return {.outcome = outcome};
+    const double deviation = std::max(altitude_, height_of_ends_that_go());
+    if (!(deviation <= rules_.max_deviation())) return {.outcome = MendOutcome::TooFar};
     write_step();
-    return {outcome, std::move(step_), altitude_};
+    return {outcome, std::move(step_), deviation};
   }
 
  private:
@@ -59,7 +65,8 @@ class Retraction {
   /// This equals splitting the edge at a new vertex and merging that into the apex.
   [[nodiscard]] bool keeps_topology() {
     for (const SplitFace& split : splits_) {
-      if (split.tip == apex_ || mesh_.are_joined(split.tip, apex_)) return false;
+      if (split.tip == apex_) return false;
+      if (mesh_.are_joined(split.tip, apex_) && !look_for_ends_that_go(split.tip)) return false;
       step_.read_edges.push_back({split.tip, apex_});
     }
     step_.read_edges.push_back({a_, b_});
@@ -67,6 +74,34 @@ class Retraction {
     step_.read_vertices.push_back(apex_);
     return mesh_.faces_at(apex_).size() <= kMostFacesRoundVertex &&
            look_round(mesh_, apex_).kind == VertexKind::Plain;
+  }
+
+  /// Finds the ends of the edge that have three faces: the third joins apex and tip already.
+  ///
+  /// @return Whether apex and tip have no more than one edge in common without these.
+  [[nodiscard]] bool look_for_ends_that_go(Index tip) {
+    if (splits_.size() != 1 || mesh_.faces_at(tip, apex_).size() != 2) return false;
+    const std::array<Index, 2> ends{a_, b_};
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (mesh_.faces_at(ends[k]).size() != 3 ||
+          look_round(mesh_, ends[k]).kind != VertexKind::Plain) {
+        continue;
+      }
+      step_.read_vertices.push_back(ends[k]);
+      goes_[k] = true;
+    }
+    return goes_[0] || goes_[1];
+  }
+
+  [[nodiscard]] bool has_fixed_end_that_goes() const {
+    return (goes_[0] && rules_.is_fixed(mesh_, a_)) || (goes_[1] && rules_.is_fixed(mesh_, b_));
+  }
+
+  /// Returns the distance of an end that goes from the half that stays; 0 if none does.
+  [[nodiscard]] double height_of_ends_that_go() const {
+    if (goes_[0] == goes_[1]) return 0.0;
+    const Corners half = mesh_.corners(splits_[0].halves[goes_[0] ? 1 : 0]);
+    return closest_on_triangle(half, mesh_.position(goes_[0] ? a_ : b_)).distance;
   }
 
   /// Tells whether the step bends no common border of groups that are faces of a body.
@@ -84,8 +119,9 @@ class Retraction {
     for (const SplitFace& split : splits_) {
       n_thin_before += mesh_.is_thin(split.face) ? 1U : 0U;
       const FacetShape old = measure_facet(mesh_.corners(mesh_.triangle(split.face)));
-      for (const Triangle& half : split.halves) {
-        const FacetShape now = measure_facet(mesh_.corners(half));
+      for (std::size_t k = 0; k < 2; ++k) {
+        if (goes_[k]) continue;
+        const FacetShape now = measure_facet(mesh_.corners(split.halves[k]));
         const bool is_sound = now.is_sound(rules_.tolerance());
         n_thin_after += is_sound ? 0U : 1U;
         const double agreement = now.normal.dot(old.normal);
@@ -106,6 +142,7 @@ class Retraction {
 
   /// The cap's record becomes one of the new faces if it is of their group.
   void write_step() {
+    if (goes_[0] || goes_[1]) return write_step_without_ends();
     bool is_cap_free = true;
     const Index group = rules_.group(mesh_, cap_);
     for (const SplitFace& split : splits_) {
@@ -118,6 +155,23 @@ class Retraction {
       }
     }
     if (is_cap_free) step_.changed.push_back({cap_, kNoTriangle});
+  }
+
+  void write_step_without_ends() {
+    const SplitFace& split = splits_[0];
+    if (!goes_[0] || !goes_[1]) {
+      step_.changed.push_back({split.face, split.halves[goes_[0] ? 1 : 0]});
+    }
+    std::vector<Index> faces;
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (!goes_[k]) continue;
+      const auto round = mesh_.faces_at(k == 0 ? a_ : b_);
+      faces.insert(faces.end(), round.begin(), round.end());
+    }
+    sort_unique(faces);
+    for (const Index f : faces) {
+      if (f != split.face || (goes_[0] && goes_[1])) step_.changed.push_back({f, kNoTriangle});
+    }
   }
 
   /// Begins with the corner that leaves most of the cap's corners in place.
@@ -140,6 +194,8 @@ class Retraction {
   double length_ = 0.0;
   double altitude_ = 0.0;
   std::vector<SplitFace> splits_;
+  /// Whether each end of the edge goes.
+  std::array<bool, 2> goes_{};
   MendStep step_;
 };
 
