@@ -176,8 +176,9 @@ enum class Fragments : std::uint8_t {
 /// Drops fragments, which separate no inside from no outside. The last part of a mesh stays.
 [[nodiscard]] PassResult drop_fragments(const PassInput& input, Fragments which);
 
-/// Makes a thin solid of every open part that bounds none, and of every closed part with one side
-/// only, by giving it a second side and moving both apart.
+/// Makes a thin solid of every open part that bounds none, of every closed part with one side only,
+/// and of one half of every closed part in a plane, by giving it a second side and moving both
+/// apart.
 ///
 /// @param thickness  The thickness of the solid over a flat surface; a length above 0.
 [[nodiscard]] PassResult thicken_sheets(const PassInput& input, double thickness);

@@ -88,6 +88,16 @@ TEST(Guarantee, MoebiusStripBecomesAThinSolid) {
   static_cast<void>(made_good(shapes::moebius_strip(24), to_solid()));
 }
 
+TEST(Guarantee, ClosedSurfaceInAPlaneBecomesAThinSolid) {
+  // A face and its back; a parallelogram, divided another way on its back.
+  const Soup pillow = shapes::make(kFace.positions, {{0, 1, 2}, {0, 2, 1}});
+  const Soup parallelogram = shapes::make({{0, 0, 0}, {1, 0, 1}, {1, 1, 2}, {0, 1, 1}},
+                                          {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}});
+  // Two sides of one half, and a rim round it.
+  EXPECT_EQ(made_good(pillow, to_solid()).n_faces(), 2U * 1 + 6);
+  EXPECT_EQ(made_good(parallelogram, to_solid()).n_faces(), 2U * 2 + 8);
+}
+
 TEST(Guarantee, SheetStaysOneUnlessASolidIsAskedFor) {
   RepairOptions options;
   options.guarantee = true;
