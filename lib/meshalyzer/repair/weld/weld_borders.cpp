@@ -17,6 +17,9 @@
 namespace meshalyzer {
 namespace {
 
+/// If joins within a length are rejected, others may still be possible within this share of it.
+constexpr double kShorter = 0.5;
+
 /// Edges by the places of their ends.
 class EdgesByPlace {
  public:
@@ -108,6 +111,12 @@ std::vector<Index> used_places(const EdgesAtPlaces& at_places) {
   return used;
 }
 
+/// Returns the largest distance over which borders are joined.
+double reach_of(const PassInput& input, double within) {
+  const double reach = std::min(within, input.limits.max_deviation);
+  return input.operation_size == OperationSize::Smallest ? kShorter * reach : reach;
+}
+
 /// Joins edges that are near each other.
 void zip_near(WeldState& state, std::span<const Index> wanted) {
   const WeldCandidates candidates = find_weld_candidates(state.rules.input.tracked.soup.positions,
@@ -148,7 +157,7 @@ PassResult weld_borders(const PassInput& input, double within) {
   const std::vector<Index> faces_at_vertices = count_faces_at_vertices(soup);
   const WeldRules rules{.input = input,
                         .faces_at_vertices = faces_at_vertices,
-                        .reach = std::min(within, input.limits.max_deviation)};
+                        .reach = reach_of(input, within)};
   WeldState state{.rules = rules,
                   .edges = edges,
                   .is_busy = std::vector<std::uint8_t>(soup.n_vertices(), 0),
@@ -159,6 +168,7 @@ PassResult weld_borders(const PassInput& input, double within) {
     zip_near(state, present);
     if (!input.wants_to_stop()) close_junctions(state, places, present, free_edges(state, is_done));
   }
+  state.result.has_smaller_operations = rules.reach > 0.0;
   return std::move(state.result);
 }
 

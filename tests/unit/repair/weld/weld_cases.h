@@ -135,4 +135,23 @@ inline Soup crack_with_junctions(double gap, const std::vector<double>& inner) {
   return soup;
 }
 
+/// Two fans that meet along the x axis from 0 to 1: the upper one has border vertices at `above`
+/// besides the ends, the lower one, which is lower by `gap`, at `below`.
+inline Soup interleaved_crack(double gap, const std::vector<double>& above,
+                              const std::vector<double>& below) {
+  Soup soup = shapes::make({{0.5, 1, 0}, {0.5, -1, 0}}, {});
+  const auto add_side = [&](std::vector<double> places, double y, Index hub) {
+    places.insert(places.begin(), 0.0);
+    places.push_back(1.0);
+    const auto first = static_cast<Index>(soup.n_vertices());
+    for (const double x : places) soup.positions.emplace_back(x, y, 0.0);
+    for (Index v = first; v + 1 < soup.n_vertices(); ++v) {
+      soup.triangles.push_back(hub == 0 ? Triangle{v, v + 1, hub} : Triangle{v + 1, v, hub});
+    }
+  };
+  add_side(above, 0.0, 0);
+  add_side(below, -gap, 1);
+  return shapes::make(std::move(soup.positions), std::move(soup.triangles));
+}
+
 }  // namespace meshalyzer

@@ -136,25 +136,6 @@ TEST(WeldBorders, SplitThatWouldTurnAFaceOverIsNotMade) {
   EXPECT_EQ(run.refused[0].reason, "joining them would turn a face over");
 }
 
-/// Two fans that meet along the x axis from 0 to 1: the upper one has border vertices at `above`
-/// besides the ends, the lower one, which is lower by `gap`, at `below`.
-Soup interleaved_crack(double gap, const std::vector<double>& above,
-                       const std::vector<double>& below) {
-  Soup soup = shapes::make({{0.5, 1, 0}, {0.5, -1, 0}}, {});
-  const auto add_side = [&](std::vector<double> places, double y, Index hub) {
-    places.insert(places.begin(), 0.0);
-    places.push_back(1.0);
-    const auto first = static_cast<Index>(soup.n_vertices());
-    for (const double x : places) soup.positions.emplace_back(x, y, 0.0);
-    for (Index v = first; v + 1 < soup.n_vertices(); ++v) {
-      soup.triangles.push_back(hub == 0 ? Triangle{v, v + 1, hub} : Triangle{v + 1, v, hub});
-    }
-  };
-  add_side(above, 0.0, 0);
-  add_side(below, -gap, 1);
-  return shapes::make(std::move(soup.positions), std::move(soup.triangles));
-}
-
 TEST(WeldBorders, CrackWithVerticesThatDoNotFaceEachOtherIsClosed) {
   for (const double gap : {0.0, 0.001}) {
     const Soup torn = interleaved_crack(gap, {0.3, 0.7}, {0.5});
@@ -190,6 +171,20 @@ TEST(WeldBorders, InterleavedCracksOfAnySortAreClosed) {
 TEST(WeldBorders, InterleavedCrackThatIsTooWideIsLeft) {
   const Soup torn = interleaved_crack(0.01, {0.3, 0.7}, {0.5});
   EXPECT_TRUE(same_soup(welded(torn, 0.009), torn));
+}
+
+TEST(WeldBorders, SmallerOperationsJoinWithinHalfOfTheLength) {
+  const auto operations_within = [](double within, OperationSize size) {
+    const Soup torn = interleaved_crack(0.001, {0.3, 0.7}, {0.5});
+    const PassFunction pass = [&](PassInput input) {
+      input.operation_size = size;
+      return weld_borders(input, within);
+    };
+    return run_pass(torn, pass).operations;
+  };
+  EXPECT_EQ(operations_within(0.0015, OperationSize::Normal), 1U);
+  EXPECT_EQ(operations_within(0.0015, OperationSize::Smallest), 0U);
+  EXPECT_EQ(operations_within(0.0025, OperationSize::Smallest), 1U);
 }
 
 TEST(WeldBorders, SplitAlongAnEdgeThatIsThereIsNotMade) {
