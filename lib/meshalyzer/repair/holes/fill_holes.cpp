@@ -72,6 +72,8 @@ constexpr std::size_t kMaxIslands = 64;
 struct Choice {
   std::vector<std::uint8_t> is_chosen;
   std::vector<std::uint8_t> may_join;
+  /// 0 for the loops of parts that are known to bound a solid.
+  std::vector<std::uint8_t> may_be_sheet;
   std::vector<Refusal> refused;
 };
 
@@ -129,6 +131,7 @@ void refuse_sheets(const PassInput& input, std::span<const HoleLoop> loops, Choi
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const FaceHandle beyond = mesh.cut().mesh.face_handle(loops[i].halfedges.front());
     const Index component = components.of_face[static_cast<std::size_t>(beyond.idx())];
+    if (is_solid[component] != 0) choice.may_be_sheet[i] = 0;
     if (choice.is_chosen[i] == 0 || is_solid[component] != 0) continue;
     choice.is_chosen[i] = 0;
     choice.refused.push_back(
@@ -142,6 +145,7 @@ Choice choose_loops(const PassInput& input, std::span<const HoleLoop> loops,
                     const FillOptions& options) {
   Choice choice{.is_chosen = std::vector<std::uint8_t>(loops.size(), 1),
                 .may_join = std::vector<std::uint8_t>(loops.size(), 1),
+                .may_be_sheet = std::vector<std::uint8_t>(loops.size(), 1),
                 .refused = {}};
   if (options.at) choose_nearest(input, loops, *options.at, choice);
   for (std::size_t i = 0; i < loops.size(); ++i) {
@@ -213,10 +217,19 @@ class HoleFiller {
     }
     Filling filling = fill_loop(task_, alone);
     if (filling.patch) {
+      if (fill_joined(i, sheets_facing(*filling.patch, i))) return;
       accept({alone, {i}, std::move(*filling.patch)});
     } else if (!fill_joined(i, islands_.along(filling.met_faces, i))) {
       failures_.push_back({i, std::move(filling.reason)});
     }
+  }
+
+  /// Returns the loops of sheets that face a patch: they would stay open, or get a patch of their
+  /// own beside it.
+  [[nodiscard]] std::vector<std::size_t> sheets_facing(const Patch& patch, std::size_t i) const {
+    std::vector<std::size_t> found = islands_.facing(patch, i);
+    std::erase_if(found, [&](std::size_t k) { return choice_.may_be_sheet[k] == 0; });
+    return found;
   }
 
   /// Fills a loop together with others that may be filled.

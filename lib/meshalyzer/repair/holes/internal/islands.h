@@ -24,6 +24,10 @@ class Islands {
   /// Ascending.
   [[nodiscard]] std::vector<std::size_t> lying_on(const Patch& patch, std::size_t of_loop) const;
 
+  /// Returns the loops that run against another one within a twentieth of that one's size from its
+  /// patch: a patch over a hole in a curved surface keeps no closer to what was lost. Ascending.
+  [[nodiscard]] std::vector<std::size_t> facing(const Patch& patch, std::size_t of_loop) const;
+
   /// Returns the loops in the box of another one with one of these faces beyond an edge. Ascending.
   ///
   /// @param faces  File faces, ascending.
@@ -31,10 +35,15 @@ class Islands {
                                                std::size_t of_loop) const;
 
  private:
-  /// Returns the maximum distance of a loop from its patch.
-  [[nodiscard]] double reach_of(std::size_t loop) const;
-  /// Returns the loops in the box of another one, enlarged by that distance.
+  /// Returns the length that is a fraction of the size of a loop.
+  [[nodiscard]] double share_of(std::size_t loop, double fraction) const;
+  /// Returns the other loops in the box of a loop, enlarged by the maximum distance of lying_on().
   [[nodiscard]] std::vector<Index> candidates(std::size_t loop) const;
+  /// Returns the other loops in a box enlarged by a distance.
+  [[nodiscard]] std::vector<Index> others_in(Box3 box, double distance, std::size_t loop) const;
+  /// Returns those of some loops that are all within a distance of a patch.
+  [[nodiscard]] std::vector<std::size_t> within(double distance, const Patch& patch,
+                                                std::span<const Index> loops) const;
 
   const PreparedMesh& mesh_;
   std::span<const HoleLoop> loops_;
