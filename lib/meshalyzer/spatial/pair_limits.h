@@ -9,7 +9,7 @@
 
 namespace meshalyzer {
 
-/// The value that means no limit on the number of pairs.
+/// The value that means no limit on a number of pairs.
 inline constexpr std::size_t kAllPairs = std::numeric_limits<std::size_t>::max();
 
 /// The limits of a search for intersecting pairs. Memory grows with the listed pairs, not with
@@ -20,6 +20,8 @@ struct PairLimits {
   /// The largest number of pairs that are listed: the first ones by their lower face, then by their
   /// higher one.
   std::size_t max_listed = kAllPairs;
+  /// The search ends when it has tested this many pairs of faces one by one, found or not.
+  std::size_t max_tested = kAllPairs;
   /// The search calls this now and then, from any thread, and ends when it returns true.
   StopQuery wants_to_stop;
 };

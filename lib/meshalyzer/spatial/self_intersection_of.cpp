@@ -3,6 +3,7 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/spatial/faces_near.h"
+#include "meshalyzer/spatial/pair_collector.h"
 #include "meshalyzer/spatial/self_intersection_search.h"
 
 #include <algorithm>
@@ -43,14 +44,24 @@ std::vector<std::uint8_t> lanes_of(const FaceTree& tree, std::span<const std::ui
 
 std::vector<IntersectingPair> find_self_intersections_of(const CutMesh& cut, const FaceTree& tree,
                                                          std::span<const Index> faces) {
+  return find_self_intersections_of(cut, tree, faces, PairLimits()).listed;
+}
+
+FoundPairs find_self_intersections_of(const CutMesh& cut, const FaceTree& tree,
+                                      std::span<const Index> faces, const PairLimits& limits) {
   if (tree.n_faces() == 0 || faces.empty()) {
     return {};
   }
   const SlabTree slabs(tree);
   const FanTree fans(tree);
   const std::vector<std::uint8_t> wanted = lanes_of(tree, marked(cut.side, faces));
-  return search_self_intersections(
-      {.cut = cut, .tree = tree, .slabs = slabs, .fans = fans, .wanted = wanted});
+  PairCollector collector(limits.max_listed);
+  const bool is_complete = search_self_intersections(
+      {.cut = cut, .tree = tree, .slabs = slabs, .fans = fans, .wanted = wanted}, limits,
+      collector);
+  FoundPairs found = collector.take();
+  found.is_complete = is_complete;
+  return found;
 }
 
 std::vector<IntersectingPair> find_self_intersections_of(const CutMesh& cut, const Soup& soup,

@@ -4,6 +4,7 @@
 #include "meshalyzer/mesh/soup.h"
 #include "meshalyzer/spatial/face_tree.h"
 #include "meshalyzer/spatial/intersecting_pair.h"
+#include "meshalyzer/spatial/pair_limits.h"
 
 #include <span>
 #include <vector>
@@ -19,7 +20,13 @@ namespace meshalyzer {
 [[nodiscard]] std::vector<IntersectingPair> find_self_intersections_of(
     const CutMesh& cut, const FaceTree& tree, std::span<const Index> faces);
 
-/// Does the same without a tree over all faces, in a part of the time if the given faces are few.
+/// Finds those that a search within limits finds.
+[[nodiscard]] FoundPairs find_self_intersections_of(const CutMesh& cut, const FaceTree& tree,
+                                                    std::span<const Index> faces,
+                                                    const PairLimits& limits);
+
+/// Does the same as the first without a tree over all faces, in a part of the time if the given
+/// faces are few.
 ///
 /// @param soup        The mesh that `cut` was built from.
 /// @complexity        O(#F log n + candidates) for n faces.

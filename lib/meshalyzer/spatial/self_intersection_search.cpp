@@ -96,6 +96,9 @@ class PartnerSearch {
     descend(top, 0, TreeBox::around(tree_.node(top, 0)));
   }
 
+  /// Returns the number of pairs of faces that were tested one by one.
+  [[nodiscard]] std::size_t n_tested() const { return n_tested_; }
+
  private:
   /// @param box  The box of all faces below the node.
   void descend(std::size_t level, std::size_t i, const TreeBox& box) {
@@ -298,6 +301,7 @@ class PartnerSearch {
   }
 
   void meet_face(std::size_t a, std::size_t b) {
+    ++n_tested_;
     const std::optional<ContactKind> kind =
         find_contact_in_mesh(tree_, tree_.triangle(a), tree_.triangle(b));
     if (!kind) return;
@@ -342,6 +346,7 @@ class PartnerSearch {
   /// Whether this leaf and another one may have vertices in common that are no hubs.
   bool may_share_others_ = true;
   std::array<std::optional<SeparatingDirections>, 8> directions_;
+  std::size_t n_tested_ = 0;
 };
 
 /// A search by all threads that may end early.
@@ -353,15 +358,15 @@ class BoundedSearch {
   /// Runs the search; returns true if all leaves were searched.
   bool run() {
     const std::size_t n_leaves = scene_.tree.n_leaves();
-    // The number of pairs is tested between rounds, so that the result does not depend on the
-    // threads.
-    const bool is_complete = limits_.max_found == kAllPairs;
+    // The numbers of pairs are compared with the limits between rounds, so that the result does not
+    // depend on the threads.
+    const bool is_complete = limits_.max_found == kAllPairs && limits_.max_tested == kAllPairs;
     std::size_t per_round = is_complete ? n_leaves : kFewestLeavesPerRound;
     const std::size_t per_chunk =
         is_complete && n_leaves <= kFewLeaves ? kFewLeaves : kLeavesPerChunk;
     if (scene_.groups != nullptr) pair_up_groups();
     std::size_t first = 0;
-    while (first < n_leaves && n_found_ < limits_.max_found && !is_stopped_) {
+    while (first < n_leaves && !is_enough(n_found_, n_tested_) && !is_stopped_) {
       const std::size_t end = std::min(first + per_round, n_leaves);
       parallel_chunks(end - first, per_chunk, [&](Chunk chunk) {
         n_found_ += search(first + chunk.begin, first + chunk.end);
@@ -373,16 +378,25 @@ class BoundedSearch {
   }
 
  private:
-  /// Searches a chunk of leaves until it has found enough by itself; returns the number of pairs.
+  [[nodiscard]] bool is_enough(std::size_t n_found, std::size_t n_tested) const {
+    return n_found >= limits_.max_found || n_tested >= limits_.max_tested;
+  }
+
+  /// Searches a chunk of leaves until it has done enough by itself; returns the number of pairs.
   std::size_t search(std::size_t begin, std::size_t end) {
     PairBuffer found(listener_, kPairsInBuffer);
+    std::size_t n_tested = 0;
     for (std::size_t leaf = begin; leaf < end; ++leaf) {
-      if (found.n_pushed() >= limits_.max_found || wants_to_stop()) {
+      if (is_enough(found.n_pushed(), n_tested) || wants_to_stop()) {
         is_ended_ = true;
         break;
       }
-      if (wanted_lanes(scene_, leaf) != 0) PartnerSearch(scene_, leaf, found).run();
+      if (wanted_lanes(scene_, leaf) == 0) continue;
+      PartnerSearch partners(scene_, leaf, found);
+      partners.run();
+      n_tested += partners.n_tested();
     }
+    n_tested_ += n_tested;
     found.flush();
     return found.n_pushed();
   }
@@ -409,18 +423,13 @@ class BoundedSearch {
   const PairLimits& limits_;
   PairListener& listener_;
   std::atomic<std::size_t> n_found_ = 0;
+  std::atomic<std::size_t> n_tested_ = 0;
   std::atomic<bool> is_stopped_ = false;
   /// Tells whether leaves were left out.
   std::atomic<bool> is_ended_ = false;
 };
 
 }  // namespace
-
-std::vector<IntersectingPair> search_self_intersections(const SelfIntersectionScene& scene) {
-  PairCollector collector(kAllPairs);
-  search_self_intersections(scene, PairLimits(), collector);
-  return collector.take().listed;
-}
 
 bool search_self_intersections(const SelfIntersectionScene& scene, const PairLimits& limits,
                                PairListener& listener) {

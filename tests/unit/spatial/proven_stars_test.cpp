@@ -1,6 +1,7 @@
 #include "meshalyzer/spatial/proven_stars.h"
 
 #include "meshalyzer/mesh/build.h"
+#include "meshalyzer/spatial/pair_collector.h"
 #include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/spatial/self_intersection_search.h"
 #include "support/effort.h"
@@ -96,8 +97,10 @@ std::size_t expect_same_pairs(const Soup& soup) {
   const FaceTree tree(cut);
   const SlabTree slabs(tree);
   const FanTree fans(tree);
-  const Pairs all =
-      search_self_intersections({.cut = cut, .tree = tree, .slabs = slabs, .fans = fans});
+  PairCollector collector(kAllPairs);
+  EXPECT_TRUE(search_self_intersections({.cut = cut, .tree = tree, .slabs = slabs, .fans = fans},
+                                        PairLimits(), collector));
+  const Pairs all = collector.take().listed;
   EXPECT_EQ(find_self_intersections(cut, tree), all);
   return all.size();
 }

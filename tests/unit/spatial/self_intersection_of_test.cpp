@@ -14,6 +14,7 @@
 #include <functional>
 #include <numeric>
 #include <random>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -158,6 +159,41 @@ TEST(FindSelfIntersectionsOf, FacesInNoComplexMeetNothing) {
 TEST(FindSelfIntersectionsOf, MeshWithoutFacesHasNone) {
   const CutMesh cut = build(shapes::make({{0, 0, 0}}, {{0, 0, 0}}));
   EXPECT_EQ(find_self_intersections_of(cut, FaceTree(cut), Faces{0}), Pairs{});
+}
+
+TEST(FindSelfIntersectionsOf, SearchEndsAfterSoManyTests) {
+  // All pairs of these faces are tested one by one, because they cross near the origin.
+  Random random(18);
+  Soup soup;
+  for (Index f = 0; f < 3000; ++f) {
+    const auto first = static_cast<Index>(soup.n_vertices());
+    for (int corner = 0; corner < 3; ++corner) {
+      const auto any = [&] { return uniform(random, -1.0, 1.0); };
+      soup.positions.push_back(Vec3(any(), any(), any()));
+    }
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  const CutMesh cut = build(soup);
+  const FaceTree tree(cut);
+  const Faces faces = all_of(soup);
+  const Pairs all = find_self_intersections_of(cut, tree, faces);
+  const auto within = [&](std::size_t max_tested) {
+    return find_self_intersections_of(cut, tree, faces,
+                                      {.max_tested = max_tested, .wants_to_stop = {}});
+  };
+  const FoundPairs enough = within(faces.size() * faces.size());
+  EXPECT_TRUE(enough.is_complete);
+  EXPECT_EQ(enough.listed, all);
+  const ThreadLimit two(2);
+  const FoundPairs some = within(100'000);
+  EXPECT_FALSE(some.is_complete);
+  EXPECT_LT(some.listed.size(), all.size());
+  EXPECT_TRUE(std::includes(all.begin(), all.end(), some.listed.begin(), some.listed.end(),
+                            [](const auto& p, const auto& q) {
+                              return std::pair(p.face_a, p.face_b) < std::pair(q.face_a, q.face_b);
+                            }));
+  const ThreadLimit one(1);
+  EXPECT_EQ(within(100'000).listed, some.listed);
 }
 
 TEST(FindSelfIntersectionsOf, ThreadCountDoesNotMatter) {

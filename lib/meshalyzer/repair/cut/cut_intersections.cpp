@@ -22,11 +22,20 @@ constexpr double kMostCrossings = 1e7;
 /// Pockets are dropped if they have at most this fraction of the area that stays.
 constexpr double kLargestForgotten = 0.25;
 
-PassResult refuse_all(const IntersectingPair& first, const std::string& reason) {
+PassResult refuse_at(Index face, const std::string& reason) {
   PassResult result;
-  result.refused.push_back(
-      {.code = DefectCode::SelfIntersection, .face = first.face_a, .reason = reason});
+  result.refused.push_back({.code = DefectCode::SelfIntersection, .face = face, .reason = reason});
   return result;
+}
+
+PassResult refuse_all(const IntersectingPair& first, const std::string& reason) {
+  return refuse_at(first.face_a, reason);
+}
+
+PassResult refuse_pieces(const PassInput& input, const CutSurface& surface) {
+  const Index face = surface.unfinished.front();
+  return refuse_at(face < input.mesh.soup().n_faces() ? face : kNoIndex,
+                   "the faces would be cut into too many pieces");
 }
 
 /// Returns an upper bound of the number of times that cuts meet: the cut between two faces is met
@@ -69,7 +78,7 @@ bool has_sheets_to_split(const PassInput& input) {
 CutSurface cut_keeping_pockets(const PassInput& input, std::span<const Edits::AddedFace> patches,
                                Sheets sheets) {
   CutSurface surface = cut_surface(input, patches, {Pockets::Kept, sheets}, ThinFacets::Kept);
-  if (surface.unfinished.empty()) return surface;
+  if (surface.unfinished.empty() || surface.has_too_many_pieces) return surface;
   CutSurface solid = cut_surface(input, patches, {Pockets::Forgotten, sheets}, ThinFacets::Kept);
   const bool is_better = solid.unfinished.empty() && solid.pocket_share <= kLargestForgotten;
   return is_better ? solid : surface;
@@ -82,8 +91,9 @@ PassResult self_union(const PassInput& input, const SelfUnionOptions& options) {
     return refuse_all(input.mesh.intersecting_pairs().front(), reason);
   }
   const std::vector<Edits::AddedFace> patches = crossing_patches(input, options.fill);
-  return cut_edits_as_one(input, patches, cut_keeping_pockets(input, patches, Sheets::Left),
-                          options.lost);
+  const CutSurface surface = cut_keeping_pockets(input, patches, Sheets::Left);
+  if (surface.has_too_many_pieces) return refuse_pieces(input, surface);
+  return cut_edits_as_one(input, patches, surface, options.lost);
 }
 
 PassResult cut_intersections(const PassInput& input, const CutOptions& options) {
@@ -104,12 +114,15 @@ PassResult cut_intersections(const PassInput& input, const CutOptions& options) 
   if (input.operation_size == OperationSize::Normal) {
     const CutSurface surface =
         cut_surface(input, patches, {.sheets = options.sheets}, ThinFacets::Removed);
+    if (surface.has_too_many_pieces) return refuse_pieces(input, surface);
     PassResult result = cut_edits(input, patches, surface);
     // Only pockets and thin facets are treated otherwise in smaller operations.
     result.has_smaller_operations = surface.has_pockets || surface.has_removed_facets;
     return result;
   }
-  return cut_edits(input, patches, cut_keeping_pockets(input, patches, options.sheets));
+  const CutSurface surface = cut_keeping_pockets(input, patches, options.sheets);
+  if (surface.has_too_many_pieces) return refuse_pieces(input, surface);
+  return cut_edits(input, patches, surface);
 }
 
 }  // namespace meshalyzer

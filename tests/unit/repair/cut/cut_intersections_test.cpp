@@ -261,6 +261,27 @@ TEST(CutIntersections, SoManyFacesThroughOnePlaceAreNotCut) {
   EXPECT_EQ(run.tracked.soup.n_faces(), 300U);
 }
 
+/// Bars in two layers that cross each other.
+Soup crossing_bars(int n) {
+  Soup soup;
+  for (int i = 0; i < n; ++i) {
+    soup = shapes::merged(std::move(soup), box({-1, i + 0.0, 0}, {n + 1.0, i + 0.5, 1}));
+    soup = shapes::merged(std::move(soup), box({i + 0.0, -1, 0.5}, {i + 0.5, n + 1.0, 1.5}));
+  }
+  return soup;
+}
+
+TEST(CutIntersections, FacesThatWouldBecomeTooManyPiecesAreNotCut) {
+  const PassRun few = cut_all(crossing_bars(3));
+  EXPECT_TRUE(few.refused.empty());
+  EXPECT_FALSE(intersects(few.tracked.soup));
+  const Soup many = crossing_bars(52);
+  const PassRun run = cut_all(many);
+  ASSERT_EQ(run.refused.size(), 1U);
+  EXPECT_EQ(run.refused.front().reason, "the faces would be cut into too many pieces");
+  EXPECT_EQ(run.tracked.soup.n_faces(), many.n_faces());
+}
+
 TEST(CutIntersections, CrossingPartsWithAHoleLoseOnlyWhatIsInside) {
   // The hole is in a corner that the other cube is far from.
   const std::vector<Index> hole{0};

@@ -23,6 +23,14 @@ namespace {
 /// The maximum number of pairs that all rounds may cut, beside this multiple of those of the first.
 constexpr std::size_t kMorePairs = 1000;
 constexpr std::size_t kTimesFirstPairs = 2;
+/// The search for the pairs that rounding makes tests at most this number of pairs of faces, and
+/// so many for each new face: among faces that all lie on each other it would test all pairs.
+constexpr std::size_t kMoreTests = 2'000'000;
+constexpr std::size_t kTestsAFace = 500;
+/// The maximum number of pieces, beside this multiple of the faces of the input: every later pass
+/// would take time for each of them.
+constexpr std::size_t kMorePieces = 100'000;
+constexpr std::size_t kPiecesAFace = 10;
 /// Slivers are new faces thinner than this multiple of the spacing of the grid.
 constexpr double kSliverWidth = 2.0;
 /// It helps to remove them unless after a round this multiple of its pairs intersect, and some
@@ -130,9 +138,13 @@ class CuttingRounds {
     if (round_ > 0 && new_faces_.empty()) return false;
     const CutMesh cut = build(soup_);
     const FaceTree tree(cut);
-    return cut_round(cut, tree,
-                     round_ == 0 ? find_self_intersections(cut, tree)
-                                 : find_self_intersections_of(cut, tree, new_faces_));
+    if (round_ == 0) return cut_round(cut, tree, find_self_intersections(cut, tree));
+    FoundPairs found = find_self_intersections_of(
+        cut, tree, new_faces_,
+        {.max_tested = kMoreTests + kTestsAFace * new_faces_.size(), .wants_to_stop = {}});
+    if (found.is_complete) return cut_round(cut, tree, std::move(found.listed));
+    give_up_faces(new_faces_);
+    return false;
   }
 
   bool cut_round(const CutMesh& cut, const FaceTree& tree, Pairs pairs) {
@@ -160,6 +172,10 @@ class CuttingRounds {
   void cut_once(const CutMesh& cut, const FaceTree& tree, const Pairs& pairs) {
     const Arrangement arrangement = arrange(soup_, pairs);
     if (input_.wants_to_stop()) return give_up(pairs);
+    if (arrangement.pieces.size() > kMorePieces + kPiecesAFace * mesh_.soup().n_faces()) {
+      result_.has_too_many_pieces = true;
+      return give_up(pairs);
+    }
     const Cells cells = find_cells(soup_, arrangement);
     const std::vector<PieceClass> classes =
         select_pieces({soup_, cut, tree, arrangement, cells},
@@ -292,10 +308,15 @@ class CuttingRounds {
   }
 
   void give_up(const Pairs& pairs) {
+    std::vector<Index> faces;
     for (const IntersectingPair& pair : pairs) {
-      result_.unfinished.push_back(origins_[pair.face_a]);
-      result_.unfinished.push_back(origins_[pair.face_b]);
+      faces.insert(faces.end(), {pair.face_a, pair.face_b});
     }
+    give_up_faces(faces);
+  }
+
+  void give_up_faces(std::span<const Index> faces) {
+    for (const Index face : faces) result_.unfinished.push_back(origins_[face]);
     sort_unique(result_.unfinished);
   }
 

@@ -29,6 +29,8 @@ struct CutSurface {
   bool has_pockets = false;
   /// Tells whether thin facets were removed; if not, ThinFacets makes no difference.
   bool has_removed_facets = false;
+  /// Tells whether cutting was given up because there would be too many pieces.
+  bool has_too_many_pieces = false;
   /// Sets of faces of the input whose parts stay or are dropped together.
   std::vector<std::array<Index, 2>> ties;
   /// Faces of the input with parts that still intersect others in the end.
@@ -55,8 +57,9 @@ enum class ThinFacets : std::uint8_t {
 /// The pairs that are cut are those of pairs_to_cut(). Faces of no area are dropped, and the faces
 /// round them are cut at their corners.
 ///
-/// The search ends early, with pairs that still intersect, if it is told to stop, or if rounding
-/// makes more pairs than a multiple of the initial ones, even if slivers are removed.
+/// The search ends early, with pairs that still intersect, if it is told to stop, if rounding makes
+/// more pairs than a multiple of the initial ones, even if slivers are removed, if it takes too
+/// many tests to find them, or if there are too many pieces.
 ///
 /// @param patches  Faces on vertices of the mesh that are added before cutting.
 [[nodiscard]] CutSurface cut_surface(const PassInput& input,
