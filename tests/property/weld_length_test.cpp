@@ -21,7 +21,7 @@ namespace meshalyzer {
 namespace {
 
 constexpr std::array kLengths{1e-8, 1e-6, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2};
-constexpr std::array kMoreLengths{1e-8, 1e-6, 1e-5, 4e-5, 1e-4, 2e-4,  3e-4,
+constexpr std::array kMoreLengths{1e-8, 1e-6, 1e-5, 4e-5, 1e-4, 2e-4, 3e-4,
                                   6e-4, 1e-3, 2e-3, 3e-3, 4e-3, 6e-3, 1e-2};
 
 /// Welds borders, and nothing else, within a share of the diagonal.
@@ -58,8 +58,8 @@ TEST(WeldBorders, LargerLengthClosesNoLessOfTornMeshes) {
 }
 
 /// Returns ascending places strictly between 0 and 1, near a lattice of 40, about five in all. On
-/// average half of them are beside the lattice, by lengths of all the sizes that are welded, so that
-/// vertices on the two sides of a crack may be about as near to each other.
+/// average half of them are beside the lattice, by lengths of all the sizes that are welded, so
+/// that vertices on the two sides of a crack may be about as near to each other.
 std::vector<double> random_places(std::mt19937& random) {
   std::vector<double> places;
   for (int i = 1; i < 40; ++i) {

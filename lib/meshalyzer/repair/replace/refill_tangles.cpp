@@ -187,7 +187,7 @@ class TangleRefill {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       fan.triangles.push_back({loop.vertices[i], loop.next(i), *centre});
     }
-    if (!check_patch(rest_, fan).empty()) return std::nullopt;
+    if (!is_sound(rest_, fan)) return std::nullopt;
     return fan;
   }
 

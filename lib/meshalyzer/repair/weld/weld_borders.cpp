@@ -155,9 +155,8 @@ PassResult weld_borders(const PassInput& input, double within) {
   const Soup& soup = input.tracked.soup;
   const std::vector<Index> places = find_weld_places(soup.positions, edges);
   const std::vector<Index> faces_at_vertices = count_faces_at_vertices(soup);
-  const WeldRules rules{.input = input,
-                        .faces_at_vertices = faces_at_vertices,
-                        .reach = reach_of(input, within)};
+  const WeldRules rules{
+      .input = input, .faces_at_vertices = faces_at_vertices, .reach = reach_of(input, within)};
   WeldState state{.rules = rules,
                   .edges = edges,
                   .is_busy = std::vector<std::uint8_t>(soup.n_vertices(), 0),

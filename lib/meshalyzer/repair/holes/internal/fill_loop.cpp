@@ -72,12 +72,13 @@ class LoopFiller {
       if (i % kWeights.size() == 0) rules_.forbid(std::exchange(met, {}));
       std::optional<Patch> patch = triangulated();
       if (!patch) continue;
-      if (is_good(*patch)) return patch;
-      if (!first_) {
-        first_ = *patch;
-        filling_.met_faces = faults_.met_faces;
-      }
-      for (const Index t : faults_.meeting) met.push_back(patch->triangles[t]);
+      has_tried_ = true;
+      PatchFaults faults = check_patch(task_.mesh, *patch);
+      if (faults.empty()) return patch;
+      for (const Index t : faults.meeting) met.push_back(patch->triangles[t]);
+      if (first_) continue;
+      first_ = std::move(patch);
+      filling_.met_faces = std::move(faults.met_faces);
     }
     return std::nullopt;
   }
@@ -98,7 +99,8 @@ class LoopFiller {
     for (std::size_t i = 0; i < loop_.size(); ++i) {
       fan.triangles.push_back({loop_.vertices[i], loop_.next(i), centre});
     }
-    if (!is_good(fan)) return std::nullopt;
+    has_tried_ = true;
+    if (!is_sound(task_.mesh, fan)) return std::nullopt;
     return fan;
   }
 
@@ -114,16 +116,10 @@ class LoopFiller {
                std::max(kSmoothBend, mean_rim_bend(task_.mesh, loop_, patch));
   }
 
-  [[nodiscard]] std::optional<Patch> try_smooth(const Patch& patch) {
+  [[nodiscard]] std::optional<Patch> try_smooth(const Patch& patch) const {
     std::optional<Patch> smooth = smooth_patch(task_, loop_, patch);
-    if (smooth && !is_good(*smooth)) smooth.reset();
+    if (smooth && !is_sound(task_.mesh, *smooth)) smooth.reset();
     return smooth;
-  }
-
-  [[nodiscard]] bool is_good(const Patch& patch) {
-    has_tried_ = true;
-    faults_ = check_patch(task_.mesh, patch);
-    return faults_.empty();
   }
 
   const FillTask& task_;
@@ -132,9 +128,8 @@ class LoopFiller {
   LoopRules rules_;
   Filling filling_;
   bool has_tried_ = false;
-  /// The first triangulation, and the faults of the last patch.
+  /// The first triangulation, if it has a fault.
   std::optional<Patch> first_;
-  PatchFaults faults_;
 };
 
 }  // namespace

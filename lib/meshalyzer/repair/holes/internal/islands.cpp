@@ -65,8 +65,7 @@ std::vector<std::size_t> Islands::within(double distance, const Patch& patch,
   for (const Index i : loops) {
     const auto& vertices = loops_[i].vertices;
     if (std::all_of(vertices.begin(), vertices.end(), [&](Index v) {
-          return closest.find({.point = mesh_.soup().positions[v], .within = distance})
-              .has_value();
+          return closest.find({.point = mesh_.soup().positions[v], .within = distance}).has_value();
         })) {
       found.push_back(i);
     }
@@ -85,9 +84,8 @@ std::vector<std::size_t> Islands::facing(const Patch& patch, std::size_t of_loop
   std::vector<Index> loops = others_in(box, reach, of_loop);
   if (loops.empty()) return {};
   const Vec3 area = vector_area(mesh_.soup(), loops_[of_loop]);
-  std::erase_if(loops, [&](Index i) {
-    return !(area.dot(vector_area(mesh_.soup(), loops_[i])) < 0.0);
-  });
+  std::erase_if(loops,
+                [&](Index i) { return !(area.dot(vector_area(mesh_.soup(), loops_[i])) < 0.0); });
   return within(reach, patch, loops);
 }
 

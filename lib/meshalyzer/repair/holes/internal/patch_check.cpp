@@ -7,6 +7,7 @@
 #include "meshalyzer/spatial/triangle_contact.h"
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
 #include <utility>
 
@@ -18,23 +19,70 @@ PlacedFace placed(const FaceTree& tree, std::size_t slot) {
   return {t, {tree.point(t[0]), tree.point(t[1]), tree.point(t[2])}};
 }
 
-/// Returns the intersections of patches with themselves and each other that count.
-std::vector<IntersectingPair> own_intersections(const Soup& soup, const CutMesh& cut,
-                                                const FaceTree& tree) {
+/// Tells whether a pair of faces of patches counts: not if they meet only at copies of a vertex.
+bool counts(const Soup& soup, const IntersectingPair& pair) {
   const auto placed_face = [&](Index f) {
     return PlacedFace{soup.triangles[f], corners_of(soup, f)};
   };
+  return pair.kind != ContactKind::Unwelded ||
+         are_in_contact_beyond_copies(placed_face(pair.face_a), placed_face(pair.face_b));
+}
+
+/// Returns the intersections of patches with themselves and each other that count.
+std::vector<IntersectingPair> own_intersections(const Soup& soup, const CutMesh& cut,
+                                                const FaceTree& tree) {
   std::vector<IntersectingPair> pairs = find_self_intersections(cut, tree);
-  std::erase_if(pairs, [&](const IntersectingPair& p) {
-    return p.kind == ContactKind::Unwelded &&
-           !are_in_contact_beyond_copies(placed_face(p.face_a), placed_face(p.face_b));
-  });
+  std::erase_if(pairs, [&](const IntersectingPair& pair) { return !counts(soup, pair); });
   return pairs;
+}
+
+/// Notes whether a patch has a pair that counts.
+class AnyPair : public PairListener {
+ public:
+  explicit AnyPair(const Soup& soup) : soup_(soup) {}
+
+  [[nodiscard]] bool is_found() const { return is_found_; }
+
+  void on_pairs(std::span<const IntersectingPair> pairs) override {
+    for (const IntersectingPair& pair : pairs) look_at(pair);
+  }
+  void on_product(const PairProduct& product) override {
+    for (const Index a : product.a) {
+      for (const Index b : product.b) {
+        if (is_found()) return;
+        if (a != b) look_at({.face_a = a, .face_b = b, .kind = product.kind});
+      }
+    }
+  }
+
+ private:
+  void look_at(const IntersectingPair& pair) {
+    if (!is_found() && counts(soup_, pair)) is_found_ = true;
+  }
+
+  const Soup& soup_;
+  std::atomic<bool> is_found_ = false;
+};
+
+bool intersects_itself(const Soup& soup, const CutMesh& cut, const FaceTree& tree) {
+  AnyPair any(soup);
+  PairLimits limits;
+  limits.wants_to_stop = [&] { return any.is_found(); };
+  visit_self_intersections(cut, tree, limits, any);
+  return any.is_found();
 }
 
 bool is_torn(const Soup& soup, const CutMesh& cut) {
   return cut.side.faces.size() != soup.n_faces() || !cut.side.copies.empty() ||
          cut.side.non_manifold_edges.size() != 0 || cut.side.flipped_edges.size() != 0;
+}
+
+/// Tells whether a face of a patch is in contact with one of the mesh.
+bool are_meeting(const PatchSoup& patch, const FaceTree& tree, std::size_t slot,
+                 const FaceTree& mesh_tree, std::size_t mesh_slot) {
+  PlacedFace face = placed(tree, slot);
+  for (Index& v : face.vertices) v = patch.vertices[v];
+  return are_in_contact_beyond_copies(face, placed(mesh_tree, mesh_slot));
 }
 
 /// Adds the common faces of a patch and the mesh.
@@ -43,9 +91,7 @@ void find_meetings_with_mesh(const PreparedMesh& mesh, const PatchSoup& patch, c
   const BoxMeetings meetings(tree, mesh.tree());
   std::vector<std::vector<std::array<Index, 2>>> parts(meetings.n_chunks());
   meetings.run([&](std::size_t chunk, std::size_t slot, std::size_t mesh_slot) {
-    PlacedFace p = placed(tree, slot);
-    for (Index& v : p.vertices) v = patch.vertices[v];
-    if (are_in_contact_beyond_copies(p, placed(mesh.tree(), mesh_slot))) {
+    if (are_meeting(patch, tree, slot, mesh.tree(), mesh_slot)) {
       parts[chunk].push_back({tree.mesh_face(slot), mesh.tree().mesh_face(mesh_slot)});
     }
     return BoxMeetings::Next::GoOn;
@@ -103,6 +149,19 @@ PatchFaults check_patch(const PreparedMesh& mesh, const Patch& patch) {
   sort_unique(faults.meeting);
   sort_unique(faults.met_faces);
   return faults;
+}
+
+bool is_sound(const PreparedMesh& mesh, const Patch& patch) {
+  const PatchSoup own = make_soup(mesh.soup(), patch);
+  const CutMesh cut = build(own.soup);
+  if (is_torn(own.soup, cut)) return false;
+  const FaceTree tree(cut);
+  const auto stop_at_contact = [&](std::size_t, std::size_t slot, std::size_t mesh_slot) {
+    return are_meeting(own, tree, slot, mesh.tree(), mesh_slot) ? BoxMeetings::Next::Stop
+                                                                : BoxMeetings::Next::GoOn;
+  };
+  return BoxMeetings(tree, mesh.tree()).run(stop_at_contact) == BoxMeetings::Next::GoOn &&
+         !intersects_itself(own.soup, cut, tree);
 }
 
 std::vector<std::uint8_t> keep_apart(const PreparedMesh& mesh, std::span<const Patch> patches) {

@@ -41,6 +41,9 @@ struct PatchFaults {
 /// @complexity  O(n log #F + candidates).
 [[nodiscard]] PatchFaults check_patch(const PreparedMesh& mesh, const Patch& patch);
 
+/// Tells whether check_patch() finds no fault. The search ends at the first one.
+[[nodiscard]] bool is_sound(const PreparedMesh& mesh, const Patch& patch);
+
 /// Finds the patches that intersect an earlier one that is kept: the result is 1 for patches that
 /// are kept.
 [[nodiscard]] std::vector<std::uint8_t> keep_apart(const PreparedMesh& mesh,
