@@ -48,8 +48,8 @@ struct alignas(32) EightFaces {
 /// A bounding volume hierarchy over the faces of a mesh: an implicit, complete tree with eight
 /// children per node.
 ///
-/// Faces are ordered by splitting at the median of the widest axis, so the depth is logarithmic for
-/// any input; the nodes need no pointers. The tree also holds the faces' vertices in tree order,
+/// Faces are ordered by splits at medians (order_for_tree), so the depth is logarithmic for any
+/// input; the nodes need no pointers. The tree also holds the faces' vertices in tree order,
 /// for locality. It refers to the points of the mesh, which must outlive it unchanged.
 ///
 /// If a few faces reach a thousand times farther than all others, the coordinates of boxes are
