@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 namespace meshalyzer {
 namespace {
@@ -106,6 +107,25 @@ TEST(CutSurface, ThinFacetsThatCuttingMakesAreRemovedWhereTheyAreAskedFor) {
   // Inside the other are a square of 0.49 of the larger cube, and of the smaller one such a square
   // and four rectangles of 0.5 x 0.7.
   EXPECT_NEAR(area_of(solid), 6.0 + 6.0 * 0.49 - 0.49 - (4.0 * 0.35 + 0.49), 1e-6);
+}
+
+TEST(CutSurface, PartsThatAreLeftAreNotCutOn) {
+  // A face crosses another 1e-10 beside an edge. Nothing tells which part of a sheet to drop, so
+  // that both stay as they are, and removing their thin pieces would be in vain.
+  const Soup soup = shapes::make(
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 1e-10, -1}, {0.8, 1e-10, -1}, {0.5, 1e-10, 1}},
+      {{0, 1, 2}, {3, 4, 5}});
+  const TrackedMesh tracked = track_mesh(soup);
+  const PreparedMesh mesh(tracked.soup);
+  Tolerances tolerances;
+  tolerances.degeneracy = 1e-8;
+  const RepairLimits limits{.max_deviation = 1e-3, .fixed_vertices = {}};
+  const CutSurface surface =
+      cut_surface({soup, tracked, mesh, tolerances, limits}, {}, {}, ThinFacets::Removed);
+  EXPECT_EQ(std::set<Index>(surface.of_uncut_sheets.begin(), surface.of_uncut_sheets.end()),
+            (std::set<Index>{0, 1}));
+  EXPECT_LT(least_altitude(surface), 1e-9);
+  EXPECT_FALSE(surface.has_removed_facets);
 }
 
 }  // namespace

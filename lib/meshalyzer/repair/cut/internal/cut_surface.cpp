@@ -3,6 +3,7 @@
 #include "meshalyzer/arrangement/arrange.h"
 #include "meshalyzer/arrangement/remove_slivers.h"
 #include "meshalyzer/arrangement/round_vertices.h"
+#include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/mesh/build.h"
@@ -51,7 +52,7 @@ bool is_flat(const std::vector<Vec3>& positions, const Triangle& t) {
   return are_collinear(positions[t[0]], positions[t[1]], positions[t[2]]);
 }
 
-/// Tells whether faces stay as they are in the end, so that nothing is gained by cutting them on.
+/// Tells whether faces stay as they are in the end.
 bool is_left(PieceClass piece_class) {
   return piece_class == PieceClass::Uncut || piece_class == PieceClass::Loose;
 }
@@ -70,7 +71,11 @@ class CuttingRounds {
  public:
   CuttingRounds(const PassInput& input, std::span<const Edits::AddedFace> patches,
                 const SelectOptions& options)
-      : input_(input), mesh_(input.mesh), options_(options), extent_(extent_of(mesh_.soup())) {
+      : input_(input),
+        mesh_(input.mesh),
+        options_(options),
+        extent_(extent_of(mesh_.soup())),
+        parts_(mesh_.soup().n_faces() + patches.size()) {
     options_.wants_to_stop = input.wants_to_stop;
     soup_.positions = mesh_.soup().positions;
     for (const Triangle& t : mesh_.soup().triangles) add(t);
@@ -217,7 +222,9 @@ class CuttingRounds {
 
   void tie_faces(const Arrangement& arrangement, const Pairs& pairs) {
     const auto tie = [&](Index a, Index b) {
-      if (origins_[a] != origins_[b]) result_.ties.push_back({origins_[a], origins_[b]});
+      if (origins_[a] == origins_[b]) return;
+      result_.ties.push_back({origins_[a], origins_[b]});
+      parts_.unite(origins_[a], origins_[b]);
     };
     for (const IntersectingPair& pair : pairs) tie(pair.face_a, pair.face_b);
     for (std::size_t i = 0; i < arrangement.pieces.size(); ++i) {
@@ -264,12 +271,24 @@ class CuttingRounds {
         continue;
       }
       faces.triangles.push_back(t);
-      faces.is_new.push_back(is_changed && !is_left(classes[i]) ? 1 : 0);
+      faces.is_new.push_back(is_changed ? 1 : 0);
       faces.origins.push_back(origins_[face]);
     }
     faces.positions = std::move(rounded.positions);
+    skip_left_parts(faces);
     if (removes_slivers_) remove_slivers(faces, kSliverWidth * rounding().spacing);
     take(std::move(faces));
+  }
+
+  /// Takes faces for no new ones if their part of the input is left as a whole, because a face of
+  /// it is left: nothing is gained by cutting them on.
+  void skip_left_parts(RoundedFaces& faces) {
+    std::vector<std::uint8_t> is_left_part(n_added_, 0);
+    for (const Index face : result_.of_uncut_sheets) is_left_part[parts_.find(face)] = 1;
+    for (const Index face : result_.loose) is_left_part[parts_.find(face)] = 1;
+    for (std::size_t i = 0; i < faces.origins.size(); ++i) {
+      if (is_left_part[parts_.find(faces.origins[i])] != 0) faces.is_new[i] = 0;
+    }
   }
 
   void take(RoundedFaces faces) {
@@ -283,7 +302,7 @@ class CuttingRounds {
   }
 
   /// Returns the faces, of which those are new that are not faces of the input.
-  [[nodiscard]] RoundedFaces made_faces() const {
+  [[nodiscard]] RoundedFaces made_faces() {
     RoundedFaces faces{.positions = soup_.positions,
                        .triangles = soup_.triangles,
                        .is_new = std::vector<std::uint8_t>(soup_.n_faces(), 1),
@@ -294,6 +313,7 @@ class CuttingRounds {
           origins_[face] < input.size() && input[origins_[face]] == soup_.triangles[face];
       if (is_of_input) faces.is_new[face] = 0;
     }
+    skip_left_parts(faces);
     return faces;
   }
 
@@ -330,6 +350,8 @@ class CuttingRounds {
   std::size_t n_pairs_of_round_ = 0;
   std::size_t most_pairs_ = 0;
   Index n_added_ = 0;
+  /// The faces of the input, in sets that change together.
+  DisjointSets parts_;
   /// The surface that is cut in this round: positions and faces alone.
   Soup soup_;
   std::vector<Index> origins_;
