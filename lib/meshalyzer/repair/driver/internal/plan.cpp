@@ -119,7 +119,7 @@ void plan_fixes_from_cutting(const RepairOptions& options, Sheets sheets, Planne
             SelfIntersection,
             [cut](const PassInput& input) { return cut_intersections(input, cut); },
             {NonManifold, FlatFacet, DegenerateFacet, Foldover, Flipped, Hole},
-            Repeat::UntilDone,
+            Repeat::OncePerRound,
             true,
             true});
   if (options.contact == Contact::Part) plan.add({"cut off tips", NonManifold, cut_off_tips});

@@ -13,6 +13,9 @@ namespace meshalyzer {
 enum class Repeat : std::uint8_t {
   /// The pass runs until it proposes nothing more, and again when others have changed the mesh.
   UntilDone,
+  /// The pass runs once in each round, and once for smaller operations if some were rejected: it
+  /// proposes all that it can at a time.
+  OncePerRound,
   /// The pass runs once only.
   Once,
 };

@@ -312,17 +312,19 @@ bool RepairDriver::run(const PlannedPass& pass) {
   const std::size_t max_runs = pass.repeat == Repeat::Once ? 1 : kMaxRuns;
   OperationSize size = OperationSize::Normal;
   for (std::size_t i = 0; i < max_runs && !is_to_stop(); ++i) {
+    const std::shared_ptr<const RepairState> examined = state_;
     const PassResult result = propose(pass, size);
-    if (!result.edits.empty() && apply_accepted(pass, result.edits, before)) {
-      has_changed = true;
-    } else if (!before.rejected.empty() && size != OperationSize::Smallest &&
-               result.has_smaller_operations) {
-      // One bad step may have caused the rejection of all steps of its operation.
-      size = OperationSize::Smallest;
-    } else {
-      log_refusals(pass, result.refused, state_->tracked(), log_);
+    const bool is_applied = !result.edits.empty() && apply_accepted(pass, result.edits, before);
+    has_changed = has_changed || is_applied;
+    if (is_applied && pass.repeat != Repeat::OncePerRound) continue;
+    // One bad step may have caused the rejection of all steps of its operation.
+    const bool has_more = !before.rejected.empty() && size != OperationSize::Smallest &&
+                          result.has_smaller_operations;
+    if (!has_more) {
+      log_refusals(pass, result.refused, examined->tracked(), log_);
       return has_changed;
     }
+    size = OperationSize::Smallest;
   }
   return has_changed;
 }
