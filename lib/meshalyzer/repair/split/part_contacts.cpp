@@ -1,6 +1,7 @@
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/repair/passes.h"
+#include "meshalyzer/repair/split/internal/check_budget.h"
 #include "meshalyzer/repair/split/internal/contact_places.h"
 #include "meshalyzer/repair/split/internal/moved_faces.h"
 #include "meshalyzer/repair/split/internal/parting_directions.h"
@@ -26,10 +27,6 @@ constexpr double kLookupReach = 256.0;
 /// The maximum number of touching units at a place that are compared; the one that needs the
 /// smallest step is moved.
 constexpr std::size_t kUnitsAtOnce = 4;
-/// The maximum number of pairs of faces that are checked at a place: most need some hundreds, one
-/// in ten thousand more than these. All places together have more for such ones.
-constexpr std::size_t kMostChecks = 8'192;
-constexpr std::size_t kMoreChecks = 300'000;
 
 /// Sets of places that have a face in common: an edge touches until both its ends have moved.
 DisjointSets connect_places(const ContactPlaces& contacts) {
@@ -68,10 +65,11 @@ class Parting {
   [[nodiscard]] PassResult part_all() {
     DisjointSets connected = connect_places(contacts_);
     std::vector<Index> operation(contacts_.places.size(), kNoIndex);
+    CheckBudget budget(contacts_.places.size());
     for (Index i = 0; i < contacts_.places.size() && !input_.wants_to_stop(); ++i) {
-      n_checks_left_ = kMostChecks + n_more_checks_;
+      n_checks_left_ = budget.of_next_place();
       const std::vector<Index> moved = part(contacts_.places[i]);
-      n_more_checks_ = std::min(n_more_checks_, n_checks_left_);
+      budget.spend(budget.of_next_place() - n_checks_left_);
       if (moved.empty()) continue;
       Index& op = operation[connected.find(i)];
       if (op == kNoIndex) op = result_.edits.begin_operation();
@@ -264,8 +262,6 @@ class Parting {
   double first_step_ = 0.0;
   /// The number of pairs of faces that may still be checked at the current place.
   std::size_t n_checks_left_ = 0;
-  /// The number of those that remain of kMoreChecks.
-  std::size_t n_more_checks_ = kMoreChecks;
   PassResult result_;
 };
 
