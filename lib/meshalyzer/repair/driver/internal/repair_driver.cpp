@@ -317,9 +317,10 @@ bool RepairDriver::run(const PlannedPass& pass) {
     const bool is_applied = !result.edits.empty() && apply_accepted(pass, result.edits, before);
     has_changed = has_changed || is_applied;
     if (is_applied && pass.repeat != Repeat::OncePerRound) continue;
-    // One bad step may have caused the rejection of all steps of its operation.
+    // One bad step may have caused the rejection of all steps of its operation. What is left after
+    // others were applied may have smaller operations, too.
     const bool has_more = !before.rejected.empty() && size != OperationSize::Smallest &&
-                          result.has_smaller_operations;
+                          (result.has_smaller_operations || is_applied);
     if (!has_more) {
       log_refusals(pass, result.refused, examined->tracked(), log_);
       return has_changed;
