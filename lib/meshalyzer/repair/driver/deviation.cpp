@@ -42,6 +42,8 @@ struct SideResult {
 struct DistanceQuery {
   double bound = 0.0;
   DistanceQuestion question = DistanceQuestion::HowFar;
+  /// If it is given, the points outside of these boxes are known to be within the bound.
+  std::optional<std::span<const Box3>> doubtful = std::nullopt;
 
   /// Returns the precision with which a distance must be known.
   [[nodiscard]] double near_enough() const {
@@ -136,6 +138,13 @@ double settle_cut_faces(Side& old_side, const PartsOfFaces& parts, const Distanc
   return drop_settled(distances, old_side);
 }
 
+std::vector<Box3> boxes_that_meet(const Box3& box, std::span<const Box3> boxes) {
+  std::vector<Box3> result;
+  std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(result),
+               [&](const Box3& other) { return other.intersects(box); });
+  return result;
+}
+
 /// Measures all remaining faces of a side.
 SideResult measure_side(const Side& side, const FaceTree& tree, const ClosestPoints& closest,
                         const DistanceQuery& query) {
@@ -143,7 +152,10 @@ SideResult measure_side(const Side& side, const FaceTree& tree, const ClosestPoi
   parallel_chunks(side.faces.size(), kFacesPerChunk, [&](Chunk chunk) {
     SurfaceDistance meter(tree, closest, query.bound, query.question);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      distances[i] = meter.measure(corners_of(side.from, side.faces[i].face));
+      const Corners corners = corners_of(side.from, side.faces[i].face);
+      distances[i] = query.doubtful
+                         ? meter.measure(corners, boxes_that_meet(box_of(corners), *query.doubtful))
+                         : meter.measure(corners);
     }
   });
   SideResult result;
@@ -300,8 +312,6 @@ FarFaces DeviationMeter::find_far(const Repaired& repaired) const {
       .far;
 }
 
-/// What is near to a face of the input lies within the bound of it. So the face stays near unless
-/// the step has removed something there.
 void DeviationMeter::drop_unaffected(const Repaired& repaired,
                                      std::vector<ChangedFace>& of_input) const {
   const std::vector<Index> affected = faces_within(input_, repaired.step->gone, repaired.bound);
@@ -348,6 +358,14 @@ DeviationMeter::Result DeviationMeter::measure_changes(ChangedFaces changes,
                                                        DistanceQuestion question) const {
   const TrackedMesh& tracked = repaired.tracked;
   const DistanceQuery query{repaired.bound, question};
+  // What is near to a point of the input lies within the bound of it. So the point stays near
+  // unless the step has removed something there.
+  std::vector<Box3> boxes_of_gone;
+  DistanceQuery old_query = query;
+  if (repaired.step != nullptr) {
+    boxes_of_gone = boxes_within(repaired.step->gone, repaired.bound);
+    old_query.doubtful = boxes_of_gone;
+  }
   Side old_side{input_, tracked.soup, std::move(changes.of_input)};
   Side new_side{tracked.soup, input_, std::move(changes.of_repaired)};
   Result result;
@@ -364,12 +382,12 @@ DeviationMeter::Result DeviationMeter::measure_changes(ChangedFaces changes,
   }
   result.largest = std::max(result.largest, settle_near_faces(new_side, query));
   if (!old_side.faces.empty()) {
-    SideResult old_result = measure_rest(old_side, tracked.soup, query, [&] {
+    SideResult old_result = measure_rest(old_side, tracked.soup, old_query, [&] {
       const FaceTree& tree = repaired.mesh.tree();
-      return measure_side(old_side, tree, ClosestPoints(tree), query);
+      return measure_side(old_side, tree, ClosestPoints(tree), old_query);
     });
     if (!old_result.far.empty() && !repaired.walls.empty()) {
-      old_result = measure_with_walls(old_side, old_result, repaired.walls, query);
+      old_result = measure_with_walls(old_side, old_result, repaired.walls, old_query);
     }
     result.largest = std::max(result.largest, old_result.largest);
     result.far.of_input = std::move(old_result.far);

@@ -220,6 +220,50 @@ TEST(DeviationMeter, HoleUnderALargeFaceIsFoundWhereverItIs) {
   }
 }
 
+TEST(DeviationMeter, OfALargeFaceOnlyWhatIsNearAStepIsMeasuredAgain) {
+  // Each of two faces lies over 14,400 others, too many to measure in a whole. The others go up and
+  // down by less than the bound.
+  const double bound = 0.3;
+  const Index n = 120;
+  Soup fine = shapes::grid(n, n);
+  for (Index v = 0; v < fine.n_vertices(); ++v) fine.positions[v].z() = v % 2 == 0 ? 0.0 : 0.2;
+  TrackedMesh first = track_mesh(
+      shapes::make(fine.positions, {{0, n, n * (n + 2)}, {0, n * (n + 2), n * (n + 1)}}));
+  const Soup input = first.soup;
+  first = without_faces(first, {0, 1});
+  for (const Triangle& t : fine.triangles) add_face(first, t, 0);
+  const PreparedMesh mesh(first.soup);
+  const DeviationMeter meter(input);
+  EXPECT_EQ(meter.find_far({first, mesh, bound}).of_input, (Faces{0, 1}));
+
+  // The step removes the faces of two by two squares, whose middle is 1 away from the rim, and adds
+  // them again or not.
+  Faces removed;
+  std::vector<Corners> gone;
+  for (Index face = 0; face < fine.n_faces(); ++face) {
+    const Corners t = corners_of(fine, face);
+    const Vec3 middle = (t[0] + t[1] + t[2]) / 3 - Vec3(80, 30, 0);
+    if (std::min(middle.x(), middle.y()) < 0 || std::max(middle.x(), middle.y()) > 2) continue;
+    removed.push_back(face);
+    gone.push_back(t);
+  }
+  ASSERT_EQ(removed.size(), 8U);
+  const auto far_after = [&](const TrackedMesh& second) {
+    std::vector<std::uint8_t> is_new(second.soup.n_faces(), 0);
+    std::fill(is_new.begin() + fine.n_faces() - removed.size(), is_new.end(), 1);
+    const SurfaceStep step{is_new, gone};
+    return meter.find_far({.tracked = second,
+                           .mesh = PreparedMesh(second.soup),
+                           .bound = bound,
+                           .walls = {},
+                           .step = &step});
+  };
+  TrackedMesh second = without_faces(first, removed);
+  EXPECT_EQ(far_after(second).of_input, Faces{0});
+  for (const Index face : removed) add_face(second, fine.triangles[face], 0);
+  EXPECT_TRUE(far_after(second).empty());
+}
+
 TEST(DeviationMeter, FlippedDiagonalOfAFlatSquareIsNowhereAway) {
   const Soup input =
       shapes::make({{0, 0, 1}, {1, 0.1, 1}, {1.3, 1, 1}, {0, 1, 1}}, {{0, 1, 2}, {0, 2, 3}});

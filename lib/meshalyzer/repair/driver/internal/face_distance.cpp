@@ -1,5 +1,7 @@
 #include "meshalyzer/repair/driver/internal/face_distance.h"
 
+#include "meshalyzer/base/triangle.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -78,7 +80,13 @@ double largest_distance(const Corners& from, const Corners& to) {
   return *std::max_element(distances.begin(), distances.end());
 }
 
-FaceDistance SurfaceDistance::measure(const Corners& corners) {
+FaceDistance SurfaceDistance::measure(const Corners& corners,
+                                      std::optional<std::span<const Box3>> doubtful) {
+  const auto is_known = [&](const Piece& piece) {
+    const Box3 box = box_of(piece.corners);
+    return doubtful && std::none_of(doubtful->begin(), doubtful->end(),
+                                    [&](const Box3& other) { return other.intersects(box); });
+  };
   done_ = 0.0;
   if (const std::optional<double> within = distance_from_latest(corners)) return {*within, false};
   work_.assign(1, {corners, {}, 0});
@@ -87,6 +95,10 @@ FaceDistance SurfaceDistance::measure(const Corners& corners) {
   for (std::size_t n_pieces = 1; !work_.empty(); ++n_pieces) {
     const Piece piece = work_.back();
     work_.pop_back();
+    if (is_known(piece)) {
+      done_ = bound_;
+      continue;
+    }
     const Estimate known = estimate(piece);
     if (n_pieces == 1) upper_of_all = known.upper;
     found_ = std::max(found_, known.lower);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace meshalyzer {
@@ -58,7 +59,11 @@ class SurfaceDistance {
   /// the largest distance of a point of it, or of a triangle that was measured before. A triangle
   /// over so many faces that this would take too long is reported as within the bound if that is
   /// proved, else as far.
-  [[nodiscard]] FaceDistance measure(const Corners& corners);
+  ///
+  /// @param doubtful  Boxes; the points of the triangle outside of them are known to be within the
+  ///                  bound. Only for DistanceQuestion::IsWithin.
+  [[nodiscard]] FaceDistance measure(const Corners& corners,
+                                     std::optional<std::span<const Box3>> doubtful = std::nullopt);
 
  private:
   struct Piece {

@@ -24,12 +24,16 @@ Box3 box_within(const Corners& triangle, double distance) {
 
 }  // namespace
 
-std::vector<Index> faces_within(const Soup& surface, std::span<const Corners> triangles,
-                                double distance) {
+std::vector<Box3> boxes_within(std::span<const Corners> triangles, double distance) {
   std::vector<Box3> boxes(triangles.size());
   std::transform(triangles.begin(), triangles.end(), boxes.begin(),
                  [&](const Corners& triangle) { return box_within(triangle, distance); });
-  return find_faces_near(surface, boxes);
+  return boxes;
+}
+
+std::vector<Index> faces_within(const Soup& surface, std::span<const Corners> triangles,
+                                double distance) {
+  return find_faces_near(surface, boxes_within(triangles, distance));
 }
 
 Soup part_within(const Soup& surface, std::span<const Corners> triangles, double distance) {

@@ -23,6 +23,9 @@ struct SearchedSurface {
   ClosestPoints closest{tree};
 };
 
+/// Returns a box for each triangle, round all points within a distance of it.
+[[nodiscard]] std::vector<Box3> boxes_within(std::span<const Corners> triangles, double distance);
+
 /// Finds the faces of a surface that may have a point within a distance of some triangles.
 ///
 /// @return      Ascending.
