@@ -178,6 +178,11 @@ Index BisectionGrid::leaf_at(const Vec3& place) const {
   return i;
 }
 
+std::size_t BisectionGrid::n_leaves() const {
+  // Each bisection adds two tetrahedra, and one more is not bisected.
+  return (nodes_.size() + kRoots) / 2;
+}
+
 std::vector<Index> BisectionGrid::leaves() const {
   std::vector<Index> result;
   result.reserve(nodes_.size() / 2 + kRoots);

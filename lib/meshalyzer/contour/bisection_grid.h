@@ -72,6 +72,9 @@ class BisectionGrid {
   /// @complexity   O(level).
   [[nodiscard]] Index leaf_at(const Vec3& place) const;
 
+  /// Returns the number of tetrahedra that are not bisected.
+  [[nodiscard]] std::size_t n_leaves() const;
+
   /// Returns the numbers of all tetrahedra that are not bisected, in a spatial order.
   [[nodiscard]] std::vector<Index> leaves() const;
 

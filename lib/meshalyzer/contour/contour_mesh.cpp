@@ -192,12 +192,12 @@ class ContourSearch {
     while (!limits_.wants_to_stop()) {
       draw();
       measure();
-      if (far_.empty()) return ContouredMesh{soup_of(contour_), {}, deviation_, true};
+      if (far_.empty()) return result(true);
       const std::size_t n_before = leaves_.size();
       refine_far();
       leaves_ = grid_.leaves();
-      if (leaves_.size() > limits_.max_tetrahedra || leaves_.size() == n_before) {
-        return ContouredMesh{soup_of(contour_), {}, deviation_, false};
+      if (is_too_large() || leaves_.size() == n_before) {
+        return result(false);
       }
     }
     return std::nullopt;
@@ -222,8 +222,20 @@ class ContourSearch {
       levels.push_back(grid_.tetrahedron(grid_.leaf_at(point)).level +
                        static_cast<std::uint32_t>(n));
     }
-    for (std::size_t i = 0; i < far_.size(); ++i) refine_at(far_[i].first, levels[i]);
+    for (std::size_t i = 0; i < far_.size() && !is_too_large(); ++i) {
+      refine_at(far_[i].first, levels[i]);
+    }
   }
+
+  [[nodiscard]] ContouredMesh result(bool is_within) const {
+    return {.soup = soup_of(contour_),
+            .walls = {},
+            .deviation = deviation_,
+            .n_tetrahedra = grid_.n_leaves(),
+            .is_within = is_within};
+  }
+
+  [[nodiscard]] bool is_too_large() const { return grid_.n_leaves() > limits_.max_tetrahedra; }
 
   /// Bisects the tetrahedron that contains a point until it has a level, which may be beyond the
   /// highest.

@@ -35,6 +35,8 @@ struct ContouredMesh {
   std::vector<Corners> walls;
   /// The largest distance between the surfaces at the sample points.
   double deviation = 0.0;
+  /// The number of tetrahedra of the grid.
+  std::size_t n_tetrahedra = 0;
   /// Tells whether the deviation is within the limit. If not, the grid would have needed more
   /// tetrahedra.
   bool is_within = false;

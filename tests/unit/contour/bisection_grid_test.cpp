@@ -98,6 +98,7 @@ TEST(BisectionGrid, StaysConformingHoweverItIsRefined) {
                              : leaves[below(random, static_cast<Index>(leaves.size()))]);
     }
     expect_conforming(grid);
+    EXPECT_EQ(grid.n_leaves(), grid.leaves().size());
   }
 }
 

@@ -107,6 +107,9 @@ TEST(ContourMesh, SaysWhereTheGridWouldBeTooLarge) {
   ASSERT_TRUE(made);
   EXPECT_FALSE(made->is_within);
   EXPECT_GT(made->deviation, 1e-9);
+  // It ends at the limit, and does not refine the grid at all far points first.
+  EXPECT_GT(made->n_tetrahedra, 10'000U);
+  EXPECT_LT(made->n_tetrahedra, 20'000U);
   expect_embedded_solid(made->soup);
 }
 

@@ -12,8 +12,10 @@
 namespace meshalyzer {
 namespace {
 
-/// Replacements with a larger grid are not made, because they would take more than some seconds.
+/// Replacements with a larger grid are not made, because they would take more than some seconds;
+/// nor are those of all solids together.
 constexpr std::size_t kMaxTetrahedra = 500'000;
+constexpr std::size_t kMaxTetrahedraOfAll = 1'000'000;
 
 /// Returns the faces of a broken solid alone.
 Soup soup_of(const Soup& all, const BrokenSolid& solid) {
@@ -47,11 +49,8 @@ class Replacing {
         tree_(cut_),
         closest_(tree_) {}
 
-  [[nodiscard]] std::optional<ContouredMesh> contour(double max_deviation,
-                                                     const StopQuery& wants_to_stop) const {
-    return contour_mesh(old_, {.max_deviation = max_deviation,
-                               .max_tetrahedra = kMaxTetrahedra,
-                               .wants_to_stop = wants_to_stop});
+  [[nodiscard]] std::optional<ContouredMesh> contour(const ContourLimits& limits) const {
+    return contour_mesh(old_, limits);
   }
 
   void propose(const ContouredMesh& made) {
@@ -105,32 +104,39 @@ const char* reason_against(const BrokenSolid& solid, const ReplaceOptions& optio
   return nullptr;
 }
 
-Refusal refuse(const BrokenSolid& solid, const char* reason) {
-  return {.code = DefectCode::SelfIntersection, .face = solid.faces.front(), .reason = reason};
+/// Proposes nothing: what is not good as a whole is not kept.
+Replacement refuse(const BrokenSolid& solid, const char* reason, bool needs_larger_grid = false) {
+  Replacement replacement;
+  replacement.result.refused.push_back(
+      {.code = DefectCode::SelfIntersection, .face = solid.faces.front(), .reason = reason});
+  replacement.needs_larger_grid = needs_larger_grid;
+  return replacement;
 }
 
 }  // namespace
 
 Replacement replace_broken_solids(const PassInput& input, const ReplaceOptions& options) {
+  const std::vector<BrokenSolid> solids = solids_to_replace(input.mesh, options.scope);
+  for (const BrokenSolid& solid : solids) {
+    if (const char* reason = reason_against(solid, options)) return refuse(solid, reason);
+  }
   Replacement replacement;
-  for (const BrokenSolid& solid : solids_to_replace(input.mesh, options.scope)) {
-    if (const char* reason = reason_against(solid, options)) {
-      replacement.result.refused.push_back(refuse(solid, reason));
-      continue;
-    }
+  std::size_t n_left = kMaxTetrahedraOfAll;
+  for (const BrokenSolid& solid : solids) {
     Replacing replacing(input.tracked.soup, solid, replacement.result.edits);
-    const auto made = replacing.contour(options.max_deviation, input.wants_to_stop);
+    const auto made = replacing.contour({.max_deviation = options.max_deviation,
+                                         .max_tetrahedra = std::min(kMaxTetrahedra, n_left),
+                                         .wants_to_stop = input.wants_to_stop});
     if (!made || !made->is_within) {
-      replacement.needs_larger_grid = replacement.needs_larger_grid || made.has_value();
-      replacement.result.refused.push_back(
-          refuse(solid, "no replacement within the maximum deviation was found"));
-    } else if (made->soup.triangles.empty()) {
-      replacement.result.refused.push_back(
-          refuse(solid, "it encloses nothing that a replacement could bound"));
-    } else {
-      replacing.propose(*made);
-      replacement.deviation = std::max(replacement.deviation, made->deviation);
+      return refuse(solid, "no replacement within the maximum deviation was found",
+                    made.has_value());
     }
+    if (made->soup.triangles.empty()) {
+      return refuse(solid, "it encloses nothing that a replacement could bound");
+    }
+    replacing.propose(*made);
+    replacement.deviation = std::max(replacement.deviation, made->deviation);
+    n_left -= std::min(n_left, made->n_tetrahedra);
   }
   return replacement;
 }
