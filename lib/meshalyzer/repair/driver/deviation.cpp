@@ -323,6 +323,9 @@ void DeviationMeter::drop_unaffected(const Repaired& repaired,
 ChangedFaces DeviationMeter::find_measured_faces(const Repaired& repaired) const {
   ChangedFaces changed = find_changed_faces(input_, repaired.tracked);
   drop_walls(input_, repaired.walls, changed.of_input);
+  std::erase_if(changed.of_input, [&](const ChangedFace& face) {
+    return std::binary_search(repaired.lost.begin(), repaired.lost.end(), face.face);
+  });
   return changed;
 }
 

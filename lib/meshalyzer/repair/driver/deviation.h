@@ -65,6 +65,8 @@ class DeviationMeter {
     /// The walls of the input that were removed: the input may be near to them instead of the new
     /// surface.
     std::span<const InteriorWall> walls = {};
+    /// Faces of the input that do not count, by index, ascending: those that are lost on purpose.
+    std::span<const Index> lost = {};
     /// Tells find_far() what may have changed since the surface was last found to be within the
     /// bound; null if it never was.
     const SurfaceStep* step = nullptr;

@@ -325,6 +325,21 @@ TrackedMesh with_new_face(const Soup& input, Index origin) {
   return tracked;
 }
 
+TEST(DeviationMeter, LostFacesDoNotCount) {
+  const Soup input = shapes::merged(shapes::cube(), shapes::cube(1, {5, 0, 0}));
+  const TrackedMesh tracked = without_faces(track_mesh(input), face_range(12, 24));
+  const PreparedMesh mesh(tracked.soup);
+  const Faces lost = face_range(12, 24);
+  const DeviationMeter meter(input);
+  const DeviationMeter::Repaired all{.tracked = tracked, .mesh = mesh, .bound = 1, .lost = lost};
+  EXPECT_EQ(meter.measure(all).largest, 0.0);
+  EXPECT_TRUE(meter.find_far(all).empty());
+  const Faces fewer = face_range(12, 23);
+  const FarFaces far =
+      meter.find_far({.tracked = tracked, .mesh = mesh, .bound = 1, .lost = fewer});
+  EXPECT_EQ(far.of_input, Faces{23});
+}
+
 TEST(DeviationMeter, NewSurfaceIsAsFarAsItsFarSide) {
   const Soup input = shapes::cube();
   const TrackedMesh tracked = with_new_face(input, 3);

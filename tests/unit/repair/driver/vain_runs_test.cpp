@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <string>
 #include <vector>
 
 namespace meshalyzer {
@@ -66,6 +67,52 @@ TEST(RepairDriver, PassThatTakesTimeForVeryManyPairsIsRunInVainOnce) {
   // All pairs of 150 faces are 11,175, and all of 100 are 4,950.
   EXPECT_EQ(count_runs(150, true), 1U);
   EXPECT_EQ(count_runs(100, true), 3U);
+}
+
+TEST(RepairDriver, EachPassThatTakesTimeForVeryManyPairsIsRunOnce) {
+  const Soup soup = star_of_faces(150);
+  RepairDriver driver(soup, {}, RepairLimits(), [](const TrackedMesh&, const CutMesh&) {
+    return std::vector<std::uint8_t>();
+  });
+  std::vector<std::string> runs;
+  const auto pass = [&](const char* name) {
+    return PlannedPass{.name = name,
+                       .run =
+                           [&runs, name](const PassInput&) {
+                             runs.emplace_back(name);
+                             return PassResult();
+                           },
+                       .takes_time_for_pairs = true};
+  };
+  driver.run_plan({pass("first"), pass("second")}, {});
+  EXPECT_EQ(runs, (std::vector<std::string>{"first", "second"}));
+}
+
+/// Counts the proposals of a pass that moves a face in each round and leaves all pairs.
+std::size_t count_changes(Index n_crossing) {
+  const Soup soup = star_of_faces(n_crossing);
+  const auto last = static_cast<Index>(soup.n_vertices() - 1);
+  RepairDriver driver(
+      soup, {}, RepairLimits{.max_deviation = 1.0, .fixed_vertices = {}},
+      [](const TrackedMesh&, const CutMesh&) { return std::vector<std::uint8_t>(); });
+  std::size_t n_proposals = 0;
+  const PassFunction move = [&](const PassInput& input) {
+    PassResult result;
+    if (++n_proposals > 3) return result;
+    const Index op = result.edits.begin_operation();
+    const Vec3 to = input.tracked.soup.positions[last] + Vec3{0.0, 0.01, 0.0};
+    result.edits.moved_vertices.push_back({.op = op, .vertex = last, .to = to});
+    return result;
+  };
+  driver.run_plan(
+      {{.name = "move", .run = move, .repeat = Repeat::OncePerRound, .takes_time_for_pairs = true}},
+      {});
+  return n_proposals;
+}
+
+TEST(RepairDriver, PassThatLeavesNearlyAllOfVeryManyPairsIsNotRunAgain) {
+  EXPECT_EQ(count_changes(150), 1U);
+  EXPECT_EQ(count_changes(100), 4U);
 }
 
 /// Counts the proposals of a pass whose only operation moves the surface too far.

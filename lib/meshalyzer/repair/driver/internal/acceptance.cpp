@@ -231,6 +231,7 @@ Acceptance check_acceptance(const RepairState& before, const RepairState& after,
                                               .mesh = after.mesh(),
                                               .bound = rules.max_deviation,
                                               .walls = rules.walls,
+                                              .lost = rules.lost,
                                               .step = rules.was_within ? &step : nullptr}));
   return acceptance;
 }

@@ -25,6 +25,8 @@ struct AcceptanceRules {
   /// The walls as DeviationMeter::measure() takes them, including those that these operations
   /// remove.
   std::span<const InteriorWall> walls = {};
+  /// See DeviationMeter::Repaired::lost.
+  std::span<const Index> lost = {};
   /// Tells whether the mesh before is known to be within the maximum deviation.
   bool was_within = false;
 };

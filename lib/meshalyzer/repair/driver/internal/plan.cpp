@@ -114,7 +114,9 @@ void plan_fixes_from_cutting(const RepairOptions& options, Sheets sheets, Planne
   plan.add({"refill tangles",
             SelfIntersection,
             [cut](const PassInput& input) { return refill_tangles(input, cut); },
-            {FlatFacet}});
+            {FlatFacet},
+            Repeat::UntilDone,
+            true});
   plan.add({"cut intersections",
             SelfIntersection,
             [cut](const PassInput& input) { return cut_intersections(input, cut); },

@@ -93,7 +93,8 @@ std::vector<double> RepairDriver::measure_parts(std::span<const Index> part_of,
 void RepairDriver::update_deviation() {
   if (is_deviation_known_) return;
   // All that was applied was found to be within the maximum.
-  deviation_ = std::min(measure_deviation(), limits_.max_deviation);
+  deviation_ = std::min(measure_without(lost_), limits_.max_deviation);
+  is_deviation_known_ = true;
 }
 
 double RepairDriver::deviation() {
@@ -102,10 +103,19 @@ double RepairDriver::deviation() {
 }
 
 double RepairDriver::measure_deviation() {
-  deviation_ =
-      meter_->measure({state_->tracked(), state_->mesh(), limits_.max_deviation, walls_}).largest;
+  deviation_ = measure_without({});
   is_deviation_known_ = true;
   return deviation_;
+}
+
+double RepairDriver::measure_without(std::span<const Index> lost) const {
+  return meter_
+      ->measure({.tracked = state_->tracked(),
+                 .mesh = state_->mesh(),
+                 .bound = limits_.max_deviation,
+                 .walls = walls_,
+                 .lost = lost})
+      .largest;
 }
 
 void RepairDriver::raise_deviation(double deviation) {
@@ -114,13 +124,13 @@ void RepairDriver::raise_deviation(double deviation) {
 
 void RepairDriver::set_checkpoint() {
   banned_ = {};
-  checkpoint_ = {state_->tracked(), known_pairs(), log_, deviation(), is_within_, walls_};
+  checkpoint_ = {state_->tracked(), known_pairs(), log_, deviation(), is_within_, walls_, lost_};
   applied_.clear();
 }
 
 bool RepairDriver::run_trial(const Trial& trial) {
   set_checkpoint();
-  costly_idle_run_.reset();
+  costly_idle_runs_.clear();
   if (!trial.from_input.empty()) {
     return_to_input();
     static_cast<void>(run_rounds(trial.from_input));
@@ -193,7 +203,8 @@ void RepairDriver::return_to_input() {
            .log = {},
            .deviation = 0.0,
            .is_within = true,
-           .walls = {}});
+           .walls = {},
+           .lost = {}});
 }
 
 void RepairDriver::restore(const Checkpoint& checkpoint) {
@@ -206,6 +217,7 @@ void RepairDriver::restore(const Checkpoint& checkpoint) {
   deviation_ = checkpoint.deviation;
   is_within_ = checkpoint.is_within;
   walls_ = checkpoint.walls;
+  lost_ = checkpoint.lost;
   is_deviation_known_ = true;
   applied_.clear();
 }
@@ -259,25 +271,35 @@ void RepairDriver::run_unless_idle(const PlannedPass& pass, std::size_t& n_chang
     refusals.insert(refusals.end(), idle_run->refusals.begin(), idle_run->refusals.end());
     return;
   }
-  const std::size_t n_pairs =
-      pass.takes_time_for_pairs ? state_->mesh().intersecting_pairs().size() : 0;
-  if (costly_idle_run_ && are_many_alike(n_pairs, costly_idle_run_->n_pairs)) {
-    refusals.insert(refusals.end(), costly_idle_run_->refusals.begin(),
-                    costly_idle_run_->refusals.end());
+  const std::size_t n_pairs = n_pairs_for(pass);
+  const auto costly = costly_idle_runs_.find(pass.name);
+  if (costly != costly_idle_runs_.end() && are_many_alike(n_pairs, costly->second.n_pairs)) {
+    refusals.insert(refusals.end(), costly->second.refusals.begin(), costly->second.refusals.end());
     return;
   }
   const auto n_refusals = static_cast<std::ptrdiff_t>(refusals.size());
-  if (run(pass)) {
-    ++n_changes;
-    return;
+  const bool has_changed = run(pass);
+  std::vector<LoggedRefusal> refused(refusals.begin() + n_refusals, refusals.end());
+  if (pass.takes_time_for_pairs && (!has_changed || are_many_alike(n_pairs_for(pass), n_pairs))) {
+    note_costly_idle_run(pass, {n_pairs, refused});
   }
-  idle_run = {n_changes, {refusals.begin() + n_refusals, refusals.end()}};
-  if (!pass.takes_time_for_pairs) return;
-  costly_idle_run_ = {n_pairs, idle_run->refusals};
+  if (has_changed) {
+    ++n_changes;
+  } else {
+    idle_run = {n_changes, std::move(refused)};
+  }
+}
+
+std::size_t RepairDriver::n_pairs_for(const PlannedPass& pass) const {
+  return pass.takes_time_for_pairs ? state_->mesh().intersecting_pairs().size() : 0;
+}
+
+void RepairDriver::note_costly_idle_run(const PlannedPass& pass, CostlyIdleRun idle_run) {
   // Only keys of the input name the same faces after a restart.
-  std::erase_if(costly_idle_run_->refusals, [&](const LoggedRefusal& refusal) {
+  std::erase_if(idle_run.refusals, [&](const LoggedRefusal& refusal) {
     return refusal.face >= state_->tracked().n_input_faces;
   });
+  costly_idle_runs_[pass.name] = std::move(idle_run);
 }
 
 bool RepairDriver::is_to_stop() {
@@ -297,8 +319,17 @@ void RepairDriver::apply_unchecked(const PlannedPass& pass) {
             {state_->tracked(), result.edits, {}, tracked, affected}, log_);
   walls_ = walls_with(result.edits, std::vector<std::uint8_t>(result.edits.n_operations, 0));
   state_ = search_all(std::move(tracked));
-  is_within_ = false;
   include_patches(result.edits);
+  find_lost_faces();
+}
+
+void RepairDriver::find_lost_faces() {
+  FarFaces far = meter_->find_far({.tracked = state_->tracked(),
+                                   .mesh = state_->mesh(),
+                                   .bound = limits_.max_deviation,
+                                   .walls = walls_});
+  lost_ = std::move(far.of_input);
+  is_within_ = far.of_repaired.empty();
 }
 
 PassResult RepairDriver::propose(const PlannedPass& pass, OperationSize size) const {
@@ -363,6 +394,7 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
                                 .may_create = pass.may_create,
                                 .must_mend = pass.must_mend,
                                 .walls = walls,
+                                .lost = lost_,
                                 .was_within = is_within_};
     const Acceptance acceptance =
         check_acceptance(*state_, *after, affected, skipped.size(), rules);

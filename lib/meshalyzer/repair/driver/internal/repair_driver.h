@@ -61,7 +61,7 @@ class RepairDriver {
   /// left out. It is measured when it is asked for.
   [[nodiscard]] double deviation();
   /// Measures this distance even if it may be larger than the maximum, after a change that was
-  /// applied unchecked.
+  /// applied unchecked; what that has lost counts too.
   double measure_deviation();
 
   /// Runs the passes in order, each until it proposes nothing more that is accepted, and starts
@@ -152,6 +152,7 @@ class RepairDriver {
     double deviation = 0.0;
     bool is_within = true;
     std::vector<InteriorWall> walls;
+    std::vector<Index> lost;
   };
 
   /// A run of a pass that changed nothing: it would change nothing again until the mesh changes.
@@ -161,12 +162,15 @@ class RepairDriver {
     std::vector<LoggedRefusal> refusals;
   };
 
-  /// The last run of a pass that takes time for each intersecting pair and changed nothing.
+  /// The last run of a pass that takes time for each intersecting pair and left nearly all of them.
   struct CostlyIdleRun {
     std::size_t n_pairs = 0;
     std::vector<LoggedRefusal> refusals;
   };
 
+  /// Finds the faces that a change that was applied unchecked has lost.
+  void find_lost_faces();
+  [[nodiscard]] double measure_without(std::span<const Index> lost) const;
   /// Measures the deviation if it is not known.
   void update_deviation();
   void set_checkpoint();
@@ -186,6 +190,9 @@ class RepairDriver {
   /// @param idle_run   The last run of the pass that changed nothing.
   void run_unless_idle(const PlannedPass& pass, std::size_t& n_changes,
                        std::optional<IdleRun>& idle_run);
+  /// Returns the number of intersecting pairs if the pass takes time for them, else 0.
+  [[nodiscard]] std::size_t n_pairs_for(const PlannedPass& pass) const;
+  void note_costly_idle_run(const PlannedPass& pass, CostlyIdleRun idle_run);
   [[nodiscard]] std::shared_ptr<const RepairState> search_all(TrackedMesh tracked) const;
   /// Returns the intersecting pairs of the tracked mesh, if all of them are known.
   [[nodiscard]] std::optional<std::vector<IntersectingPair>> known_pairs() const;
@@ -219,13 +226,18 @@ class RepairDriver {
   std::optional<DeviationMeter> meter_;
   /// The parts of the surface that separated no inside from no outside and were removed.
   std::vector<InteriorWall> walls_;
+  /// The faces of the input that a change that was applied unchecked has left beyond the maximum
+  /// deviation, ascending. Whoever wanted that change judges them; no operation after it is
+  /// rejected because of them.
+  std::vector<Index> lost_;
   std::size_t max_pairs_;
   std::shared_ptr<const RepairState> state_;
   /// The deviation when it was last measured.
   double deviation_ = 0.0;
   bool is_deviation_known_ = true;
-  /// Tells whether no face of the input is farther from the tracked mesh than the maximum
-  /// deviation. A change that was applied unchecked may have taken some farther.
+  /// Tells whether no face of the input that is not lost, and no face of the tracked mesh, is
+  /// farther from the other than the maximum deviation. A change that was applied unchecked may
+  /// have taken some farther.
   bool is_within_ = true;
   RepairListener on_progress_;
   StopQuery wants_to_stop_;
@@ -233,7 +245,8 @@ class RepairDriver {
   RepairLog log_;
   std::vector<AppliedOperation> applied_;
   BannedOperations banned_;
-  std::optional<CostlyIdleRun> costly_idle_run_;
+  /// By the name of the pass.
+  std::map<std::string_view, CostlyIdleRun> costly_idle_runs_;
   /// The operations that are not tried again, and the rule that they broke: what else is repaired
   /// hardly changes that.
   std::map<OperationHash, Rejection> hopeless_;

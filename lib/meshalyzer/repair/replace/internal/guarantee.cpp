@@ -18,6 +18,10 @@
 namespace meshalyzer {
 namespace {
 
+/// What replaces a part of the mesh needs this share of the maximum deviation. With less a thin
+/// solid would hardly have a thickness, and a grid for a contour would hardly ever suffice.
+constexpr double kLeastShareLeft = 1.0 / 64.0;
+
 class Guarantee {
  public:
   Guarantee(RepairDriver& driver, const RepairOptions& options, const Tolerances& tolerances)
@@ -37,13 +41,14 @@ class Guarantee {
     }
     using Scope = ReplaceOptions::Scope;
     // A new surface, which would keep what is behind holes, needs a part of the deviation.
-    const bool may_replace = driver_.deviation() < max_deviation_;
+    const bool may_replace =
+        max_deviation_ - driver_.deviation() >= kLeastShareLeft * max_deviation_;
     const bool may_drop = options_.solid && !may_replace;
-    const bool is_done = (options_.solid && thicken()) ||
+    const bool is_done = (options_.solid && may_replace && thicken()) ||
                          unite(may_drop ? BehindHoles::Dropped : BehindHoles::Kept) ||
-                         replace_in_boxes() || replace(Scope::Broken) ||
-                         (may_replace_more() && replace(Scope::Whole)) ||
-                         (may_replace && may_drop_after_all() && unite(BehindHoles::Dropped)) ||
+                         (may_replace && (replace_in_boxes() || replace(Scope::Broken) ||
+                                          (may_replace_more() && replace(Scope::Whole)) ||
+                                          (may_drop_after_all() && unite(BehindHoles::Dropped)))) ||
                          replace_from_input();
     if (!is_done) note_failure();
     return std::move(notes_);
@@ -76,7 +81,9 @@ class Guarantee {
   }
 
   /// Tells whether a union failed only because parts behind holes were kept.
-  [[nodiscard]] bool may_drop_after_all() const { return options_.solid && is_union_too_far_; }
+  [[nodiscard]] bool may_drop_after_all() const {
+    return options_.solid && is_union_too_far_behind_holes_;
+  }
 
   /// Makes thin solids of sheets, if the mesh consists of sheets only.
   bool thicken() {
@@ -98,7 +105,7 @@ class Guarantee {
 
   bool unite(BehindHoles behind_holes) {
     UnitedFromInput united = unite_from_input(driver_, options_, tolerances_, behind_holes);
-    is_union_too_far_ = united.is_too_far;
+    is_union_too_far_behind_holes_ = united.is_too_far_behind_holes;
     if (united.note.empty()) return false;
     notes_.push_back(std::move(united.note));
     return true;
@@ -204,7 +211,7 @@ class Guarantee {
   const Tolerances& tolerances_;
   FinalCheck check_;
   double max_deviation_;
-  bool is_union_too_far_ = false;
+  bool is_union_too_far_behind_holes_ = false;
   bool needs_larger_grid_ = false;
   std::string reason_;
   std::vector<std::string> notes_;

@@ -45,7 +45,9 @@ class UnionFromInput {
     return unite(FillSheets::No) || (options_.solid && !is_too_far_ && unite(FillSheets::Yes));
   }
 
-  [[nodiscard]] bool is_too_far() const { return is_too_far_; }
+  [[nodiscard]] bool is_too_far_behind_holes() const {
+    return is_too_far_ && distance_of_rest_ <= driver_.max_deviation();
+  }
   [[nodiscard]] double distance_behind_holes() const { return distance_behind_holes_; }
 
  private:
@@ -77,15 +79,18 @@ class UnionFromInput {
 
   bool is_wanted(const RepairState& state) {
     if (!is_good_in_file(state, tolerances_, check_)) return false;
-    distance_ = driver_.measure_deviation();
+    distance_of_rest_ = driver_.measure_deviation();
+    distance_behind_holes_ = 0.0;
     measure_lost(state);
+    distance_ = behind_holes_ == BehindHoles::Dropped
+                    ? distance_of_rest_
+                    : std::max(distance_of_rest_, distance_behind_holes_);
     is_too_far_ = !(distance_ <= driver_.max_deviation());
     return !is_too_far_;
   }
 
   /// Measures how far the lost samples are from the result.
   void measure_lost(const RepairState& state) {
-    distance_behind_holes_ = 0.0;
     if (lost_.empty()) return;
     const Soup& result = state.tracked().soup;
     const MeshRegion solid(result, state.mesh().tree());
@@ -94,9 +99,8 @@ class UnionFromInput {
     for (const Vec3& point : lost_) {
       const auto found = closest.find({.point = point, .hint = hint});
       hint = found->slot;
-      if (found->distance <= distance_) continue;
-      const bool is_excepted = behind_holes_ == BehindHoles::Dropped && solid.contains(point);
-      double& largest = is_excepted ? distance_behind_holes_ : distance_;
+      if (found->distance <= distance_of_rest_) continue;
+      double& largest = solid.contains(point) ? distance_behind_holes_ : distance_of_rest_;
       largest = std::max(largest, found->distance);
     }
   }
@@ -110,8 +114,9 @@ class UnionFromInput {
   std::vector<Vec3> lost_;
   /// The deviation of the last union that was good.
   double distance_ = 0.0;
-  /// The largest distance of samples that lie inside it and do not count as deviation.
+  /// The largest distance of samples that lie inside it, and the deviation without them.
   double distance_behind_holes_ = 0.0;
+  double distance_of_rest_ = 0.0;
   bool is_too_far_ = false;
 };
 
@@ -120,7 +125,9 @@ class UnionFromInput {
 UnitedFromInput unite_from_input(RepairDriver& driver, const RepairOptions& options,
                                  const Tolerances& tolerances, BehindHoles behind_holes) {
   UnionFromInput from_input(driver, options, tolerances, behind_holes);
-  if (!from_input.run()) return {.note = "", .is_too_far = from_input.is_too_far()};
+  if (!from_input.run()) {
+    return {.note = "", .is_too_far_behind_holes = from_input.is_too_far_behind_holes()};
+  }
   std::string note =
       "repairs part by part left defects, so the mesh was replaced by its union with itself";
   if (from_input.distance_behind_holes() > driver.max_deviation()) {

@@ -17,8 +17,9 @@ enum class BehindHoles : std::uint8_t { Kept, Dropped };
 struct UnitedFromInput {
   /// A sentence that says what was done; empty if nothing was.
   std::string note;
-  /// Tells whether the union is good, but farther from the input than the maximum deviation.
-  bool is_too_far = false;
+  /// Tells whether the union is good, but farther from the input than the maximum deviation, and
+  /// it would not be with BehindHoles::Dropped.
+  bool is_too_far_behind_holes = false;
 };
 
 /// If a mesh that means a solid is not good after a repair, starts again from the input, and
