@@ -35,19 +35,20 @@ std::vector<RepairedMesh> finished_meshes(RepairDriver& driver, const RepairOpti
   const DefectOptions find{.codes = DefectCodes::all(),
                            .tolerances = as_options(tolerances),
                            .max_defects = options.max_defects,
-                           .pairs = {.max_found = driver.max_pairs(), .wants_to_stop = {}}};
+                           .pairs = {.max_found = driver.mesh().max_pairs(), .wants_to_stop = {}}};
   const bool is_separated = options.fixes.contains(DefectCode::Disjoint);
   const bool is_renumbered = options.fixes.contains(DefectCode::Numbering);
   if (!is_separated && !is_renumbered) {
-    return {{.tracked = driver.tracked(),
-             .remaining = driver.log().steps.empty() ? before : find_defects(driver.mesh(), find),
-             .prepared = options.keep_prepared ? driver.shared_mesh() : nullptr}};
+    return {{.tracked = driver.mesh().tracked(),
+             .remaining =
+                 driver.log().steps.empty() ? before : find_defects(driver.mesh().prepared(), find),
+             .prepared = options.keep_prepared ? driver.mesh().shared_prepared() : nullptr}};
   }
   std::vector<TrackedMesh> tracked_meshes;
   if (is_separated) {
-    tracked_meshes = separate(driver.tracked());
+    tracked_meshes = separate(driver.mesh().tracked());
   } else {
-    tracked_meshes.push_back(driver.tracked());
+    tracked_meshes.push_back(driver.mesh().tracked());
   }
   std::vector<RepairedMesh> meshes;
   for (TrackedMesh& tracked : tracked_meshes) {
@@ -90,7 +91,7 @@ constexpr std::size_t kPairsAlwaysCut = 1000;
 /// borders: only what all other passes leave is worth that. Surfaces with more intersecting pairs
 /// than faces are in such disorder that cutting them takes long and leaves hardly anything whole.
 bool is_any_sheet_to_cut(const RepairDriver& driver, const RepairOptions& options) {
-  const PreparedMesh& mesh = driver.mesh();
+  const PreparedMesh& mesh = driver.mesh().prepared();
   return options.fixes.contains(DefectCode::SelfIntersection) && !options.solid &&
          !driver.is_stopped() && !mesh.intersecting_pairs().empty() &&
          mesh.intersecting_pairs().size() <= std::max(kPairsAlwaysCut, mesh.soup().n_faces()) &&
@@ -127,7 +128,7 @@ void repair(RepairDriver& driver, const RepairOptions& options, const Tolerances
                               return keep_largest(input, options.keep_largest);
                             }});
   }
-  result.deviation = driver.deviation();
+  result.deviation = driver.mesh().deviation();
   result.is_stopped = driver.is_stopped();
   result.rises = driver.rises();
 }
@@ -158,8 +159,8 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   find.tolerances = options.tolerances;
   find.max_defects = options.max_defects;
   find.wants_to_stop = options.wants_to_stop;
-  result.before = find_defects(driver.mesh(), find);
-  if (options.on_input) options.on_input(driver.mesh(), result.before);
+  result.before = find_defects(driver.mesh().prepared(), find);
+  if (options.on_input) options.on_input(driver.mesh().prepared(), result.before);
   if (reason_against_repair(driver).empty() || drop_equal_faces(driver, options, result.before)) {
     repair(driver, options, tolerances, result);
   } else {
@@ -168,7 +169,7 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   }
   result.meshes = finished_meshes(driver, options, tolerances, result.before);
   result.log = driver.take_log();
-  append_dropped_parts(driver.input(), driver.tracked(), result.log, result.notes);
+  append_dropped_parts(driver.mesh().input(), driver.mesh().tracked(), result.log, result.notes);
   name_what_has_no_reason(options, reason_of_defects_left(driver), result);
   return result;
 }

@@ -54,11 +54,11 @@ TEST(Guarantee, InputIsReplacedWhereRepairsHaveUsedUpTheDeviation) {
   RepairDriver driver(
       cubes, tolerances, RepairLimits{.max_deviation = kMaxDeviation, .fixed_vertices = {}},
       [](const TrackedMesh&, const CutMesh&) { return std::vector<std::uint8_t>(); });
-  driver.raise_deviation(kMaxDeviation);
+  driver.mesh().raise_deviation(kMaxDeviation);
   EXPECT_EQ(guarantee_goodness(driver, options, tolerances).size(), 1U);
-  EXPECT_TRUE(is_good(driver.tracked().soup));
-  EXPECT_NEAR(volume_of(driver.tracked().soup), 15, 0.5);
-  EXPECT_LE(driver.deviation(), kMaxDeviation);
+  EXPECT_TRUE(is_good(driver.mesh().tracked().soup));
+  EXPECT_NEAR(volume_of(driver.mesh().tracked().soup), 15, 0.5);
+  EXPECT_LE(driver.mesh().deviation(), kMaxDeviation);
 }
 
 TEST(Guarantee, WhatIsGoodStaysAsItIs) {

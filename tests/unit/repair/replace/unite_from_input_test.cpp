@@ -27,7 +27,7 @@ class UniteFromInput : public ::testing::Test {
     return unite_from_input(*driver_, options_, tolerances, BehindHoles::Kept).note;
   }
 
-  [[nodiscard]] const Soup& mesh() const { return driver_->tracked().soup; }
+  [[nodiscard]] const Soup& mesh() const { return driver_->mesh().tracked().soup; }
 
   RepairOptions options_;
   std::optional<RepairDriver> driver_;
@@ -39,7 +39,7 @@ TEST_F(UniteFromInput, MakesCrossingCubesOneGoodSolid) {
   EXPECT_FALSE(unite(kCrossing).empty());
   EXPECT_TRUE(is_good(mesh()));
   EXPECT_NEAR(volume_of(mesh()), 15, 1e-9);
-  EXPECT_LT(driver_->deviation(), 1e-9);
+  EXPECT_LT(driver_->mesh().deviation(), 1e-9);
 }
 
 TEST_F(UniteFromInput, ClosesAnOpenCubeThatCrossesAnother) {

@@ -13,7 +13,7 @@ namespace {
 class OutcomeFinder {
  public:
   OutcomeFinder(const RepairDriver& driver, const DefectReport& before)
-      : driver_(driver), part_of_(driver.input().n_faces(), kNoIndex) {
+      : driver_(driver), part_of_(driver.mesh().input().n_faces(), kNoIndex) {
     for (std::size_t i = 0; i < before.defects.size(); ++i) {
       if (before.defects.code_of(i) != DefectCode::SelfIntersection) continue;
       const Defect defect = before.defects[i];
@@ -29,7 +29,7 @@ class OutcomeFinder {
     find_passes();
     find_what_is_left();
     find_reasons();
-    const std::vector<double> distances = driver_.measure_parts(part_of_, outcomes_.size());
+    const std::vector<double> distances = driver_.mesh().measure_parts(part_of_, outcomes_.size());
     for (std::size_t i = 0; i < outcomes_.size(); ++i) outcomes_[i].distance = distances[i];
     return std::move(outcomes_);
   }
@@ -39,7 +39,7 @@ class OutcomeFinder {
   /// none.
   [[nodiscard]] PatchOutcome* outcome_of(Index face_key) {
     if (face_key == kNoIndex) return nullptr;
-    const Index origin = driver_.tracked().origin_of_key(face_key);
+    const Index origin = driver_.mesh().tracked().origin_of_key(face_key);
     const Index part = origin == kNoIndex ? kNoIndex : part_of_[origin];
     return part == kNoIndex ? nullptr : &outcomes_[part];
   }
@@ -63,9 +63,9 @@ class OutcomeFinder {
   }
 
   void find_what_is_left() {
-    for (const IntersectingPair& pair : driver_.mesh().intersecting_pairs()) {
+    for (const IntersectingPair& pair : driver_.mesh().prepared().intersecting_pairs()) {
       for (const Index face : {pair.face_a, pair.face_b}) {
-        PatchOutcome* outcome = outcome_of(driver_.tracked().face_keys[face]);
+        PatchOutcome* outcome = outcome_of(driver_.mesh().tracked().face_keys[face]);
         if (outcome != nullptr) outcome->is_mended = false;
       }
     }

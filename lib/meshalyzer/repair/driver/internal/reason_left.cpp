@@ -5,16 +5,16 @@
 namespace meshalyzer {
 
 bool has_too_many_pairs(const RepairDriver& driver) {
-  return driver.mesh().was_intersection_search_cut() &&
-         driver.mesh().intersecting_pairs().size() == driver.max_pairs();
+  return driver.mesh().prepared().was_intersection_search_cut() &&
+         driver.mesh().prepared().intersecting_pairs().size() == driver.mesh().max_pairs();
 }
 
 std::string reason_against_repair(const RepairDriver& driver) {
-  if (!driver.mesh().was_intersection_search_cut()) return "";
+  if (!driver.mesh().prepared().was_intersection_search_cut()) return "";
   if (!has_too_many_pairs(driver)) {
     return "the repair was stopped before all intersecting faces were found";
   }
-  return "more than " + grouped(driver.max_pairs()) +
+  return "more than " + grouped(driver.mesh().max_pairs()) +
          " pairs of faces intersect, and no mesh with so many is repaired";
 }
 

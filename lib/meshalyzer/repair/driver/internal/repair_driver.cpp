@@ -3,7 +3,6 @@
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/repair/driver/internal/log_edits.h"
 #include "meshalyzer/repair/driver/internal/log_refusals.h"
-#include "meshalyzer/repair/edits/apply_edits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,21 +46,17 @@ bool are_many_alike(std::size_t n_pairs, std::size_t n_before) {
 }  // namespace
 
 RepairDriver::RepairDriver(Soup input, const Tolerances& tolerances, RepairLimits limits,
-                           FixedVertices fixed, PairLimits pairs)
-    : input_(std::move(input)),
-      tolerances_(tolerances),
+                           FixedVertices fixed, const PairLimits& pairs)
+    : mesh_(std::move(input), tolerances, limits.max_deviation, pairs),
       limits_(std::move(limits)),
       fixed_(std::move(fixed)),
-      meter_(std::in_place, input_),
-      max_pairs_(pairs.max_found),
-      state_(std::make_shared<RepairState>(track_mesh(input_), tolerances_, pairs)),
-      wants_to_stop_(std::move(pairs.wants_to_stop)) {}
+      wants_to_stop_(pairs.wants_to_stop) {}
 
 void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOptions& options,
                             OnWorse on_worse) {
   on_progress_ = options.on_progress;
-  const FinalCheck check = final_check_for(options, input_.format);
-  DefectInventory before = list_defective_in_file(*state_, tolerances_, check);
+  const FinalCheck check = final_check_for(options, mesh_.input().format);
+  DefectInventory before = list_defective_in_file(mesh_.state(), mesh_.tolerances(), check);
   const bool turns_over = std::any_of(plan.begin(), plan.end(), [](const PlannedPass& pass) {
     return pass.may_create.contains(DefectCode::Inward);
   });
@@ -69,7 +64,7 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
   if (input_counts_ || checkpoint_) {
     set_checkpoint();
   } else {
-    input_pairs_ = known_pairs();
+    mesh_.note_input_pairs();
   }
   if (!input_counts_) input_counts_ = {{}, before.counts, before.is_yes};
   for (std::size_t stage = 0; stage < kMaxStages; ++stage) {
@@ -84,47 +79,9 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
   rises_ = find_rises(*input_counts_, before);
 }
 
-std::vector<double> RepairDriver::measure_parts(std::span<const Index> part_of,
-                                                std::size_t n_parts) const {
-  return meter_->measure_parts({state_->tracked(), state_->mesh(), limits_.max_deviation, walls_},
-                               part_of, n_parts);
-}
-
-void RepairDriver::update_deviation() {
-  if (is_deviation_known_) return;
-  // All that was applied was found to be within the maximum.
-  deviation_ = std::min(measure_without(lost_), limits_.max_deviation);
-  is_deviation_known_ = true;
-}
-
-double RepairDriver::deviation() {
-  update_deviation();
-  return deviation_;
-}
-
-double RepairDriver::measure_deviation() {
-  deviation_ = measure_without({});
-  is_deviation_known_ = true;
-  return deviation_;
-}
-
-double RepairDriver::measure_without(std::span<const Index> lost) const {
-  return meter_
-      ->measure({.tracked = state_->tracked(),
-                 .mesh = state_->mesh(),
-                 .bound = limits_.max_deviation,
-                 .walls = walls_,
-                 .lost = lost})
-      .largest;
-}
-
-void RepairDriver::raise_deviation(double deviation) {
-  deviation_ = std::max(this->deviation(), deviation);
-}
-
 void RepairDriver::set_checkpoint() {
   banned_ = {};
-  checkpoint_ = {state_->tracked(), known_pairs(), log_, deviation(), is_within_, walls_, lost_};
+  checkpoint_ = {mesh_.snapshot(), log_};
   applied_.clear();
 }
 
@@ -135,11 +92,11 @@ bool RepairDriver::run_trial(const Trial& trial) {
     return_to_input();
     static_cast<void>(run_rounds(trial.from_input));
   }
-  const std::vector<Index> face_keys = state_->tracked().face_keys;
+  const std::vector<Index> face_keys = mesh_.tracked().face_keys;
   apply_unchecked(trial.change);
-  if (state_->tracked().face_keys != face_keys) {
+  if (mesh_.tracked().face_keys != face_keys) {
     static_cast<void>(run_rounds(trial.plan));
-    if (!is_stopped_ && trial.is_wanted(*state_)) return true;
+    if (!is_stopped_ && trial.is_wanted(mesh_.state())) return true;
   }
   restart();
   return false;
@@ -158,14 +115,14 @@ std::optional<DefectInventory> RepairDriver::run_stage(const std::vector<Planned
       restart();
       return std::nullopt;
     }
-    DefectInventory after = list_defective_in_file(*state_, tolerances_, gate.check);
+    DefectInventory after = list_defective_in_file(mesh_.state(), mesh_.tolerances(), gate.check);
     const Worsening worsening = find_worsening(gate.before, after);
     if (worsening.empty()) return after;
     if (is_stopped_ || gate.on_worse == OnWorse::Leave) {
       restart();
       return std::nullopt;
     }
-    work += state_->tracked().soup.n_faces() + state_->mesh().intersecting_pairs().size();
+    work += mesh_.tracked().soup.n_faces() + mesh_.prepared().intersecting_pairs().size();
     if (work > kMaxWork) {
       for (const PlannedPass& pass : plan) banned_.add(pass.name);
     } else {
@@ -180,13 +137,13 @@ void RepairDriver::ban(const DefectInventory& before, const DefectInventory& aft
   const std::size_t n_banned = banned_.size();
   std::vector<WorsePlace> places;
   for (const CountedElement& element : find_new_elements(before, after, worsening)) {
-    places.push_back({element.kind, corners_of(state_->tracked(), element)});
+    places.push_back({element.kind, corners_of(mesh_.tracked(), element)});
   }
   if (attempt < kAttemptsByLast) {
-    ban_responsible(applied_, places, Blame::Last, input_, banned_);
+    ban_responsible(applied_, places, Blame::Last, mesh_.input(), banned_);
   }
   if (banned_.size() == n_banned && attempt < kAttemptsByAll) {
-    ban_responsible(applied_, places, Blame::All, input_, banned_);
+    ban_responsible(applied_, places, Blame::All, mesh_.input(), banned_);
   }
   if (banned_.size() == n_banned) banned_.add(applied_.back().pass);
 }
@@ -194,47 +151,19 @@ void RepairDriver::ban(const DefectInventory& before, const DefectInventory& aft
 void RepairDriver::restart() {
   hopeless_.clear();
   if (!checkpoint_) return return_to_input();
-  restore(*checkpoint_);
-}
-
-void RepairDriver::return_to_input() {
-  restore({.tracked = track_mesh(input_),
-           .pairs = input_pairs_,
-           .log = {},
-           .deviation = 0.0,
-           .is_within = true,
-           .walls = {},
-           .lost = {}});
-}
-
-void RepairDriver::restore(const Checkpoint& checkpoint) {
-  meter_.emplace(input_);
-  state_ = checkpoint.pairs
-               ? std::make_shared<RepairState>(checkpoint.tracked, tolerances_, *checkpoint.pairs)
-               : search_all(checkpoint.tracked);
-  meter_->include_patches(state_->tracked());
-  log_ = checkpoint.log;
-  deviation_ = checkpoint.deviation;
-  is_within_ = checkpoint.is_within;
-  walls_ = checkpoint.walls;
-  lost_ = checkpoint.lost;
-  is_deviation_known_ = true;
+  mesh_.restore(checkpoint_->mesh);
+  log_ = checkpoint_->log;
   applied_.clear();
 }
 
-std::shared_ptr<const RepairState> RepairDriver::search_all(TrackedMesh tracked) const {
-  return std::make_shared<RepairState>(std::move(tracked), tolerances_,
-                                       PairLimits{.max_found = max_pairs_, .wants_to_stop = {}});
-}
-
-std::optional<std::vector<IntersectingPair>> RepairDriver::known_pairs() const {
-  const std::vector<IntersectingPair>& pairs = state_->mesh().intersecting_pairs();
-  if (state_->mesh().was_intersection_search_cut()) return std::nullopt;
-  return pairs;
+void RepairDriver::return_to_input() {
+  mesh_.return_to_input();
+  log_ = {};
+  applied_.clear();
 }
 
 bool RepairDriver::run_rounds(const std::vector<PlannedPass>& plan, bool may_be_given_up) {
-  const auto n_pairs = [&] { return state_->mesh().intersecting_pairs().size(); };
+  const auto n_pairs = [&] { return mesh_.prepared().intersecting_pairs().size(); };
   const std::size_t n_pairs_at_first = n_pairs();
   std::vector<std::optional<IdleRun>> idle_runs(plan.size());
   std::size_t n_changes = 0;
@@ -242,7 +171,7 @@ bool RepairDriver::run_rounds(const std::vector<PlannedPass>& plan, bool may_be_
     const std::size_t n_changes_before = n_changes;
     const std::size_t n_pairs_before = n_pairs();
     log_.refusals.clear();
-    std::vector<std::uint8_t> fixed = fixed_(state_->tracked(), state_->mesh().cut());
+    std::vector<std::uint8_t> fixed = fixed_(mesh_.tracked(), mesh_.prepared().cut());
     if (fixed != limits_.fixed_vertices) idle_runs.assign(plan.size(), std::nullopt);
     limits_.fixed_vertices = std::move(fixed);
     for (std::size_t i = 0; i < plan.size(); ++i) {
@@ -291,13 +220,13 @@ void RepairDriver::run_unless_idle(const PlannedPass& pass, std::size_t& n_chang
 }
 
 std::size_t RepairDriver::n_pairs_for(const PlannedPass& pass) const {
-  return pass.takes_time_for_pairs ? state_->mesh().intersecting_pairs().size() : 0;
+  return pass.takes_time_for_pairs ? mesh_.prepared().intersecting_pairs().size() : 0;
 }
 
 void RepairDriver::note_costly_idle_run(const PlannedPass& pass, CostlyIdleRun idle_run) {
   // Only keys of the input name the same faces after a restart.
   std::erase_if(idle_run.refusals, [&](const LoggedRefusal& refusal) {
-    return refusal.face >= state_->tracked().n_input_faces;
+    return refusal.face >= mesh_.tracked().n_input_faces;
   });
   costly_idle_runs_[pass.name] = std::move(idle_run);
 }
@@ -308,33 +237,17 @@ bool RepairDriver::is_to_stop() {
 }
 
 void RepairDriver::apply_unchecked(const PlannedPass& pass) {
+  const std::shared_ptr<const RepairState> before = mesh_.shared_state();
   const PassResult result = propose(pass, OperationSize::Normal);
   if (result.edits.empty()) return;
-  // A change that is not checked is not measured either: the deviation stays as it was before.
-  update_deviation();
-  TrackedMesh tracked = apply_edits(state_->tracked(), result.edits);
-  const AffectedElements affected =
-      find_affected_elements(state_->tracked(), result.edits, SkippedOperations({}), tracked);
+  const AffectedElements affected = mesh_.apply_unchecked(result.edits);
   log_edits(std::string(pass.name), pass.code,
-            {state_->tracked(), result.edits, {}, tracked, affected}, log_);
-  walls_ = walls_with(result.edits, std::vector<std::uint8_t>(result.edits.n_operations, 0));
-  state_ = search_all(std::move(tracked));
-  include_patches(result.edits);
-  find_lost_faces();
-}
-
-void RepairDriver::find_lost_faces() {
-  FarFaces far = meter_->find_far({.tracked = state_->tracked(),
-                                   .mesh = state_->mesh(),
-                                   .bound = limits_.max_deviation,
-                                   .walls = walls_});
-  lost_ = std::move(far.of_input);
-  is_within_ = far.of_repaired.empty();
+            {before->tracked(), result.edits, {}, mesh_.tracked(), affected}, log_);
 }
 
 PassResult RepairDriver::propose(const PlannedPass& pass, OperationSize size) const {
-  return pass.run(
-      {input_, state_->tracked(), state_->mesh(), tolerances_, limits_, size, wants_to_stop_});
+  return pass.run({mesh_.input(), mesh_.tracked(), mesh_.prepared(), mesh_.tolerances(), limits_,
+                   size, wants_to_stop_});
 }
 
 bool RepairDriver::run(const PlannedPass& pass) {
@@ -343,7 +256,7 @@ bool RepairDriver::run(const PlannedPass& pass) {
   const std::size_t max_runs = pass.repeat == Repeat::Once ? 1 : kMaxRuns;
   OperationSize size = OperationSize::Normal;
   for (std::size_t i = 0; i < max_runs && !is_to_stop(); ++i) {
-    const std::shared_ptr<const RepairState> examined = state_;
+    const std::shared_ptr<const RepairState> examined = mesh_.shared_state();
     const PassResult result = propose(pass, size);
     const bool is_applied = !result.edits.empty() && apply_accepted(pass, result.edits, before);
     has_changed = has_changed || is_applied;
@@ -363,101 +276,81 @@ bool RepairDriver::run(const PlannedPass& pass) {
 
 bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
                                   ProposedBefore& before) {
-  const TrackedMesh& tracked_before = state_->tracked();
-  const std::vector<OperationSignature> signature = signatures_of(tracked_before, edits);
-  const std::vector<OperationHash> hash = hashes_of(tracked_before, edits);
-  const std::vector<OperationSite> site = sites_of(tracked_before, edits);
-  std::vector<std::uint8_t> skipped(edits.n_operations, 0);
-  for (std::size_t op = 0; op < skipped.size(); ++op) {
-    const bool is_banned = banned_.contains(pass.name, site[op]);
-    if (is_banned && before.rejected.insert(signature[op]).second) {
-      log_rejection(pass, signature[op], Rejection::EndsWorse, log_);
-    }
-    const bool is_rejected = before.rejected.contains(signature[op]);
-    const auto known = hopeless_.find(hash[op]);
-    const bool is_hopeless = !is_rejected && known != hopeless_.end();
-    if (is_hopeless && before.hopeless.insert(signature[op]).second) {
-      log_rejection(pass, signature[op], known->second, log_);
-    }
-    skipped[op] = is_rejected || is_hopeless;
-  }
+  Proposal proposal{.edits = edits,
+                    .signatures = signatures_of(mesh_.tracked(), edits),
+                    .hashes = hashes_of(mesh_.tracked(), edits),
+                    .sites = sites_of(mesh_.tracked(), edits),
+                    .skipped = std::vector<std::uint8_t>(edits.n_operations, 0)};
+  skip_known(pass, before, proposal);
   for (std::size_t trial = 0; trial < kMaxTrials && !is_to_stop(); ++trial) {
-    if (std::all_of(skipped.begin(), skipped.end(), [](auto s) { return s != 0; })) return false;
-    TrackedMesh tracked = apply_edits(state_->tracked(), edits, skipped);
-    const AffectedElements affected =
-        find_affected_elements(state_->tracked(), edits, SkippedOperations(skipped), tracked);
-    auto after = std::make_shared<RepairState>(std::move(tracked), tolerances_, *state_, affected);
-    std::vector<InteriorWall> walls = walls_with(edits, skipped);
-    const AcceptanceRules rules{.input = input_,
-                                .meter = *meter_,
-                                .max_deviation = limits_.max_deviation,
-                                .may_create = pass.may_create,
-                                .must_mend = pass.must_mend,
-                                .walls = walls,
-                                .lost = lost_,
-                                .was_within = is_within_};
-    const Acceptance acceptance =
-        check_acceptance(*state_, *after, affected, skipped.size(), rules);
+    if (proposal.are_all_skipped()) return false;
+    MeasuredMesh::Trial tried = mesh_.try_edits(edits, proposal.skipped);
+    const Acceptance acceptance = mesh_.check(tried, edits.n_operations, pass);
     if (acceptance.all_accepted()) {
-      log_edits(std::string(pass.name), pass.code,
-                {state_->tracked(), edits, skipped, after->tracked(), affected}, log_);
-      record_applied({pass, site, skipped, affected, after->tracked()});
-      state_ = std::move(after);
-      walls_ = std::move(walls);
-      is_deviation_known_ = false;
-      is_within_ = true;
-      include_patches(edits);
+      record(pass, std::move(proposal), tried);
+      mesh_.keep(std::move(tried), edits);
       return true;
     }
-    for (std::size_t op = 0; op < skipped.size(); ++op) {
-      if (skipped[op] != 0 || acceptance.rejections[op] == Rejection::None) continue;
-      skipped[op] = 1;
-      before.rejected.insert(signature[op]);
-      if (is_hopeless_after(acceptance.rejections[op])) {
-        hopeless_.emplace(hash[op], acceptance.rejections[op]);
-      }
-      log_rejection(pass, signature[op], acceptance.rejections[op], log_);
-    }
+    skip_rejected(pass, acceptance, before, proposal);
   }
   return false;
 }
 
+bool RepairDriver::Proposal::are_all_skipped() const {
+  return std::all_of(skipped.begin(), skipped.end(), [](auto s) { return s != 0; });
+}
+
+void RepairDriver::skip_known(const PlannedPass& pass, ProposedBefore& before, Proposal& proposal) {
+  for (std::size_t op = 0; op < proposal.skipped.size(); ++op) {
+    const OperationSignature& signature = proposal.signatures[op];
+    const bool is_banned = banned_.contains(pass.name, proposal.sites[op]);
+    if (is_banned && before.rejected.insert(signature).second) {
+      log_rejection(pass, signature, Rejection::EndsWorse, log_);
+    }
+    const bool is_rejected = before.rejected.contains(signature);
+    const auto known = hopeless_.find(proposal.hashes[op]);
+    const bool is_hopeless = !is_rejected && known != hopeless_.end();
+    if (is_hopeless && before.hopeless.insert(signature).second) {
+      log_rejection(pass, signature, known->second, log_);
+    }
+    proposal.skipped[op] = is_rejected || is_hopeless;
+  }
+}
+
+void RepairDriver::skip_rejected(const PlannedPass& pass, const Acceptance& acceptance,
+                                 ProposedBefore& before, Proposal& proposal) {
+  for (std::size_t op = 0; op < proposal.skipped.size(); ++op) {
+    const Rejection rejection = acceptance.rejections[op];
+    if (proposal.skipped[op] != 0 || rejection == Rejection::None) continue;
+    proposal.skipped[op] = 1;
+    before.rejected.insert(proposal.signatures[op]);
+    if (is_hopeless_after(rejection)) hopeless_.emplace(proposal.hashes[op], rejection);
+    log_rejection(pass, proposal.signatures[op], rejection, log_);
+  }
+}
+
 bool RepairDriver::is_hopeless_after(Rejection rejection) const {
-  const bool is_crowded = state_->mesh().intersecting_pairs().size() >= kManyPairs;
+  const bool is_crowded = mesh_.prepared().intersecting_pairs().size() >= kManyPairs;
   return rejection == Rejection::TooFar || (rejection == Rejection::Intersects && is_crowded);
 }
 
-void RepairDriver::record_applied(const MadeOperations& made) {
-  std::vector<AppliedOperation> applied(made.sites.size());
+void RepairDriver::record(const PlannedPass& pass, Proposal proposal,
+                          const MeasuredMesh::Trial& trial) {
+  const TrackedMesh& after = trial.after->tracked();
+  log_edits(std::string(pass.name), pass.code,
+            {mesh_.tracked(), proposal.edits, proposal.skipped, after, trial.affected}, log_);
+  std::vector<AppliedOperation> applied(proposal.sites.size());
   for (std::size_t op = 0; op < applied.size(); ++op) {
-    applied[op] = {made.pass.name, made.pass.may_create, made.sites[op], {}};
+    applied[op] = {pass.name, pass.may_create, std::move(proposal.sites[op]), {}};
   }
-  for (const AffectedElement& entry : made.affected.vertices) {
-    applied[entry.operation].vertices.push_back(vertex_identity(made.after, entry.key));
+  for (const AffectedElement& entry : trial.affected.vertices) {
+    applied[entry.operation].vertices.push_back(vertex_identity(after, entry.key));
   }
   for (std::size_t op = 0; op < applied.size(); ++op) {
-    if (made.skipped[op] != 0) continue;
+    if (proposal.skipped[op] != 0) continue;
     sort_unique(applied[op].vertices);
     applied_.push_back(std::move(applied[op]));
   }
-}
-
-std::vector<InteriorWall> RepairDriver::walls_with(const Edits& edits,
-                                                   std::span<const std::uint8_t> skipped) const {
-  std::vector<InteriorWall> walls = walls_;
-  for (const auto& [op, wall] : edits.interior_walls) {
-    if (skipped[op] != 0) continue;
-    const Index origin =
-        wall.face == kNoIndex ? kNoIndex : state_->tracked().origin_of_face(wall.face);
-    walls.push_back({wall.corners, origin});
-  }
-  return walls;
-}
-
-void RepairDriver::include_patches(const Edits& edits) {
-  const bool has_patches = std::any_of(edits.added_faces.begin(), edits.added_faces.end(),
-                                       [](const auto& face) { return face.fills_hole; });
-  if (has_patches) meter_->include_patches(state_->tracked());
 }
 
 }  // namespace meshalyzer

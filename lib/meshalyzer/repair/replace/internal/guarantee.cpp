@@ -28,12 +28,12 @@ class Guarantee {
       : driver_(driver),
         options_(options),
         tolerances_(tolerances),
-        check_(final_check_for(options, driver.tracked().soup.format)),
-        max_deviation_(driver.max_deviation()) {}
+        check_(final_check_for(options, driver.mesh().tracked().soup.format)),
+        max_deviation_(driver.mesh().max_deviation()) {}
 
   std::vector<std::string> run() {
-    if (is_good(driver_.state())) return {};
-    if (driver_.tracked().soup.n_faces() == 0) {
+    if (is_good(driver_.mesh().state())) return {};
+    if (driver_.mesh().tracked().soup.n_faces() == 0) {
       return {"no solid: there is no face to make one from"};
     }
     if (!(max_deviation_ > 0.0)) {
@@ -42,7 +42,7 @@ class Guarantee {
     using Scope = ReplaceOptions::Scope;
     // A new surface, which would keep what is behind holes, needs a part of the deviation.
     const bool may_replace =
-        max_deviation_ - driver_.deviation() >= kLeastShareLeft * max_deviation_;
+        max_deviation_ - driver_.mesh().deviation() >= kLeastShareLeft * max_deviation_;
     const bool may_drop = options_.solid && !may_replace;
     const bool is_done = (options_.solid && may_replace && thicken()) ||
                          unite(may_drop ? BehindHoles::Dropped : BehindHoles::Kept) ||
@@ -63,9 +63,9 @@ class Guarantee {
   /// cannot if they are all of the mesh, or if their grid was too large.
   [[nodiscard]] bool may_replace_more() const {
     if (needs_larger_grid_) return false;
-    const std::vector<BrokenSolid> solids = find_broken_solids(driver_.mesh());
+    const std::vector<BrokenSolid> solids = find_broken_solids(driver_.mesh().prepared());
     return solids.size() != 1 ||
-           solids.front().faces.size() != driver_.mesh().cut().side.faces.size();
+           solids.front().faces.size() != driver_.mesh().prepared().cut().side.faces.size();
   }
 
   /// Keeps the result of a pass, and of a plan after it, if it is good.
@@ -87,7 +87,7 @@ class Guarantee {
 
   /// Makes thin solids of sheets, if the mesh consists of sheets only.
   bool thicken() {
-    const double left = max_deviation_ - driver_.deviation();
+    const double left = max_deviation_ - driver_.mesh().deviation();
     // Thinner solids are tried in case thick ones intersect.
     for (const double share : {0.5, 0.05, 0.005}) {
       const double thickness = share * left;
@@ -95,7 +95,7 @@ class Guarantee {
                                return thicken_sheets(input, thickness);
                              }};
       if (!try_pass(pass, plan_passes(options_, tolerances_))) continue;
-      driver_.raise_deviation(thickness / 2.0);
+      driver_.mesh().raise_deviation(thickness / 2.0);
       notes_.push_back("a surface that encloses nothing was made a solid " + readable(thickness) +
                        " thick");
       return true;
@@ -113,7 +113,7 @@ class Guarantee {
 
   /// Tells whether everything that is broken means a solid.
   [[nodiscard]] bool bounds_solids() const {
-    const std::vector<BrokenSolid> solids = find_broken_solids(driver_.mesh());
+    const std::vector<BrokenSolid> solids = find_broken_solids(driver_.mesh().prepared());
     return std::all_of(solids.begin(), solids.end(), [&](const BrokenSolid& solid) {
       return solid.any_bounds_solid && (solid.all_bound_solid || options_.solid);
     });
@@ -158,7 +158,7 @@ class Guarantee {
   /// all the same.
   bool replace_from_input() {
     constexpr double kMuch = 0.25;
-    if (driver_.deviation() < kMuch * max_deviation_ || driver_.is_stopped()) return false;
+    if (driver_.mesh().deviation() < kMuch * max_deviation_ || driver_.is_stopped()) return false;
     return Outcome::Kept ==
            try_replacement({"replace broken solids", contour_of(ReplaceOptions::Scope::Whole),
                             plan_after_replacement(options_),
@@ -181,7 +181,7 @@ class Guarantee {
     double before = 0.0;
     std::size_t n_before = 0;
     const PlannedPass pass{trial.name, DefectCode::SelfIntersection, [&](const PassInput& input) {
-                             before = driver_.deviation();
+                             before = driver_.mesh().deviation();
                              n_before = input.tracked.soup.n_faces();
                              made = trial.propose(input, max_deviation_ - before);
                              return made.result;
@@ -191,12 +191,12 @@ class Guarantee {
       if (!made.result.refused.empty()) reason_ = made.result.refused.front().reason;
       return made.result.edits.empty() ? Outcome::NotProposed : Outcome::NotGood;
     }
-    driver_.raise_deviation(before + made.deviation);
+    driver_.mesh().raise_deviation(before + made.deviation);
     const auto n_new = made.result.edits.added_faces.size();
     notes_.push_back("what was still broken was replaced by a new surface of " + grouped(n_new) +
                      " faces, " + readable(made.deviation) +
                      " from the old one at most where it was sampled (" + std::to_string(n_before) +
-                     " -> " + std::to_string(driver_.tracked().soup.n_faces()) + " faces)");
+                     " -> " + std::to_string(driver_.mesh().tracked().soup.n_faces()) + " faces)");
     return Outcome::Kept;
   }
 

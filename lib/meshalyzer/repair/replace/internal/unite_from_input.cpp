@@ -33,12 +33,12 @@ class UnionFromInput {
         options_(options),
         tolerances_(tolerances),
         behind_holes_(behind_holes),
-        check_(final_check_for(options, driver.input().format)) {}
+        check_(final_check_for(options, driver.mesh().input().format)) {}
 
   bool run() {
-    if (!may_fix() || driver_.is_stopped() || !(driver_.max_deviation() > 0.0)) return false;
-    if (is_good_in_file(driver_.state(), tolerances_, check_)) return false;
-    const BrokenSolid whole = whole_mesh_as_solid(driver_.mesh());
+    if (!may_fix() || driver_.is_stopped() || !(driver_.mesh().max_deviation() > 0.0)) return false;
+    if (is_good_in_file(driver_.mesh().state(), tolerances_, check_)) return false;
+    const BrokenSolid whole = whole_mesh_as_solid(driver_.mesh().prepared());
     if (options_.solid ? !whole.any_bounds_solid : !whole.all_bound_solid) return false;
     // A patch over a sheet encloses a region that the sheet does not mean as a solid, so that is
     // tried last.
@@ -46,7 +46,7 @@ class UnionFromInput {
   }
 
   [[nodiscard]] bool is_too_far_behind_holes() const {
-    return is_too_far_ && distance_of_rest_ <= driver_.max_deviation();
+    return is_too_far_ && distance_of_rest_ <= driver_.mesh().max_deviation();
   }
   [[nodiscard]] double distance_behind_holes() const { return distance_behind_holes_; }
 
@@ -73,19 +73,19 @@ class UnionFromInput {
          .change = pass,
          .plan = plan_passes(options_, tolerances_),
          .is_wanted = [&](const RepairState& state) { return is_wanted(state); }});
-    if (is_kept) driver_.raise_deviation(distance_);
+    if (is_kept) driver_.mesh().raise_deviation(distance_);
     return is_kept;
   }
 
   bool is_wanted(const RepairState& state) {
     if (!is_good_in_file(state, tolerances_, check_)) return false;
-    distance_of_rest_ = driver_.measure_deviation();
+    distance_of_rest_ = driver_.mesh().measure_deviation();
     distance_behind_holes_ = 0.0;
     measure_lost(state);
     distance_ = behind_holes_ == BehindHoles::Dropped
                     ? distance_of_rest_
                     : std::max(distance_of_rest_, distance_behind_holes_);
-    is_too_far_ = !(distance_ <= driver_.max_deviation());
+    is_too_far_ = !(distance_ <= driver_.mesh().max_deviation());
     return !is_too_far_;
   }
 
@@ -130,7 +130,7 @@ UnitedFromInput unite_from_input(RepairDriver& driver, const RepairOptions& opti
   }
   std::string note =
       "repairs part by part left defects, so the mesh was replaced by its union with itself";
-  if (from_input.distance_behind_holes() > driver.max_deviation()) {
+  if (from_input.distance_behind_holes() > driver.mesh().max_deviation()) {
     note += "; parts that lie inside it, because holes are filled, were dropped, " +
             readable(from_input.distance_behind_holes()) + " from its surface at most";
   }
