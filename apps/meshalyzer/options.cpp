@@ -78,7 +78,7 @@ void declare_pictures(OptionTable& table, Options& options) {
                "several meshes get a file each, in a folder named like FILE without its ending; "
                "needs --field");
   table.option("--field F", into(wanted.field, to_field),
-               "which: " + names_of(all_field_names(), field_name) + " (needs -s)");
+               "which: " + names_of(computed_field_names(), field_name) + " (needs -s)");
   table.option(
       "--palette NAME", into(wanted.palette, to_palette),
       alternatives_of(all_palettes(), palette_name) + ", in place of the palette that suits F");

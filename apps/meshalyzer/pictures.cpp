@@ -181,7 +181,7 @@ void Pictures::draw(Index number, const Analysis& analysis, const PreparedMesh& 
 }
 
 void Pictures::write_page(Index number, const Analysis& analysis, const FieldSource& source) {
-  const Scene scene = make_scene(source, all_field_names());
+  const Scene scene = make_scene(source, computed_field_names());
   const MeshName name = name_of(source.mesh.soup(), run_.inputs.files[number]);
   const std::string& page = paths_.pages[number];
   std::string index;

@@ -58,7 +58,7 @@ VertexArea to_area(const std::string& text, const std::string& option) {
 FieldName to_field(const std::string& text, const std::string& option) {
   const std::optional<FieldName> field = field_of(text);
   if (!field) {
-    refuse(option, "one of " + names_of(all_field_names(), field_name), text);
+    refuse(option, "one of " + names_of(computed_field_names(), field_name), text);
   }
   return *field;
 }

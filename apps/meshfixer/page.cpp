@@ -1,6 +1,7 @@
 #include "page.h"
 
 #include "meshalyzer/io/file.h"
+#include "meshalyzer/picture/deviation_field.h"
 #include "meshalyzer/report/html/defects_page.h"
 #include "meshalyzer/report/html/repair_changes.h"
 #include "meshalyzer/report/html/repair_page.h"
@@ -103,18 +104,19 @@ JoinedReport join(const std::vector<FinalMesh>& meshes) {
   return all;
 }
 
-/// Draws the results; a single mesh is drawn from its prepared form.
-Scene draw(const std::vector<FinalSoup>& finals, const Soup& all, const DefectReport& defects) {
-  if (finals.size() == 1 && finals.front().prepared) {
-    return scene_of(*finals.front().prepared, defects);
+/// Returns all results as one mesh.
+std::shared_ptr<const PreparedMesh> prepare(const std::vector<FinalSoup>& finals) {
+  if (finals.size() != 1) {
+    return std::make_shared<PreparedMesh>(std::make_shared<const Soup>(join(finals)));
   }
-  return scene_of(PreparedMesh(all), defects);
+  const FinalSoup& mesh = finals.front();
+  return mesh.prepared ? mesh.prepared : std::make_shared<PreparedMesh>(mesh.soup);
 }
 
 }  // namespace
 
 Scene scene_of(const PreparedMesh& mesh, const DefectReport& defects) {
-  return make_scene({.mesh = mesh, .defects = &defects}, all_field_names());
+  return make_scene({.mesh = mesh, .defects = &defects}, computed_field_names());
 }
 
 void write_page(const std::string& file, const FoundPage& found) {
@@ -130,12 +132,13 @@ void write_page(const std::string& file, const FoundPage& found) {
 void write_page(const std::string& file, const RepairReport& report, DrawnInput before,
                 const std::vector<FinalSoup>& finals) {
   const JoinedReport all = join(report.meshes);
-  const Soup joined = finals.size() == 1 ? Soup() : join(finals);
-  const Soup& soup = finals.size() == 1 ? *finals.front().soup : joined;
-  Scene after = draw(finals, soup, all.defects);
-  const RepairChanges changes = find_changes(report, before.soup, soup);
-  light_changes(before.scene, before.soup, changes.before.places);
-  light_changes(after, soup, changes.after.places);
+  const std::shared_ptr<const PreparedMesh> mesh = prepare(finals);
+  Scene after = scene_of(*mesh, all.defects);
+  add_field(before.scene, deviation_field(before.mesh->soup(), *mesh));
+  add_field(after, deviation_field(mesh->soup(), *before.mesh));
+  const RepairChanges changes = find_changes(report, before.mesh->soup(), mesh->soup());
+  light_changes(before.scene, before.mesh->soup(), changes.before.places);
+  light_changes(after, mesh->soup(), changes.after.places);
   const PageMesh shown_before{report.input, report.result.before, before.scene,
                               changes.before.changes};
   const PageMesh shown_after{all.name, all.defects, after, changes.after.changes};

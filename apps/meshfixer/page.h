@@ -37,9 +37,9 @@ struct FinalSoup {
   std::shared_ptr<const PreparedMesh> prepared;
 };
 
-/// The input, and its drawn scene.
+/// The input of a repair, and its drawn scene.
 struct DrawnInput {
-  const Soup& soup;
+  std::shared_ptr<const PreparedMesh> mesh;
   Scene scene;
 };
 

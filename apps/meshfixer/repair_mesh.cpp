@@ -290,14 +290,14 @@ ExitCode repair_mesh(const Options& options, Soup soup, const InputFile& file, S
     repair.written_as =
         options.target == Options::Target::InPlace ? soup.format : format_of_name(*options.output);
   }
-  Scene before;
+  DrawnInput before;
   if (options.html) {
     repair.keep_prepared = true;
-    repair.on_input = [&](const PreparedMesh& mesh, const DefectReport& defects) {
-      before = scene_of(mesh, defects);
+    repair.on_input = [&](std::shared_ptr<const PreparedMesh> mesh, const DefectReport& defects) {
+      before = {mesh, scene_of(*mesh, defects)};
     };
   }
-  const Soup input_soup = options.output || options.html ? soup : Soup();
+  const Soup input_soup = options.output ? soup : Soup();
   const RepairResult result = fix_defects(std::move(soup), repair);
   progress.clear();
   RepairReport report{input, result, repair.fixes, {}, {}};
@@ -306,7 +306,7 @@ ExitCode repair_mesh(const Options& options, Soup soup, const InputFile& file, S
   const std::vector<FinalSoup> finals =
       take_or_write({options, {file, input_soup}, streams}, report);
   const bool is_as_guaranteed = !options.repair.guarantee || are_good(finals, report);
-  if (options.html) write_page(*options.html, report, {input_soup, std::move(before)}, finals);
+  if (options.html) write_page(*options.html, report, std::move(before), finals);
   const ExitCode status = on_report(report);
   if (status != ExitCode::Done) return status;
   const ExitCode code = verdict(options, report, streams);

@@ -9,7 +9,7 @@ import time
 import unittest
 
 from page_case import ESCAPE, PageCase
-from pages import Pages, Surface
+from pages import Pages, Surface, values_of
 from png import read_png
 from view_cases import Choosing, Drawing, Keys, Legend, Lines
 from webdriver import WITHOUT_WEBGL, Driver
@@ -81,6 +81,19 @@ class Page(PageCase):
             self.assertEqual(change["code"], "cut intersections")
             self.assertIn(change["text"], self.session.run("return document.getElementById('chosen-text').textContent"))
         self.assertIn("a seam of 14 edges", change["text"])
+
+    def test_a_repair_is_coloured_by_its_deviation(self):
+        self.open(self.pages.repair("crossing_cubes.mesh"))
+        deviations = []
+        for scene in self.data["scenes"]:
+            field = next(field for field in scene["fields"] if field["name"] == "deviation")
+            ids = Surface(scene["detail"]).vertex_ids
+            deviations.append(dict(zip(ids, values_of(field, scene["detail"]))))
+        # Of the corners of the cubes only 7 and 9 are inside the other cube, each 0.125 below the faces that are nearest.
+        self.assertEqual(deviations[0], {v: 0.125 if v in (7, 9) else 0 for v in range(1, 17)})
+        self.assertEqual(set(deviations[1].values()), {0})
+        self.session.run("meshView.setField('deviation')")
+        self.assertIn("Deviation d", self.session.text(".legend-title"))
 
     def test_an_index_leads_to_the_pages_and_back(self):
         index = self.pages.index("clash", "-i", "-s")

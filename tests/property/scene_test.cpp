@@ -43,7 +43,7 @@ void expect_whole(const DrawnSurface& surface, const Soup& soup) {
 }
 
 void expect_fields(const Scene& scene) {
-  ASSERT_EQ(scene.fields.size() + 1, all_field_names().size());  // no separation
+  ASSERT_EQ(scene.fields.size() + 1, computed_field_names().size());  // no separation
   for (const DrawnField& field : scene.fields) {
     const bool is_of_faces = field.place == FieldPlace::Faces;
     const auto n_of = [&](const DrawnSurface& surface) {
@@ -84,7 +84,7 @@ void expect_lines(const SceneLines& lines, const SceneLimits& limits) {
 }
 
 void expect_scene(const PreparedMesh& mesh, const DefectReport& report, const SceneLimits& limits) {
-  const Scene scene = make_scene({mesh, &report}, all_field_names(), limits);
+  const Scene scene = make_scene({mesh, &report}, computed_field_names(), limits);
   expect_whole(scene.detail, mesh.soup());
   expect_whole(scene.context, mesh.soup());
   expect_fields(scene);

@@ -42,6 +42,8 @@ class FieldComputer {
         return defects();
       case FieldName::Separation:
         return separation();
+      case FieldName::Deviation:
+        return std::nullopt;
     }
     return std::nullopt;
   }

@@ -25,6 +25,8 @@ constexpr std::array<FieldTitle, kFieldNames> kTitles{{
     {FieldName::Component, "component", "Component"},
     {FieldName::Defect, "defect", "Defect"},
     {FieldName::Separation, "separation", "Separation d from other meshes (length)"},
+    {FieldName::Deviation, "deviation",
+     "Deviation d from the mesh before or after the repair (length)"},
 }};
 
 const FieldTitle& title_of(FieldName name) {
@@ -33,12 +35,13 @@ const FieldTitle& title_of(FieldName name) {
 
 }  // namespace
 
-const std::vector<FieldName>& all_field_names() {
+const std::vector<FieldName>& computed_field_names() {
   static const std::vector<FieldName> names = [] {
-    std::vector<FieldName> all(kTitles.size());
-    std::transform(kTitles.begin(), kTitles.end(), all.begin(),
-                   [](const FieldTitle& title) { return title.name; });
-    return all;
+    std::vector<FieldName> computed;
+    for (const FieldTitle& title : kTitles) {
+      if (title.name != FieldName::Deviation) computed.push_back(title.name);
+    }
+    return computed;
   }();
   return names;
 }
@@ -48,9 +51,10 @@ std::string_view field_name(FieldName name) {
 }
 
 std::optional<FieldName> field_of(std::string_view name) {
-  const auto found = std::find_if(kTitles.begin(), kTitles.end(),
-                                  [&](const FieldTitle& title) { return title.word == name; });
-  return found == kTitles.end() ? std::nullopt : std::optional(found->name);
+  const std::vector<FieldName>& names = computed_field_names();
+  const auto found = std::find_if(names.begin(), names.end(),
+                                  [&](FieldName computed) { return field_name(computed) == name; });
+  return found == names.end() ? std::nullopt : std::optional(*found);
 }
 
 std::string_view field_label(FieldName name) {

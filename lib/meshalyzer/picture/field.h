@@ -25,16 +25,18 @@ enum class FieldName : std::uint8_t {
   Component,
   Defect,
   Separation,
+  Deviation,
 };
 
-inline constexpr std::size_t kFieldNames = 10;
+inline constexpr std::size_t kFieldNames = 11;
 
-/// Returns all names in the order of the enumeration, which is also the order of menus.
-[[nodiscard]] const std::vector<FieldName>& all_field_names();
+/// Returns the names of the fields that compute_fields() can compute, in the order of the
+/// enumeration, which is also the order of menus: all but `deviation`, which compares two meshes.
+[[nodiscard]] const std::vector<FieldName>& computed_field_names();
 /// Returns the name of a field in commands and files: "gaussian", "mean", "k1", "k2", "valence",
-/// "aspect-ratio", "area", "component", "defect", "separation".
+/// "aspect-ratio", "area", "component", "defect", "separation", "deviation".
 [[nodiscard]] std::string_view field_name(FieldName name);
-/// Returns the field with the given name, or nothing if no field has it.
+/// Returns the computed field with the given name, or nothing if none has it.
 [[nodiscard]] std::optional<FieldName> field_of(std::string_view name);
 /// Returns the label that people read, with symbol and unit: "Gaussian curvature K (1/length²)".
 [[nodiscard]] std::string_view field_label(FieldName name);
@@ -82,7 +84,8 @@ struct FieldSource {
 /// code (errors before warnings, then the first code). Faces outside the complex have a value only
 /// for `defect`.
 ///
-/// @param names  The fields. Those for which the source lacks data are skipped.
+/// @param names  The fields. Those for which the source lacks data are skipped, and so is
+///               `deviation`: see deviation_field().
 /// @return       The fields in the order of `names`.
 /// @complexity   O(#V + #F).
 [[nodiscard]] std::vector<Field> compute_fields(const FieldSource& source,

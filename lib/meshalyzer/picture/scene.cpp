@@ -202,6 +202,10 @@ Scene make_scene(const FieldSource& source, const std::vector<FieldName>& names,
   return SceneMaker(source, limits).make(names);
 }
 
+void add_field(Scene& scene, const Field& field) {
+  scene.fields.push_back(draw_field(field, scene.detail, scene.context));
+}
+
 void light_changes(Scene& scene, const Soup& soup, std::span<const ChangedPlace> changes,
                    const SceneLimits& limits) {
   if (changes.empty()) return;

@@ -133,6 +133,9 @@ struct SceneLimits {
 [[nodiscard]] Scene make_scene(const FieldSource& source, const std::vector<FieldName>& names,
                                const SceneLimits& limits = {});
 
+/// Adds a field of the mesh that a scene was made of.
+void add_field(Scene& scene, const Field& field);
+
 /// A place of a mesh that a repair has changed: faces of the soup, and edges by their vertices.
 struct ChangedPlace {
   std::vector<Index> faces;

@@ -160,7 +160,7 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   find.max_defects = options.max_defects;
   find.wants_to_stop = options.wants_to_stop;
   result.before = find_defects(driver.mesh().prepared(), find);
-  if (options.on_input) options.on_input(driver.mesh().prepared(), result.before);
+  if (options.on_input) options.on_input(driver.mesh().shared_prepared(), result.before);
   if (reason_against_repair(driver).empty() || drop_equal_faces(driver, options, result.before)) {
     repair(driver, options, tolerances, result);
   } else {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -81,8 +82,8 @@ struct RepairOptions {
   std::optional<Format> written_as;
   RepairListener on_progress;
   /// Receives the input and its defects, with all data that is prepared for it, before the repair.
-  /// May be empty.
-  std::function<void(const PreparedMesh&, const DefectReport&)> on_input;
+  /// It may keep the mesh. May be empty.
+  std::function<void(std::shared_ptr<const PreparedMesh>, const DefectReport&)> on_input;
   /// Tells whether RepairedMesh::prepared is kept.
   bool keep_prepared = false;
   /// Tells whether RepairResult::patches is computed.
