@@ -72,6 +72,11 @@ namespace meshalyzer {
 /// Removes foldovers (see find_foldovers()).
 [[nodiscard]] PassResult remove_foldovers(const PassInput& input);
 
+/// Joins what touches at copies of vertices, where nothing else is wrong with a closed mesh: thin
+/// rods along the edges at which faces touch, and at single points, are united with it. So a mesh
+/// becomes manifold where neither part_contacts() nor cut_off_tips() finds room between its parts.
+[[nodiscard]] PassResult join_contacts(const PassInput& input);
+
 /// Replaces opposed vertex normals (see find_opposed_normals()) by the mean normal of the faces,
 /// weighted by angle.
 [[nodiscard]] PassResult renew_normals(const PassInput& input);

@@ -1,11 +1,10 @@
-#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/boolean/combine_solids.h"
 #include "meshalyzer/contour/contour_mesh.h"
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/repair/cut/internal/cut_edits.h"
 #include "meshalyzer/repair/replace/internal/broken_boxes.h"
+#include "meshalyzer/repair/replace/internal/combined_surface.h"
 #include "meshalyzer/repair/replace/internal/replacements.h"
-#include "meshalyzer/spatial/closest_point.h"
 
 #include <algorithm>
 #include <array>
@@ -210,23 +209,7 @@ class ReplacingInBoxes {
   }
 
   Replacement replacement_from(const CombinedSolid& solid) const {
-    const ClosestPoints closest(input_.mesh.tree());
-    CutSurface surface;
-    surface.positions = solid.positions;
-    Index hint = kNoIndex;
-    for (const CombinedFace& face : solid.faces) {
-      Index origin = operands_.origins()[face.origin];
-      if (origin == kNoIndex) {
-        const auto [a, b, c] = face.corners;
-        const auto found = closest.find(
-            {.point = centroid_of({solid.positions[a], solid.positions[b], solid.positions[c]}),
-             .hint = hint});
-        hint = found->slot;
-        origin = input_.mesh.cut().side.faces[found->mesh_face];
-      }
-      surface.triangles.push_back(face.corners);
-      surface.origins.push_back(origin);
-    }
+    const CutSurface surface = surface_of_combined(input_, solid, operands_.origins());
     Replacement replacement;
     replacement.result = cut_edits_as_one(input_, {}, surface, options_.lost);
     replacement.deviation = deviation_ + solid.largest_move;

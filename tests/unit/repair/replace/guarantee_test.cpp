@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace meshalyzer {
@@ -58,6 +59,23 @@ TEST(Guarantee, InputIsReplacedWhereRepairsHaveUsedUpTheDeviation) {
   EXPECT_EQ(guarantee_goodness(driver, options, tolerances).size(), 1U);
   EXPECT_TRUE(is_good(driver.mesh().tracked().soup));
   EXPECT_NEAR(volume_of(driver.mesh().tracked().soup), 15, 0.5);
+  EXPECT_LE(driver.mesh().deviation(), kMaxDeviation);
+}
+
+TEST(Guarantee, CubesThatTouchAndCannotBePartedAreJoined) {
+  // They could be parted, if the passes had run before.
+  const Soup cubes = shapes::merged(shapes::cube(), shapes::cube(1, {1, 1, 1}));
+  const RepairOptions options = to_solid();
+  const Tolerances tolerances = resolve_tolerances({}, box_of(cubes));
+  constexpr double kMaxDeviation = 0.01;
+  RepairDriver driver(
+      cubes, tolerances, RepairLimits{.max_deviation = kMaxDeviation, .fixed_vertices = {}},
+      [](const TrackedMesh&, const CutMesh&) { return std::vector<std::uint8_t>(); });
+  EXPECT_EQ(guarantee_goodness(driver, options, tolerances),
+            std::vector<std::string>{"what touched, and could not be parted, was joined there"});
+  EXPECT_TRUE(is_good(driver.mesh().tracked().soup));
+  // Twice the volume of a cube, and a rod a sixteenth of the deviation thick.
+  EXPECT_NEAR(volume_of(driver.mesh().tracked().soup), 2, kMaxDeviation * kMaxDeviation);
   EXPECT_LE(driver.mesh().deviation(), kMaxDeviation);
 }
 

@@ -174,4 +174,25 @@ std::vector<PlannedPass> plan_passes(const RepairOptions& options, const Toleran
   return plan.take();
 }
 
+std::vector<PlannedPass> plan_to_join_contacts(const RepairOptions& options) {
+  using enum DefectCode;
+  Planner plan(options.fixes);
+  if (options.contact == Contact::Part) {
+    plan.add({.name = "join contacts",
+              .code = NonManifold,
+              .run = join_contacts,
+              .may_create = {NonManifold, FlatFacet, DegenerateFacet, Foldover},
+              .takes_time_for_pairs = true,
+              .must_mend = true});
+  }
+  return plan.take();
+}
+
+std::vector<PlannedPass> plan_with_contacts_joined(const RepairOptions& options,
+                                                   const Tolerances& tolerances) {
+  std::vector<PlannedPass> plan = plan_passes(options, tolerances);
+  for (PlannedPass& pass : plan_to_join_contacts(options)) plan.push_back(std::move(pass));
+  return plan;
+}
+
 }  // namespace meshalyzer

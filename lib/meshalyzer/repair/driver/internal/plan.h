@@ -45,13 +45,23 @@ struct PlannedPass {
 [[nodiscard]] std::vector<PlannedPass> plan_passes(const RepairOptions& options,
                                                    const Tolerances& tolerances);
 
-/// Returns those of these passes that repair defects, with sheets cut too.
+/// Returns the pass that joins what touches and cannot be parted, if that is to be repaired.
+[[nodiscard]] std::vector<PlannedPass> plan_to_join_contacts(const RepairOptions& options);
+
+/// Returns the passes of plan_passes(), and after them that of plan_to_join_contacts().
+///
+/// @param tolerances  Must outlive the plan.
+[[nodiscard]] std::vector<PlannedPass> plan_with_contacts_joined(const RepairOptions& options,
+                                                                 const Tolerances& tolerances);
+
+/// Returns those of the passes of plan_passes() that repair defects, with sheets cut too.
 ///
 /// @param tolerances  Must outlive the plan.
 [[nodiscard]] std::vector<PlannedPass> plan_with_sheets_cut(const RepairOptions& options,
                                                             const Tolerances& tolerances);
 
-/// Returns those of these passes that come before intersections are cut and contacts parted.
+/// Returns those of the passes of plan_passes() that come before intersections are cut and contacts
+/// parted.
 ///
 /// @param tolerances  Must outlive the plan.
 [[nodiscard]] std::vector<PlannedPass> plan_before_cutting(const RepairOptions& options,

@@ -44,7 +44,7 @@ class Guarantee {
     const bool may_replace =
         max_deviation_ - driver_.mesh().deviation() >= kLeastShareLeft * max_deviation_;
     const bool may_drop = options_.solid && !may_replace;
-    const bool is_done = (options_.solid && may_replace && thicken()) ||
+    const bool is_done = (options_.solid && may_replace && thicken()) || join() ||
                          unite(may_drop ? BehindHoles::Dropped : BehindHoles::Kept) ||
                          (may_replace && (replace_in_boxes() || replace(Scope::Broken) ||
                                           (may_replace_more() && replace(Scope::Whole)) ||
@@ -94,13 +94,27 @@ class Guarantee {
       const PlannedPass pass{"thicken sheets", DefectCode::Hole, [&](const PassInput& input) {
                                return thicken_sheets(input, thickness);
                              }};
-      if (!try_pass(pass, plan_passes(options_, tolerances_))) continue;
+      if (!try_pass(pass, plan_with_contacts_joined(options_, tolerances_))) continue;
       driver_.mesh().raise_deviation(thickness / 2.0);
       notes_.push_back("a surface that encloses nothing was made a solid " + readable(thickness) +
                        " thick");
       return true;
     }
     return false;
+  }
+
+  /// Joins what touches and cannot be parted, if nothing else is wrong.
+  bool join() {
+    const std::vector<PlannedPass> joining = plan_to_join_contacts(options_);
+    if (joining.empty()) return false;
+    const bool is_kept = driver_.run_trial(
+        {.change = joining.front(),
+         .plan = plan_passes(options_, tolerances_),
+         .is_wanted = [&](const RepairState& state) {
+           return is_good(state) && driver_.mesh().measure_deviation() <= max_deviation_;
+         }});
+    if (is_kept) notes_.emplace_back("what touched, and could not be parted, was joined there");
+    return is_kept;
   }
 
   bool unite(BehindHoles behind_holes) {
@@ -141,8 +155,8 @@ class Guarantee {
         how.max_deviation = left;
         return meshalyzer::replace_in_boxes(input, how);
       };
-      const Outcome outcome =
-          try_replacement({"replace in boxes", propose, plan_passes(options_, tolerances_)});
+      const Outcome outcome = try_replacement(
+          {"replace in boxes", propose, plan_with_contacts_joined(options_, tolerances_)});
       if (outcome != Outcome::NotGood) return outcome == Outcome::Kept;
     }
     return false;

@@ -71,7 +71,7 @@ class UnionFromInput {
     const bool is_kept = driver_.run_trial(
         {.from_input = plan_before_cutting(options_, tolerances_),
          .change = pass,
-         .plan = plan_passes(options_, tolerances_),
+         .plan = plan_with_contacts_joined(options_, tolerances_),
          .is_wanted = [&](const RepairState& state) { return is_wanted(state); }});
     if (is_kept) driver_.mesh().raise_deviation(distance_);
     return is_kept;

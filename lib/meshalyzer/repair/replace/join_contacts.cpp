@@ -1,0 +1,165 @@
+#include "meshalyzer/boolean/combine_solids.h"
+#include "meshalyzer/repair/cut/internal/cut_edits.h"
+#include "meshalyzer/repair/passes.h"
+#include "meshalyzer/repair/replace/internal/combined_surface.h"
+#include "meshalyzer/repair/split/internal/contact_places.h"
+#include "meshalyzer/topology/border.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// The thickness of the rods, as shares of the maximum deviation: thinner ones are tried where
+/// thicker ones cannot be united with the mesh.
+constexpr std::array<double, 3> kThicknessesOfRods{1.0 / 16.0, 1.0 / 256.0, 1.0 / 4096.0};
+/// Rounding may take this share of the thickness.
+constexpr double kRoundingOfRods = 0.01;
+/// The direction of the rods at single points: along no axis and no diagonal, so that they lie in
+/// no plane that models have.
+const Vec3 kDirectionOfRods(0.5257, 0.7693, 0.3626);
+
+std::array<Index, 2> ascending(Index a, Index b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+/// Tells whether a mesh is closed, and its faces only touch at copies of vertices.
+bool has_contacts_only(const PreparedMesh& mesh) {
+  const auto& pairs = mesh.intersecting_pairs();
+  return !pairs.empty() && !mesh.was_intersection_search_cut() &&
+         std::all_of(pairs.begin(), pairs.end(),
+                     [](const auto& pair) { return pair.kind == ContactKind::Unwelded; }) &&
+         find_border_edges(mesh.cut()).empty();
+}
+
+/// Finds the segments along which faces touch; those of single points have no length.
+std::vector<std::array<Vec3, 2>> contact_segments(const Soup& soup, const ContactPlaces& contacts) {
+  // One vertex stands for all at its place.
+  std::map<Index, Index> first_of;
+  for (const ContactPlace& place : contacts.places) {
+    for (const auto& unit : place.units) {
+      for (const Index v : unit) first_of[v] = place.units.front().front();
+    }
+  }
+  const auto first_at = [&](Index v) {
+    const auto found = first_of.find(v);
+    return found == first_of.end() ? v : found->second;
+  };
+  // The edges between two places; where there are several, faces touch along all of them. They may
+  // have an end in common.
+  std::map<std::array<Index, 2>, std::set<std::array<Index, 2>>> edges;
+  for (const auto& [v, first] : first_of) {
+    for (const Index face : contacts.incident.faces(contacts.incident.entry_of(v))) {
+      for (const Index w : soup.triangles[face]) {
+        const Index other = first_at(w);
+        if (other == first) continue;
+        edges[ascending(first, other)].insert(ascending(v, w));
+      }
+    }
+  }
+  std::vector<std::array<Vec3, 2>> segments;
+  std::set<Index> with_segment;
+  for (const auto& [ends, of_ends] : edges) {
+    if (of_ends.size() < 2) continue;
+    segments.push_back({soup.positions[ends[0]], soup.positions[ends[1]]});
+    with_segment.insert(ends.begin(), ends.end());
+  }
+  for (const ContactPlace& place : contacts.places) {
+    const Index first = place.units.front().front();
+    const Vec3& p = soup.positions[first];
+    if (!with_segment.contains(first)) segments.push_back({p, p});
+  }
+  return segments;
+}
+
+/// The mesh, and the rods that are united with it.
+class JoinedSolid {
+ public:
+  explicit JoinedSolid(const Soup& mesh) {
+    soup_.positions = mesh.positions;
+    for (Index face = 0; face < mesh.n_faces(); ++face) {
+      if (is_in_complex(mesh.triangles[face])) add(mesh.triangles[face], kMesh, face);
+    }
+  }
+
+  /// Adds a rod with three sides round a segment, and beyond its ends.
+  void add_rod(const std::array<Vec3, 2>& segment, double thickness) {
+    const Vec3 along = segment[1] == segment[0]
+                           ? kDirectionOfRods
+                           : Vec3((segment[1] - segment[0]).stableNormalized());
+    const Vec3 x = along.unitOrthogonal();
+    const Vec3 y = along.cross(x);
+    // A triangle round the segment, in multiples of the thickness. Its ends are askew.
+    static constexpr std::array<std::array<double, 3>, 3> kCorners{
+        {{1.0, 0.1, 0.8}, {-0.6, 0.8, 1.0}, {-0.4, -0.9, 0.6}}};
+    const auto first = static_cast<Index>(soup_.positions.size());
+    for (const auto& [u, v, w] : kCorners) {
+      const Vec3 across = thickness * (u * x + v * y);
+      soup_.positions.emplace_back(segment[0] + across - thickness * w * along);
+      soup_.positions.emplace_back(segment[1] + across + thickness * w * along);
+    }
+    static constexpr std::array<Triangle, 8> kFaces{
+        {{0, 4, 2}, {1, 3, 5}, {0, 2, 3}, {0, 3, 1}, {2, 4, 5}, {2, 5, 3}, {4, 0, 1}, {4, 1, 5}}};
+    for (Triangle t : kFaces) {
+      for (Index& corner : t) corner += first;
+      add(t, kRods, kNoIndex);
+    }
+  }
+
+  [[nodiscard]] CombinedSolid unite(const CombineOptions& options) const {
+    const InsideRule rule = [](std::span<const int> windings) {
+      return windings[kMesh] != 0 || windings[kRods] >= 1;
+    };
+    return combine_solids({.soup = soup_, .of_face = of_face_, .count = 2}, rule, options);
+  }
+
+  [[nodiscard]] const std::vector<Index>& origins() const { return origins_; }
+
+ private:
+  static constexpr Index kMesh = 0;
+  static constexpr Index kRods = 1;
+
+  void add(const Triangle& t, Index operand, Index origin) {
+    soup_.triangles.push_back(t);
+    of_face_.push_back(operand);
+    origins_.push_back(origin);
+  }
+
+  Soup soup_;
+  std::vector<Index> of_face_;
+  std::vector<Index> origins_;
+};
+
+}  // namespace
+
+PassResult join_contacts(const PassInput& input) {
+  if (!(input.limits.max_deviation > 0.0) || input.limits.groups == Groups::Faces ||
+      !has_contacts_only(input.mesh)) {
+    return {};
+  }
+  const Soup& soup = input.tracked.soup;
+  const auto segments = contact_segments(soup, find_contact_places(input.mesh));
+  // Where a thick rod was rejected, as one that goes too far, a thinner one is tried.
+  const std::size_t n_skipped = input.operation_size == OperationSize::Normal ? 0 : 1;
+  for (std::size_t i = n_skipped; i < kThicknessesOfRods.size() && !input.wants_to_stop(); ++i) {
+    const double thickness = kThicknessesOfRods.at(i) * input.limits.max_deviation;
+    JoinedSolid joined(soup);
+    for (const auto& segment : segments) joined.add_rod(segment, thickness);
+    const CombinedSolid solid = joined.unite(
+        {.max_deviation = kRoundingOfRods * thickness, .wants_to_stop = input.wants_to_stop});
+    if (solid.outcome != CombineOutcome::Done) continue;
+    PassResult result = cut_edits(input, {}, surface_of_combined(input, solid, joined.origins()));
+    result.has_smaller_operations = n_skipped == 0;
+    return result;
+  }
+  return {};
+}
+
+}  // namespace meshalyzer
