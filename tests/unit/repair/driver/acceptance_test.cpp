@@ -22,7 +22,7 @@ std::vector<Rejection> harms_of(const Soup& soup, const Edits& edits,
   TrackedMesh tracked = apply_edits(before.tracked(), edits);
   const AffectedElements affected =
       find_affected_elements(before.tracked(), edits, SkippedOperations({}), tracked);
-  const RepairState after(std::move(tracked), tolerances, before, affected);
+  const RepairState after(std::move(tracked), tolerances, {before}, affected);
   const DeviationMeter meter(soup);
   return check_acceptance(before, after, affected, edits.n_operations,
                           {.input = soup,
@@ -54,7 +54,7 @@ std::vector<Rejection> progress_of(const Soup& soup, const Edits& edits,
   TrackedMesh tracked = apply_edits(before.tracked(), edits, skipped);
   const AffectedElements affected =
       find_affected_elements(before.tracked(), edits, SkippedOperations(skipped), tracked);
-  const RepairState after(std::move(tracked), tolerances, before, affected);
+  const RepairState after(std::move(tracked), tolerances, {before}, affected);
   const DeviationMeter meter(soup);
   return check_acceptance(before, after, affected, edits.n_operations,
                           {.input = soup,

@@ -54,11 +54,13 @@ std::vector<double> MeasuredMesh::measure_parts(std::span<const Index> part_of,
 }
 
 MeasuredMesh::Trial MeasuredMesh::try_edits(const Edits& edits,
-                                            std::span<const std::uint8_t> skipped) const {
+                                            std::span<const std::uint8_t> skipped,
+                                            const RepairState* tried_before) const {
   TrackedMesh after = apply_edits(tracked(), edits, skipped);
   AffectedElements affected =
       find_affected_elements(tracked(), edits, SkippedOperations(skipped), after);
-  auto state = std::make_shared<RepairState>(std::move(after), tolerances_, *state_, affected);
+  auto state = std::make_shared<RepairState>(
+      std::move(after), tolerances_, RepairState::KnownStates{*state_, tried_before}, affected);
   return {std::move(state), std::move(affected), walls_with(edits, skipped)};
 }
 

@@ -65,8 +65,11 @@ class MeasuredMesh {
 
   /// Applies edits to a copy.
   ///
-  /// @param skipped  #operations: non-zero for those that are left out.
-  [[nodiscard]] Trial try_edits(const Edits& edits, std::span<const std::uint8_t> skipped) const;
+  /// @param skipped       #operations: non-zero for those that are left out.
+  /// @param tried_before  The result of the same edits with fewer operations left out, if they were
+  ///                      tried; it saves searches.
+  [[nodiscard]] Trial try_edits(const Edits& edits, std::span<const std::uint8_t> skipped,
+                                const RepairState* tried_before = nullptr) const;
   /// Checks the operations of edits that are tried.
   ///
   /// @param pass  The pass that has proposed them.

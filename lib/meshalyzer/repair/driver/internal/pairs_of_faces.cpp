@@ -27,8 +27,17 @@ std::vector<IntersectingPair> find_pairs_of(const PreparedMesh& mesh,
 
 std::vector<IntersectingPair> joined_pairs(std::vector<IntersectingPair> of_faces,
                                            const std::vector<IntersectingPair>& others) {
+  const auto n_of_faces = static_cast<std::ptrdiff_t>(of_faces.size());
   of_faces.insert(of_faces.end(), others.begin(), others.end());
-  std::sort(of_faces.begin(), of_faces.end(), comes_before);
+  const auto middle = of_faces.begin() + n_of_faces;
+  // Nearly always the order of faces has not changed.
+  if (!std::is_sorted(of_faces.begin(), middle, comes_before)) {
+    std::sort(of_faces.begin(), middle, comes_before);
+  }
+  if (!std::is_sorted(middle, of_faces.end(), comes_before)) {
+    std::sort(middle, of_faces.end(), comes_before);
+  }
+  std::inplace_merge(of_faces.begin(), middle, of_faces.end(), comes_before);
   return of_faces;
 }
 

@@ -39,6 +39,10 @@ std::vector<ContactByKey> contacts_by_key(const RepairState& state,
 PriorContacts::PriorContacts(const RepairState& before, const AffectedElements& affected)
     : affected_(affected) {
   for (const ContactByKey& contact : contacts_by_key(before, before.mesh().intersecting_pairs())) {
+    const bool is_affected = !operations_on(affected.faces_before, contact.face_a).empty() ||
+                             !operations_on(affected.faces_before, contact.face_b).empty();
+    // Pairs of two other faces are the same after the change.
+    if (!is_affected) continue;
     pairs_.emplace_back(std::minmax(contact.face_a, contact.face_b));
     add(contact.face_a, contact.face_b, contact.kind);
     add(contact.face_b, contact.face_a, contact.kind);

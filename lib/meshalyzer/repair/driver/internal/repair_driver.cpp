@@ -282,16 +282,20 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
                     .sites = sites_of(mesh_.tracked(), edits),
                     .skipped = std::vector<std::uint8_t>(edits.n_operations, 0)};
   skip_known(pass, before, proposal);
-  for (std::size_t trial = 0; trial < kMaxTrials && !is_to_stop(); ++trial) {
+  std::shared_ptr<const RepairState> tried_before;
+  for (std::size_t i = 0; i < kMaxTrials && !is_to_stop(); ++i) {
     if (proposal.are_all_skipped()) return false;
-    MeasuredMesh::Trial tried = mesh_.try_edits(edits, proposal.skipped);
-    const Acceptance acceptance = mesh_.check(tried, edits.n_operations, pass);
+    MeasuredMesh::Trial trial = mesh_.try_edits(edits, proposal.skipped, tried_before.get());
+    const Acceptance acceptance = mesh_.check(trial, edits.n_operations, pass);
     if (acceptance.all_accepted()) {
-      record(pass, std::move(proposal), tried);
-      mesh_.keep(std::move(tried), edits);
+      record(pass, std::move(proposal), trial);
+      mesh_.keep(std::move(trial), edits);
       return true;
     }
     skip_rejected(pass, acceptance, before, proposal);
+    // Where few faces intersect, their pairs are found again sooner than the memory is worth.
+    const bool is_crowded = trial.after->affected_pairs().size() >= kManyPairs;
+    if (is_crowded) tried_before = std::move(trial.after);
   }
   return false;
 }

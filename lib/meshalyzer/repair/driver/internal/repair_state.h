@@ -24,8 +24,18 @@ class RepairState {
   RepairState(TrackedMesh tracked, const Tolerances& tolerances,
               std::vector<IntersectingPair> pairs);
 
-  /// Updates the pairs after a change: only the pairs of the faces that it affected are searched.
-  RepairState(TrackedMesh tracked, const Tolerances& tolerances, const RepairState& before,
+  /// States whose intersecting pairs are known. It only refers to them.
+  struct KnownStates {
+    /// The state before a change.
+    const RepairState& before;
+    /// The result of a change that was tried before, made from the same state: of the same edits
+    /// with fewer operations skipped.
+    const RepairState* trial = nullptr;
+  };
+
+  /// Updates the pairs after a change: only the pairs of faces are searched that are new, or have
+  /// got other vertices or positions, since the known state with the fewest of these.
+  RepairState(TrackedMesh tracked, const Tolerances& tolerances, const KnownStates& known,
               const AffectedElements& affected);
 
   RepairState(const RepairState&) = delete;
@@ -36,16 +46,19 @@ class RepairState {
   [[nodiscard]] const std::vector<DefectiveElement>& defective_elements() const {
     return defective_elements_;
   }
-  /// Returns the pairs that the last change affected, by index.
+  /// Returns the pairs of the faces that the last change affected, by index.
   [[nodiscard]] const std::vector<IntersectingPair>& affected_pairs() const {
     return affected_pairs_;
   }
+  /// Returns the keys of the faces that the last change affected, ascending.
+  [[nodiscard]] const std::vector<Index>& affected_faces() const { return affected_faces_; }
 
  private:
   TrackedMesh tracked_;
   PreparedMesh mesh_;
   std::vector<DefectiveElement> defective_elements_;
   std::vector<IntersectingPair> affected_pairs_;
+  std::vector<Index> affected_faces_;
 };
 
 }  // namespace meshalyzer
