@@ -17,12 +17,13 @@
 namespace meshalyzer {
 namespace {
 
-/// A polygon in the plane z = 0, or over it, with nothing beyond its edges.
+/// A polygon with nothing beyond its edges, or faces with given normals.
 class Loop {
  public:
-  explicit Loop(std::vector<Vec3> points) : existing_(mesh_, {}) {
+  explicit Loop(std::vector<Vec3> points, std::vector<Vec3> normals = {}) : existing_(mesh_, {}) {
     for (Index i = 0; i < points.size(); ++i) polygon_.vertices.push_back(i);
-    polygon_.normals.assign(points.size(), Vec3::Zero());
+    polygon_.normals = std::move(normals);
+    polygon_.normals.resize(points.size(), Vec3::Zero());
     polygon_.points = std::move(points);
     rules_.existing = &existing_;
   }
@@ -164,6 +165,36 @@ TEST(TriangulateLargeLoop, FillsASpiral) {
     ASSERT_TRUE(found);
     EXPECT_EQ(found->size(), points.size() - 2);
     EXPECT_NEAR(loop.area(*found), flat_area(points), 1e-9);
+  }
+}
+
+TEST(TriangulateLargeLoop, FillsASlotThatWindsRoundACylinderAlongIt) {
+  // A strip of the unit cylinder, more than once round, so that it covers itself from every side.
+  constexpr int kSteps = 300;
+  constexpr double kWidth = 0.2;
+  constexpr double kTurn = 2.2 * std::numbers::pi;
+  std::vector<Vec3> points;
+  std::vector<Vec3> normals;
+  const auto add = [&](int i, double height, double half_step) {
+    const double turn = kTurn * i / kSteps;
+    points.emplace_back(std::cos(turn), std::sin(turn), 0.1 * turn + height);
+    const double middle = turn + half_step * kTurn / kSteps;
+    normals.emplace_back(std::cos(middle), std::sin(middle), 0.0);
+  };
+  for (int i = 0; i <= kSteps; ++i) add(i, 0.0, 0.5);
+  for (int i = kSteps; i >= 0; --i) add(i, kWidth, -0.5);
+  Loop loop(points, normals);
+  for (const LoopWeight weight : {LoopWeight::BendThenArea, LoopWeight::Flat}) {
+    loop.rules().weight = weight;
+    const auto found = triangulate_large_loop(loop.polygon(), loop.rules());
+    ASSERT_TRUE(found);
+    // Unrolled, the strip is a parallelogram with the base kTurn and the height kWidth. Triangles
+    // that lie along it are chords of the cylinder, which have hardly less area.
+    EXPECT_NEAR(loop.area(*found), kTurn * kWidth, 0.01 * kTurn * kWidth);
+    for (const Triangle& t : *found) {
+      const Vec3 middle = (points[t[0]] + points[t[1]] + points[t[2]]) / 3.0;
+      EXPECT_GT(middle.head<2>().norm(), 0.95);
+    }
   }
 }
 

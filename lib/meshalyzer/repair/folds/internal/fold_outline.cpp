@@ -110,7 +110,7 @@ std::vector<Triangle> cut_ears(std::span<const Vec3> outline, const MayJoin& may
             return -shape_quality({outline[t[0]], outline[t[1]], outline[t[2]]});
           },
       .allows = [&may_join](const Triangle& t) { return may_join(t[0], t[2]); }};
-  EarCutter cutter(outline, view_of(outline), best_shaped_first);
+  EarCutter cutter(outline, {view_of(outline)}, best_shaped_first);
   while (cutter.n_left() > 2) {
     // One ear at a time, since each may make better ones possible.
     const std::size_t n_before = cutter.n_left();

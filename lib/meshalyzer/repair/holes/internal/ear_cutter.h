@@ -4,9 +4,11 @@
 #include "meshalyzer/exact/plane_view.h"
 #include "meshalyzer/repair/holes/internal/corner_grid.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -27,13 +29,16 @@ struct EarRules {
   std::function<bool(const Triangle&)> allows;
 };
 
-/// Cuts ears off a polygon in space (Meisters 1975, "Polygons have ears"), as seen along an axis.
-/// Turns of corners, and whether a corner lies in an ear, are decided exactly.
+/// Cuts ears off a polygon in space (Meisters 1975, "Polygons have ears"), as seen along an axis,
+/// or each ear along the axis that shows the surface round its tip best. Turns of corners, and
+/// whether a corner lies in an ear, are decided exactly.
 class EarCutter {
  public:
-  /// @param polygon  Its corners, counter-clockwise in the view. This and the rules are referred
+  /// @param polygon  Its corners, counter-clockwise in the views. This and the rules are referred
   /// to, not copied.
-  EarCutter(std::span<const Vec3> polygon, const PlaneView& view, const EarRules& rules);
+  /// @param views  One for all ears, or one for each corner as a tip. Then corners that are farther
+  /// from an ear in depth than it is long do not lie in it.
+  EarCutter(std::span<const Vec3> polygon, std::vector<PlaneView> views, const EarRules& rules);
 
   /// Cuts ears that meet a demand, until the given number of corners is left or no ear in the queue
   /// meets it. A rejected ear is not examined again before one of its neighbours is cut, although
@@ -61,22 +66,31 @@ class EarCutter {
     }
   };
 
+  /// The remaining corners in the projections along the axes of the views.
+  using Grids = std::array<std::optional<CornerGrid>, 3>;
+
+  [[nodiscard]] bool has_one_view() const { return views_.size() == 1; }
+  [[nodiscard]] const PlaneView& view_at(Index tip) const {
+    return views_[has_one_view() ? 0 : tip];
+  }
+  [[nodiscard]] CornerGrid::Point flat(Axis dropped, Index corner) const;
+  [[nodiscard]] Grids make_grids() const;
   [[nodiscard]] Ear ear_at(Index tip) const;
   [[nodiscard]] bool is_current(const Ear& ear) const;
-  [[nodiscard]] bool meets(EarDemand demand, const Triangle& ear, const CornerGrid& grid) const;
+  [[nodiscard]] bool meets(EarDemand demand, const Triangle& ear, const Grids& grids) const;
   /// Tells whether no other remaining corner lies in the ear.
-  [[nodiscard]] bool is_empty(const Triangle& ear, const CornerGrid& grid) const;
+  [[nodiscard]] bool is_empty(const Triangle& ear, const Grids& grids) const;
+  /// Returns how far from an ear, along the axis of its view, corners may be that lie in it.
+  [[nodiscard]] double depth_of(const Triangle& ear) const;
   void remove_tip(const Triangle& ear);
 
   std::span<const Vec3> polygon_;
-  PlaneView view_;
+  std::vector<PlaneView> views_;
   const EarRules& rules_;
   std::size_t n_left_;
   /// The neighbours of each corner among those left.
   std::vector<Index> before_;
   std::vector<Index> after_;
-  /// The corners in the view.
-  std::vector<CornerGrid::Point> flat_;
   std::vector<std::uint8_t> is_left_;
   std::vector<Triangle> triangles_;
 };

@@ -16,7 +16,9 @@ inline constexpr std::size_t kSmallLoop = 192;
 ///
 /// Ears are cut in the loop's projection along the axis that shows it best, exactly: if that is a
 /// simple polygon, no two triangles overlap in it. If it is none, the remaining ears are cut in
-/// order once no proper ear is left.
+/// order once no proper ear is left. A slot round a body is no simple polygon from any side: ears
+/// are also cut in the projections that show the faces beyond them best, and of both triangulations
+/// the one that bends less from these faces is taken.
 ///
 /// @return      The triangles as triangulate_loop() returns them.
 /// @complexity  O(n log n) for loops whose corners are about evenly spread.
