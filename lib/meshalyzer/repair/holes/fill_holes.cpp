@@ -1,3 +1,4 @@
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/repair/edits/edits.h"
 #include "meshalyzer/repair/holes/internal/crossing_patches.h"
 #include "meshalyzer/repair/holes/internal/fill_loop.h"
@@ -5,6 +6,7 @@
 #include "meshalyzer/repair/holes/internal/islands.h"
 #include "meshalyzer/repair/holes/internal/patch_check.h"
 #include "meshalyzer/repair/holes/internal/patch_edges.h"
+#include "meshalyzer/repair/holes/internal/rim_bend.h"
 #include "meshalyzer/repair/orient/bounds_solid.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/spatial/triangle_distance.h"
@@ -179,7 +181,7 @@ class HoleFiller {
         soup_(task.mesh.soup()),
         loops_(loops),
         choice_(std::move(choice)),
-        islands_(task.mesh, loops),
+        islands_(task.mesh, task.existing, loops),
         is_used_(soup_.n_vertices(), 0) {}
 
   [[nodiscard]] PassResult run() {
@@ -217,19 +219,48 @@ class HoleFiller {
     }
     Filling filling = fill_loop(task_, alone);
     if (filling.patch) {
-      if (fill_joined(i, sheets_facing(*filling.patch, i))) return;
-      accept({alone, {i}, std::move(*filling.patch)});
+      accept(with_sheets({alone, {i}, std::move(*filling.patch)}));
     } else if (!fill_joined(i, islands_.along(filling.met_faces, i))) {
       failures_.push_back({i, std::move(filling.reason)});
     }
   }
 
-  /// Returns the loops of sheets that face a patch: they would stay open, or get a patch of their
-  /// own beside it.
+  /// Joins a loop with the sheets that face its patch: they would stay open, or get a patch of
+  /// their own beside it. The patch of the joined loop may be nearer to more of them.
+  [[nodiscard]] FilledLoop with_sheets(FilledLoop filled) const {
+    const std::size_t i = filled.members.front();
+    std::vector<std::size_t> joined;
+    while (true) {
+      std::vector<std::size_t> facing = sheets_facing(filled.patch, i);
+      facing.insert(facing.end(), joined.begin(), joined.end());
+      sort_unique(facing);
+      if (facing.size() == joined.size()) return filled;
+      std::optional<FilledLoop> next = try_joined(i, facing);
+      if (!next || !bends_less(*next, filled)) return filled;
+      filled = std::move(*next);
+      joined = std::move(facing);
+    }
+  }
+
+  /// Returns the loops of sheets that face a patch.
   [[nodiscard]] std::vector<std::size_t> sheets_facing(const Patch& patch, std::size_t i) const {
     std::vector<std::size_t> found = islands_.facing(patch, i);
-    std::erase_if(found, [&](std::size_t k) { return choice_.may_be_sheet[k] == 0; });
+    std::erase_if(found, [&](std::size_t k) {
+      return choice_.may_be_sheet[k] == 0 || choice_.may_join[k] == 0 || !is_free(k);
+    });
     return found;
+  }
+
+  /// Tells whether a joined loop bends less at its rim than if those loops that it has more than
+  /// another one had patches of their own.
+  [[nodiscard]] bool bends_less(const FilledLoop& joined, const FilledLoop& fewer) const {
+    double bends = total_rim_bend(task_.mesh, fewer.loop.loop, fewer.patch);
+    for (const std::size_t k : joined.members) {
+      if (std::binary_search(fewer.members.begin(), fewer.members.end(), k)) continue;
+      const std::optional<Patch> own = first_patch(task_, {.loop = loops_[k], .bridges = {}});
+      if (own) bends += total_rim_bend(task_.mesh, loops_[k], *own);
+    }
+    return total_rim_bend(task_.mesh, joined.loop.loop, joined.patch) < bends;
   }
 
   /// Fills a loop together with others that may be filled.
@@ -237,17 +268,23 @@ class HoleFiller {
   /// @return Whether it was filled.
   bool fill_joined(std::size_t i, std::vector<std::size_t> others) {
     std::erase_if(others, [&](std::size_t k) { return choice_.may_join[k] == 0 || !is_free(k); });
-    if (others.empty() || others.size() > kMaxIslands) return false;
+    std::optional<FilledLoop> filled = try_joined(i, others);
+    if (filled) accept(std::move(*filled));
+    return filled.has_value();
+  }
+
+  [[nodiscard]] std::optional<FilledLoop> try_joined(std::size_t i,
+                                                     std::vector<std::size_t> others) const {
+    if (others.empty() || others.size() > kMaxIslands) return std::nullopt;
     std::vector<const HoleLoop*> together{&loops_[i]};
     for (const std::size_t k : others) together.push_back(&loops_[k]);
     std::optional<JoinedLoop> joined = join_loops(soup_, task_.existing, together);
-    if (!joined) return false;
+    if (!joined) return std::nullopt;
     Filling filling = fill_loop(task_, *joined);
-    if (!filling.patch) return false;
+    if (!filling.patch) return std::nullopt;
     others.push_back(i);
     std::sort(others.begin(), others.end());
-    accept({std::move(*joined), std::move(others), std::move(*filling.patch)});
-    return true;
+    return FilledLoop{std::move(*joined), std::move(others), std::move(*filling.patch)};
   }
 
   void accept(FilledLoop filled) {

@@ -45,7 +45,7 @@ class LoopFiller {
       if (smooth && is_smooth_enough(*smooth, *patch)) patch = std::move(smooth);
     }
     if (!patch) patch = try_fan();
-    if (!patch && first_ && rules_.bridges.empty()) patch = try_smooth(*first_);
+    if (!patch && first_) patch = try_smooth(*first_);
     filling_.patch = std::move(patch);
     if (!filling_.patch) {
       filling_.reason = has_tried_ ? "every patch tried intersects the mesh"

@@ -2,38 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 
 namespace meshalyzer {
 namespace {
 
 /// The maximum number of pairs of vertices that are compared for all bridges of a joined loop.
 constexpr std::size_t kMaxPairs = 100'000'000;
-
-/// A connection from one loop to another.
-struct Bridge {
-  std::size_t corner_a = 0;
-  std::size_t corner_b = 0;
-  double length = std::numeric_limits<double>::infinity();
-
-  [[nodiscard]] bool is_found() const { return length < std::numeric_limits<double>::infinity(); }
-};
-
-/// Returns the shortest bridge that is no edge of the mesh.
-Bridge find_bridge(const Soup& soup, const ExistingEdges& existing, const HoleLoop& a,
-                   const HoleLoop& b) {
-  Bridge best;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const double length =
-          (soup.positions[a.vertices[i]] - soup.positions[b.vertices[j]]).stableNorm();
-      if (length < best.length && !existing.contains(a.vertices[i], b.vertices[j])) {
-        best = {i, j, length};
-      }
-    }
-  }
-  return best;
-}
 
 /// Appends all edges of a loop, from a corner round to the same corner again.
 void append_round(const HoleLoop& from, std::size_t corner, HoleLoop& to) {
@@ -70,6 +44,21 @@ bool is_affordable(std::span<const HoleLoop* const> loops) {
 }
 
 }  // namespace
+
+Bridge find_bridge(const Soup& soup, const ExistingEdges& existing, const HoleLoop& a,
+                   const HoleLoop& b) {
+  Bridge best;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const double length =
+          (soup.positions[a.vertices[i]] - soup.positions[b.vertices[j]]).stableNorm();
+      if (length < best.length && !existing.contains(a.vertices[i], b.vertices[j])) {
+        best = {i, j, length};
+      }
+    }
+  }
+  return best;
+}
 
 std::optional<JoinedLoop> join_loops(const Soup& soup, const ExistingEdges& existing,
                                      std::span<const HoleLoop* const> loops) {

@@ -3,6 +3,8 @@
 #include "meshalyzer/repair/holes/internal/existing_edges.h"
 
 #include <array>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,6 +17,21 @@ struct JoinedLoop {
   /// The new edges, by their two vertices; the loop runs along each in both directions.
   std::vector<std::array<Index, 2>> bridges;
 };
+
+/// A connection from a corner of one loop to one of another.
+struct Bridge {
+  std::size_t corner_a = 0;
+  std::size_t corner_b = 0;
+  double length = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] bool is_found() const { return length < std::numeric_limits<double>::infinity(); }
+};
+
+/// Returns the shortest bridge between two loops that is no edge of the mesh.
+///
+/// @complexity  O(n m).
+[[nodiscard]] Bridge find_bridge(const Soup& soup, const ExistingEdges& existing, const HoleLoop& a,
+                                 const HoleLoop& b);
 
 /// Joins loops to the first of them, each by a bridge between the two nearest vertices without an
 /// edge between them in the mesh; the nearest loop first.

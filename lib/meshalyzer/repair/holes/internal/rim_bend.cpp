@@ -13,7 +13,8 @@
 namespace meshalyzer {
 namespace {
 
-/// A hole with a smaller mean angle between patch and surface is flat.
+/// A hole is flat if the mean angle between patch and surface is smaller, and no larger one is
+/// expected.
 constexpr double kFlatRim = std::numbers::pi / 180.0;
 /// Faces with a larger angle between them than 50 degrees meet at a crease.
 constexpr double kCosineOfCrease = 0.643;
@@ -84,16 +85,30 @@ double area_of(const Soup& soup, const Patch& patch) {
   return area;
 }
 
+/// The angles at the edges of a hole times the edges' lengths, added up, and the lengths.
+struct RimBend {
+  double total = 0.0;
+  double length = 0.0;
+};
+
+RimBend measure_rim_bend(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patch) {
+  RimBend result;
+  for (const RimEdge& edge : rim_edges(mesh, loop, patch)) {
+    result.total += edge.length * std::abs(edge.bend());
+    result.length += edge.length;
+  }
+  return result;
+}
+
 }  // namespace
 
 double mean_rim_bend(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patch) {
-  double bends = 0.0;
-  double length = 0.0;
-  for (const RimEdge& edge : rim_edges(mesh, loop, patch)) {
-    bends += edge.length * std::abs(edge.bend());
-    length += edge.length;
-  }
-  return length > 0.0 ? bends / length : 0.0;
+  const RimBend bend = measure_rim_bend(mesh, loop, patch);
+  return bend.length > 0.0 ? bend.total / bend.length : 0.0;
+}
+
+double total_rim_bend(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patch) {
+  return measure_rim_bend(mesh, loop, patch).total;
 }
 
 bool bends_into_hole(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patch) {
@@ -108,7 +123,7 @@ bool bends_into_hole(const PreparedMesh& mesh, const HoleLoop& loop, const Patch
     expected += edge.length * std::min(turn, std::numbers::pi);
     length += edge.length;
   }
-  return bends > kFlatRim * length && expected > kExplainedShare * bends;
+  return std::max(bends, expected) > kFlatRim * length && expected > kExplainedShare * bends;
 }
 
 }  // namespace meshalyzer

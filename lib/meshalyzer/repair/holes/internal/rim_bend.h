@@ -10,6 +10,11 @@ namespace meshalyzer {
 [[nodiscard]] double mean_rim_bend(const PreparedMesh& mesh, const HoleLoop& loop,
                                    const Patch& patch);
 
+/// Returns the sum over the edges of a hole of the angle between the faces on both sides times the
+/// edge's length, in radians times the mesh's unit.
+[[nodiscard]] double total_rim_bend(const PreparedMesh& mesh, const HoleLoop& loop,
+                                    const Patch& patch);
+
 /// Tells whether the surface round a hole bends as if it continued across the hole, so that a
 /// smooth patch is a better guess than the given one, which is without new vertices.
 ///
