@@ -106,7 +106,7 @@ bool drop_equal_faces(RepairDriver& driver, const RepairOptions& options,
   if (!has_too_many_pairs(driver) || !options.fixes.contains(kCode) || before.count(kCode) == 0) {
     return false;
   }
-  return driver.run_trial({.change = {"drop duplicates", kCode, drop_duplicates},
+  return driver.run_trial({.changes = {{"drop duplicates", kCode, drop_duplicates}},
                            .plan = {},
                            .is_wanted = [](const RepairState& state) {
                              static_cast<void>(state.mesh().intersecting_pairs());

@@ -115,4 +115,21 @@ PassResult thicken_sheets(const PassInput& input, double thickness) {
   return result;
 }
 
+PassResult thicken_parts(const PassInput& input, std::span<const Index> face_keys,
+                         double thickness) {
+  const Components components = find_edge_components(input.mesh.cut());
+  const FacesByPart faces(components.of_face, components.count);
+  const auto is_named = [&](Index face) {
+    return std::binary_search(face_keys.begin(), face_keys.end(), input.tracked.face_keys[face]);
+  };
+  PassResult result;
+  for (std::size_t i = 0; i < components.count; ++i) {
+    std::vector<Index> part;
+    for (const Index f : faces.of(i)) part.push_back(input.mesh.cut().side.faces[f]);
+    if (std::none_of(part.begin(), part.end(), is_named)) continue;
+    propose(input, part, distinct_faces(input.tracked.soup, part), thickness, result.edits);
+  }
+  return result;
+}
+
 }  // namespace meshalyzer

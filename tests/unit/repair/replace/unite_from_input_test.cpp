@@ -19,12 +19,12 @@ class UniteFromInput : public ::testing::Test {
  protected:
   static constexpr double kMaxDeviation = 0.01;
 
-  std::string unite(const Soup& soup) {
+  UnitedFromInput unite(const Soup& soup, const UnionChoice& choice = {}) {
     const Tolerances tolerances = resolve_tolerances({}, box_of(soup));
     driver_.emplace(soup, tolerances,
                     RepairLimits{.max_deviation = kMaxDeviation, .fixed_vertices = {}},
                     [](const TrackedMesh&, const CutMesh&) { return std::vector<std::uint8_t>(); });
-    return unite_from_input(*driver_, options_, tolerances, BehindHoles::Kept).note;
+    return unite_from_input(*driver_, options_, tolerances, choice);
   }
 
   [[nodiscard]] const Soup& mesh() const { return driver_->mesh().tracked().soup; }
@@ -36,7 +36,7 @@ class UniteFromInput : public ::testing::Test {
 const Soup kCrossing = shapes::merged(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
 
 TEST_F(UniteFromInput, MakesCrossingCubesOneGoodSolid) {
-  EXPECT_FALSE(unite(kCrossing).empty());
+  EXPECT_FALSE(unite(kCrossing).note.empty());
   EXPECT_TRUE(is_good(mesh()));
   EXPECT_NEAR(volume_of(mesh()), 15, 1e-9);
   EXPECT_LT(driver_->mesh().deviation(), 1e-9);
@@ -44,25 +44,51 @@ TEST_F(UniteFromInput, MakesCrossingCubesOneGoodSolid) {
 
 TEST_F(UniteFromInput, ClosesAnOpenCubeThatCrossesAnother) {
   EXPECT_FALSE(
-      unite(shapes::merged(shapes::open_cube(), shapes::cube(1, {0.5, 0.5, 0.5}))).empty());
+      unite(shapes::merged(shapes::open_cube(), shapes::cube(1, {0.5, 0.5, 0.5}))).note.empty());
   EXPECT_TRUE(is_good(mesh()));
   EXPECT_NEAR(volume_of(mesh()), 2 - 0.125, 1e-9);
 }
 
+TEST_F(UniteFromInput, MakesShellsOfPartsThatItWouldLose) {
+  options_.solid = true;
+  // So that nothing closes the open cube.
+  options_.fill.max_edges = 3;
+  const Soup soup =
+      shapes::merged(shapes::cube(), shapes::translated(shapes::open_cube(), {0.5, 0.5, -0.5}));
+  UnitedFromInput united = unite(soup);
+  EXPECT_TRUE(united.note.empty());
+  EXPECT_TRUE(united.is_too_far);
+  // Its faces separate no inside from no outside, exactly; by winding number they do.
+  united = unite(soup, {.shells = std::vector<Index>{}});
+  EXPECT_TRUE(united.note.empty());
+  EXPECT_TRUE(united.is_too_far);
+  ASSERT_FALSE(united.lost_faces.empty());
+  EXPECT_GE(united.lost_faces.front(), 12U);
+  united = unite(soup, {.shells = united.lost_faces});
+  EXPECT_NE(united.note.find("made hollow"), std::string::npos);
+  EXPECT_TRUE(is_good(mesh()));
+  EXPECT_LE(driver_->mesh().deviation(), kMaxDeviation);
+  // Of the faces of the open cube, 4.5 lies outside the other one. At its corners, which are moved
+  // along the diagonals, the shell is thinner by a factor of the root of 3 at most.
+  const double thickness = 0.5 * kMaxDeviation;
+  EXPECT_LT(volume_of(mesh()), 1 + 4.5 * thickness);
+  EXPECT_GT(volume_of(mesh()), 1 + 4.5 * thickness / 2);
+}
+
 TEST_F(UniteFromInput, LeavesAloneWhatIsGood) {
-  EXPECT_TRUE(unite(shapes::cube()).empty());
+  EXPECT_TRUE(unite(shapes::cube()).note.empty());
 }
 
 TEST_F(UniteFromInput, LeavesAloneWhatHoldsASheet) {
   const Soup sheet = shapes::make({{5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}});
   const Soup soup = shapes::merged(kCrossing, sheet);
-  EXPECT_TRUE(unite(soup).empty());
+  EXPECT_TRUE(unite(soup).note.empty());
   EXPECT_EQ(mesh().triangles, soup.triangles);
 }
 
 TEST_F(UniteFromInput, LeavesAloneWhatMayNotBeCut) {
   options_.fixes.erase(DefectCode::SelfIntersection);
-  EXPECT_TRUE(unite(kCrossing).empty());
+  EXPECT_TRUE(unite(kCrossing).note.empty());
   EXPECT_EQ(mesh().triangles, kCrossing.triangles);
 }
 

@@ -34,6 +34,12 @@ double MeasuredMesh::measure_deviation() {
   return deviation_;
 }
 
+double MeasuredMesh::measure_deviation_but_for_lost() {
+  deviation_ = measure_without(lost_);
+  is_deviation_known_ = true;
+  return deviation_;
+}
+
 double MeasuredMesh::measure_without(std::span<const Index> lost) const {
   return meter_
       ->measure({.tracked = tracked(),

@@ -49,6 +49,9 @@ class MeasuredMesh {
   /// Measures this distance even if it may be larger than the maximum, after edits that were
   /// applied unchecked; what these have lost counts too.
   double measure_deviation();
+  /// Measures it without the faces of the input that these edits have lost, which the caller has to
+  /// judge.
+  double measure_deviation_but_for_lost();
   /// Notes a deviation that was measured outside.
   void raise_deviation(double deviation);
   /// Measures parts of the input as DeviationMeter::measure_parts() does.

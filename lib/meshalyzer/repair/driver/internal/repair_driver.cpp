@@ -93,7 +93,7 @@ bool RepairDriver::run_trial(const Trial& trial) {
     static_cast<void>(run_rounds(trial.from_input));
   }
   const std::vector<Index> face_keys = mesh_.tracked().face_keys;
-  apply_unchecked(trial.change);
+  for (const PlannedPass& change : trial.changes) apply_unchecked(change);
   if (mesh_.tracked().face_keys != face_keys) {
     static_cast<void>(run_rounds(trial.plan));
     if (!is_stopped_ && trial.is_wanted(mesh_.state())) return true;

@@ -67,21 +67,21 @@ class RepairDriver {
   /// for it by name.
   void apply_unchecked(const PlannedPass& pass);
 
-  /// A change that is tried, and undone if its result is not wanted.
+  /// Changes that are tried, and undone if their result is not wanted.
   struct Trial {
     /// If there are any, the trial starts from the input with these passes.
     std::vector<PlannedPass> from_input = {};
-    /// The pass that is then applied unchecked.
-    PlannedPass change;
+    /// The passes that are then applied unchecked, each once.
+    std::vector<PlannedPass> changes;
     /// The passes that run afterwards, as those of run_plan() do.
     std::vector<PlannedPass> plan;
     /// Tells whether the resulting mesh is kept.
     std::function<bool(const RepairState&)> is_wanted;
   };
 
-  /// Tries a change, and undoes it if the resulting mesh is not wanted.
+  /// Tries changes, and undoes them if the resulting mesh is not wanted.
   ///
-  /// @return Whether it was kept.
+  /// @return Whether they were kept.
   bool run_trial(const Trial& trial);
 
   /// Returns the log until now.

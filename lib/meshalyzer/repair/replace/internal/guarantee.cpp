@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/base/numbers.h"
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/repair/driver/internal/final_check.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/replace/internal/broken_solids.h"
@@ -21,6 +22,8 @@ namespace {
 /// What replaces a part of the mesh needs this share of the maximum deviation. With less a thin
 /// solid would hardly have a thickness, and a grid for a contour would hardly ever suffice.
 constexpr double kLeastShareLeft = 1.0 / 64.0;
+/// A union with shells may lose other parts, which then become shells too; so often it is tried.
+constexpr std::size_t kMostUnionsWithShells = 3;
 
 class Guarantee {
  public:
@@ -44,12 +47,14 @@ class Guarantee {
     const bool may_replace =
         max_deviation_ - driver_.mesh().deviation() >= kLeastShareLeft * max_deviation_;
     const bool may_drop = options_.solid && !may_replace;
-    const bool is_done = (options_.solid && may_replace && thicken()) || join() ||
-                         unite(may_drop ? BehindHoles::Dropped : BehindHoles::Kept) ||
-                         (may_replace && (replace_in_boxes() || replace(Scope::Broken) ||
-                                          (may_replace_more() && replace(Scope::Whole)) ||
-                                          (may_drop_after_all() && unite(BehindHoles::Dropped)))) ||
-                         replace_from_input();
+    const bool is_done =
+        (options_.solid && may_replace && thicken()) || join() ||
+        unite({.behind_holes = may_drop ? BehindHoles::Dropped : BehindHoles::Kept}) ||
+        (may_replace &&
+         (replace_in_boxes() || replace(Scope::Broken) ||
+          (may_replace_more() && replace(Scope::Whole)) ||
+          (may_drop_after_all() && unite({.behind_holes = BehindHoles::Dropped})))) ||
+        replace_from_input() || unite_with_shells();
     if (!is_done) note_failure();
     return std::move(notes_);
   }
@@ -75,7 +80,7 @@ class Guarantee {
                 std::vector<PlannedPass> from_input = {}) {
     return driver_.run_trial(
         {.from_input = std::move(from_input),
-         .change = pass,
+         .changes = {pass},
          .plan = std::move(plan),
          .is_wanted = [&](const RepairState& state) { return is_good(state); }});
   }
@@ -108,7 +113,7 @@ class Guarantee {
     const std::vector<PlannedPass> joining = plan_to_join_contacts(options_);
     if (joining.empty()) return false;
     const bool is_kept = driver_.run_trial(
-        {.change = joining.front(),
+        {.changes = joining,
          .plan = plan_passes(options_, tolerances_),
          .is_wanted = [&](const RepairState& state) {
            return is_good(state) && driver_.mesh().measure_deviation() <= max_deviation_;
@@ -117,12 +122,29 @@ class Guarantee {
     return is_kept;
   }
 
-  bool unite(BehindHoles behind_holes) {
-    UnitedFromInput united = unite_from_input(driver_, options_, tolerances_, behind_holes);
+  bool unite(const UnionChoice& choice) {
+    UnitedFromInput united = unite_from_input(driver_, options_, tolerances_, choice);
     is_union_too_far_behind_holes_ = united.is_too_far_behind_holes;
+    is_union_too_far_ = united.is_too_far;
+    lost_faces_ = std::move(united.lost_faces);
     if (united.note.empty()) return false;
     notes_.push_back(std::move(united.note));
     return true;
+  }
+
+  /// If a union was good but too far away, unites the mesh again, and keeps as thin shells what
+  /// that has lost.
+  bool unite_with_shells() {
+    if (!options_.solid) return false;
+    std::vector<Index> shells;
+    for (std::size_t i = 0; i < kMostUnionsWithShells && is_union_too_far_; ++i) {
+      const std::size_t n_before = shells.size();
+      shells.insert(shells.end(), lost_faces_.begin(), lost_faces_.end());
+      sort_unique(shells);
+      if (i > 0 && shells.size() == n_before) break;
+      if (unite({.behind_holes = BehindHoles::Kept, .shells = shells})) return true;
+    }
+    return false;
   }
 
   /// Tells whether everything that is broken means a solid.
@@ -226,6 +248,9 @@ class Guarantee {
   FinalCheck check_;
   double max_deviation_;
   bool is_union_too_far_behind_holes_ = false;
+  bool is_union_too_far_ = false;
+  /// The keys of faces that the last union has lost, see UnitedFromInput.
+  std::vector<Index> lost_faces_;
   bool needs_larger_grid_ = false;
   std::string reason_;
   std::vector<std::string> notes_;

@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/replace/internal/unite_from_input.h"
 
 #include "meshalyzer/base/numbers.h"
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/contour/boundary_samples.h"
 #include "meshalyzer/contour/mesh_region.h"
 #include "meshalyzer/repair/passes.h"
@@ -8,6 +9,7 @@
 #include "meshalyzer/spatial/closest_point.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -16,23 +18,55 @@ namespace {
 
 /// The sides of a dropped piece are examined at this distance, as a share of the maximum deviation.
 constexpr double kSideReach = 1.0 / 16.0;
+/// The thickness of shells, as a share of the maximum deviation.
+constexpr double kThicknessOfShells = 0.5;
+
+/// A point of a removed part of a mesh.
+struct LostSample {
+  Vec3 point;
+  /// The key of the face that it lies on.
+  Index face_key = kNoIndex;
+};
+
+/// Returns samples of those pieces of faces of a mesh that bound its solid.
+std::vector<LostSample> boundary_samples(const PassInput& input, std::span<const Corners> pieces) {
+  const ClosestPoints closest(input.mesh.tree());
+  std::vector<LostSample> samples;
+  Index hint = kNoIndex;
+  for (const Vec3& point :
+       sample_boundary(input.tracked.soup, pieces, kSideReach * input.limits.max_deviation)) {
+    const auto found = closest.find({.point = point, .hint = hint});
+    hint = found->slot;
+    const Index face = input.mesh.cut().side.faces[found->mesh_face];
+    samples.push_back({point, input.tracked.face_keys[face]});
+  }
+  return samples;
+}
 
 /// Returns samples of those removed parts of the mesh that bound its solid.
-std::vector<Vec3> lost_boundary(const PassInput& input, const Edits& edits) {
+std::vector<LostSample> lost_boundary(const PassInput& input, const Edits& edits) {
   std::vector<Corners> pieces;
   pieces.reserve(edits.interior_walls.size());
   for (const auto& removed : edits.interior_walls) pieces.push_back(removed.wall.corners);
-  return sample_boundary(input.tracked.soup, pieces, kSideReach * input.limits.max_deviation);
+  return boundary_samples(input, pieces);
+}
+
+/// Returns samples of all of the mesh that bounds its solid.
+std::vector<LostSample> whole_boundary(const PassInput& input) {
+  const Soup& soup = input.tracked.soup;
+  std::vector<Corners> faces;
+  for (const Index face : input.mesh.cut().side.faces) faces.push_back(corners_of(soup, face));
+  return boundary_samples(input, faces);
 }
 
 class UnionFromInput {
  public:
   UnionFromInput(RepairDriver& driver, const RepairOptions& options, const Tolerances& tolerances,
-                 BehindHoles behind_holes)
+                 const UnionChoice& choice)
       : driver_(driver),
         options_(options),
         tolerances_(tolerances),
-        behind_holes_(behind_holes),
+        choice_(choice),
         check_(final_check_for(options, driver.mesh().input().format)) {}
 
   bool run() {
@@ -48,7 +82,9 @@ class UnionFromInput {
   [[nodiscard]] bool is_too_far_behind_holes() const {
     return is_too_far_ && distance_of_rest_ <= driver_.mesh().max_deviation();
   }
+  [[nodiscard]] bool is_too_far() const { return is_too_far_; }
   [[nodiscard]] double distance_behind_holes() const { return distance_behind_holes_; }
+  [[nodiscard]] const std::vector<Index>& far_faces() const { return far_faces_; }
 
  private:
   /// Tells whether everything that a union changes is to be changed.
@@ -65,24 +101,35 @@ class UnionFromInput {
     const PlannedPass pass{"unite with itself", DefectCode::SelfIntersection,
                            [&](const PassInput& input) {
                              PassResult result = self_union(input, how);
-                             lost_ = lost_boundary(input, result.edits);
+                             if (!choice_.shells) lost_ = lost_boundary(input, result.edits);
                              return result;
                            }};
+    std::vector<PlannedPass> changes{pass};
+    if (choice_.shells) changes.insert(changes.begin(), thickening());
     const bool is_kept = driver_.run_trial(
         {.from_input = plan_before_cutting(options_, tolerances_),
-         .change = pass,
+         .changes = std::move(changes),
          .plan = plan_with_contacts_joined(options_, tolerances_),
          .is_wanted = [&](const RepairState& state) { return is_wanted(state); }});
     if (is_kept) driver_.mesh().raise_deviation(distance_);
     return is_kept;
   }
 
+  [[nodiscard]] PlannedPass thickening() {
+    return {"thicken parts", DefectCode::Hole, [&](const PassInput& input) {
+              lost_ = whole_boundary(input);
+              return thicken_parts(input, *choice_.shells,
+                                   kThicknessOfShells * input.limits.max_deviation);
+            }};
+  }
+
   bool is_wanted(const RepairState& state) {
     if (!is_good_in_file(state, tolerances_, check_)) return false;
-    distance_of_rest_ = driver_.mesh().measure_deviation();
+    distance_of_rest_ = choice_.shells ? driver_.mesh().measure_deviation_but_for_lost()
+                                       : driver_.mesh().measure_deviation();
     distance_behind_holes_ = 0.0;
     measure_lost(state);
-    distance_ = behind_holes_ == BehindHoles::Dropped
+    distance_ = choice_.behind_holes == BehindHoles::Dropped
                     ? distance_of_rest_
                     : std::max(distance_of_rest_, distance_behind_holes_);
     is_too_far_ = !(distance_ <= driver_.mesh().max_deviation());
@@ -91,27 +138,33 @@ class UnionFromInput {
 
   /// Measures how far the lost samples are from the result.
   void measure_lost(const RepairState& state) {
+    far_faces_.clear();
     if (lost_.empty()) return;
     const Soup& result = state.tracked().soup;
     const MeshRegion solid(result, state.mesh().tree());
     const ClosestPoints closest(state.mesh().tree());
     Index hint = kNoIndex;
-    for (const Vec3& point : lost_) {
+    for (const auto& [point, face_key] : lost_) {
       const auto found = closest.find({.point = point, .hint = hint});
       hint = found->slot;
+      if (found->distance > driver_.mesh().max_deviation()) far_faces_.push_back(face_key);
       if (found->distance <= distance_of_rest_) continue;
       double& largest = solid.contains(point) ? distance_behind_holes_ : distance_of_rest_;
       largest = std::max(largest, found->distance);
     }
+    sort_unique(far_faces_);
   }
 
   RepairDriver& driver_;
   const RepairOptions& options_;
   const Tolerances& tolerances_;
-  BehindHoles behind_holes_;
+  const UnionChoice& choice_;
   FinalCheck check_;
-  /// Samples of the dropped parts of the last union that bounded the solid.
-  std::vector<Vec3> lost_;
+  /// Samples of what bounded the solid: of the dropped parts of the last union, or with shells of
+  /// all of the mesh.
+  std::vector<LostSample> lost_;
+  /// The keys of the faces of those samples that are too far from it, ascending.
+  std::vector<Index> far_faces_;
   /// The deviation of the last union that was good.
   double distance_ = 0.0;
   /// The largest distance of samples that lie inside it, and the deviation without them.
@@ -123,16 +176,24 @@ class UnionFromInput {
 }  // namespace
 
 UnitedFromInput unite_from_input(RepairDriver& driver, const RepairOptions& options,
-                                 const Tolerances& tolerances, BehindHoles behind_holes) {
-  UnionFromInput from_input(driver, options, tolerances, behind_holes);
+                                 const Tolerances& tolerances, const UnionChoice& choice) {
+  UnionFromInput from_input(driver, options, tolerances, choice);
   if (!from_input.run()) {
-    return {.note = "", .is_too_far_behind_holes = from_input.is_too_far_behind_holes()};
+    return {.note = "",
+            .is_too_far_behind_holes = from_input.is_too_far_behind_holes(),
+            .is_too_far = from_input.is_too_far(),
+            .lost_faces = from_input.far_faces()};
   }
   std::string note =
       "repairs part by part left defects, so the mesh was replaced by its union with itself";
   if (from_input.distance_behind_holes() > driver.mesh().max_deviation()) {
     note += "; parts that lie inside it, because holes are filled, were dropped, " +
             readable(from_input.distance_behind_holes()) + " from its surface at most";
+  }
+  if (choice.shells) note += "; parts that bound no solid were dropped";
+  if (choice.shells && !choice.shells->empty()) {
+    note += ", and parts that it would have lost made hollow, with walls " +
+            readable(kThicknessOfShells * driver.mesh().max_deviation()) + " thick";
   }
   return {.note = std::move(note)};
 }

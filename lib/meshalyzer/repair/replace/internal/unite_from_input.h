@@ -5,13 +5,24 @@
 #include "meshalyzer/repair/driver/options.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace meshalyzer {
 
 /// Tells whether parts that lie inside the solid once its holes are filled may be dropped, however
 /// far they are from its surface.
 enum class BehindHoles : std::uint8_t { Kept, Dropped };
+
+/// What becomes of some parts of the mesh in unite_from_input().
+struct UnionChoice {
+  BehindHoles behind_holes = BehindHoles::Kept;
+  /// If given, the keys of faces, ascending, whose components become thin shells before. Then only
+  /// samples of what bounds the solid by winding number tell what is lost; else also all faces do
+  /// that are not proved to be walls inside the solid.
+  std::optional<std::vector<Index>> shells = {};
+};
 
 /// The result of unite_from_input().
 struct UnitedFromInput {
@@ -20,6 +31,11 @@ struct UnitedFromInput {
   /// Tells whether the union is good, but farther from the input than the maximum deviation, and
   /// it would not be with BehindHoles::Dropped.
   bool is_too_far_behind_holes = false;
+  /// Tells whether the union is good, but too far from the input.
+  bool is_too_far = false;
+  /// The keys of faces, ascending, that it has lost then, although they bounded the solid by
+  /// winding number.
+  std::vector<Index> lost_faces = {};
 };
 
 /// If a mesh that means a solid is not good after a repair, starts again from the input, and
@@ -29,9 +45,8 @@ struct UnitedFromInput {
 /// The result is kept only if it is good as its file will hold it and within the maximum deviation.
 /// The parts that were dropped, although they bounded the solid by winding number, are sampled:
 /// their distance from the result counts as deviation.
-///
 [[nodiscard]] UnitedFromInput unite_from_input(RepairDriver& driver, const RepairOptions& options,
                                                const Tolerances& tolerances,
-                                               BehindHoles behind_holes);
+                                               const UnionChoice& choice);
 
 }  // namespace meshalyzer
