@@ -48,8 +48,8 @@ class Guarantee {
         max_deviation_ - driver_.mesh().deviation() >= kLeastShareLeft * max_deviation_;
     const bool may_drop = options_.solid && !may_replace;
     const bool is_done =
-        (options_.solid && may_replace && thicken()) || join() ||
-        unite({.behind_holes = may_drop ? BehindHoles::Dropped : BehindHoles::Kept}) ||
+        (options_.solid && may_replace && thicken()) ||
+        unite({.behind_holes = may_drop ? BehindHoles::Dropped : BehindHoles::Kept}) || join() ||
         (may_replace &&
          (replace_in_boxes() || replace(Scope::Broken) ||
           (may_replace_more() && replace(Scope::Whole)) ||
