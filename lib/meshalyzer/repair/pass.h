@@ -12,6 +12,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -66,6 +68,8 @@ struct PassInput {
   /// Called now and then by a pass that takes long, from any thread; once it returns true, the pass
   /// ends as soon as it can, and what it proposes is not applied.
   StopQuery wants_to_stop = {};
+  /// The length in use, for a pass that has some: see PassLengths.
+  double length = 0.0;
 };
 
 /// A defect that a pass could not repair, and the reason.
@@ -95,5 +99,15 @@ struct PassResult {
 /// repairs. A proposal may be partial: the pass runs again after its edits were applied, until it
 /// proposes nothing more, so each proposal must make progress.
 using PassFunction = std::function<PassResult(const PassInput&)>;
+
+/// The lengths over which a pass works, one after the other: it begins with 0, and goes on once it
+/// has nothing more to propose for a length.
+struct PassLengths {
+  /// Returns the length after PassInput::length; nothing if that is the last one.
+  std::function<std::optional<double>(const PassInput&)> next;
+  /// Returns the least length for which the pass may propose something else since these vertices
+  /// have changed (by key, ascending); nothing if it is not below PassInput::length.
+  std::function<std::optional<double>(const PassInput&, std::span<const Index> changed)> again;
+};
 
 }  // namespace meshalyzer

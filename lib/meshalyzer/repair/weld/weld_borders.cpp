@@ -2,14 +2,17 @@
 #include "meshalyzer/repair/weld/internal/weld_candidates.h"
 #include "meshalyzer/repair/weld/internal/weld_chains.h"
 #include "meshalyzer/repair/weld/internal/weld_edges.h"
+#include "meshalyzer/repair/weld/internal/weld_lengths.h"
 #include "meshalyzer/repair/weld/internal/weld_matching.h"
 #include "meshalyzer/repair/weld/internal/weld_operations.h"
+#include "meshalyzer/repair/weld/internal/weld_over_growing_lengths.h"
 #include "meshalyzer/repair/weld/internal/weld_pairing.h"
 #include "meshalyzer/repair/weld/internal/weld_splits.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -111,12 +114,6 @@ std::vector<Index> used_places(const EdgesAtPlaces& at_places) {
   return used;
 }
 
-/// Returns the largest distance over which borders are joined.
-double reach_of(const PassInput& input, double within) {
-  const double reach = std::min(within, input.limits.max_deviation);
-  return input.operation_size == OperationSize::Smallest ? kShorter * reach : reach;
-}
-
 /// Joins edges that are near each other.
 void zip_near(WeldState& state, std::span<const Index> wanted) {
   const WeldCandidates candidates = find_weld_candidates(state.rules.input.tracked.soup.positions,
@@ -147,16 +144,18 @@ void close_junctions(WeldState& state, std::span<const Index> places,
   add_split_operations(state, find_interleaved_cracks(edges, wanted));
 }
 
-}  // namespace
-
-PassResult weld_borders(const PassInput& input, double within) {
-  const std::vector<WeldEdge> edges = find_weld_edges(input.mesh);
+/// Welds these edges.
+///
+/// @param within  The largest distance over which they are joined.
+PassResult weld(const PassInput& input, std::span<const WeldEdge> edges, double within) {
   if (edges.empty()) return {};
   const Soup& soup = input.tracked.soup;
   const std::vector<Index> places = find_weld_places(soup.positions, edges);
   const std::vector<Index> faces_at_vertices = count_faces_at_vertices(soup);
-  const WeldRules rules{
-      .input = input, .faces_at_vertices = faces_at_vertices, .reach = reach_of(input, within)};
+  const bool is_smallest = input.operation_size == OperationSize::Smallest;
+  const WeldRules rules{.input = input,
+                        .faces_at_vertices = faces_at_vertices,
+                        .reach = is_smallest ? kShorter * within : within};
   WeldState state{.rules = rules,
                   .edges = edges,
                   .is_busy = std::vector<std::uint8_t>(soup.n_vertices(), 0),
@@ -169,6 +168,63 @@ PassResult weld_borders(const PassInput& input, double within) {
   }
   state.result.has_smaller_operations = rules.reach > 0.0;
   return std::move(state.result);
+}
+
+/// Returns the largest distance over which borders are joined.
+double limit_of(const PassInput& input, double within) {
+  return std::min(within, input.limits.max_deviation);
+}
+
+WeldSteps steps_of(const PassInput& input) {
+  return {input.tolerances.degeneracy, input.original.n_faces()};
+}
+
+/// Returns the numbers of the edges with one of these vertices, given by key, ascending.
+std::vector<Index> edges_at(std::span<const WeldEdge> edges, const TrackedMesh& tracked,
+                            std::span<const Index> vertex_keys) {
+  const auto is_among = [&](Index v) {
+    return std::binary_search(vertex_keys.begin(), vertex_keys.end(), tracked.vertex_keys[v]);
+  };
+  std::vector<Index> found;
+  for (Index e = 0; e < edges.size(); ++e) {
+    if (is_among(edges[e].from) || is_among(edges[e].to)) found.push_back(e);
+  }
+  return found;
+}
+
+}  // namespace
+
+PassResult weld_borders(const PassInput& input, double within) {
+  return weld(input, find_weld_edges(input.mesh), limit_of(input, within));
+}
+
+PassResult weld_over_growing_lengths(const PassInput& input, double within) {
+  const std::vector<WeldEdge> edges = find_weld_edges(input.mesh);
+  const double limit = limit_of(input, within);
+  if (input.length <= limit) return weld(input, edges, input.length);
+  const WeldDistances distances(input.tracked.soup.positions, edges);
+  std::vector<WeldEdge> unaffected;
+  for (const Index e : distances.edges_without_distance(limit, input.length)) {
+    unaffected.push_back(edges[e]);
+  }
+  return weld(input, unaffected, input.length);
+}
+
+std::optional<double> next_weld_length(const PassInput& input, double within) {
+  const double limit = limit_of(input, within);
+  if (input.length >= limit) return std::nullopt;
+  const std::vector<WeldEdge> edges = find_weld_edges(input.mesh);
+  if (edges.empty()) return std::nullopt;
+  return WeldDistances(input.tracked.soup.positions, edges)
+      .next_step(steps_of(input), input.length, limit);
+}
+
+std::optional<double> weld_length_again(const PassInput& input, std::span<const Index> changed) {
+  const std::vector<WeldEdge> edges = find_weld_edges(input.mesh);
+  const std::vector<Index> changed_edges = edges_at(edges, input.tracked, changed);
+  if (changed_edges.empty()) return std::nullopt;
+  return WeldDistances(input.tracked.soup.positions, edges)
+      .first_step(changed_edges, steps_of(input), input.length);
 }
 
 }  // namespace meshalyzer

@@ -1,5 +1,7 @@
 #include "meshalyzer/repair/driver/internal/plan.h"
 
+#include "meshalyzer/repair/weld/internal/weld_over_growing_lengths.h"
+
 #include <algorithm>
 #include <initializer_list>
 #include <utility>
@@ -29,38 +31,26 @@ class Planner {
   std::vector<PlannedPass> passes_;
 };
 
-/// Returns passes that join borders within a length: over growing lengths, so that near borders
-/// come first and a larger length closes no less than a smaller one. Where lengths grow faster, two
-/// lengths more often pair vertices otherwise than a third one between them.
-std::vector<PlannedPass> weld_passes(double within, const Tolerances& tolerances) {
-  constexpr double kSmallestShare = 1e-8;
-  constexpr double kGrowth = 3.0;
-  std::vector<double> lengths;
-  double length = tolerances.degeneracy;
-  if (length < kSmallestShare * within) length = kSmallestShare * within;
-  for (; length > 0.0 && length < within; length *= kGrowth) lengths.push_back(length);
-  lengths.push_back(within);
-  std::vector<PlannedPass> passes;
-  for (const double reach : lengths) {
-    passes.push_back({"weld borders",
-                      DefectCode::Slit,
-                      [reach](const PassInput& input) { return weld_borders(input, reach); },
-                      {DefectCode::Flipped}});
-  }
-  return passes;
+/// Returns the pass that joins borders within a length: over growing lengths, so that near borders
+/// come first and a larger length closes no less than a smaller one.
+PlannedPass weld(double within) {
+  return {
+      .name = "weld borders",
+      .code = DefectCode::Slit,
+      .run = [within](const PassInput& input) { return weld_over_growing_lengths(input, within); },
+      .may_create = {DefectCode::Flipped},
+      .lengths = PassLengths{
+          .next = [within](const PassInput& input) { return next_weld_length(input, within); },
+          .again = weld_length_again}};
 }
 
 /// Plans the operations that the user asks for by name, independently of the codes to be fixed.
-void plan_operations(const RepairOptions& options, const Tolerances& tolerances, Planner& plan) {
+void plan_operations(const RepairOptions& options, Planner& plan) {
   using enum DefectCode;
   if (options.turn == Turn::Everything) {
     plan.add_always({"flip", Inward, flip_all, {Inward}, Repeat::Once});
   }
-  if (options.weld_within) {
-    for (PlannedPass& pass : weld_passes(*options.weld_within, tolerances)) {
-      plan.add_always(std::move(pass));
-    }
-  }
+  if (options.weld_within) plan.add_always(weld(*options.weld_within));
 }
 
 CutOptions cut_options(const RepairOptions& options, Sheets sheets) {
@@ -87,7 +77,7 @@ void plan_fixes_before_cutting(const RepairOptions& options, const Tolerances& t
   const DefectCodes bends{Hole, NonManifold, Flipped};
   plan.add({"drop corrupt records", Corrupt, drop_corrupt, {Hole}});
   plan.add({"drop duplicates", DuplicateFacet, drop_duplicates, {Hole}});
-  for (PlannedPass& pass : weld_passes(tolerances.slit, tolerances)) plan.add(std::move(pass));
+  plan.add(weld(tolerances.slit));
   plan.add({"drop copies", SelfIntersection, drop_copies});
   plan.add_for({DegenerateFacet, FlatFacet}, {"mend facets", DegenerateFacet, mend_facets, bends});
   plan.add({"split edges", NonManifold, split_edges, cuts});
@@ -145,7 +135,7 @@ std::vector<PlannedPass> plan_after_replacement(const RepairOptions& options) {
 std::vector<PlannedPass> plan_before_cutting(const RepairOptions& options,
                                              const Tolerances& tolerances) {
   Planner plan(options.fixes);
-  plan_operations(options, tolerances, plan);
+  plan_operations(options, plan);
   plan_fixes_before_cutting(options, tolerances, plan);
   return plan.take();
 }
@@ -168,7 +158,7 @@ std::vector<PlannedPass> plan_with_sheets_cut(const RepairOptions& options,
 
 std::vector<PlannedPass> plan_passes(const RepairOptions& options, const Tolerances& tolerances) {
   Planner plan(options.fixes);
-  plan_operations(options, tolerances, plan);
+  plan_operations(options, plan);
   plan_fixes_before_cutting(options, tolerances, plan);
   plan_fixes_from_cutting(options, Sheets::Left, plan);
   return plan.take();

@@ -4,6 +4,7 @@
 #include "meshalyzer/repair/pass.h"
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -35,6 +36,8 @@ struct PlannedPass {
   /// Tells whether its operations are rejected that leave as many intersecting pairs and border
   /// edges as there were.
   bool must_mend = false;
+  /// The lengths over which the pass works, if it has any.
+  std::optional<PassLengths> lengths = std::nullopt;
 };
 
 /// Returns the passes that a repair needs, in the order in which they help each other: first those

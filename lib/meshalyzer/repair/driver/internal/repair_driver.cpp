@@ -238,26 +238,49 @@ bool RepairDriver::is_to_stop() {
 
 void RepairDriver::apply_unchecked(const PlannedPass& pass) {
   const std::shared_ptr<const RepairState> before = mesh_.shared_state();
-  const PassResult result = propose(pass, OperationSize::Normal);
+  const PassResult result = pass.run(input_of_pass(OperationSize::Normal, 0.0));
   if (result.edits.empty()) return;
   const AffectedElements affected = mesh_.apply_unchecked(result.edits);
   log_edits(std::string(pass.name), pass.code,
             {before->tracked(), result.edits, {}, mesh_.tracked(), affected}, log_);
 }
 
-PassResult RepairDriver::propose(const PlannedPass& pass, OperationSize size) const {
-  return pass.run({mesh_.input(), mesh_.tracked(), mesh_.prepared(), mesh_.tolerances(), limits_,
-                   size, wants_to_stop_});
+PassInput RepairDriver::input_of_pass(OperationSize size, double length) const {
+  return {mesh_.input(),  mesh_.tracked(), mesh_.prepared(), mesh_.tolerances(), limits_, size,
+          wants_to_stop_, length};
 }
 
 bool RepairDriver::run(const PlannedPass& pass) {
+  bool has_changed = false;
+  RefusedInState refused;
+  for (std::optional<double> length = 0.0; length;) {
+    changed_vertices_.clear();
+    has_changed = run_at(pass, *length, refused) || has_changed;
+    length = length_after(pass, *length);
+  }
+  if (refused.state) log_refusals(pass, refused.refusals, refused.state->tracked(), log_);
+  return has_changed;
+}
+
+std::optional<double> RepairDriver::length_after(const PlannedPass& pass, double length) {
+  if (!pass.lengths || is_to_stop()) return std::nullopt;
+  const PassInput input = input_of_pass(OperationSize::Normal, length);
+  if (!changed_vertices_.empty()) {
+    sort_unique(changed_vertices_);
+    const std::optional<double> again = pass.lengths->again(input, changed_vertices_);
+    if (again && *again < length) return again;
+  }
+  return pass.lengths->next(input);
+}
+
+bool RepairDriver::run_at(const PlannedPass& pass, double length, RefusedInState& refused) {
   bool has_changed = false;
   ProposedBefore before;
   const std::size_t max_runs = pass.repeat == Repeat::Once ? 1 : kMaxRuns;
   OperationSize size = OperationSize::Normal;
   for (std::size_t i = 0; i < max_runs && !is_to_stop(); ++i) {
     const std::shared_ptr<const RepairState> examined = mesh_.shared_state();
-    const PassResult result = propose(pass, size);
+    PassResult result = pass.run(input_of_pass(size, length));
     const bool is_applied = !result.edits.empty() && apply_accepted(pass, result.edits, before);
     has_changed = has_changed || is_applied;
     if (is_applied && pass.repeat != Repeat::OncePerRound) continue;
@@ -266,7 +289,7 @@ bool RepairDriver::run(const PlannedPass& pass) {
     const bool has_more = !before.rejected.empty() && size != OperationSize::Smallest &&
                           (result.has_smaller_operations || is_applied);
     if (!has_more) {
-      log_refusals(pass, result.refused, examined->tracked(), log_);
+      refused = {examined, std::move(result.refused)};
       return has_changed;
     }
     size = OperationSize::Smallest;
@@ -288,6 +311,7 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
     MeasuredMesh::Trial trial = mesh_.try_edits(edits, proposal.skipped, tried_before.get());
     const Acceptance acceptance = mesh_.check(trial, edits.n_operations, pass);
     if (acceptance.all_accepted()) {
+      for (const AffectedElement& e : trial.affected.vertices) changed_vertices_.push_back(e.key);
       record(pass, std::move(proposal), trial);
       mesh_.keep(std::move(trial), edits);
       return true;

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -112,6 +113,13 @@ class RepairDriver {
     std::set<OperationSignature> hopeless;
   };
 
+  /// What a pass has refused to repair in a state of the mesh.
+  struct RefusedInState {
+    /// Nothing if the pass has refused nothing yet.
+    std::shared_ptr<const RepairState> state;
+    std::vector<Refusal> refusals;
+  };
+
   /// The state that the result of a stage must not be worse than. This holds references only.
   struct StageGate {
     const FinalCheck& check;
@@ -161,7 +169,16 @@ class RepairDriver {
   /// Asks whether to stop; once the answer is yes, it stays so.
   bool is_to_stop();
   bool run(const PlannedPass& pass);
-  [[nodiscard]] PassResult propose(const PlannedPass& pass, OperationSize size) const;
+  /// Runs a pass for one of its lengths until it proposes nothing more that is accepted.
+  ///
+  /// @param refused  Receives what it has refused last.
+  /// @return         Whether it has changed the mesh.
+  bool run_at(const PlannedPass& pass, double length, RefusedInState& refused);
+  /// Returns the length that a pass goes on with: a shorter one for which what was changed makes a
+  /// difference, or else the next one. So all shorter lengths are done before it, and the mesh
+  /// after a length does not depend on whether longer ones follow.
+  [[nodiscard]] std::optional<double> length_after(const PlannedPass& pass, double length);
+  [[nodiscard]] PassInput input_of_pass(OperationSize size, double length) const;
   /// Applies the operations that are accepted, and tells whether there were any.
   bool apply_accepted(const PlannedPass& pass, const Edits& edits, ProposedBefore& before);
   /// Leaves out the operations that are banned, or known to be rejected.
@@ -188,6 +205,8 @@ class RepairDriver {
   bool is_stopped_ = false;
   RepairLog log_;
   std::vector<AppliedOperation> applied_;
+  /// The vertices that a pass has changed since it began with a length, by key.
+  std::vector<Index> changed_vertices_;
   BannedOperations banned_;
   /// By the name of the pass.
   std::map<std::string_view, CostlyIdleRun> costly_idle_runs_;
