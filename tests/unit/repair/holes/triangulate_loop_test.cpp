@@ -168,34 +168,56 @@ TEST(TriangulateLargeLoop, FillsASpiral) {
   }
 }
 
-TEST(TriangulateLargeLoop, FillsASlotThatWindsRoundACylinderAlongIt) {
-  // A strip of the unit cylinder, more than once round, so that it covers itself from every side.
-  constexpr int kSteps = 300;
-  constexpr double kWidth = 0.2;
-  constexpr double kTurn = 2.2 * std::numbers::pi;
+/// A strip of the unit cylinder, more than once round, so that it covers itself from every side.
+struct WindingSlot {
+  static constexpr double kWidth = 0.2;
+  static constexpr double kTurn = 2.2 * std::numbers::pi;
   std::vector<Vec3> points;
+  /// Of the faces beyond the edges.
   std::vector<Vec3> normals;
-  const auto add = [&](int i, double height, double half_step) {
+
+  WindingSlot() {
+    for (int i = 0; i <= kSteps; ++i) add(i, 0.0, 0.5);
+    for (int i = kSteps; i >= 0; --i) add(i, kWidth, -0.5);
+  }
+
+ private:
+  static constexpr int kSteps = 300;
+
+  void add(int i, double height, double half_step) {
     const double turn = kTurn * i / kSteps;
     points.emplace_back(std::cos(turn), std::sin(turn), 0.1 * turn + height);
     const double middle = turn + half_step * kTurn / kSteps;
     normals.emplace_back(std::cos(middle), std::sin(middle), 0.0);
-  };
-  for (int i = 0; i <= kSteps; ++i) add(i, 0.0, 0.5);
-  for (int i = kSteps; i >= 0; --i) add(i, kWidth, -0.5);
-  Loop loop(points, normals);
-  for (const LoopWeight weight : {LoopWeight::BendThenArea, LoopWeight::Flat}) {
+  }
+};
+
+TEST(TriangulateLargeLoop, FillsASlotThatWindsRoundACylinderAlongIt) {
+  const WindingSlot slot;
+  Loop loop(slot.points, slot.normals);
+  for (const LoopWeight weight : {LoopWeight::BendThenArea, LoopWeight::Area}) {
     loop.rules().weight = weight;
     const auto found = triangulate_large_loop(loop.polygon(), loop.rules());
     ASSERT_TRUE(found);
     // Unrolled, the strip is a parallelogram with the base kTurn and the height kWidth. Triangles
     // that lie along it are chords of the cylinder, which have hardly less area.
-    EXPECT_NEAR(loop.area(*found), kTurn * kWidth, 0.01 * kTurn * kWidth);
+    const double area = WindingSlot::kTurn * WindingSlot::kWidth;
+    EXPECT_NEAR(loop.area(*found), area, 0.01 * area);
     for (const Triangle& t : *found) {
-      const Vec3 middle = (points[t[0]] + points[t[1]] + points[t[2]]) / 3.0;
+      const Vec3 middle = (slot.points[t[0]] + slot.points[t[1]] + slot.points[t[2]]) / 3.0;
       EXPECT_GT(middle.head<2>().norm(), 0.95);
     }
   }
+}
+
+TEST(TriangulateLargeLoop, FlatTriangulationDoesNotDependOnTheFacesBeyond) {
+  const WindingSlot slot;
+  Loop with(slot.points, slot.normals);
+  Loop without(slot.points);
+  with.rules().weight = LoopWeight::Flat;
+  without.rules().weight = LoopWeight::Flat;
+  EXPECT_EQ(triangulate_large_loop(with.polygon(), with.rules()),
+            triangulate_large_loop(without.polygon(), without.rules()));
 }
 
 }  // namespace

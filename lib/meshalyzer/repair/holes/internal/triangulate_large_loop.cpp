@@ -43,10 +43,12 @@ Vec3 normal_round(const LoopPolygon& polygon, std::size_t corner) {
   return polygon.normals[corner] + polygon.normals[corner == 0 ? polygon.size() - 1 : corner - 1];
 }
 
-/// Tells whether an ear is neither thin nor bent from the surface round its tip. Along a straight
-/// border round a body, thin fans from the end of the border are bent.
-bool is_good(const LoopPolygon& polygon, const Triangle& ear) {
+/// Tells whether an ear is neither thin nor, unless the loop is taken for flat, bent from the
+/// surface round its tip. Along a straight border round a body, thin fans from the end of the
+/// border are bent.
+bool is_good(const LoopPolygon& polygon, LoopWeight weight, const Triangle& ear) {
   const CandidateTriangle measured = measure_ear(polygon, ear);
+  if (weight == LoopWeight::Flat) return measured.fault == TriangleFault::None;
   const Vec3 round = normal_round(polygon, ear[1]).stableNormalized();
   return measured.fault == TriangleFault::None && bend_between(measured.normal, round) == 0.0;
 }
@@ -54,10 +56,10 @@ bool is_good(const LoopPolygon& polygon, const Triangle& ear) {
 /// Returns rules that cut the ears with the shortest chord first, bad ones later.
 EarRules ear_rules(const LoopPolygon& polygon, const LoopRules& rules) {
   return {.cost =
-              [&polygon](const Triangle& ear) {
+              [&polygon, &rules](const Triangle& ear) {
                 const double chord =
                     (polygon.points[ear[2]] - polygon.points[ear[0]]).squaredNorm();
-                return is_good(polygon, ear) ? chord : kBadEarFactor * chord;
+                return is_good(polygon, rules.weight, ear) ? chord : kBadEarFactor * chord;
               },
           .allows =
               [&polygon, &rules](const Triangle& ear) {
@@ -154,6 +156,7 @@ std::optional<std::vector<Triangle>> triangulate_large_loop(const LoopPolygon& p
   }
   const PlaneView whole = choose_view(polygon.points);
   auto in_one_view = triangulate_in_views(polygon, rules, {whole});
+  if (rules.weight == LoopWeight::Flat) return in_one_view;
   std::vector<PlaneView> views = views_of_surface(polygon, whole);
   const bool is_seen_whole = std::all_of(views.begin(), views.end(), [&](const PlaneView& view) {
     return view.dropped == whole.dropped && view.sense == whole.sense;

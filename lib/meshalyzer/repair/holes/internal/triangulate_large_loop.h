@@ -18,7 +18,8 @@ inline constexpr std::size_t kSmallLoop = 192;
 /// simple polygon, no two triangles overlap in it. If it is none, the remaining ears are cut in
 /// order once no proper ear is left. A slot round a body is no simple polygon from any side: ears
 /// are also cut in the projections that show the faces beyond them best, and of both triangulations
-/// the one that bends less from these faces is taken.
+/// the one that bends less from these faces is taken. With LoopWeight::Flat the faces beyond do not
+/// count.
 ///
 /// @return      The triangles as triangulate_loop() returns them.
 /// @complexity  O(n log n) for loops whose corners are about evenly spread.
