@@ -14,7 +14,6 @@
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <numeric>
 #include <string>
@@ -70,11 +69,6 @@ void add_patch(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patc
 
 /// More loops than this are not joined to one.
 constexpr std::size_t kMaxIslands = 64;
-
-/// Sheets are joined to a hole if they are within these fractions of its size from the patch, the
-/// nearer ones first: a patch over a hole in a curved surface keeps no closer to what was lost, but
-/// what is farther may belong elsewhere and spoil the patch.
-constexpr std::array kSharesOfFacing{0.05, 0.1};
 
 /// Tells which loops may be filled; some of the others may still be joined to one of these.
 struct Choice {
@@ -232,35 +226,25 @@ class HoleFiller {
   }
 
   /// Joins a loop with the sheets that face its patch: they would stay open, or get a patch of
-  /// their own beside it.
+  /// their own beside it. The patch of the joined loop may be nearer to more of them.
   [[nodiscard]] FilledLoop with_sheets(FilledLoop filled) const {
     const std::size_t i = filled.members.front();
-    for (const double share : kSharesOfFacing) {
-      while (std::optional<FilledLoop> next = with_more_sheets(i, filled, share)) {
-        filled = std::move(*next);
-      }
+    std::vector<std::size_t> joined;
+    while (true) {
+      std::vector<std::size_t> facing = sheets_facing(filled.patch, i);
+      facing.insert(facing.end(), joined.begin(), joined.end());
+      sort_unique(facing);
+      if (facing.size() == joined.size()) return filled;
+      std::optional<FilledLoop> next = try_joined(i, facing);
+      if (!next || !bends_less(*next, filled)) return filled;
+      filled = std::move(*next);
+      joined = std::move(facing);
     }
-    return filled;
-  }
-
-  /// Joins a loop with the sheets that its patch is near to, and with those that it has already;
-  /// the new patch may be nearer to more.
-  [[nodiscard]] std::optional<FilledLoop> with_more_sheets(std::size_t i, const FilledLoop& filled,
-                                                           double share) const {
-    std::vector<std::size_t> others = sheets_facing(filled.patch, i, share);
-    others.insert(others.end(), filled.members.begin(), filled.members.end());
-    sort_unique(others);
-    if (others.size() == filled.members.size()) return std::nullopt;
-    std::erase(others, i);
-    std::optional<FilledLoop> next = try_joined(i, std::move(others));
-    if (next && !bends_less(*next, filled)) next.reset();
-    return next;
   }
 
   /// Returns the loops of sheets that face a patch.
-  [[nodiscard]] std::vector<std::size_t> sheets_facing(const Patch& patch, std::size_t i,
-                                                       double share) const {
-    std::vector<std::size_t> found = islands_.facing(patch, i, share);
+  [[nodiscard]] std::vector<std::size_t> sheets_facing(const Patch& patch, std::size_t i) const {
+    std::vector<std::size_t> found = islands_.facing(patch, i);
     std::erase_if(found, [&](std::size_t k) {
       return choice_.may_be_sheet[k] == 0 || choice_.may_join[k] == 0 || !is_free(k);
     });

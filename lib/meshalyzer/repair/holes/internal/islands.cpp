@@ -12,6 +12,8 @@ namespace {
 /// The maximum distance of a loop from a patch that it lies on, as a fraction of the diagonal of
 /// the patch's loop.
 constexpr double kReach = 1e-3;
+/// The same for a loop that faces the patch's loop.
+constexpr double kReachOfFacing = 0.1;
 /// The maximum number of pairs of vertices that are compared to find the gap between two loops.
 constexpr std::size_t kMaxPairsOfGap = 10'000'000;
 /// A way at less than 60 degrees to the faces beyond a border leads over them.
@@ -147,11 +149,10 @@ std::vector<std::size_t> Islands::lying_on(const Patch& patch, std::size_t of_lo
   return inner_borders(candidates(of_loop), of_loop, patch, share_of(of_loop, kReach));
 }
 
-std::vector<std::size_t> Islands::facing(const Patch& patch, std::size_t of_loop,
-                                         double share) const {
+std::vector<std::size_t> Islands::facing(const Patch& patch, std::size_t of_loop) const {
   Box3 box = boxes_[of_loop];
   for (const Vec3& p : patch.added) box.extend(p);
-  const double reach = share_of(of_loop, share);
+  const double reach = share_of(of_loop, kReachOfFacing);
   return inner_borders(others_in(box, reach, of_loop), of_loop, patch, reach);
 }
 

@@ -27,11 +27,9 @@ class Islands {
   /// one's size. Ascending.
   [[nodiscard]] std::vector<std::size_t> lying_on(const Patch& patch, std::size_t of_loop) const;
 
-  /// Returns the inner borders within a distance of the patch of an outer one. Ascending.
-  ///
-  /// @param share  The distance as a fraction of the size of the outer border.
-  [[nodiscard]] std::vector<std::size_t> facing(const Patch& patch, std::size_t of_loop,
-                                                double share) const;
+  /// Returns the inner borders within a tenth of the size of an outer one from its patch: a patch
+  /// over a hole in a curved surface keeps no closer to what was lost. Ascending.
+  [[nodiscard]] std::vector<std::size_t> facing(const Patch& patch, std::size_t of_loop) const;
 
   /// Returns the loops in the box of another one with one of these faces beyond an edge. Ascending.
   ///
