@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/holes/internal/islands.h"
 
+#include "meshalyzer/repair/holes/internal/join_loops.h"
 #include "meshalyzer/spatial/closest_point.h"
 #include "meshalyzer/topology/components.h"
 
