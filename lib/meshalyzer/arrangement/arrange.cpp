@@ -9,6 +9,7 @@
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/self_intersection.h"
 
+#include <limits>
 #include <utility>
 
 namespace meshalyzer {
@@ -101,6 +102,11 @@ std::vector<EdgeNode> collect_edge_nodes(std::vector<EdgeNode> own,
 }  // namespace
 
 Arrangement arrange(const Soup& soup, std::span<const IntersectingPair> pairs) {
+  return *arrange_within(soup, pairs, std::numeric_limits<std::size_t>::max());
+}
+
+std::optional<Arrangement> arrange_within(const Soup& soup, std::span<const IntersectingPair> pairs,
+                                          std::size_t max_pieces) {
   require_faces(soup, pairs);
   const std::vector<FaceSimplex> simplices = simplices_of(soup, pairs);
   const FaceContacts contacts = find_contacts(soup, simplices, pairs);
@@ -109,6 +115,10 @@ Arrangement arrange(const Soup& soup, std::span<const IntersectingPair> pairs) {
   const auto crossings = find_crossings(simplices, clusters, points);
   const NamedPoints crossing_points = name_crossings(soup, crossings);
   Nodes nodes = unite_points(points, crossing_points);
+  if (nodes.points.size() > soup.n_vertices() &&
+      nodes.points.size() - soup.n_vertices() > max_pieces) {
+    return std::nullopt;
+  }
 
   const std::vector<Index> flat_faces = find_flat_faces(soup);
   const std::vector<VertexPair> flat_edges = edges_of_faces(soup, flat_faces);
@@ -120,13 +130,15 @@ Arrangement arrange(const Soup& soup, std::span<const IntersectingPair> pairs) {
                                                          clusters, crossings);
   const std::vector<EdgeNode> edge_nodes =
       collect_edge_nodes(find_edge_nodes(simplices, contacts, points, nodes), pieces);
-  return assemble({.soup = soup,
-                   .simplices = simplices,
-                   .points = points,
-                   .clusters = pieces,
-                   .flat_faces = flat_faces,
-                   .edge_nodes = edge_nodes},
-                  std::move(nodes));
+  Arrangement arrangement = assemble({.soup = soup,
+                                      .simplices = simplices,
+                                      .points = points,
+                                      .clusters = pieces,
+                                      .flat_faces = flat_faces,
+                                      .edge_nodes = edge_nodes},
+                                     std::move(nodes));
+  if (arrangement.pieces.size() > max_pieces) return std::nullopt;
+  return arrangement;
 }
 
 Arrangement arrange(const Soup& soup) {

@@ -4,6 +4,10 @@
 #include "meshalyzer/mesh/soup.h"
 #include "meshalyzer/spatial/intersecting_pair.h"
 
+#include <cstddef>
+#include <optional>
+#include <span>
+
 namespace meshalyzer {
 
 /// Cuts a soup along its self-intersections.
@@ -20,6 +24,15 @@ namespace meshalyzer {
 /// @complexity   O(#F + n log n) for n points, plus the comparison of the segments in a face whose
 ///               boxes meet.
 [[nodiscard]] Arrangement arrange(const Soup& soup, std::span<const IntersectingPair> pairs);
+
+/// Cuts a soup along its self-intersections, unless that makes too many pieces. Faces are not even
+/// cut if there are too many points to cut them at: each adds a piece to a face that it lies on.
+///
+/// @param max_pieces  The maximum number of pieces, and of nodes beside the vertices.
+/// @return            The same as arrange(), or nothing if there would be more.
+[[nodiscard]] std::optional<Arrangement> arrange_within(const Soup& soup,
+                                                        std::span<const IntersectingPair> pairs,
+                                                        std::size_t max_pieces);
 
 /// Finds the intersecting pairs of a soup and cuts it along them.
 [[nodiscard]] Arrangement arrange(const Soup& soup);

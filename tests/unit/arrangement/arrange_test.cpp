@@ -1,6 +1,8 @@
 #include "meshalyzer/arrangement/arrange.h"
 
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/mesh/build.h"
+#include "meshalyzer/spatial/self_intersection.h"
 #include "support/arrangement_oracle.h"
 #include "support/effort.h"
 #include "support/shapes.h"
@@ -247,6 +249,19 @@ TEST(Arrange, WindingNumbersStay) {
   const Arrangement arrangement = arrange(soup);
   EXPECT_EQ(test::arrangement_fault(soup, arrangement), "");
   EXPECT_EQ(test::winding_fault(soup, arrangement, 1000 / test::one_of()), "");
+}
+
+TEST(Arrange, NothingIsReturnedBeyondTheMaximumNumberOfPieces) {
+  const Soup soup =
+      shapes::merged(shapes::cube(), shapes::translated(shapes::cube(), {0.1, 0.2, 0.3}));
+  const CutMesh cut = build(soup);
+  const std::vector<IntersectingPair> pairs = find_self_intersections(cut, FaceTree(cut));
+  const std::vector<Triangle> pieces = arrange(soup, pairs).pieces;
+  EXPECT_EQ(arrange_within(soup, pairs, pieces.size())->pieces, pieces);
+  // None of the maxima below is enough, whether it is noticed before the faces are cut or after.
+  for (std::size_t max = 0; max < pieces.size(); ++max) {
+    EXPECT_FALSE(arrange_within(soup, pairs, max)) << max;
+  }
 }
 
 TEST(Arrange, PairsOfFacesInNoComplexAreRefused) {

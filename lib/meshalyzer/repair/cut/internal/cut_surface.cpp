@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -175,12 +176,11 @@ class CuttingRounds {
   }
 
   void cut_once(const CutMesh& cut, const FaceTree& tree, const Pairs& pairs) {
-    const Arrangement arrangement = arrange(soup_, pairs);
-    if (input_.wants_to_stop()) return give_up(pairs);
-    if (arrangement.pieces.size() > kMorePieces + kPiecesAFace * mesh_.soup().n_faces()) {
-      result_.has_too_many_pieces = true;
-      return give_up(pairs);
-    }
+    const std::size_t max_pieces = kMorePieces + kPiecesAFace * mesh_.soup().n_faces();
+    const std::optional<Arrangement> arranged = arrange_within(soup_, pairs, max_pieces);
+    result_.has_too_many_pieces = !arranged;
+    if (!arranged || input_.wants_to_stop()) return give_up(pairs);
+    const Arrangement& arrangement = *arranged;
     const Cells cells = find_cells(soup_, arrangement);
     const std::vector<PieceClass> classes =
         select_pieces({soup_, cut, tree, arrangement, cells},
