@@ -256,6 +256,10 @@ TEST(RetractCap, ApexBeyondTheFaceThatWouldBeSplitIsLeft) {
   const MendFixture fixture(soup, 0.1, {0});
   EXPECT_EQ(retract_cap(fixture.mesh, fixture.rules, 0, RetractGain::FewerThin).outcome,
             MendOutcome::TurnsOver);
+  // The same is true where the face is thin itself, and its halves are.
+  const MendFixture thin(soup, 0.13, {0, 1});
+  EXPECT_EQ(retract_cap(thin.mesh, thin.rules, 0, RetractGain::FewerThin).outcome,
+            MendOutcome::TurnsOver);
 }
 
 TEST(WorkingMesh, FacesAtAMovedVertexAreJudgedAnew) {

@@ -125,7 +125,7 @@ class Retraction {
         const bool is_sound = now.is_sound(rules_.tolerance());
         n_thin_after += is_sound ? 0U : 1U;
         const double agreement = now.normal.dot(old.normal);
-        if (is_sound ? !(agreement > 0.0) : !mesh_.is_thin(split.face) && agreement < 0.0) {
+        if (is_sound ? !(agreement > 0.0) : agreement < 0.0) {
           return MendOutcome::TurnsOver;
         }
       }
