@@ -220,7 +220,8 @@ class HoleFiller {
     Filling filling = fill_loop(task_, alone);
     if (filling.patch) {
       accept(with_sheets({alone, {i}, std::move(*filling.patch)}));
-    } else if (!fill_joined(i, islands_.along(filling.met_faces, i))) {
+    } else if (!filling.first ||
+               !fill_joined(i, islands_.along(faces_met(task_.mesh, *filling.first), i))) {
       failures_.push_back({i, std::move(filling.reason)});
     }
   }

@@ -30,6 +30,7 @@ class LoopFiller {
       : task_(task),
         loop_(loop.loop),
         polygon_(make_polygon(task.mesh, loop.loop, task.degeneracy)),
+        checker_(task.mesh),
         rules_{.existing = &task.existing, .bridges = loop.bridges} {}
 
   [[nodiscard]] std::optional<Patch> triangulated() const {
@@ -50,6 +51,7 @@ class LoopFiller {
     if (!filling_.patch) {
       filling_.reason = has_tried_ ? "every patch tried intersects the mesh"
                                    : "every patch would give an edge a third face";
+      filling_.first = std::move(first_);
     }
     return std::move(filling_);
   }
@@ -73,12 +75,10 @@ class LoopFiller {
       std::optional<Patch> patch = triangulated();
       if (!patch) continue;
       has_tried_ = true;
-      PatchFaults faults = check_patch(task_.mesh, *patch);
+      const PatchFaults faults = checker_.check(*patch);
       if (faults.empty()) return patch;
       for (const Index t : faults.meeting) met.push_back(patch->triangles[t]);
-      if (first_) continue;
-      first_ = std::move(patch);
-      filling_.met_faces = std::move(faults.met_faces);
+      if (!first_) first_ = std::move(patch);
     }
     return std::nullopt;
   }
@@ -125,6 +125,7 @@ class LoopFiller {
   const FillTask& task_;
   const HoleLoop& loop_;
   LoopPolygon polygon_;
+  TriangulationChecker checker_;
   LoopRules rules_;
   Filling filling_;
   bool has_tried_ = false;

@@ -6,7 +6,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace meshalyzer {
 
@@ -16,8 +15,8 @@ struct Filling {
   std::optional<Patch> patch;
   /// The reason why there is none.
   std::string reason;
-  /// The file faces that the first patch tried intersects. Ascending.
-  std::vector<Index> met_faces;
+  /// The first triangulation tried, if there is no patch; nothing if none was possible.
+  std::optional<Patch> first;
 };
 
 /// Returns the patch that is tried first; nothing if no triangulation is possible.

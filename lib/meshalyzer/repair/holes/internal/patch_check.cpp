@@ -72,36 +72,57 @@ bool intersects_itself(const Soup& soup, const CutMesh& cut, const FaceTree& tre
   return any.is_found();
 }
 
-bool is_torn(const Soup& soup, const CutMesh& cut) {
-  return cut.side.faces.size() != soup.n_faces() || !cut.side.copies.empty() ||
-         cut.side.non_manifold_edges.size() != 0 || cut.side.flipped_edges.size() != 0;
-}
+/// A patch, and the tree of its faces.
+class PlacedPatch {
+ public:
+  PlacedPatch(const PreparedMesh& mesh, const Patch& patch)
+      : mesh_(mesh),
+        patch_(patch),
+        own_(make_soup(mesh.soup(), patch)),
+        cut_(build(own_.soup)),
+        tree_(cut_) {}
 
-/// Tells whether a face of a patch is in contact with one of the mesh.
-bool are_meeting(const PatchSoup& patch, const FaceTree& tree, std::size_t slot,
-                 const FaceTree& mesh_tree, std::size_t mesh_slot) {
-  PlacedFace face = placed(tree, slot);
-  for (Index& v : face.vertices) v = patch.vertices[v];
-  return are_in_contact_beyond_copies(face, placed(mesh_tree, mesh_slot));
-}
+  [[nodiscard]] const Soup& soup() const { return own_.soup; }
+  [[nodiscard]] const CutMesh& cut() const { return cut_; }
+  [[nodiscard]] const FaceTree& tree() const { return tree_; }
 
-/// Adds the common faces of a patch and the mesh.
-void find_meetings_with_mesh(const PreparedMesh& mesh, const PatchSoup& patch, const FaceTree& tree,
-                             PatchFaults& faults) {
-  const BoxMeetings meetings(tree, mesh.tree());
-  std::vector<std::vector<std::array<Index, 2>>> parts(meetings.n_chunks());
-  meetings.run([&](std::size_t chunk, std::size_t slot, std::size_t mesh_slot) {
-    if (are_meeting(patch, tree, slot, mesh.tree(), mesh_slot)) {
-      parts[chunk].push_back({tree.mesh_face(slot), mesh.tree().mesh_face(mesh_slot)});
+  [[nodiscard]] bool is_torn() const {
+    return cut_.side.faces.size() != own_.soup.n_faces() || !cut_.side.copies.empty() ||
+           cut_.side.non_manifold_edges.size() != 0 || cut_.side.flipped_edges.size() != 0;
+  }
+
+  [[nodiscard]] Index face(std::size_t slot) const {
+    return cut_.side.faces[tree_.mesh_face(slot)];
+  }
+
+  /// Tells whether a face of the patch is in contact with one of the mesh.
+  [[nodiscard]] bool are_meeting(std::size_t slot, std::size_t mesh_slot) const {
+    const Triangle& t = patch_.triangles[face(slot)];
+    return are_in_contact_beyond_copies({t, corners_of(mesh_.soup(), patch_, t)},
+                                        placed(mesh_.tree(), mesh_slot));
+  }
+
+ private:
+  const PreparedMesh& mesh_;
+  const Patch& patch_;
+  PatchSoup own_;
+  CutMesh cut_;
+  FaceTree tree_;
+};
+
+/// Tells for each face of a patch whether it is in contact with the mesh.
+std::vector<std::uint8_t> find_meeting_faces(const PreparedMesh& mesh, const Patch& patch) {
+  const PlacedPatch placed(mesh, patch);
+  std::vector<std::uint8_t> is_meeting(patch.triangles.size(), 0);
+  const BoxMeetings meetings(placed.tree(), mesh.tree());
+  meetings.run([&](std::size_t, std::size_t slot, std::size_t mesh_slot) {
+    const std::atomic_ref known(is_meeting[placed.face(slot)]);
+    if (known.load(std::memory_order_relaxed) == 0 && placed.are_meeting(slot, mesh_slot)) {
+      known.store(1, std::memory_order_relaxed);
     }
     return BoxMeetings::Next::GoOn;
   });
-  for (const auto& part : parts) {
-    for (const auto& [triangle, mesh_face] : part) {
-      faults.meeting.push_back(triangle);
-      faults.met_faces.push_back(mesh.cut().side.faces[mesh_face]);
-    }
-  }
+  return is_meeting;
 }
 
 }  // namespace
@@ -134,34 +155,62 @@ PatchSoup make_soup(const Soup& mesh, const Patch& patch) {
   return result;
 }
 
-PatchFaults check_patch(const PreparedMesh& mesh, const Patch& patch) {
+PatchFaults TriangulationChecker::check(const Patch& patch) {
   PatchFaults faults;
-  const PatchSoup own = make_soup(mesh.soup(), patch);
-  const CutMesh cut = build(own.soup);
-  faults.is_torn = is_torn(own.soup, cut);
+  const PlacedPatch placed(mesh_, patch);
+  faults.is_torn = placed.is_torn();
   if (faults.is_torn) return faults;
-  const FaceTree tree(cut);
-  for (const IntersectingPair& pair : own_intersections(own.soup, cut, tree)) {
+  for (const IntersectingPair& pair :
+       own_intersections(placed.soup(), placed.cut(), placed.tree())) {
     faults.meeting.push_back(pair.face_a);
     faults.meeting.push_back(pair.face_b);
   }
-  find_meetings_with_mesh(mesh, own, tree, faults);
+  compare_new_triangles(patch);
+  for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
+    if (is_meeting_.at(patch.triangles[i])) faults.meeting.push_back(static_cast<Index>(i));
+  }
   sort_unique(faults.meeting);
-  sort_unique(faults.met_faces);
   return faults;
 }
 
+void TriangulationChecker::compare_new_triangles(const Patch& patch) {
+  Patch unknown;
+  for (const Triangle& t : patch.triangles) {
+    if (!is_meeting_.contains(t)) unknown.triangles.push_back(t);
+  }
+  if (unknown.triangles.empty()) return;
+  const std::vector<std::uint8_t> is_meeting = find_meeting_faces(mesh_, unknown);
+  for (std::size_t i = 0; i < unknown.triangles.size(); ++i) {
+    is_meeting_.emplace(unknown.triangles[i], is_meeting[i] != 0);
+  }
+}
+
 bool is_sound(const PreparedMesh& mesh, const Patch& patch) {
-  const PatchSoup own = make_soup(mesh.soup(), patch);
-  const CutMesh cut = build(own.soup);
-  if (is_torn(own.soup, cut)) return false;
-  const FaceTree tree(cut);
+  const PlacedPatch placed(mesh, patch);
+  if (placed.is_torn()) return false;
   const auto stop_at_contact = [&](std::size_t, std::size_t slot, std::size_t mesh_slot) {
-    return are_meeting(own, tree, slot, mesh.tree(), mesh_slot) ? BoxMeetings::Next::Stop
-                                                                : BoxMeetings::Next::GoOn;
+    return placed.are_meeting(slot, mesh_slot) ? BoxMeetings::Next::Stop : BoxMeetings::Next::GoOn;
   };
-  return BoxMeetings(tree, mesh.tree()).run(stop_at_contact) == BoxMeetings::Next::GoOn &&
-         !intersects_itself(own.soup, cut, tree);
+  const BoxMeetings meetings(placed.tree(), mesh.tree());
+  return meetings.run(stop_at_contact) == BoxMeetings::Next::GoOn &&
+         !intersects_itself(placed.soup(), placed.cut(), placed.tree());
+}
+
+std::vector<Index> faces_met(const PreparedMesh& mesh, const Patch& patch) {
+  const PlacedPatch placed(mesh, patch);
+  if (placed.is_torn()) return {};
+  const BoxMeetings meetings(placed.tree(), mesh.tree());
+  std::vector<std::vector<Index>> parts(meetings.n_chunks());
+  meetings.run([&](std::size_t chunk, std::size_t slot, std::size_t mesh_slot) {
+    if (placed.are_meeting(slot, mesh_slot)) {
+      parts[chunk].push_back(mesh.cut().side.faces[mesh.tree().mesh_face(mesh_slot)]);
+    }
+    return BoxMeetings::Next::GoOn;
+  });
+  std::vector<Index> met;
+  for (const auto& part : parts) met.insert(met.end(), part.begin(), part.end());
+  sort_unique(met);
+  return met;
 }
 
 std::vector<std::uint8_t> keep_apart(const PreparedMesh& mesh, std::span<const Patch> patches) {

@@ -3,6 +3,7 @@
 #include "meshalyzer/base/corners.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 
+#include <map>
 #include <span>
 #include <vector>
 
@@ -28,21 +29,38 @@ struct PatchFaults {
   /// The faces of the patch, by index, that are in contact with the mesh or with each other.
   /// Ascending.
   std::vector<Index> meeting;
-  /// The file faces that the patch is in contact with. Ascending.
-  std::vector<Index> met_faces;
 
   [[nodiscard]] bool empty() const { return !is_torn && meeting.empty(); }
 };
 
-/// Checks, exactly, that a patch intersects neither the mesh nor itself (doc/definitions.md). A
-/// contact at nothing but two copies of one vertex does not count: the faces beyond the border have
-/// it already, and another pass parts the copies.
+/// Checks, exactly, that the triangulations that are tried for a hole intersect neither the mesh
+/// nor themselves (doc/definitions.md). A contact at nothing but two copies of one vertex does not
+/// count: the faces beyond the border have it already, and another pass parts the copies.
 ///
-/// @complexity  O(n log #F + candidates).
-[[nodiscard]] PatchFaults check_patch(const PreparedMesh& mesh, const Patch& patch);
+/// Most triangles are in many of these triangulations. Whether one of them is in contact with the
+/// mesh is found once.
+class TriangulationChecker {
+ public:
+  /// @param mesh  Must outlive this unchanged.
+  explicit TriangulationChecker(const PreparedMesh& mesh) : mesh_(mesh) {}
 
-/// Tells whether check_patch() finds no fault. The search ends at the first one.
+  /// @param patch  Has no added vertices.
+  /// @complexity   O(n log #F + candidates).
+  [[nodiscard]] PatchFaults check(const Patch& patch);
+
+ private:
+  void compare_new_triangles(const Patch& patch);
+
+  const PreparedMesh& mesh_;
+  /// By triangle: whether it is in contact with the mesh.
+  std::map<Triangle, bool> is_meeting_;
+};
+
+/// Tells whether a patch has no fault. The search ends at the first one.
 [[nodiscard]] bool is_sound(const PreparedMesh& mesh, const Patch& patch);
+
+/// Returns the file faces that a patch is in contact with, ascending; none if it is torn.
+[[nodiscard]] std::vector<Index> faces_met(const PreparedMesh& mesh, const Patch& patch);
 
 /// Finds the patches that intersect an earlier one that is kept: the result is 1 for patches that
 /// are kept.

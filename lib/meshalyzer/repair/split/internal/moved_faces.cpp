@@ -56,7 +56,6 @@ std::vector<Index> MovedMesh::faces_near(const Box3& box) const {
   for (const std::size_t slot : nodes) {
     faces.push_back(mesh_.cut().side.faces[tree.mesh_face(slot)]);
   }
-  std::sort(faces.begin(), faces.end());
   return faces;
 }
 
@@ -80,6 +79,7 @@ Move::Move(const MovedMesh& mesh, std::span<const Index> vertices, std::span<con
     is_crowded_ = pairs_.size() > max_pairs;
     if (is_crowded_) return;
   }
+  std::sort(pairs_.begin(), pairs_.end());
   std::stable_partition(pairs_.begin(), pairs_.end(),
                         [&](const Pair& pair) { return is_at_place(pair[1]); });
 }

@@ -25,7 +25,7 @@ class MovedMesh {
 
   void move(std::span<const Index> vertices, const Vec3& to);
 
-  /// Returns the faces of the complex that may share a point with a box after all moves, ascending.
+  /// Returns the faces of the complex that may share a point with a box after all moves.
   [[nodiscard]] std::vector<Index> faces_near(const Box3& box) const;
 
  private:
