@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -20,6 +22,7 @@ namespace {
 constexpr double kUnit = 0x1p-53;
 constexpr double kBound2 = 2 * 4 * kUnit * 1.01;
 constexpr double kBound3 = 6 * 8 * kUnit * 1.01;
+constexpr double kBoundOfProduct = 8 * kUnit * 1.01;
 
 // Within these magnitudes no product of two or three entries, nor the error bound, overflows or
 // loses bits to underflow.
@@ -52,6 +55,43 @@ std::optional<Sign> filtered(double determinant, double bound, double scales_min
     return -1;
   }
   return std::nullopt;
+}
+
+/// Tells whether an entry is zero, which is exact, or within the magnitudes above.
+bool is_usual(double entry) {
+  return entry == 0.0 || (std::abs(entry) > kSmall && std::abs(entry) < kLarge);
+}
+
+double magnitude(const Vec3& point) {
+  return largest(point.x(), point.y(), point.z());
+}
+
+/// Does the same as orient3d_if_sure(), with more work, for points of very different magnitudes:
+/// the differences are to the point with the smallest coordinates, of which nothing would be left
+/// in differences from a point that is far out, and the bound is the sum of the products, of each
+/// of which the error is at most 8u.
+std::optional<Sign> orient3d_if_sure_of_products(std::array<const Vec3*, 4> points) {
+  const auto smallest =
+      std::min_element(points.begin(), points.end(),
+                       [](const Vec3* p, const Vec3* q) { return magnitude(*p) < magnitude(*q); });
+  const Sign sign = smallest == points.begin() ? 1 : -1;
+  std::iter_swap(points.begin(), smallest);
+  std::array<Vec3, 3> rows;
+  for (std::size_t i = 0; i < 3; ++i) rows[i] = *points[i + 1] - *points[0];
+  double determinant = 0.0;
+  double sum = 0.0;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const auto [i, j] = std::pair{(k + 1) % 3, (k + 2) % 3};
+    const double plus = rows[0][i] * rows[1][j];
+    const double minus = rows[0][j] * rows[1][i];
+    determinant += rows[2][k] * (plus - minus);
+    sum += std::abs(rows[2][k]) * (std::abs(plus) + std::abs(minus));
+  }
+  const bool is_safe = std::all_of(rows.begin(), rows.end(), [](const Vec3& row) {
+    return is_usual(row.x()) && is_usual(row.y()) && is_usual(row.z());
+  });
+  if (!is_safe || std::abs(determinant) <= kBoundOfProduct * sum) return std::nullopt;
+  return determinant > 0.0 ? sign : -sign;
 }
 
 using Exact = CGAL::Mpzf;
@@ -99,8 +139,9 @@ std::optional<Sign> orient3d_if_sure(const Vec3& a, const Vec3& b, const Vec3& c
 }
 
 Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const std::optional<Sign> sure = orient3d_if_sure(a, b, c, d);
-  return sure ? *sure : exact_orient3d(a, b, c, d);
+  if (const std::optional<Sign> sure = orient3d_if_sure(a, b, c, d)) return *sure;
+  if (const std::optional<Sign> sure = orient3d_if_sure_of_products({&a, &b, &c, &d})) return *sure;
+  return exact_orient3d(a, b, c, d);
 }
 
 std::optional<Sign> orient2d_if_sure(Axis dropped, const Vec3& a, const Vec3& b, const Vec3& c) {

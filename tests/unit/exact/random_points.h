@@ -23,6 +23,8 @@ enum class Cloud {
   TinyProducts2d,
   /// Coordinates about 1e200, 1 and 1e-200: products overflow and underflow.
   Mixed,
+  /// Of all magnitudes of float, some zero, as if the bytes of an STL file were shifted.
+  Spread,
   /// Near the largest double: differences overflow.
   Huge,
   /// Whole numbers -2 ... 2: often coplanar, collinear or the same.
@@ -36,8 +38,8 @@ enum class Cloud {
 
 inline constexpr Cloud kClouds[] = {Cloud::Generic,        Cloud::BitPatterns,    Cloud::Denormal,
                                     Cloud::TinyProducts3d, Cloud::TinyProducts2d, Cloud::Mixed,
-                                    Cloud::Huge,           Cloud::Lattice,        Cloud::NearPlane,
-                                    Cloud::NearLine};
+                                    Cloud::Spread,         Cloud::Huge,           Cloud::Lattice,
+                                    Cloud::NearPlane,      Cloud::NearLine};
 
 /// Random points, the same from the same seed on every platform.
 class RandomPoints {
@@ -84,6 +86,8 @@ class RandomPoints {
         return std::ldexp(uniform(), -1074 / 2);
       case Cloud::Mixed:
         return uniform() * std::pow(1e200, whole(1));
+      case Cloud::Spread:
+        return random_() % 8 == 0 ? 0.0 : std::ldexp(uniform(), static_cast<int>(whole(126)));
       case Cloud::Huge:
         return uniform() * 1.7e308;
       case Cloud::Lattice:
