@@ -138,13 +138,6 @@ double settle_cut_faces(Side& old_side, const PartsOfFaces& parts, const Distanc
   return drop_settled(distances, old_side);
 }
 
-std::vector<Box3> boxes_that_meet(const Box3& box, std::span<const Box3> boxes) {
-  std::vector<Box3> result;
-  std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(result),
-               [&](const Box3& other) { return other.intersects(box); });
-  return result;
-}
-
 /// Measures all remaining faces of a side.
 SideResult measure_side(const Side& side, const FaceTree& tree, const ClosestPoints& closest,
                         const DistanceQuery& query) {
@@ -152,10 +145,7 @@ SideResult measure_side(const Side& side, const FaceTree& tree, const ClosestPoi
   parallel_chunks(side.faces.size(), kFacesPerChunk, [&](Chunk chunk) {
     SurfaceDistance meter(tree, closest, query.bound, query.question);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const Corners corners = corners_of(side.from, side.faces[i].face);
-      distances[i] = query.doubtful
-                         ? meter.measure(corners, boxes_that_meet(box_of(corners), *query.doubtful))
-                         : meter.measure(corners);
+      distances[i] = meter.measure(corners_of(side.from, side.faces[i].face), query.doubtful);
     }
   });
   SideResult result;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <span>
@@ -107,10 +108,19 @@ FaceDistance SurfaceDistance::measure(const Corners& corners,
     } else if (known.lower > bound_ || is_precise(known) || n_pieces >= kMaxPieces) {
       return {upper_of_all, true};
     } else {
+      if (n_pieces == 1 && doubtful) doubtful = meeting(corners, *doubtful);
       divide(piece, known);
     }
   }
   return {done_, false};
+}
+
+std::span<const Box3> SurfaceDistance::meeting(const Corners& corners,
+                                               std::span<const Box3> boxes) {
+  meeting_.clear();
+  std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(meeting_),
+               [box = box_of(corners)](const Box3& other) { return other.intersects(box); });
+  return meeting_;
 }
 
 std::optional<double> SurfaceDistance::distance_from_latest(const Corners& corners) const {

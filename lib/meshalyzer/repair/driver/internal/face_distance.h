@@ -109,6 +109,8 @@ class SurfaceDistance {
   /// for and this is within it. Neighbours are mostly near to one face; where the bound is larger
   /// than most faces, nearly all are, and the nearest of them is not worth searching.
   [[nodiscard]] std::optional<double> distance_from_latest(const Corners& corners) const;
+  /// Returns the boxes that meet the box of a triangle. They last until the next call.
+  [[nodiscard]] std::span<const Box3> meeting(const Corners& corners, std::span<const Box3> boxes);
   [[nodiscard]] SurfacePoint closest(const Vec3& point);
   [[nodiscard]] Corners corners_of(Index slot) const;
   [[nodiscard]] bool is_precise(const Estimate& known) const;
@@ -132,6 +134,7 @@ class SurfaceDistance {
   /// The slot of the latest answer.
   Index hint_ = kNoIndex;
   std::vector<Piece> work_;
+  std::vector<Box3> meeting_;
 };
 
 }  // namespace meshalyzer
