@@ -29,11 +29,12 @@ constexpr std::size_t kAttemptsByAll = 10;
 constexpr std::size_t kMaxWork = 20'000'000;
 /// In a mesh with at least this number of intersecting pairs, an operation that makes faces
 /// intersect is not tried again, nor is a pass that takes time for each pair and has changed
-/// nothing, while there are no more than this fraction more or less.
+/// nothing, while there are no more than this fraction more or less. Nor is anything tried again
+/// that was banned.
 constexpr std::size_t kManyPairs = 10'000;
 constexpr double kAlikeShare = 0.1;
-/// If a mesh that a stage has made has more intersecting pairs than before, it is given up after
-/// this number of rounds, unless the last one has made them fewer.
+/// A stage that is worth its time only for pairs ends after this number of rounds, unless the last
+/// one has made them fewer. If there are more of them than before the stage, it is given up.
 constexpr std::size_t kRoundsForPairs = 2;
 /// After this number of stages, banned operations stay banned.
 constexpr std::size_t kMaxStages = 10;
@@ -72,8 +73,8 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
     if (!after) break;
     before = std::move(*after);
     // Operations that were banned because of others may be possible now; they are tried until none
-    // is left.
-    if (banned_.size() == 0) break;
+    // is left, but not in a heap of faces, where most are banned each time.
+    if (banned_.size() == 0 || mesh_.prepared().intersecting_pairs().size() >= kManyPairs) break;
     set_checkpoint();
   }
   rises_ = find_rises(*input_counts_, before);
@@ -185,9 +186,8 @@ bool RepairDriver::run_rounds(const std::vector<PlannedPass>& plan, bool may_be_
       run_unless_idle(plan[i], n_changes, idle_runs[i]);
     }
     if (n_changes == n_changes_before) return true;
-    if (may_be_given_up && round >= kRoundsForPairs && n_pairs() > n_pairs_at_first &&
-        n_pairs() >= n_pairs_before) {
-      return false;
+    if (may_be_given_up && round >= kRoundsForPairs && n_pairs() >= n_pairs_before) {
+      return n_pairs() <= n_pairs_at_first;
     }
   }
   return true;
