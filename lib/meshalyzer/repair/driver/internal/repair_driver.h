@@ -153,6 +153,8 @@ class RepairDriver {
   /// @return  The defective elements of the result; nothing if nothing was changed.
   std::optional<DefectInventory> run_stage(const std::vector<PlannedPass>& plan,
                                            const StageGate& gate);
+  /// Tells whether another stage is to try what the last one has banned.
+  [[nodiscard]] bool is_worth_trying_banned() const;
   /// @return  False if the rounds were given up, because more faces intersect than before and no
   ///          fewer than a round ago.
   [[nodiscard]] bool run_rounds(const std::vector<PlannedPass>& plan, bool may_be_given_up = false);
