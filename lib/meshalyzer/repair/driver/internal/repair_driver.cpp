@@ -36,9 +36,6 @@ constexpr double kAlikeShare = 0.1;
 /// A stage that is worth its time only for pairs ends after this number of rounds, unless the last
 /// one has made them fewer. If there are more of them than before the stage, it is given up.
 constexpr std::size_t kRoundsForPairs = 2;
-/// If more than this multiple of the operations that a stage has applied were banned, they stay
-/// banned.
-constexpr std::size_t kMostBannedPerApplied = 4;
 /// After this number of stages, banned operations stay banned.
 constexpr std::size_t kMaxStages = 10;
 
@@ -84,8 +81,7 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
 /// Operations that were banned because of others may be possible now. In a heap of faces most are
 /// banned each time.
 bool RepairDriver::is_worth_trying_banned() const {
-  return banned_.size() != 0 && banned_.size() <= kMostBannedPerApplied * applied_.size() &&
-         mesh_.prepared().intersecting_pairs().size() < kManyPairs;
+  return banned_.size() != 0 && mesh_.prepared().intersecting_pairs().size() < kManyPairs;
 }
 
 void RepairDriver::set_checkpoint() {
