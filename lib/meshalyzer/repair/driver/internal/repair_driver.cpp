@@ -33,9 +33,11 @@ constexpr std::size_t kMaxWork = 20'000'000;
 /// that was banned.
 constexpr std::size_t kManyPairs = 10'000;
 constexpr double kAlikeShare = 0.1;
-/// A stage that is worth its time only for pairs ends after this number of rounds, unless the last
-/// one has made them fewer. If there are more of them than before the stage, it is given up.
+/// If a mesh that a stage has made has more intersecting pairs than before, it is given up after
+/// this number of rounds, unless the last one has made them fewer. If it has no more than before,
+/// but still as many as this, the stage ends then.
 constexpr std::size_t kRoundsForPairs = 2;
+constexpr std::size_t kPairsOfNoProgress = 1'000;
 /// After this number of stages, banned operations stay banned.
 constexpr std::size_t kMaxStages = 10;
 
@@ -191,7 +193,8 @@ bool RepairDriver::run_rounds(const std::vector<PlannedPass>& plan, bool may_be_
     }
     if (n_changes == n_changes_before) return true;
     if (may_be_given_up && round >= kRoundsForPairs && n_pairs() >= n_pairs_before) {
-      return n_pairs() <= n_pairs_at_first;
+      if (n_pairs() > n_pairs_at_first) return false;
+      if (n_pairs() >= kPairsOfNoProgress) return true;
     }
   }
   return true;
