@@ -1,5 +1,7 @@
 #include "meshalyzer/repair/driver/internal/applied_operations.h"
 
+#include "meshalyzer/base/sort_unique.h"
+
 #include <algorithm>
 #include <iterator>
 #include <numeric>
@@ -63,18 +65,6 @@ class Suspects {
   std::map<Index, std::vector<Index>> at_vertex_;
 };
 
-/// Returns the operations that affect an element: for a pair of faces, either of them.
-std::vector<Index> suspects_of(const WorsePlace& element, const Suspects& suspects) {
-  std::vector<Index> found;
-  for (const Triangle& corners : element.corners) {
-    const std::vector<Index> more = suspects.at(corners);
-    std::vector<Index> both;
-    std::set_union(found.begin(), found.end(), more.begin(), more.end(), std::back_inserter(both));
-    found = std::move(both);
-  }
-  return found;
-}
-
 /// Keeps the operation that has most likely created an element.
 void keep_likeliest(const std::vector<AppliedOperation>& operations, CountedDefect kind,
                     std::vector<Index>& suspects) {
@@ -86,20 +76,6 @@ void keep_likeliest(const std::vector<AppliedOperation>& operations, CountedDefe
   suspects = {likeliest == suspects.rend() ? suspects.back() : *likeliest};
 }
 
-/// Returns the faces, as elements of a site, that have a corner of an element.
-std::set<std::uint64_t> site_of(const WorsePlace& element, const Soup& input,
-                                const std::vector<std::vector<Index>>& faces_at) {
-  std::set<std::uint64_t> site;
-  for (const Triangle& corners : element.corners) {
-    for (const Index v : corners) {
-      if (v >= input.n_vertices()) continue;
-      site.insert(2 * std::uint64_t{v} + 1);
-      for (const Index f : faces_at[v]) site.insert(2 * std::uint64_t{f});
-    }
-  }
-  return site;
-}
-
 std::vector<std::vector<Index>> faces_at_vertices(const Soup& soup) {
   std::vector<std::vector<Index>> faces_at(soup.n_vertices());
   for (Index f = 0; f < soup.n_faces(); ++f) {
@@ -109,6 +85,93 @@ std::vector<std::vector<Index>> faces_at_vertices(const Soup& soup) {
   }
   return faces_at;
 }
+
+/// Bans operations place by place. In a heap of faces each face is in hundreds of intersecting
+/// pairs, so what is known of a face is kept.
+class Banning {
+ public:
+  Banning(const std::vector<AppliedOperation>& operations, const Soup& input,
+          BannedOperations& banned)
+      : operations_(operations),
+        suspects_(operations),
+        input_(input),
+        faces_at_(faces_at_vertices(input)),
+        is_wholly_banned_(operations.size(), 0),
+        banned_(banned) {}
+
+  void ban_for(const WorsePlace& place, Blame blame) {
+    std::vector<KnownPart*> parts;
+    std::vector<Index> responsible;
+    for (const Triangle& corners : place.corners) {
+      KnownPart& part = known_part(corners);
+      parts.push_back(&part);
+      const std::vector<Index> before = std::exchange(responsible, {});
+      std::set_union(before.begin(), before.end(), part.suspects.begin(), part.suspects.end(),
+                     std::back_inserter(responsible));
+    }
+    if (blame == Blame::Last) keep_likeliest(operations_, place.kind, responsible);
+    for (const Index op : responsible) {
+      // Of a large operation only the part round the element is banned.
+      bool is_any_part_near = false;
+      for (KnownPart* part : parts) is_any_part_near = ban_near(op, *part) || is_any_part_near;
+      if (!is_any_part_near) ban_whole(op);
+    }
+  }
+
+ private:
+  /// What is known of an edge, a vertex or a face.
+  struct KnownPart {
+    /// The operations that affect all its vertices, ascending.
+    std::vector<Index> suspects;
+    /// Its vertices, and the faces at them, as elements of a site.
+    OperationSite near;
+    /// The operations that were banned near it, and whether their sites have a part there.
+    std::map<Index, bool> is_banned_near;
+  };
+
+  KnownPart& known_part(const Triangle& corners) {
+    const auto [found, is_new] = known_.try_emplace(corners);
+    if (is_new) found->second = {suspects_.at(corners), site_round(corners), {}};
+    return found->second;
+  }
+
+  [[nodiscard]] OperationSite site_round(const Triangle& corners) const {
+    OperationSite site;
+    for (const Index v : corners) {
+      if (v >= input_.n_vertices()) continue;
+      site.push_back(2 * std::uint64_t{v} + 1);
+      for (const Index f : faces_at_[v]) site.push_back(2 * std::uint64_t{f});
+    }
+    sort_unique(site);
+    return site;
+  }
+
+  /// Bans the part of an operation near an element, and tells whether there is one.
+  bool ban_near(Index op, KnownPart& part) {
+    const auto [found, is_new] = part.is_banned_near.try_emplace(op, false);
+    if (!is_new) return found->second;
+    OperationSite common;
+    const OperationSite& site = operations_[op].site;
+    std::set_intersection(site.begin(), site.end(), part.near.begin(), part.near.end(),
+                          std::back_inserter(common));
+    found->second = !common.empty();
+    if (found->second) banned_.add(operations_[op].pass, common);
+    return found->second;
+  }
+
+  void ban_whole(Index op) {
+    if (std::exchange(is_wholly_banned_[op], 1) != 0) return;
+    banned_.add(operations_[op].pass, operations_[op].site);
+  }
+
+  const std::vector<AppliedOperation>& operations_;
+  Suspects suspects_;
+  const Soup& input_;
+  std::vector<std::vector<Index>> faces_at_;
+  std::map<Triangle, KnownPart> known_;
+  std::vector<std::uint8_t> is_wholly_banned_;
+  BannedOperations& banned_;
+};
 
 }  // namespace
 
@@ -136,21 +199,8 @@ std::size_t BannedOperations::size() const {
 void ban_responsible(const std::vector<AppliedOperation>& operations,
                      const std::vector<WorsePlace>& places, Blame blame, const Soup& input,
                      BannedOperations& banned) {
-  const Suspects suspects(operations);
-  const std::vector<std::vector<Index>> faces_at = faces_at_vertices(input);
-  for (const WorsePlace& place : places) {
-    std::vector<Index> responsible = suspects_of(place, suspects);
-    if (blame == Blame::Last) keep_likeliest(operations, place.kind, responsible);
-    const std::set<std::uint64_t> near = site_of(place, input, faces_at);
-    for (const Index op : responsible) {
-      // Of a large operation only the part round the element is banned.
-      OperationSite part;
-      const OperationSite& site = operations[op].site;
-      std::set_intersection(site.begin(), site.end(), near.begin(), near.end(),
-                            std::back_inserter(part));
-      banned.add(operations[op].pass, part.empty() ? site : part);
-    }
-  }
+  Banning banning(operations, input, banned);
+  for (const WorsePlace& place : places) banning.ban_for(place, blame);
 }
 
 }  // namespace meshalyzer
