@@ -33,9 +33,14 @@ constexpr std::size_t kMaxWork = 20'000'000;
 /// that was banned.
 constexpr std::size_t kManyPairs = 10'000;
 constexpr double kAlikeShare = 0.1;
+/// If at least this number of operations is banned, and so many times as many as were applied,
+/// hardly anything of them would be possible after all: they stay banned.
+constexpr std::size_t kManyBanned = 1'000;
+constexpr std::size_t kBannedPerApplied = 4;
 /// If a mesh that a stage has made has more intersecting pairs than before, it is given up after
-/// this number of rounds, unless the last one has made them fewer. If it has no more than before,
-/// but still as many as this, the stage ends then.
+/// this number of rounds, unless the last one has made them fewer; and if they are as many as
+/// kManyPairs, a round earlier in any case. If it has no more than before, but still as many as
+/// kPairsOfNoProgress, the stage ends then.
 constexpr std::size_t kRoundsForPairs = 2;
 constexpr std::size_t kPairsOfNoProgress = 1'000;
 /// After this number of stages, banned operations stay banned.
@@ -83,7 +88,10 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
 /// Operations that were banned because of others may be possible now. In a heap of faces most are
 /// banned each time.
 bool RepairDriver::is_worth_trying_banned() const {
-  return banned_.size() != 0 && mesh_.prepared().intersecting_pairs().size() < kManyPairs;
+  const bool is_nearly_all_banned =
+      banned_.size() >= kManyBanned && banned_.size() > kBannedPerApplied * applied_.size();
+  return banned_.size() != 0 && !is_nearly_all_banned &&
+         mesh_.prepared().intersecting_pairs().size() < kManyPairs;
 }
 
 void RepairDriver::set_checkpoint() {
@@ -192,8 +200,11 @@ bool RepairDriver::run_rounds(const std::vector<PlannedPass>& plan, bool may_be_
       run_unless_idle(plan[i], n_changes, idle_runs[i]);
     }
     if (n_changes == n_changes_before) return true;
-    if (may_be_given_up && round >= kRoundsForPairs && n_pairs() >= n_pairs_before) {
-      if (n_pairs() > n_pairs_at_first) return false;
+    if (!may_be_given_up) continue;
+    const bool has_more = n_pairs() > n_pairs_at_first;
+    if (has_more && n_pairs() >= kManyPairs && round + 1 >= kRoundsForPairs) return false;
+    if (round >= kRoundsForPairs && n_pairs() >= n_pairs_before) {
+      if (has_more) return false;
       if (n_pairs() >= kPairsOfNoProgress) return true;
     }
   }
