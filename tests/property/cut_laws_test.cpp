@@ -82,7 +82,7 @@ Moments cut_moments(const Soup& soup) {
   const Tolerances tolerances;
   const RepairLimits limits{.max_deviation = 1e-9, .fixed_vertices = {}};
   const CutSurface surface =
-      cut_surface({soup, tracked, mesh, tolerances, limits}, {}, {}, ThinFacets::Kept);
+      cut_surface({soup, tracked, mesh, tolerances, limits}, {}, {}, {ThinFacets::Kept});
   EXPECT_TRUE(surface.unfinished.empty());
   return test::moments_enclosed(
       triangles_of(rational_places(surface.positions), surface.triangles));

@@ -14,8 +14,11 @@ namespace meshalyzer {
 namespace {
 
 /// The maximum number of pairs beyond the number of faces: a pair takes about half a millisecond in
-/// all, and two kilobytes.
+/// all, and two kilobytes. A union is made where the result is to be good, and all else has failed.
 constexpr std::size_t kMorePairsCut = 100'000;
+constexpr std::size_t kMorePairsUnited = 200'000;
+/// A pair makes about this number of pieces, if not many cuts meet each other.
+constexpr std::size_t kPiecesAPair = 2;
 /// The maximum number of times that cuts may meet each other: beyond that there are millions of
 /// pieces.
 constexpr double kMostCrossings = 1e7;
@@ -54,9 +57,9 @@ double most_crossings(const Soup& soup, const std::vector<IntersectingPair>& pai
 }
 
 /// Returns the reason why cutting would take too long; empty if it would not.
-std::string reason_against(const PreparedMesh& mesh) {
+std::string reason_against(const PreparedMesh& mesh, std::size_t more_pairs) {
   const auto& pairs = mesh.intersecting_pairs();
-  const std::size_t most = kMorePairsCut + mesh.soup().n_faces();
+  const std::size_t most = more_pairs + mesh.soup().n_faces();
   if (pairs.size() > most) {
     return grouped(pairs.size()) + " pairs of faces intersect, and no more than " + grouped(most) +
            " are cut";
@@ -76,10 +79,10 @@ bool has_sheets_to_split(const PassInput& input) {
 /// Cuts a surface and keeps its pockets; drops small ones if rounding makes it impossible to keep
 /// them.
 CutSurface cut_keeping_pockets(const PassInput& input, std::span<const Edits::AddedFace> patches,
-                               Sheets sheets) {
-  CutSurface surface = cut_surface(input, patches, {Pockets::Kept, sheets}, ThinFacets::Kept);
+                               Sheets sheets, const PieceRules& rules) {
+  CutSurface surface = cut_surface(input, patches, {Pockets::Kept, sheets}, rules);
   if (surface.unfinished.empty() || surface.has_too_many_pieces) return surface;
-  CutSurface solid = cut_surface(input, patches, {Pockets::Forgotten, sheets}, ThinFacets::Kept);
+  CutSurface solid = cut_surface(input, patches, {Pockets::Forgotten, sheets}, rules);
   const bool is_better = solid.unfinished.empty() && solid.pocket_share <= kLargestForgotten;
   return is_better ? solid : surface;
 }
@@ -87,18 +90,21 @@ CutSurface cut_keeping_pockets(const PassInput& input, std::span<const Edits::Ad
 }  // namespace
 
 PassResult self_union(const PassInput& input, const SelfUnionOptions& options) {
-  if (const std::string reason = reason_against(input.mesh); !reason.empty()) {
+  if (const std::string reason = reason_against(input.mesh, kMorePairsUnited); !reason.empty()) {
     return refuse_all(input.mesh.intersecting_pairs().front(), reason);
   }
   const std::vector<Edits::AddedFace> patches = crossing_patches(input, options.fill);
-  const CutSurface surface = cut_keeping_pockets(input, patches, Sheets::Left);
+  PieceRules rules;
+  const std::size_t n_pieces = kPiecesAPair * input.mesh.intersecting_pairs().size();
+  rules.more_pieces = std::max(rules.more_pieces, n_pieces);
+  const CutSurface surface = cut_keeping_pockets(input, patches, Sheets::Left, rules);
   if (surface.has_too_many_pieces) return refuse_pieces(input, surface);
   return cut_edits_as_one(input, patches, surface, options.lost);
 }
 
 PassResult cut_intersections(const PassInput& input, const CutOptions& options) {
   const auto& pairs = input.mesh.intersecting_pairs();
-  if (const std::string reason = reason_against(input.mesh); !reason.empty()) {
+  if (const std::string reason = reason_against(input.mesh, kMorePairsCut); !reason.empty()) {
     return refuse_all(pairs.front(), reason);
   }
   if (input.limits.groups == Groups::Faces) {
@@ -112,15 +118,15 @@ PassResult cut_intersections(const PassInput& input, const CutOptions& options) 
   if (options.fill && !has_sheets_to_split(input)) patches = crossing_patches(input, *options.fill);
   if (pairs.empty() && patches.empty()) return {};
   if (input.operation_size == OperationSize::Normal) {
-    const CutSurface surface =
-        cut_surface(input, patches, {.sheets = options.sheets}, ThinFacets::Removed);
+    const CutSurface surface = cut_surface(input, patches, {.sheets = options.sheets},
+                                           {.thin_facets = ThinFacets::Removed});
     if (surface.has_too_many_pieces) return refuse_pieces(input, surface);
     PassResult result = cut_edits(input, patches, surface);
     // Only pockets and thin facets are treated otherwise in smaller operations.
     result.has_smaller_operations = surface.has_pockets || surface.has_removed_facets;
     return result;
   }
-  const CutSurface surface = cut_keeping_pockets(input, patches, options.sheets);
+  const CutSurface surface = cut_keeping_pockets(input, patches, options.sheets, {});
   if (surface.has_too_many_pieces) return refuse_pieces(input, surface);
   return cut_edits(input, patches, surface);
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -28,7 +29,7 @@ CutSurface cut(const Soup& soup, Pockets pockets) {
   const Tolerances tolerances;
   const RepairLimits limits{.max_deviation = 1.0, .fixed_vertices = {}};
   return cut_surface({soup, tracked, mesh, tolerances, limits}, {}, {.pockets = pockets},
-                     ThinFacets::Kept);
+                     {ThinFacets::Kept});
 }
 
 double area_of(const Corners& t) {
@@ -92,7 +93,7 @@ TEST(CutSurface, ThinFacetsThatCuttingMakesAreRemovedWhereTheyAreAskedFor) {
   tolerances.degeneracy = 1e-8;
   const auto cut = [&](double max_deviation, ThinFacets thin_facets) {
     const RepairLimits limits{.max_deviation = max_deviation, .fixed_vertices = {}};
-    return cut_surface({soup, tracked, mesh, tolerances, limits}, {}, {}, thin_facets);
+    return cut_surface({soup, tracked, mesh, tolerances, limits}, {}, {}, {thin_facets});
   };
   EXPECT_LT(least_altitude(cut(1e-3, ThinFacets::Kept)), 1e-9);
   EXPECT_FALSE(cut(1e-3, ThinFacets::Kept).has_removed_facets);
@@ -121,11 +122,43 @@ TEST(CutSurface, PartsThatAreLeftAreNotCutOn) {
   tolerances.degeneracy = 1e-8;
   const RepairLimits limits{.max_deviation = 1e-3, .fixed_vertices = {}};
   const CutSurface surface =
-      cut_surface({soup, tracked, mesh, tolerances, limits}, {}, {}, ThinFacets::Removed);
+      cut_surface({soup, tracked, mesh, tolerances, limits}, {}, {}, {ThinFacets::Removed});
   EXPECT_EQ(std::set<Index>(surface.of_uncut_sheets.begin(), surface.of_uncut_sheets.end()),
             (std::set<Index>{0, 1}));
   EXPECT_LT(least_altitude(surface), 1e-9);
   EXPECT_FALSE(surface.has_removed_facets);
+}
+
+TEST(CutSurface, NoMorePiecesAreMadeThanPermitted) {
+  // Each of 40 upright triangles crosses 40 others, and is cut into more than 40 pieces.
+  Soup soup;
+  for (Index i = 0; i < 40; ++i) {
+    const double at = 1.0 + i;
+    for (const auto& [across, along] : {std::pair{0, 1}, std::pair{1, 0}}) {
+      for (const double end : {-100.0, 200.0}) {
+        Vec3 p = Vec3::Zero();
+        p[across] = at;
+        p[along] = end;
+        soup.positions.push_back(p);
+      }
+      Vec3 top(0.0, 0.0, 100.0 + i);
+      top[across] = at;
+      soup.positions.push_back(top);
+      const auto n = static_cast<Index>(soup.n_vertices());
+      soup.triangles.push_back({n - 3, n - 2, n - 1});
+    }
+  }
+  const TrackedMesh tracked = track_mesh(soup);
+  const PreparedMesh mesh(tracked.soup);
+  const Tolerances tolerances;
+  const RepairLimits limits{.max_deviation = 1.0, .fixed_vertices = {}};
+  const auto has_too_many = [&](std::size_t more_pieces) {
+    return cut_surface({soup, tracked, mesh, tolerances, limits}, {}, {.sheets = Sheets::Cut},
+                       {.more_pieces = more_pieces})
+        .has_too_many_pieces;
+  };
+  EXPECT_TRUE(has_too_many(0));
+  EXPECT_FALSE(has_too_many(100'000));
 }
 
 }  // namespace

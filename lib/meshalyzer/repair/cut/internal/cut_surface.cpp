@@ -29,9 +29,7 @@ constexpr std::size_t kTimesFirstPairs = 2;
 /// so many for each new face: among faces that all lie on each other it would test all pairs.
 constexpr std::size_t kMoreTests = 2'000'000;
 constexpr std::size_t kTestsAFace = 500;
-/// The maximum number of pieces, beside this multiple of the faces of the input: every later pass
-/// would take time for each of them.
-constexpr std::size_t kMorePieces = 100'000;
+/// The maximum number of pieces, beside PieceRules::more_pieces.
 constexpr std::size_t kPiecesAFace = 10;
 /// Slivers are new faces thinner than this multiple of the spacing of the grid.
 constexpr double kSliverWidth = 2.0;
@@ -71,10 +69,11 @@ bool stays(PieceClass piece_class) {
 class CuttingRounds {
  public:
   CuttingRounds(const PassInput& input, std::span<const Edits::AddedFace> patches,
-                const SelectOptions& options)
+                const SelectOptions& options, std::size_t max_pieces)
       : input_(input),
         mesh_(input.mesh),
         options_(options),
+        max_pieces_(max_pieces),
         extent_(extent_of(mesh_.soup())),
         parts_(mesh_.soup().n_faces() + patches.size()) {
     options_.wants_to_stop = input.wants_to_stop;
@@ -176,8 +175,7 @@ class CuttingRounds {
   }
 
   void cut_once(const CutMesh& cut, const FaceTree& tree, const Pairs& pairs) {
-    const std::size_t max_pieces = kMorePieces + kPiecesAFace * mesh_.soup().n_faces();
-    const std::optional<Arrangement> arranged = arrange_within(soup_, pairs, max_pieces);
+    const std::optional<Arrangement> arranged = arrange_within(soup_, pairs, max_pieces_);
     result_.has_too_many_pieces = !arranged;
     if (!arranged || input_.wants_to_stop()) return give_up(pairs);
     const Arrangement& arrangement = *arranged;
@@ -343,6 +341,7 @@ class CuttingRounds {
   const PassInput& input_;
   const PreparedMesh& mesh_;
   SelectOptions options_;
+  std::size_t max_pieces_;
   double extent_;
   bool has_pairs_ = true;
   std::size_t round_ = 0;
@@ -383,11 +382,12 @@ CuttingRounds without_thin_facets(CuttingRounds rounds) {
 }  // namespace
 
 CutSurface cut_surface(const PassInput& input, std::span<const Edits::AddedFace> patches,
-                       const SelectOptions& options, ThinFacets thin_facets) {
-  CuttingRounds first(input, patches, options);
+                       const SelectOptions& options, const PieceRules& rules) {
+  const std::size_t max_pieces = rules.more_pieces + kPiecesAFace * input.mesh.soup().n_faces();
+  CuttingRounds first(input, patches, options, max_pieces);
   first.cut_off_grid();
   CuttingRounds rounds = cut_on_grid(std::move(first));
-  if (thin_facets == ThinFacets::Kept) return rounds.take_result();
+  if (rules.thin_facets == ThinFacets::Kept) return rounds.take_result();
   return without_thin_facets(std::move(rounds)).take_result();
 }
 

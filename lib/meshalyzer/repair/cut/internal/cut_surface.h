@@ -51,6 +51,14 @@ enum class ThinFacets : std::uint8_t {
   Removed,
 };
 
+/// What becomes of the pieces, and how many may be made.
+struct PieceRules {
+  ThinFacets thin_facets = ThinFacets::Kept;
+  /// The maximum number of pieces beside a multiple of the faces of the input: every later pass
+  /// would take time for each of them.
+  std::size_t more_pieces = 100'000;
+};
+
 /// Cuts the intersecting faces, keeps the parts that bound the solid, and rounds new vertices. This
 /// is repeated until no faces intersect, because the rounded faces may intersect anew.
 ///
@@ -64,6 +72,6 @@ enum class ThinFacets : std::uint8_t {
 /// @param patches  Faces on vertices of the mesh that are added before cutting.
 [[nodiscard]] CutSurface cut_surface(const PassInput& input,
                                      std::span<const Edits::AddedFace> patches,
-                                     const SelectOptions& options, ThinFacets thin_facets);
+                                     const SelectOptions& options, const PieceRules& rules);
 
 }  // namespace meshalyzer
