@@ -1,4 +1,5 @@
 #include "meshalyzer/repair/driver/internal/applied_operations.h"
+#include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -15,24 +16,9 @@ namespace meshalyzer {
 namespace {
 
 constexpr std::array<std::string_view, 2> kPasses{"first", "second"};
+/// The number of squares along each side of a grid, of two faces each.
 constexpr Index kWidth = 12;
 constexpr Index kFaces = 2 * kWidth * kWidth;
-
-/// A square grid of vertices, each square of two faces.
-Soup make_grid() {
-  Soup soup;
-  for (Index y = 0; y <= kWidth; ++y) {
-    for (Index x = 0; x <= kWidth; ++x) soup.positions.push_back({double(x), double(y), 0.0});
-  }
-  for (Index y = 0; y < kWidth; ++y) {
-    for (Index x = 0; x < kWidth; ++x) {
-      const Index v = y * (kWidth + 1) + x;
-      soup.triangles.push_back({v, v + 1, v + kWidth + 2});
-      soup.triangles.push_back({v, v + kWidth + 2, v + kWidth + 1});
-    }
-  }
-  return soup;
-}
 
 bool has_corner(const Triangle& t, Index v) {
   return std::find(t.begin(), t.end(), v) != t.end();
@@ -56,7 +42,8 @@ std::vector<AppliedOperation> make_operations(const Soup& soup, std::mt19937& ra
   std::vector<AppliedOperation> operations;
   std::uniform_int_distribution<Index> first(0, kFaces - 1);
   for (std::size_t i = 0; i < 12; ++i) {
-    operations.push_back(operation_on(soup, i, first(random), 1 + first(random) / 4));
+    const Index begin = first(random);
+    operations.push_back(operation_on(soup, i, begin, 1 + first(random) / 4));
   }
   return operations;
 }
@@ -111,7 +98,7 @@ Bans ban_by_definition(const Soup& soup, const std::vector<AppliedOperation>& op
 }
 
 TEST(BannedOperations, AreThoseOfTheDefinition) {
-  const Soup soup = make_grid();
+  const Soup soup = shapes::grid(kWidth, kWidth);
   std::mt19937 random(7);
   std::uniform_int_distribution<Index> any(0, kFaces - 1);
   std::size_t n_bans = 0;
@@ -135,7 +122,7 @@ TEST(BannedOperations, AreThoseOfTheDefinition) {
 }
 
 TEST(BannedOperations, AreWholeWhereNoPartIsNearThePlace) {
-  const Soup soup = make_grid();
+  const Soup soup = shapes::grid(kWidth, kWidth);
   // The operation has changed faces far from those that it affects.
   const std::vector<AppliedOperation> operations{
       {.pass = "first", .may_create = {}, .site = {200, 220, 240}, .vertices = {0, 1, 14}}};
