@@ -59,12 +59,13 @@ TEST_F(UniteFromInput, MakesShellsOfPartsThatItWouldLose) {
   EXPECT_TRUE(united.note.empty());
   EXPECT_TRUE(united.is_too_far);
   // Its faces separate no inside from no outside, exactly; by winding number they do.
-  united = unite(soup, {.shells = std::vector<Index>{}});
+  united = unite(soup, {.shells = ShellChoice{}});
   EXPECT_TRUE(united.note.empty());
   EXPECT_TRUE(united.is_too_far);
-  ASSERT_FALSE(united.lost_faces.empty());
-  EXPECT_GE(united.lost_faces.front(), 12U);
-  united = unite(soup, {.shells = united.lost_faces});
+  ASSERT_FALSE(united.lost.face_keys.empty());
+  EXPECT_GE(united.lost.face_keys.front(), 12U);
+  united =
+      unite(soup, {.shells = ShellChoice{.face_keys = united.lost.face_keys, .hidden_points = {}}});
   EXPECT_NE(united.note.find("made hollow"), std::string::npos);
   EXPECT_TRUE(is_good(mesh()));
   EXPECT_LE(driver_->mesh().deviation(), kMaxDeviation);
@@ -73,6 +74,47 @@ TEST_F(UniteFromInput, MakesShellsOfPartsThatItWouldLose) {
   const double thickness = 0.5 * kMaxDeviation;
   EXPECT_LT(volume_of(mesh()), 1 + 4.5 * thickness);
   EXPECT_GT(volume_of(mesh()), 1 + 4.5 * thickness / 2);
+}
+
+/// The four walls of a flat box, without top and bottom, 20 x 20 x 1.
+Soup walls_of_flat_box() {
+  return shapes::make(
+      {{-10, -10, 0},
+       {10, -10, 0},
+       {10, 10, 0},
+       {-10, 10, 0},
+       {-10, -10, 1},
+       {10, -10, 1},
+       {10, 10, 1},
+       {-10, 10, 1}},
+      {{0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}});
+}
+
+TEST_F(UniteFromInput, MakesShellsOfPartsWhosePatchesHideOthers) {
+  options_.solid = true;
+  const Soup in_wall = shapes::cube(1, {9.5, 0.2, 0.25});
+  const Soup in_middle = shapes::cube(0.5, {-0.25, -0.25, 0.25});
+  const Soup soup = shapes::merged(walls_of_flat_box(), shapes::merged(in_wall, in_middle));
+  // Once the box has a top and a bottom, the cube in its middle is inside.
+  UnitedFromInput united = unite(soup);
+  EXPECT_TRUE(united.note.empty());
+  EXPECT_TRUE(united.is_too_far);
+  EXPECT_FALSE(united.lost.points.empty());
+  // That cube is closed, and would be inside as a shell, too.
+  united =
+      unite(soup, {.shells = ShellChoice{.face_keys = united.lost.face_keys, .hidden_points = {}}});
+  EXPECT_TRUE(united.note.empty());
+  ASSERT_TRUE(united.is_too_far);
+  EXPECT_FALSE(united.lost.has_open);
+  united =
+      unite(soup, {.shells = ShellChoice{.face_keys = {}, .hidden_points = united.lost.points}});
+  EXPECT_NE(united.note.find("made hollow"), std::string::npos);
+  EXPECT_TRUE(is_good(mesh()));
+  // The cubes are solids still. At the edges, which are moved along the diagonals, the walls are
+  // thinner.
+  const double walls = (80.0 - 0.75) * 0.5 * kMaxDeviation;
+  EXPECT_LT(volume_of(mesh()), 1.125 + walls);
+  EXPECT_GT(volume_of(mesh()), 1.125 + walls / 2);
 }
 
 TEST_F(UniteFromInput, LeavesAloneWhatIsGood) {

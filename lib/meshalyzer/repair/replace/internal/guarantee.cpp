@@ -22,8 +22,10 @@ namespace {
 /// What replaces a part of the mesh needs this share of the maximum deviation. With less a thin
 /// solid would hardly have a thickness, and a grid for a contour would hardly ever suffice.
 constexpr double kLeastShareLeft = 1.0 / 64.0;
-/// A union with shells may lose other parts, which then become shells too; so often it is tried.
-constexpr std::size_t kMostUnionsWithShells = 3;
+/// A union with shells may lose other parts; so often it is tried with more or thinner ones.
+constexpr std::size_t kMostUnionsWithShells = 5;
+/// Where many shells lie above each other, thinner ones have this share of the thickness.
+constexpr double kThinner = 0.25;
 
 class Guarantee {
  public:
@@ -126,22 +128,30 @@ class Guarantee {
     UnitedFromInput united = unite_from_input(driver_, options_, tolerances_, choice);
     is_union_too_far_behind_holes_ = united.is_too_far_behind_holes;
     is_union_too_far_ = united.is_too_far;
-    lost_faces_ = std::move(united.lost_faces);
+    lost_ = std::move(united.lost);
     if (united.note.empty()) return false;
     notes_.push_back(std::move(united.note));
     return true;
   }
 
-  /// If a union was good but too far away, unites the mesh again, and keeps as thin shells what
-  /// that has lost.
+  /// If a union was good but too far away, unites the mesh again, and keeps as thin shells the open
+  /// parts that it has lost; then also those whose hole patches may have hidden what was lost; then
+  /// again, with closed parts too, and thinner, in case so many lay above each other that they hid
+  /// it.
   bool unite_with_shells() {
     if (!options_.solid) return false;
-    std::vector<Index> shells;
+    ShellChoice shells;
     for (std::size_t i = 0; i < kMostUnionsWithShells && is_union_too_far_; ++i) {
-      const std::size_t n_before = shells.size();
-      shells.insert(shells.end(), lost_faces_.begin(), lost_faces_.end());
-      sort_unique(shells);
-      if (i > 0 && shells.size() == n_before) break;
+      const auto& [face_keys, has_open, points] = lost_;
+      shells.face_keys.insert(shells.face_keys.end(), face_keys.begin(), face_keys.end());
+      sort_unique(shells.face_keys);
+      if (i > 0 && !has_open) {
+        if (!shells.hidden_points.empty()) {
+          shells.thickness_share *= kThinner;
+          shells.closed_too = true;
+        }
+        shells.hidden_points.insert(shells.hidden_points.end(), points.begin(), points.end());
+      }
       if (unite({.behind_holes = BehindHoles::Kept, .shells = shells})) return true;
     }
     return false;
@@ -249,8 +259,8 @@ class Guarantee {
   double max_deviation_;
   bool is_union_too_far_behind_holes_ = false;
   bool is_union_too_far_ = false;
-  /// The keys of faces that the last union has lost, see UnitedFromInput.
-  std::vector<Index> lost_faces_;
+  /// What the last union has lost.
+  LostBoundary lost_;
   bool needs_larger_grid_ = false;
   std::string reason_;
   std::vector<std::string> notes_;

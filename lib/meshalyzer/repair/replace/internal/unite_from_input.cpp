@@ -4,8 +4,10 @@
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/contour/boundary_samples.h"
 #include "meshalyzer/contour/mesh_region.h"
+#include "meshalyzer/repair/holes/internal/crossing_patches.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/replace/internal/broken_solids.h"
+#include "meshalyzer/repair/replace/internal/shell_choice.h"
 #include "meshalyzer/spatial/closest_point.h"
 
 #include <algorithm>
@@ -18,8 +20,6 @@ namespace {
 
 /// The sides of a dropped piece are examined at this distance, as a share of the maximum deviation.
 constexpr double kSideReach = 1.0 / 16.0;
-/// The thickness of shells, as a share of the maximum deviation.
-constexpr double kThicknessOfShells = 0.5;
 
 /// A point of a removed part of a mesh.
 struct LostSample {
@@ -59,6 +59,14 @@ std::vector<LostSample> whole_boundary(const PassInput& input) {
   return boundary_samples(input, faces);
 }
 
+/// Tells whether more holes are filled if those of sheets are.
+bool fills_more_with_sheets(const PassInput& input, FillOptions fill) {
+  fill.sheets = FillSheets::No;
+  const std::size_t n_without = crossing_patches(input, fill).size();
+  fill.sheets = FillSheets::Yes;
+  return crossing_patches(input, fill).size() != n_without;
+}
+
 class UnionFromInput {
  public:
   UnionFromInput(RepairDriver& driver, const RepairOptions& options, const Tolerances& tolerances,
@@ -84,7 +92,8 @@ class UnionFromInput {
   }
   [[nodiscard]] bool is_too_far() const { return is_too_far_; }
   [[nodiscard]] double distance_behind_holes() const { return distance_behind_holes_; }
-  [[nodiscard]] const std::vector<Index>& far_faces() const { return far_faces_; }
+  [[nodiscard]] const LostBoundary& far() const { return far_; }
+  [[nodiscard]] bool has_shells() const { return !shells_.face_keys.empty(); }
 
  private:
   /// Tells whether everything that a union changes is to be changed.
@@ -98,12 +107,16 @@ class UnionFromInput {
     SelfUnionOptions how{.fill = options_.fill};
     how.fill.sheets = sheets;
     if (options_.solid) how.lost = LostParts::Allowed;
-    const PlannedPass pass{"unite with itself", DefectCode::SelfIntersection,
-                           [&](const PassInput& input) {
-                             PassResult result = self_union(input, how);
-                             if (!choice_.shells) lost_ = lost_boundary(input, result.edits);
-                             return result;
-                           }};
+    const PlannedPass pass{
+        "unite with itself", DefectCode::SelfIntersection, [&](const PassInput& input) {
+          // With the same patches it would end as before.
+          if (sheets == FillSheets::Yes && !fills_more_with_sheets(input, how.fill)) {
+            return PassResult{};
+          }
+          PassResult result = self_union(input, how);
+          if (!choice_.shells) lost_ = lost_boundary(input, result.edits);
+          return result;
+        }};
     std::vector<PlannedPass> changes{pass};
     if (choice_.shells) changes.insert(changes.begin(), thickening());
     const bool is_kept = driver_.run_trial(
@@ -118,8 +131,9 @@ class UnionFromInput {
   [[nodiscard]] PlannedPass thickening() {
     return {"thicken parts", DefectCode::Hole, [&](const PassInput& input) {
               lost_ = whole_boundary(input);
-              return thicken_parts(input, *choice_.shells,
-                                   kThicknessOfShells * input.limits.max_deviation);
+              shells_ = choose_shells(input, *choice_.shells);
+              return thicken_parts(input, shells_.face_keys,
+                                   choice_.shells->thickness_share * input.limits.max_deviation);
             }};
   }
 
@@ -138,7 +152,7 @@ class UnionFromInput {
 
   /// Measures how far the lost samples are from the result.
   void measure_lost(const RepairState& state) {
-    far_faces_.clear();
+    far_ = {};
     if (lost_.empty()) return;
     const Soup& result = state.tracked().soup;
     const MeshRegion solid(result, state.mesh().tree());
@@ -147,12 +161,20 @@ class UnionFromInput {
     for (const auto& [point, face_key] : lost_) {
       const auto found = closest.find({.point = point, .hint = hint});
       hint = found->slot;
-      if (found->distance > driver_.mesh().max_deviation()) far_faces_.push_back(face_key);
+      if (found->distance > driver_.mesh().max_deviation()) note_far({point, face_key});
       if (found->distance <= distance_of_rest_) continue;
       double& largest = solid.contains(point) ? distance_behind_holes_ : distance_of_rest_;
       largest = std::max(largest, found->distance);
     }
-    sort_unique(far_faces_);
+    sort_unique(far_.face_keys);
+  }
+
+  void note_far(const LostSample& sample) {
+    const Index key = sample.face_key;
+    far_.points.push_back(sample.point);
+    far_.face_keys.push_back(key);
+    far_.has_open = far_.has_open || std::binary_search(shells_.other_open_keys.begin(),
+                                                        shells_.other_open_keys.end(), key);
   }
 
   RepairDriver& driver_;
@@ -163,8 +185,10 @@ class UnionFromInput {
   /// Samples of what bounded the solid: of the dropped parts of the last union, or with shells of
   /// all of the mesh.
   std::vector<LostSample> lost_;
-  /// The keys of the faces of those samples that are too far from it, ascending.
-  std::vector<Index> far_faces_;
+  /// The parts that became shells.
+  ChosenShells shells_;
+  /// Those of the samples that are too far from it.
+  LostBoundary far_;
   /// The deviation of the last union that was good.
   double distance_ = 0.0;
   /// The largest distance of samples that lie inside it, and the deviation without them.
@@ -182,7 +206,7 @@ UnitedFromInput unite_from_input(RepairDriver& driver, const RepairOptions& opti
     return {.note = "",
             .is_too_far_behind_holes = from_input.is_too_far_behind_holes(),
             .is_too_far = from_input.is_too_far(),
-            .lost_faces = from_input.far_faces()};
+            .lost = from_input.far()};
   }
   std::string note =
       "repairs part by part left defects, so the mesh was replaced by its union with itself";
@@ -191,9 +215,9 @@ UnitedFromInput unite_from_input(RepairDriver& driver, const RepairOptions& opti
             readable(from_input.distance_behind_holes()) + " from its surface at most";
   }
   if (choice.shells) note += "; parts that bound no solid were dropped";
-  if (choice.shells && !choice.shells->empty()) {
-    note += ", and parts that it would have lost made hollow, with walls " +
-            readable(kThicknessOfShells * driver.mesh().max_deviation()) + " thick";
+  if (from_input.has_shells()) {
+    note += ", and parts that it would have lost or that hid these made hollow, with walls " +
+            readable(choice.shells->thickness_share * driver.mesh().max_deviation()) + " thick";
   }
   return {.note = std::move(note)};
 }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "meshalyzer/base/types.h"
 #include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/repair/driver/internal/repair_driver.h"
 #include "meshalyzer/repair/driver/options.h"
+#include "meshalyzer/repair/replace/internal/shell_choice.h"
 
 #include <cstdint>
 #include <optional>
@@ -18,10 +20,19 @@ enum class BehindHoles : std::uint8_t { Kept, Dropped };
 /// What becomes of some parts of the mesh in unite_from_input().
 struct UnionChoice {
   BehindHoles behind_holes = BehindHoles::Kept;
-  /// If given, the keys of faces, ascending, whose components become thin shells before. Then only
-  /// samples of what bounds the solid by winding number tell what is lost; else also all faces do
-  /// that are not proved to be walls inside the solid.
-  std::optional<std::vector<Index>> shells = {};
+  /// If given, only samples of what bounds the solid by winding number tell what is lost; else also
+  /// all faces do that are not proved to be walls inside the solid.
+  std::optional<ShellChoice> shells = {};
+};
+
+/// What a union has lost, although it bounded the solid by winding number.
+struct LostBoundary {
+  /// The keys of faces on which a sample is too far from the union, ascending.
+  std::vector<Index> face_keys;
+  /// Tells whether one of them is of an open component that did not become a shell.
+  bool has_open = false;
+  /// The samples that are too far from the union.
+  std::vector<Vec3> points;
 };
 
 /// The result of unite_from_input().
@@ -33,9 +44,8 @@ struct UnitedFromInput {
   bool is_too_far_behind_holes = false;
   /// Tells whether the union is good, but too far from the input.
   bool is_too_far = false;
-  /// The keys of faces, ascending, that it has lost then, although they bounded the solid by
-  /// winding number.
-  std::vector<Index> lost_faces = {};
+  /// Of a union that is good, but too far from the input.
+  LostBoundary lost = {};
 };
 
 /// If a mesh that means a solid is not good after a repair, starts again from the input, and
