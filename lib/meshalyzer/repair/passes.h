@@ -114,6 +114,10 @@ struct FillOptions {
 /// Fills holes with patches that intersect neither the mesh nor themselves, or leaves them open.
 [[nodiscard]] PassResult fill_holes(const PassInput& input, const FillOptions& options);
 
+/// Returns a pass that fills holes as fill_holes() does, for the runs of one repair: a loop for
+/// which no patch was found is not tried again while what is round it stays the same.
+[[nodiscard]] PassFunction hole_filling(const FillOptions& options);
+
 /// Tells whether sheets that intersect something are cut.
 enum class Sheets : std::uint8_t {
   /// Sheets are left, with all that they intersect.

@@ -2,6 +2,7 @@
 #include "meshalyzer/repair/edits/edits.h"
 #include "meshalyzer/repair/holes/internal/crossing_patches.h"
 #include "meshalyzer/repair/holes/internal/fill_loop.h"
+#include "meshalyzer/repair/holes/internal/fill_memory.h"
 #include "meshalyzer/repair/holes/internal/hole_loop.h"
 #include "meshalyzer/repair/holes/internal/islands.h"
 #include "meshalyzer/repair/holes/internal/patch_check.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -324,6 +326,24 @@ class HoleFiller {
   std::vector<std::pair<std::size_t, std::string>> failures_;
 };
 
+PassResult fill_loops(const PassInput& input, const FillOptions& options, FillMemory* memory) {
+  HoleLoops found = find_hole_loops(input.mesh);
+  PassResult result;
+  if (!found.loops.empty()) {
+    const ExistingEdges existing(input.mesh, found.loops);
+    const FillTask task{.mesh = input.mesh,
+                        .existing = existing,
+                        .degeneracy = input.tolerances.degeneracy,
+                        .shape = options.shape,
+                        .wants_to_stop = input.wants_to_stop,
+                        .memory = memory};
+    result = HoleFiller(task, found.loops, choose_loops(input, found.loops, options)).run();
+  }
+  result.refused.insert(result.refused.begin(), std::make_move_iterator(found.refused.begin()),
+                        std::make_move_iterator(found.refused.end()));
+  return result;
+}
+
 }  // namespace
 
 std::vector<Edits::AddedFace> crossing_patches(const PassInput& input, const FillOptions& options) {
@@ -347,20 +367,14 @@ std::vector<Edits::AddedFace> crossing_patches(const PassInput& input, const Fil
 }
 
 PassResult fill_holes(const PassInput& input, const FillOptions& options) {
-  HoleLoops found = find_hole_loops(input.mesh);
-  PassResult result;
-  if (!found.loops.empty()) {
-    const ExistingEdges existing(input.mesh, found.loops);
-    const FillTask task{.mesh = input.mesh,
-                        .existing = existing,
-                        .degeneracy = input.tolerances.degeneracy,
-                        .shape = options.shape,
-                        .wants_to_stop = input.wants_to_stop};
-    result = HoleFiller(task, found.loops, choose_loops(input, found.loops, options)).run();
-  }
-  result.refused.insert(result.refused.begin(), std::make_move_iterator(found.refused.begin()),
-                        std::make_move_iterator(found.refused.end()));
-  return result;
+  return fill_loops(input, options, nullptr);
+}
+
+PassFunction hole_filling(const FillOptions& options) {
+  return [options, failed = std::make_shared<FailedFillings>()](const PassInput& input) {
+    FillMemory memory(*failed, input);
+    return fill_loops(input, options, &memory);
+  };
 }
 
 }  // namespace meshalyzer

@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/driver/internal/acceptance.h"
 
 #include "meshalyzer/base/corners.h"
+#include "meshalyzer/repair/driver/internal/changed_places.h"
 #include "meshalyzer/repair/driver/internal/prior_contacts.h"
 
 #include <algorithm>
@@ -11,14 +12,6 @@
 
 namespace meshalyzer {
 namespace {
-
-Box3 box_of_face(const Soup& soup, Index face) {
-  Box3 box;
-  for (const Index v : soup.triangles[face]) {
-    if (v != kNoIndex) box.extend(soup.positions[v]);
-  }
-  return box;
-}
 
 std::vector<DefectiveElement> difference(const std::vector<DefectiveElement>& a,
                                          const std::vector<DefectiveElement>& b) {
@@ -65,8 +58,13 @@ class AcceptanceCheck {
       reject(operations_on(affected_.faces_after, after_.tracked().face_keys[face]),
              Rejection::TooFar);
     }
+    if (far.of_input.empty()) return;
+    const ChangedPlaces places(before_.tracked(), affected_);
     for (const Index face : far.of_input) {
-      if (reject_operations_on(face) || reject_operations_near(face)) continue;
+      std::vector<Index> operations = places.on(face);
+      if (operations.empty()) operations = places.near(surroundings_of(face));
+      for (const Index op : operations) rejections_[op] = Rejection::TooFar;
+      if (!operations.empty()) continue;
       std::fill(rejections_.begin(), rejections_.end(), Rejection::TooFar);
     }
   }
@@ -128,34 +126,16 @@ class AcceptanceCheck {
     }
   }
 
-  /// Rejects the operations that affect the faces made of a face of the input.
-  bool reject_operations_on(Index input_face) {
-    bool is_rejected = false;
-    for (const AffectedElement& entry : affected_.faces_before) {
-      if (before_.tracked().origin_of_key(entry.key) != input_face) continue;
-      rejections_[entry.operation] = Rejection::TooFar;
-      is_rejected = true;
+  /// Returns the box round a face of the input in which operations may have lost it: an earlier
+  /// pass has removed it.
+  [[nodiscard]] Box3 surroundings_of(Index input_face) const {
+    Box3 near;
+    for (const Index v : rules_.input.triangles[input_face]) {
+      if (v != kNoIndex) near.extend(rules_.input.positions[v]);
     }
-    return is_rejected;
-  }
-
-  /// Handles a face of the input that an earlier pass has removed: rejects the operations near its
-  /// former position.
-  bool reject_operations_near(Index input_face) {
-    Box3 near = box_of_face(rules_.input, input_face);
     near.min().array() -= rules_.max_deviation;
     near.max().array() += rules_.max_deviation;
-    bool is_rejected = false;
-    const TrackedMesh& tracked = before_.tracked();
-    for (std::size_t f = 0; f < tracked.face_keys.size(); ++f) {
-      const auto entries = operations_on(affected_.faces_before, tracked.face_keys[f]);
-      if (entries.empty() || !near.intersects(box_of_face(tracked.soup, static_cast<Index>(f)))) {
-        continue;
-      }
-      reject(entries, Rejection::TooFar);
-      is_rejected = true;
-    }
-    return is_rejected;
+    return near;
   }
 
   /// Adds `by` for each pair to the balance of the operations that affect either of its faces.

@@ -86,10 +86,7 @@ void plan_fixes_before_cutting(const RepairOptions& options, const Tolerances& t
   plan.add({"remove foldovers", Foldover, remove_foldovers, {Hole}});
   if (options.solid) plan.add(drop(Fragments::Small));
   if (options.borders == Borders::Holes) {
-    plan.add({"fill holes",
-              Hole,
-              [fill = options.fill](const PassInput& input) { return fill_holes(input, fill); },
-              {FlatFacet}});
+    plan.add({"fill holes", Hole, hole_filling(options.fill), {FlatFacet}});
   }
   plan.add({"orient outward", Inward, orient_outward});
   plan.add(drop(Fragments::Debris));

@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/holes/internal/fill_loop.h"
 
+#include "meshalyzer/repair/holes/internal/fill_memory.h"
 #include "meshalyzer/repair/holes/internal/rim_bend.h"
 #include "meshalyzer/repair/holes/internal/smooth_patch.h"
 #include "meshalyzer/repair/holes/internal/triangulate_large_loop.h"
@@ -31,7 +32,12 @@ class LoopFiller {
         loop_(loop.loop),
         polygon_(make_polygon(task.mesh, loop.loop, task.degeneracy)),
         checker_(task.mesh),
-        rules_{.existing = &task.existing, .bridges = loop.bridges} {}
+        rules_{.existing = &task.existing, .bridges = loop.bridges} {
+    for (const Index v : loop_.vertices) region_.extend(task.mesh.soup().positions[v]);
+  }
+
+  /// Returns the box of all patches that were tried.
+  [[nodiscard]] const Box3& region() const { return region_; }
 
   [[nodiscard]] std::optional<Patch> triangulated() const {
     auto triangles = triangulate_large_loop(polygon_, rules_);
@@ -51,7 +57,7 @@ class LoopFiller {
     if (!filling_.patch) {
       filling_.reason = has_tried_ ? "every patch tried intersects the mesh"
                                    : "every patch would give an edge a third face";
-      filling_.first = std::move(first_);
+      filling_.first = std::move(least_bent_);
     }
     return std::move(filling_);
   }
@@ -73,6 +79,7 @@ class LoopFiller {
       rules_.weight = kWeights[i % kWeights.size()];
       if (i % kWeights.size() == 0) rules_.forbid(std::exchange(met, {}));
       std::optional<Patch> patch = triangulated();
+      if (i == 0) least_bent_ = patch;
       if (!patch) continue;
       has_tried_ = true;
       const PatchFaults faults = checker_.check(*patch);
@@ -116,9 +123,11 @@ class LoopFiller {
                std::max(kSmoothBend, mean_rim_bend(task_.mesh, loop_, patch));
   }
 
-  [[nodiscard]] std::optional<Patch> try_smooth(const Patch& patch) const {
+  [[nodiscard]] std::optional<Patch> try_smooth(const Patch& patch) {
     std::optional<Patch> smooth = smooth_patch(task_, loop_, patch);
-    if (smooth && !is_sound(task_.mesh, *smooth)) smooth.reset();
+    if (!smooth) return std::nullopt;
+    for (const Vec3& p : smooth->added) region_.extend(p);
+    if (!is_sound(task_.mesh, *smooth)) return std::nullopt;
     return smooth;
   }
 
@@ -127,20 +136,35 @@ class LoopFiller {
   LoopPolygon polygon_;
   TriangulationChecker checker_;
   LoopRules rules_;
+  Box3 region_;
   Filling filling_;
   bool has_tried_ = false;
-  /// The first triangulation, if it has a fault.
+  /// The triangulation that was tried first, and the first that was possible.
+  std::optional<Patch> least_bent_;
   std::optional<Patch> first_;
 };
 
 }  // namespace
 
 std::optional<Patch> first_patch(const FillTask& task, const JoinedLoop& loop) {
+  if (task.memory != nullptr) {
+    if (std::optional<Filling> known = task.memory->recall(loop.loop)) {
+      return std::move(known->first);
+    }
+  }
   return LoopFiller(task, loop).triangulated();
 }
 
 Filling fill_loop(const FillTask& task, const JoinedLoop& loop) {
-  return LoopFiller(task, loop).run();
+  if (task.memory != nullptr) {
+    if (std::optional<Filling> known = task.memory->recall(loop.loop)) return std::move(*known);
+  }
+  LoopFiller filler(task, loop);
+  Filling filling = filler.run();
+  if (task.memory != nullptr && !filling.patch && !task.wants_to_stop()) {
+    task.memory->note(loop.loop, filler.region(), filling);
+  }
+  return filling;
 }
 
 }  // namespace meshalyzer

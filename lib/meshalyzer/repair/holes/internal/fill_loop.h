@@ -15,7 +15,7 @@ struct Filling {
   std::optional<Patch> patch;
   /// The reason why there is none.
   std::string reason;
-  /// The first triangulation tried, if there is no patch; nothing if none was possible.
+  /// If there is no patch, what first_patch() returns.
   std::optional<Patch> first;
 };
 

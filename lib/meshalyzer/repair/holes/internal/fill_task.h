@@ -7,6 +7,8 @@
 
 namespace meshalyzer {
 
+class FillMemory;
+
 /// The data that filling a loop needs.
 struct FillTask {
   const PreparedMesh& mesh;
@@ -16,6 +18,8 @@ struct FillTask {
   FillShape shape = FillShape::Auto;
   /// Called before each step of filling a loop; once it returns true, no patch is found any more.
   StopQuery wants_to_stop = {};
+  /// If given, loops that are known to have no patch are not tried.
+  FillMemory* memory = nullptr;
 };
 
 }  // namespace meshalyzer

@@ -1,0 +1,80 @@
+#include "meshalyzer/repair/holes/internal/fill_memory.h"
+
+#include "meshalyzer/base/hash.h"
+
+#include <algorithm>
+
+namespace meshalyzer {
+namespace {
+
+/// Returns a triangulation of a loop by the numbers of its corners.
+std::vector<Triangle> by_corners(std::vector<Triangle> triangles, const HoleLoop& loop) {
+  for (Triangle& t : triangles) {
+    for (Index& v : t) {
+      const auto corner = std::find(loop.vertices.begin(), loop.vertices.end(), v);
+      v = static_cast<Index>(corner - loop.vertices.begin());
+    }
+  }
+  return triangles;
+}
+
+}  // namespace
+
+std::optional<Filling> FillMemory::recall(const HoleLoop& loop) {
+  const auto found = failed_.attempts.find(hash_of(loop));
+  if (found == failed_.attempts.end()) return std::nullopt;
+  const FailedFillings::Attempt& attempt = found->second;
+  if (hash_of_faces_in(attempt.region) != attempt.surroundings) return std::nullopt;
+  Filling filling{.patch = std::nullopt, .reason = attempt.reason, .first = std::nullopt};
+  if (attempt.first) {
+    filling.first = Patch{.triangles = *attempt.first, .added = {}};
+    for (Triangle& t : filling.first->triangles) {
+      for (Index& v : t) v = loop.vertices[v];
+    }
+  }
+  return filling;
+}
+
+void FillMemory::note(const HoleLoop& loop, const Box3& region, const Filling& filling) {
+  FailedFillings::Attempt attempt{.region = region,
+                                  .surroundings = hash_of_faces_in(region),
+                                  .reason = filling.reason,
+                                  .first = std::nullopt};
+  if (filling.first) attempt.first = by_corners(filling.first->triangles, loop);
+  failed_.attempts.insert_or_assign(hash_of(loop), std::move(attempt));
+}
+
+std::uint64_t FillMemory::hash_of(std::uint64_t hash, Index vertex) const {
+  hash = mix_hash(hash, input_.tracked.vertex_keys[vertex]);
+  return mix_hash(hash, hash_position(input_.tracked.soup.positions[vertex]));
+}
+
+std::uint64_t FillMemory::hash_of(const HoleLoop& loop) const {
+  std::uint64_t hash = loop.size();
+  for (const Index v : loop.vertices) hash = hash_of(hash, v);
+  return hash;
+}
+
+std::uint64_t FillMemory::hash_of_faces_in(const Box3& region) {
+  if (!faces_) faces_ = hash_faces();
+  std::uint64_t sum = 0;
+  for (const Index face : faces_->tree.meeting(region)) sum += faces_->hashes[face];
+  return sum;
+}
+
+FillMemory::HashedFaces FillMemory::hash_faces() const {
+  const Soup& soup = input_.tracked.soup;
+  std::vector<Box3> boxes(soup.n_faces());
+  std::vector<std::uint64_t> hashes(soup.n_faces(), 0);
+  for (Index face = 0; face < soup.n_faces(); ++face) {
+    const Triangle& t = soup.triangles[face];
+    if (!is_in_complex(t)) continue;
+    for (const Index v : t) {
+      boxes[face].extend(soup.positions[v]);
+      hashes[face] = hash_of(hashes[face], v);
+    }
+  }
+  return {.tree = BoxTree(boxes), .hashes = std::move(hashes)};
+}
+
+}  // namespace meshalyzer
