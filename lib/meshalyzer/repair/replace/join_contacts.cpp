@@ -22,6 +22,9 @@ namespace {
 constexpr std::array<double, 3> kThicknessesOfRods{1.0 / 16.0, 1.0 / 256.0, 1.0 / 4096.0};
 /// Rounding may take this share of the thickness.
 constexpr double kRoundingOfRods = 0.01;
+/// Where more pairs of faces touch, or meet a rod, rounding makes faces intersect again and again,
+/// and each thickness would be tried in vain for ten seconds and more.
+constexpr std::size_t kMostPairsJoined = 50'000;
 /// The direction of the rods at single points: along no axis and no diagonal, so that they lie in
 /// no plane that models have.
 const Vec3 kDirectionOfRods(0.5257, 0.7693, 0.3626);
@@ -152,8 +155,10 @@ PassResult join_contacts(const PassInput& input) {
     const double thickness = kThicknessesOfRods.at(i) * input.limits.max_deviation;
     JoinedSolid joined(soup);
     for (const auto& segment : segments) joined.add_rod(segment, thickness);
-    const CombinedSolid solid = joined.unite(
-        {.max_deviation = kRoundingOfRods * thickness, .wants_to_stop = input.wants_to_stop});
+    const CombinedSolid solid = joined.unite({.max_deviation = kRoundingOfRods * thickness,
+                                              .max_pairs = kMostPairsJoined,
+                                              .wants_to_stop = input.wants_to_stop});
+    if (solid.outcome == CombineOutcome::TooManyPairs) break;
     if (solid.outcome != CombineOutcome::Done) continue;
     PassResult result = cut_edits(input, {}, surface_of_combined(input, solid, joined.origins()));
     result.has_smaller_operations = n_skipped == 0;

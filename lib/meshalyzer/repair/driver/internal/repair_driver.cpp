@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -45,6 +46,9 @@ constexpr std::size_t kRoundsForPairs = 2;
 constexpr std::size_t kPairsOfNoProgress = 1'000;
 /// After this number of stages, banned operations stay banned.
 constexpr std::size_t kMaxStages = 10;
+/// A stage after the first one, which tries what was banned, is given up after this number of
+/// attempts: mostly it would ban the same operations again, one after the other.
+constexpr std::size_t kAttemptsOfLaterStages = 3;
 
 bool are_many_alike(std::size_t n_pairs, std::size_t n_before) {
   const auto n = static_cast<double>(n_pairs);
@@ -76,7 +80,9 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
   }
   if (!input_counts_) input_counts_ = {{}, before.counts, before.is_yes};
   for (std::size_t stage = 0; stage < kMaxStages; ++stage) {
-    std::optional<DefectInventory> after = run_stage(plan, {check, before, on_worse});
+    const std::size_t max_attempts =
+        stage == 0 ? std::numeric_limits<std::size_t>::max() : kAttemptsOfLaterStages;
+    std::optional<DefectInventory> after = run_stage(plan, {check, before, on_worse, max_attempts});
     if (!after) break;
     before = std::move(*after);
     if (!is_worth_trying_banned()) break;
@@ -133,7 +139,8 @@ std::optional<DefectInventory> RepairDriver::run_stage(const std::vector<Planned
     DefectInventory after = list_defective_in_file(mesh_.state(), mesh_.tolerances(), gate.check);
     const Worsening worsening = find_worsening(gate.before, after);
     if (worsening.empty()) return after;
-    if (is_stopped_ || gate.on_worse == OnWorse::Leave) {
+    const bool is_last = attempt + 1 >= gate.max_attempts;
+    if (is_stopped_ || gate.on_worse == OnWorse::Leave || is_last) {
       restart();
       return std::nullopt;
     }

@@ -125,6 +125,8 @@ class RepairDriver {
     const FinalCheck& check;
     const DefectInventory& before;
     OnWorse on_worse;
+    /// If so many attempts end worse, the stage is given up.
+    std::size_t max_attempts;
   };
 
   /// The state from which a stage starts again.
