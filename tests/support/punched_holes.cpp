@@ -65,9 +65,9 @@ Filled fill_with_pass(const PunchedMesh& punched, FillShape shape) {
   const PreparedMesh mesh(tracked.soup);
   const Tolerances tolerances = resolve_tolerances({}, used_box(tracked.soup));
   const RepairLimits limits;
-  const PassResult result =
-      fill_holes({tracked.soup, tracked, mesh, tolerances, limits},
-                 {.at = punched.place, .shape = shape, .sheets = FillSheets::Yes});
+  const PassFunction fill =
+      hole_filling({.at = punched.place, .shape = shape, .sheets = FillSheets::Yes});
+  const PassResult result = fill({tracked.soup, tracked, mesh, tolerances, limits});
   const TrackedMesh after = apply_edits(tracked, result.edits);
   Filled filled{.soup = after.soup, .patch = {}};
   for (Index f = 0; f < after.soup.n_faces(); ++f) {

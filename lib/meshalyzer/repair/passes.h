@@ -111,11 +111,8 @@ struct FillOptions {
   FillSheets sheets = FillSheets::No;
 };
 
-/// Fills holes with patches that intersect neither the mesh nor themselves, or leaves them open.
-[[nodiscard]] PassResult fill_holes(const PassInput& input, const FillOptions& options);
-
-/// Returns a pass that fills holes as fill_holes() does, for the runs of one repair: a loop for
-/// which no patch was found is not tried again while what is round it stays the same.
+/// Returns a pass, for the runs of one repair, that fills holes with patches which meet neither the
+/// mesh nor themselves. A loop without one is tried again only once a face near it has changed.
 [[nodiscard]] PassFunction hole_filling(const FillOptions& options);
 
 /// Tells whether sheets that intersect something are cut.

@@ -326,7 +326,7 @@ class HoleFiller {
   std::vector<std::pair<std::size_t, std::string>> failures_;
 };
 
-PassResult fill_loops(const PassInput& input, const FillOptions& options, FillMemory* memory) {
+PassResult fill_loops(const PassInput& input, const FillOptions& options, FillMemory& memory) {
   HoleLoops found = find_hole_loops(input.mesh);
   PassResult result;
   if (!found.loops.empty()) {
@@ -336,7 +336,7 @@ PassResult fill_loops(const PassInput& input, const FillOptions& options, FillMe
                         .degeneracy = input.tolerances.degeneracy,
                         .shape = options.shape,
                         .wants_to_stop = input.wants_to_stop,
-                        .memory = memory};
+                        .memory = &memory};
     result = HoleFiller(task, found.loops, choose_loops(input, found.loops, options)).run();
   }
   result.refused.insert(result.refused.begin(), std::make_move_iterator(found.refused.begin()),
@@ -366,14 +366,10 @@ std::vector<Edits::AddedFace> crossing_patches(const PassInput& input, const Fil
   return std::move(edits.added_faces);
 }
 
-PassResult fill_holes(const PassInput& input, const FillOptions& options) {
-  return fill_loops(input, options, nullptr);
-}
-
 PassFunction hole_filling(const FillOptions& options) {
   return [options, failed = std::make_shared<FailedFillings>()](const PassInput& input) {
     FillMemory memory(*failed, input);
-    return fill_loops(input, options, &memory);
+    return fill_loops(input, options, memory);
   };
 }
 

@@ -77,7 +77,7 @@ Soup open_spheres(int n, double distance, double height = 0.5) {
 }
 
 PassResult fill_smoothly(const PassInput& input) {
-  return fill_holes(input, {.shape = FillShape::Smooth, .sheets = FillSheets::Yes});
+  return hole_filling({.shape = FillShape::Smooth, .sheets = FillSheets::Yes})(input);
 }
 
 TEST(StopWithinPasses, FillingOfOneHoleEndsBetweenItsSteps) {

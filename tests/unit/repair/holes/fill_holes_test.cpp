@@ -377,8 +377,7 @@ TEST(FillHoles, ALoneTriangleGetsNoBackThatDiffersOnlyByRounding) {
   // The middle of these corners, rounded, is not in their plane.
   const Soup soup =
       shapes::make({{0.1, 0.2, 0.3}, {0.7, 0.33, 0.11}, {0.29, 0.83, 0.57}}, {{0, 1, 2}});
-  const PassRun run = run_pass(
-      soup, [](const PassInput& input) { return fill_holes(input, {.sheets = FillSheets::Yes}); });
+  const PassRun run = run_pass(soup, hole_filling({.sheets = FillSheets::Yes}));
   EXPECT_EQ(run.operations, 0U);
 }
 

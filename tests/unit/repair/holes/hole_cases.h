@@ -24,7 +24,7 @@ namespace meshalyzer {
 /// Fills the holes of a mesh, sheets' too.
 [[nodiscard]] inline PassRun fill(const Soup& soup,
                                   FillOptions options = {.sheets = FillSheets::Yes}) {
-  return run_pass(soup, [&](const PassInput& input) { return fill_holes(input, options); });
+  return run_pass(soup, hole_filling(options));
 }
 
 /// Expects a closed, manifold, consistent mesh without intersections or degenerate faces.
