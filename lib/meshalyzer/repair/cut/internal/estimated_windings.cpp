@@ -15,10 +15,9 @@ namespace meshalyzer {
 namespace {
 
 /// The number of pieces that are sampled of those with the same cells on both sides: fewer if there
-/// are so many such patches that all samples together would be more than kSamples, but at least
-/// kFewSamplesOfPatch, or one if there are more patches than kSamples.
+/// are so many such patches that all samples together would be more than kSamples.
 constexpr std::size_t kMostSamplesOfPatch = 64;
-constexpr std::size_t kFewSamplesOfPatch = 4;
+constexpr std::size_t kLeastSamplesOfPatch = 4;
 constexpr std::size_t kSamples = 4096;
 /// A component of many pieces is clearly a sheet if less than this share of a few samples separates
 /// whole winding numbers, where half is needed: that is four standard deviations.
@@ -69,10 +68,8 @@ void choose_from(const std::vector<Sample>& pieces, std::size_t most,
 
 /// Selects pieces of each patch.
 std::vector<Sample> choose_samples(const Patches& patches) {
-  // Where there are many patches a cell has several, so that one sample of each is enough.
-  const std::size_t least = patches.size() > kSamples ? 1 : kFewSamplesOfPatch;
-  const std::size_t n_of_patch =
-      std::clamp(kSamples / std::max<std::size_t>(1, patches.size()), least, kMostSamplesOfPatch);
+  const std::size_t n_of_patch = std::clamp(kSamples / std::max<std::size_t>(1, patches.size()),
+                                            kLeastSamplesOfPatch, kMostSamplesOfPatch);
   std::vector<Sample> samples;
   for (const auto& [sides, pieces] : patches) choose_from(pieces, n_of_patch, samples);
   return samples;
