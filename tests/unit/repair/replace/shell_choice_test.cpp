@@ -19,11 +19,12 @@ const Soup kThreeCubes = shapes::merged(
     shapes::translated(shapes::open_cube(), {6, 0, 0}));
 
 ChosenShells choose(const ShellChoice& choice) {
-  const TrackedMesh tracked = track_mesh(kThreeCubes);
-  const PreparedMesh mesh(tracked.soup);
-  const Tolerances tolerances = resolve_tolerances({}, box_of(kThreeCubes));
-  const RepairLimits limits = wide_limits(kThreeCubes);
-  return choose_shells({kThreeCubes, tracked, mesh, tolerances, limits}, choice);
+  ChosenShells chosen;
+  static_cast<void>(run_pass(kThreeCubes, [&](const PassInput& input) {
+    chosen = choose_shells(input, choice);
+    return PassResult{};
+  }));
+  return chosen;
 }
 
 Keys from_to(Index first, Index last) {

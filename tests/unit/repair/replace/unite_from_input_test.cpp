@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -78,16 +79,10 @@ TEST_F(UniteFromInput, MakesShellsOfPartsThatItWouldLose) {
 
 /// The four walls of a flat box, without top and bottom, 20 x 20 x 1.
 Soup walls_of_flat_box() {
-  return shapes::make(
-      {{-10, -10, 0},
-       {10, -10, 0},
-       {10, 10, 0},
-       {-10, 10, 0},
-       {-10, -10, 1},
-       {10, -10, 1},
-       {10, 10, 1},
-       {-10, 10, 1}},
-      {{0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}});
+  constexpr std::array<Index, 4> kBottomAndTop{0, 1, 10, 11};
+  Soup walls = shapes::without_faces(shapes::cube(), kBottomAndTop);
+  for (Vec3& p : walls.positions) p = {20 * p.x() - 10, 20 * p.y() - 10, p.z()};
+  return walls;
 }
 
 TEST_F(UniteFromInput, MakesShellsOfPartsWhosePatchesHideOthers) {

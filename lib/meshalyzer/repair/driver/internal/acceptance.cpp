@@ -129,10 +129,7 @@ class AcceptanceCheck {
   /// Returns the box round a face of the input in which operations may have lost it: an earlier
   /// pass has removed it.
   [[nodiscard]] Box3 surroundings_of(Index input_face) const {
-    Box3 near;
-    for (const Index v : rules_.input.triangles[input_face]) {
-      if (v != kNoIndex) near.extend(rules_.input.positions[v]);
-    }
+    Box3 near = box_of_face(rules_.input, input_face);
     near.min().array() -= rules_.max_deviation;
     near.max().array() += rules_.max_deviation;
     return near;

@@ -6,6 +6,14 @@
 
 namespace meshalyzer {
 
+Box3 box_of_face(const Soup& soup, Index face) {
+  Box3 box;
+  for (const Index v : soup.triangles[face]) {
+    if (v != kNoIndex) box.extend(soup.positions[v]);
+  }
+  return box;
+}
+
 ChangedPlaces::ChangedPlaces(const TrackedMesh& before, const AffectedElements& affected)
     : changed_(find_changed(before, affected)), tree_(changed_.boxes) {
   on_origins_.reserve(affected.faces_before.size());
@@ -21,10 +29,7 @@ ChangedPlaces::Changed ChangedPlaces::find_changed(const TrackedMesh& before,
   for (Index face = 0; face < before.soup.n_faces(); ++face) {
     for (const AffectedElement& entry :
          operations_on(affected.faces_before, before.face_keys[face])) {
-      Box3& box = changed.boxes.emplace_back();
-      for (const Index v : before.soup.triangles[face]) {
-        if (v != kNoIndex) box.extend(before.soup.positions[v]);
-      }
+      changed.boxes.push_back(box_of_face(before.soup, face));
       changed.operations.push_back(entry.operation);
     }
   }

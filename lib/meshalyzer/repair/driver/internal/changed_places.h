@@ -10,6 +10,9 @@
 
 namespace meshalyzer {
 
+/// Returns the box of a face, without the corners that no record defines.
+[[nodiscard]] Box3 box_of_face(const Soup& soup, Index face);
+
 /// Finds the operations of a step by the faces that they remove or change.
 class ChangedPlaces {
  public:

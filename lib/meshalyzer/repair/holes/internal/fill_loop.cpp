@@ -144,21 +144,19 @@ class LoopFiller {
   std::optional<Patch> first_;
 };
 
+std::optional<Filling> known_failure(const FillTask& task, const JoinedLoop& loop) {
+  return task.memory == nullptr ? std::nullopt : task.memory->recall(loop.loop);
+}
+
 }  // namespace
 
 std::optional<Patch> first_patch(const FillTask& task, const JoinedLoop& loop) {
-  if (task.memory != nullptr) {
-    if (std::optional<Filling> known = task.memory->recall(loop.loop)) {
-      return std::move(known->first);
-    }
-  }
+  if (std::optional<Filling> known = known_failure(task, loop)) return std::move(known->first);
   return LoopFiller(task, loop).triangulated();
 }
 
 Filling fill_loop(const FillTask& task, const JoinedLoop& loop) {
-  if (task.memory != nullptr) {
-    if (std::optional<Filling> known = task.memory->recall(loop.loop)) return std::move(*known);
-  }
+  if (std::optional<Filling> known = known_failure(task, loop)) return std::move(*known);
   LoopFiller filler(task, loop);
   Filling filling = filler.run();
   if (task.memory != nullptr && !filling.patch && !task.wants_to_stop()) {

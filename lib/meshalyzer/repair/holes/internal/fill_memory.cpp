@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/holes/internal/fill_memory.h"
 
 #include "meshalyzer/base/hash.h"
+#include "meshalyzer/base/triangle.h"
 
 #include <algorithm>
 
@@ -69,10 +70,8 @@ FillMemory::HashedFaces FillMemory::hash_faces() const {
   for (Index face = 0; face < soup.n_faces(); ++face) {
     const Triangle& t = soup.triangles[face];
     if (!is_in_complex(t)) continue;
-    for (const Index v : t) {
-      boxes[face].extend(soup.positions[v]);
-      hashes[face] = hash_of(hashes[face], v);
-    }
+    boxes[face] = box_of(corners_of(soup, face));
+    for (const Index v : t) hashes[face] = hash_of(hashes[face], v);
   }
   return {.tree = BoxTree(boxes), .hashes = std::move(hashes)};
 }

@@ -13,8 +13,7 @@
 namespace meshalyzer {
 
 /// The loops for which no patch was found, from all runs of a pass.
-class FailedFillings {
- public:
+struct FailedFillings {
   struct Attempt {
     /// The box of all patches that were tried, and a hash of the faces that met it.
     Box3 region;

@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/replace/internal/shell_choice.h"
 
-#include "meshalyzer/topology/border.h"
+#include "meshalyzer/geometry/volume.h"
+#include "meshalyzer/repair/orient/bounds_solid.h"
 #include "meshalyzer/topology/components.h"
 
 #include <algorithm>
@@ -10,25 +11,10 @@
 namespace meshalyzer {
 namespace {
 
-/// #components: 1 for those with a border.
-std::vector<std::uint8_t> which_are_open(const CutMesh& cut, const Components& components) {
-  std::vector<std::uint8_t> is_open(components.count, 0);
-  for (const HalfedgeHandle h : find_border_edges(cut)) {
-    const FaceHandle inner = cut.mesh.face_handle(h);
-    is_open[components.of_face[static_cast<std::size_t>(inner.idx())]] = 1;
-  }
-  return is_open;
-}
-
 /// #components: 1 for those in whose box one of the points lies.
-std::vector<std::uint8_t> which_hold(const PassInput& input, const Components& components,
+std::vector<std::uint8_t> which_hold(const CutMesh& cut, const Components& components,
                                      const std::vector<Vec3>& points) {
-  std::vector<Box3> boxes(components.count);
-  for (std::size_t f = 0; f < components.of_face.size(); ++f) {
-    for (const Vec3& corner : corners_of(input.tracked.soup, input.mesh.cut().side.faces[f])) {
-      boxes[components.of_face[f]].extend(corner);
-    }
-  }
+  const std::vector<Box3> boxes = bounding_boxes(cut.mesh, {components.of_face, components.count});
   std::vector<std::uint8_t> holds(components.count, 0);
   for (std::size_t part = 0; part < components.count; ++part) {
     const auto is_inside = [&](const Vec3& point) { return boxes[part].contains(point); };
@@ -42,16 +28,16 @@ std::vector<std::uint8_t> which_hold(const PassInput& input, const Components& c
 ChosenShells choose_shells(const PassInput& input, const ShellChoice& choice) {
   const CutMesh& cut = input.mesh.cut();
   const Components components = find_edge_components(cut);
-  const std::vector<std::uint8_t> is_open = which_are_open(cut, components);
+  const std::vector<std::uint8_t> is_closed = which_are_closed(cut, components);
   const auto key_of = [&](std::size_t f) { return input.tracked.face_keys[cut.side.faces[f]]; };
-  std::vector<std::uint8_t> is_chosen = which_hold(input, components, choice.hidden_points);
+  std::vector<std::uint8_t> is_chosen = which_hold(cut, components, choice.hidden_points);
   for (std::size_t part = 0; part < components.count; ++part) {
-    if (is_open[part] == 0) is_chosen[part] = 0;
+    if (is_closed[part] != 0) is_chosen[part] = 0;
   }
   const auto& named = choice.face_keys;
   for (std::size_t f = 0; f < components.of_face.size(); ++f) {
     const Index part = components.of_face[f];
-    if (is_chosen[part] != 0 || (is_open[part] == 0 && !choice.closed_too)) continue;
+    if (is_chosen[part] != 0 || (is_closed[part] != 0 && !choice.closed_too)) continue;
     is_chosen[part] = std::binary_search(named.begin(), named.end(), key_of(f)) ? 1 : 0;
   }
   ChosenShells chosen;
@@ -59,7 +45,7 @@ ChosenShells choose_shells(const PassInput& input, const ShellChoice& choice) {
     const Index part = components.of_face[f];
     if (is_chosen[part] != 0) {
       chosen.face_keys.push_back(key_of(f));
-    } else if (is_open[part] != 0) {
+    } else if (is_closed[part] == 0) {
       chosen.other_open_keys.push_back(key_of(f));
     }
   }

@@ -7,7 +7,6 @@
 #include "meshalyzer/repair/holes/internal/crossing_patches.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/replace/internal/broken_solids.h"
-#include "meshalyzer/repair/replace/internal/shell_choice.h"
 #include "meshalyzer/spatial/closest_point.h"
 
 #include <algorithm>
@@ -158,12 +157,12 @@ class UnionFromInput {
     const MeshRegion solid(result, state.mesh().tree());
     const ClosestPoints closest(state.mesh().tree());
     Index hint = kNoIndex;
-    for (const auto& [point, face_key] : lost_) {
-      const auto found = closest.find({.point = point, .hint = hint});
+    for (const LostSample& sample : lost_) {
+      const auto found = closest.find({.point = sample.point, .hint = hint});
       hint = found->slot;
-      if (found->distance > driver_.mesh().max_deviation()) note_far({point, face_key});
+      if (found->distance > driver_.mesh().max_deviation()) note_far(sample);
       if (found->distance <= distance_of_rest_) continue;
-      double& largest = solid.contains(point) ? distance_behind_holes_ : distance_of_rest_;
+      double& largest = solid.contains(sample.point) ? distance_behind_holes_ : distance_of_rest_;
       largest = std::max(largest, found->distance);
     }
     sort_unique(far_.face_keys);
