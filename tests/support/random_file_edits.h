@@ -2,6 +2,7 @@
 
 #include "support/edited_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -10,13 +11,20 @@
 
 namespace meshalyzer {
 
+/// Returns the first vertex that has the id of this one: only this one can a face name in a file.
+inline Index first_of_its_id(const Soup& soup, Index vertex) {
+  const auto& ids = soup.vertex_ids.named;
+  if (ids.empty()) return vertex;
+  return static_cast<Index>(std::find(ids.begin(), ids.end(), ids[vertex]) - ids.begin());
+}
+
 /// Edits a file as a repair might, a few times; `next` returns numbers below its argument.
 inline void edit_at_random(EditedFile& file, const std::function<Index(std::size_t)>& next) {
   const std::size_t n_records = file.soup().n_faces();
   for (Index i = next(6); i > 0 && file.soup().n_faces() > 1; --i) {
     Soup& soup = file.soup();
     const Index face = next(soup.n_faces());
-    const Index vertex = next(soup.n_vertices());
+    const Index vertex = first_of_its_id(soup, next(soup.n_vertices()));
     switch (next(6)) {
       case 0:
         soup.positions[vertex].x() += 0.5;

@@ -28,7 +28,8 @@ struct MeshFormatOptions {
 
 /// Writes the soup's own ids; if they begin below 1, as those of OFF do, records are numbered from
 /// 1.
-/// @throws InvalidArgument if a face has a corner without a vertex.
+/// @throws InvalidArgument if a face has a corner without a vertex, or one whose id belongs to an
+///         earlier vertex.
 [[nodiscard]] std::string print_mesh_format(const Soup& soup);
 
 }  // namespace meshalyzer

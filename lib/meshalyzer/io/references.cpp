@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/mesh/repeated_ids.h"
 
 #include <algorithm>
 #include <limits>
@@ -155,6 +156,22 @@ void require_all_vertices(const Soup& soup) {
       if (corner >= soup.n_vertices()) {
         throw InvalidArgument("face " + std::to_string(soup.face_ids.of(static_cast<Index>(f))) +
                               " has a corner without a vertex: it cannot be written");
+      }
+    }
+  }
+}
+
+void require_ids_of_vertices(const Soup& soup) {
+  const std::vector<Index> repeated = find_repeated_ids(soup.vertex_ids);
+  if (repeated.empty()) return;
+  std::vector<char> is_repeated(soup.n_vertices(), 0);
+  for (const Index v : repeated) is_repeated[v] = 1;
+  for (Index f = 0; f < soup.n_faces(); ++f) {
+    for (const Index v : soup.triangles[f]) {
+      if (is_repeated[v] != 0) {
+        throw InvalidArgument("face " + std::to_string(soup.face_ids.of(f)) +
+                              " has a vertex whose id " + std::to_string(soup.vertex_ids.of(v)) +
+                              " belongs to an earlier one: it cannot be written");
       }
     }
   }

@@ -41,4 +41,9 @@ void use_vertex_normals(Soup& soup);
 /// @throws InvalidArgument if a face has a corner without a vertex, which no format can hold.
 void require_all_vertices(const Soup& soup);
 
+/// Checks that no face has a vertex whose id belongs to an earlier vertex.
+/// @throws InvalidArgument if one has: by this id the face would get the earlier vertex.
+/// @complexity O(V + F) if ids ascend, else O(V log V + F).
+void require_ids_of_vertices(const Soup& soup);
+
 }  // namespace meshalyzer

@@ -17,8 +17,8 @@ enum class Encoding { Text, Binary };
 /// was.
 ///
 /// @throws IoError if the file cannot be written; InvalidArgument if the ending is of no known
-/// format, the format has
-///         no such encoding (Binary: STL and PLY only), or a face has a corner without a vertex.
+/// format, the format has no such encoding (Binary: STL and PLY only), or a face has a corner
+/// without a vertex or, in a `.mesh` file, a vertex whose id belongs to an earlier one.
 void write_mesh(const Soup& soup, const std::string& path, Encoding encoding = Encoding::Text);
 
 /// Returns the bytes that write_mesh() would write.

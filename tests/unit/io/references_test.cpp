@@ -1,6 +1,7 @@
 #include "meshalyzer/io/references.h"
 
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/io/mesh_format.h"
 
 #include <gtest/gtest.h>
 
@@ -80,6 +81,14 @@ TEST(AppendFan, KeepsTooFewCornersAsADegenerateTriangle) {
 TEST(RequireAllVertices, NamesTheFaceThatLacksOne) {
   const Soup soup = soup_with_ids({1, 2, 3}, {{1, 2, 3}, {1, 2, 4}});
   EXPECT_THROW(require_all_vertices(soup), InvalidArgument);
+}
+
+TEST(RequireIdsOfVertices, RefusesAFaceThatWouldGetAnEarlierVertex) {
+  Soup soup = soup_with_ids({1, 2, 3, 2}, {{1, 2, 3}});
+  EXPECT_NO_THROW(require_ids_of_vertices(soup));
+  soup.triangles[0][1] = 3;
+  EXPECT_THROW(require_ids_of_vertices(soup), InvalidArgument);
+  EXPECT_THROW(static_cast<void>(print_mesh_format(soup)), InvalidArgument);
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ namespace meshalyzer {
 /// @param bytes     The content from which mesh.source was parsed, not gzipped and without a byte
 ///                  order mark.
 /// @param encoding  The encoding; binary only for PLY and STL.
-/// @throws InvalidArgument if a face has a corner without a vertex.
+/// @throws InvalidArgument if a face has a corner without a vertex or, written as `.mesh`, a vertex
+///         whose id belongs to an earlier one.
 /// @complexity O(bytes + #F log #F).
 [[nodiscard]] RewrittenFile rewrite_as(const EditedMesh& mesh, std::string_view bytes,
                                        Format format, Encoding encoding = Encoding::Text);

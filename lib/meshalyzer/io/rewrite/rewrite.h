@@ -20,7 +20,8 @@ namespace meshalyzer {
 ///               order mark.
 /// @return The new content; nothing if the format cannot hold the mesh (a binary STL file with
 ///         coordinates that are no 32-bit floats), or if its encoding is only read, not written.
-/// @throws InvalidArgument if a face has a corner without a vertex.
+/// @throws InvalidArgument if a face has a corner without a vertex or, in a `.mesh` file, a vertex
+///         whose id belongs to an earlier one.
 /// @complexity O(bytes + #F log #F).
 [[nodiscard]] std::optional<RewrittenFile> rewrite_mesh(const EditedMesh& mesh,
                                                         std::string_view bytes);
