@@ -110,6 +110,31 @@ TEST(PartContacts, FinIsMovedOffTheSurface) {
   EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
 }
 
+TEST(PartContacts, ThinFacesInWhoseBoxesThousandsLieAreParted) {
+  // Two spikes along a diagonal touch with their tips.
+  const double far = 100.0;
+  Soup soup = shapes::make({{0, 0, 0},
+                            {far, far, far},
+                            {far + 1, far, far},
+                            {far, far + 1, far},
+                            {-far, -far, -far},
+                            {-far - 1, -far, -far},
+                            {-far, -far - 1, -far}},
+                           {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}});
+  const std::vector<Triangle> other{{0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}};
+  soup.triangles.insert(soup.triangles.end(), other.begin(), other.end());
+  // Beside the spikes, within the boxes of their sides, lie 8,000 faces.
+  const Soup small = shapes::scaled(shapes::tetrahedron(), 0.5);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 corner(10.0 + i % 10, 80.0 - i / 10 % 10, 40.0 + i / 100);
+    soup = shapes::merged(soup, shapes::translated(small, corner));
+    soup = shapes::merged(soup, shapes::translated(small, -corner));
+  }
+  const PassRun run = split_and_part(soup);
+  EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
+  EXPECT_TRUE(run.refused.empty());
+}
+
 TEST(PartContacts, SeamsThatCanBeWeldedAreLeft) {
   // Each face of the cube has vertices of its own.
   Soup soup;

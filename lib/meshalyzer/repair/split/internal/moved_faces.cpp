@@ -15,6 +15,11 @@ namespace {
 
 /// The number of pairs of faces that is always checked, in addition to pairs of moving faces.
 constexpr std::size_t kFreePairs = 4096;
+/// As many times more pairs may have boxes that meet: long, thin faces have large ones.
+constexpr std::size_t kMeetingBoxes = 64;
+/// Faces farther apart than this multiple of the reach cannot meet after a move: each coordinate
+/// changes by the reach at most, and rounding of the distance is small beside it.
+constexpr double kApart = 4.0;
 
 Box3 grown(const Box3& box, double by) {
   return {box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by)};
@@ -26,6 +31,37 @@ std::array<float, 3> mapped(const FaceTree& tree, const Vec3& point) {
   std::array<float, 3> result = tree.map(point);
   for (float& x : result) x = std::clamp(x, -4.0F, 4.0F);
   return result;
+}
+
+/// Tells whether the projections of two faces onto a direction are farther apart than a distance.
+bool are_apart_along(const Vec3& direction, const Corners& a, const Corners& b, double distance) {
+  const double length = direction.norm();
+  bool is_above = length > 0.0;
+  bool is_below = is_above;
+  for (const Vec3& p : a) {
+    for (const Vec3& q : b) {
+      // If this overflows, nothing is proved.
+      const double along = (q - p).dot(direction) / length;
+      is_above = is_above && along > distance;
+      is_below = is_below && -along > distance;
+    }
+    if (!is_above && !is_below) return false;
+  }
+  return true;
+}
+
+/// Tells whether a plane along one of two faces, or through one of their edges and upright on it,
+/// proves that they are farther apart than a distance.
+bool are_apart(const Corners& a, const Corners& b, double distance) {
+  for (const Corners* face : {&a, &b}) {
+    const Vec3 normal = normal_of(*face);
+    if (are_apart_along(normal, a, b, distance)) return true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 edge = (*face).at((i + 1) % 3) - (*face).at(i);
+      if (are_apart_along(edge.cross(normal), a, b, distance)) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -63,6 +99,7 @@ Move::Move(const MovedMesh& mesh, std::span<const Index> vertices, std::span<con
            double reach)
     : mesh_(mesh), vertices_(vertices), faces_(faces), reach_(reach) {
   const std::size_t max_pairs = kFreePairs + faces.size() * faces.size();
+  std::size_t n_meeting = 0;
   const auto box = [&](Index face) { return box_of(mesh_.corners(mesh_.triangle(face))); };
   Box3 around;
   for (const Index face : faces_) around.extend(box(face));
@@ -70,13 +107,19 @@ Move::Move(const MovedMesh& mesh, std::span<const Index> vertices, std::span<con
   std::vector<Box3> boxes(others.size());
   std::transform(others.begin(), others.end(), boxes.begin(), box);
   for (const Index face : faces_) {
-    const Box3 near = grown(box(face), reach);
+    const Corners corners = mesh_.corners(mesh_.triangle(face));
+    const Box3 near = grown(box_of(corners), reach);
     for (std::size_t i = 0; i < others.size(); ++i) {
       if (!near.intersects(boxes[i])) continue;
       const bool moves_too = std::binary_search(faces_.begin(), faces_.end(), others[i]);
-      if (!moves_too || others[i] > face) pairs_.push_back({face, others[i]});
+      if (moves_too && others[i] <= face) continue;
+      ++n_meeting;
+      const Corners other = mesh_.corners(mesh_.triangle(others[i]));
+      if (moves_too || !are_apart(corners, other, kApart * reach)) {
+        pairs_.push_back({face, others[i]});
+      }
     }
-    is_crowded_ = pairs_.size() > max_pairs;
+    is_crowded_ = pairs_.size() > max_pairs || n_meeting > kMeetingBoxes * max_pairs;
     if (is_crowded_) return;
   }
   std::sort(pairs_.begin(), pairs_.end());
