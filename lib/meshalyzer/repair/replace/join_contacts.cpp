@@ -2,6 +2,7 @@
 #include "meshalyzer/repair/cut/internal/cut_edits.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/replace/internal/combined_surface.h"
+#include "meshalyzer/repair/replace/internal/join_points.h"
 #include "meshalyzer/repair/split/internal/contact_places.h"
 #include "meshalyzer/topology/border.h"
 
@@ -29,6 +30,8 @@ constexpr std::size_t kMostPairsJoined = 50'000;
 /// no plane that models have.
 const Vec3 kDirectionOfRods(0.5257, 0.7693, 0.3626);
 
+using Segments = std::vector<std::array<Vec3, 2>>;
+
 std::array<Index, 2> ascending(Index a, Index b) {
   return {std::min(a, b), std::max(a, b)};
 }
@@ -43,7 +46,7 @@ bool has_contacts_only(const PreparedMesh& mesh) {
 }
 
 /// Finds the segments along which faces touch; those of single points have no length.
-std::vector<std::array<Vec3, 2>> contact_segments(const Soup& soup, const ContactPlaces& contacts) {
+Segments contact_segments(const Soup& soup, const ContactPlaces& contacts) {
   // One vertex stands for all at its place.
   std::map<Index, Index> first_of;
   for (const ContactPlace& place : contacts.places) {
@@ -67,7 +70,7 @@ std::vector<std::array<Vec3, 2>> contact_segments(const Soup& soup, const Contac
       }
     }
   }
-  std::vector<std::array<Vec3, 2>> segments;
+  Segments segments;
   std::set<Index> with_segment;
   for (const auto& [ends, of_ends] : edges) {
     if (of_ends.size() < 2) continue;
@@ -140,20 +143,13 @@ class JoinedSolid {
   std::vector<Index> origins_;
 };
 
-}  // namespace
-
-PassResult join_contacts(const PassInput& input) {
-  if (!(input.limits.max_deviation > 0.0) || input.limits.groups == Groups::Faces ||
-      !has_contacts_only(input.mesh)) {
-    return {};
-  }
-  const Soup& soup = input.tracked.soup;
-  const auto segments = contact_segments(soup, find_contact_places(input.mesh));
+/// Unites a mesh with rods along segments, the first time with thick ones.
+PassResult unite_with_rods(const PassInput& input, const Segments& segments) {
   // Where a thick rod was rejected, as one that goes too far, a thinner one is tried.
   const std::size_t n_skipped = input.operation_size == OperationSize::Normal ? 0 : 1;
   for (std::size_t i = n_skipped; i < kThicknessesOfRods.size() && !input.wants_to_stop(); ++i) {
     const double thickness = kThicknessesOfRods.at(i) * input.limits.max_deviation;
-    JoinedSolid joined(soup);
+    JoinedSolid joined(input.tracked.soup);
     for (const auto& segment : segments) joined.add_rod(segment, thickness);
     const CombinedSolid solid = joined.unite({.max_deviation = kRoundingOfRods * thickness,
                                               .max_pairs = kMostPairsJoined,
@@ -165,6 +161,35 @@ PassResult join_contacts(const PassInput& input) {
     return result;
   }
   return {};
+}
+
+/// Tells whether rods may be added to a mesh.
+bool may_join(const PassInput& input) {
+  return input.limits.max_deviation > 0.0 && input.limits.groups != Groups::Faces;
+}
+
+}  // namespace
+
+PassResult join_contacts(const PassInput& input) {
+  if (!may_join(input) || !has_contacts_only(input.mesh)) return {};
+  return unite_with_rods(input,
+                         contact_segments(input.tracked.soup, find_contact_places(input.mesh)));
+}
+
+std::vector<Vec3> contact_points(const PreparedMesh& mesh) {
+  std::vector<Vec3> points;
+  if (!has_contacts_only(mesh)) return points;
+  for (const ContactPlace& place : find_contact_places(mesh).places) {
+    points.push_back(mesh.soup().positions[place.units.front().front()]);
+  }
+  return points;
+}
+
+PassResult join_at_points(const PassInput& input, std::span<const Vec3> points) {
+  if (!may_join(input) || points.empty()) return {};
+  Segments segments;
+  for (const Vec3& point : points) segments.push_back({point, point});
+  return unite_with_rods(input, segments);
 }
 
 }  // namespace meshalyzer

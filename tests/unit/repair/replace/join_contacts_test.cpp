@@ -1,4 +1,6 @@
+#include "meshalyzer/mesh/build.h"
 #include "meshalyzer/repair/passes.h"
+#include "meshalyzer/repair/replace/internal/join_points.h"
 #include "support/run_pass.h"
 #include "support/same_soup.h"
 #include "support/shapes.h"
@@ -11,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -89,6 +92,62 @@ TEST(JoinContacts, WithoutDeviationNothingIsJoined) {
   const Soup cubes = cubes_that_touch({1, 1, 1});
   const RepairLimits limits{.max_deviation = 0.0, .fixed_vertices = {}};
   EXPECT_TRUE(same_soup(run_pass(cubes, join_contacts, limits).tracked.soup, cubes));
+}
+
+/// Spikes with their tips at the origin, one in each octant, with this vertex in common.
+Soup spikes_at_the_origin() {
+  Soup soup = shapes::make({{0, 0, 0}}, {});
+  for (int octant = 0; octant < 8; ++octant) {
+    const Vec3 signs(octant % 2 == 0 ? 1 : -1, octant / 2 % 2 == 0 ? 1 : -1,
+                     octant / 4 == 0 ? 1 : -1);
+    const auto first = static_cast<Index>(soup.positions.size());
+    for (const Vec3& p : {Vec3(3, 1, 1), Vec3(1, 3, 1), Vec3(1, 1, 3)}) {
+      soup.positions.emplace_back(p.cwiseProduct(signs));
+    }
+    std::vector<Triangle> faces{{0, first + 1, first},
+                                {0, first + 2, first + 1},
+                                {0, first, first + 2},
+                                {first, first + 1, first + 2}};
+    if (signs.prod() < 0) {
+      for (Triangle& t : faces) std::swap(t[1], t[2]);
+    }
+    soup.triangles.insert(soup.triangles.end(), faces.begin(), faces.end());
+  }
+  return soup;
+}
+
+TEST(JoinAtPoints, ASmallSolidTakesThePlaceOfAVertexOfManyParts) {
+  const Soup spikes = spikes_at_the_origin();
+  ASSERT_EQ(build(spikes).side.non_manifold_vertices.size(), 1U);
+  const std::vector<Vec3> points{Vec3(0, 0, 0)};
+  const PassRun run =
+      run_pass(spikes, [&](const PassInput& input) { return join_at_points(input, points); });
+  EXPECT_TRUE(is_good(run.tracked.soup));
+  EXPECT_EQ(n_components(run.tracked.soup), 1U);
+  const double volume = volume_of(run.tracked.soup);
+  EXPECT_GT(volume, volume_of(spikes));
+  EXPECT_LT(volume, volume_of(spikes) + 6 * std::pow(thickness_of_rods(spikes), 3));
+}
+
+TEST(JoinAtPoints, WithoutPointsNothingIsJoined) {
+  const Soup spikes = spikes_at_the_origin();
+  const PassRun run =
+      run_pass(spikes, [&](const PassInput& input) { return join_at_points(input, {}); });
+  EXPECT_TRUE(same_soup(run.tracked.soup, spikes));
+}
+
+TEST(ContactPoints, AreWhereFacesTouchAtCopiesOfVertices) {
+  const Soup split_up = split(spikes_at_the_origin()).tracked.soup;
+  EXPECT_EQ(contact_points(PreparedMesh(split_up)), std::vector<Vec3>{Vec3(0, 0, 0)});
+}
+
+TEST(ContactPoints, AreNoneWhereSomethingElseIsWrong) {
+  const Soup split_up = split(spikes_at_the_origin()).tracked.soup;
+  const Soup crossing = shapes::merged(split_up, shapes::translated(split_up, {0.5, 0.25, 0.125}));
+  const Soup open = shapes::without_faces(split_up, std::vector<Index>{3});
+  for (const Soup& soup : {shapes::cube(), crossing, open}) {
+    EXPECT_TRUE(contact_points(PreparedMesh(soup)).empty());
+  }
 }
 
 }  // namespace

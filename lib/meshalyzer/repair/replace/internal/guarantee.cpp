@@ -143,6 +143,8 @@ class Guarantee {
     ShellChoice shells;
     for (std::size_t i = 0; i < kMostUnionsWithShells && is_union_too_far_; ++i) {
       const auto& [face_keys, has_open, points] = lost_;
+      // With the same shells it would end as before.
+      if (i > 0 && points.empty()) return false;
       shells.face_keys.insert(shells.face_keys.end(), face_keys.begin(), face_keys.end());
       sort_unique(shells.face_keys);
       if (i > 0 && !has_open) {

@@ -7,6 +7,7 @@
 #include "meshalyzer/repair/holes/internal/crossing_patches.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/replace/internal/broken_solids.h"
+#include "meshalyzer/repair/replace/internal/join_points.h"
 #include "meshalyzer/spatial/closest_point.h"
 
 #include <algorithm>
@@ -19,6 +20,10 @@ namespace {
 
 /// The sides of a dropped piece are examined at this distance, as a share of the maximum deviation.
 constexpr double kSideReach = 1.0 / 16.0;
+/// A union that still touches at no more points is made again with small solids round these, so
+/// many times at most.
+constexpr std::size_t kMostPointsJoined = 64;
+constexpr int kMostTimesJoined = 3;
 
 /// A point of a removed part of a mesh.
 struct LostSample {
@@ -102,7 +107,20 @@ class UnionFromInput {
            options_.groups == Groups::Names;
   }
 
+  /// Unites the mesh; where many parts of the union touch at a point and cannot be parted, again
+  /// with a small solid round it.
   bool unite(FillSheets sheets) {
+    joined_.clear();
+    for (int i = 0; i <= kMostTimesJoined; ++i) {
+      touching_.clear();
+      if (try_union(sheets)) return true;
+      if (touching_.empty() || touching_.size() > kMostPointsJoined) break;
+      joined_.insert(joined_.end(), touching_.begin(), touching_.end());
+    }
+    return false;
+  }
+
+  bool try_union(FillSheets sheets) {
     SelfUnionOptions how{.fill = options_.fill};
     how.fill.sheets = sheets;
     if (options_.solid) how.lost = LostParts::Allowed;
@@ -117,6 +135,10 @@ class UnionFromInput {
           return result;
         }};
     std::vector<PlannedPass> changes{pass};
+    if (!joined_.empty()) {
+      changes.push_back({"join at points", DefectCode::SelfIntersection,
+                         [&](const PassInput& input) { return join_at_points(input, joined_); }});
+    }
     if (choice_.shells) changes.insert(changes.begin(), thickening());
     const bool is_kept = driver_.run_trial(
         {.from_input = plan_before_cutting(options_, tolerances_),
@@ -137,7 +159,10 @@ class UnionFromInput {
   }
 
   bool is_wanted(const RepairState& state) {
-    if (!is_good_in_file(state, tolerances_, check_)) return false;
+    if (!is_good_in_file(state, tolerances_, check_)) {
+      touching_ = contact_points(state.mesh());
+      return false;
+    }
     distance_of_rest_ = choice_.shells ? driver_.mesh().measure_deviation_but_for_lost()
                                        : driver_.mesh().measure_deviation();
     distance_behind_holes_ = 0.0;
@@ -184,6 +209,9 @@ class UnionFromInput {
   /// Samples of what bounded the solid: of the dropped parts of the last union, or with shells of
   /// all of the mesh.
   std::vector<LostSample> lost_;
+  /// The points at which the last union still touched, and those at which it is joined.
+  std::vector<Vec3> touching_;
+  std::vector<Vec3> joined_;
   /// The parts that became shells.
   ChosenShells shells_;
   /// Those of the samples that are too far from it.
