@@ -214,6 +214,7 @@ class Parting {
         const std::vector<Index>& unit = trial.place.units[trial.units[i]];
         if (!candidates[i]) {
           candidates[i].emplace(Candidate{directions(i), Move(mesh_, unit, trial.faces[i], reach)});
+          n_checks_left_ -= std::min(n_checks_left_, candidates[i]->move.n_checks_to_find());
         }
         if (candidates[i]->move.is_crowded()) continue;
         is_hopeless = false;

@@ -6,7 +6,9 @@
 #include "meshalyzer/spatial/align_faces.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -16,7 +18,9 @@ namespace {
 /// The number of pairs of faces that is always checked, in addition to pairs of moving faces.
 constexpr std::size_t kFreePairs = 4096;
 /// As many times more pairs may have boxes that meet: long, thin faces have large ones.
-constexpr std::size_t kMeetingBoxes = 64;
+constexpr std::size_t kMeetingBoxes = 8;
+/// So many pairs with boxes that meet are told apart in the time of one check.
+constexpr std::size_t kTestsInACheck = 16;
 /// Faces farther apart than this multiple of the reach cannot meet after a move: each coordinate
 /// changes by the reach at most, and rounding of the distance is small beside it.
 constexpr double kApart = 4.0;
@@ -33,36 +37,57 @@ std::array<float, 3> mapped(const FaceTree& tree, const Vec3& point) {
   return result;
 }
 
-/// Tells whether the projections of two faces onto a direction are farther apart than a distance.
-bool are_apart_along(const Vec3& direction, const Corners& a, const Corners& b, double distance) {
-  const double length = direction.norm();
-  bool is_above = length > 0.0;
-  bool is_below = is_above;
-  for (const Vec3& p : a) {
-    for (const Vec3& q : b) {
-      // If this overflows, nothing is proved.
-      const double along = (q - p).dot(direction) / length;
-      is_above = is_above && along > distance;
-      is_below = is_below && -along > distance;
-    }
-    if (!is_above && !is_below) return false;
-  }
-  return true;
-}
-
-/// Tells whether a plane along one of two faces, or through one of their edges and upright on it,
-/// proves that they are farther apart than a distance.
-bool are_apart(const Corners& a, const Corners& b, double distance) {
-  for (const Corners* face : {&a, &b}) {
-    const Vec3 normal = normal_of(*face);
-    if (are_apart_along(normal, a, b, distance)) return true;
+/// Tells faces that are far from a face from others, by the planes along it, and through its edges
+/// upright on it.
+class FarFromFace {
+ public:
+  /// @param distance  What is farther than this from one of the planes is far.
+  FarFromFace(const Corners& face, double distance) : origin_(face[0]) {
+    const Vec3 normal = normal_of(face);
+    add(normal, face, distance);
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 edge = (*face).at((i + 1) % 3) - (*face).at(i);
-      if (are_apart_along(edge.cross(normal), a, b, distance)) return true;
+      add((face.at((i + 1) % 3) - face.at(i)).cross(normal), face, distance);
     }
   }
-  return false;
-}
+
+  [[nodiscard]] bool is_far(const Corners& other) const {
+    const Corners relative{other[0] - origin_, other[1] - origin_, other[2] - origin_};
+    return std::any_of(slabs_.begin(), slabs_.begin() + n_slabs_, [&](const Slab& slab) {
+      const std::array<double, 3> at{slab.direction.dot(relative[0]),
+                                     slab.direction.dot(relative[1]),
+                                     slab.direction.dot(relative[2])};
+      // Where a product has overflown to no number, nothing is proved.
+      return (at[0] > slab.high && at[1] > slab.high && at[2] > slab.high) ||
+             (at[0] < slab.low && at[1] < slab.low && at[2] < slab.low);
+    });
+  }
+
+ private:
+  /// The points not farther than a distance from the face in one direction.
+  struct Slab {
+    Vec3 direction;
+    double low = 0.0;
+    double high = 0.0;
+  };
+
+  void add(const Vec3& direction, const Corners& face, double distance) {
+    const double length = direction.norm();
+    if (!(length > 0.0 && std::isfinite(length))) return;
+    Slab slab{direction / length, 0.0, 0.0};
+    for (const Vec3& corner : face) {
+      const double at = slab.direction.dot(corner - origin_);
+      slab.low = std::min(slab.low, at);
+      slab.high = std::max(slab.high, at);
+    }
+    slab.low -= distance;
+    slab.high += distance;
+    slabs_.at(n_slabs_++) = slab;
+  }
+
+  Vec3 origin_;
+  std::array<Slab, 4> slabs_;
+  std::size_t n_slabs_ = 0;
+};
 
 }  // namespace
 
@@ -109,17 +134,19 @@ Move::Move(const MovedMesh& mesh, std::span<const Index> vertices, std::span<con
   for (const Index face : faces_) {
     const Corners corners = mesh_.corners(mesh_.triangle(face));
     const Box3 near = grown(box_of(corners), reach);
+    const FarFromFace apart(corners, kApart * reach);
     for (std::size_t i = 0; i < others.size(); ++i) {
       if (!near.intersects(boxes[i])) continue;
       const bool moves_too = std::binary_search(faces_.begin(), faces_.end(), others[i]);
       if (moves_too && others[i] <= face) continue;
       ++n_meeting;
       const Corners other = mesh_.corners(mesh_.triangle(others[i]));
-      if (moves_too || !are_apart(corners, other, kApart * reach)) {
+      if (moves_too || !apart.is_far(other)) {
         pairs_.push_back({face, others[i]});
       }
     }
     is_crowded_ = pairs_.size() > max_pairs || n_meeting > kMeetingBoxes * max_pairs;
+    n_checks_to_find_ = n_meeting / kTestsInACheck;
     if (is_crowded_) return;
   }
   std::sort(pairs_.begin(), pairs_.end());

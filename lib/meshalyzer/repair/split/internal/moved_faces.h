@@ -48,6 +48,9 @@ class Move {
 
   [[nodiscard]] double reach() const { return reach_; }
 
+  /// Returns the time that it took to find the faces nearby, as a number of pairs checked.
+  [[nodiscard]] std::size_t n_checks_to_find() const { return n_checks_to_find_; }
+
   /// Tells whether so many faces are near that checking all of them, for every position of a mesh,
   /// would take too long, as in a heap of faces across each other. Then no move is accepted.
   [[nodiscard]] bool is_crowded() const { return is_crowded_; }
@@ -80,6 +83,7 @@ class Move {
   std::span<const Index> faces_;
   double reach_;
   bool is_crowded_ = false;
+  std::size_t n_checks_to_find_ = 0;
   /// The pairs that may come into contact, the most likely first.
   std::vector<Pair> pairs_;
 };
