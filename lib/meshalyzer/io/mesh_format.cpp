@@ -168,7 +168,7 @@ Soup parse_mesh_format(std::string_view text, const std::string& name,
 
 std::string print_mesh_format(const Soup& soup) {
   require_all_vertices(soup);
-  require_ids_of_vertices(soup);
+  require_unambiguous_ids(soup);
   const PrintedIds vertex_ids(soup.vertex_ids);
   const PrintedIds face_ids(soup.face_ids);
   std::string text;

@@ -161,14 +161,12 @@ void require_all_vertices(const Soup& soup) {
   }
 }
 
-void require_ids_of_vertices(const Soup& soup) {
+void require_unambiguous_ids(const Soup& soup) {
   const std::vector<Index> repeated = find_repeated_ids(soup.vertex_ids);
   if (repeated.empty()) return;
-  std::vector<char> is_repeated(soup.n_vertices(), 0);
-  for (const Index v : repeated) is_repeated[v] = 1;
   for (Index f = 0; f < soup.n_faces(); ++f) {
     for (const Index v : soup.triangles[f]) {
-      if (is_repeated[v] != 0) {
+      if (std::binary_search(repeated.begin(), repeated.end(), v)) {
         throw InvalidArgument("face " + std::to_string(soup.face_ids.of(f)) +
                               " has a vertex whose id " + std::to_string(soup.vertex_ids.of(v)) +
                               " belongs to an earlier one: it cannot be written");

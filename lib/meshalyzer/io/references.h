@@ -43,7 +43,7 @@ void require_all_vertices(const Soup& soup);
 
 /// Checks that no face has a vertex whose id belongs to an earlier vertex.
 /// @throws InvalidArgument if one has: by this id the face would get the earlier vertex.
-/// @complexity O(V + F) if ids ascend, else O(V log V + F).
-void require_ids_of_vertices(const Soup& soup);
+/// @complexity O(V) if ids ascend, else O((V + F) log V).
+void require_unambiguous_ids(const Soup& soup);
 
 }  // namespace meshalyzer

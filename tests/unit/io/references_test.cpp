@@ -83,11 +83,11 @@ TEST(RequireAllVertices, NamesTheFaceThatLacksOne) {
   EXPECT_THROW(require_all_vertices(soup), InvalidArgument);
 }
 
-TEST(RequireIdsOfVertices, RefusesAFaceThatWouldGetAnEarlierVertex) {
+TEST(RequireUnambiguousIds, RefusesAFaceThatWouldGetAnEarlierVertex) {
   Soup soup = soup_with_ids({1, 2, 3, 2}, {{1, 2, 3}});
-  EXPECT_NO_THROW(require_ids_of_vertices(soup));
+  EXPECT_NO_THROW(require_unambiguous_ids(soup));
   soup.triangles[0][1] = 3;
-  EXPECT_THROW(require_ids_of_vertices(soup), InvalidArgument);
+  EXPECT_THROW(require_unambiguous_ids(soup), InvalidArgument);
   EXPECT_THROW(static_cast<void>(print_mesh_format(soup)), InvalidArgument);
 }
 

@@ -161,7 +161,7 @@ class NativeRewriter {
 
 RewrittenFile rewrite_mesh_format(const EditedMesh& mesh, std::string_view text) {
   require_all_vertices(mesh.soup);
-  require_ids_of_vertices(mesh.soup);
+  require_unambiguous_ids(mesh.soup);
   return NativeRewriter(mesh, text).rewrite();
 }
 

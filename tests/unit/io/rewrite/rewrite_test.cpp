@@ -1,6 +1,7 @@
 #include "meshalyzer/io/rewrite/rewrite.h"
 
 #include "meshalyzer/base/bytes.h"
+#include "meshalyzer/base/error.h"
 #include "meshalyzer/io/write.h"
 #include "support/edited_file.h"
 
@@ -30,6 +31,14 @@ TEST(RewriteNative, TornLineGoesWhereTheMeshHasNoneLeft) {
   file.soup().torn_lines.clear();
   EXPECT_EQ(file.rewritten_bytes(),
             "Vertex 1 0 0 0\nVertex 2 1 0 0\nVertex 3 0 1 0\nFace 1 1 2 3\n");
+}
+
+TEST(RewriteNative, RefusesAFaceThatWouldGetAnEarlierVertex) {
+  EditedFile file("Vertex 1 0 0 0\nVertex 2 1 0 0\nVertex 3 0 1 0\nVertex 2 7 7 7\nFace 1 1 2 3\n",
+                  "a.mesh");
+  EXPECT_EQ(file.rewritten_bytes(), file.bytes());
+  file.soup().triangles[0][1] = 3;
+  EXPECT_THROW(static_cast<void>(file.rewritten()), InvalidArgument);
 }
 
 TEST(RewriteOff, FacesOfAPolygonHaveItsColour) {

@@ -125,10 +125,14 @@ TEST(PartContacts, ThinFacesInWhoseBoxesThousandsLieAreParted) {
   soup.triangles.insert(soup.triangles.end(), other.begin(), other.end());
   // Beside the spikes, within the boxes of their sides, lie 8,000 faces.
   const Soup small = shapes::scaled(shapes::tetrahedron(), 0.5);
-  for (int i = 0; i < 1000; ++i) {
-    const Vec3 corner(10.0 + i % 10, 80.0 - i / 10 % 10, 40.0 + i / 100);
-    soup = shapes::merged(soup, shapes::translated(small, corner));
-    soup = shapes::merged(soup, shapes::translated(small, -corner));
+  for (int x = 10; x < 20; ++x) {
+    for (int y = 71; y < 81; ++y) {
+      for (int z = 40; z < 50; ++z) {
+        const Vec3 corner(x, y, z);
+        soup = shapes::merged(soup, shapes::translated(small, corner));
+        soup = shapes::merged(soup, shapes::translated(small, -corner));
+      }
+    }
   }
   const PassRun run = split_and_part(soup);
   EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kFreePairs = 4096;
 /// As many times more pairs may have boxes that meet: long, thin faces have large ones.
 constexpr std::size_t kMeetingBoxes = 8;
-/// So many pairs with boxes that meet are told apart in the time of one check.
+/// In the time of one check so many pairs with boxes that meet can be compared with slabs.
 constexpr std::size_t kTestsInACheck = 16;
 /// Faces farther apart than this multiple of the reach cannot meet after a move: each coordinate
 /// changes by the reach at most, and rounding of the distance is small beside it.
@@ -37,12 +37,11 @@ std::array<float, 3> mapped(const FaceTree& tree, const Vec3& point) {
   return result;
 }
 
-/// Tells faces that are far from a face from others, by the planes along it, and through its edges
-/// upright on it.
-class FarFromFace {
+/// The slabs round a face, each between two parallel planes: one along the face, and one along each
+/// of its edges, upright on the face. All points within a distance of the face lie in all of them.
+class FaceSlabs {
  public:
-  /// @param distance  What is farther than this from one of the planes is far.
-  FarFromFace(const Corners& face, double distance) : origin_(face[0]) {
+  FaceSlabs(const Corners& face, double distance) : origin_(face[0]) {
     const Vec3 normal = normal_of(face);
     add(normal, face, distance);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -50,22 +49,25 @@ class FarFromFace {
     }
   }
 
-  [[nodiscard]] bool is_far(const Corners& other) const {
+  /// Tells whether another face lies on one side of a slab, so that it is farther away than the
+  /// distance.
+  [[nodiscard]] bool is_beside(const Corners& other) const {
     const Corners relative{other[0] - origin_, other[1] - origin_, other[2] - origin_};
     return std::any_of(slabs_.begin(), slabs_.begin() + n_slabs_, [&](const Slab& slab) {
       const std::array<double, 3> at{slab.direction.dot(relative[0]),
                                      slab.direction.dot(relative[1]),
                                      slab.direction.dot(relative[2])};
-      // Where a product has overflown to no number, nothing is proved.
+      // If a product overflows to NaN, nothing is proved.
       return (at[0] > slab.high && at[1] > slab.high && at[2] > slab.high) ||
              (at[0] < slab.low && at[1] < slab.low && at[2] < slab.low);
     });
   }
 
  private:
-  /// The points not farther than a distance from the face in one direction.
   struct Slab {
+    /// The unit normal of the planes.
     Vec3 direction;
+    /// Where the planes are in this direction, from the first corner of the face on.
     double low = 0.0;
     double high = 0.0;
   };
@@ -134,16 +136,14 @@ Move::Move(const MovedMesh& mesh, std::span<const Index> vertices, std::span<con
   for (const Index face : faces_) {
     const Corners corners = mesh_.corners(mesh_.triangle(face));
     const Box3 near = grown(box_of(corners), reach);
-    const FarFromFace apart(corners, kApart * reach);
+    const FaceSlabs slabs(corners, kApart * reach);
     for (std::size_t i = 0; i < others.size(); ++i) {
       if (!near.intersects(boxes[i])) continue;
       const bool moves_too = std::binary_search(faces_.begin(), faces_.end(), others[i]);
       if (moves_too && others[i] <= face) continue;
       ++n_meeting;
       const Corners other = mesh_.corners(mesh_.triangle(others[i]));
-      if (moves_too || !apart.is_far(other)) {
-        pairs_.push_back({face, others[i]});
-      }
+      if (moves_too || !slabs.is_beside(other)) pairs_.push_back({face, others[i]});
     }
     is_crowded_ = pairs_.size() > max_pairs || n_meeting > kMeetingBoxes * max_pairs;
     n_checks_to_find_ = n_meeting / kTestsInACheck;
