@@ -22,7 +22,6 @@ class EditedFile {
   /// @param name  A file name, whose ending decides the format.
   EditedFile(const std::string& bytes, const std::string& name)
       : bytes_(PlainContent(bytes, name).bytes()),
-        name_(name),
         source_(parse_mesh(bytes_, name)),
         soup_(source_),
         has_vertex_normals_(has_vertex_normals(source_)),
@@ -94,8 +93,12 @@ class EditedFile {
     return rewrite_as(mesh_, bytes_, format, encoding);
   }
   [[nodiscard]] std::string rewritten_bytes() { return rewritten().value().bytes; }
-  /// Returns the text of the file after the edits.
-  [[nodiscard]] Soup read_back() { return parse_mesh(rewritten_bytes(), name_); }
+  /// Returns the mesh of the file after the edits. It is read by a name with the ending of its
+  /// format: its own name can have that of another one, and an edit can drop the record by which
+  /// the content was known nevertheless.
+  [[nodiscard]] Soup read_back() {
+    return parse_mesh(rewritten_bytes(), "edited." + std::string(format_name(source_.format)));
+  }
 
  private:
   template <typename T>
@@ -120,7 +123,6 @@ class EditedFile {
   }
 
   std::string bytes_;
-  std::string name_;
   Soup source_;
   Soup soup_;
   bool has_vertex_normals_;
