@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -21,6 +22,9 @@ constexpr std::size_t kMaxPieces = 8192;
 /// evenly at the change of the nearest face, or is halved.
 constexpr double kLeastShare = 0.02;
 constexpr double kLeastEvenness = 0.3;
+/// A piece whose altitude is at most this fraction of its longest edge is a segment, except for
+/// rounding.
+constexpr double kFlatAltitude = 1e-12;
 /// Beyond this number of cuts every second one halves the longest edge, so that pieces surely
 /// shrink.
 constexpr std::uint32_t kFreeCuts = 16;
@@ -42,6 +46,13 @@ double length(const Vec3& v) {
 /// Returns a point between two others, without overflow.
 Vec3 between(const Vec3& a, const Vec3& b, double at) {
   return (1.0 - at) * a + at * b;
+}
+
+bool is_flat(const Corners& t) {
+  const Vec3 a = t[1] - t[0];
+  const Vec3 b = t[2] - t[0];
+  const double longest = std::max({length(a), length(b), length(b - a)});
+  return length((a / longest).cross(b / longest)) <= kFlatAltitude;
 }
 
 double distance_to(const Corners& t, const Vec3& p) {
@@ -100,10 +111,11 @@ FaceDistance SurfaceDistance::measure(const Corners& corners,
       done_ = bound_;
       continue;
     }
+    asks_within_ = question_ == DistanceQuestion::IsWithin || n_pieces > kPrecisePieces;
     const Estimate known = estimate(piece);
     if (n_pieces == 1) upper_of_all = known.upper;
     found_ = std::max(found_, known.lower);
-    if (known.upper <= bound_ && (is_precise(known) || n_pieces > kPrecisePieces)) {
+    if (known.upper <= bound_ && is_precise(known)) {
       done_ = std::max(done_, known.upper);
     } else if (known.lower > bound_ || is_precise(known) || n_pieces >= kMaxPieces) {
       return {upper_of_all, true};
@@ -145,7 +157,7 @@ Corners SurfaceDistance::corners_of(Index slot) const {
 
 /// Tells whether further cuts could not improve the answer.
 bool SurfaceDistance::is_precise(const Estimate& known) const {
-  if (question_ == DistanceQuestion::IsWithin && known.upper <= bound_) return true;
+  if (asks_within_ && known.upper <= bound_) return true;
   const double lower = known.upper > bound_ ? known.lower : std::max(found_, known.lower);
   return known.upper <= lower + slack_;
 }
@@ -182,13 +194,13 @@ void SurfaceDistance::add_candidate(const Piece& piece, Index slot, Estimate& kn
 /// Divides a piece so that as much of it as possible is near enough to one face, and finished; if
 /// that is little, divides it at the middle of its longest edge.
 void SurfaceDistance::divide(const Piece& piece, const Estimate& known) {
+  const double level =
+      asks_within_ ? bound_ : std::min(bound_, std::max(found_, known.lower) + kAim * slack_);
+  if (is_flat(piece.corners)) return divide_segment(piece, known, level);
   Clip best;
   Cut cut = halve_longest_edge(piece.corners);
   double evenness = kLeastEvenness;
   const bool is_halving_due = piece.depth >= kFreeCuts && piece.depth % 2 == 1;
-  const double level = question_ == DistanceQuestion::IsWithin
-                           ? bound_
-                           : std::min(bound_, std::max(found_, known.lower) + kAim * slack_);
   for (std::size_t i = 0; i < known.n_candidates; ++i) {
     const Clip clip = clip_for(piece, known.candidates[i], level);
     if (clip.share > best.share) best = clip;
@@ -204,6 +216,43 @@ void SurfaceDistance::divide(const Piece& piece, const Estimate& known) {
     keep_remainder(piece, best);
   } else {
     cut_in_two(piece, cut);
+  }
+}
+
+/// Divides a piece that is a segment, except for rounding, at the point where it leaves the
+/// neighbourhood of a face, or at its middle. A line across it would cut off a share of no area,
+/// and leave a piece as long as before.
+void SurfaceDistance::divide_segment(const Piece& piece, const Estimate& known, double level) {
+  std::array<std::size_t, 2> ends{};
+  const Cut longest = halve_longest_edge(piece.corners);
+  double share = 0.0;
+  for (std::size_t i = 0; i < known.n_candidates; ++i) {
+    const Candidate& face = known.candidates[i];
+    for (const auto& [near, far] :
+         {std::pair(longest.from, longest.to), std::pair(longest.to, longest.from)}) {
+      if (face.distances[near] > level || face.distances[far] <= level) continue;
+      const double exit =
+          find_exit(corners_of(face.slot), {piece.corners[near], piece.corners[far]},
+                    {level - kAim / 4 * slack_, level});
+      if (exit > share) {
+        share = exit;
+        ends = {near, far};
+      }
+    }
+  }
+  const bool is_near = share >= kLeastShare;
+  if (!is_near) ends = {longest.from, longest.to};
+  const Vec3 point = between(piece.corners[ends[0]], piece.corners[ends[1]], is_near ? share : 0.5);
+  const double distance = closest(point).distance;
+  const auto keep = [&](std::size_t end) {
+    const double at_end = piece.distances[end];
+    work_.push_back({{piece.corners[end], point, point}, {at_end, distance, distance}, 0});
+  };
+  keep(ends[1]);
+  if (is_near) {
+    done_ = std::max(done_, level);
+  } else {
+    keep(ends[0]);
   }
 }
 

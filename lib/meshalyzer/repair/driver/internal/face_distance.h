@@ -119,6 +119,7 @@ class SurfaceDistance {
   [[nodiscard]] static Cut halve_longest_edge(const Corners& corners);
   [[nodiscard]] Clip clip_for(const Piece& piece, const Candidate& face, double level) const;
   void divide(const Piece& piece, const Estimate& known);
+  void divide_segment(const Piece& piece, const Estimate& known, double level);
   void keep_remainder(const Piece& piece, const Clip& clip);
   void cut_in_two(const Piece& piece, const Cut& where);
 
@@ -127,6 +128,8 @@ class SurfaceDistance {
   double bound_;
   double slack_;
   DistanceQuestion question_;
+  /// Tells whether the rest of the current triangle need only be within the bound.
+  bool asks_within_ = false;
   /// The largest distance of a point found until now.
   double found_ = 0.0;
   /// An upper bound of the distance of the finished parts of the current triangle.
