@@ -24,8 +24,8 @@ Field deviation_field(const Soup& soup, const PreparedMesh& other) {
     Index hint = kNoIndex;
     for (std::size_t v = chunk.begin; v < chunk.end; ++v) {
       if (is_drawn[v] == 0) continue;
-      const std::optional<SurfacePoint> closest = closest_points.find(
-          {.point = soup.positions[v], .hint = hint, .choice = FaceChoice::AnyAtPoint});
+      const std::optional<SurfacePoint> closest =
+          closest_points.find({.point = soup.positions[v], .hint = hint, .near_enough = 0.0});
       if (!closest) continue;
       field.values[v] = closest->distance;
       hint = closest->slot;

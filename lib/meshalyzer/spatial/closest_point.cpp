@@ -370,8 +370,8 @@ class Search {
 
   /// Boxes with a larger squared distance hold nothing that would replace the best so far.
   void set_reach() {
-    const bool is_on_face = best_.distance == 0.0 && best_.mesh_face != kNoIndex;
-    if (is_on_face && query_.choice == FaceChoice::AnyAtPoint) {
+    const bool is_face_found = best_.mesh_face != kNoIndex;
+    if (is_face_found && query_.near_enough && best_.distance <= *query_.near_enough) {
       reach_ = -1.0F;
       return;
     }

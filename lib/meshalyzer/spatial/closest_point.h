@@ -14,15 +14,6 @@
 
 namespace meshalyzer {
 
-/// Which of several faces at the smallest distance is the answer to a query.
-enum class FaceChoice : std::uint8_t {
-  /// The first in order of the mesh.
-  First,
-  /// Where the point lies on faces, any one of them: the search ends at the first that is found.
-  /// That saves much time where very many faces lie on each other.
-  AnyAtPoint,
-};
-
 /// A query to ClosestPoints::find().
 struct ClosestQuery {
   Vec3 point;
@@ -39,7 +30,10 @@ struct ClosestQuery {
   /// The slot of a face that is likely to be near, such as SurfacePoint::slot of a neighbour's
   /// answer. It saves time; the answer depends on it only if any face will do.
   Index hint = kNoIndex;
-  FaceChoice choice = FaceChoice::First;
+  /// If it is given, any face within this distance will do, if there is one: the search ends at the
+  /// first that is found. Zero, for any face that the point lies on, saves much time where very
+  /// many faces lie on each other. At least 0.
+  std::optional<double> near_enough = std::nullopt;
 };
 
 /// A point of a mesh, and its distance to the query point.
@@ -81,8 +75,8 @@ class ClosestPoints {
   /// Returns the closest point of the mesh.
   ///
   /// The answer is the same, to the bit, as that of closest_on_triangle() for all faces: the
-  /// smallest distance, and the first of several faces at this distance, or the one that FaceChoice
-  /// allows. Several threads may call it at a time.
+  /// smallest distance, and the first of several faces at this distance; or else that of any face
+  /// that the query calls near enough. Several threads may call it at a time.
   ///
   /// @param query  The query; its point must be finite.
   /// @return       Nothing if no face has such a point.

@@ -266,7 +266,7 @@ TEST(ClosestPoints, SearchForAnyFaceAtThePointEndsAtTheFirst) {
   EXPECT_EQ(n_examined, 1000U);
   n_examined = 0;
   ClosestQuery any = first;
-  any.choice = FaceChoice::AnyAtPoint;
+  any.near_enough = 0.0;
   EXPECT_EQ(scene.closest.find(any)->distance, 0.0);
   EXPECT_EQ(n_examined, 1U);
 }
@@ -278,7 +278,7 @@ TEST(ClosestPoints, AnyFaceAtThePointIsTheClosestElsewhere) {
     for (int i = 0; i < 100; ++i) {
       ClosestQuery query{.point = query_point(scene, random),
                          .within = i % 3 == 0 ? 0.0 : 1e300,
-                         .choice = FaceChoice::AnyAtPoint};
+                         .near_enough = 0.0};
       const auto found = scene.closest.find(query);
       const auto closest = scene.by_brute_force(query);
       ASSERT_EQ(found.has_value(), closest.has_value());
@@ -287,6 +287,41 @@ TEST(ClosestPoints, AnyFaceAtThePointIsTheClosestElsewhere) {
       if (found->distance > 0.0) expect_same(found, closest);
     }
   }
+}
+
+TEST(ClosestPoints, AnyFaceNearEnoughIsOneOfThoseAndElsewhereTheClosest) {
+  RandomVectors random;
+  for (const Soup& soup : soups(random)) {
+    const Scene scene(soup);
+    for (int i = 0; i < 100; ++i) {
+      ClosestQuery query{.point = query_point(scene, random)};
+      const auto closest = scene.by_brute_force(query);
+      if (!closest) continue;
+      // So near that only the closest will do, and so far that others may.
+      for (const double share : {0.5, 1.0, 2.0}) {
+        query.near_enough = share * closest->distance;
+        const auto found = scene.closest.find(query);
+        ASSERT_TRUE(found);
+        if (share < 1.0 && closest->distance > 0.0) {
+          expect_same(found, closest);
+        } else {
+          EXPECT_LE(found->distance, *query.near_enough);
+        }
+      }
+    }
+  }
+}
+
+TEST(ClosestPoints, SearchForAFaceNearEnoughEndsAtTheFirst) {
+  const Scene scene(heap_of_triangles(1000));
+  std::size_t n_examined = 0;
+  const std::function<bool(Index)> is_wanted = [&](Index) { return ++n_examined > 0; };
+  ClosestQuery query{.point = {0.25, 0.25, 0.5}, .is_wanted = &is_wanted, .near_enough = 0.5};
+  EXPECT_EQ(scene.closest.find(query)->distance, 0.5);
+  EXPECT_EQ(n_examined, 1U);
+  query.near_enough = 0.25;
+  EXPECT_EQ(scene.closest.find(query)->mesh_face, 0U);
+  EXPECT_GT(n_examined, 1000U);
 }
 
 TEST(ClosestPoints, AnyNumberOfFacesAgreesWithBruteForce) {

@@ -143,7 +143,7 @@ std::optional<Corners> SheetCover::find_below(const Polygon& piece, const SheetQ
                                     .within = tolerance_,
                                     .excluded = excluded_,
                                     .is_wanted = &is_below,
-                                    .choice = FaceChoice::AnyAtPoint});
+                                    .near_enough = 0.0});
   if (!found) return std::nullopt;
   return face_corners(mesh_, FaceHandle(static_cast<int>(found->mesh_face)));
 }

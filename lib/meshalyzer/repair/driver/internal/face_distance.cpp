@@ -25,6 +25,8 @@ constexpr double kLeastEvenness = 0.3;
 /// A piece whose altitude is at most this fraction of its longest edge is a segment, except for
 /// rounding.
 constexpr double kFlatAltitude = 1e-12;
+/// Where only the bound is asked for, a face at this fraction of it will do for the nearest.
+constexpr double kNear = 1.0 / 16;
 /// Beyond this number of cuts every second one halves the longest edge, so that pieces surely
 /// shrink.
 constexpr std::uint32_t kFreeCuts = 16;
@@ -100,6 +102,7 @@ FaceDistance SurfaceDistance::measure(const Corners& corners,
                                     [&](const Box3& other) { return other.intersects(box); });
   };
   done_ = 0.0;
+  asks_within_ = question_ == DistanceQuestion::IsWithin;
   if (const std::optional<double> within = distance_from_latest(corners)) return {*within, false};
   work_.assign(1, {corners, {}, 0});
   for (std::size_t i = 0; i < 3; ++i) work_.front().distances[i] = closest(corners[i]).distance;
@@ -111,7 +114,7 @@ FaceDistance SurfaceDistance::measure(const Corners& corners,
       done_ = bound_;
       continue;
     }
-    asks_within_ = question_ == DistanceQuestion::IsWithin || n_pieces > kPrecisePieces;
+    if (n_pieces > kPrecisePieces) asks_within_ = true;
     const Estimate known = estimate(piece);
     if (n_pieces == 1) upper_of_all = known.upper;
     found_ = std::max(found_, known.lower);
@@ -136,16 +139,17 @@ std::span<const Box3> SurfaceDistance::meeting(const Corners& corners,
 }
 
 std::optional<double> SurfaceDistance::distance_from_latest(const Corners& corners) const {
-  if (question_ != DistanceQuestion::IsWithin || hint_ == kNoIndex) return std::nullopt;
+  if (!asks_within_ || hint_ == kNoIndex) return std::nullopt;
   const double distance = largest_distance(corners, corners_of(hint_));
   return distance <= bound_ ? std::optional(distance) : std::nullopt;
 }
 
 SurfacePoint SurfaceDistance::closest(const Vec3& point) {
+  const double near_enough = asks_within_ ? kNear * bound_ : 0.0;
   SurfacePoint answer;
   answer.distance = kInfinity;
-  answer = closest_.find({.point = point, .hint = hint_, .choice = FaceChoice::AnyAtPoint})
-               .value_or(answer);
+  answer =
+      closest_.find({.point = point, .hint = hint_, .near_enough = near_enough}).value_or(answer);
   hint_ = answer.slot;
   return answer;
 }
