@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kMorePairsCut = 100'000;
 constexpr std::size_t kMorePairsUnited = 200'000;
 /// A pair makes about this number of pieces, if not many cuts meet each other.
-constexpr std::size_t kPiecesAPair = 2;
+constexpr std::size_t kPiecesAPair = 4;
 /// The maximum number of times that cuts may meet each other: beyond that there are millions of
 /// pieces.
 constexpr double kMostCrossings = 1e7;
