@@ -19,7 +19,7 @@ namespace meshalyzer {
 /// is written again.
 class EditedFile {
  public:
-  /// @param name  A file name, whose ending decides the format.
+  /// @param name  A file name; its ending decides the format where the content does not.
   EditedFile(const std::string& bytes, const std::string& name)
       : bytes_(PlainContent(bytes, name).bytes()),
         source_(parse_mesh(bytes_, name)),

@@ -17,7 +17,8 @@ namespace {
 /// all, and two kilobytes. A union is made where the result is to be good, and all else has failed.
 constexpr std::size_t kMorePairsCut = 100'000;
 constexpr std::size_t kMorePairsUnited = 200'000;
-/// A pair makes about this number of pieces, if not many cuts meet each other.
+/// A union may have so many pieces for each pair, beside those that it may have for each face. A
+/// pair makes two, and more where many cuts meet each other.
 constexpr std::size_t kPiecesAPair = 4;
 /// The maximum number of times that cuts may meet each other: beyond that there are millions of
 /// pieces.

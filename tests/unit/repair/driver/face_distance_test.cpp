@@ -6,29 +6,40 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace meshalyzer::test {
 namespace {
 
 // Of this sliver the search came to pieces with all corners on a line, which it divided again and
 // again into pieces as long as before, until it gave up and called the face far.
 TEST(SurfaceDistance, SliverIsWithinEachBoundOfTheFacesThatItWasCutInto) {
-  const Soup parts = shapes::make(
-      {
-          {-1, 11, -4},                            // 0, 1, 2: the corners of the sliver
-          {-14, -7, 0},                            //
-          {-13.75, -7.25, -0.25},                  //
-          {-2.625, 8.75, -3.5},                    // 3 to 7: points of its long edges and inside
-          {-4.25, 6.5, -3},                        //
-          {-10.5625, -2.6875, -1.1875},            //
-          {-3.12109375, 8.03515625, -3.35546875},  //
-          {-4.609375, 5.890625, -2.921875},        //
-          {-12.28125, -4.84375, -0.59375},         //
-          {-12.15625, -4.96875, -0.71875},         //
-      },
-      {{9, 8, 2}, {0, 3, 5}, {4, 1, 5}, {7, 4, 5}, {8, 1, 2}, {6, 4, 7}, {5, 8, 9}, {3, 4, 6}});
-  const Corners sliver{parts.positions[0], parts.positions[1], parts.positions[2]};
+  // The first three are the corners of the sliver.
+  const std::vector<Vec3> positions = {{12, 16, -2},
+                                       {-15, 8, -2},
+                                       {-14.75, 8, -1.75},
+                                       {-13.078125, 8.5, -1.765625},
+                                       {-13.265625, 8.5, -1.953125},
+                                       {-14.0078125, 8.25, -1.8515625},
+                                       {6.9375, 14.5, -2},
+                                       {-8.0625, 10, -1.8125},
+                                       {5.25, 14, -2},
+                                       {-9.9375, 9.5, -2},
+                                       {3.1875, 13.375, -1.953125},
+                                       {6, 14.21875, -1.98828125}};
+  const Soup parts = shapes::make(positions, {{3, 4, 5},
+                                              {0, 6, 7},
+                                              {4, 1, 2},
+                                              {8, 9, 7},
+                                              {7, 4, 3},
+                                              {3, 5, 2},
+                                              {10, 8, 7},
+                                              {11, 8, 10},
+                                              {6, 8, 11},
+                                              {9, 1, 7}});
+  const Corners sliver{positions[0], positions[1], positions[2]};
   const SearchedSurface surface(parts);
-  for (const double bound : {1.0, 0.06, 0.004}) {
+  for (const double bound : {1.0, 0.02, 0.001}) {
     for (const auto question : {DistanceQuestion::IsWithin, DistanceQuestion::HowFar}) {
       SurfaceDistance meter(surface.tree, surface.closest, bound, question);
       EXPECT_FALSE(meter.measure(sliver).is_far) << bound;

@@ -24,9 +24,9 @@ constexpr double kLeastShare = 0.02;
 constexpr double kLeastEvenness = 0.3;
 /// A piece whose altitude is at most this fraction of its longest edge is a segment, except for
 /// rounding.
-constexpr double kFlatAltitude = 1e-12;
-/// Where only the bound is asked for, a face at this fraction of it will do for the nearest.
-constexpr double kNear = 1.0 / 16;
+constexpr double kSegmentAltitude = 1e-12;
+/// Where only the bound is asked for, a face within this fraction of it will do for the nearest.
+constexpr double kNearEnough = 1.0 / 16;
 /// Beyond this number of cuts every second one halves the longest edge, so that pieces surely
 /// shrink.
 constexpr std::uint32_t kFreeCuts = 16;
@@ -50,11 +50,11 @@ Vec3 between(const Vec3& a, const Vec3& b, double at) {
   return (1.0 - at) * a + at * b;
 }
 
-bool is_flat(const Corners& t) {
-  const Vec3 a = t[1] - t[0];
-  const Vec3 b = t[2] - t[0];
-  const double longest = std::max({length(a), length(b), length(b - a)});
-  return length((a / longest).cross(b / longest)) <= kFlatAltitude;
+/// Tells whether a triangle is a segment, except for rounding.
+bool is_segment(const Corners& t) {
+  const double longest = longest_side(t);
+  const Vec3 normal = ((t[1] - t[0]) / longest).cross((t[2] - t[0]) / longest);
+  return length(normal) <= kSegmentAltitude;
 }
 
 double distance_to(const Corners& t, const Vec3& p) {
@@ -117,7 +117,7 @@ FaceDistance SurfaceDistance::measure(const Corners& corners,
     if (n_pieces > kPrecisePieces) asks_within_ = true;
     const Estimate known = estimate(piece);
     if (n_pieces == 1) upper_of_all = known.upper;
-    found_ = std::max(found_, known.lower);
+    if (!asks_within_) found_ = std::max(found_, known.lower);
     if (known.upper <= bound_ && is_precise(known)) {
       done_ = std::max(done_, known.upper);
     } else if (known.lower > bound_ || is_precise(known) || n_pieces >= kMaxPieces) {
@@ -144,8 +144,10 @@ std::optional<double> SurfaceDistance::distance_from_latest(const Corners& corne
   return distance <= bound_ ? std::optional(distance) : std::nullopt;
 }
 
+/// Returns the closest point of the surface; where only the bound is asked for, any that is near
+/// enough.
 SurfacePoint SurfaceDistance::closest(const Vec3& point) {
-  const double near_enough = asks_within_ ? kNear * bound_ : 0.0;
+  const double near_enough = asks_within_ ? kNearEnough * bound_ : 0.0;
   SurfacePoint answer;
   answer.distance = kInfinity;
   answer =
@@ -200,7 +202,7 @@ void SurfaceDistance::add_candidate(const Piece& piece, Index slot, Estimate& kn
 void SurfaceDistance::divide(const Piece& piece, const Estimate& known) {
   const double level =
       asks_within_ ? bound_ : std::min(bound_, std::max(found_, known.lower) + kAim * slack_);
-  if (is_flat(piece.corners)) return divide_segment(piece, known, level);
+  if (is_segment(piece.corners)) return divide_segment(piece, known, level);
   Clip best;
   Cut cut = halve_longest_edge(piece.corners);
   double evenness = kLeastEvenness;
@@ -223,41 +225,40 @@ void SurfaceDistance::divide(const Piece& piece, const Estimate& known) {
   }
 }
 
-/// Divides a piece that is a segment, except for rounding, at the point where it leaves the
-/// neighbourhood of a face, or at its middle. A line across it would cut off a share of no area,
-/// and leave a piece as long as before.
+/// Divides a segment where it leaves the neighbourhood of a face, or at its middle. A line across
+/// it would cut off a share of no area, and leave a piece as long as before.
 void SurfaceDistance::divide_segment(const Piece& piece, const Estimate& known, double level) {
-  std::array<std::size_t, 2> ends{};
-  const Cut longest = halve_longest_edge(piece.corners);
-  double share = 0.0;
+  const Cut middle = halve_longest_edge(piece.corners);
+  Cut exit{.at = 0.0};
   for (std::size_t i = 0; i < known.n_candidates; ++i) {
     const Candidate& face = known.candidates[i];
     for (const auto& [near, far] :
-         {std::pair(longest.from, longest.to), std::pair(longest.to, longest.from)}) {
+         {std::pair(middle.from, middle.to), std::pair(middle.to, middle.from)}) {
       if (face.distances[near] > level || face.distances[far] <= level) continue;
-      const double exit =
-          find_exit(corners_of(face.slot), {piece.corners[near], piece.corners[far]},
-                    {level - kAim / 4 * slack_, level});
-      if (exit > share) {
-        share = exit;
-        ends = {near, far};
-      }
+      const double at = exit_at(face.slot, {piece.corners[near], piece.corners[far]}, level);
+      if (at > exit.at) exit = {near, far, at};
     }
   }
-  const bool is_near = share >= kLeastShare;
-  if (!is_near) ends = {longest.from, longest.to};
-  const Vec3 point = between(piece.corners[ends[0]], piece.corners[ends[1]], is_near ? share : 0.5);
+  const bool is_begin_done = exit.at >= kLeastShare;
+  const Cut& cut = is_begin_done ? exit : middle;
+  const Vec3 point = between(piece.corners[cut.from], piece.corners[cut.to], cut.at);
   const double distance = closest(point).distance;
-  const auto keep = [&](std::size_t end) {
+  const auto keep_from = [&](std::size_t end) {
     const double at_end = piece.distances[end];
     work_.push_back({{piece.corners[end], point, point}, {at_end, distance, distance}, 0});
   };
-  keep(ends[1]);
-  if (is_near) {
+  keep_from(cut.to);
+  if (is_begin_done) {
     done_ = std::max(done_, level);
   } else {
-    keep(ends[0]);
+    keep_from(cut.from);
   }
+}
+
+/// Returns the parameter up to which a segment is within the level of a face, see find_exit().
+double SurfaceDistance::exit_at(Index slot, const std::array<Vec3, 2>& segment,
+                                double level) const {
+  return find_exit(corners_of(slot), segment, {level - kAim / 4 * slack_, level});
 }
 
 /// Finds the line that separates the corners near enough to the face from the others; the corner
@@ -265,7 +266,6 @@ void SurfaceDistance::divide_segment(const Piece& piece, const Estimate& known, 
 SurfaceDistance::Clip SurfaceDistance::clip_for(const Piece& piece, const Candidate& face,
                                                 double level) const {
   const auto is_near = [&](std::size_t i) { return face.distances[i] <= level; };
-  const Corners on = corners_of(face.slot);
   for (std::size_t apex = 0; apex < 3; ++apex) {
     const std::array<std::size_t, 2> others{(apex + 1) % 3, (apex + 2) % 3};
     if (is_near(apex) == is_near(others[0]) || is_near(apex) == is_near(others[1])) continue;
@@ -273,8 +273,7 @@ SurfaceDistance::Clip SurfaceDistance::clip_for(const Piece& piece, const Candid
     for (std::size_t k = 0; k < 2; ++k) {
       const std::size_t from = clip.is_apex_done ? apex : others[k];
       const std::size_t to = clip.is_apex_done ? others[k] : apex;
-      const double exit = find_exit(on, {piece.corners[from], piece.corners[to]},
-                                    {level - kAim / 4 * slack_, level});
+      const double exit = exit_at(face.slot, {piece.corners[from], piece.corners[to]}, level);
       clip.at[k] = clip.is_apex_done ? exit : 1.0 - exit;
     }
     const double at_apex = clip.at[0] * clip.at[1];

@@ -117,6 +117,7 @@ class SurfaceDistance {
   [[nodiscard]] Estimate estimate(const Piece& piece);
   void add_candidate(const Piece& piece, Index slot, Estimate& known) const;
   [[nodiscard]] static Cut halve_longest_edge(const Corners& corners);
+  [[nodiscard]] double exit_at(Index slot, const std::array<Vec3, 2>& segment, double level) const;
   [[nodiscard]] Clip clip_for(const Piece& piece, const Candidate& face, double level) const;
   void divide(const Piece& piece, const Estimate& known);
   void divide_segment(const Piece& piece, const Estimate& known, double level);
@@ -130,7 +131,7 @@ class SurfaceDistance {
   DistanceQuestion question_;
   /// Tells whether the rest of the current triangle need only be within the bound.
   bool asks_within_ = false;
-  /// The largest distance of a point found until now.
+  /// The largest distance of a point found until now, where the distance was asked for.
   double found_ = 0.0;
   /// An upper bound of the distance of the finished parts of the current triangle.
   double done_ = 0.0;
