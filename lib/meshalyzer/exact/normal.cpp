@@ -1,5 +1,7 @@
 #include "meshalyzer/exact/normal.h"
 
+#include "meshalyzer/base/triangle.h"
+
 #include <CGAL/Mpzf.h>
 #include <algorithm>
 #include <array>
@@ -9,6 +11,10 @@ namespace meshalyzer {
 namespace {
 
 using Exact = CGAL::Mpzf;
+
+/// Products of coordinates between these neither overflow nor underflow.
+constexpr double kLeast = 1e-140;
+constexpr double kMost = 1e140;
 
 double component(const Vec3& u, const Vec3& v, const Vec3& origin, Eigen::Index k) {
   const Eigen::Index i = (k + 1) % 3;
@@ -41,7 +47,12 @@ Vec3 accurate_normal(const Corners& t, std::size_t apex) {
 }
 
 Vec3 unit_normal(const Corners& t) {
-  return accurate_normal(t).stableNormalized();
+  double largest = 0.0;
+  for (const Vec3& p : t) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  if (!(largest > 0.0) || (largest > kLeast && largest < kMost)) {
+    return accurate_normal(t).stableNormalized();
+  }
+  return accurate_normal(times_power_of_two(t, -std::ilogb(largest))).stableNormalized();
 }
 
 }  // namespace meshalyzer

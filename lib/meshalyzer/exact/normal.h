@@ -18,7 +18,8 @@ namespace meshalyzer {
 /// opposite to the longest edge loses the least, because the differences are shortest there.
 [[nodiscard]] Vec3 accurate_normal(const Corners& t, std::size_t apex = 0);
 
-/// Returns the unit vector along accurate_normal(), or zero when the corners are collinear.
+/// Returns the unit vector along the normal, whatever the size of the triangle, or zero when the
+/// corners are collinear.
 [[nodiscard]] Vec3 unit_normal(const Corners& t);
 
 }  // namespace meshalyzer

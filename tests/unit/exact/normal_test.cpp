@@ -94,5 +94,15 @@ TEST(AccurateNormal, UnderflowsToZeroOnlyWhereTheTruthDoes) {
   EXPECT_NEAR(normal.z() / 1e-300, 1.0, kError);
 }
 
+TEST(UnitNormal, TrianglesOfAnySizeHaveOne) {
+  for (const double size : {1e-300, 1e-200, 1e-140, 1.0, 1e140, 1e200, 1e300}) {
+    SCOPED_TRACE(size);
+    const Corners t{Vec3(0, 0, 0), Vec3(size, 0, 0), Vec3(0, size, size)};
+    const Vec3 diagonal = Vec3(0, -1, 1).normalized();
+    EXPECT_LT((unit_normal(t) - diagonal).norm(), kError);
+    EXPECT_EQ(unit_normal({t[0], t[1], Vec3(size / 2, 0, 0)}), Vec3::Zero());
+  }
+}
+
 }  // namespace
 }  // namespace meshalyzer

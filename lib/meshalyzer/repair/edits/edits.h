@@ -103,4 +103,10 @@ struct Edits {
   [[nodiscard]] Index begin_operation() { return static_cast<Index>(n_operations++); }
 };
 
+/// Returns #operations: non-zero for each that would place a vertex where coordinates are too large
+/// for doubles, which no file can say.
+///
+/// @complexity O(edits).
+[[nodiscard]] std::vector<std::uint8_t> which_overflow(const Edits& edits);
+
 }  // namespace meshalyzer

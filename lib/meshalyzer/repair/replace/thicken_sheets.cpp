@@ -1,5 +1,5 @@
-#include "meshalyzer/exact/normal.h"
 #include "meshalyzer/exact/plane_view.h"
+#include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/repair/orient/bounds_solid.h"
 #include "meshalyzer/repair/orient/internal/side_votes.h"
 #include "meshalyzer/repair/passes.h"
@@ -36,7 +36,7 @@ std::vector<Index> distinct_faces(const Soup& soup, std::span<const Index> faces
   std::set<Triangle> known;
   for (const Index face : faces) {
     const auto [a, b, c] = corners_of(soup, face);
-    if (accurate_normal(a, b, c).isZero(0.0)) continue;
+    if (are_collinear(a, b, c)) continue;
     Triangle sorted = soup.triangles[face];
     std::sort(sorted.begin(), sorted.end());
     if (known.insert(sorted).second) distinct.push_back(face);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -98,6 +99,23 @@ TEST(Guarantee, LoneFaceBesideABlockIsDroppedAndNamedWithItsArea) {
 TEST(Guarantee, OneFaceBecomesAThinSolid) {
   EXPECT_EQ(made_good(kFace, to_solid()).n_faces(), 8U);
   EXPECT_TRUE(is_noted(fix_defects(kFace, to_solid()), "was made a solid"));
+}
+
+TEST(Guarantee, FaceOfAnySizeBecomesAThinSolid) {
+  for (const double size : {1e-200, 1e-100, 1e100, 1e200, 1e300}) {
+    SCOPED_TRACE(size);
+    Soup face = kFace;
+    for (Vec3& p : face.positions) p *= size;
+    EXPECT_EQ(made_good(face, to_solid()).n_faces(), 8U);
+  }
+}
+
+TEST(Guarantee, FaceWhoseSolidWouldNotFitIntoDoublesStaysAsItIs) {
+  const double most = std::numeric_limits<double>::max();
+  const Soup face = shapes::make({{most, 0, 0}, {most, 1e308, 0}, {most, 0, 1e308}}, {{0, 1, 2}});
+  const RepairResult result = fix_defects(face, to_solid());
+  EXPECT_EQ(only_mesh(result).positions, face.positions);
+  EXPECT_TRUE(is_noted(result, "not replaced"));
 }
 
 TEST(Guarantee, PlateBecomesAThinSolid) {

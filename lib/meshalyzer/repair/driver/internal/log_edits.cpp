@@ -60,7 +60,7 @@ class Operations {
     for (std::size_t k = 0; k < 3; ++k) {
       const Index now = changed.corners[k];
       if (old[k] == kNoIndex || is_[made_.before.vertex_keys[old[k]]] != 0) continue;
-      const double distance = (position(now) - made_.before.soup.positions[old[k]]).norm();
+      const double distance = (position(now) - made_.before.soup.positions[old[k]]).stableNorm();
       operation.distance = std::max(operation.distance, distance);
     }
   }
@@ -75,7 +75,7 @@ class Operations {
     for (const auto& moved : made_.edits.moved_vertices) {
       LoggedOperation& operation = operations_[moved.op];
       operation.moved_vertices.push_back(made_.before.vertex_keys[moved.vertex]);
-      const double distance = (moved.to - made_.before.soup.positions[moved.vertex]).norm();
+      const double distance = (moved.to - made_.before.soup.positions[moved.vertex]).stableNorm();
       operation.distance = std::max(operation.distance, distance);
     }
   }

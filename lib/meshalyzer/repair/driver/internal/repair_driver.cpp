@@ -264,7 +264,10 @@ bool RepairDriver::is_to_stop() {
 void RepairDriver::apply_unchecked(const PlannedPass& pass) {
   const std::shared_ptr<const RepairState> before = mesh_.shared_state();
   const PassResult result = pass.run(input_of_pass(OperationSize::Normal, 0.0));
-  if (result.edits.empty()) return;
+  const std::vector<std::uint8_t> overflows = which_overflow(result.edits);
+  const bool any_overflows =
+      std::any_of(overflows.begin(), overflows.end(), [](auto o) { return o != 0; });
+  if (result.edits.empty() || any_overflows) return;
   const AffectedElements affected = mesh_.apply_unchecked(result.edits);
   log_edits(std::string(pass.name), pass.code,
             {before->tracked(), result.edits, {}, mesh_.tracked(), affected}, log_);
@@ -330,6 +333,7 @@ bool RepairDriver::apply_accepted(const PlannedPass& pass, const Edits& edits,
                     .sites = sites_of(mesh_.tracked(), edits),
                     .skipped = std::vector<std::uint8_t>(edits.n_operations, 0)};
   skip_known(pass, before, proposal);
+  skip_overflowing(pass, before, proposal);
   std::shared_ptr<const RepairState> tried_before;
   for (std::size_t i = 0; i < kMaxTrials && !is_to_stop(); ++i) {
     if (proposal.are_all_skipped()) return false;
@@ -367,6 +371,17 @@ void RepairDriver::skip_known(const PlannedPass& pass, ProposedBefore& before, P
       log_rejection(pass, signature, known->second, log_);
     }
     proposal.skipped[op] = is_rejected || is_hopeless;
+  }
+}
+
+void RepairDriver::skip_overflowing(const PlannedPass& pass, ProposedBefore& before,
+                                    Proposal& proposal) {
+  const std::vector<std::uint8_t> overflows = which_overflow(proposal.edits);
+  for (std::size_t op = 0; op < overflows.size(); ++op) {
+    if (overflows[op] == 0 || proposal.skipped[op] != 0) continue;
+    proposal.skipped[op] = 1;
+    before.rejected.insert(proposal.signatures[op]);
+    log_rejection(pass, proposal.signatures[op], Rejection::TooFar, log_);
   }
 }
 

@@ -65,7 +65,7 @@ class RepairDriver {
   [[nodiscard]] const std::vector<CountRise>& rises() const { return rises_; }
 
   /// Runs a pass once and applies all its operations without checking them, because the user asks
-  /// for it by name.
+  /// for it by name. If one of them would make coordinates overflow, it applies none.
   void apply_unchecked(const PlannedPass& pass);
 
   /// Changes that are tried, and undone if their result is not wanted.
@@ -187,6 +187,8 @@ class RepairDriver {
   bool apply_accepted(const PlannedPass& pass, const Edits& edits, ProposedBefore& before);
   /// Leaves out the operations that are banned, or known to be rejected.
   void skip_known(const PlannedPass& pass, ProposedBefore& before, Proposal& proposal);
+  /// Leaves out the operations of which which_overflow() tells.
+  void skip_overflowing(const PlannedPass& pass, ProposedBefore& before, Proposal& proposal);
   void skip_rejected(const PlannedPass& pass, const Acceptance& acceptance, ProposedBefore& before,
                      Proposal& proposal);
   /// Notes the operations that are kept.

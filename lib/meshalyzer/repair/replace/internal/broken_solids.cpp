@@ -1,7 +1,7 @@
 #include "meshalyzer/repair/replace/internal/broken_solids.h"
 
 #include "meshalyzer/base/disjoint_sets.h"
-#include "meshalyzer/exact/normal.h"
+#include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/repair/orient/bounds_solid.h"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ class BrokenFaces {
       const Triangle& t = soup.triangles[face];
       const auto [a, b, c] = corners_of(soup, face);
       if (std::any_of(t.begin(), t.end(), [&](Index v) { return is_pinched[v] != 0; }) ||
-          accurate_normal(a, b, c).isZero(0.0)) {
+          are_collinear(a, b, c)) {
         is_broken_[face] = 1;
       }
     }

@@ -72,7 +72,7 @@ class Thickening {
   /// Sorts the faces at an edge by angle.
   void sort_round(std::span<FaceRoundEdge> edge) const {
     const Vec3& from = soup_.positions[edge.front().ends[0]];
-    const Vec3 axis = (soup_.positions[edge.front().ends[1]] - from).normalized();
+    const Vec3 axis = (soup_.positions[edge.front().ends[1]] - from).stableNormalized();
     const Vec3 x = axis.unitOrthogonal();
     const Vec3 y = axis.cross(x);
     for (FaceRoundEdge& at : edge) {
@@ -123,8 +123,7 @@ class Thickening {
     constexpr Index kNone = kNoIndex;
     std::vector<Vec3> normals(6 * faces_.size(), Vec3::Zero());
     for (std::size_t f = 0; f < faces_.size(); ++f) {
-      const auto [a, b, c] = corners_of(soup_, faces_[f]);
-      const Vec3 normal = accurate_normal(a, b, c).stableNormalized();
+      const Vec3 normal = unit_normal(corners_of(soup_, faces_[f]));
       for (std::size_t k = 0; k < 6; ++k) {
         const std::size_t set = sets_.find(static_cast<Index>(6 * f + k));
         normals[set] += k < 3 ? normal : Vec3(-normal);
