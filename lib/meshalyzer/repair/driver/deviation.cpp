@@ -43,7 +43,7 @@ struct DistanceQuery {
   double bound = 0.0;
   DistanceQuestion question = DistanceQuestion::HowFar;
   /// If it is given, the points outside of these boxes are known to be within the bound.
-  std::optional<std::span<const Box3>> doubtful = std::nullopt;
+  const BoxTree* doubtful = nullptr;
 
   /// Returns the precision with which a distance must be known.
   [[nodiscard]] double near_enough() const {
@@ -353,11 +353,11 @@ DeviationMeter::Result DeviationMeter::measure_changes(ChangedFaces changes,
   const DistanceQuery query{repaired.bound, question};
   // What is near to a point of the input lies within the bound of it. So the point stays near
   // unless the step has removed something there.
-  std::vector<Box3> boxes_of_gone;
+  std::optional<BoxTree> near_gone;
   DistanceQuery old_query = query;
   if (repaired.step != nullptr) {
-    boxes_of_gone = boxes_within(repaired.step->gone, repaired.bound);
-    old_query.doubtful = boxes_of_gone;
+    near_gone.emplace(boxes_within(repaired.step->gone, repaired.bound));
+    old_query.doubtful = &*near_gone;
   }
   Side old_side{input_, tracked.soup, std::move(changes.of_input)};
   Side new_side{tracked.soup, input_, std::move(changes.of_repaired)};

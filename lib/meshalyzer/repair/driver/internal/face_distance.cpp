@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <span>
@@ -94,23 +93,21 @@ double largest_distance(const Corners& from, const Corners& to) {
   return *std::max_element(distances.begin(), distances.end());
 }
 
-FaceDistance SurfaceDistance::measure(const Corners& corners,
-                                      std::optional<std::span<const Box3>> doubtful) {
-  const auto is_known = [&](const Piece& piece) {
-    const Box3 box = box_of(piece.corners);
-    return doubtful && std::none_of(doubtful->begin(), doubtful->end(),
-                                    [&](const Box3& other) { return other.intersects(box); });
+FaceDistance SurfaceDistance::measure(const Corners& corners, const BoxTree* doubtful) {
+  const auto is_known = [&](const Corners& t) {
+    return doubtful != nullptr && !doubtful->meets_any(box_of(t));
   };
   done_ = 0.0;
   asks_within_ = question_ == DistanceQuestion::IsWithin;
   if (const std::optional<double> within = distance_from_latest(corners)) return {*within, false};
+  if (is_known(corners)) return {bound_, false};
   work_.assign(1, {corners, {}, 0});
   for (std::size_t i = 0; i < 3; ++i) work_.front().distances[i] = closest(corners[i]).distance;
   double upper_of_all = kInfinity;
   for (std::size_t n_pieces = 1; !work_.empty(); ++n_pieces) {
     const Piece piece = work_.back();
     work_.pop_back();
-    if (is_known(piece)) {
+    if (is_known(piece.corners)) {
       done_ = bound_;
       continue;
     }
@@ -123,19 +120,10 @@ FaceDistance SurfaceDistance::measure(const Corners& corners,
     } else if (known.lower > bound_ || is_precise(known) || n_pieces >= kMaxPieces) {
       return {upper_of_all, true};
     } else {
-      if (n_pieces == 1 && doubtful) doubtful = meeting(corners, *doubtful);
       divide(piece, known);
     }
   }
   return {done_, false};
-}
-
-std::span<const Box3> SurfaceDistance::meeting(const Corners& corners,
-                                               std::span<const Box3> boxes) {
-  meeting_.clear();
-  std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(meeting_),
-               [box = box_of(corners)](const Box3& other) { return other.intersects(box); });
-  return meeting_;
 }
 
 std::optional<double> SurfaceDistance::distance_from_latest(const Corners& corners) const {

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "meshalyzer/spatial/box_tree.h"
 #include "meshalyzer/spatial/closest_point.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace meshalyzer {
@@ -60,10 +60,9 @@ class SurfaceDistance {
   /// over so many faces that this would take too long is reported as within the bound if that is
   /// proved, else as far.
   ///
-  /// @param doubtful  Boxes; the points of the triangle outside of them are known to be within the
-  ///                  bound. Only for DistanceQuestion::IsWithin.
-  [[nodiscard]] FaceDistance measure(const Corners& corners,
-                                     std::optional<std::span<const Box3>> doubtful = std::nullopt);
+  /// @param doubtful  If it is given, the points of the triangle outside of its boxes are known to
+  ///                  be within the bound. Only for DistanceQuestion::IsWithin.
+  [[nodiscard]] FaceDistance measure(const Corners& corners, const BoxTree* doubtful = nullptr);
 
  private:
   struct Piece {
@@ -109,8 +108,6 @@ class SurfaceDistance {
   /// for and this is within it. Neighbours are mostly near to one face; where the bound is larger
   /// than most faces, nearly all are, and the nearest of them is not worth searching.
   [[nodiscard]] std::optional<double> distance_from_latest(const Corners& corners) const;
-  /// Returns the boxes that meet the box of a triangle. They last until the next call.
-  [[nodiscard]] std::span<const Box3> meeting(const Corners& corners, std::span<const Box3> boxes);
   [[nodiscard]] SurfacePoint closest(const Vec3& point);
   [[nodiscard]] Corners corners_of(Index slot) const;
   [[nodiscard]] bool is_precise(const Estimate& known) const;
@@ -138,7 +135,6 @@ class SurfaceDistance {
   /// The slot of the latest answer.
   Index hint_ = kNoIndex;
   std::vector<Piece> work_;
-  std::vector<Box3> meeting_;
 };
 
 }  // namespace meshalyzer
