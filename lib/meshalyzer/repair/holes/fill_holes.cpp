@@ -15,6 +15,7 @@
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <numeric>
@@ -71,6 +72,10 @@ void add_patch(const PreparedMesh& mesh, const HoleLoop& loop, const Patch& patc
 
 /// More loops than this are not joined to one.
 constexpr std::size_t kMaxIslands = 64;
+/// Loops are not joined any more after so much work in vain, one after the other, counted in the
+/// cubes of the lengths of joined loops. In a heap of faces the patch of each hole meets dozens of
+/// others, and no patch of them all is free of intersections either.
+constexpr double kMaxVainWork = 5e7;
 
 /// Tells which loops may be filled; some of the others may still be joined to one of these.
 struct Choice {
@@ -230,7 +235,7 @@ class HoleFiller {
 
   /// Joins a loop with the sheets that face its patch: they would stay open, or get a patch of
   /// their own beside it. The patch of the joined loop may be nearer to more of them.
-  [[nodiscard]] FilledLoop with_sheets(FilledLoop filled) const {
+  [[nodiscard]] FilledLoop with_sheets(FilledLoop filled) {
     const std::size_t i = filled.members.front();
     std::vector<std::size_t> joined;
     while (true) {
@@ -277,14 +282,19 @@ class HoleFiller {
   }
 
   [[nodiscard]] std::optional<FilledLoop> try_joined(std::size_t i,
-                                                     std::vector<std::size_t> others) const {
+                                                     std::vector<std::size_t> others) {
     if (others.empty() || others.size() > kMaxIslands) return std::nullopt;
+    if (vain_work_ > kMaxVainWork) return std::nullopt;
     std::vector<const HoleLoop*> together{&loops_[i]};
     for (const std::size_t k : others) together.push_back(&loops_[k]);
     std::optional<JoinedLoop> joined = join_loops(soup_, task_.existing, together);
     if (!joined) return std::nullopt;
     Filling filling = fill_loop(task_, *joined);
-    if (!filling.patch) return std::nullopt;
+    if (!filling.patch) {
+      vain_work_ += std::pow(static_cast<double>(joined->loop.size()), 3);
+      return std::nullopt;
+    }
+    vain_work_ = 0.0;
     others.push_back(i);
     std::sort(others.begin(), others.end());
     return FilledLoop{std::move(*joined), std::move(others), std::move(*filling.patch)};
@@ -324,6 +334,8 @@ class HoleFiller {
   std::vector<std::uint8_t> is_used_;
   std::vector<FilledLoop> filled_;
   std::vector<std::pair<std::size_t, std::string>> failures_;
+  /// See kMaxVainWork.
+  double vain_work_ = 0.0;
 };
 
 PassResult fill_loops(const PassInput& input, const FillOptions& options, FillMemory& memory) {
