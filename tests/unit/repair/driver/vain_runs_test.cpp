@@ -1,4 +1,5 @@
 #include "meshalyzer/repair/driver/internal/repair_driver.h"
+#include "meshalyzer/repair/passes.h"
 
 #include <gtest/gtest.h>
 
@@ -138,6 +139,45 @@ std::size_t count_proposals(bool has_smaller_operations) {
 TEST(RepairDriver, PassIsRunForSmallerOperationsOnlyIfTheseDiffer) {
   EXPECT_EQ(count_proposals(true), 2U);
   EXPECT_EQ(count_proposals(false), 1U);
+}
+
+/// Makes faces round an edge that all of them have in common.
+Soup fan_of_faces(Index n_faces) {
+  Soup soup;
+  soup.positions = {{0, 0, 0}, {0, 0, 1}};
+  for (Index i = 0; i < n_faces; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / n_faces;
+    soup.positions.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    soup.triangles.push_back({0, 1, 2 + i});
+  }
+  return soup;
+}
+
+/// Counts the runs of a pass that takes time for pairs, after one that has split an edge, so that
+/// each two of the faces at it touch.
+std::size_t count_runs_after_split(Index n_faces, OnWorse on_worse) {
+  const Soup soup = fan_of_faces(n_faces);
+  RepairDriver driver(soup, {}, RepairLimits(), [](const TrackedMesh&, const CutMesh&) {
+    return std::vector<std::uint8_t>();
+  });
+  std::size_t n_runs = 0;
+  const PassFunction count = [&](const PassInput&) {
+    ++n_runs;
+    return PassResult();
+  };
+  using enum DefectCode;
+  driver.run_plan(
+      {{.name = "split edges", .run = split_edges, .may_create = {Hole, SelfIntersection}},
+       {.name = "count", .run = count, .takes_time_for_pairs = true}},
+      {}, on_worse);
+  return n_runs;
+}
+
+TEST(RepairDriver, PassThatTakesTimeIsNotRunForPairsThatAPlanHasMultiplied) {
+  // All pairs of 160 faces are 12,720, and all of 100 are 4,950.
+  EXPECT_EQ(count_runs_after_split(160, OnWorse::Leave), 0U);
+  EXPECT_GT(count_runs_after_split(100, OnWorse::Leave), 0U);
+  EXPECT_GT(count_runs_after_split(160, OnWorse::TryAgain), 0U);
 }
 
 }  // namespace

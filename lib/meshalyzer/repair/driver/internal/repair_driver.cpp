@@ -40,9 +40,11 @@ constexpr std::size_t kManyBanned = 1'000;
 constexpr std::size_t kBannedPerApplied = 4;
 /// If a mesh that a stage has made has more intersecting pairs than before, it is given up after
 /// this number of rounds, unless the last one has made them fewer; and if they are as many as
-/// kManyPairs, a round earlier in any case. If it has no more than before, but still as many as
-/// kPairsOfNoProgress, the stage ends then.
+/// kManyPairs, a round earlier in any case, and if they are also so many times as many as before,
+/// as soon as a pass would take time for each of them. If it has no more than before, but still as
+/// many as kPairsOfNoProgress, the stage ends then.
 constexpr std::size_t kRoundsForPairs = 2;
+constexpr std::size_t kTimesAsManyPairs = 10;
 constexpr std::size_t kPairsOfNoProgress = 1'000;
 /// After this number of stages, banned operations stay banned.
 constexpr std::size_t kMaxStages = 10;
@@ -53,6 +55,10 @@ constexpr std::size_t kAttemptsOfLaterStages = 3;
 bool are_many_alike(std::size_t n_pairs, std::size_t n_before) {
   const auto n = static_cast<double>(n_pairs);
   return n_pairs >= kManyPairs && std::abs(n - static_cast<double>(n_before)) <= kAlikeShare * n;
+}
+
+bool have_multiplied(std::size_t n_pairs, std::size_t n_before) {
+  return n_pairs >= kManyPairs && n_pairs >= kTimesAsManyPairs * n_before;
 }
 
 }  // namespace
@@ -199,6 +205,7 @@ bool RepairDriver::run_rounds(const std::vector<PlannedPass>& plan, bool may_be_
     for (std::size_t i = 0; i < plan.size(); ++i) {
       if (round > 0 && plan[i].repeat == Repeat::Once) continue;
       if (is_to_stop()) return true;
+      if (may_be_given_up && have_multiplied(n_pairs_for(plan[i]), n_pairs_at_first)) return false;
       if (on_progress_) {
         on_progress_({.pass = plan[i].name,
                       .round = round + 1,
