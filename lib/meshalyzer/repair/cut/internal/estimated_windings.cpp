@@ -15,7 +15,9 @@ namespace meshalyzer {
 namespace {
 
 /// The number of pieces that are sampled of those with the same cells on both sides: fewer if there
-/// are so many such patches that all samples together would be more than kSamples.
+/// are so many such patches that all samples together would be more than kSamples. If there are
+/// more patches than that, each cell has at least one sample beside it, and no patch is sampled
+/// between two cells that have one.
 constexpr std::size_t kMostSamplesOfPatch = 64;
 constexpr std::size_t kLeastSamplesOfPatch = 4;
 constexpr std::size_t kSamples = 4096;
@@ -66,8 +68,35 @@ void choose_from(const std::vector<Sample>& pieces, std::size_t most,
   }
 }
 
+/// Selects a piece of each patch with a cell that has no sample yet, the largest patch first.
+std::vector<Sample> choose_for_each_cell(const Patches& patches, std::size_t n_cells) {
+  struct Measured {
+    double area = 0.0;
+    const Patches::value_type* patch = nullptr;
+  };
+  std::vector<Measured> by_area;
+  by_area.reserve(patches.size());
+  for (const auto& patch : patches) {
+    double area = 0.0;
+    for (const Sample& sample : patch.second) area += sample.area;
+    by_area.push_back({area, &patch});
+  }
+  std::stable_sort(by_area.begin(), by_area.end(),
+                   [](const Measured& a, const Measured& b) { return a.area > b.area; });
+  std::vector<std::uint8_t> has_sample(n_cells, 0);
+  std::vector<Sample> samples;
+  for (const auto& [area, patch] : by_area) {
+    const auto& [component, front, behind] = patch->first;
+    if (has_sample[front] != 0 && has_sample[behind] != 0) continue;
+    has_sample[front] = has_sample[behind] = 1;
+    choose_from(patch->second, 1, samples);
+  }
+  return samples;
+}
+
 /// Selects pieces of each patch.
-std::vector<Sample> choose_samples(const Patches& patches) {
+std::vector<Sample> choose_samples(const Patches& patches, std::size_t n_cells) {
+  if (patches.size() > kSamples) return choose_for_each_cell(patches, n_cells);
   const std::size_t n_of_patch = std::clamp(kSamples / std::max<std::size_t>(1, patches.size()),
                                             kLeastSamplesOfPatch, kMostSamplesOfPatch);
   std::vector<Sample> samples;
@@ -201,7 +230,7 @@ EstimatedWindings estimate_windings(const ArrangedSoup& arranged,
   if (patches.empty()) return result;
   const Estimator estimator(arranged, wants_to_stop);
   estimator.drop_sheets(patches);
-  std::vector<Sample> samples = choose_samples(patches);
+  std::vector<Sample> samples = choose_samples(patches, cells.count);
   estimator.estimate(samples);
   std::vector<double> areas(cells.count, 0.0);
   for (const Sample& sample : samples) {
