@@ -70,6 +70,8 @@ struct PassInput {
   StopQuery wants_to_stop = {};
   /// The length in use, for a pass that has some: see PassLengths.
   double length = 0.0;
+  /// The number of the mesh among all that this repair has had; 0 if that is not known.
+  std::size_t mesh_number = 0;
 };
 
 /// A defect that a pass could not repair, and the reason.

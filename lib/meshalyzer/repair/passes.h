@@ -142,8 +142,8 @@ enum class LostParts : std::uint8_t { Refused, Allowed };
 /// leave the tangle, or leave handles, separate parts, or edges with four faces. It proposes what
 /// moves the corners and middles of the faces by no more than the deviation.
 ///
-/// @param cut  How the mesh would be cut instead.
-[[nodiscard]] PassResult refill_tangles(const PassInput& input, const CutOptions& cut);
+/// @param cut  The pass that would cut the mesh instead.
+[[nodiscard]] PassResult refill_tangles(const PassInput& input, const PassFunction& cut);
 
 struct SelfUnionOptions {
   /// The holes that are filled before.

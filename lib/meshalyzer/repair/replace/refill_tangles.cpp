@@ -64,13 +64,12 @@ struct Refill {
 /// first needed, because it takes as long as cutting.
 class CutTrial {
  public:
-  CutTrial(const PassInput& input, const CutOptions& options) : input_(input), options_(options) {}
+  CutTrial(const PassInput& input, const PassFunction& cut) : input_(input), cut_(cut) {}
 
   /// Tells whether cutting would leave a place broken, or change its topology.
   [[nodiscard]] bool fails_at(const std::vector<Index>& faces) {
     if (!is_alike_) {
-      is_alike_ =
-          faces_replaced_alike(input_.tracked.soup, cut_intersections(input_, options_).edits);
+      is_alike_ = faces_replaced_alike(input_.tracked.soup, cut_(input_).edits);
     }
     return std::none_of(faces.begin(), faces.end(),
                         [&](Index face) { return (*is_alike_)[face] != 0; });
@@ -78,7 +77,7 @@ class CutTrial {
 
  private:
   const PassInput& input_;
-  const CutOptions& options_;
+  const PassFunction& cut_;
   std::optional<std::vector<std::uint8_t>> is_alike_;
 };
 
@@ -277,7 +276,7 @@ class TangleRefill {
 
 }  // namespace
 
-PassResult refill_tangles(const PassInput& input, const CutOptions& cut) {
+PassResult refill_tangles(const PassInput& input, const PassFunction& cut) {
   if (input.limits.groups == Groups::Faces || input.mesh.intersecting_pairs().empty()) return {};
   CutTrial trial(input, cut);
   for (std::size_t n_rings = 0; n_rings <= kMostRings; ++n_rings) {

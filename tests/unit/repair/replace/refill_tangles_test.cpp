@@ -86,10 +86,14 @@ TEST(RefillTangles, ALargerTangleIsCut) {
   EXPECT_NE(euler_characteristic(only_mesh(result)), 2);
 }
 
+PassResult cut_all(const PassInput& input) {
+  return cut_intersections(input, {});
+}
+
 TEST(RefillTangles, SolidsThatCrossAreLeft) {
   const Soup cubes = shapes::merged(shapes::cube(), shapes::cube(1.0, {0.001, 0.001, 0.001}));
   const PassRun run =
-      run_pass(cubes, [](const PassInput& input) { return refill_tangles(input, {}); });
+      run_pass(cubes, [](const PassInput& input) { return refill_tangles(input, cut_all); });
   EXPECT_EQ(run.operations, 0U);
 }
 
@@ -111,10 +115,9 @@ TEST(RefillTangles, WhatCuttingMendsWithoutChangeOfTopologyIsLeftToIt) {
   std::size_t n_left = 0;
   std::size_t n_refilled = 0;
   for (const Soup& soup : soups) {
-    const PassRun cut =
-        run_pass(soup, [](const PassInput& input) { return cut_intersections(input, {}); });
+    const PassRun cut = run_pass(soup, cut_all);
     const PassRun refilled =
-        run_pass(soup, [](const PassInput& input) { return refill_tangles(input, {}); },
+        run_pass(soup, [](const PassInput& input) { return refill_tangles(input, cut_all); },
                  {.max_deviation = 1.0, .fixed_vertices = {}, .groups = Groups::Names});
     ASSERT_GT(cut.operations, 0U);
     const bool is_left = topology_of(cut.tracked.soup.triangles) == sphere;

@@ -84,7 +84,7 @@ Acceptance MeasuredMesh::check(const Trial& trial, std::size_t n_operations,
 }
 
 void MeasuredMesh::keep(Trial trial, const Edits& edits) {
-  state_ = std::move(trial.after);
+  replace_state(std::move(trial.after));
   walls_ = std::move(trial.walls);
   is_deviation_known_ = false;
   is_within_ = true;
@@ -98,7 +98,7 @@ AffectedElements MeasuredMesh::apply_unchecked(const Edits& edits) {
   AffectedElements affected =
       find_affected_elements(tracked(), edits, SkippedOperations({}), after);
   walls_ = walls_with(edits, std::vector<std::uint8_t>(edits.n_operations, 0));
-  state_ = search_all(std::move(after));
+  replace_state(search_all(std::move(after)));
   include_patches(edits);
   find_lost_faces();
   return affected;
@@ -128,15 +128,20 @@ void MeasuredMesh::include_patches(const Edits& edits) {
   if (has_patches) meter_->include_patches(tracked());
 }
 
+void MeasuredMesh::replace_state(std::shared_ptr<const RepairState> state) {
+  state_ = std::move(state);
+  ++number_;
+}
+
 MeasuredMesh::Snapshot MeasuredMesh::snapshot() {
   return {tracked(), known_pairs(), deviation(), is_within_, walls_, lost_};
 }
 
 void MeasuredMesh::restore(const Snapshot& snapshot) {
   meter_.emplace(input_);
-  state_ = snapshot.pairs
-               ? std::make_shared<RepairState>(snapshot.tracked, tolerances_, *snapshot.pairs)
-               : search_all(snapshot.tracked);
+  replace_state(snapshot.pairs
+                    ? std::make_shared<RepairState>(snapshot.tracked, tolerances_, *snapshot.pairs)
+                    : search_all(snapshot.tracked));
   meter_->include_patches(tracked());
   deviation_ = snapshot.deviation;
   is_within_ = snapshot.is_within;

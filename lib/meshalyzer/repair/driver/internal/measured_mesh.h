@@ -36,6 +36,8 @@ class MeasuredMesh {
   [[nodiscard]] std::shared_ptr<const PreparedMesh> shared_prepared() const {
     return {state_, &state_->mesh()};
   }
+  /// Returns a number above 0 that no other mesh has had which this has held.
+  [[nodiscard]] std::size_t number() const { return number_; }
   /// Returns the state for use after later edits.
   [[nodiscard]] std::shared_ptr<const RepairState> shared_state() const { return state_; }
   [[nodiscard]] const Tolerances& tolerances() const { return tolerances_; }
@@ -115,6 +117,7 @@ class MeasuredMesh {
   void find_lost_faces();
   /// Lets later edits lie on the hole patches that these edits have added.
   void include_patches(const Edits& edits);
+  void replace_state(std::shared_ptr<const RepairState> state);
 
   Soup input_;
   /// The intersecting pairs of the input, if all are known.
@@ -124,6 +127,7 @@ class MeasuredMesh {
   std::size_t max_pairs_;
   std::optional<DeviationMeter> meter_;
   std::shared_ptr<const RepairState> state_;
+  std::size_t number_ = 1;
   /// The parts of the surface that separated no inside from no outside and were removed.
   std::vector<InteriorWall> walls_;
   /// The faces of the input that edits that were applied unchecked have left beyond the maximum

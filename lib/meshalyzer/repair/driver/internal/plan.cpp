@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/driver/internal/plan.h"
 
+#include "meshalyzer/repair/driver/internal/remembered_pass.h"
 #include "meshalyzer/repair/weld/internal/weld_over_growing_lengths.h"
 
 #include <algorithm>
@@ -97,7 +98,10 @@ void plan_fixes_from_cutting(const RepairOptions& options, Sheets sheets, Planne
   if (options.contact == Contact::Part) {
     plan.add({"part contacts", NonManifold, part_contacts});
   }
-  const CutOptions cut = cut_options(options, sheets);
+  const PassFunction cut =
+      remembered_pass([cut = cut_options(options, sheets)](const PassInput& input) {
+        return cut_intersections(input, cut);
+      });
   plan.add({"refill tangles",
             SelfIntersection,
             [cut](const PassInput& input) { return refill_tangles(input, cut); },
@@ -106,7 +110,7 @@ void plan_fixes_from_cutting(const RepairOptions& options, Sheets sheets, Planne
             true});
   plan.add({"cut intersections",
             SelfIntersection,
-            [cut](const PassInput& input) { return cut_intersections(input, cut); },
+            cut,
             {NonManifold, FlatFacet, DegenerateFacet, Foldover, Flipped, Hole},
             Repeat::OncePerRound,
             true,

@@ -281,8 +281,8 @@ void RepairDriver::apply_unchecked(const PlannedPass& pass) {
 }
 
 PassInput RepairDriver::input_of_pass(OperationSize size, double length) const {
-  return {mesh_.input(),  mesh_.tracked(), mesh_.prepared(), mesh_.tolerances(), limits_, size,
-          wants_to_stop_, length};
+  return {mesh_.input(), mesh_.tracked(), mesh_.prepared(), mesh_.tolerances(), limits_,
+          size,          wants_to_stop_,  length,           mesh_.number()};
 }
 
 bool RepairDriver::run(const PlannedPass& pass) {
