@@ -16,8 +16,7 @@ namespace {
 
 /// The number of pieces that are sampled of those with the same cells on both sides: fewer if there
 /// are so many such patches that all samples together would be more than kSamples. If there are
-/// more patches than that, each cell has at least one sample beside it, and no patch is sampled
-/// between two cells that have one.
+/// more patches than that, a patch is left out if both of its cells have samples beside other ones.
 constexpr std::size_t kMostSamplesOfPatch = 64;
 constexpr std::size_t kLeastSamplesOfPatch = 4;
 constexpr std::size_t kSamples = 4096;
@@ -68,7 +67,7 @@ void choose_from(const std::vector<Sample>& pieces, std::size_t most,
   }
 }
 
-/// Selects a piece of each patch with a cell that has no sample yet, the largest patch first.
+/// Selects pieces of each patch with a cell that has no sample yet, the largest patch first.
 std::vector<Sample> choose_for_each_cell(const Patches& patches, std::size_t n_cells) {
   struct Measured {
     double area = 0.0;
@@ -89,7 +88,7 @@ std::vector<Sample> choose_for_each_cell(const Patches& patches, std::size_t n_c
     const auto& [component, front, behind] = patch->first;
     if (has_sample[front] != 0 && has_sample[behind] != 0) continue;
     has_sample[front] = has_sample[behind] = 1;
-    choose_from(patch->second, 1, samples);
+    choose_from(patch->second, kLeastSamplesOfPatch, samples);
   }
   return samples;
 }
