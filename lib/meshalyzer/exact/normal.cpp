@@ -12,10 +12,6 @@ namespace {
 
 using Exact = CGAL::Mpzf;
 
-/// Products of coordinates between these neither overflow nor underflow.
-constexpr double kLeast = 1e-140;
-constexpr double kMost = 1e140;
-
 double component(const Vec3& u, const Vec3& v, const Vec3& origin, Eigen::Index k) {
   const Eigen::Index i = (k + 1) % 3;
   const Eigen::Index j = (k + 2) % 3;
@@ -49,9 +45,8 @@ Vec3 accurate_normal(const Corners& t, std::size_t apex) {
 Vec3 unit_normal(const Corners& t) {
   double largest = 0.0;
   for (const Vec3& p : t) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  if (!(largest > 0.0) || (largest > kLeast && largest < kMost)) {
-    return accurate_normal(t).stableNormalized();
-  }
+  if (!(largest > 0.0)) return Vec3::Zero();
+  // Products of coordinates of about 1 neither overflow nor underflow.
   return accurate_normal(times_power_of_two(t, -std::ilogb(largest))).stableNormalized();
 }
 

@@ -351,14 +351,6 @@ DeviationMeter::Result DeviationMeter::measure_changes(ChangedFaces changes,
                                                        DistanceQuestion question) const {
   const TrackedMesh& tracked = repaired.tracked;
   const DistanceQuery query{repaired.bound, question};
-  // What is near to a point of the input lies within the bound of it. So the point stays near
-  // unless the step has removed something there.
-  std::optional<BoxTree> near_gone;
-  DistanceQuery old_query = query;
-  if (repaired.step != nullptr) {
-    near_gone.emplace(boxes_within(repaired.step->gone, repaired.bound));
-    old_query.doubtful = &*near_gone;
-  }
   Side old_side{input_, tracked.soup, std::move(changes.of_input)};
   Side new_side{tracked.soup, input_, std::move(changes.of_repaired)};
   Result result;
@@ -375,6 +367,14 @@ DeviationMeter::Result DeviationMeter::measure_changes(ChangedFaces changes,
   }
   result.largest = std::max(result.largest, settle_near_faces(new_side, query));
   if (!old_side.faces.empty()) {
+    // What is near to a point of the input lies within the bound of it. So the point stays near
+    // unless the step has removed something there.
+    std::optional<BoxTree> near_gone;
+    DistanceQuery old_query = query;
+    if (repaired.step != nullptr) {
+      near_gone.emplace(boxes_within(repaired.step->gone, repaired.bound));
+      old_query.doubtful = &*near_gone;
+    }
     SideResult old_result = measure_rest(old_side, tracked.soup, old_query, [&] {
       const FaceTree& tree = repaired.mesh.tree();
       return measure_side(old_side, tree, ClosestPoints(tree), old_query);

@@ -53,13 +53,18 @@ Patches find_patches(const ArrangedSoup& a, std::span<const std::uint8_t> wanted
   return patches;
 }
 
+double total_area(const std::vector<Sample>& pieces) {
+  double area = 0.0;
+  for (const Sample& piece : pieces) area += piece.area;
+  return area;
+}
+
 /// Chooses pieces of a patch evenly, in the order of the pieces, and gives to each the same share
 /// of the area of the patch.
 void choose_from(const std::vector<Sample>& pieces, std::size_t most,
                  std::vector<Sample>& samples) {
   const std::size_t n = std::min(pieces.size(), most);
-  double area = 0.0;
-  for (const Sample& sample : pieces) area += sample.area;
+  const double area = total_area(pieces);
   for (std::size_t i = 0; i < n; ++i) {
     Sample sample = pieces[i * pieces.size() / n];
     if (n < pieces.size()) sample.area = area / static_cast<double>(n);
@@ -75,11 +80,7 @@ std::vector<Sample> choose_for_each_cell(const Patches& patches, std::size_t n_c
   };
   std::vector<Measured> by_area;
   by_area.reserve(patches.size());
-  for (const auto& patch : patches) {
-    double area = 0.0;
-    for (const Sample& sample : patch.second) area += sample.area;
-    by_area.push_back({area, &patch});
-  }
+  for (const auto& patch : patches) by_area.push_back({total_area(patch.second), &patch});
   std::stable_sort(by_area.begin(), by_area.end(),
                    [](const Measured& a, const Measured& b) { return a.area > b.area; });
   std::vector<std::uint8_t> has_sample(n_cells, 0);

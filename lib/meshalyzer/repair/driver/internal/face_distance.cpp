@@ -107,7 +107,8 @@ FaceDistance SurfaceDistance::measure(const Corners& corners, const BoxTree* dou
   for (std::size_t n_pieces = 1; !work_.empty(); ++n_pieces) {
     const Piece piece = work_.back();
     work_.pop_back();
-    if (is_known(piece.corners)) {
+    // The first piece is the whole triangle, which was looked up above.
+    if (n_pieces > 1 && is_known(piece.corners)) {
       done_ = bound_;
       continue;
     }

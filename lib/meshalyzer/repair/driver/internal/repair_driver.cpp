@@ -383,13 +383,11 @@ void RepairDriver::skip_known(const PlannedPass& pass, ProposedBefore& before, P
 
 void RepairDriver::skip_overflowing(const PlannedPass& pass, ProposedBefore& before,
                                     Proposal& proposal) {
-  const std::vector<std::uint8_t> overflows = which_overflow(proposal.edits);
-  for (std::size_t op = 0; op < overflows.size(); ++op) {
-    if (overflows[op] == 0 || proposal.skipped[op] != 0) continue;
-    proposal.skipped[op] = 1;
-    before.rejected.insert(proposal.signatures[op]);
-    log_rejection(pass, proposal.signatures[op], Rejection::TooFar, log_);
+  Acceptance acceptance;
+  for (const std::uint8_t overflows : which_overflow(proposal.edits)) {
+    acceptance.rejections.push_back(overflows != 0 ? Rejection::TooFar : Rejection::None);
   }
+  skip_rejected(pass, acceptance, before, proposal);
 }
 
 void RepairDriver::skip_rejected(const PlannedPass& pass, const Acceptance& acceptance,

@@ -31,14 +31,6 @@ int scale_of(const Soup& soup, const HoleLoop& loop) {
   return largest > 0.0 ? -std::ilogb(largest) : 0;
 }
 
-/// Returns the unit normal; zero if there is none, or if it overflows.
-Vec3 finite_unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 normal = accurate_normal(a, b, c);
-  const double length = normal.stableNorm();
-  if (!(length > 0.0) || !std::isfinite(length)) return Vec3::Zero();
-  return normal / length;
-}
-
 }  // namespace
 
 LoopPolygon make_polygon(const PreparedMesh& mesh, const HoleLoop& loop, double degeneracy) {
@@ -58,8 +50,8 @@ LoopPolygon make_polygon(const PreparedMesh& mesh, const HoleLoop& loop, double 
     if (!h.is_valid()) continue;
     const Index apex = file_ends(cut, cut.mesh.next_halfedge_handle(h))[1];
     const Vec3& next = polygon.points[i + 1 < loop.size() ? i + 1 : 0];
-    polygon.normals[i] = finite_unit_normal(next, polygon.points[i],
-                                            times_power_of_two(soup.positions[apex], exponent));
+    polygon.normals[i] =
+        unit_normal({next, polygon.points[i], times_power_of_two(soup.positions[apex], exponent)});
   }
   return polygon;
 }
@@ -99,7 +91,7 @@ CandidateTriangle measure_candidate(const Vec3& a, const Vec3& b, const Vec3& c,
       triangle.fault = TriangleFault::Collinear;
       return triangle;
     }
-    triangle.normal = finite_unit_normal(a, b, c);
+    triangle.normal = unit_normal({a, b, c});
   } else {
     triangle.normal = normal / twice_area;
   }
