@@ -159,12 +159,6 @@ std::pair<double, double> interval(std::size_t i) {
   return {low, low + static_cast<double>(1 + i / 9)};
 }
 
-/// The box, its faces cut along diagonals.
-Soup box(const Vec3& low, const Vec3& high) {
-  return moved(shapes::cube(),
-               [&](const Vec3& p) { return Vec3(low + p.cwiseProduct(high - low)); });
-}
-
 TEST(ArrangementLaws, TwoBoxesInAllIntegerRelationsBecomeOneComplexWithoutBoundary) {
   // All slopes are quotients of 1, 2 and 3: on this grid, whatever they make are whole numbers.
   constexpr double kGrid = 5040;
@@ -174,8 +168,9 @@ TEST(ArrangementLaws, TwoBoxesInAllIntegerRelationsBecomeOneComplexWithoutBounda
     const auto [x0, x1] = interval(i % 27);
     const auto [y0, y1] = interval(i / 27 % 27);
     const auto [z0, z1] = interval(i / 27 / 27);
-    const Soup soup = shapes::merged(box(kGrid * Vec3(3, 3, 3), kGrid * Vec3(6, 6, 6)),
-                                     box(kGrid * Vec3(x0, y0, z0), kGrid * Vec3(x1, y1, z1)));
+    const Soup soup =
+        shapes::merged(shapes::box(kGrid * Vec3(3, 3, 3), kGrid * Vec3(6, 6, 6)),
+                       shapes::box(kGrid * Vec3(x0, y0, z0), kGrid * Vec3(x1, y1, z1)));
     const Arrangement a = arrange(soup);
     n_cut += a.cut_faces.empty() ? 0 : 1;
     ASSERT_TRUE(boundary(a).empty()) << i;

@@ -1,8 +1,8 @@
 #include "meshalyzer/arrangement/arrange.h"
 #include "meshalyzer/exact/exact_point.h"
-#include "meshalyzer/mesh/build.h"
 #include "meshalyzer/repair/cut/internal/cut_surface.h"
 #include "meshalyzer/repair/cut/internal/select_pieces.h"
+#include "support/arranged_mesh.h"
 #include "support/effort.h"
 #include "support/random_soups.h"
 #include "support/shapes.h"
@@ -59,13 +59,11 @@ Moments true_moments(const Soup& soup) {
 /// What the pieces enclose that are kept of a closed chain, before anything is rounded; nothing
 /// where the chain falls into several components, of which each is kept.
 std::optional<Moments> kept_moments(const Soup& soup) {
-  const CutMesh cut = build(soup);
-  const FaceTree tree(cut);
-  const Arrangement arrangement = arrange(soup);
-  const Cells cells = find_cells(soup, arrangement);
-  if (cells.n_components != 1) return std::nullopt;
+  const test::ArrangedMesh mesh(soup);
+  const Arrangement& arrangement = mesh.arrangement;
+  if (mesh.cells.n_components != 1) return std::nullopt;
   const std::vector<PieceClass> classes =
-      select_pieces({soup, cut, tree, arrangement, cells}, std::vector<std::uint8_t>{1}, {});
+      select_pieces(mesh.arranged, std::vector<std::uint8_t>{1}, {});
   std::vector<Triangle> kept;
   for (std::size_t i = 0; i < classes.size(); ++i) {
     Triangle t = arrangement.pieces[i];

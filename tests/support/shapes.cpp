@@ -134,6 +134,12 @@ Soup cube(double side, const Vec3& corner) {
   return soup;
 }
 
+Soup box(const Vec3& low, const Vec3& high) {
+  Soup soup = cube();
+  for (Vec3& p : soup.positions) p = low + p.cwiseProduct(high - low);
+  return soup;
+}
+
 Soup open_cube() {
   Soup soup = cube();
   soup.triangles.resize(10);

@@ -24,6 +24,9 @@ namespace meshalyzer::shapes {
 /// Area 6 side^2, volume side^3, genus 0; V 8, E 18, F 12.
 [[nodiscard]] Soup cube(double side = 1.0, const Vec3& corner = Vec3::Zero());
 
+/// The box between two opposite corners, its faces split like those of the cube.
+[[nodiscard]] Soup box(const Vec3& low, const Vec3& high);
+
 /// The unit cube without the two faces of its top (z = 1): area 5; V 8, E 17, F 10, B 1.
 [[nodiscard]] Soup open_cube();
 

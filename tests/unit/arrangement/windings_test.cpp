@@ -1,8 +1,6 @@
 #include "meshalyzer/arrangement/windings.h"
 
-#include "meshalyzer/arrangement/arrange.h"
-#include "meshalyzer/mesh/build.h"
-#include "meshalyzer/spatial/self_intersection.h"
+#include "support/arranged_mesh.h"
 #include "support/effort.h"
 #include "support/shapes.h"
 
@@ -13,19 +11,16 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
 
 /// A soup, cut, with its cells and their winding numbers.
-struct Cut {
-  explicit Cut(const Soup& soup)
-      : cut(build(soup)),
-        tree(cut),
-        arrangement(arrange(soup, find_self_intersections(cut, tree))),
-        cells(find_cells(soup, arrangement)),
-        windings(find_windings({soup, cut, tree, arrangement, cells},
-                               std::vector<std::uint8_t>(cells.n_components, 1))) {}
+struct Cut : test::ArrangedMesh {
+  explicit Cut(Soup mesh)
+      : ArrangedMesh(std::move(mesh)),
+        windings(find_windings(arranged, std::vector<std::uint8_t>(cells.n_components, 1))) {}
 
   /// The winding number of a cell by all components.
   [[nodiscard]] int winding(std::size_t piece, Index cell) const {
@@ -45,10 +40,6 @@ struct Cut {
     return six_times / 6.0;
   }
 
-  CutMesh cut;
-  FaceTree tree;
-  Arrangement arrangement;
-  Cells cells;
   Windings windings;
 };
 
@@ -87,14 +78,9 @@ TEST(FindWindings, HoleJoinsNoCells) {
 
 TEST(FindWindings, ThreePlanesThroughOnePointAreToldApartRoundTheirEdges) {
   // Three slabs of thickness 1 through the same unit cube, each 3 x 3 x 1.
-  const auto slab = [](const Vec3& low, const Vec3& high) {
-    Soup soup = shapes::cube();
-    for (Vec3& p : soup.positions) p = low + p.cwiseProduct(high - low);
-    return soup;
-  };
-  const Cut cut(
-      shapes::merged(shapes::merged(slab({0, -1, -1}, {1, 2, 2}), slab({-1, 0, -1}, {2, 1, 2})),
-                     slab({-1, -1, 0}, {2, 2, 1})));
+  const Cut cut(shapes::merged(
+      shapes::merged(shapes::box({0, -1, -1}, {1, 2, 2}), shapes::box({-1, 0, -1}, {2, 1, 2})),
+      shapes::box({-1, -1, 0}, {2, 2, 1})));
   // Inclusion and exclusion: 3 * 9 - 3 * 3 + 1.
   EXPECT_NEAR(cut.volume(1), 19.0, 1e-12);
   // Three bars of volume 3 through the cube.

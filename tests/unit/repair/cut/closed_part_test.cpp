@@ -1,7 +1,6 @@
 #include "meshalyzer/repair/cut/internal/closed_part.h"
 
-#include "meshalyzer/arrangement/arrange.h"
-#include "meshalyzer/mesh/build.h"
+#include "support/arranged_mesh.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -14,12 +13,8 @@ namespace meshalyzer {
 namespace {
 
 ClosedPart closed_part_of_all(const Soup& soup) {
-  const CutMesh cut = build(soup);
-  const FaceTree tree(cut);
-  const Arrangement arrangement = arrange(soup);
-  const Cells cells = find_cells(soup, arrangement);
-  return find_closed_part({soup, cut, tree, arrangement, cells},
-                          std::vector<std::uint8_t>(cells.n_components, 1));
+  const test::ArrangedMesh mesh(soup);
+  return find_closed_part(mesh.arranged, std::vector<std::uint8_t>(mesh.cells.n_components, 1));
 }
 
 TEST(FindClosedPart, SheetThroughSolidTellsInsideAndIsNotOfChain) {

@@ -58,12 +58,6 @@ Soup expect_good(const Soup& soup) {
   return result.meshes[0].tracked.soup;
 }
 
-Soup box(const Vec3& low, const Vec3& high) {
-  Soup soup = shapes::cube();
-  for (Vec3& p : soup.positions) p = low + p.cwiseProduct(high - low);
-  return soup;
-}
-
 TEST(CutIntersections, MeshesThatMeetNothingAreLeft) {
   for (const Soup& soup : {shapes::icosphere(2), shapes::nested_cubes(shapes::InnerShell::Cavity),
                            shapes::two_tetrahedra_sharing_vertex(), shapes::grid(3, 3)}) {
@@ -92,18 +86,19 @@ TEST(CutIntersections, CubesThatCrossBecomeTheirUnion) {
 
 TEST(CutIntersections, CavityThatABarCrossesStaysACavity) {
   // The bar goes through the wall of a hollow cube and 1 deep into its cavity of 2^3.
-  const Soup hollow =
-      shapes::merged(box({0, 0, 0}, {4, 4, 4}), shapes::flipped(box({1, 1, 1}, {3, 3, 3})));
-  const Soup soup = shapes::merged(hollow, box({-1, 1.5, 1.5}, {2, 2.5, 2.5}));
+  const Soup hollow = shapes::merged(shapes::box({0, 0, 0}, {4, 4, 4}),
+                                     shapes::flipped(shapes::box({1, 1, 1}, {3, 3, 3})));
+  const Soup soup = shapes::merged(hollow, shapes::box({-1, 1.5, 1.5}, {2, 2.5, 2.5}));
   // 64 - 8, 1 outside and 1 in the cavity.
   EXPECT_NEAR(volume(expect_good(soup)), 58.0, 1e-12);
 }
 
 TEST(CutIntersections, CavityItselfInsideOthersIsKeptWhereItCutsItself) {
   // Two cavities that cross each other, inside one cube.
-  const Soup soup = shapes::merged(
-      box({0, 0, 0}, {6, 6, 6}),
-      shapes::flipped(shapes::merged(box({1, 1, 1}, {3, 3, 3}), box({2, 2, 2}, {4, 4, 4}))));
+  const Soup soup =
+      shapes::merged(shapes::box({0, 0, 0}, {6, 6, 6}),
+                     shapes::flipped(shapes::merged(shapes::box({1, 1, 1}, {3, 3, 3}),
+                                                    shapes::box({2, 2, 2}, {4, 4, 4}))));
   EXPECT_NEAR(volume(expect_good(soup)), 216.0 - 15.0, 1e-12);
 }
 
@@ -186,7 +181,7 @@ TEST(CutIntersections, LooseFacesAreLeftAndNamed) {
 /// Sheets in a cube of side 4, one above the other and nearly as wide, so that little of the cube
 /// separates whole winding numbers by estimates, and a bar of width 1 through all.
 Soup crossed_sheets(const Vec3& shift_of_sheets) {
-  Soup soup = shapes::merged(shapes::cube(4), box({1, 1, -1}, {2, 2, 5}));
+  Soup soup = shapes::merged(shapes::cube(4), shapes::box({1, 1, -1}, {2, 2, 5}));
   for (const double z : {0.5, 1.5, 2.5, 3.5}) {
     const Soup sheet = shapes::scaled(shapes::grid(2, 2), 1.75);
     soup = shapes::merged(std::move(soup),
@@ -239,7 +234,8 @@ TEST(CutIntersections, SheetsStayWhereTheyLeaveTheSolidsThatTheyCross) {
 TEST(CutIntersections, SheetsStayInCavitiesButNotInTheSolidRoundThem) {
   const Soup cavity = shapes::flipped(shapes::cube(4));
   const Soup sheet = shapes::translated(shapes::grid(2, 2), {-0.5, 1, 2});
-  const Soup soup = shapes::merged(shapes::merged(box({-1, -1, -1}, {5, 5, 5}), cavity), sheet);
+  const Soup soup =
+      shapes::merged(shapes::merged(shapes::box({-1, -1, -1}, {5, 5, 5}), cavity), sheet);
   const Soup repaired = fix_defects(soup).meshes[0].tracked.soup;
   EXPECT_FALSE(intersects(repaired));
   EXPECT_NEAR(volume(part_of(repaired, true)), 216.0 - 64.0, 1e-9);
@@ -265,8 +261,9 @@ TEST(CutIntersections, SoManyFacesThroughOnePlaceAreNotCut) {
 Soup crossing_bars(int n) {
   Soup soup;
   for (int i = 0; i < n; ++i) {
-    soup = shapes::merged(std::move(soup), box({-1, i + 0.0, 0}, {n + 1.0, i + 0.5, 1}));
-    soup = shapes::merged(std::move(soup), box({i + 0.0, -1, 0.5}, {i + 0.5, n + 1.0, 1.5}));
+    soup = shapes::merged(std::move(soup), shapes::box({-1, i + 0.0, 0}, {n + 1.0, i + 0.5, 1}));
+    soup =
+        shapes::merged(std::move(soup), shapes::box({i + 0.0, -1, 0.5}, {i + 0.5, n + 1.0, 1.5}));
   }
   return soup;
 }

@@ -1,17 +1,15 @@
 #include "meshalyzer/repair/cut/internal/estimated_windings.h"
 
-#include "meshalyzer/arrangement/arrange.h"
 #include "meshalyzer/arrangement/windings.h"
-#include "meshalyzer/mesh/build.h"
-#include "meshalyzer/spatial/self_intersection.h"
+#include "support/arranged_mesh.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -28,21 +26,16 @@ Soup crossing_slabs(int n_of_axis) {
       Vec3 high = Vec3::Constant(2.0 * n_of_axis + beyond);
       low[axis] = 2.0 * i;
       high[axis] = 2.0 * i + 1.0;
-      Soup slab = shapes::cube();
-      for (Vec3& p : slab.positions) p = low + p.cwiseProduct(high - low);
-      slabs = slabs.n_faces() == 0 ? slab : shapes::merged(slabs, slab);
+      slabs = shapes::merged(std::move(slabs), shapes::box(low, high));
     }
   }
   return slabs;
 }
 
-struct Estimated {
-  explicit Estimated(const Soup& soup)
-      : cut(build(soup)),
-        tree(cut),
-        arrangement(arrange(soup, find_self_intersections(cut, tree))),
-        cells(find_cells(soup, arrangement)),
-        arranged{soup, cut, tree, arrangement, cells},
+/// A soup, cut, with the estimates for its cells.
+struct Estimated : test::ArrangedMesh {
+  explicit Estimated(Soup mesh)
+      : ArrangedMesh(std::move(mesh)),
         windings(estimate_windings(arranged, std::vector<std::uint8_t>(cells.n_components, 1),
                                    [] { return false; })) {}
 
@@ -54,18 +47,12 @@ struct Estimated {
     return patches.size();
   }
 
-  CutMesh cut;
-  FaceTree tree;
-  Arrangement arrangement;
-  Cells cells;
-  ArrangedSoup arranged;
   EstimatedWindings windings;
 };
 
 /// Expects the winding numbers that exact rays and sums give.
 void expect_true_windings(int n_of_axis) {
-  const Soup soup = crossing_slabs(n_of_axis);
-  const Estimated estimated(soup);
+  const Estimated estimated(crossing_slabs(n_of_axis));
   const Windings truth = find_windings(estimated.arranged, std::vector<std::uint8_t>(1, 1));
   ASSERT_EQ(estimated.cells.n_components, 1U);
   EXPECT_EQ(estimated.windings.bounds_solid, std::vector<std::uint8_t>{1});

@@ -11,15 +11,9 @@
 namespace meshalyzer {
 namespace {
 
-Soup closed_box(const Vec3& low, const Vec3& high) {
-  Soup soup = shapes::cube();
-  for (Vec3& p : soup.positions) p = low + p.cwiseProduct(high - low);
-  return soup;
-}
-
 /// A box without the two faces across an axis.
 Soup open_box(const Vec3& low, const Vec3& high, int axis) {
-  Soup soup = closed_box(low, high);
+  Soup soup = shapes::box(low, high);
   std::erase_if(soup.triangles, [&](const Triangle& t) {
     return std::all_of(t.begin(), t.end(), [&](Index v) {
       return soup.positions[v][axis] == soup.positions[t[0]][axis];
@@ -54,7 +48,7 @@ TEST(SelfUnion, KeepsWhatTheOppositeOrientationSurrounds) {
 TEST(SelfUnion, OpenPartIsLostOnlyIfThatIsAllowed) {
   // The tube lies in the block and in the bar that stands out of it; its end in the bar is crossed
   // by a wall of the bar.
-  const Soup solids = shapes::merged(shapes::cube(10), closed_box({5, 4, 4}, {15, 6, 6}));
+  const Soup solids = shapes::merged(shapes::cube(10), shapes::box({5, 4, 4}, {15, 6, 6}));
   const Soup soup = shapes::merged(solids, open_box({6, 2, 3.5}, {7, 5, 5.5}, 1));
   const PassRun refused = unite(soup, LostParts::Refused);
   EXPECT_EQ(refused.operations, 0U);
