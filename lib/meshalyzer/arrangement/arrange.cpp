@@ -76,13 +76,41 @@ NamedPoints name_crossings(const Soup& soup, std::span<const std::vector<PointNa
   return {soup, std::move(names)};
 }
 
+/// Returns the nodes in each cluster, ascending.
+///
+/// @param crossings  #clusters: the crossings in each.
+std::vector<std::vector<Index>> find_nodes(std::span<const FaceCluster> clusters,
+                                           std::span<const std::vector<PointName>> crossings,
+                                           const NamedPoints& crossing_points, const Nodes& nodes) {
+  std::vector<std::vector<Index>> nodes_of(clusters.size());
+  parallel_chunks(clusters.size(), kItemsAtOnce, [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      for (const Index p : clusters[i].points) nodes_of[i].push_back(nodes.of_first[p]);
+      for (const PointName& name : crossings[i]) {
+        nodes_of[i].push_back(nodes.of_second[crossing_points.find(name)]);
+      }
+      sort_unique(nodes_of[i]);
+    }
+  });
+  return nodes_of;
+}
+
+/// Returns a lower bound of the number of pieces. The faces of a cluster are joined through areas,
+/// so that there is a spanning tree of their pieces, along whose edges each adds at most one node
+/// to the three of the first.
+std::size_t least_pieces(std::span<const std::vector<Index>> nodes_of_clusters) {
+  std::size_t n_pieces = 0;
+  for (const std::vector<Index>& nodes : nodes_of_clusters) n_pieces += nodes.size() - 2;
+  return n_pieces;
+}
+
 std::vector<ClusterPieces> cut_clusters(const CuttingScene& scene,
                                         std::span<const FaceCluster> clusters,
-                                        std::span<const std::vector<PointName>> crossings) {
+                                        std::span<const std::vector<Index>> nodes_of_clusters) {
   std::vector<ClusterPieces> pieces(clusters.size());
   parallel_chunks(clusters.size(), kItemsAtOnce, [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      pieces[i] = cut_cluster(scene, clusters[i], crossings[i]);
+      pieces[i] = cut_cluster(scene, clusters[i], nodes_of_clusters[i]);
     }
   });
   return pieces;
@@ -119,15 +147,14 @@ std::optional<Arrangement> arrange_within(const Soup& soup, std::span<const Inte
       nodes.points.size() - soup.n_vertices() > max_pieces) {
     return std::nullopt;
   }
+  const auto nodes_of_clusters = find_nodes(clusters, crossings, crossing_points, nodes);
+  if (least_pieces(nodes_of_clusters) > max_pieces) return std::nullopt;
 
   const std::vector<Index> flat_faces = find_flat_faces(soup);
   const std::vector<VertexPair> flat_edges = edges_of_faces(soup, flat_faces);
-  const std::vector<ClusterPieces> pieces = cut_clusters({.simplices = simplices,
-                                                          .points = points,
-                                                          .crossings = crossing_points,
-                                                          .nodes = nodes,
-                                                          .flat_edges = flat_edges},
-                                                         clusters, crossings);
+  const std::vector<ClusterPieces> pieces = cut_clusters(
+      {.simplices = simplices, .points = points, .nodes = nodes, .flat_edges = flat_edges},
+      clusters, nodes_of_clusters);
   const std::vector<EdgeNode> edge_nodes =
       collect_edge_nodes(find_edge_nodes(simplices, contacts, points, nodes), pieces);
   Arrangement arrangement = assemble({.soup = soup,

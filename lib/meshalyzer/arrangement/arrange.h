@@ -26,7 +26,8 @@ namespace meshalyzer {
 [[nodiscard]] Arrangement arrange(const Soup& soup, std::span<const IntersectingPair> pairs);
 
 /// Cuts a soup along its self-intersections, unless that makes too many pieces. Faces are not even
-/// cut if there are too many points to cut them at: each adds a piece to a face that it lies on.
+/// cut if there are too many points to cut them at: each adds a piece to every face that it lies
+/// on.
 ///
 /// @param max_pieces  The maximum number of pieces, and of nodes beside the vertices.
 /// @return            The same as arrange(), or nothing if there would be more.

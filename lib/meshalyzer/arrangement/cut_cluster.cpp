@@ -19,15 +19,8 @@ constexpr std::size_t kManyPoints = 16;
 /// Cuts the faces of one cluster.
 class ClusterCut {
  public:
-  ClusterCut(const CuttingScene& scene, const FaceCluster& cluster,
-             std::span<const PointName> crossings)
-      : scene_(scene), cluster_(cluster) {
-    for (const Index point : cluster.points) local_.push_back(scene.nodes.of_first[point]);
-    for (const PointName& name : crossings) {
-      local_.push_back(scene.nodes.of_second[scene.crossings.find(name)]);
-    }
-    sort_unique(local_);
-  }
+  ClusterCut(const CuttingScene& scene, const FaceCluster& cluster, std::span<const Index> nodes)
+      : scene_(scene), cluster_(cluster), local_(nodes) {}
 
   ClusterPieces run() {
     triangulate();
@@ -147,7 +140,7 @@ class ClusterCut {
   const CuttingScene& scene_;
   const FaceCluster& cluster_;
   /// The node of each vertex of the triangulation, ascending.
-  std::vector<Index> local_;
+  std::span<const Index> local_;
   Triangulation t_;
   std::vector<BorderEdge> borders_;
   ClusterPieces pieces_;
@@ -156,8 +149,8 @@ class ClusterCut {
 }  // namespace
 
 ClusterPieces cut_cluster(const CuttingScene& scene, const FaceCluster& cluster,
-                          std::span<const PointName> crossings) {
-  return ClusterCut(scene, cluster, crossings).run();
+                          std::span<const Index> nodes) {
+  return ClusterCut(scene, cluster, nodes).run();
 }
 
 }  // namespace meshalyzer

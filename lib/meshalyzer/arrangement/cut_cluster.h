@@ -36,7 +36,6 @@ struct ClusterPieces {
 struct CuttingScene {
   std::span<const FaceSimplex> simplices;
   const NamedPoints& points;
-  const NamedPoints& crossings;
   const Nodes& nodes;
   /// The edges of faces of no area, the lower vertex first, ascending.
   std::span<const VertexPair> flat_edges;
@@ -44,8 +43,9 @@ struct CuttingScene {
 
 /// Triangulates the faces of a cluster with all points and segments in them.
 ///
-/// @param crossings  The crossings of its segments with each other.
+/// @param nodes  The nodes in the faces, including their corners, ascending, each once.
+/// @return       At least #nodes - 2 triangles.
 [[nodiscard]] ClusterPieces cut_cluster(const CuttingScene& scene, const FaceCluster& cluster,
-                                        std::span<const PointName> crossings);
+                                        std::span<const Index> nodes);
 
 }  // namespace meshalyzer

@@ -252,15 +252,33 @@ TEST(Arrange, WindingNumbersStay) {
 }
 
 TEST(Arrange, NothingIsReturnedBeyondTheMaximumNumberOfPieces) {
-  const Soup soup =
-      shapes::merged(shapes::cube(), shapes::translated(shapes::cube(), {0.1, 0.2, 0.3}));
-  const CutMesh cut = build(soup);
-  const std::vector<IntersectingPair> pairs = find_self_intersections(cut, FaceTree(cut));
-  const std::vector<Triangle> pieces = arrange(soup, pairs).pieces;
-  EXPECT_EQ(arrange_within(soup, pairs, pieces.size())->pieces, pieces);
-  // None of the maxima below is enough, whether it is noticed before the faces are cut or after.
-  for (std::size_t max = 0; max < pieces.size(); ++max) {
-    EXPECT_FALSE(arrange_within(soup, pairs, max)) << max;
+  // The second two have four overlapping walls each, whose pieces are of both.
+  for (const Vec3& by : {Vec3(0.1, 0.2, 0.3), Vec3(0.5, 0.5, 0)}) {
+    const Soup soup = shapes::merged(shapes::cube(), shapes::translated(shapes::cube(), by));
+    const CutMesh cut = build(soup);
+    const std::vector<IntersectingPair> pairs = find_self_intersections(cut, FaceTree(cut));
+    const std::vector<Triangle> pieces = arrange(soup, pairs).pieces;
+    EXPECT_EQ(arrange_within(soup, pairs, pieces.size())->pieces, pieces);
+    // None of the maxima below is enough, whether it is noticed before the faces are cut or after.
+    for (std::size_t max = 0; max < pieces.size(); ++max) {
+      EXPECT_FALSE(arrange_within(soup, pairs, max)) << max;
+    }
+  }
+}
+
+TEST(Arrange, SoupsWithFewPiecesForTheirNodesAreNotRefused) {
+  // Faces that overlap in a plane have the fewest pieces, beside the nodes of all of them.
+  Random random(kSeed);
+  for (int round = 0; round < 100; ++round) {
+    const auto point = [&](Random& r) {
+      return Vec3(lattice(r, 4), lattice(r, 3), round % 2 == 0 ? 0.0 : lattice(r, 2));
+    };
+    const Soup soup = random_soup(9, 6, point, random);
+    const CutMesh cut = build(soup);
+    const std::vector<IntersectingPair> pairs = find_self_intersections(cut, FaceTree(cut));
+    const Arrangement all = arrange(soup, pairs);
+    const std::size_t n_nodes = all.positions.size() - soup.n_vertices();
+    EXPECT_TRUE(arrange_within(soup, pairs, std::max(all.pieces.size(), n_nodes))) << round;
   }
 }
 
