@@ -130,14 +130,39 @@ std::optional<double> SheetCover::measure_face(Index face, const SheetQuery& que
 }
 
 /// Finds a face below the centre of a piece, or nothing if there is none within the tolerance.
-std::optional<Corners> SheetCover::find_below(const Polygon& piece, const SheetQuery& query,
-                                              const Vec3& normal) {
+SheetCover::Below SheetCover::find_below(const Polygon& piece, const SheetQuery& query,
+                                         const Vec3& normal) {
   const Vec3 point = middle(piece);
   if (!point.allFinite()) return std::nullopt;
+  return query.faces_under ? find_below_among(*query.faces_under, point, normal)
+                           : find_below_in_mesh(query, point, normal);
+}
+
+/// Returns the face that find_below_in_mesh() would find.
+SheetCover::Below SheetCover::find_below_among(std::span<const Index> faces, const Vec3& point,
+                                               const Vec3& normal) {
+  if (faces.size() > n_left_to_examine_) return std::nullopt;
+  n_left_to_examine_ -= faces.size();
+  Below nearest;
+  double least = tolerance_;
+  for (const Index face : faces) {
+    const Corners corners = face_corners(mesh_, FaceHandle(static_cast<int>(face)));
+    const double distance = closest_on_triangle(corners, point).distance;
+    const bool is_nearer = nearest ? distance < least : distance <= least;
+    if (!is_nearer || !has_opposed_normal(face, normal)) continue;
+    least = distance;
+    nearest = corners;
+  }
+  return nearest;
+}
+
+SheetCover::Below SheetCover::find_below_in_mesh(const SheetQuery& query, const Vec3& point,
+                                                 const Vec3& normal) {
   const std::function<bool(Index)> is_below = [&](Index face) {
     if (n_left_to_examine_ == 0) return false;
     --n_left_to_examine_;
-    return lies_below(face, query, normal);
+    return std::binary_search(query.under.begin(), query.under.end(), patch_of_face_[face]) &&
+           has_opposed_normal(face, normal);
   };
   const auto found = closest_.find({.point = point,
                                     .within = tolerance_,
@@ -148,10 +173,7 @@ std::optional<Corners> SheetCover::find_below(const Polygon& piece, const SheetQ
   return face_corners(mesh_, FaceHandle(static_cast<int>(found->mesh_face)));
 }
 
-bool SheetCover::lies_below(Index face, const SheetQuery& query, const Vec3& normal) const {
-  if (!std::binary_search(query.under.begin(), query.under.end(), patch_of_face_[face])) {
-    return false;
-  }
+bool SheetCover::has_opposed_normal(Index face, const Vec3& normal) const {
   const Vec3 other = unit_normal(face_corners(mesh_, FaceHandle(static_cast<int>(face))));
   // A face of zero area has no normal, and may lie on any face that has one.
   return normal.isZero(0.0) ? !other.isZero(0.0) : normal.dot(other) < 0.0;

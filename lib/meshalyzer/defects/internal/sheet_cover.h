@@ -19,6 +19,9 @@ struct SheetQuery {
   std::span<const Index> faces;
   /// The numbers of the patches that it may lie on, ascending; its own is not among them.
   std::span<const Index> under;
+  /// The mesh faces of these patches, ascending, if they are few; else nothing, and those near the
+  /// sheet are searched for.
+  std::optional<std::span<const Index>> faces_under;
 };
 
 /// Decides whether a sheet lies on other patches of a mesh: each of its points must be within a
@@ -46,9 +49,15 @@ class SheetCover {
  private:
   using Polygon = std::vector<Vec3>;
 
-  [[nodiscard]] bool lies_below(Index face, const SheetQuery& query, const Vec3& normal) const;
-  [[nodiscard]] std::optional<Corners> find_below(const Polygon& piece, const SheetQuery& query,
-                                                  const Vec3& normal);
+  /// A face of a patch below, by corners.
+  using Below = std::optional<Corners>;
+
+  [[nodiscard]] bool has_opposed_normal(Index face, const Vec3& normal) const;
+  [[nodiscard]] Below find_below(const Polygon& piece, const SheetQuery& query, const Vec3& normal);
+  [[nodiscard]] Below find_below_among(std::span<const Index> faces, const Vec3& point,
+                                       const Vec3& normal);
+  [[nodiscard]] Below find_below_in_mesh(const SheetQuery& query, const Vec3& point,
+                                         const Vec3& normal);
   [[nodiscard]] std::optional<double> measure_face(Index face, const SheetQuery& query);
   [[nodiscard]] std::optional<double> gap(const Polygon& piece, const Corners& below) const;
 
