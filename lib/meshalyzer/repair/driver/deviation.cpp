@@ -42,6 +42,8 @@ struct SideResult {
 struct DistanceQuery {
   double bound = 0.0;
   DistanceQuestion question = DistanceQuestion::HowFar;
+  /// The largest distance that is known already: what is nearer need not be known.
+  double known = 0.0;
   /// If it is given, the points outside of these boxes are known to be within the bound.
   const BoxTree* doubtful = nullptr;
 
@@ -143,7 +145,7 @@ SideResult measure_side(const Side& side, const FaceTree& tree, const ClosestPoi
                         const DistanceQuery& query) {
   std::vector<FaceDistance> distances(side.faces.size());
   parallel_chunks(side.faces.size(), kFacesPerChunk, [&](Chunk chunk) {
-    SurfaceDistance meter(tree, closest, query.bound, query.question);
+    SurfaceDistance meter(tree, closest, query.bound, query.question, query.known);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       distances[i] = meter.measure(corners_of(side.from, side.faces[i].face), query.doubtful);
     }
@@ -233,12 +235,14 @@ Soup surface_with_walls(const Side& old_side, std::span<const InteriorWall> wall
   return soup;
 }
 
-/// Measures the far faces of the input again, with walls as part of the new surface.
+/// Measures the far faces of the input again, with walls as part of the new surface. There are
+/// often so many walls that only what is farther than the rest is worth measuring.
 SideResult measure_with_walls(Side& old_side, const SideResult& without,
-                              std::span<const InteriorWall> walls, const DistanceQuery& query) {
+                              std::span<const InteriorWall> walls, DistanceQuery query) {
   std::erase_if(old_side.faces, [&](const ChangedFace& changed) {
     return !std::binary_search(without.far.begin(), without.far.end(), changed.face);
   });
+  query.known = without.largest_near;
   const SearchedSurface surface(surface_with_walls(old_side, walls, query.bound));
   SideResult result = measure_side(old_side, surface.tree, surface.closest, query);
   result.largest = std::max(result.largest, without.largest_near);

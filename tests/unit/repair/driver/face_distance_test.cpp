@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace meshalyzer::test {
@@ -41,9 +42,50 @@ TEST(SurfaceDistance, SliverIsWithinEachBoundOfTheFacesThatItWasCutInto) {
   const SearchedSurface surface(parts);
   for (const double bound : {1.0, 0.02, 0.001}) {
     for (const auto question : {DistanceQuestion::IsWithin, DistanceQuestion::HowFar}) {
-      SurfaceDistance meter(surface.tree, surface.closest, bound, question);
+      SurfaceDistance meter(surface.tree, surface.closest, bound, question, 0.0);
       EXPECT_FALSE(meter.measure(sliver).is_far) << bound;
     }
+  }
+}
+
+TEST(SurfaceDistance, FaceOverThousandsOfFacesIsMeasured) {
+  // A field of tents, 0.2 high, and a triangle half-way up: each tent needs pieces of its own.
+  constexpr Index kSize = 60;
+  Soup tents;
+  for (Index i = 0; i <= kSize; ++i) {
+    for (Index k = 0; k <= kSize; ++k) {
+      tents.positions.emplace_back(i, k, i % 2 == 0 && k % 2 == 0 ? 0.2 : 0.0);
+    }
+  }
+  const auto at = [](Index i, Index k) { return i * (kSize + 1) + k; };
+  for (Index i = 0; i < kSize; ++i) {
+    for (Index k = 0; k < kSize; ++k) {
+      tents.triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+      tents.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+    }
+  }
+  const Corners wide{Vec3(0, 0, 0.1), Vec3(kSize, 0, 0.1), Vec3(kSize, kSize, 0.1)};
+  const SearchedSurface surface(tents);
+  SurfaceDistance meter(surface.tree, surface.closest, 0.11, DistanceQuestion::HowFar, 0.0);
+  const FaceDistance distance = meter.measure(wide);
+  EXPECT_FALSE(distance.is_far);
+  // No point is farther than it is above or below the tents.
+  EXPECT_LE(distance.largest, 0.11);
+  EXPECT_GE(distance.largest, 0.09);
+}
+
+TEST(SurfaceDistance, WhatIsNearerThanAKnownDistanceIsOnlyBounded) {
+  // A tilted triangle over a square: its distance is that of its highest corner.
+  const SearchedSurface surface(
+      shapes::make({{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}}, {{0, 1, 2}, {0, 2, 3}}));
+  const Corners tilted{Vec3(0, 0, 0.1), Vec3(3, 1, 0.1), Vec3(1, 2, 0.4)};
+  const double resolution = SurfaceDistance::kResolution;
+  for (const double known : {0.0, 0.2, 0.4, 0.7, 1.0}) {
+    SurfaceDistance meter(surface.tree, surface.closest, 1.0, DistanceQuestion::HowFar, known);
+    const FaceDistance distance = meter.measure(tilted);
+    EXPECT_FALSE(distance.is_far) << known;
+    EXPECT_GE(distance.largest, 0.4) << known;
+    EXPECT_LE(distance.largest, std::max(0.4, known) + resolution) << known;
   }
 }
 

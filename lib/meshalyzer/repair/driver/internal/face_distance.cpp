@@ -13,10 +13,12 @@ namespace meshalyzer {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// A face cut into this number of pieces need not be measured to the last digit any more, and one
-/// with this number counts as far.
+/// A face cut into this number of pieces need not be measured to the last digit any more.
 constexpr std::size_t kPrecisePieces = 2048;
-constexpr std::size_t kMaxPieces = 8192;
+/// A face cut into this number of pieces counts as far. Each trial of a repair asks whether faces
+/// are within the bound; how far they are is asked a few times in all.
+constexpr std::size_t kMaxPiecesWithin = 8192;
+constexpr std::size_t kMaxPiecesHowFar = 65'536;
 /// A line must cut off at least this fraction of a piece; an edge must be divided at least this
 /// evenly at the change of the nearest face, or is halved.
 constexpr double kLeastShare = 0.02;
@@ -103,6 +105,8 @@ FaceDistance SurfaceDistance::measure(const Corners& corners, const BoxTree* dou
   if (is_known(corners)) return {bound_, false};
   work_.assign(1, {corners, {}, 0});
   for (std::size_t i = 0; i < 3; ++i) work_.front().distances[i] = closest(corners[i]).distance;
+  const std::size_t max_pieces =
+      question_ == DistanceQuestion::IsWithin ? kMaxPiecesWithin : kMaxPiecesHowFar;
   double upper_of_all = kInfinity;
   for (std::size_t n_pieces = 1; !work_.empty(); ++n_pieces) {
     const Piece piece = work_.back();
@@ -118,7 +122,7 @@ FaceDistance SurfaceDistance::measure(const Corners& corners, const BoxTree* dou
     if (!asks_within_) found_ = std::max(found_, known.lower);
     if (known.upper <= bound_ && is_precise(known)) {
       done_ = std::max(done_, known.upper);
-    } else if (known.lower > bound_ || is_precise(known) || n_pieces >= kMaxPieces) {
+    } else if (known.lower > bound_ || is_precise(known) || n_pieces >= max_pieces) {
       return {upper_of_all, true};
     } else {
       divide(piece, known);

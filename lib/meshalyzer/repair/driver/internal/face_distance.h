@@ -47,18 +47,21 @@ class SurfaceDistance {
   static constexpr double kResolution = 1e-3;
 
   /// @param closest  Over `tree`; both must outlive this.
+  /// @param known    The largest distance of other triangles, which is not to be told again: what
+  ///                 is nearer than this need not be known.
   SurfaceDistance(const FaceTree& tree, const ClosestPoints& closest, double bound,
-                  DistanceQuestion question)
+                  DistanceQuestion question, double known)
       : tree_(tree),
         closest_(closest),
         bound_(bound),
         slack_(kResolution * bound),
-        question_(question) {}
+        question_(question),
+        found_(known) {}
 
   /// Measures a triangle. For one within the bound, the answer exceeds by at most the resolution
-  /// the largest distance of a point of it, or of a triangle that was measured before. A triangle
-  /// over so many faces that this would take too long is reported as within the bound if that is
-  /// proved, else as far.
+  /// the largest distance of a point of it, or of a triangle that was measured before or is known.
+  /// A triangle over so many faces that this would take too long is reported as within the bound if
+  /// that is proved, else as far.
   ///
   /// @param doubtful  If it is given, the points of the triangle outside of its boxes are known to
   ///                  be within the bound. Only for DistanceQuestion::IsWithin.
@@ -129,7 +132,7 @@ class SurfaceDistance {
   /// Tells whether the rest of the current triangle need only be within the bound.
   bool asks_within_ = false;
   /// The largest distance of a point found until now, where the distance was asked for.
-  double found_ = 0.0;
+  double found_;
   /// An upper bound of the distance of the finished parts of the current triangle.
   double done_ = 0.0;
   /// The slot of the latest answer.
