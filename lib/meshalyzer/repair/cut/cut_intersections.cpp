@@ -20,9 +20,11 @@ constexpr std::size_t kMorePairsUnited = 200'000;
 /// A union may have so many pieces for each pair, beside those that it may have for each face. A
 /// pair makes two, and more where many cuts meet each other.
 constexpr std::size_t kPiecesAPair = 4;
-/// The maximum number of times that cuts may meet each other: beyond that there are millions of
-/// pieces.
-constexpr double kMostCrossings = 1e7;
+/// The maximum number of times that cuts may meet each other: beyond that there may be millions of
+/// pieces. For a union that is only an estimate of how long it takes to find their number: faces in
+/// one plane, as at the crossings of a grating, have much fewer.
+constexpr double kMostCrossingsCut = 1e7;
+constexpr double kMostCrossingsUnited = 1e8;
 /// Pockets are dropped if they have at most this fraction of the area that stays.
 constexpr double kLargestForgotten = 0.25;
 
@@ -57,15 +59,22 @@ double most_crossings(const Soup& soup, const std::vector<IntersectingPair>& pai
   return sum;
 }
 
+/// What may be cut.
+struct CutLimits {
+  /// The maximum number of pairs beyond the number of faces.
+  std::size_t more_pairs;
+  double most_crossings;
+};
+
 /// Returns the reason why cutting would take too long; empty if it would not.
-std::string reason_against(const PreparedMesh& mesh, std::size_t more_pairs) {
+std::string reason_against(const PreparedMesh& mesh, const CutLimits& limits) {
   const auto& pairs = mesh.intersecting_pairs();
-  const std::size_t most = more_pairs + mesh.soup().n_faces();
+  const std::size_t most = limits.more_pairs + mesh.soup().n_faces();
   if (pairs.size() > most) {
     return grouped(pairs.size()) + " pairs of faces intersect, and no more than " + grouped(most) +
            " are cut";
   }
-  if (most_crossings(mesh.soup(), pairs) > kMostCrossings) {
+  if (most_crossings(mesh.soup(), pairs) > limits.most_crossings) {
     return "so many faces intersect each other at one place that cutting them would take too long";
   }
   return "";
@@ -78,20 +87,30 @@ bool has_sheets_to_split(const PassInput& input) {
 }
 
 /// Cuts a surface and keeps its pockets; drops small ones if rounding makes it impossible to keep
-/// them.
+/// them; if that fails too, does both again with wider slivers removed.
 CutSurface cut_keeping_pockets(const PassInput& input, std::span<const Edits::AddedFace> patches,
-                               Sheets sheets, const PieceRules& rules) {
-  CutSurface surface = cut_surface(input, patches, {Pockets::Kept, sheets}, rules);
-  if (surface.unfinished.empty() || surface.has_too_many_pieces) return surface;
-  CutSurface solid = cut_surface(input, patches, {Pockets::Forgotten, sheets}, rules);
-  const bool is_better = solid.unfinished.empty() && solid.pocket_share <= kLargestForgotten;
-  return is_better ? solid : surface;
+                               Sheets sheets, PieceRules rules) {
+  const auto cut = [&](Pockets pockets) {
+    return cut_surface(input, patches, {pockets, sheets}, rules);
+  };
+  const auto may_forget = [](const CutSurface& solid) {
+    return solid.unfinished.empty() && solid.pocket_share <= kLargestForgotten;
+  };
+  CutSurface first = cut(Pockets::Kept);
+  if (first.unfinished.empty() || first.has_too_many_pieces) return first;
+  if (CutSurface solid = cut(Pockets::Forgotten); may_forget(solid)) return solid;
+  rules.slivers = Slivers::Widening;
+  if (CutSurface surface = cut(Pockets::Kept); surface.unfinished.empty()) return surface;
+  if (CutSurface solid = cut(Pockets::Forgotten); may_forget(solid)) return solid;
+  return first;
 }
 
 }  // namespace
 
 PassResult self_union(const PassInput& input, const SelfUnionOptions& options) {
-  if (const std::string reason = reason_against(input.mesh, kMorePairsUnited); !reason.empty()) {
+  if (const std::string reason =
+          reason_against(input.mesh, {kMorePairsUnited, kMostCrossingsUnited});
+      !reason.empty()) {
     return refuse_all(input.mesh.intersecting_pairs().front(), reason);
   }
   const std::vector<Edits::AddedFace> patches = crossing_patches(input, options.fill);
@@ -105,7 +124,8 @@ PassResult self_union(const PassInput& input, const SelfUnionOptions& options) {
 
 PassResult cut_intersections(const PassInput& input, const CutOptions& options) {
   const auto& pairs = input.mesh.intersecting_pairs();
-  if (const std::string reason = reason_against(input.mesh, kMorePairsCut); !reason.empty()) {
+  if (const std::string reason = reason_against(input.mesh, {kMorePairsCut, kMostCrossingsCut});
+      !reason.empty()) {
     return refuse_all(pairs.front(), reason);
   }
   if (input.limits.groups == Groups::Faces) {

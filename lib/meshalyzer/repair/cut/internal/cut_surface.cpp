@@ -13,6 +13,7 @@
 #include "meshalyzer/spatial/self_intersection_of.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -31,8 +32,11 @@ constexpr std::size_t kMoreTests = 2'000'000;
 constexpr std::size_t kTestsAFace = 500;
 /// The maximum number of pieces, beside PieceRules::more_pieces.
 constexpr std::size_t kPiecesAFace = 10;
-/// Slivers are new faces thinner than this multiple of the spacing of the grid.
+/// Slivers are new faces thinner than this multiple of the spacing of the grid. If they widen, each
+/// round multiplies their width by a factor, up to a share of the maximum deviation.
 constexpr double kSliverWidth = 2.0;
+constexpr double kSliverGrowth = 8.0;
+constexpr double kWidestSliver = 1.0 / 16.0;
 /// It helps to remove them unless after a round this multiple of its pairs intersect, and some
 /// more.
 constexpr std::size_t kMostGrowthOfPairs = 2;
@@ -96,7 +100,10 @@ class CuttingRounds {
   [[nodiscard]] bool is_finished() const { return !has_pairs_ && result_.unfinished.empty(); }
 
   /// From now on, slivers are removed after each round.
-  void remove_slivers_of_rounds() { removes_slivers_ = true; }
+  void remove_slivers_of_rounds(Slivers slivers) {
+    removes_slivers_ = true;
+    sliver_growth_ = slivers == Slivers::Widening ? kSliverGrowth : 1.0;
+  }
 
   /// Removes facets below the tolerance that cutting has made, and cuts where faces intersect
   /// because of that, without a grid: it would only make more of them.
@@ -204,6 +211,13 @@ class CuttingRounds {
                               .n_input_vertices = static_cast<Index>(mesh_.soup().n_vertices())});
   }
 
+  /// Returns the width below which the faces that this round has made are slivers.
+  double sliver_width() {
+    const double least = kSliverWidth * rounding().spacing;
+    const double grown = least * std::pow(sliver_growth_, n_sliver_rounds_++);
+    return std::max(least, std::min(grown, kWidestSliver * input_.limits.max_deviation));
+  }
+
   /// #components: 1 for those that intersect.
   [[nodiscard]] static std::vector<std::uint8_t> components_to_select(
       const Arrangement& arrangement, const Cells& cells, const Pairs& pairs) {
@@ -274,7 +288,7 @@ class CuttingRounds {
     }
     faces.positions = std::move(rounded.positions);
     skip_left_parts(faces);
-    if (removes_slivers_) remove_slivers(faces, kSliverWidth * rounding().spacing);
+    if (removes_slivers_) remove_slivers(faces, sliver_width());
     take(std::move(faces));
   }
 
@@ -357,19 +371,22 @@ class CuttingRounds {
   /// The faces that the last round has made, ascending, without those that are left.
   std::vector<Index> new_faces_;
   bool removes_slivers_ = false;
+  double sliver_growth_ = 1.0;
+  int n_sliver_rounds_ = 0;
   CutSurface result_;
 };
 
 /// Cuts on to the end. If rounding makes faces intersect again and again, slivers are removed:
 /// their planes turn in any direction.
-CuttingRounds cut_on_grid(CuttingRounds rounds) {
+CuttingRounds cut_on_grid(CuttingRounds rounds, Slivers slivers) {
   if (!rounds.has_pairs()) return rounds;
   CuttingRounds without_slivers = rounds;
-  rounds.cut_to_end();
+  // Where slivers are to widen, it has not sufficed before to remove those of the grid.
+  if (slivers == Slivers::OfGrid) rounds.cut_to_end();
   if (rounds.is_finished()) return rounds;
-  without_slivers.remove_slivers_of_rounds();
+  without_slivers.remove_slivers_of_rounds(slivers);
   without_slivers.cut_to_end();
-  return without_slivers.is_finished() ? without_slivers : rounds;
+  return without_slivers.is_finished() || slivers == Slivers::Widening ? without_slivers : rounds;
 }
 
 /// Removes thin facets that cutting has made, unless faces then intersect again and again.
@@ -386,7 +403,7 @@ CutSurface cut_surface(const PassInput& input, std::span<const Edits::AddedFace>
   const std::size_t max_pieces = rules.more_pieces + kPiecesAFace * input.mesh.soup().n_faces();
   CuttingRounds first(input, patches, options, max_pieces);
   first.cut_off_grid();
-  CuttingRounds rounds = cut_on_grid(std::move(first));
+  CuttingRounds rounds = cut_on_grid(std::move(first), rules.slivers);
   if (rules.thin_facets == ThinFacets::Kept) return rounds.take_result();
   return without_thin_facets(std::move(rounds)).take_result();
 }

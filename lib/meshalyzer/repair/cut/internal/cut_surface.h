@@ -51,9 +51,19 @@ enum class ThinFacets : std::uint8_t {
   Removed,
 };
 
+/// The new faces that are removed as slivers where rounding makes faces intersect again and again.
+enum class Slivers : std::uint8_t {
+  /// Those that the grid makes: their width is about its spacing.
+  OfGrid,
+  /// Wider ones from round to round, up to a share of the maximum deviation. That ends more often,
+  /// and moves the surface farther.
+  Widening,
+};
+
 /// What becomes of the pieces, and how many may be made.
 struct PieceRules {
   ThinFacets thin_facets = ThinFacets::Kept;
+  Slivers slivers = Slivers::OfGrid;
   /// The maximum number of pieces beside a multiple of the faces of the input: every later pass
   /// would take time for each of them.
   std::size_t more_pieces = 100'000;

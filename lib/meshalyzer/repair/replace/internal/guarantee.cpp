@@ -137,7 +137,7 @@ class Guarantee {
   /// If a union was good but too far away, unites the mesh again, and keeps as thin shells the open
   /// parts that it has lost; then also those whose hole patches may have hidden what was lost; then
   /// again, with closed parts too, and thinner, in case so many lay above each other that they hid
-  /// it.
+  /// it. In the last attempt what is still lost inside the solid does not count.
   bool unite_with_shells() {
     if (!options_.solid) return false;
     ShellChoice shells;
@@ -154,7 +154,9 @@ class Guarantee {
         }
         shells.hidden_points.insert(shells.hidden_points.end(), points.begin(), points.end());
       }
-      if (unite({.behind_holes = BehindHoles::Kept, .shells = shells})) return true;
+      const bool is_last = i + 1 == kMostUnionsWithShells;
+      const auto behind_holes = is_last ? BehindHoles::Dropped : BehindHoles::Kept;
+      if (unite({.behind_holes = behind_holes, .shells = shells})) return true;
     }
     return false;
   }
