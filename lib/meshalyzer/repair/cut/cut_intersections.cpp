@@ -13,18 +13,22 @@
 namespace meshalyzer {
 namespace {
 
-/// The maximum number of pairs beyond the number of faces: a pair takes about half a millisecond in
-/// all, and two kilobytes. A union is made where the result is to be good, and all else has failed.
-constexpr std::size_t kMorePairsCut = 100'000;
-constexpr std::size_t kMorePairsUnited = 200'000;
-/// A union may have so many pieces for each pair, beside those that it may have for each face. A
-/// pair makes two, and more where many cuts meet each other.
-constexpr std::size_t kPiecesAPair = 4;
-/// The maximum number of times that cuts may meet each other: beyond that there may be millions of
-/// pieces. For a union that is only an estimate of how long it takes to find their number: faces in
-/// one plane, as at the crossings of a grating, have much fewer.
-constexpr double kMostCrossingsCut = 1e7;
-constexpr double kMostCrossingsUnited = 1e8;
+/// How much may be cut.
+struct CutLimits {
+  /// The maximum number of pairs beyond the number of faces: a pair takes about half a millisecond
+  /// in all, and two kilobytes.
+  std::size_t more_pairs;
+  /// The maximum number of times that cuts may meet each other. It is only an estimate of how long
+  /// it takes to find the number of pieces: faces in one plane, as at the crossings of a grating,
+  /// have much fewer.
+  double most_crossings;
+  /// See PieceRules.
+  std::size_t more_pieces;
+};
+
+constexpr CutLimits kUsualLimits{100'000, 1e7, PieceRules{}.more_pieces};
+/// Where the result is to be good, there is no other way left than to cut, or to replace all.
+constexpr CutLimits kLimitsOfGuarantee{200'000, 1e8, 1'000'000};
 /// Pockets are dropped if they have at most this fraction of the area that stays.
 constexpr double kLargestForgotten = 0.25;
 
@@ -58,13 +62,6 @@ double most_crossings(const Soup& soup, const std::vector<IntersectingPair>& pai
   }
   return sum;
 }
-
-/// What may be cut.
-struct CutLimits {
-  /// The maximum number of pairs beyond the number of faces.
-  std::size_t more_pairs;
-  double most_crossings;
-};
 
 /// Returns the reason why cutting would take too long; empty if it would not.
 std::string reason_against(const PreparedMesh& mesh, const CutLimits& limits) {
@@ -108,24 +105,20 @@ CutSurface cut_keeping_pockets(const PassInput& input, std::span<const Edits::Ad
 }  // namespace
 
 PassResult self_union(const PassInput& input, const SelfUnionOptions& options) {
-  if (const std::string reason =
-          reason_against(input.mesh, {kMorePairsUnited, kMostCrossingsUnited});
-      !reason.empty()) {
+  if (const std::string reason = reason_against(input.mesh, kLimitsOfGuarantee); !reason.empty()) {
     return refuse_all(input.mesh.intersecting_pairs().front(), reason);
   }
   const std::vector<Edits::AddedFace> patches = crossing_patches(input, options.fill);
-  PieceRules rules;
-  const std::size_t n_pieces = kPiecesAPair * input.mesh.intersecting_pairs().size();
-  rules.more_pieces = std::max(rules.more_pieces, n_pieces);
-  const CutSurface surface = cut_keeping_pockets(input, patches, Sheets::Left, rules);
+  const CutSurface surface = cut_keeping_pockets(input, patches, Sheets::Left,
+                                                 {.more_pieces = kLimitsOfGuarantee.more_pieces});
   if (surface.has_too_many_pieces) return refuse_pieces(input, surface);
   return cut_edits_as_one(input, patches, surface, options.lost);
 }
 
 PassResult cut_intersections(const PassInput& input, const CutOptions& options) {
   const auto& pairs = input.mesh.intersecting_pairs();
-  if (const std::string reason = reason_against(input.mesh, {kMorePairsCut, kMostCrossingsCut});
-      !reason.empty()) {
+  const CutLimits& limits = options.is_for_guarantee ? kLimitsOfGuarantee : kUsualLimits;
+  if (const std::string reason = reason_against(input.mesh, limits); !reason.empty()) {
     return refuse_all(pairs.front(), reason);
   }
   if (input.limits.groups == Groups::Faces) {
@@ -139,15 +132,17 @@ PassResult cut_intersections(const PassInput& input, const CutOptions& options) 
   if (options.fill && !has_sheets_to_split(input)) patches = crossing_patches(input, *options.fill);
   if (pairs.empty() && patches.empty()) return {};
   if (input.operation_size == OperationSize::Normal) {
-    const CutSurface surface = cut_surface(input, patches, {.sheets = options.sheets},
-                                           {.thin_facets = ThinFacets::Removed});
+    const CutSurface surface =
+        cut_surface(input, patches, {.sheets = options.sheets},
+                    {.thin_facets = ThinFacets::Removed, .more_pieces = limits.more_pieces});
     if (surface.has_too_many_pieces) return refuse_pieces(input, surface);
     PassResult result = cut_edits(input, patches, surface);
     // Only pockets and thin facets are treated otherwise in smaller operations.
     result.has_smaller_operations = surface.has_pockets || surface.has_removed_facets;
     return result;
   }
-  const CutSurface surface = cut_keeping_pockets(input, patches, options.sheets, {});
+  const CutSurface surface =
+      cut_keeping_pockets(input, patches, options.sheets, {.more_pieces = limits.more_pieces});
   if (surface.has_too_many_pieces) return refuse_pieces(input, surface);
   return cut_edits(input, patches, surface);
 }

@@ -57,7 +57,7 @@ void plan_operations(const RepairOptions& options, Planner& plan) {
 CutOptions cut_options(const RepairOptions& options, Sheets sheets) {
   const bool fills = options.borders == Borders::Holes && options.fixes.contains(DefectCode::Hole);
   if (!fills) return {.sheets = sheets};
-  CutOptions cut{.fill = options.fill, .sheets = sheets};
+  CutOptions cut{.fill = options.fill, .sheets = sheets, .is_for_guarantee = options.guarantee};
   // A patch over a sheet encloses a region that the sheet does not mean as a solid.
   if (options.solid) cut.fill->sheets = FillSheets::No;
   return cut;
