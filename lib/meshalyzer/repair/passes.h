@@ -33,7 +33,7 @@ namespace meshalyzer {
 
 /// Removes degenerate and flat facets (see find_thin_facets()): drops those that repeat a vertex,
 /// collapses the short edge of needles and others, and flips the longest edge of caps or splits the
-/// face beyond it. It turns no neighbour over, keeps the topology, and moves no point too far.
+/// face beyond it. It turns no neighbour over, and keeps the topology and the maximum deviation.
 [[nodiscard]] PassResult mend_facets(const PassInput& input);
 
 /// Joins border edges, only with border edges, and never so that an edge gets a third face: those
@@ -41,7 +41,7 @@ namespace meshalyzer {
 /// be joined, those are that leave each solid closed. If several short edges lie along a long one,
 /// as at T-junctions, the face of the long one is split at their vertices.
 ///
-/// @param within  A length. Of joined vertices a fixed one stays, or that with most faces.
+/// @param within  A length. Joined vertices become the fixed one, that with most faces, or lowest.
 [[nodiscard]] PassResult weld_borders(const PassInput& input, double within);
 
 /// Cuts the mesh at edges with more than two faces, into sheets that are manifold there: faces are
@@ -126,7 +126,7 @@ struct CutOptions {
   /// cut too.
   std::optional<FillOptions> fill = {};
   Sheets sheets = Sheets::Left;
-  /// Tells whether more may be cut than usually, because the result is to be good.
+  /// Tells whether more may be cut than usual, because the result is to be good.
   bool is_for_guarantee = false;
 };
 

@@ -376,17 +376,22 @@ class CuttingRounds {
   CutSurface result_;
 };
 
+CuttingRounds cut_without_slivers(CuttingRounds rounds, Slivers slivers) {
+  rounds.remove_slivers_of_rounds(slivers);
+  rounds.cut_to_end();
+  return rounds;
+}
+
 /// Cuts on to the end. If rounding makes faces intersect again and again, slivers are removed:
-/// their planes turn in any direction.
+/// their planes turn in any direction. Where slivers are to widen, nothing else has sufficed.
 CuttingRounds cut_on_grid(CuttingRounds rounds, Slivers slivers) {
   if (!rounds.has_pairs()) return rounds;
-  CuttingRounds without_slivers = rounds;
-  // Where slivers are to widen, it has not sufficed before to remove those of the grid.
-  if (slivers == Slivers::OfGrid) rounds.cut_to_end();
-  if (rounds.is_finished()) return rounds;
-  without_slivers.remove_slivers_of_rounds(slivers);
-  without_slivers.cut_to_end();
-  return without_slivers.is_finished() || slivers == Slivers::Widening ? without_slivers : rounds;
+  if (slivers == Slivers::Widening) return cut_without_slivers(std::move(rounds), slivers);
+  CuttingRounds with_slivers = rounds;
+  with_slivers.cut_to_end();
+  if (with_slivers.is_finished()) return with_slivers;
+  CuttingRounds without = cut_without_slivers(std::move(rounds), slivers);
+  return without.is_finished() ? without : with_slivers;
 }
 
 /// Removes thin facets that cutting has made, unless faces then intersect again and again.

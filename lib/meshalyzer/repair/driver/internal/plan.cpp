@@ -55,9 +55,10 @@ void plan_operations(const RepairOptions& options, Planner& plan) {
 }
 
 CutOptions cut_options(const RepairOptions& options, Sheets sheets) {
+  CutOptions cut{.sheets = sheets, .is_for_guarantee = options.guarantee};
   const bool fills = options.borders == Borders::Holes && options.fixes.contains(DefectCode::Hole);
-  if (!fills) return {.sheets = sheets};
-  CutOptions cut{.fill = options.fill, .sheets = sheets, .is_for_guarantee = options.guarantee};
+  if (!fills) return cut;
+  cut.fill = options.fill;
   // A patch over a sheet encloses a region that the sheet does not mean as a solid.
   if (options.solid) cut.fill->sheets = FillSheets::No;
   return cut;
