@@ -96,18 +96,22 @@ class Combination {
 
   /// Cuts the rounded result, now one solid that may intersect itself, until no faces intersect.
   CombineOutcome mend_rounding() {
-    std::size_t n_pairs_cut = 0;
+    std::size_t n_pairs_left = kMorePairsInRounds + kTimesFirstRound * result_.n_pairs;
     for (std::size_t round = 1;; ++round) {
       const CutMesh cut = build(soup_);
       const FaceTree tree(cut);
-      const Pairs pairs = find_self_intersections_of(cut, tree, new_faces_);
-      if (pairs.empty()) return CombineOutcome::Done;
+      // Rounding that makes things worse may leave millions of pairs, none of which is cut.
+      const Pairs pairs = find_self_intersections_of(cut, tree, new_faces_,
+                                                     {.max_found = n_pairs_left + 1,
+                                                      .max_listed = n_pairs_left + 1,
+                                                      .wants_to_stop = options_.wants_to_stop})
+                              .listed;
       if (options_.wants_to_stop()) return CombineOutcome::Stopped;
-      n_pairs_cut += pairs.size();
-      if (round == kRoundingRounds ||
-          n_pairs_cut > kMorePairsInRounds + kTimesFirstRound * result_.n_pairs) {
+      if (pairs.empty()) return CombineOutcome::Done;
+      if (round == kRoundingRounds || pairs.size() > n_pairs_left) {
         return CombineOutcome::Unfinished;
       }
+      n_pairs_left -= pairs.size();
       operand_of_.assign(soup_.n_faces(), 0);
       take(find_exact_solid({soup_, cut, tree, pairs}, operand_of_, 1, union_rule()), round);
     }
