@@ -24,18 +24,19 @@ class NearPoints {
   /// Returns the reach in use.
   [[nodiscard]] double reach() const { return reach_; }
 
-  /// Calls `visit` for all points within reach of one of `positions`, itself included if it is
-  /// among them, in no particular order.
+  /// Calls `visit` for the points within reach of one of `positions`, itself included if it is
+  /// among them, in no particular order, until it returns false.
   template <typename Visit>
-  void for_each_near(Index vertex, Visit&& visit) const {
+  void visit_near(Index vertex, Visit&& visit) const {
     const Vec3& p = positions_[vertex];
-    for_each_near_cell(p, [&](std::span<const Index> members) {
+    visit_near_cells(p, [&](std::span<const Index> members) {
       for (const Index v : members) {
         const Vec3 offset = positions_[v] - p;
         // A cheap test comes first, with a margin for rounding: most points of a crowd are far.
         if (offset.cwiseAbs().maxCoeff() > 1.001 * reach_) continue;
-        if (offset.stableNorm() <= reach_) visit(v);
+        if (offset.stableNorm() <= reach_ && !visit(v)) return false;
       }
+      return true;
     });
   }
 
@@ -49,7 +50,7 @@ class NearPoints {
   [[nodiscard]] std::span<const Index> members_of(const Cell& cell) const;
 
   template <typename Visit>
-  void for_each_near_cell(const Vec3& p, Visit&& visit) const {
+  void visit_near_cells(const Vec3& p, Visit&& visit) const {
     Cell low;
     Cell high;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -60,7 +61,9 @@ class NearPoints {
     }
     for (std::int64_t x = low[0]; x <= high[0]; ++x) {
       for (std::int64_t y = low[1]; y <= high[1]; ++y) {
-        for (std::int64_t z = low[2]; z <= high[2]; ++z) visit(members_of({x, y, z}));
+        for (std::int64_t z = low[2]; z <= high[2]; ++z) {
+          if (!visit(members_of({x, y, z}))) return;
+        }
       }
     }
   }

@@ -79,13 +79,13 @@ class ChainWalk {
   /// Returns the edges with which a chain may begin near the end of the edge.
   [[nodiscard]] std::vector<FirstEdge> first_edges() const {
     std::vector<FirstEdge> firsts;
-    mesh_.near.for_each_near(to(edge_), [&](Index place) {
-      if (firsts.size() > kMostFirstEdges) return;
+    mesh_.near.visit_near(to(edge_), [&](Index place) {
       for (const Index f : mesh_.at_places[place]) {
         if (mesh_.places[from(f)] != place || !lies_along(f)) continue;
         const double to_end = (mesh_.positions[place] - end_).stableNorm();
         firsts.push_back({f, std::max(to_end, distance_of_end(f))});
       }
+      return firsts.size() <= kMostFirstEdges;
     });
     return firsts;
   }

@@ -143,12 +143,13 @@ class CrackWalk {
 std::vector<Index> partners_of(const NearEdges& mesh, Index edge) {
   std::vector<Index> partners;
   bool are_many = false;
-  mesh.near.for_each_near(mesh.edges[edge].from, [&](Index place) {
+  mesh.near.visit_near(mesh.edges[edge].from, [&](Index place) {
     const std::span<const Index> there = mesh.at_places[place];
-    are_many = are_many || partners.size() + there.size() > kMaxPartners;
-    if (are_many) return;
+    are_many = partners.size() + there.size() > kMaxPartners;
+    if (are_many) return false;
     std::copy_if(there.begin(), there.end(), std::back_inserter(partners),
                  [&](Index e) { return e != edge && mesh.places[mesh.edges[e].to] == place; });
+    return true;
   });
   if (are_many) return {};
   std::sort(partners.begin(), partners.end());

@@ -86,15 +86,19 @@ WeldDistances::Visited WeldDistances::visit_pairs(std::span<const Index> of, dou
 
 std::optional<double> WeldDistances::first_step(std::span<const Index> of, const WeldSteps& steps,
                                                 double limit) const {
-  const PairDistance joining = [&](Index a, Index b) { return joining_distance(a, b); };
+  const PairDistance joining = [&](Index a, Index b, double below) {
+    return joining_distance(a, b, below);
+  };
   return step_of_least(of, joining, steps, {.known = 0.0, .limit = limit});
 }
 
 std::optional<double> WeldDistances::next_step(const WeldSteps& steps, double length,
                                                double limit) const {
   const std::vector<Index> all = all_edges();
-  const PairDistance joining = [&](Index a, Index b) { return joining_distance(a, b); };
-  const PairDistance any = [&](Index a, Index b) { return least_above(a, b, length); };
+  const PairDistance joining = [&](Index a, Index b, double below) {
+    return joining_distance(a, b, below);
+  };
+  const PairDistance any = [&](Index a, Index b, double) { return least_above(a, b, length); };
   const double next = steps.end_of(std::nextafter(length, kNoDistance));
   const Range behind{.known = next, .limit = limit};
   if (!is_any_within(all, joining, next)) return step_of_least(all, joining, steps, behind);
@@ -105,8 +109,10 @@ std::optional<double> WeldDistances::next_step(const WeldSteps& steps, double le
 /// too if finding it takes long.
 bool WeldDistances::is_any_within(std::span<const Index> of, const PairDistance& distance,
                                   double length) const {
-  return visit_pairs(of, length, [&](Index a, Index b) { return !(distance(a, b) <= length); }) !=
-         Visited::All;
+  const double beyond = std::nextafter(length, kNoDistance);
+  return visit_pairs(of, length, [&](Index a, Index b) {
+           return !(distance(a, b, beyond) <= length);
+         }) != Visited::All;
 }
 
 /// Returns the end of the step with the least distance of a pair, none of which is within the known
@@ -120,7 +126,7 @@ std::optional<double> WeldDistances::step_of_least(std::span<const Index> of,
     within = std::min(range.limit, std::max(growth * within, kShareSearchedFirst * range.limit));
     double least = kNoDistance;
     const Visited visited = visit_pairs(of, within, [&](Index a, Index b) {
-      least = std::min(least, distance(a, b));
+      least = std::min(least, distance(a, b, least));
       return true;
     });
     if (visited == Visited::TooMany) return steps.end_of(std::nextafter(range.known, kNoDistance));
@@ -132,20 +138,25 @@ std::optional<double> WeldDistances::step_of_least(std::span<const Index> of,
 
 /// Returns the least length within which two edges may be joined, or a crack along both may begin:
 /// an end of one is near an end of the other, and one of the other ends is near the other edge.
-double WeldDistances::joining_distance(Index a, Index b) const {
+///
+/// @param below  No distance is returned if it is no less than this.
+double WeldDistances::joining_distance(Index a, Index b, double below) const {
   const WeldEdge& e = edges_[a];
   const WeldEdge& f = edges_[b];
   if (e.face == f.face) return kNoDistance;
-  double least = kNoDistance;
+  double least = below;
   for (const auto& [v, other_v] : {std::pair(e.from, e.to), std::pair(e.to, e.from)}) {
     for (const auto& [w, other_w] : {std::pair(f.from, f.to), std::pair(f.to, f.from)}) {
-      const double of_ends = (positions_[v] - positions_[w]).stableNorm();
+      const Vec3 offset = positions_[v] - positions_[w];
+      // No vector is shorter than one of its coordinates, which takes a part of the time.
+      if (offset.cwiseAbs().maxCoeff() >= least) continue;
+      const double of_ends = offset.stableNorm();
       if (of_ends >= least) continue;
       const double of_edges = std::min(from_edge(other_v, f), from_edge(other_w, e));
       least = std::min(least, std::max(of_ends, of_edges));
     }
   }
-  return least;
+  return least < below ? least : kNoDistance;
 }
 
 double WeldDistances::from_edge(Index v, const WeldEdge& edge) const {

@@ -69,7 +69,8 @@ class WeldDistances {
     double limit = 0.0;
   };
   using VisitPair = std::function<bool(Index, Index)>;
-  using PairDistance = std::function<double(Index, Index)>;
+  /// A distance of two edges if it is below the third argument; else one no less than that.
+  using PairDistance = std::function<double(Index, Index, double)>;
 
   [[nodiscard]] Visited visit_pairs(std::span<const Index> of, double within,
                                     const VisitPair& visit) const;
@@ -78,7 +79,7 @@ class WeldDistances {
   [[nodiscard]] std::optional<double> step_of_least(std::span<const Index> of,
                                                     const PairDistance& distance,
                                                     const WeldSteps& steps, Range range) const;
-  [[nodiscard]] double joining_distance(Index a, Index b) const;
+  [[nodiscard]] double joining_distance(Index a, Index b, double below) const;
   [[nodiscard]] double from_edge(Index v, const WeldEdge& edge) const;
   [[nodiscard]] double least_above(Index a, Index b, double length) const;
 
