@@ -19,6 +19,8 @@
 
 namespace meshalyzer {
 
+struct HoleMemory;
+
 /// The meaning of the groups of a file.
 enum class Groups : std::uint8_t {
   /// Groups are names, which faces keep.
@@ -72,6 +74,9 @@ struct PassInput {
   double length = 0.0;
   /// The number of the mesh among all that this repair has had; 0 if that is not known.
   std::size_t mesh_number = 0;
+  /// What is known of the holes of earlier meshes of this repair, all with the same options; passes
+  /// add to it. May be null.
+  HoleMemory* holes = nullptr;
 };
 
 /// A defect that a pass could not repair, and the reason.

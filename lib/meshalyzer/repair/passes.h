@@ -109,8 +109,8 @@ struct FillOptions {
   FillSheets sheets = FillSheets::No;
 };
 
-/// Returns a pass, for the runs of one repair, that fills holes with patches which meet neither the
-/// mesh nor themselves. A loop without one is tried again only once a face near it has changed.
+/// Returns a pass that fills holes with patches which meet neither the mesh nor themselves. By
+/// PassInput::holes, a loop without one is tried again only once a face near it has changed.
 [[nodiscard]] PassFunction hole_filling(const FillOptions& options);
 
 /// Tells whether sheets that intersect something are cut.

@@ -2,8 +2,8 @@
 #include "meshalyzer/repair/edits/edits.h"
 #include "meshalyzer/repair/holes/internal/crossing_patches.h"
 #include "meshalyzer/repair/holes/internal/fill_loop.h"
-#include "meshalyzer/repair/holes/internal/fill_memory.h"
 #include "meshalyzer/repair/holes/internal/hole_loop.h"
+#include "meshalyzer/repair/holes/internal/hole_memory.h"
 #include "meshalyzer/repair/holes/internal/islands.h"
 #include "meshalyzer/repair/holes/internal/patch_check.h"
 #include "meshalyzer/repair/holes/internal/patch_edges.h"
@@ -17,14 +17,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace meshalyzer {
 namespace {
+
+TriangulationMemory* triangulations_of(const PassInput& input) {
+  return input.holes == nullptr ? nullptr : &input.holes->triangulations;
+}
 
 /// Returns, by face of the patch, the file face that it is modelled on.
 std::vector<Index> prototypes_of(const PreparedMesh& mesh, const HoleLoop& loop,
@@ -338,17 +342,20 @@ class HoleFiller {
   double vain_work_ = 0.0;
 };
 
-PassResult fill_loops(const PassInput& input, const FillOptions& options, FillMemory& memory) {
+PassResult fill_loops(const PassInput& input, const FillOptions& options) {
   HoleLoops found = find_hole_loops(input.mesh);
   PassResult result;
   if (!found.loops.empty()) {
     const ExistingEdges existing(input.mesh, found.loops);
+    std::optional<FillMemory> memory;
+    if (input.holes != nullptr) memory.emplace(input.holes->failed, input);
     const FillTask task{.mesh = input.mesh,
                         .existing = existing,
                         .degeneracy = input.tolerances.degeneracy,
                         .shape = options.shape,
                         .wants_to_stop = input.wants_to_stop,
-                        .memory = &memory};
+                        .memory = memory ? &*memory : nullptr,
+                        .triangulations = triangulations_of(input)};
     result = HoleFiller(task, found.loops, choose_loops(input, found.loops, options)).run();
   }
   result.refused.insert(result.refused.begin(), std::make_move_iterator(found.refused.begin()),
@@ -366,7 +373,8 @@ std::vector<Edits::AddedFace> crossing_patches(const PassInput& input, const Fil
                       .existing = existing,
                       .degeneracy = input.tolerances.degeneracy,
                       .shape = FillShape::Linear,
-                      .wants_to_stop = input.wants_to_stop};
+                      .wants_to_stop = input.wants_to_stop,
+                      .triangulations = triangulations_of(input)};
   const Choice choice = choose_loops(input, found.loops, options);
   Edits edits;
   for (std::size_t i = 0; i < found.loops.size(); ++i) {
@@ -379,10 +387,7 @@ std::vector<Edits::AddedFace> crossing_patches(const PassInput& input, const Fil
 }
 
 PassFunction hole_filling(const FillOptions& options) {
-  return [options, failed = std::make_shared<FailedFillings>()](const PassInput& input) {
-    FillMemory memory(*failed, input);
-    return fill_loops(input, options, memory);
-  };
+  return [options](const PassInput& input) { return fill_loops(input, options); };
 }
 
 }  // namespace meshalyzer

@@ -1,5 +1,4 @@
-#include "meshalyzer/repair/holes/internal/fill_memory.h"
-
+#include "meshalyzer/repair/holes/internal/hole_memory.h"
 #include "support/run_pass.h"
 #include "support/shapes.h"
 
@@ -101,13 +100,18 @@ TEST_F(FillMemoryTest, ForgetsWhereAnythingRoundTheLoopHasChanged) {
 }
 
 TEST(HoleFilling, TriesALoopAgainOnceItsObstacleIsGone) {
-  const PassFunction fill = hole_filling({.sheets = FillSheets::Yes});
+  HoleMemory memory;
+  const PassFunction fill = [&](PassInput input) {
+    input.holes = &memory;
+    return hole_filling({.sheets = FillSheets::Yes})(input);
+  };
   const PassRun in_vain = run_pass(open_cube_with_obstacle(), fill);
   EXPECT_EQ(in_vain.operations, 0U);
   ASSERT_EQ(in_vain.refused.size(), 1U);
   const PassRun again = run_pass(open_cube_with_obstacle(), fill);
   ASSERT_EQ(again.refused.size(), 1U);
   EXPECT_EQ(again.refused[0].reason, in_vain.refused[0].reason);
+  EXPECT_EQ(memory.failed.attempts.size(), 1U);
   EXPECT_EQ(run_pass(shapes::open_cube(), fill).operations, 1U);
 }
 

@@ -280,9 +280,9 @@ void RepairDriver::apply_unchecked(const PlannedPass& pass) {
             {before->tracked(), result.edits, {}, mesh_.tracked(), affected}, log_);
 }
 
-PassInput RepairDriver::input_of_pass(OperationSize size, double length) const {
+PassInput RepairDriver::input_of_pass(OperationSize size, double length) {
   return {mesh_.input(), mesh_.tracked(), mesh_.prepared(), mesh_.tolerances(), limits_,
-          size,          wants_to_stop_,  length,           mesh_.number()};
+          size,          wants_to_stop_,  length,           mesh_.number(),     &hole_memory_};
 }
 
 bool RepairDriver::run(const PlannedPass& pass) {

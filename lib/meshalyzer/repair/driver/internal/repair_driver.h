@@ -9,6 +9,7 @@
 #include "meshalyzer/repair/driver/internal/plan.h"
 #include "meshalyzer/repair/driver/internal/worsening.h"
 #include "meshalyzer/repair/driver/repair_log.h"
+#include "meshalyzer/repair/holes/internal/hole_memory.h"
 
 #include <cstdint>
 #include <functional>
@@ -182,7 +183,7 @@ class RepairDriver {
   /// difference, or else the next one. So all shorter lengths are done before it, and the mesh
   /// after a length does not depend on whether longer ones follow.
   [[nodiscard]] std::optional<double> length_after(const PlannedPass& pass, double length);
-  [[nodiscard]] PassInput input_of_pass(OperationSize size, double length) const;
+  [[nodiscard]] PassInput input_of_pass(OperationSize size, double length);
   /// Applies the operations that are accepted, and tells whether there were any.
   bool apply_accepted(const PlannedPass& pass, const Edits& edits, ProposedBefore& before);
   /// Leaves out the operations that are banned, or known to be rejected.
@@ -206,6 +207,7 @@ class RepairDriver {
   MeasuredMesh mesh_;
   RepairLimits limits_;
   FixedVertices fixed_;
+  HoleMemory hole_memory_;
   RepairListener on_progress_;
   StopQuery wants_to_stop_;
   bool is_stopped_ = false;

@@ -40,7 +40,7 @@ class LoopFiller {
   [[nodiscard]] const Box3& region() const { return region_; }
 
   [[nodiscard]] std::optional<Patch> triangulated() const {
-    auto triangles = triangulate_large_loop(polygon_, rules_);
+    auto triangles = triangulate_large_loop(polygon_, rules_, task_.triangulations);
     if (!triangles) return std::nullopt;
     return Patch{.triangles = std::move(*triangles), .added = {}};
   }

@@ -8,6 +8,7 @@
 namespace meshalyzer {
 
 class FillMemory;
+class TriangulationMemory;
 
 /// The data that filling a loop needs.
 struct FillTask {
@@ -20,6 +21,8 @@ struct FillTask {
   StopQuery wants_to_stop = {};
   /// If given, loops that are known to have no patch are not tried.
   FillMemory* memory = nullptr;
+  /// If given, the triangulations of loops are remembered.
+  TriangulationMemory* triangulations = nullptr;
 };
 
 }  // namespace meshalyzer

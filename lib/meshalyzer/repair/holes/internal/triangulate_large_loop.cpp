@@ -5,6 +5,7 @@
 #include "meshalyzer/repair/holes/internal/ear_cutter.h"
 #include "meshalyzer/repair/holes/internal/patch_edges.h"
 #include "meshalyzer/repair/holes/internal/triangulate_loop.h"
+#include "meshalyzer/repair/holes/internal/triangulation_memory.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -109,16 +110,23 @@ std::vector<PlaneView> views_of_surface(const LoopPolygon& polygon, const PlaneV
   return views;
 }
 
+std::optional<std::vector<Triangle>> triangulate_small(const LoopPolygon& polygon,
+                                                       const LoopRules& rules,
+                                                       TriangulationMemory* memory) {
+  return memory == nullptr ? triangulate_loop(polygon, rules) : memory->triangulate(polygon, rules);
+}
+
 std::optional<std::vector<Triangle>> triangulate_in_views(const LoopPolygon& polygon,
                                                           const LoopRules& rules,
-                                                          std::vector<PlaneView> views) {
+                                                          std::vector<PlaneView> views,
+                                                          TriangulationMemory* memory) {
   const std::size_t n_rest = rules.weight == LoopWeight::Flat ? 3 : kSmallLoop;
   const EarRules by_chord = ear_rules(polygon, rules);
   EarCutter cutter(polygon.points, std::move(views), by_chord);
   cut_ears_down_to(n_rest, cutter);
   const LoopPolygon rest = rest_of(polygon, cutter);
   if (rest.size() > n_rest) return std::nullopt;
-  const auto last = triangulate_loop(rest, rules);
+  const auto last = triangulate_small(rest, rules, memory);
   if (!last) return std::nullopt;
   std::vector<Triangle> triangles;
   for (const Triangle& ear : cutter.triangles()) triangles.push_back(vertices_of(polygon, ear));
@@ -150,19 +158,20 @@ double bend_at_rim(const LoopPolygon& polygon, const std::vector<Triangle>& tria
 }  // namespace
 
 std::optional<std::vector<Triangle>> triangulate_large_loop(const LoopPolygon& polygon,
-                                                            const LoopRules& rules) {
+                                                            const LoopRules& rules,
+                                                            TriangulationMemory* memory) {
   if (polygon.size() <= (rules.weight == LoopWeight::Flat ? 3 : kSmallLoop)) {
-    return triangulate_loop(polygon, rules);
+    return triangulate_small(polygon, rules, memory);
   }
   const PlaneView whole = choose_view(polygon.points);
-  auto in_one_view = triangulate_in_views(polygon, rules, {whole});
+  auto in_one_view = triangulate_in_views(polygon, rules, {whole}, memory);
   if (rules.weight == LoopWeight::Flat) return in_one_view;
   std::vector<PlaneView> views = views_of_surface(polygon, whole);
   const bool is_seen_whole = std::all_of(views.begin(), views.end(), [&](const PlaneView& view) {
     return view.dropped == whole.dropped && view.sense == whole.sense;
   });
   if (is_seen_whole) return in_one_view;
-  auto in_views = triangulate_in_views(polygon, rules, std::move(views));
+  auto in_views = triangulate_in_views(polygon, rules, std::move(views), memory);
   if (!in_one_view || !in_views) return in_one_view ? in_one_view : in_views;
   return bend_at_rim(polygon, *in_views) < bend_at_rim(polygon, *in_one_view) ? in_views
                                                                               : in_one_view;

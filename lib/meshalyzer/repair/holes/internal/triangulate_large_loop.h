@@ -8,6 +8,8 @@
 
 namespace meshalyzer {
 
+class TriangulationMemory;
+
 /// Loops of up to this number of edges are left to triangulate_loop().
 inline constexpr std::size_t kSmallLoop = 192;
 
@@ -21,9 +23,10 @@ inline constexpr std::size_t kSmallLoop = 192;
 /// the one that bends less from these faces is taken. With LoopWeight::Flat the faces beyond do not
 /// count.
 ///
-/// @return      The triangles as triangulate_loop() returns them.
-/// @complexity  O(n log n) for loops whose corners are about evenly spread.
+/// @param memory  If it is given, what triangulate_loop() has done before is recalled.
+/// @return        The triangles as triangulate_loop() returns them.
+/// @complexity    O(n log n) for loops whose corners are about evenly spread.
 [[nodiscard]] std::optional<std::vector<Triangle>> triangulate_large_loop(
-    const LoopPolygon& polygon, const LoopRules& rules);
+    const LoopPolygon& polygon, const LoopRules& rules, TriangulationMemory* memory = nullptr);
 
 }  // namespace meshalyzer

@@ -1,0 +1,92 @@
+#include "meshalyzer/repair/holes/internal/triangulation_memory.h"
+
+#include "meshalyzer/base/hash.h"
+#include "meshalyzer/repair/holes/internal/triangulate_loop.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+namespace meshalyzer {
+namespace {
+
+/// Shorter loops are triangulated sooner than recalled.
+constexpr std::size_t kLeastCorners = 24;
+/// Nothing more is noted once so many triangles are, which take 12 bytes each.
+constexpr std::size_t kMostTriangles = 4'000'000;
+
+using Triangles = std::optional<std::vector<Triangle>>;
+
+/// The corners of a loop by their vertices; of several at one vertex, the first one.
+class CornerNumbers {
+ public:
+  explicit CornerNumbers(const std::vector<Index>& vertices) {
+    for (Index i = 0; i < vertices.size(); ++i) number_of_.emplace(vertices[i], i);
+  }
+
+  /// @return  kNoIndex for other vertices.
+  [[nodiscard]] Index of(Index vertex) const {
+    const auto found = number_of_.find(vertex);
+    return found == number_of_.end() ? kNoIndex : found->second;
+  }
+  [[nodiscard]] Triangle of(const Triangle& vertices) const {
+    return {of(vertices[0]), of(vertices[1]), of(vertices[2])};
+  }
+
+ private:
+  std::unordered_map<Index, Index> number_of_;
+};
+
+std::uint64_t hash_triangle(Triangle t) {
+  std::sort(t.begin(), t.end());
+  return mix_hash(mix_hash(t[0], t[1]), t[2]);
+}
+
+/// Hashes all that a triangulation depends on, but for the numbers of the vertices.
+std::uint64_t hash_of(const LoopPolygon& polygon, const LoopRules& rules,
+                      const CornerNumbers& corners) {
+  std::uint64_t hash = mix_hash(polygon.size(), static_cast<std::uint64_t>(rules.weight));
+  hash = mix_hash(hash, std::bit_cast<std::uint64_t>(polygon.thin));
+  for (Index i = 0; i < polygon.size(); ++i) {
+    hash = mix_hash(hash, hash_position(polygon.points[i]));
+    hash = mix_hash(hash, hash_position(polygon.normals[i]));
+    hash = mix_hash(hash, corners.of(polygon.vertices[i]));
+    for (Index k = 0; k < i; ++k) {
+      if (!rules.allows_chord(polygon.vertices[k], polygon.vertices[i])) hash = mix_hash(hash, k);
+    }
+  }
+  // The order of the forbidden triangles depends on the numbers of the vertices.
+  std::uint64_t sum = 0;
+  for (const Triangle& forbidden : rules.forbidden) {
+    const Triangle t = corners.of(forbidden);
+    if (std::find(t.begin(), t.end(), kNoIndex) == t.end()) sum += hash_triangle(t);
+  }
+  return mix_hash(hash, sum);
+}
+
+}  // namespace
+
+Triangles TriangulationMemory::triangulate(const LoopPolygon& polygon, const LoopRules& rules) {
+  if (polygon.size() < kLeastCorners) return triangulate_loop(polygon, rules);
+  const CornerNumbers corners(polygon.vertices);
+  const std::uint64_t hash = hash_of(polygon, rules, corners);
+  if (const auto found = known_.find(hash); found != known_.end()) {
+    Triangles triangles = found->second;
+    if (!triangles) return std::nullopt;
+    for (Triangle& t : *triangles) {
+      for (Index& v : t) v = polygon.vertices[v];
+    }
+    return triangles;
+  }
+  Triangles triangles = triangulate_loop(polygon, rules);
+  if (n_triangles_ >= kMostTriangles) return triangles;
+  n_triangles_ += polygon.size();
+  Triangles by_corners = triangles;
+  if (by_corners) {
+    for (Triangle& t : *by_corners) t = corners.of(t);
+  }
+  known_.emplace(hash, std::move(by_corners));
+  return triangles;
+}
+
+}  // namespace meshalyzer
