@@ -52,6 +52,16 @@ constexpr std::size_t kMaxStages = 10;
 /// attempts: mostly it would ban the same operations again, one after the other.
 constexpr std::size_t kAttemptsOfLaterStages = 3;
 
+/// A mesh with at least this number of intersecting pairs, and so many for each of its faces, is a
+/// heap of faces, as where indices were shifted. It cannot be cut, so that all other repairs are of
+/// little use. In a heap, each pass runs at most this number of times in a round, one that has
+/// changed nothing is not run again while the pairs are about as many, and rounds beyond this
+/// number go on only if the last one has left notably fewer pairs.
+constexpr std::size_t kPairsOfHeap = 100'000;
+constexpr std::size_t kPairsAFaceOfHeap = 32;
+constexpr std::size_t kRunsInHeap = 3;
+constexpr std::size_t kRoundsInHeap = 2;
+
 bool are_many_alike(std::size_t n_pairs, std::size_t n_before) {
   const auto n = static_cast<double>(n_pairs);
   return n_pairs >= kManyPairs && std::abs(n - static_cast<double>(n_before)) <= kAlikeShare * n;
@@ -102,8 +112,7 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
 bool RepairDriver::is_worth_trying_banned() const {
   const bool is_nearly_all_banned =
       banned_.size() >= kManyBanned && banned_.size() > kBannedPerApplied * applied_.size();
-  return banned_.size() != 0 && !is_nearly_all_banned &&
-         mesh_.prepared().intersecting_pairs().size() < kManyPairs;
+  return banned_.size() != 0 && !is_nearly_all_banned && n_pairs() < kManyPairs;
 }
 
 void RepairDriver::set_checkpoint() {
@@ -150,7 +159,7 @@ std::optional<DefectInventory> RepairDriver::run_stage(const std::vector<Planned
       restart();
       return std::nullopt;
     }
-    work += mesh_.tracked().soup.n_faces() + mesh_.prepared().intersecting_pairs().size();
+    work += mesh_.tracked().soup.n_faces() + n_pairs();
     if (work > kMaxWork) {
       for (const PlannedPass& pass : plan) banned_.add(pass.name);
     } else {
@@ -191,7 +200,6 @@ void RepairDriver::return_to_input() {
 }
 
 bool RepairDriver::run_rounds(const std::vector<PlannedPass>& plan, bool may_be_given_up) {
-  const auto n_pairs = [&] { return mesh_.prepared().intersecting_pairs().size(); };
   const std::size_t n_pairs_at_first = n_pairs();
   std::vector<std::optional<IdleRun>> idle_runs(plan.size());
   std::size_t n_changes = 0;
@@ -205,7 +213,8 @@ bool RepairDriver::run_rounds(const std::vector<PlannedPass>& plan, bool may_be_
     for (std::size_t i = 0; i < plan.size(); ++i) {
       if (round > 0 && plan[i].repeat == Repeat::Once) continue;
       if (is_to_stop()) return true;
-      if (may_be_given_up && have_multiplied(n_pairs_for(plan[i]), n_pairs_at_first)) return false;
+      const bool may_multiply = !may_be_given_up || !plan[i].takes_time_for_pairs;
+      if (!may_multiply && have_multiplied(n_pairs(), n_pairs_at_first)) return false;
       if (on_progress_) {
         on_progress_({.pass = plan[i].name,
                       .round = round + 1,
@@ -214,6 +223,9 @@ bool RepairDriver::run_rounds(const std::vector<PlannedPass>& plan, bool may_be_
       run_unless_idle(plan[i], n_changes, idle_runs[i]);
     }
     if (n_changes == n_changes_before) return true;
+    if (round + 1 >= kRoundsInHeap && is_heap() && are_many_alike(n_pairs(), n_pairs_before)) {
+      return true;
+    }
     if (!may_be_given_up) continue;
     const bool has_more = n_pairs() > n_pairs_at_first;
     if (has_more && n_pairs() >= kManyPairs && round + 1 >= kRoundsForPairs) return false;
@@ -232,17 +244,18 @@ void RepairDriver::run_unless_idle(const PlannedPass& pass, std::size_t& n_chang
     refusals.insert(refusals.end(), idle_run->refusals.begin(), idle_run->refusals.end());
     return;
   }
-  const std::size_t n_pairs = n_pairs_for(pass);
+  const std::size_t n_pairs_before = n_pairs();
   const auto costly = costly_idle_runs_.find(pass.name);
-  if (costly != costly_idle_runs_.end() && are_many_alike(n_pairs, costly->second.n_pairs)) {
+  if (costly != costly_idle_runs_.end() && are_many_alike(n_pairs_before, costly->second.n_pairs)) {
     refusals.insert(refusals.end(), costly->second.refusals.begin(), costly->second.refusals.end());
     return;
   }
   const auto n_refusals = static_cast<std::ptrdiff_t>(refusals.size());
   const bool has_changed = run(pass);
   std::vector<LoggedRefusal> refused(refusals.begin() + n_refusals, refusals.end());
-  if (pass.takes_time_for_pairs && (!has_changed || are_many_alike(n_pairs_for(pass), n_pairs))) {
-    note_costly_idle_run(pass, {n_pairs, refused});
+  const bool leaves_pairs = !has_changed || are_many_alike(n_pairs(), n_pairs_before);
+  if (leaves_pairs && (pass.takes_time_for_pairs || (!has_changed && is_heap()))) {
+    note_costly_idle_run(pass, {n_pairs_before, refused});
   }
   if (has_changed) {
     ++n_changes;
@@ -251,8 +264,13 @@ void RepairDriver::run_unless_idle(const PlannedPass& pass, std::size_t& n_chang
   }
 }
 
-std::size_t RepairDriver::n_pairs_for(const PlannedPass& pass) const {
-  return pass.takes_time_for_pairs ? mesh_.prepared().intersecting_pairs().size() : 0;
+std::size_t RepairDriver::n_pairs() const {
+  return mesh_.prepared().intersecting_pairs().size();
+}
+
+bool RepairDriver::is_heap() const {
+  return n_pairs() >= kPairsOfHeap &&
+         n_pairs() >= kPairsAFaceOfHeap * mesh_.tracked().soup.n_faces();
 }
 
 void RepairDriver::note_costly_idle_run(const PlannedPass& pass, CostlyIdleRun idle_run) {
@@ -311,7 +329,7 @@ std::optional<double> RepairDriver::length_after(const PlannedPass& pass, double
 bool RepairDriver::run_at(const PlannedPass& pass, double length, RefusedInState& refused) {
   bool has_changed = false;
   ProposedBefore before;
-  const std::size_t max_runs = pass.repeat == Repeat::Once ? 1 : kMaxRuns;
+  const std::size_t max_runs = pass.repeat == Repeat::Once ? 1 : is_heap() ? kRunsInHeap : kMaxRuns;
   OperationSize size = OperationSize::Normal;
   for (std::size_t i = 0; i < max_runs && !is_to_stop(); ++i) {
     const std::shared_ptr<const RepairState> examined = mesh_.shared_state();
@@ -403,7 +421,7 @@ void RepairDriver::skip_rejected(const PlannedPass& pass, const Acceptance& acce
 }
 
 bool RepairDriver::is_hopeless_after(Rejection rejection) const {
-  const bool is_crowded = mesh_.prepared().intersecting_pairs().size() >= kManyPairs;
+  const bool is_crowded = n_pairs() >= kManyPairs;
   return rejection == Rejection::TooFar || (rejection == Rejection::Intersects && is_crowded);
 }
 

@@ -143,7 +143,8 @@ class RepairDriver {
     std::vector<LoggedRefusal> refusals;
   };
 
-  /// The last run of a pass that takes time for each intersecting pair and left nearly all of them.
+  /// The last run of a pass that takes time for each intersecting pair and left nearly all of them,
+  /// or that has changed nothing in a heap of faces.
   struct CostlyIdleRun {
     std::size_t n_pairs = 0;
     std::vector<LoggedRefusal> refusals;
@@ -168,8 +169,10 @@ class RepairDriver {
   /// @param idle_run   The last run of the pass that changed nothing.
   void run_unless_idle(const PlannedPass& pass, std::size_t& n_changes,
                        std::optional<IdleRun>& idle_run);
-  /// Returns the number of intersecting pairs if the pass takes time for them, else 0.
-  [[nodiscard]] std::size_t n_pairs_for(const PlannedPass& pass) const;
+  /// Returns the number of intersecting pairs.
+  [[nodiscard]] std::size_t n_pairs() const;
+  /// Tells whether so many faces intersect for each that little can be repaired.
+  [[nodiscard]] bool is_heap() const;
   void note_costly_idle_run(const PlannedPass& pass, CostlyIdleRun idle_run);
   /// Asks whether to stop; once the answer is yes, it stays so.
   bool is_to_stop();
