@@ -25,13 +25,14 @@ class UniteFromInput : public ::testing::Test {
     driver_.emplace(soup, tolerances,
                     RepairLimits{.max_deviation = kMaxDeviation, .fixed_vertices = {}},
                     [](const TrackedMesh&, const CutMesh&) { return std::vector<std::uint8_t>(); });
-    return unite_from_input(*driver_, options_, tolerances, choice);
+    return unite_from_input(*driver_, options_, tolerances, choice, boundary_);
   }
 
   [[nodiscard]] const Soup& mesh() const { return driver_->mesh().tracked().soup; }
 
   RepairOptions options_;
   std::optional<RepairDriver> driver_;
+  SampledBoundary boundary_;
 };
 
 const Soup kCrossing = shapes::merged(shapes::cube(2), shapes::cube(2, {1, 1, 1}));

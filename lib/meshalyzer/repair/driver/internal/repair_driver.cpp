@@ -38,6 +38,9 @@ constexpr double kAlikeShare = 0.1;
 /// hardly anything of them would be possible after all: they stay banned.
 constexpr std::size_t kManyBanned = 1'000;
 constexpr std::size_t kBannedPerApplied = 4;
+/// Once so many are banned, an attempt that bans less than this share more bans all that may be
+/// responsible, too: otherwise attempt after attempt would ban a few more of thousands.
+constexpr double kFewShare = 0.01;
 /// If a mesh that a stage has made has more intersecting pairs than before, it is given up after
 /// this number of rounds, unless the last one has made them fewer; and if they are as many as
 /// kManyPairs, a round earlier in any case, and if they are also so many times as many as before,
@@ -124,10 +127,7 @@ void RepairDriver::set_checkpoint() {
 bool RepairDriver::run_trial(const Trial& trial) {
   set_checkpoint();
   costly_idle_runs_.clear();
-  if (!trial.from_input.empty()) {
-    return_to_input();
-    static_cast<void>(run_rounds(trial.from_input));
-  }
+  if (!trial.from_input.empty()) start_from_input(trial.from_input);
   const std::vector<Index> face_keys = mesh_.tracked().face_keys;
   for (const PlannedPass& change : trial.changes) apply_unchecked(change);
   if (mesh_.tracked().face_keys != face_keys) {
@@ -136,6 +136,21 @@ bool RepairDriver::run_trial(const Trial& trial) {
   }
   restart();
   return false;
+}
+
+void RepairDriver::start_from_input(const std::vector<PlannedPass>& plan) {
+  std::vector<std::string_view> names;
+  for (const PlannedPass& pass : plan) names.push_back(pass.name);
+  if (start_ && start_->names == names) {
+    mesh_.restore(start_->mesh);
+    log_ = start_->log;
+    applied_ = start_->applied;
+    hopeless_ = start_->hopeless;
+    return;
+  }
+  return_to_input();
+  static_cast<void>(run_rounds(plan));
+  if (!is_stopped_) start_ = {std::move(names), mesh_.snapshot(), log_, applied_, hopeless_};
 }
 
 std::optional<DefectInventory> RepairDriver::run_stage(const std::vector<PlannedPass>& plan,
@@ -179,7 +194,10 @@ void RepairDriver::ban(const DefectInventory& before, const DefectInventory& aft
   if (attempt < kAttemptsByLast) {
     ban_responsible(applied_, places, Blame::Last, mesh_.input(), banned_);
   }
-  if (banned_.size() == n_banned && attempt < kAttemptsByAll) {
+  const auto n_more = static_cast<double>(banned_.size() - n_banned);
+  const bool are_few_more =
+      n_banned >= kManyBanned && n_more < kFewShare * static_cast<double>(n_banned);
+  if ((n_more == 0.0 || are_few_more) && attempt < kAttemptsByAll) {
     ban_responsible(applied_, places, Blame::All, mesh_.input(), banned_);
   }
   if (banned_.size() == n_banned) banned_.add(applied_.back().pass);

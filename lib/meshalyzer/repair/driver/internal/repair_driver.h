@@ -150,7 +150,19 @@ class RepairDriver {
     std::vector<LoggedRefusal> refusals;
   };
 
+  /// What some passes make of the input, from which trials start.
+  struct StartFromInput {
+    /// The names of the passes; those of one name are the same in all trials of a repair.
+    std::vector<std::string_view> names;
+    MeasuredMesh::Snapshot mesh;
+    RepairLog log;
+    std::vector<AppliedOperation> applied;
+    std::map<OperationHash, Rejection> hopeless;
+  };
+
   void set_checkpoint();
+  /// Runs passes on the input, or returns to what they have made of it last.
+  void start_from_input(const std::vector<PlannedPass>& plan);
   /// Runs the plan from the checkpoint, with more and more operations banned, until the mesh is not
   /// worse than it was there.
   ///
@@ -226,6 +238,7 @@ class RepairDriver {
   std::map<OperationHash, Rejection> hopeless_;
   /// The state from which the present stage has started; nothing if that is the input.
   std::optional<Checkpoint> checkpoint_;
+  std::optional<StartFromInput> start_;
   /// The counts of the input, once a plan was run.
   std::optional<DefectInventory> input_counts_;
   std::vector<CountRise> rises_;

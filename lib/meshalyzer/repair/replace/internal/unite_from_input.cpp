@@ -25,17 +25,11 @@ constexpr double kSideReach = 1.0 / 16.0;
 constexpr std::size_t kMostPointsJoined = 64;
 constexpr int kMostTimesJoined = 3;
 
-/// A point of a removed part of a mesh.
-struct LostSample {
-  Vec3 point;
-  /// The key of the face that it lies on.
-  Index face_key = kNoIndex;
-};
-
 /// Returns samples of those pieces of faces of a mesh that bound its solid.
-std::vector<LostSample> boundary_samples(const PassInput& input, std::span<const Corners> pieces) {
+std::vector<BoundarySample> boundary_samples(const PassInput& input,
+                                             std::span<const Corners> pieces) {
   const ClosestPoints closest(input.mesh.tree());
-  std::vector<LostSample> samples;
+  std::vector<BoundarySample> samples;
   Index hint = kNoIndex;
   for (const Vec3& point :
        sample_boundary(input.tracked.soup, pieces, kSideReach * input.limits.max_deviation)) {
@@ -48,19 +42,24 @@ std::vector<LostSample> boundary_samples(const PassInput& input, std::span<const
 }
 
 /// Returns samples of those removed parts of the mesh that bound its solid.
-std::vector<LostSample> lost_boundary(const PassInput& input, const Edits& edits) {
+std::vector<BoundarySample> lost_boundary(const PassInput& input, const Edits& edits) {
   std::vector<Corners> pieces;
   pieces.reserve(edits.interior_walls.size());
   for (const auto& removed : edits.interior_walls) pieces.push_back(removed.wall.corners);
   return boundary_samples(input, pieces);
 }
 
-/// Returns samples of all of the mesh that bounds its solid.
-std::vector<LostSample> whole_boundary(const PassInput& input) {
+/// Finds the samples of all of the mesh that bounds its solid, unless they are known.
+void sample_whole(const PassInput& input, SampledBoundary& boundary) {
   const Soup& soup = input.tracked.soup;
+  const std::vector<Index>& face_keys = input.tracked.face_keys;
+  if (boundary.positions == soup.positions && boundary.triangles == soup.triangles &&
+      boundary.face_keys == face_keys) {
+    return;
+  }
   std::vector<Corners> faces;
   for (const Index face : input.mesh.cut().side.faces) faces.push_back(corners_of(soup, face));
-  return boundary_samples(input, faces);
+  boundary = {soup.positions, soup.triangles, face_keys, boundary_samples(input, faces)};
 }
 
 /// Tells whether more holes are filled if those of sheets are.
@@ -74,11 +73,12 @@ bool fills_more_with_sheets(const PassInput& input, FillOptions fill) {
 class UnionFromInput {
  public:
   UnionFromInput(RepairDriver& driver, const RepairOptions& options, const Tolerances& tolerances,
-                 const UnionChoice& choice)
+                 const UnionChoice& choice, SampledBoundary& boundary)
       : driver_(driver),
         options_(options),
         tolerances_(tolerances),
         choice_(choice),
+        boundary_(boundary),
         check_(final_check_for(options, driver.mesh().input().format)) {}
 
   bool run() {
@@ -151,7 +151,8 @@ class UnionFromInput {
 
   [[nodiscard]] PlannedPass thickening() {
     return {"thicken parts", DefectCode::Hole, [&](const PassInput& input) {
-              lost_ = whole_boundary(input);
+              sample_whole(input, boundary_);
+              lost_ = boundary_.samples;
               shells_ = choose_shells(input, *choice_.shells);
               return thicken_parts(input, shells_.face_keys,
                                    choice_.shells->thickness_share * input.limits.max_deviation);
@@ -182,7 +183,7 @@ class UnionFromInput {
     const MeshRegion solid(result, state.mesh().tree());
     const ClosestPoints closest(state.mesh().tree());
     Index hint = kNoIndex;
-    for (const LostSample& sample : lost_) {
+    for (const BoundarySample& sample : lost_) {
       const auto found = closest.find({.point = sample.point, .hint = hint});
       hint = found->slot;
       if (found->distance > driver_.mesh().max_deviation()) note_far(sample);
@@ -193,7 +194,7 @@ class UnionFromInput {
     sort_unique(far_.face_keys);
   }
 
-  void note_far(const LostSample& sample) {
+  void note_far(const BoundarySample& sample) {
     const Index key = sample.face_key;
     far_.points.push_back(sample.point);
     far_.face_keys.push_back(key);
@@ -205,10 +206,11 @@ class UnionFromInput {
   const RepairOptions& options_;
   const Tolerances& tolerances_;
   const UnionChoice& choice_;
+  SampledBoundary& boundary_;
   FinalCheck check_;
   /// Samples of what bounded the solid: of the dropped parts of the last union, or with shells of
   /// all of the mesh.
-  std::vector<LostSample> lost_;
+  std::vector<BoundarySample> lost_;
   /// The points at which the last union still touched, and those at which it is joined.
   std::vector<Vec3> touching_;
   std::vector<Vec3> joined_;
@@ -227,8 +229,9 @@ class UnionFromInput {
 }  // namespace
 
 UnitedFromInput unite_from_input(RepairDriver& driver, const RepairOptions& options,
-                                 const Tolerances& tolerances, const UnionChoice& choice) {
-  UnionFromInput from_input(driver, options, tolerances, choice);
+                                 const Tolerances& tolerances, const UnionChoice& choice,
+                                 SampledBoundary& boundary) {
+  UnionFromInput from_input(driver, options, tolerances, choice, boundary);
   if (!from_input.run()) {
     return {.note = "",
             .is_too_far_behind_holes = from_input.is_too_far_behind_holes(),

@@ -25,6 +25,23 @@ struct UnionChoice {
   std::optional<ShellChoice> shells = {};
 };
 
+/// A sample of what bounds the solid of a mesh by winding number.
+struct BoundarySample {
+  Vec3 point;
+  /// The key of the face that it lies on.
+  Index face_key = kNoIndex;
+};
+
+/// The samples of all that bounds the solid of a mesh. Finding them takes seconds, and unions with
+/// different shells start from the same mesh.
+struct SampledBoundary {
+  /// The mesh.
+  std::vector<Vec3> positions;
+  std::vector<Triangle> triangles;
+  std::vector<Index> face_keys;
+  std::vector<BoundarySample> samples;
+};
+
 /// What a union has lost, although it bounded the solid by winding number.
 struct LostBoundary {
   /// The keys of faces on which a sample is too far from the union, ascending.
@@ -55,8 +72,11 @@ struct UnitedFromInput {
 /// The result is kept only if it is good as its file will hold it and within the maximum deviation.
 /// The parts that were dropped, although they bounded the solid by winding number, are sampled:
 /// their distance from the result counts as deviation.
+///
+/// @param boundary  That of the mesh of the last call, empty before the first one.
 [[nodiscard]] UnitedFromInput unite_from_input(RepairDriver& driver, const RepairOptions& options,
                                                const Tolerances& tolerances,
-                                               const UnionChoice& choice);
+                                               const UnionChoice& choice,
+                                               SampledBoundary& boundary);
 
 }  // namespace meshalyzer
