@@ -146,11 +146,16 @@ void RepairDriver::start_from_input(const std::vector<PlannedPass>& plan) {
     log_ = start_->log;
     applied_ = start_->applied;
     hopeless_ = start_->hopeless;
+    costly_idle_runs_ = start_->costly_idle_runs;
+    limits_.fixed_vertices = start_->fixed_vertices;
     return;
   }
+  hopeless_.clear();
   return_to_input();
   static_cast<void>(run_rounds(plan));
-  if (!is_stopped_) start_ = {std::move(names), mesh_.snapshot(), log_, applied_, hopeless_};
+  if (is_stopped_) return;
+  start_ = {std::move(names),  mesh_.snapshot(),      log_, applied_, hopeless_,
+            costly_idle_runs_, limits_.fixed_vertices};
 }
 
 std::optional<DefectInventory> RepairDriver::run_stage(const std::vector<PlannedPass>& plan,

@@ -158,6 +158,8 @@ class RepairDriver {
     RepairLog log;
     std::vector<AppliedOperation> applied;
     std::map<OperationHash, Rejection> hopeless;
+    std::map<std::string_view, CostlyIdleRun> costly_idle_runs;
+    std::vector<std::uint8_t> fixed_vertices;
   };
 
   void set_checkpoint();
