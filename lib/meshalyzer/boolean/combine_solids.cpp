@@ -103,7 +103,6 @@ class Combination {
       // Rounding that makes things worse may leave millions of pairs, none of which is cut.
       const Pairs pairs = find_self_intersections_of(cut, tree, new_faces_,
                                                      {.max_found = n_pairs_left + 1,
-                                                      .max_listed = n_pairs_left + 1,
                                                       .wants_to_stop = options_.wants_to_stop})
                               .listed;
       if (options_.wants_to_stop()) return CombineOutcome::Stopped;

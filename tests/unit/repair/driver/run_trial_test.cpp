@@ -11,8 +11,8 @@
 namespace meshalyzer {
 namespace {
 
-/// Trials on a cube with passes that move its first corner. Once that is moved along an axis, the
-/// second one must stay in place.
+/// Trials on a cube with passes that move its first corner. Once the x of that is negative, the
+/// second corner must stay in place.
 class RunTrial : public ::testing::Test {
  protected:
   /// Returns a pass that moves the first corner to a place beside that in the input.

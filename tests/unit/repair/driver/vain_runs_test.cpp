@@ -89,57 +89,40 @@ TEST(RepairDriver, EachPassThatTakesTimeForVeryManyPairsIsRunOnce) {
   EXPECT_EQ(runs, (std::vector<std::string>{"first", "second"}));
 }
 
-/// Counts the proposals of a pass that moves a face in each round and leaves all pairs.
-std::size_t count_changes(Index n_crossing) {
+/// Counts the proposals of a pass that moves a face a number of times and leaves all pairs.
+///
+/// @param pass  The pass, without its function.
+std::size_t count_moves(Index n_crossing, std::size_t n_moves, PlannedPass pass) {
   const Soup soup = star_of_faces(n_crossing);
   const auto last = static_cast<Index>(soup.n_vertices() - 1);
   RepairDriver driver(
       soup, {}, RepairLimits{.max_deviation = 1.0, .fixed_vertices = {}},
       [](const TrackedMesh&, const CutMesh&) { return std::vector<std::uint8_t>(); });
   std::size_t n_proposals = 0;
-  const PassFunction move = [&](const PassInput& input) {
+  pass.run = [&](const PassInput& input) {
     PassResult result;
-    if (++n_proposals > 3) return result;
+    if (++n_proposals > n_moves) return result;
     const Index op = result.edits.begin_operation();
     const Vec3 to = input.tracked.soup.positions[last] + Vec3{0.0, 0.01, 0.0};
     result.edits.moved_vertices.push_back({.op = op, .vertex = last, .to = to});
     return result;
   };
-  driver.run_plan(
-      {{.name = "move", .run = move, .repeat = Repeat::OncePerRound, .takes_time_for_pairs = true}},
-      {});
+  driver.run_plan({pass}, {});
   return n_proposals;
 }
 
 TEST(RepairDriver, PassThatLeavesNearlyAllOfVeryManyPairsIsNotRunAgain) {
-  EXPECT_EQ(count_changes(150), 1U);
-  EXPECT_EQ(count_changes(100), 4U);
-}
-
-/// Counts the proposals of a pass that moves a face again and again and leaves all pairs.
-std::size_t count_moves(Index n_crossing) {
-  const Soup soup = star_of_faces(n_crossing);
-  const auto last = static_cast<Index>(soup.n_vertices() - 1);
-  RepairDriver driver(
-      soup, {}, RepairLimits{.max_deviation = 1.0, .fixed_vertices = {}},
-      [](const TrackedMesh&, const CutMesh&) { return std::vector<std::uint8_t>(); });
-  std::size_t n_proposals = 0;
-  const PassFunction move = [&](const PassInput& input) {
-    PassResult result;
-    if (++n_proposals > 20) return result;
-    const Index op = result.edits.begin_operation();
-    const Vec3 to = input.tracked.soup.positions[last] + Vec3{0.0, 0.01, 0.0};
-    result.edits.moved_vertices.push_back({.op = op, .vertex = last, .to = to});
-    return result;
-  };
-  driver.run_plan({{.name = "move", .run = move}}, {});
-  return n_proposals;
+  const PlannedPass pass{
+      .name = "move", .run = {}, .repeat = Repeat::OncePerRound, .takes_time_for_pairs = true};
+  EXPECT_EQ(count_moves(150, 3, pass), 1U);
+  EXPECT_EQ(count_moves(100, 3, pass), 4U);
 }
 
 TEST(RepairDriver, InAHeapOfFacesPassesRunAFewTimesOnly) {
+  const PlannedPass pass{.name = "move", .run = {}};
   // All pairs of 460 faces are 105,570, and all of 400 are 79,800.
-  EXPECT_EQ(count_moves(460), 6U);
-  EXPECT_EQ(count_moves(400), 22U);
+  EXPECT_EQ(count_moves(460, 20, pass), 6U);
+  EXPECT_EQ(count_moves(400, 20, pass), 22U);
 }
 
 /// Counts the proposals of a pass whose only operation moves the surface too far.

@@ -142,8 +142,7 @@ void RepairDriver::start_from_input(const std::vector<PlannedPass>& plan) {
   std::vector<std::string_view> names;
   for (const PlannedPass& pass : plan) names.push_back(pass.name);
   if (start_ && start_->names == names) {
-    mesh_.restore(start_->mesh);
-    log_ = start_->log;
+    return_to(start_->made);
     applied_ = start_->applied;
     hopeless_ = start_->hopeless;
     costly_idle_runs_ = start_->costly_idle_runs;
@@ -154,8 +153,8 @@ void RepairDriver::start_from_input(const std::vector<PlannedPass>& plan) {
   return_to_input();
   static_cast<void>(run_rounds(plan));
   if (is_stopped_) return;
-  start_ = {std::move(names),  mesh_.snapshot(),      log_, applied_, hopeless_,
-            costly_idle_runs_, limits_.fixed_vertices};
+  start_ = {std::move(names), {mesh_.snapshot(), log_}, applied_,
+            hopeless_,        costly_idle_runs_,        limits_.fixed_vertices};
 }
 
 std::optional<DefectInventory> RepairDriver::run_stage(const std::vector<PlannedPass>& plan,
@@ -211,8 +210,12 @@ void RepairDriver::ban(const DefectInventory& before, const DefectInventory& aft
 void RepairDriver::restart() {
   hopeless_.clear();
   if (!checkpoint_) return return_to_input();
-  mesh_.restore(checkpoint_->mesh);
-  log_ = checkpoint_->log;
+  return_to(*checkpoint_);
+}
+
+void RepairDriver::return_to(const Checkpoint& checkpoint) {
+  mesh_.restore(checkpoint.mesh);
+  log_ = checkpoint.log;
   applied_.clear();
 }
 
@@ -236,8 +239,10 @@ bool RepairDriver::run_rounds(const std::vector<PlannedPass>& plan, bool may_be_
     for (std::size_t i = 0; i < plan.size(); ++i) {
       if (round > 0 && plan[i].repeat == Repeat::Once) continue;
       if (is_to_stop()) return true;
-      const bool may_multiply = !may_be_given_up || !plan[i].takes_time_for_pairs;
-      if (!may_multiply && have_multiplied(n_pairs(), n_pairs_at_first)) return false;
+      if (may_be_given_up && plan[i].takes_time_for_pairs &&
+          have_multiplied(n_pairs(), n_pairs_at_first)) {
+        return false;
+      }
       if (on_progress_) {
         on_progress_({.pass = plan[i].name,
                       .round = round + 1,

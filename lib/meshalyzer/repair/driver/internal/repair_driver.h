@@ -130,7 +130,7 @@ class RepairDriver {
     std::size_t max_attempts;
   };
 
-  /// The state from which a stage starts again.
+  /// A state to which the driver can return, as that from which a stage starts again.
   struct Checkpoint {
     MeasuredMesh::Snapshot mesh;
     RepairLog log;
@@ -154,8 +154,7 @@ class RepairDriver {
   struct StartFromInput {
     /// The names of the passes; those of one name are the same in all trials of a repair.
     std::vector<std::string_view> names;
-    MeasuredMesh::Snapshot mesh;
-    RepairLog log;
+    Checkpoint made;
     std::vector<AppliedOperation> applied;
     std::map<OperationHash, Rejection> hopeless;
     std::map<std::string_view, CostlyIdleRun> costly_idle_runs;
@@ -216,6 +215,8 @@ class RepairDriver {
            std::size_t attempt);
   /// Returns to the checkpoint; banned operations stay banned.
   void restart();
+  /// Returns to a state from which nothing has been applied yet.
+  void return_to(const Checkpoint& checkpoint);
   /// Returns to the input, and keeps the checkpoint.
   void return_to_input();
   /// Tells whether an operation that broke this rule is not tried again.

@@ -2,24 +2,9 @@
 
 #include "meshalyzer/base/hash.h"
 #include "meshalyzer/base/triangle.h"
-
-#include <algorithm>
+#include "meshalyzer/repair/holes/internal/corner_numbers.h"
 
 namespace meshalyzer {
-namespace {
-
-/// Returns a triangulation of a loop by the numbers of its corners.
-std::vector<Triangle> by_corners(std::vector<Triangle> triangles, const HoleLoop& loop) {
-  for (Triangle& t : triangles) {
-    for (Index& v : t) {
-      const auto corner = std::find(loop.vertices.begin(), loop.vertices.end(), v);
-      v = static_cast<Index>(corner - loop.vertices.begin());
-    }
-  }
-  return triangles;
-}
-
-}  // namespace
 
 std::optional<Filling> FillMemory::recall(const HoleLoop& loop) {
   const auto found = failed_.attempts.find(hash_of(loop));
@@ -28,10 +13,7 @@ std::optional<Filling> FillMemory::recall(const HoleLoop& loop) {
   if (hash_of_faces_in(attempt.region) != attempt.surroundings) return std::nullopt;
   Filling filling{.patch = std::nullopt, .reason = attempt.reason, .first = std::nullopt};
   if (attempt.first) {
-    filling.first = Patch{.triangles = *attempt.first, .added = {}};
-    for (Triangle& t : filling.first->triangles) {
-      for (Index& v : t) v = loop.vertices[v];
-    }
+    filling.first = Patch{.triangles = at_vertices(*attempt.first, loop.vertices), .added = {}};
   }
   return filling;
 }
@@ -41,7 +23,7 @@ void FillMemory::note(const HoleLoop& loop, const Box3& region, const Filling& f
                                   .surroundings = hash_of_faces_in(region),
                                   .reason = filling.reason,
                                   .first = std::nullopt};
-  if (filling.first) attempt.first = by_corners(filling.first->triangles, loop);
+  if (filling.first) attempt.first = CornerNumbers(loop.vertices).of(filling.first->triangles);
   failed_.attempts.insert_or_assign(hash_of(loop), std::move(attempt));
 }
 

@@ -1,11 +1,11 @@
 #include "meshalyzer/repair/holes/internal/triangulation_memory.h"
 
 #include "meshalyzer/base/hash.h"
+#include "meshalyzer/repair/holes/internal/corner_numbers.h"
 #include "meshalyzer/repair/holes/internal/triangulate_loop.h"
 
 #include <algorithm>
 #include <bit>
-#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -16,26 +16,6 @@ constexpr std::size_t kLeastCorners = 24;
 constexpr std::size_t kMostTriangles = 4'000'000;
 
 using Triangles = std::optional<std::vector<Triangle>>;
-
-/// The corners of a loop by their vertices; of several at one vertex, the first one.
-class CornerNumbers {
- public:
-  explicit CornerNumbers(const std::vector<Index>& vertices) {
-    for (Index i = 0; i < vertices.size(); ++i) number_of_.emplace(vertices[i], i);
-  }
-
-  /// @return  kNoIndex for other vertices.
-  [[nodiscard]] Index of(Index vertex) const {
-    const auto found = number_of_.find(vertex);
-    return found == number_of_.end() ? kNoIndex : found->second;
-  }
-  [[nodiscard]] Triangle of(const Triangle& vertices) const {
-    return {of(vertices[0]), of(vertices[1]), of(vertices[2])};
-  }
-
- private:
-  std::unordered_map<Index, Index> number_of_;
-};
 
 std::uint64_t hash_triangle(Triangle t) {
   std::sort(t.begin(), t.end());
@@ -71,21 +51,13 @@ Triangles TriangulationMemory::triangulate(const LoopPolygon& polygon, const Loo
   const CornerNumbers corners(polygon.vertices);
   const std::uint64_t hash = hash_of(polygon, rules, corners);
   if (const auto found = known_.find(hash); found != known_.end()) {
-    Triangles triangles = found->second;
-    if (!triangles) return std::nullopt;
-    for (Triangle& t : *triangles) {
-      for (Index& v : t) v = polygon.vertices[v];
-    }
-    return triangles;
+    if (!found->second) return std::nullopt;
+    return at_vertices(*found->second, polygon.vertices);
   }
   Triangles triangles = triangulate_loop(polygon, rules);
   if (n_triangles_ >= kMostTriangles) return triangles;
   n_triangles_ += polygon.size();
-  Triangles by_corners = triangles;
-  if (by_corners) {
-    for (Triangle& t : *by_corners) t = corners.of(t);
-  }
-  known_.emplace(hash, std::move(by_corners));
+  known_.emplace(hash, triangles ? Triangles(corners.of(*triangles)) : std::nullopt);
   return triangles;
 }
 

@@ -73,7 +73,7 @@ struct UnitedFromInput {
 /// The parts that were dropped, although they bounded the solid by winding number, are sampled:
 /// their distance from the result counts as deviation.
 ///
-/// @param boundary  That of the mesh of the last call, empty before the first one.
+/// @param boundary  What the last call has sampled; empty before the first one.
 [[nodiscard]] UnitedFromInput unite_from_input(RepairDriver& driver, const RepairOptions& options,
                                                const Tolerances& tolerances,
                                                const UnionChoice& choice,

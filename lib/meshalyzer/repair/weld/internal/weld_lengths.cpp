@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -86,18 +87,14 @@ WeldDistances::Visited WeldDistances::visit_pairs(std::span<const Index> of, dou
 
 std::optional<double> WeldDistances::first_step(std::span<const Index> of, const WeldSteps& steps,
                                                 double limit) const {
-  const PairDistance joining = [&](Index a, Index b, double below) {
-    return joining_distance(a, b, below);
-  };
+  const PairDistance joining = std::bind_front(&WeldDistances::joining_distance, this);
   return step_of_least(of, joining, steps, {.known = 0.0, .limit = limit});
 }
 
 std::optional<double> WeldDistances::next_step(const WeldSteps& steps, double length,
                                                double limit) const {
   const std::vector<Index> all = all_edges();
-  const PairDistance joining = [&](Index a, Index b, double below) {
-    return joining_distance(a, b, below);
-  };
+  const PairDistance joining = std::bind_front(&WeldDistances::joining_distance, this);
   const PairDistance any = [&](Index a, Index b, double) { return least_above(a, b, length); };
   const double next = steps.end_of(std::nextafter(length, kNoDistance));
   const Range behind{.known = next, .limit = limit};
