@@ -41,7 +41,8 @@ std::optional<ThinPart> thin_part_of(const RoundedFaces& faces, Index face, doub
 std::vector<Index> find_slivers(const RoundedFaces& faces, double width) {
   std::vector<Index> slivers;
   for (Index face = 0; face < faces.triangles.size(); ++face) {
-    if (faces.is_new[face] != 0 && thin_part_of(faces, face, width)) slivers.push_back(face);
+    if (faces.ages[face] == FaceAge::Old) continue;
+    if (thin_part_of(faces, face, width)) slivers.push_back(face);
   }
   return slivers;
 }

@@ -68,24 +68,24 @@ void RoundedFaceEdits::finish() {
   for (Index face = 0; face < faces_.triangles.size(); ++face) {
     if (!stays(face)) continue;
     faces_.triangles[n] = faces_.triangles[face];
-    faces_.is_new[n] = faces_.is_new[face];
+    faces_.ages[n] = faces_.ages[face];
     faces_.origins[n] = faces_.origins[face];
     ++n;
   }
   faces_.triangles.resize(n);
-  faces_.is_new.resize(n);
+  faces_.ages.resize(n);
   faces_.origins.resize(n);
 }
 
 void RoundedFaceEdits::change(Index face) {
-  faces_.is_new[face] = 1;
+  faces_.ages[face] = FaceAge::New;
   changed_.push_back(face);
 }
 
 void RoundedFaceEdits::add(const Triangle& t, Index like) {
   const auto face = static_cast<Index>(faces_.triangles.size());
   faces_.triangles.push_back(t);
-  faces_.is_new.push_back(1);
+  faces_.ages.push_back(FaceAge::New);
   faces_.origins.push_back(faces_.origins[like]);
   for (const Index v : t) faces_of_[v].push_back(face);
   changed_.push_back(face);
@@ -95,7 +95,7 @@ bool RoundedFaceEdits::stays(Index face) const {
   if (is_removed(face)) return false;
   const auto& [a, b, c] = faces_.triangles[face];
   const std::vector<Vec3>& at = faces_.positions;
-  return faces_.is_new[face] == 0 || !are_collinear(at[a], at[b], at[c]);
+  return faces_.ages[face] == FaceAge::Old || !are_collinear(at[a], at[b], at[c]);
 }
 
 }  // namespace meshalyzer

@@ -7,12 +7,22 @@
 
 namespace meshalyzer {
 
+/// The age of a face of a surface that is cut and rounded, in one or more rounds.
+enum class FaceAge : std::uint8_t {
+  /// The face is as it was before.
+  Old,
+  /// Cutting, rounding or an edit has made it, and what it intersects was searched for since.
+  Searched,
+  /// Cutting, rounding or an edit has made it since the last search.
+  New,
+};
+
 /// The faces of a surface that was cut and rounded.
 struct RoundedFaces {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
-  /// #triangles: 1 for those that cutting, rounding or an edit has made.
-  std::vector<std::uint8_t> is_new;
+  /// #triangles.
+  std::vector<FaceAge> ages;
   /// #triangles: the number by which the caller knows the face that each is a part of.
   std::vector<Index> origins;
 };

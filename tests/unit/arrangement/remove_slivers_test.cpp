@@ -21,7 +21,7 @@ namespace {
 RoundedFaces rounded_faces(const Soup& soup) {
   RoundedFaces faces{.positions = soup.positions,
                      .triangles = soup.triangles,
-                     .is_new = std::vector<std::uint8_t>(soup.n_faces(), 1),
+                     .ages = std::vector(soup.n_faces(), FaceAge::New),
                      .origins = std::vector<Index>(soup.n_faces())};
   std::iota(faces.origins.begin(), faces.origins.end(), Index{0});
   return faces;
@@ -76,7 +76,7 @@ TEST(RoundedFaceEdits, ClosedSurfaceStaysClosedWhateverIsDone) {
     }
     edits.finish();
     EXPECT_TRUE(is_balanced(faces));
-    EXPECT_EQ(faces.triangles.size(), faces.is_new.size());
+    EXPECT_EQ(faces.triangles.size(), faces.ages.size());
     EXPECT_EQ(faces.triangles.size(), faces.origins.size());
   }
 }
@@ -85,7 +85,7 @@ TEST(RoundedFaceEdits, NewFacesWithoutAreaAreLeftOutInTheEnd) {
   const Soup soup =
       shapes::make({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}, {1, 3, 0}});
   RoundedFaces faces = rounded_faces(soup);
-  faces.is_new[2] = 0;
+  faces.ages[2] = FaceAge::Old;
   RoundedFaceEdits(faces).finish();
   EXPECT_EQ(faces.triangles, (std::vector<Triangle>{{0, 1, 2}, {1, 3, 0}}));
   EXPECT_EQ(faces.origins, (std::vector<Index>{0, 2}));
@@ -122,7 +122,7 @@ TEST(RemoveSlivers, ShortEdgesAreCollapsedToTheLowerVertex) {
 TEST(RemoveSlivers, FacesThatAreNotNewStay) {
   const Soup soup = shapes::make({{0, 0, 0}, {1, 0, 0}, {0.5, 1e-9, 0}}, {{0, 1, 2}});
   RoundedFaces faces = rounded_faces(soup);
-  faces.is_new.front() = 0;
+  faces.ages.front() = FaceAge::Old;
   remove_slivers(faces, 1e-3);
   EXPECT_EQ(faces.triangles, soup.triangles);
 }

@@ -29,8 +29,6 @@ struct CutLimits {
 constexpr CutLimits kUsualLimits{100'000, 1e7, PieceRules{}.more_pieces};
 /// Where the result is to be good, there is no other way left than to cut, or to replace all.
 constexpr CutLimits kLimitsOfGuarantee{200'000, 1e8, 1'000'000};
-/// Pockets are dropped if they have at most this fraction of the area that stays.
-constexpr double kLargestForgotten = 0.25;
 
 PassResult refuse_at(Index face, const std::string& reason) {
   PassResult result;
@@ -83,25 +81,6 @@ bool has_sheets_to_split(const PassInput& input) {
   return !input.tracked.sheet_cuts.empty() && input.mesh.cut().side.non_manifold_edges.size() != 0;
 }
 
-/// Cuts a surface and keeps its pockets; drops small ones if rounding makes it impossible to keep
-/// them; if that fails too, does both again with wider slivers removed.
-CutSurface cut_keeping_pockets(const PassInput& input, std::span<const Edits::AddedFace> patches,
-                               Sheets sheets, PieceRules rules) {
-  const auto cut = [&](Pockets pockets) {
-    return cut_surface(input, patches, {pockets, sheets}, rules);
-  };
-  const auto may_forget = [](const CutSurface& solid) {
-    return solid.unfinished.empty() && solid.pocket_share <= kLargestForgotten;
-  };
-  CutSurface first = cut(Pockets::Kept);
-  if (first.unfinished.empty() || first.has_too_many_pieces) return first;
-  if (CutSurface solid = cut(Pockets::Forgotten); may_forget(solid)) return solid;
-  rules.slivers = Slivers::Widening;
-  if (CutSurface surface = cut(Pockets::Kept); surface.unfinished.empty()) return surface;
-  if (CutSurface solid = cut(Pockets::Forgotten); may_forget(solid)) return solid;
-  return first;
-}
-
 }  // namespace
 
 PassResult self_union(const PassInput& input, const SelfUnionOptions& options) {
@@ -109,8 +88,8 @@ PassResult self_union(const PassInput& input, const SelfUnionOptions& options) {
     return refuse_all(input.mesh.intersecting_pairs().front(), reason);
   }
   const std::vector<Edits::AddedFace> patches = crossing_patches(input, options.fill);
-  const CutSurface surface = cut_keeping_pockets(input, patches, Sheets::Left,
-                                                 {.more_pieces = kLimitsOfGuarantee.more_pieces});
+  const CutSurface surface =
+      cut_keeping_pockets(input, patches, Sheets::Left, kLimitsOfGuarantee.more_pieces);
   if (surface.has_too_many_pieces) return refuse_pieces(input, surface);
   return cut_edits_as_one(input, patches, surface, options.lost);
 }
@@ -142,7 +121,7 @@ PassResult cut_intersections(const PassInput& input, const CutOptions& options) 
     return result;
   }
   const CutSurface surface =
-      cut_keeping_pockets(input, patches, options.sheets, {.more_pieces = limits.more_pieces});
+      cut_keeping_pockets(input, patches, options.sheets, limits.more_pieces);
   if (surface.has_too_many_pieces) return refuse_pieces(input, surface);
   return cut_edits(input, patches, surface);
 }

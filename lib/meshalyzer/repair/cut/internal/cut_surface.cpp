@@ -1,380 +1,16 @@
 #include "meshalyzer/repair/cut/internal/cut_surface.h"
 
-#include "meshalyzer/arrangement/arrange.h"
-#include "meshalyzer/arrangement/remove_slivers.h"
-#include "meshalyzer/arrangement/round_vertices.h"
-#include "meshalyzer/base/disjoint_sets.h"
-#include "meshalyzer/base/sort_unique.h"
-#include "meshalyzer/base/triangle.h"
-#include "meshalyzer/mesh/build.h"
-#include "meshalyzer/mesh/used_box.h"
-#include "meshalyzer/repair/cut/internal/pairs_to_cut.h"
-#include "meshalyzer/spatial/self_intersection.h"
-#include "meshalyzer/spatial/self_intersection_of.h"
+#include "meshalyzer/repair/cut/internal/cutting_rounds.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <span>
 #include <utility>
 
 namespace meshalyzer {
 namespace {
 
-/// The maximum number of pairs that all rounds may cut, beside this multiple of those of the first.
-constexpr std::size_t kMorePairs = 1000;
-constexpr std::size_t kTimesFirstPairs = 2;
-/// The search for the pairs that rounding makes tests at most this number of pairs of faces, and
-/// so many for each new face: among faces that all lie on each other it would test all pairs.
-constexpr std::size_t kMoreTests = 2'000'000;
-constexpr std::size_t kTestsAFace = 500;
-/// The maximum number of pieces, beside PieceRules::more_pieces.
-constexpr std::size_t kPiecesAFace = 10;
-/// Slivers are new faces thinner than this multiple of the spacing of the grid. If they widen, each
-/// round multiplies their width by a factor, up to a share of the maximum deviation.
-constexpr double kSliverWidth = 2.0;
-constexpr double kSliverGrowth = 8.0;
-constexpr double kWidestSliver = 1.0 / 16.0;
-/// It helps to remove them unless after a round this multiple of its pairs intersect, and some
-/// more.
-constexpr std::size_t kMostGrowthOfPairs = 2;
-constexpr std::size_t kMoreThanGrowth = 100;
-/// Facets thinner than the tolerance are removed if it is at most this fraction of the maximum
-/// deviation, and so many times at most.
-constexpr double kLargestTolerance = 0.01;
-constexpr int kThinFacetRounds = 4;
-/// What intersects after that is cut like in this round, in which vertices become the nearest
-/// doubles.
-constexpr std::size_t kRoundOfThinFacets = 1;
-
-using Pairs = std::vector<IntersectingPair>;
-
-bool is_flat(const std::vector<Vec3>& positions, const Triangle& t) {
-  return are_collinear(positions[t[0]], positions[t[1]], positions[t[2]]);
-}
-
-/// Tells whether faces stay as they are in the end.
-bool is_left(PieceClass piece_class) {
-  return piece_class == PieceClass::Uncut || piece_class == PieceClass::Loose;
-}
-
-bool is_exterior(PieceClass piece_class) {
-  return piece_class == PieceClass::Exterior || piece_class == PieceClass::PerhapsExterior;
-}
-
-bool stays(PieceClass piece_class) {
-  return piece_class == PieceClass::Kept || piece_class == PieceClass::Turned ||
-         piece_class == PieceClass::OfSheet || is_left(piece_class);
-}
-
-/// Cuts a surface, round by round. A copy is a state to which one can return.
-class CuttingRounds {
- public:
-  CuttingRounds(const PassInput& input, std::span<const Edits::AddedFace> patches,
-                const SelectOptions& options, std::size_t max_pieces)
-      : input_(input),
-        mesh_(input.mesh),
-        options_(options),
-        max_pieces_(max_pieces),
-        extent_(extent_of(mesh_.soup())),
-        parts_(mesh_.soup().n_faces() + patches.size()) {
-    options_.wants_to_stop = input.wants_to_stop;
-    soup_.positions = mesh_.soup().positions;
-    for (const Triangle& t : mesh_.soup().triangles) add(t);
-    for (const Edits::AddedFace& patch : patches) add(patch.corners);
-  }
-
-  /// Cuts until no pairs are left to cut, or the vertices are to be rounded to a grid.
-  void cut_off_grid() {
-    while (has_pairs_ && !(rounding().spacing > 0.0)) has_pairs_ = cut_round();
-  }
-
-  /// Cuts until no pairs are left to cut, or it is given up.
-  void cut_to_end() {
-    while (has_pairs_) has_pairs_ = cut_round();
-  }
-
-  [[nodiscard]] bool has_pairs() const { return has_pairs_; }
-  [[nodiscard]] bool is_finished() const { return !has_pairs_ && result_.unfinished.empty(); }
-
-  /// From now on, slivers are removed after each round.
-  void remove_slivers_of_rounds(Slivers slivers) {
-    removes_slivers_ = true;
-    sliver_growth_ = slivers == Slivers::Widening ? kSliverGrowth : 1.0;
-  }
-
-  /// Removes facets below the tolerance that cutting has made, and cuts where faces intersect
-  /// because of that, without a grid: it would only make more of them.
-  /// @return  Whether there were any, and all that were to be cut could be cut.
-  bool remove_thin_facets() {
-    const double tolerance = input_.tolerances.degeneracy;
-    if (!(tolerance <= kLargestTolerance * input_.limits.max_deviation)) return false;
-    for (int i = 0; i < kThinFacetRounds; ++i) {
-      RoundedFaces faces = made_faces();
-      if (!has_slivers(faces, tolerance)) break;
-      remove_slivers(faces, tolerance);
-      take(std::move(faces));
-      result_.has_removed_facets = true;
-      round_ = kRoundOfThinFacets;
-      has_pairs_ = cut_round();
-      if (!result_.unfinished.empty()) return false;
-      if (!has_pairs_) break;
-    }
-    return result_.has_removed_facets && is_finished();
-  }
-
-  CutSurface take_result() {
-    result_.positions = std::move(soup_.positions);
-    result_.triangles = std::move(soup_.triangles);
-    result_.origins = std::move(origins_);
-    return std::move(result_);
-  }
-
- private:
-  void add(const Triangle& t) {
-    const Index number = n_added_++;
-    if (!is_in_complex(t) || is_flat(soup_.positions, t)) return;
-    soup_.triangles.push_back(t);
-    origins_.push_back(number);
-  }
-
-  /// Searches for intersecting pairs and cuts them.
-  /// @return Whether another round is needed.
-  bool cut_round() {
-    // If nothing was left out or added, the first round is already prepared.
-    if (round_ == 0 && soup_.triangles == mesh_.soup().triangles) {
-      return cut_round(mesh_.cut(), mesh_.tree(), mesh_.intersecting_pairs());
-    }
-    if (round_ > 0 && new_faces_.empty()) return false;
-    const CutMesh cut = build(soup_);
-    const FaceTree tree(cut);
-    if (round_ == 0) return cut_round(cut, tree, find_self_intersections(cut, tree));
-    FoundPairs found = find_self_intersections_of(
-        cut, tree, new_faces_,
-        {.max_tested = kMoreTests + kTestsAFace * new_faces_.size(), .wants_to_stop = {}});
-    if (found.is_complete) return cut_round(cut, tree, std::move(found.listed));
-    give_up_faces(new_faces_);
-    return false;
-  }
-
-  bool cut_round(const CutMesh& cut, const FaceTree& tree, Pairs pairs) {
-    pairs = pairs_to_cut(soup_, cut, tree, std::move(pairs));
-    if (pairs.empty()) return false;
-    if (round_ == 0) most_pairs_ = kMorePairs + kTimesFirstPairs * pairs.size();
-    n_pairs_cut_ += pairs.size();
-    if (round_ == kRoundingRounds || n_pairs_cut_ > most_pairs_ || is_growing(pairs.size()) ||
-        input_.wants_to_stop()) {
-      give_up(pairs);
-      return false;
-    }
-    cut_once(cut, tree, pairs);
-    ++round_;
-    return result_.unfinished.empty();
-  }
-
-  /// Tells whether the pairs become more although slivers are removed, as where many faces have an
-  /// edge in common.
-  bool is_growing(std::size_t n_pairs) {
-    const std::size_t before = std::exchange(n_pairs_of_round_, n_pairs);
-    return removes_slivers_ && n_pairs > kMostGrowthOfPairs * before + kMoreThanGrowth;
-  }
-
-  void cut_once(const CutMesh& cut, const FaceTree& tree, const Pairs& pairs) {
-    const std::optional<Arrangement> arranged = arrange_within(soup_, pairs, max_pieces_);
-    result_.has_too_many_pieces = !arranged;
-    if (!arranged || input_.wants_to_stop()) return give_up(pairs);
-    const Arrangement& arrangement = *arranged;
-    const Cells cells = find_cells(soup_, arrangement);
-    const std::vector<PieceClass> classes =
-        select_pieces({soup_, cut, tree, arrangement, cells},
-                      components_to_select(arrangement, cells, pairs), options_);
-    if (input_.wants_to_stop()) return give_up(pairs);
-    tie_faces(arrangement, pairs);
-    if (round_ == 0) result_.pocket_share = share_of_pockets(arrangement, classes);
-    result_.has_pockets = result_.has_pockets || std::find(classes.begin(), classes.end(),
-                                                           PieceClass::Exterior) != classes.end();
-    take(arrangement, classes, round_vertices(arrangement, rounding()));
-  }
-
-  [[nodiscard]] static double extent_of(const Soup& soup) {
-    const Box3 box = used_box(soup);
-    return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
-  }
-
-  /// The rounding of new vertices in this round.
-  [[nodiscard]] Rounding rounding() const {
-    return rounding_of_round(round_,
-                             {.extent = extent_,
-                              .max_deviation = input_.limits.max_deviation,
-                              .n_input_vertices = static_cast<Index>(mesh_.soup().n_vertices())});
-  }
-
-  /// Returns the width below which the faces that this round has made are slivers.
-  double sliver_width() {
-    const double least = kSliverWidth * rounding().spacing;
-    const double grown = least * std::pow(sliver_growth_, n_sliver_rounds_++);
-    return std::max(least, std::min(grown, kWidestSliver * input_.limits.max_deviation));
-  }
-
-  /// #components: 1 for those that intersect.
-  [[nodiscard]] static std::vector<std::uint8_t> components_to_select(
-      const Arrangement& arrangement, const Cells& cells, const Pairs& pairs) {
-    std::vector<std::uint8_t> is_cut(cells.n_components, 0);
-    for (const IntersectingPair& pair : pairs) {
-      for (const Index face : {pair.face_a, pair.face_b}) {
-        for (const Index piece : arrangement.pieces_of(face)) {
-          is_cut[cells.component_of[piece]] = 1;
-        }
-      }
-    }
-    return is_cut;
-  }
-
-  void tie_faces(const Arrangement& arrangement, const Pairs& pairs) {
-    const auto tie = [&](Index a, Index b) {
-      if (origins_[a] == origins_[b]) return;
-      result_.ties.push_back({origins_[a], origins_[b]});
-      parts_.unite(origins_[a], origins_[b]);
-    };
-    for (const IntersectingPair& pair : pairs) tie(pair.face_a, pair.face_b);
-    for (std::size_t i = 0; i < arrangement.pieces.size(); ++i) {
-      const auto sources = arrangement.sources_of(i);
-      for (const PieceSource& source : sources) tie(sources.front().face, source.face);
-    }
-  }
-
-  [[nodiscard]] static double share_of_pockets(const Arrangement& arrangement,
-                                               std::span<const PieceClass> classes) {
-    double pockets = 0.0;
-    double kept = 0.0;
-    for (std::size_t i = 0; i < classes.size(); ++i) {
-      if (!is_exterior(classes[i]) && !stays(classes[i])) continue;
-      (stays(classes[i]) ? kept : pockets) += normal_of(arrangement.corners_of(i)).norm();
-    }
-    return kept > 0.0 ? pockets / kept : 1.0;
-  }
-
-  void take(const Arrangement& arrangement, std::span<const PieceClass> classes,
-            RoundedVertices rounded) {
-    std::vector<std::uint8_t> was_cut(soup_.n_faces(), 0);
-    for (const Index face : arrangement.cut_faces) was_cut[face] = 1;
-    RoundedFaces faces;
-    for (std::size_t i = 0; i < classes.size(); ++i) {
-      const auto sources = arrangement.sources_of(i);
-      const Index face = sources.front().face;
-      Triangle t = arrangement.pieces[i];
-      const bool is_forgotten = is_exterior(classes[i]) && options_.pockets == Pockets::Forgotten;
-      const bool is_gone =
-          is_forgotten || classes[i] == PieceClass::Interior || classes[i] == PieceClass::Cancelled;
-      // The remaining part of one face represents all faces that coincide with it.
-      for (const PieceSource& source : sources.subspan(is_gone ? 0 : 1)) {
-        add_wall(source.face, arrangement, i);
-      }
-      if (was_cut[face] != 0) note_sheets(origins_[face], classes[i]);
-      if (!stays(classes[i])) continue;
-      for (Index& v : t) v = rounded.stands_for[v];
-      const bool is_moved = t != arrangement.pieces[i];
-      if (classes[i] == PieceClass::Turned) std::swap(t[1], t[2]);
-      const bool is_changed = was_cut[face] != 0 || is_moved;
-      if (is_changed && (!is_in_complex(t) || is_flat(rounded.positions, t))) {
-        add_wall(face, arrangement, i);
-        continue;
-      }
-      faces.triangles.push_back(t);
-      faces.is_new.push_back(is_changed ? 1 : 0);
-      faces.origins.push_back(origins_[face]);
-    }
-    faces.positions = std::move(rounded.positions);
-    skip_left_parts(faces);
-    if (removes_slivers_) remove_slivers(faces, sliver_width());
-    take(std::move(faces));
-  }
-
-  /// Takes faces for no new ones if their part of the input is left as a whole, because a face of
-  /// it is left: nothing is gained by cutting them on.
-  void skip_left_parts(RoundedFaces& faces) {
-    std::vector<std::uint8_t> is_left_part(n_added_, 0);
-    for (const Index face : result_.of_uncut_sheets) is_left_part[parts_.find(face)] = 1;
-    for (const Index face : result_.loose) is_left_part[parts_.find(face)] = 1;
-    for (std::size_t i = 0; i < faces.origins.size(); ++i) {
-      if (is_left_part[parts_.find(faces.origins[i])] != 0) faces.is_new[i] = 0;
-    }
-  }
-
-  void take(RoundedFaces faces) {
-    soup_.positions = std::move(faces.positions);
-    soup_.triangles = std::move(faces.triangles);
-    origins_ = std::move(faces.origins);
-    new_faces_.clear();
-    for (Index face = 0; face < faces.is_new.size(); ++face) {
-      if (faces.is_new[face] != 0) new_faces_.push_back(face);
-    }
-  }
-
-  /// Returns the faces, of which those are new that are not faces of the input.
-  [[nodiscard]] RoundedFaces made_faces() {
-    RoundedFaces faces{.positions = soup_.positions,
-                       .triangles = soup_.triangles,
-                       .is_new = std::vector<std::uint8_t>(soup_.n_faces(), 1),
-                       .origins = origins_};
-    const std::vector<Triangle>& input = mesh_.soup().triangles;
-    for (Index face = 0; face < soup_.n_faces(); ++face) {
-      const bool is_of_input =
-          origins_[face] < input.size() && input[origins_[face]] == soup_.triangles[face];
-      if (is_of_input) faces.is_new[face] = 0;
-    }
-    skip_left_parts(faces);
-    return faces;
-  }
-
-  void note_sheets(Index origin, PieceClass piece_class) {
-    if (piece_class == PieceClass::OfSheet) result_.of_sheets.push_back(origin);
-    if (piece_class == PieceClass::Uncut) result_.of_uncut_sheets.push_back(origin);
-    if (piece_class == PieceClass::Loose) result_.loose.push_back(origin);
-  }
-
-  void add_wall(Index face, const Arrangement& arrangement, std::size_t piece) {
-    result_.walls.push_back({arrangement.corners_of(piece), origins_[face]});
-  }
-
-  void give_up(const Pairs& pairs) {
-    std::vector<Index> faces;
-    for (const IntersectingPair& pair : pairs) {
-      faces.insert(faces.end(), {pair.face_a, pair.face_b});
-    }
-    give_up_faces(faces);
-  }
-
-  void give_up_faces(std::span<const Index> faces) {
-    for (const Index face : faces) result_.unfinished.push_back(origins_[face]);
-    sort_unique(result_.unfinished);
-  }
-
-  const PassInput& input_;
-  const PreparedMesh& mesh_;
-  SelectOptions options_;
-  std::size_t max_pieces_;
-  double extent_;
-  bool has_pairs_ = true;
-  std::size_t round_ = 0;
-  std::size_t n_pairs_cut_ = 0;
-  std::size_t n_pairs_of_round_ = 0;
-  std::size_t most_pairs_ = 0;
-  Index n_added_ = 0;
-  /// The faces of the input, in sets that change together.
-  DisjointSets parts_;
-  /// The surface that is cut in this round: positions and faces alone.
-  Soup soup_;
-  std::vector<Index> origins_;
-  /// The faces that the last round has made, ascending, without those that are left.
-  std::vector<Index> new_faces_;
-  bool removes_slivers_ = false;
-  double sliver_growth_ = 1.0;
-  int n_sliver_rounds_ = 0;
-  CutSurface result_;
-};
+/// Pockets are dropped if they have at most this fraction of the area that stays.
+constexpr double kLargestForgotten = 0.25;
 
 CuttingRounds cut_without_slivers(CuttingRounds rounds, Slivers slivers) {
   rounds.remove_slivers_of_rounds(slivers);
@@ -401,16 +37,37 @@ CuttingRounds without_thin_facets(CuttingRounds rounds) {
   return without.remove_thin_facets() ? without : rounds;
 }
 
+/// Tells whether a surface is whole but for its pockets, which may be dropped.
+bool may_forget_pockets(const CuttingRounds& rounds) {
+  return rounds.is_finished() && rounds.pocket_share() <= kLargestForgotten;
+}
+
 }  // namespace
 
 CutSurface cut_surface(const PassInput& input, std::span<const Edits::AddedFace> patches,
                        const SelectOptions& options, const PieceRules& rules) {
-  const std::size_t max_pieces = rules.more_pieces + kPiecesAFace * input.mesh.soup().n_faces();
-  CuttingRounds first(input, patches, options, max_pieces);
+  CuttingRounds first(input, patches, options, rules.more_pieces);
   first.cut_off_grid();
-  CuttingRounds rounds = cut_on_grid(std::move(first), rules.slivers);
+  CuttingRounds rounds = cut_on_grid(std::move(first), Slivers::OfGrid);
   if (rules.thin_facets == ThinFacets::Kept) return rounds.take_result();
   return without_thin_facets(std::move(rounds)).take_result();
+}
+
+CutSurface cut_keeping_pockets(const PassInput& input, std::span<const Edits::AddedFace> patches,
+                               Sheets sheets, std::size_t more_pieces) {
+  CuttingRounds with_pockets(input, patches, {Pockets::Kept, sheets}, more_pieces);
+  with_pockets.cut_off_grid();
+  CuttingRounds first = cut_on_grid(with_pockets, Slivers::OfGrid);
+  if (first.is_finished() || first.has_too_many_pieces()) return first.take_result();
+  CuttingRounds solid(input, patches, {Pockets::Forgotten, sheets}, more_pieces);
+  solid.cut_off_grid();
+  if (CuttingRounds rounds = cut_on_grid(solid, Slivers::OfGrid); may_forget_pockets(rounds)) {
+    return rounds.take_result();
+  }
+  CuttingRounds wide = cut_on_grid(std::move(with_pockets), Slivers::Widening);
+  if (wide.is_finished()) return wide.take_result();
+  CuttingRounds wide_solid = cut_on_grid(std::move(solid), Slivers::Widening);
+  return may_forget_pockets(wide_solid) ? wide_solid.take_result() : first.take_result();
 }
 
 }  // namespace meshalyzer

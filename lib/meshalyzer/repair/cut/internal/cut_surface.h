@@ -51,19 +51,9 @@ enum class ThinFacets : std::uint8_t {
   Removed,
 };
 
-/// The new faces that are removed as slivers where rounding makes faces intersect again and again.
-enum class Slivers : std::uint8_t {
-  /// Those that the grid makes: their width is about its spacing.
-  OfGrid,
-  /// Wider ones from round to round, up to a share of the maximum deviation. That ends more often,
-  /// and moves the surface farther.
-  Widening,
-};
-
 /// What becomes of the pieces, and how many may be made.
 struct PieceRules {
   ThinFacets thin_facets = ThinFacets::Kept;
-  Slivers slivers = Slivers::OfGrid;
   /// The maximum number of pieces beside a multiple of the faces of the input: every later pass
   /// would take time for each of them.
   std::size_t more_pieces = 100'000;
@@ -75,13 +65,21 @@ struct PieceRules {
 /// The pairs that are cut are those of pairs_to_cut(). Faces of no area are dropped, and the faces
 /// round them are cut at their corners.
 ///
-/// The search ends early, with pairs that still intersect, if it is told to stop, if rounding makes
-/// more pairs than a multiple of the initial ones, even if slivers are removed, if it takes too
-/// many tests to find them, or if there are too many pieces.
+/// The search ends early, with pairs that still intersect, if it is told to stop, if the pairs that
+/// rounding makes multiply, even if slivers are removed, if it takes too many tests to find them,
+/// or if there are too many pieces.
 ///
 /// @param patches  Faces on vertices of the mesh that are added before cutting.
 [[nodiscard]] CutSurface cut_surface(const PassInput& input,
                                      std::span<const Edits::AddedFace> patches,
                                      const SelectOptions& options, const PieceRules& rules);
+
+/// Does the same, and keeps the pockets and the thin facets; drops small pockets if rounding makes
+/// it impossible to keep them; if that fails too, tries both again with wider slivers removed.
+///
+/// @param more_pieces  See PieceRules.
+[[nodiscard]] CutSurface cut_keeping_pockets(const PassInput& input,
+                                             std::span<const Edits::AddedFace> patches,
+                                             Sheets sheets, std::size_t more_pieces);
 
 }  // namespace meshalyzer
