@@ -42,6 +42,17 @@ TEST(FindWorsening, BorderEdgesOfCutSheetsAreExceptedIfPairsFall) {
             std::vector{CountedDefect::BorderEdges});
 }
 
+TEST(FindWorsening, SlitEdgesOfCutSheetsAreExceptedIfPairsFall) {
+  DefectInventory after = with_counts(0, 6, 2);
+  after.counts[static_cast<std::size_t>(CountedDefect::SlitEdges)] = 4;
+  EXPECT_EQ(find_worsening(with_counts(0, 6, 3), after).kinds,
+            std::vector{CountedDefect::SlitEdges});
+  after.n_slits_of_cut_sheets = 4;
+  EXPECT_TRUE(find_worsening(with_counts(0, 6, 3), after).empty());
+  EXPECT_EQ(find_worsening(with_counts(0, 6, 2), after).kinds,
+            std::vector{CountedDefect::SlitEdges});
+}
+
 TEST(FindWorsening, IntersectionsAreWorseWhateverElseFalls) {
   EXPECT_EQ(find_worsening(with_counts(2, 6, 3), with_counts(0, 0, 4)).kinds,
             std::vector{CountedDefect::IntersectingPairs});

@@ -38,7 +38,10 @@ class Inventory {
 
   void add_slits(const Tolerances& tolerances) {
     for (const Defect& slit : find_slits(mesh_, tolerances)) {
-      for (const auto& ends : slit.edges) add_edge(CountedDefect::SlitEdges, ends);
+      for (const auto& ends : slit.edges) {
+        add_edge(CountedDefect::SlitEdges, ends);
+        if (cuts_sheet(ends)) ++inventory_.n_slits_of_cut_sheets;
+      }
     }
   }
 

@@ -46,8 +46,9 @@ struct DefectInventory {
   std::array<std::size_t, kCountedDefects> counts{};
   /// Indexed by Attribute: whether the mesh has it.
   std::array<bool, kAttributes> is_yes{};
-  /// The number of border edges with an end where a sheet was cut.
+  /// The numbers of border edges, and of slit edges, with an end where a sheet was cut.
   std::size_t n_borders_of_cut_sheets = 0;
+  std::size_t n_slits_of_cut_sheets = 0;
 
   [[nodiscard]] std::size_t count(CountedDefect kind) const {
     return counts[static_cast<std::size_t>(kind)];

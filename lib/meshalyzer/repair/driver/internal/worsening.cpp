@@ -13,14 +13,22 @@ std::size_t fall_of(CountedDefect kind, const DefectInventory& before,
   return before.count(kind) - std::min(before.count(kind), after.count(kind));
 }
 
+/// Returns by how much a number has become greater.
+std::size_t increase(std::size_t before, std::size_t after) {
+  return after - std::min(before, after);
+}
+
 /// Returns the permitted increase of a count.
 std::size_t allowed_rise(CountedDefect kind, const DefectInventory& before,
                          const DefectInventory& after) {
   const bool is_left_by_parting = kind == BorderEdges || kind == PinchedVertices;
   std::size_t allowed = is_left_by_parting ? fall_of(NonManifoldEdges, before, after) : 0;
-  if (kind == BorderEdges && fall_of(IntersectingPairs, before, after) > 0) {
-    allowed += after.n_borders_of_cut_sheets -
-               std::min(before.n_borders_of_cut_sheets, after.n_borders_of_cut_sheets);
+  if (fall_of(IntersectingPairs, before, after) == 0) return allowed;
+  if (kind == BorderEdges) {
+    allowed += increase(before.n_borders_of_cut_sheets, after.n_borders_of_cut_sheets);
+  }
+  if (kind == SlitEdges) {
+    allowed += increase(before.n_slits_of_cut_sheets, after.n_slits_of_cut_sheets);
   }
   return allowed;
 }

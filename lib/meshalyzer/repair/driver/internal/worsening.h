@@ -26,7 +26,7 @@ struct Worsening {
 /// Compares a mesh before and after a repair: no attribute may be lost, and no count may rise.
 /// There are two exceptions. Each non-manifold edge that is split may leave one border edge and one
 /// pinched vertex, since one of an odd number of faces has no partner. If intersecting pairs become
-/// fewer, sheets may end where they were cut.
+/// fewer, sheets may end where they were cut, with border edges that may be those of slits.
 [[nodiscard]] Worsening find_worsening(const DefectInventory& before, const DefectInventory& after);
 
 /// Returns the elements that have made a mesh worse: those of the rising kinds that the mesh did
