@@ -15,6 +15,9 @@ namespace {
 /// The number of leaves that one task searches.
 constexpr std::size_t kMarkedLeavesPerChunk = 1024;
 
+/// A tree over all faces is worth its time if there is a given one for so many of them.
+constexpr std::size_t kFacesPerGiven = 16;
+
 /// Returns for each mesh face whether it is one of the given file faces.
 std::vector<std::uint8_t> marked(const SideTable& side, std::span<const Index> file_faces) {
   std::vector<std::uint8_t> marks(side.faces.size());
@@ -64,8 +67,8 @@ FoundPairs find_self_intersections_of(const CutMesh& cut, const FaceTree& tree,
   return found;
 }
 
-std::vector<IntersectingPair> find_self_intersections_of(const CutMesh& cut, const Soup& soup,
-                                                         std::span<const Index> faces) {
+FoundPairs find_self_intersections_of(const CutMesh& cut, const Soup& soup,
+                                      std::span<const Index> faces, const PairLimits& limits) {
   std::vector<Box3> boxes;
   boxes.reserve(faces.size());
   for (const Index face : faces) {
@@ -73,7 +76,11 @@ std::vector<IntersectingPair> find_self_intersections_of(const CutMesh& cut, con
   }
   std::vector<Index> near = find_faces_near(soup, boxes);
   for (Index& face : near) face = static_cast<Index>(cut.side.mesh_face(face));
-  return find_self_intersections_of(cut, FaceTree(cut, near), faces);
+  return find_self_intersections_of(cut, FaceTree(cut, near), faces, limits);
+}
+
+bool is_worth_a_tree(std::size_t n_given_faces, std::size_t n_faces) {
+  return n_given_faces * kFacesPerGiven >= n_faces;
 }
 
 }  // namespace meshalyzer

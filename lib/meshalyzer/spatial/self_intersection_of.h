@@ -6,6 +6,7 @@
 #include "meshalyzer/spatial/intersecting_pair.h"
 #include "meshalyzer/spatial/pair_limits.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -25,12 +26,15 @@ namespace meshalyzer {
                                                     std::span<const Index> faces,
                                                     const PairLimits& limits);
 
-/// Does the same as the first without a tree over all faces, in a part of the time if the given
-/// faces are few.
+/// Does the same without a tree over all faces, in a part of the time if the given faces are few.
 ///
 /// @param soup        The mesh that `cut` was built from.
 /// @complexity        O(#F log n + candidates) for n faces.
-[[nodiscard]] std::vector<IntersectingPair> find_self_intersections_of(
-    const CutMesh& cut, const Soup& soup, std::span<const Index> faces);
+[[nodiscard]] FoundPairs find_self_intersections_of(const CutMesh& cut, const Soup& soup,
+                                                    std::span<const Index> faces,
+                                                    const PairLimits& limits = {});
+
+/// Tells whether a tree over all faces is worth the time that it takes to make it.
+[[nodiscard]] bool is_worth_a_tree(std::size_t n_given_faces, std::size_t n_faces);
 
 }  // namespace meshalyzer

@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/edits/apply_edits.h"
 
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/repair/edits/internal/edited_faces.h"
 #include "meshalyzer/repair/edits/internal/edited_normals.h"
 #include "meshalyzer/repair/edits/internal/fresh_ids.h"
@@ -108,6 +109,10 @@ void set_vertex_keys(const Work& work, const VertexMoves& moves, TrackedMesh& re
     result.vertex_origins.push_back(vertex_origin(work.tracked, added.copy_of));
     if (cuts_sheet(work.tracked, added)) result.sheet_cuts.push_back(key);
   }
+  for (const Edits::SheetCut& cut : work.edits.sheet_cuts) {
+    if (!work.skipped(cut.op)) result.sheet_cuts.push_back(work.tracked.vertex_keys[cut.vertex]);
+  }
+  sort_unique(result.sheet_cuts);
 }
 
 void set_face_keys(const Work& work, TrackedMesh& result) {

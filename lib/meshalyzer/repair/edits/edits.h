@@ -80,6 +80,11 @@ struct Edits {
     std::int32_t id;
   };
 
+  /// A vertex of the soup where a sheet was cut, which may end there.
+  struct SheetCut {
+    Index op;
+    Index vertex;
+  };
   /// The wall counts as removed once the operation is applied.
   struct RemovedWall {
     Index op;
@@ -96,6 +101,7 @@ struct Edits {
   std::vector<ChangedNormal> changed_normals;
   std::vector<ChangedId> changed_vertex_ids;
   std::vector<ChangedId> changed_face_ids;
+  std::vector<SheetCut> sheet_cuts;
   std::vector<RemovedWall> interior_walls;
 
   [[nodiscard]] bool empty() const { return n_operations == 0; }

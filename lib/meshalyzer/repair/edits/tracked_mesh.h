@@ -25,7 +25,7 @@ struct TrackedMesh {
   /// The key of the input's vertex that each added vertex is a copy of, indexed by key -
   /// n_input_vertices; kNoIndex where it is new.
   std::vector<Index> vertex_origins;
-  /// The keys of the added vertices that lie where sheets were cut, and of their copies; ascending.
+  /// The keys of the vertices that lie where sheets were cut, and of their copies; ascending.
   std::vector<Index> sheet_cuts;
 
   /// Tells whether a vertex of the soup lies where a sheet was cut.

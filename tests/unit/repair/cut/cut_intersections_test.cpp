@@ -154,6 +154,19 @@ TEST(CutIntersections, SheetsThatCrossAreCutAndKept) {
   EXPECT_TRUE(result.notes.empty());
 }
 
+TEST(CutIntersections, SheetsThatCrossAlongTheirEdgesMayEndThere) {
+  // The upright square goes through a row of edges, with a row of its own: no vertex is new.
+  Soup upright = shapes::grid(2, 2);
+  for (Vec3& p : upright.positions) p = {p.x() + 0.5, 1.0, p.y() - 1.0};
+  const Soup soup = shapes::merged(shapes::grid(2, 2), upright);
+  const PassRun run = run_pass(soup, [](const PassInput& input) {
+    return cut_intersections(input, {.fill = {}, .sheets = Sheets::Cut});
+  });
+  EXPECT_EQ(run.tracked.soup.n_vertices(), soup.n_vertices());
+  EXPECT_EQ(run.tracked.sheet_cuts, (std::vector<Index>{4, 5, 12, 13}));
+  EXPECT_FALSE(intersects(fix_defects(soup).meshes[0].tracked.soup));
+}
+
 TEST(CutIntersections, SheetsThatLieOneOverTheOtherAreNotTakenForASolid) {
   // They cross along diagonals, and between them estimates find whole winding numbers.
   Soup low = shapes::grid(8, 8);

@@ -111,14 +111,15 @@ TEST(ApplyEdits, CopyOfAVertexWhereASheetWasCutIsSuchAVertex) {
   cut.added_vertices.push_back({.op = op, .position = Vec3(0, 0, 0), .cuts_sheet = true});
   cut.added_vertices.push_back({.op = op, .position = Vec3(1, 0, 0)});
   cut.changed_faces.push_back({op, 0, {4, 2, 5}});
+  cut.sheet_cuts.push_back({op, 2});
   const TrackedMesh after = apply_edits(track_mesh(shapes::tetrahedron()), cut);
-  EXPECT_EQ(after.sheet_cuts, std::vector<Index>{4});
+  EXPECT_EQ(after.sheet_cuts, (std::vector<Index>{2, 4}));
   Edits split;
   const Index next = split.begin_operation();
   split.added_vertices.push_back({.op = next, .position = Vec3(0, 0, 0), .copy_of = 4});
   split.added_vertices.push_back({.op = next, .position = Vec3(1, 0, 0), .copy_of = 5});
   split.changed_faces.push_back({next, 1, {6, 7, 0}});
-  EXPECT_EQ(apply_edits(after, split).sheet_cuts, (std::vector<Index>{4, 6}));
+  EXPECT_EQ(apply_edits(after, split).sheet_cuts, (std::vector<Index>{2, 4, 6}));
 }
 
 TEST(ApplyEdits, CopyKnowsItsVertex) {

@@ -5,6 +5,8 @@
 #include "meshalyzer/topology/components.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -81,6 +83,7 @@ class CutEdits {
   PassResult edits() {
     remove_faces();
     add_faces();
+    add_sheet_cuts();
     add_walls();
     return std::move(result_);
   }
@@ -230,6 +233,36 @@ class CutEdits {
            .corners = corners,
            .prototype = fills_hole ? patches_[origin - soup_.n_faces()].prototype : origin,
            .fills_hole = fills_hole});
+    }
+  }
+
+  /// Names the vertices of the input at which cut sheets have an edge with more than two faces: the
+  /// cut went through them.
+  void add_sheet_cuts() {
+    if (surface_.of_sheets.empty()) return;
+    std::vector<std::array<Index, 2>> edges;
+    for (const Triangle& t : surface_.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
+        edges.push_back({low, high});
+      }
+    }
+    std::sort(edges.begin(), edges.end());
+    std::vector<std::uint8_t> is_cut(soup_.n_vertices(), 0);
+    for (std::size_t i = 2; i < edges.size(); ++i) {
+      if (edges[i] != edges[i - 2]) continue;
+      for (const Index v : edges[i]) {
+        if (v < is_cut.size()) is_cut[v] = 1;
+      }
+    }
+    const std::vector<std::uint8_t> is_of_sheet = vertices_of_sheets();
+    for (std::size_t i = 0; i < surface_.triangles.size(); ++i) {
+      const Index op = operations_[parts_.find(surface_.origins[i])];
+      if (op == kNoIndex) continue;
+      for (const Index v : surface_.triangles[i]) {
+        if (v >= is_cut.size() || is_of_sheet[v] == 0 || std::exchange(is_cut[v], 0) == 0) continue;
+        result_.edits.sheet_cuts.push_back({op, v});
+      }
     }
   }
 

@@ -155,20 +155,32 @@ void CuttingRounds::add(const Triangle& t) {
 }
 
 bool CuttingRounds::cut_round() {
+  if (round_ > 0) return cut_later_round();
   // If nothing was left out or added, the first round is already prepared.
-  if (round_ == 0 && soup_.triangles == mesh_.soup().triangles) {
+  if (soup_.triangles == mesh_.soup().triangles) {
     return cut_round(mesh_.cut(), mesh_.tree(), mesh_.intersecting_pairs());
   }
-  if (round_ > 0 && new_faces_.empty()) return false;
   const CutMesh cut = build(soup_);
   const FaceTree tree(cut);
-  if (round_ == 0) return cut_round(cut, tree, find_self_intersections(cut, tree));
-  FoundPairs found = find_self_intersections_of(
-      cut, tree, new_faces_,
-      {.max_tested = kMoreTests + kTestsAFace * new_faces_.size(), .wants_to_stop = {}});
-  if (found.is_complete) return cut_round(cut, tree, std::move(found.listed));
-  give_up_faces(new_faces_);
-  return false;
+  return cut_round(cut, tree, find_self_intersections(cut, tree));
+}
+
+bool CuttingRounds::cut_later_round() {
+  if (new_faces_.empty()) return false;
+  const CutMesh cut = build(soup_);
+  const PairLimits limits{.max_tested = kMoreTests + kTestsAFace * new_faces_.size(),
+                          .wants_to_stop = {}};
+  std::optional<FaceTree> tree;
+  if (is_worth_a_tree(new_faces_.size(), soup_.n_faces())) tree.emplace(cut);
+  FoundPairs found = tree ? find_self_intersections_of(cut, *tree, new_faces_, limits)
+                          : find_self_intersections_of(cut, soup_, new_faces_, limits);
+  if (!found.is_complete) {
+    give_up_faces(new_faces_);
+    return false;
+  }
+  if (found.listed.empty()) return false;
+  if (!tree) tree.emplace(cut);
+  return cut_round(cut, *tree, std::move(found.listed));
 }
 
 bool CuttingRounds::cut_round(const CutMesh& cut, const FaceTree& tree, Pairs pairs) {

@@ -63,6 +63,7 @@ class CuttingRounds {
   ///
   /// @return Whether another round is needed.
   bool cut_round();
+  bool cut_later_round();
   bool cut_round(const CutMesh& cut, const FaceTree& tree, Pairs pairs);
   /// Tells whether the pairs become so many more that another round only makes it worse.
   bool is_growing(std::size_t n_pairs);

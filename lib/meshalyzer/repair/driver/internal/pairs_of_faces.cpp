@@ -9,9 +9,6 @@
 namespace meshalyzer {
 namespace {
 
-/// A tree over all faces is worth its time if there are more than this share of given ones.
-constexpr std::size_t kFacesPerGiven = 16;
-
 bool comes_before(const IntersectingPair& p, const IntersectingPair& q) {
   return std::pair(p.face_a, p.face_b) < std::pair(q.face_a, q.face_b);
 }
@@ -20,9 +17,9 @@ bool comes_before(const IntersectingPair& p, const IntersectingPair& q) {
 
 std::vector<IntersectingPair> find_pairs_of(const PreparedMesh& mesh,
                                             const std::vector<Index>& faces) {
-  return faces.size() * kFacesPerGiven < mesh.soup().n_faces()
-             ? find_self_intersections_of(mesh.cut(), mesh.soup(), faces)
-             : find_self_intersections_of(mesh.cut(), mesh.tree(), faces);
+  return is_worth_a_tree(faces.size(), mesh.soup().n_faces())
+             ? find_self_intersections_of(mesh.cut(), mesh.tree(), faces)
+             : find_self_intersections_of(mesh.cut(), mesh.soup(), faces).listed;
 }
 
 std::vector<IntersectingPair> joined_pairs(std::vector<IntersectingPair> of_faces,
