@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -106,6 +106,23 @@ TEST(RemoveSlivers, ThinFacesGoAndTheVolumeStays) {
   EXPECT_EQ(faces.triangles.size(), 6U);
   EXPECT_NEAR(six_volumes(faces), 1.0, 1e-5);
   EXPECT_GT(least_altitude(faces), 0.1);
+}
+
+TEST(RemoveSlivers, OnlyFacesThatItMakesAreNewThen) {
+  Soup soup = shapes::icosphere(2);
+  const auto [low, high] = std::minmax(soup.triangles.front()[0], soup.triangles.front()[1]);
+  soup.positions[high] = soup.positions[low] + Vec3(1e-9, 0, 0);
+  RoundedFaces faces = rounded_faces(soup);
+  std::fill(faces.ages.begin(), faces.ages.end(), FaceAge::Searched);
+  remove_slivers(faces, 1e-6);
+  std::size_t n_new = 0;
+  for (Index face = 0; face < faces.triangles.size(); ++face) {
+    const bool is_changed = faces.triangles[face] != soup.triangles[faces.origins[face]];
+    EXPECT_EQ(faces.ages[face], is_changed ? FaceAge::New : FaceAge::Searched) << face;
+    n_new += is_changed ? 1 : 0;
+  }
+  // The vertex had six faces, of which two went with the edge.
+  EXPECT_EQ(n_new, 4U);
 }
 
 TEST(RemoveSlivers, ShortEdgesAreCollapsedToTheLowerVertex) {
