@@ -155,14 +155,17 @@ void CuttingRounds::add(const Triangle& t) {
 }
 
 bool CuttingRounds::cut_round() {
-  if (round_ > 0) return cut_later_round();
-  // If nothing was left out or added, the first round is already prepared.
+  return round_ == 0 ? cut_first_round() : cut_later_round();
+}
+
+bool CuttingRounds::cut_first_round() {
+  // If nothing was left out or added, all is prepared already.
   if (soup_.triangles == mesh_.soup().triangles) {
-    return cut_round(mesh_.cut(), mesh_.tree(), mesh_.intersecting_pairs());
+    return cut_pairs(mesh_.cut(), mesh_.tree(), mesh_.intersecting_pairs());
   }
   const CutMesh cut = build(soup_);
   const FaceTree tree(cut);
-  return cut_round(cut, tree, find_self_intersections(cut, tree));
+  return cut_pairs(cut, tree, find_self_intersections(cut, tree));
 }
 
 bool CuttingRounds::cut_later_round() {
@@ -180,10 +183,10 @@ bool CuttingRounds::cut_later_round() {
   }
   if (found.listed.empty()) return false;
   if (!tree) tree.emplace(cut);
-  return cut_round(cut, *tree, std::move(found.listed));
+  return cut_pairs(cut, *tree, std::move(found.listed));
 }
 
-bool CuttingRounds::cut_round(const CutMesh& cut, const FaceTree& tree, Pairs pairs) {
+bool CuttingRounds::cut_pairs(const CutMesh& cut, const FaceTree& tree, Pairs pairs) {
   pairs = pairs_to_cut(soup_, cut, tree, std::move(pairs));
   if (pairs.empty()) return false;
   if (round_ == 0) most_pairs_ = kMorePairs + kTimesFirstPairs * pairs.size();

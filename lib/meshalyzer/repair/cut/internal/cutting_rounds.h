@@ -59,12 +59,17 @@ class CuttingRounds {
   using Pairs = std::vector<IntersectingPair>;
 
   void add(const Triangle& t);
+  // Each of these tells whether another round is needed.
+
   /// Searches for intersecting pairs and cuts them.
-  ///
-  /// @return Whether another round is needed.
   bool cut_round();
+  /// Searches among all faces.
+  bool cut_first_round();
+  /// Searches for what the new faces intersect.
   bool cut_later_round();
-  bool cut_round(const CutMesh& cut, const FaceTree& tree, Pairs pairs);
+  /// Cuts those of the pairs that are to be cut, or gives it up.
+  bool cut_pairs(const CutMesh& cut, const FaceTree& tree, Pairs pairs);
+
   /// Tells whether the pairs become so many more that another round only makes it worse.
   bool is_growing(std::size_t n_pairs);
   void cut_once(const CutMesh& cut, const FaceTree& tree, const Pairs& pairs);
