@@ -236,11 +236,10 @@ class CutEdits {
     }
   }
 
-  /// Names the vertices of the input at which cut sheets have an edge with more than two faces: the
-  /// cut went through them.
-  void add_sheet_cuts() {
-    if (surface_.of_sheets.empty()) return;
+  /// #vertices of the input: 1 for the ends of edges that have more than two faces after the cut.
+  [[nodiscard]] std::vector<std::uint8_t> vertices_at_forks() const {
     std::vector<std::array<Index, 2>> edges;
+    edges.reserve(3 * surface_.triangles.size());
     for (const Triangle& t : surface_.triangles) {
       for (std::size_t k = 0; k < 3; ++k) {
         const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
@@ -248,14 +247,22 @@ class CutEdits {
       }
     }
     std::sort(edges.begin(), edges.end());
-    std::vector<std::uint8_t> is_cut(soup_.n_vertices(), 0);
+    std::vector<std::uint8_t> found(soup_.n_vertices(), 0);
     for (std::size_t i = 2; i < edges.size(); ++i) {
       if (edges[i] != edges[i - 2]) continue;
       for (const Index v : edges[i]) {
-        if (v < is_cut.size()) is_cut[v] = 1;
+        if (v < found.size()) found[v] = 1;
       }
     }
+    return found;
+  }
+
+  /// Names the vertices of the input through which sheets were cut: those that they share with
+  /// what they cross.
+  void add_sheet_cuts() {
+    if (surface_.of_sheets.empty()) return;
     const std::vector<std::uint8_t> is_of_sheet = vertices_of_sheets();
+    std::vector<std::uint8_t> is_cut = vertices_at_forks();
     for (std::size_t i = 0; i < surface_.triangles.size(); ++i) {
       const Index op = operations_[parts_.find(surface_.origins[i])];
       if (op == kNoIndex) continue;
