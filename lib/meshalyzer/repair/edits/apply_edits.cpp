@@ -87,30 +87,27 @@ Index vertex_origin(const TrackedMesh& tracked, Index vertex) {
                                         : tracked.vertex_origins[key - tracked.n_input_vertices];
 }
 
-/// Tells whether an added vertex lies where a sheet was cut.
-bool cuts_sheet(const TrackedMesh& tracked, const Edits::AddedVertex& added) {
-  return added.cuts_sheet ||
-         (added.copy_of != kNoIndex && tracked.is_where_sheet_was_cut(added.copy_of));
-}
-
 void set_vertex_keys(const Work& work, const VertexMoves& moves, TrackedMesh& result) {
   const std::size_t n_old = work.tracked.soup.n_vertices();
+  std::vector<std::uint8_t> is_sheet_cut(n_old + work.edits.added_vertices.size(), 0);
+  for (const Edits::SheetCut& cut : work.edits.sheet_cuts) {
+    if (!work.skipped(cut.op)) is_sheet_cut[cut.vertex] = 1;
+  }
   result.vertex_origins = work.tracked.vertex_origins;
   result.sheet_cuts = work.tracked.sheet_cuts;
   result.vertex_keys.reserve(moves.sources.size());
   for (const Index v : moves.sources) {
     if (v < n_old) {
       result.vertex_keys.push_back(work.tracked.vertex_keys[v]);
-      continue;
+    } else {
+      const Index copy_of = work.edits.added_vertices[v - n_old].copy_of;
+      result.vertex_keys.push_back(
+          static_cast<Index>(result.n_input_vertices + result.vertex_origins.size()));
+      result.vertex_origins.push_back(vertex_origin(work.tracked, copy_of));
+      // A copy of a vertex where a sheet was cut is another one.
+      if (copy_of != kNoIndex && work.tracked.is_where_sheet_was_cut(copy_of)) is_sheet_cut[v] = 1;
     }
-    const Edits::AddedVertex& added = work.edits.added_vertices[v - n_old];
-    const auto key = static_cast<Index>(result.n_input_vertices + result.vertex_origins.size());
-    result.vertex_keys.push_back(key);
-    result.vertex_origins.push_back(vertex_origin(work.tracked, added.copy_of));
-    if (cuts_sheet(work.tracked, added)) result.sheet_cuts.push_back(key);
-  }
-  for (const Edits::SheetCut& cut : work.edits.sheet_cuts) {
-    if (!work.skipped(cut.op)) result.sheet_cuts.push_back(work.tracked.vertex_keys[cut.vertex]);
+    if (is_sheet_cut[v] != 0) result.sheet_cuts.push_back(result.vertex_keys.back());
   }
   sort_unique(result.sheet_cuts);
 }

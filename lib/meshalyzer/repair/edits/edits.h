@@ -37,8 +37,6 @@ struct Edits {
     Vec3 position;
     /// The vertex at whose position it is, or was; kNoIndex for a new one.
     Index copy_of = kNoIndex;
-    /// Tells whether it lies where a sheet was cut, which may end there.
-    bool cuts_sheet = false;
   };
   /// A vertex record to be dropped that no face uses. A vertex that loses its last face is dropped
   /// anyway and is not listed here.
@@ -80,7 +78,7 @@ struct Edits {
     std::int32_t id;
   };
 
-  /// A vertex of the soup where a sheet was cut, which may end there.
+  /// A vertex where a sheet was cut, which may end there; named as the faces of this list do it.
   struct SheetCut {
     Index op;
     Index vertex;

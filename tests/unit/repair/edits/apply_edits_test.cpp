@@ -108,10 +108,10 @@ TEST(ApplyEdits, AddedFaceComesLastOfItsGroup) {
 TEST(ApplyEdits, CopyOfAVertexWhereASheetWasCutIsSuchAVertex) {
   Edits cut;
   const Index op = cut.begin_operation();
-  cut.added_vertices.push_back({.op = op, .position = Vec3(0, 0, 0), .cuts_sheet = true});
+  cut.added_vertices.push_back({.op = op, .position = Vec3(0, 0, 0)});
   cut.added_vertices.push_back({.op = op, .position = Vec3(1, 0, 0)});
   cut.changed_faces.push_back({op, 0, {4, 2, 5}});
-  cut.sheet_cuts.push_back({op, 2});
+  cut.sheet_cuts = {{op, 2}, {op, 4}};
   const TrackedMesh after = apply_edits(track_mesh(shapes::tetrahedron()), cut);
   EXPECT_EQ(after.sheet_cuts, (std::vector<Index>{2, 4}));
   Edits split;

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/arrangement/exact_ray.h"
 #include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/repair/cut/internal/face_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -10,30 +11,6 @@
 
 namespace meshalyzer {
 namespace {
-
-/// An edge of a face: its vertices, the lower first, and 1 where the face crosses it in this
-/// direction, else -1.
-struct FaceEdge {
-  std::array<Index, 2> ends;
-  Index face = kNoIndex;
-  int sign = 1;
-};
-
-std::vector<FaceEdge> sorted_edges(const Soup& soup) {
-  std::vector<FaceEdge> edges;
-  edges.reserve(3 * soup.n_faces());
-  for (Index face = 0; face < soup.n_faces(); ++face) {
-    const Triangle& t = soup.triangles[face];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
-      edges.push_back({{low, high}, face, low == t[k] ? 1 : -1});
-    }
-  }
-  std::sort(edges.begin(), edges.end(), [](const FaceEdge& a, const FaceEdge& b) {
-    return a.ends != b.ends ? a.ends < b.ends : a.face < b.face;
-  });
-  return edges;
-}
 
 /// #faces: 1 for those that form closed chains with the faces that they are connected to by edges.
 std::vector<std::uint8_t> faces_of_closed_chains(const Soup& soup,
@@ -85,7 +62,7 @@ class ClosedPartSearch {
  public:
   ClosedPartSearch(const ArrangedSoup& arranged, std::span<const std::uint8_t> wanted)
       : a_(arranged), wanted_(wanted), pieces_(arranged.cells), is_known_(arranged.cells.count, 0) {
-    const std::vector<FaceEdge> edges = sorted_edges(a_.soup);
+    const std::vector<FaceEdge> edges = sorted_edges(a_.soup.triangles);
     is_closed_face_ = faces_of_closed_chains(a_.soup, edges);
     for (const EdgeCounts& count : count_edges(a_, edges)) {
       has_border_.push_back(count.border > 0 ? 1 : 0);

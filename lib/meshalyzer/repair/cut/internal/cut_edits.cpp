@@ -1,11 +1,11 @@
 #include "meshalyzer/repair/cut/internal/cut_edits.h"
 
 #include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/repair/cut/internal/face_edges.h"
 #include "meshalyzer/repair/orient/bounds_solid.h"
 #include "meshalyzer/topology/components.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -83,7 +83,6 @@ class CutEdits {
   PassResult edits() {
     remove_faces();
     add_faces();
-    add_sheet_cuts();
     add_walls();
     return std::move(result_);
   }
@@ -196,6 +195,24 @@ class CutEdits {
         {.code = DefectCode::SelfIntersection, .face = face, .reason = reason_of(obstacle)});
   }
 
+  /// #positions: 1 for those where sheets were cut: the new vertices of sheets, and the vertices of
+  /// the input through which they were cut, as ends of non-manifold edges.
+  [[nodiscard]] std::vector<std::uint8_t> places_of_sheet_cuts() const {
+    std::vector<std::uint8_t> found(surface_.positions.size(), 0);
+    if (surface_.of_sheets.empty()) return found;
+    std::fill(found.begin() + static_cast<std::ptrdiff_t>(soup_.n_vertices()), found.end(), 1);
+    const std::vector<FaceEdge> edges = sorted_edges(surface_.triangles);
+    for (std::size_t i = 2; i < edges.size(); ++i) {
+      if (edges[i].ends != edges[i - 2].ends) continue;
+      for (const Index v : edges[i].ends) found[v] = 1;
+    }
+    const std::vector<std::uint8_t> is_of_sheet = vertices_of_sheets();
+    for (std::size_t v = 0; v < found.size(); ++v) {
+      if (is_of_sheet[v] == 0) found[v] = 0;
+    }
+    return found;
+  }
+
   /// #positions: 1 for the vertices of cut sheets.
   [[nodiscard]] std::vector<std::uint8_t> vertices_of_sheets() const {
     std::vector<std::uint8_t> is_of_sheet(obstacles_.size(), 0);
@@ -210,21 +227,23 @@ class CutEdits {
 
   void add_faces() {
     const auto n_vertices = static_cast<Index>(soup_.n_vertices());
-    const std::vector<std::uint8_t> is_of_sheet = vertices_of_sheets();
+    std::vector<std::uint8_t> is_sheet_cut = places_of_sheet_cuts();
     std::vector<Index> number(surface_.positions.size() - n_vertices, kNoIndex);
     for (std::size_t i = 0; i < surface_.triangles.size(); ++i) {
       const Index op = operations_[parts_.find(surface_.origins[i])];
       if (is_same_[i] != 0 || op == kNoIndex) continue;
       Triangle corners = surface_.triangles[i];
       for (Index& v : corners) {
-        if (v < n_vertices) continue;
-        Index& added = number[v - n_vertices];
-        if (added == kNoIndex) {
-          added = n_vertices + static_cast<Index>(result_.edits.added_vertices.size());
-          result_.edits.added_vertices.push_back(
-              {.op = op, .position = surface_.positions[v], .cuts_sheet = is_of_sheet[v] != 0});
+        const bool is_cut_here = std::exchange(is_sheet_cut[v], 0) != 0;
+        if (v >= n_vertices) {
+          Index& added = number[v - n_vertices];
+          if (added == kNoIndex) {
+            added = n_vertices + static_cast<Index>(result_.edits.added_vertices.size());
+            result_.edits.added_vertices.push_back({.op = op, .position = surface_.positions[v]});
+          }
+          v = added;
         }
-        v = added;
+        if (is_cut_here) result_.edits.sheet_cuts.push_back({op, v});
       }
       const Index origin = surface_.origins[i];
       const bool fills_hole = origin >= soup_.n_faces();
@@ -233,43 +252,6 @@ class CutEdits {
            .corners = corners,
            .prototype = fills_hole ? patches_[origin - soup_.n_faces()].prototype : origin,
            .fills_hole = fills_hole});
-    }
-  }
-
-  /// #vertices of the input: 1 for the ends of edges that have more than two faces after the cut.
-  [[nodiscard]] std::vector<std::uint8_t> vertices_at_forks() const {
-    std::vector<std::array<Index, 2>> edges;
-    edges.reserve(3 * surface_.triangles.size());
-    for (const Triangle& t : surface_.triangles) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
-        edges.push_back({low, high});
-      }
-    }
-    std::sort(edges.begin(), edges.end());
-    std::vector<std::uint8_t> found(soup_.n_vertices(), 0);
-    for (std::size_t i = 2; i < edges.size(); ++i) {
-      if (edges[i] != edges[i - 2]) continue;
-      for (const Index v : edges[i]) {
-        if (v < found.size()) found[v] = 1;
-      }
-    }
-    return found;
-  }
-
-  /// Names the vertices of the input through which sheets were cut: those that they share with
-  /// what they cross.
-  void add_sheet_cuts() {
-    if (surface_.of_sheets.empty()) return;
-    const std::vector<std::uint8_t> is_of_sheet = vertices_of_sheets();
-    std::vector<std::uint8_t> is_cut = vertices_at_forks();
-    for (std::size_t i = 0; i < surface_.triangles.size(); ++i) {
-      const Index op = operations_[parts_.find(surface_.origins[i])];
-      if (op == kNoIndex) continue;
-      for (const Index v : surface_.triangles[i]) {
-        if (v >= is_cut.size() || is_of_sheet[v] == 0 || std::exchange(is_cut[v], 0) == 0) continue;
-        result_.edits.sheet_cuts.push_back({op, v});
-      }
     }
   }
 

@@ -2,34 +2,21 @@
 
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/sort_unique.h"
-
-#include <algorithm>
-#include <array>
+#include "meshalyzer/repair/cut/internal/face_edges.h"
 
 namespace meshalyzer {
 
 SurfaceTopology topology_of(std::span<const Triangle> faces) {
   SurfaceTopology topology;
   std::vector<Index> vertices;
-  // Both ends of each edge, the lower first, and its face.
-  std::vector<std::array<Index, 3>> edges;
-  for (Index face = 0; face < faces.size(); ++face) {
-    const Triangle& t = faces[face];
-    vertices.insert(vertices.end(), t.begin(), t.end());
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
-      edges.push_back({low, high, face});
-    }
-  }
+  for (const Triangle& t : faces) vertices.insert(vertices.end(), t.begin(), t.end());
   sort_unique(vertices);
-  std::sort(edges.begin(), edges.end());
+  const std::vector<FaceEdge> edges = sorted_edges(faces);
   DisjointSets connected(faces.size());
   std::size_t n_edges = 0;
   for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    for (end = begin;
-         end < edges.size() && edges[end][0] == edges[begin][0] && edges[end][1] == edges[begin][1];
-         ++end) {
-      connected.unite(edges[begin][2], edges[end][2]);
+    for (end = begin; end < edges.size() && edges[end].ends == edges[begin].ends; ++end) {
+      connected.unite(edges[begin].face, edges[end].face);
     }
     ++n_edges;
     topology.is_manifold = topology.is_manifold && end - begin <= 2;

@@ -59,7 +59,8 @@ class CuttingRounds {
   using Pairs = std::vector<IntersectingPair>;
 
   void add(const Triangle& t);
-  // Each of these tells whether another round is needed.
+
+  // The next four functions tell whether another round is needed.
 
   /// Searches for intersecting pairs and cuts them.
   bool cut_round();
@@ -88,7 +89,7 @@ class CuttingRounds {
   /// Takes faces for no new ones if their part of the input is left as a whole, because a face of
   /// it is left: nothing is gained by cutting them on.
   void skip_left_parts(RoundedFaces& faces);
-  /// Returns the faces; those are old that are faces of the input.
+  /// Returns the faces of the surface; those of the input are old.
   [[nodiscard]] RoundedFaces made_faces();
   void note_sheets(Index origin, PieceClass piece_class);
   void add_wall(Index face, const Arrangement& arrangement, std::size_t piece);

@@ -8,14 +8,14 @@ namespace {
 
 using enum CountedDefect;
 
-std::size_t fall_of(CountedDefect kind, const DefectInventory& before,
-                    const DefectInventory& after) {
-  return before.count(kind) - std::min(before.count(kind), after.count(kind));
-}
-
 /// Returns by how much a number has become greater.
 std::size_t increase(std::size_t before, std::size_t after) {
   return after - std::min(before, after);
+}
+
+std::size_t fall_of(CountedDefect kind, const DefectInventory& before,
+                    const DefectInventory& after) {
+  return increase(after.count(kind), before.count(kind));
 }
 
 /// Returns the permitted increase of a count.
