@@ -46,6 +46,21 @@ TEST(Guarantee, CubesThatCrossAreReplacedByTheirUnion) {
   EXPECT_NEAR(volume_of(only_mesh(result)), 15, 0.3);
 }
 
+TEST(Guarantee, UnionThatLosesPartsIsMadeAgainBeforeTheyAreReplaced) {
+  RepairOptions options = to_solid();
+  options.max_deviation.value = 0.01;
+  // So that nothing closes the open cube.
+  options.fill.max_edges = 3;
+  const Soup soup =
+      shapes::merged(shapes::cube(), shapes::translated(shapes::open_cube(), {0.5, 0.5, -0.5}));
+  const RepairResult result = fix_defects(soup, options);
+  EXPECT_TRUE(is_good(only_mesh(result)));
+  EXPECT_TRUE(is_noted(result, "made hollow"));
+  EXPECT_FALSE(is_noted(result, "was replaced by a new surface"));
+  // A new surface would have thousands of faces.
+  EXPECT_LT(only_mesh(result).n_faces(), 200U);
+}
+
 TEST(Guarantee, InputIsReplacedWhereRepairsHaveUsedUpTheDeviation) {
   constexpr double kMaxDeviation = 0.03;
   RepairOptions options = to_solid();

@@ -10,9 +10,12 @@
 #include "meshalyzer/repair/replace/internal/unite_from_input.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -26,6 +29,9 @@ constexpr double kLeastShareLeft = 1.0 / 64.0;
 constexpr std::size_t kMostUnionsWithShells = 5;
 /// Where many shells lie above each other, thinner ones have this share of the thickness.
 constexpr double kThinner = 0.25;
+
+/// The thickness of solids made of sheets, as a fraction of the deviation that is left.
+constexpr std::array<double, 3> kSharesOfThickness{0.5, 0.05, 0.005};
 
 class Guarantee {
  public:
@@ -52,6 +58,7 @@ class Guarantee {
     const bool is_done =
         (options_.solid && may_replace && thicken()) ||
         unite({.behind_holes = may_drop ? BehindHoles::Dropped : BehindHoles::Kept}) || join() ||
+        (!may_drop_after_all() && unite_with_shells()) ||
         (may_replace &&
          (replace_in_boxes() || replace(Scope::Broken) ||
           (may_replace_more() && replace(Scope::Whole)) ||
@@ -95,8 +102,10 @@ class Guarantee {
   /// Makes thin solids of sheets, if the mesh consists of sheets only.
   bool thicken() {
     const double left = max_deviation_ - driver_.mesh().deviation();
-    // Thinner solids are tried in case thick ones intersect.
-    for (const double share : {0.5, 0.05, 0.005}) {
+    const bool do_sheets_intersect = !driver_.mesh().prepared().intersecting_pairs().empty();
+    // Thinner solids are tried in case thick ones intersect where the sheets do not.
+    const std::size_t n_tries = do_sheets_intersect ? 1 : kSharesOfThickness.size();
+    for (const double share : std::span(kSharesOfThickness).first(n_tries)) {
       const double thickness = share * left;
       const PlannedPass pass{"thicken sheets", DefectCode::Hole, [&](const PassInput& input) {
                                return thicken_sheets(input, thickness);
@@ -139,7 +148,7 @@ class Guarantee {
   /// again, with closed parts too, and thinner, in case so many lay above each other that they hid
   /// it. In the last attempt what is still lost inside the solid does not count.
   bool unite_with_shells() {
-    if (!options_.solid) return false;
+    if (!options_.solid || std::exchange(has_tried_shells_, true)) return false;
     ShellChoice shells;
     for (std::size_t i = 0; i < kMostUnionsWithShells && is_union_too_far_; ++i) {
       const auto& [face_keys, has_open, points] = lost_;
@@ -263,6 +272,8 @@ class Guarantee {
   double max_deviation_;
   bool is_union_too_far_behind_holes_ = false;
   bool is_union_too_far_ = false;
+  /// A second time it would end as the first.
+  bool has_tried_shells_ = false;
   /// What the last union has lost.
   LostBoundary lost_;
   SampledBoundary boundary_;
