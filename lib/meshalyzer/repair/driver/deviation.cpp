@@ -140,12 +140,37 @@ double settle_cut_faces(Side& old_side, const PartsOfFaces& parts, const Distanc
   return drop_settled(distances, old_side);
 }
 
+/// So many faces are sampled for a distance to start from.
+constexpr std::size_t kSampledFaces = 1024;
+
+/// Returns the largest distance of a few points of some of the faces: what is nearer than this need
+/// not be known of any face.
+double largest_of_samples(const Side& side, const ClosestPoints& closest, double bound) {
+  const std::size_t stride = side.faces.size() / kSampledFaces + 1;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < side.faces.size(); i += stride) {
+    const Corners t = corners_of(side.from, side.faces[i].face);
+    double of_face = 0.0;
+    for (const Vec3& point : {t[0], t[1], t[2], Vec3(t[0] / 3 + t[1] / 3 + t[2] / 3)}) {
+      const std::optional<SurfacePoint> found = closest.find({.point = point});
+      of_face = std::max(of_face, found ? found->distance : bound);
+    }
+    // Faces that are far are told apart from the others.
+    if (of_face <= bound) largest = std::max(largest, of_face);
+  }
+  return largest;
+}
+
 /// Measures all remaining faces of a side.
 SideResult measure_side(const Side& side, const FaceTree& tree, const ClosestPoints& closest,
                         const DistanceQuery& query) {
   std::vector<FaceDistance> distances(side.faces.size());
+  double known = query.known;
+  if (query.question == DistanceQuestion::HowFar && side.faces.size() > kFacesPerChunk) {
+    known = std::max(known, largest_of_samples(side, closest, query.bound));
+  }
   parallel_chunks(side.faces.size(), kFacesPerChunk, [&](Chunk chunk) {
-    SurfaceDistance meter(tree, closest, query.bound, query.question, query.known);
+    SurfaceDistance meter(tree, closest, query.bound, query.question, known);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       distances[i] = meter.measure(corners_of(side.from, side.faces[i].face), query.doubtful);
     }
