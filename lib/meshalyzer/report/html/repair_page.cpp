@@ -1,5 +1,6 @@
 #include "meshalyzer/report/html/repair_page.h"
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/report/format_text.h"
 #include "meshalyzer/report/html/attribute_tables.h"
@@ -48,10 +49,8 @@ std::string facts_of(const RepairReport& report) {
     vertices += mesh.name.n_vertices;
     faces += mesh.name.n_faces;
   }
-  std::string facts = "faces ";
-  facts += with_drawn_arrow(arrow(report.input.n_faces, faces));
-  facts += ", vertices ";
-  facts += with_drawn_arrow(arrow(report.input.n_vertices, vertices));
+  std::string facts = "faces " + grouped(report.input.n_faces) + " \u2192 " + grouped(faces);
+  facts += ", vertices " + grouped(report.input.n_vertices) + " \u2192 " + grouped(vertices);
   facts += ", ";
   facts += file_text(report.input.path, report.input.format);
   return facts;

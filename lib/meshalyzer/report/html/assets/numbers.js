@@ -24,7 +24,7 @@
   };
 
   page.countText = function (count) {
-    return String(count).replace(/\B(?=(\d{3})+$)/g, "\u202f");
+    return String(count).replace(/\B(?=(\d{3})+$)/g, ",");
   };
 
   function roundStep(rough) {
