@@ -165,6 +165,7 @@ double largest_of_samples(const Side& side, const ClosestPoints& closest, double
 SideResult measure_side(const Side& side, const FaceTree& tree, const ClosestPoints& closest,
                         const DistanceQuery& query) {
   std::vector<FaceDistance> distances(side.faces.size());
+  // The faces of one task tell each other how far they are, those of several need samples.
   double known = query.known;
   if (query.question == DistanceQuestion::HowFar && side.faces.size() > kFacesPerChunk) {
     known = std::max(known, largest_of_samples(side, closest, query.bound));
