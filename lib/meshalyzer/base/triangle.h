@@ -23,6 +23,11 @@ namespace meshalyzer {
   return (t[0] + t[1] + t[2]) / 3.0;
 }
 
+/// Returns the centroid of a triangle with any coordinates, whose sum may overflow.
+[[nodiscard]] inline Vec3 centroid_without_overflow(const Corners& t) {
+  return t[0] / 3 + t[1] / 3 + t[2] / 3;
+}
+
 [[nodiscard]] inline Box3 box_of(const Corners& t) {
   Box3 box;
   for (const Vec3& corner : t) box.extend(corner);

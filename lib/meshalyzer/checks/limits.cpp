@@ -1,5 +1,6 @@
 #include "meshalyzer/checks/limits.h"
 
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/geometry/edge_measures.h"
 #include "meshalyzer/geometry/face_measures.h"
 #include "meshalyzer/mesh/complex_edges.h"
@@ -63,7 +64,7 @@ Violations faces_beyond(const CutMesh& cut, const std::vector<double>& values, c
     const Corners corners = face_corners(cut.mesh, face);
     found.push_back({.vertices = {},
                      .faces = {cut.side.face(face)},
-                     .position = corners[0] / 3 + corners[1] / 3 + corners[2] / 3,
+                     .position = centroid_without_overflow(corners),
                      .value = values[i]});
   }
   return found;

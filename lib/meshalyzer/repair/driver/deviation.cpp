@@ -151,11 +151,11 @@ double largest_of_samples(const Side& side, const ClosestPoints& closest, double
   for (std::size_t i = 0; i < side.faces.size(); i += stride) {
     const Corners t = corners_of(side.from, side.faces[i].face);
     double of_face = 0.0;
-    for (const Vec3& point : {t[0], t[1], t[2], Vec3(t[0] / 3 + t[1] / 3 + t[2] / 3)}) {
+    for (const Vec3& point : {t[0], t[1], t[2], centroid_without_overflow(t)}) {
       const std::optional<SurfacePoint> found = closest.find({.point = point});
       of_face = std::max(of_face, found ? found->distance : bound);
     }
-    // Faces that are far are told apart from the others.
+    // A face beyond the bound tells nothing of those that are not, which are measured, too.
     if (of_face <= bound) largest = std::max(largest, of_face);
   }
   return largest;

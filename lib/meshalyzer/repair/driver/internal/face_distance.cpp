@@ -164,8 +164,7 @@ bool SurfaceDistance::is_precise(const Estimate& known) const {
 SurfaceDistance::Estimate SurfaceDistance::estimate(const Piece& piece) {
   const Corners& t = piece.corners;
   const auto& d = piece.distances;
-  // Dividing before adding avoids overflow.
-  const Vec3 middle = t[0] / 3 + t[1] / 3 + t[2] / 3;
+  const Vec3 middle = centroid_without_overflow(t);
   const SurfacePoint at_middle = closest(middle);
   Estimate known;
   known.lower = std::max({d[0], d[1], d[2], at_middle.distance});

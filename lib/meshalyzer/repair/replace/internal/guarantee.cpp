@@ -50,7 +50,6 @@ class Guarantee {
     if (!(max_deviation_ > 0.0)) {
       return {"not replaced: a replacement needs a maximum deviation above 0"};
     }
-    using Scope = ReplaceOptions::Scope;
     // A new surface, which would keep what is behind holes, needs a part of the deviation.
     const bool may_replace =
         max_deviation_ - driver_.mesh().deviation() >= kLeastShareLeft * max_deviation_;
@@ -58,12 +57,8 @@ class Guarantee {
     const bool is_done =
         (options_.solid && may_replace && thicken()) ||
         unite({.behind_holes = may_drop ? BehindHoles::Dropped : BehindHoles::Kept}) || join() ||
-        (!may_drop_after_all() && unite_with_shells()) ||
-        (may_replace &&
-         (replace_in_boxes() || replace(Scope::Broken) ||
-          (may_replace_more() && replace(Scope::Whole)) ||
-          (may_drop_after_all() && unite({.behind_holes = BehindHoles::Dropped})))) ||
-        replace_from_input() || unite_with_shells();
+        (may_drop_after_all() ? make_new_surface(may_replace) || unite_with_shells()
+                              : unite_with_shells() || make_new_surface(may_replace));
     if (!is_done) note_failure();
     return std::move(notes_);
   }
@@ -148,7 +143,7 @@ class Guarantee {
   /// again, with closed parts too, and thinner, in case so many lay above each other that they hid
   /// it. In the last attempt what is still lost inside the solid does not count.
   bool unite_with_shells() {
-    if (!options_.solid || std::exchange(has_tried_shells_, true)) return false;
+    if (!options_.solid) return false;
     ShellChoice shells;
     for (std::size_t i = 0; i < kMostUnionsWithShells && is_union_too_far_; ++i) {
       const auto& [face_keys, has_open, points] = lost_;
@@ -189,6 +184,19 @@ class Guarantee {
     /// If there are any, the replacement starts from the input with these passes.
     std::vector<PlannedPass> from_input = {};
   };
+
+  /// Replaces what is broken by a new surface: as little as possible first, in the end all of the
+  /// input. Before that, a union is tried that drops parts behind holes.
+  ///
+  /// @param may_replace  Tells whether what the passes have left may be replaced.
+  bool make_new_surface(bool may_replace) {
+    using Scope = ReplaceOptions::Scope;
+    return (may_replace &&
+            (replace_in_boxes() || replace(Scope::Broken) ||
+             (may_replace_more() && replace(Scope::Whole)) ||
+             (may_drop_after_all() && unite({.behind_holes = BehindHoles::Dropped})))) ||
+           replace_from_input();
+  }
 
   /// Replaces what lies in boxes round the broken places, first in small ones.
   bool replace_in_boxes() {
@@ -272,8 +280,6 @@ class Guarantee {
   double max_deviation_;
   bool is_union_too_far_behind_holes_ = false;
   bool is_union_too_far_ = false;
-  /// A second time it would end as the first.
-  bool has_tried_shells_ = false;
   /// What the last union has lost.
   LostBoundary lost_;
   SampledBoundary boundary_;
