@@ -55,25 +55,35 @@ std::vector<Vec3> places_of(const Soup& soup, const std::vector<Index>& faces) {
   return places;
 }
 
-/// Tells which faces are near to the rest of the mesh.
+/// Returns the faces of the complex that are not among some others.
+///
+/// @param without  Ascending.
+std::vector<Index> mesh_faces_without(const SideTable& side, const std::vector<Index>& without) {
+  std::vector<Index> others;
+  for (Index f = 0; f < side.faces.size(); ++f) {
+    if (!std::binary_search(without.begin(), without.end(), side.faces[f])) others.push_back(f);
+  }
+  return others;
+}
+
+/// Tells which faces are near to the rest of the mesh. It has a tree of its own: in that of all
+/// faces, each search would visit all that are left out, and these may be nearly all.
 class RestOfMesh {
  public:
+  /// @param without  The faces that are left out, ascending.
   RestOfMesh(const PassInput& input, const std::vector<Index>& without)
-      : closest_(input.mesh.tree()),
-        is_excluded_(input.mesh.cut().mesh.n_faces(), 0),
-        within_(input.limits.max_deviation) {
-    for (const Index f : without) is_excluded_[input.mesh.cut().side.mesh_face(f)] = 1;
-  }
+      : tree_(input.mesh.cut(), mesh_faces_without(input.mesh.cut().side, without)),
+        within_(input.limits.max_deviation) {}
 
   [[nodiscard]] bool are_near(const std::vector<Vec3>& places) const {
     return std::all_of(places.begin(), places.end(), [&](const Vec3& p) {
-      return closest_.find({.point = p, .within = within_, .excluded = is_excluded_}).has_value();
+      return closest_.find({.point = p, .within = within_, .near_enough = within_}).has_value();
     });
   }
 
  private:
-  ClosestPoints closest_;
-  std::vector<std::uint8_t> is_excluded_;
+  FaceTree tree_;
+  ClosestPoints closest_{tree_};
   double within_;
 };
 
