@@ -111,7 +111,7 @@ std::span<const Index> NearPoints::members_of(const Cell& cell) const {
 namespace {
 
 /// The number of candidates that is always accepted, and the number that is added for each edge.
-constexpr std::size_t kFewCandidates = 100'000;
+constexpr std::size_t kFewCandidates = 20'000;
 constexpr std::size_t kFewCandidatesPerEdge = 16;
 
 class CandidateSearch {
