@@ -130,7 +130,7 @@ class Guarantee {
 
   bool unite(const UnionChoice& choice) {
     UnitedFromInput united = unite_from_input(driver_, options_, tolerances_, choice, boundary_);
-    is_union_too_far_behind_holes_ = united.is_too_far_behind_holes;
+    if (!choice.shells) is_union_too_far_behind_holes_ = united.is_too_far_behind_holes;
     is_union_too_far_ = united.is_too_far;
     lost_ = std::move(united.lost);
     if (united.note.empty()) return false;

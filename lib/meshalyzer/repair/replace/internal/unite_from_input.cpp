@@ -11,6 +11,8 @@
 #include "meshalyzer/spatial/closest_point.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -164,10 +166,15 @@ class UnionFromInput {
       touching_ = contact_points(state.mesh());
       return false;
     }
+    is_too_far_ = true;
+    distance_of_rest_ = std::numeric_limits<double>::infinity();
+    const std::vector<double> distances = measure_lost(state);
+    const MeshRegion solid(state.tracked().soup, state.mesh().tree());
+    // What is not lost takes much longer to measure.
+    if (is_any_too_far(distances, solid)) return false;
     distance_of_rest_ = choice_.shells ? driver_.mesh().measure_deviation_but_for_lost()
                                        : driver_.mesh().measure_deviation();
-    distance_behind_holes_ = 0.0;
-    measure_lost(state);
+    add_lost(distances, solid);
     distance_ = choice_.behind_holes == BehindHoles::Dropped
                     ? distance_of_rest_
                     : std::max(distance_of_rest_, distance_behind_holes_);
@@ -175,23 +182,43 @@ class UnionFromInput {
     return !is_too_far_;
   }
 
-  /// Measures how far the lost samples are from the result.
-  void measure_lost(const RepairState& state) {
+  /// Tells whether a lost sample is too far from the result for any distance of the rest. Whether
+  /// it would not be with BehindHoles::Dropped matters only for unions without shells.
+  [[nodiscard]] bool is_any_too_far(std::span<const double> distances,
+                                    const MeshRegion& solid) const {
+    const bool may_be_inside = !choice_.shells || choice_.behind_holes == BehindHoles::Dropped;
+    for (std::size_t i = 0; i < lost_.size(); ++i) {
+      if (!(distances[i] > driver_.mesh().max_deviation())) continue;
+      if (!may_be_inside || !solid.contains(lost_[i].point)) return true;
+    }
+    return false;
+  }
+
+  /// Adds the distances of lost samples to those of what is not lost.
+  void add_lost(std::span<const double> distances, const MeshRegion& solid) {
+    distance_behind_holes_ = 0.0;
+    for (std::size_t i = 0; i < lost_.size(); ++i) {
+      if (distances[i] <= distance_of_rest_) continue;
+      double& largest = solid.contains(lost_[i].point) ? distance_behind_holes_ : distance_of_rest_;
+      largest = std::max(largest, distances[i]);
+    }
+  }
+
+  /// Returns the distance of each lost sample from the result, and notes those that are too far.
+  std::vector<double> measure_lost(const RepairState& state) {
     far_ = {};
-    if (lost_.empty()) return;
-    const Soup& result = state.tracked().soup;
-    const MeshRegion solid(result, state.mesh().tree());
     const ClosestPoints closest(state.mesh().tree());
     Index hint = kNoIndex;
+    std::vector<double> distances;
+    distances.reserve(lost_.size());
     for (const BoundarySample& sample : lost_) {
       const auto found = closest.find({.point = sample.point, .hint = hint});
       hint = found->slot;
+      distances.push_back(found->distance);
       if (found->distance > driver_.mesh().max_deviation()) note_far(sample);
-      if (found->distance <= distance_of_rest_) continue;
-      double& largest = solid.contains(sample.point) ? distance_behind_holes_ : distance_of_rest_;
-      largest = std::max(largest, found->distance);
     }
     sort_unique(far_.face_keys);
+    return distances;
   }
 
   void note_far(const BoundarySample& sample) {

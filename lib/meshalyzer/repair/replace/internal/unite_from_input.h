@@ -57,7 +57,7 @@ struct UnitedFromInput {
   /// A sentence that says what was done; empty if nothing was.
   std::string note;
   /// Tells whether the union is good, but farther from the input than the maximum deviation, and
-  /// it would not be with BehindHoles::Dropped.
+  /// it would not be with BehindHoles::Dropped. It is not known of a union with shells.
   bool is_too_far_behind_holes = false;
   /// Tells whether the union is good, but too far from the input.
   bool is_too_far = false;
