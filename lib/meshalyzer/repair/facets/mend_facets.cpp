@@ -9,6 +9,7 @@
 #include "meshalyzer/repair/pass.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/spatial/closest_point.h"
+#include "meshalyzer/spatial/face_tree.h"
 #include "meshalyzer/topology/components.h"
 
 #include <algorithm>

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -167,14 +166,14 @@ class UnionFromInput {
       return false;
     }
     is_too_far_ = true;
-    distance_of_rest_ = std::numeric_limits<double>::infinity();
     const std::vector<double> distances = measure_lost(state);
-    const MeshRegion solid(state.tracked().soup, state.mesh().tree());
-    // What is not lost takes much longer to measure.
-    if (is_any_too_far(distances, solid)) return false;
+    // It takes much longer to measure what is not lost. After a lost sample is too far, that
+    // matters only if parts behind holes may be dropped, in this union or in one like it later.
+    const bool may_be_dropped = !choice_.shells || choice_.behind_holes == BehindHoles::Dropped;
+    if (!may_be_dropped && !far_.points.empty()) return false;
     distance_of_rest_ = choice_.shells ? driver_.mesh().measure_deviation_but_for_lost()
                                        : driver_.mesh().measure_deviation();
-    add_lost(distances, solid);
+    add_lost(state, distances);
     distance_ = choice_.behind_holes == BehindHoles::Dropped
                     ? distance_of_rest_
                     : std::max(distance_of_rest_, distance_behind_holes_);
@@ -182,21 +181,11 @@ class UnionFromInput {
     return !is_too_far_;
   }
 
-  /// Tells whether a lost sample is too far from the result for any distance of the rest. Whether
-  /// it would not be with BehindHoles::Dropped matters only for unions without shells.
-  [[nodiscard]] bool is_any_too_far(std::span<const double> distances,
-                                    const MeshRegion& solid) const {
-    const bool may_be_inside = !choice_.shells || choice_.behind_holes == BehindHoles::Dropped;
-    for (std::size_t i = 0; i < lost_.size(); ++i) {
-      if (!(distances[i] > driver_.mesh().max_deviation())) continue;
-      if (!may_be_inside || !solid.contains(lost_[i].point)) return true;
-    }
-    return false;
-  }
-
   /// Adds the distances of lost samples to those of what is not lost.
-  void add_lost(std::span<const double> distances, const MeshRegion& solid) {
+  void add_lost(const RepairState& state, std::span<const double> distances) {
     distance_behind_holes_ = 0.0;
+    if (lost_.empty()) return;
+    const MeshRegion solid(state.tracked().soup, state.mesh().tree());
     for (std::size_t i = 0; i < lost_.size(); ++i) {
       if (distances[i] <= distance_of_rest_) continue;
       double& largest = solid.contains(lost_[i].point) ? distance_behind_holes_ : distance_of_rest_;
