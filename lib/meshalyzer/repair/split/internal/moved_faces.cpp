@@ -4,10 +4,10 @@
 #include "meshalyzer/repair/driver/internal/contact_rule.h"
 #include "meshalyzer/repair/driver/internal/orientation_rule.h"
 #include "meshalyzer/spatial/align_faces.h"
+#include "meshalyzer/spatial/faces_meeting_box.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -27,14 +27,6 @@ constexpr double kApart = 4.0;
 
 Box3 grown(const Box3& box, double by) {
   return {box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by)};
-}
-
-/// Returns a point in the coordinates of the tree's boxes, which are within -1 ... 1 except for
-/// rounding; points far outside are brought nearer, because empty boxes are at infinity.
-std::array<float, 3> mapped(const FaceTree& tree, const Vec3& point) {
-  std::array<float, 3> result = tree.map(point);
-  for (float& x : result) x = std::clamp(x, -4.0F, 4.0F);
-  return result;
 }
 
 /// The slabs round a face, each between two parallel planes: one along the face, and one along each
@@ -101,24 +93,8 @@ void MovedMesh::move(std::span<const Index> vertices, const Vec3& to) {
 }
 
 std::vector<Index> MovedMesh::faces_near(const Box3& box) const {
-  const FaceTree& tree = mesh_.tree();
-  if (tree.n_faces() == 0) return {};
-  const Box3 wide = grown(box, 2 * reach_);
-  const TreeBox wanted{mapped(tree, wide.min()), mapped(tree, wide.max())};
-  std::vector<std::size_t> nodes{0};
-  for (std::size_t level = tree.n_levels(); level-- > 0;) {
-    std::vector<std::size_t> below;
-    for (const std::size_t i : nodes) {
-      for (unsigned bits = tree.node(level, i).meeting(wanted); bits != 0; bits &= bits - 1) {
-        below.push_back(8 * i + static_cast<std::size_t>(std::countr_zero(bits)));
-      }
-    }
-    nodes = std::move(below);
-  }
-  std::vector<Index> faces;
-  for (const std::size_t slot : nodes) {
-    faces.push_back(mesh_.cut().side.faces[tree.mesh_face(slot)]);
-  }
+  std::vector<Index> faces = find_faces_meeting(mesh_.tree(), grown(box, 2 * reach_));
+  for (Index& f : faces) f = mesh_.cut().side.faces[f];
   return faces;
 }
 
