@@ -48,9 +48,9 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .measured = {.before = "altitude"},
      .elements = "The face, and the middle of it.",
      .fix = "Its longest edge is flipped, or the face beyond that edge is split; the edges next to "
-            "a very short one are brought together.",
+            "a very short one are brought together. If nothing else is possible, it is widened.",
      .fix_summary = "meshfixer mends it",
-     .passes = "mend facets",
+     .passes = "mend facets, widen facets",
      .fixed_by_default = true},
     {.code = DefectCode::DegenerateFacet,
      .name = "degenerate-facet",
@@ -66,9 +66,9 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .elements = "The face, its edges that are too short, the vertex that it names twice, and the "
                  "middle of the shortest edge.",
      .fix = "A face that names a vertex twice is dropped; otherwise the short edge is collapsed "
-            "to a point.",
+            "to a point. If nothing else is possible, the facet is widened.",
      .fix_summary = "meshfixer collapses it",
-     .passes = "mend facets",
+     .passes = "mend facets, widen facets",
      .fixed_by_default = true},
     {.code = DefectCode::Slit,
      .name = "slit",

@@ -114,14 +114,54 @@ bool drop_equal_faces(RepairDriver& driver, const RepairOptions& options,
                            }});
 }
 
-/// Runs all passes, and replaces what they leave if that is asked for.
-void repair(RepairDriver& driver, const RepairOptions& options, const Tolerances& tolerances,
-            RepairResult& result) {
+/// Where more pairs of faces intersect, thin facets are the least of what is wrong, and running all
+/// passes again takes long.
+constexpr std::size_t kMostPairsBesideFacets = 100;
+
+/// Mends the flat and degenerate facets that all passes have left. What passes have refused to
+/// repair besides stays refused.
+///
+/// @return Whether it has changed the mesh.
+bool mend_facets_left(RepairDriver& driver, const RepairOptions& options,
+                      const Tolerances& tolerances) {
+  const std::vector<PlannedPass> plan = plan_for_remaining_facets(options);
+  const PreparedMesh& mesh = driver.mesh().prepared();
+  if (plan.empty() || driver.is_stopped() ||
+      mesh.intersecting_pairs().size() > kMostPairsBesideFacets ||
+      find_thin_facets(mesh, tolerances).empty()) {
+    return false;
+  }
+  std::vector<LoggedRefusal> others = driver.log().refusals;
+  std::erase_if(others, [](const LoggedRefusal& refusal) {
+    return DefectCodes{DefectCode::DegenerateFacet, DefectCode::FlatFacet, DefectCode::Foldover}
+        .contains(refusal.code);
+  });
+  const std::size_t n_operations = driver.log().operations.size();
+  driver.run_plan(plan, options);
+  driver.add_refusals(others);
+  return driver.log().operations.size() != n_operations;
+}
+
+void run_passes(RepairDriver& driver, const RepairOptions& options, const Tolerances& tolerances) {
   driver.run_plan(plan_passes(options, tolerances), options);
   if (is_any_sheet_to_cut(driver, options)) {
     driver.run_plan(plan_with_sheets_cut(options, tolerances), options, OnWorse::Leave);
   }
+}
+
+/// Passes that mend the facets left by all others are followed by these at most so often, in case
+/// they undo each other's work for ever.
+constexpr int kMostRepeats = 10;
+
+/// Runs all passes, and replaces what they leave if that is asked for.
+void repair(RepairDriver& driver, const RepairOptions& options, const Tolerances& tolerances,
+            RepairResult& result) {
+  run_passes(driver, options, tolerances);
   if (options.guarantee) result.notes = guarantee_goodness(driver, options, tolerances);
+  for (int i = 0; i < kMostRepeats && mend_facets_left(driver, options, tolerances); ++i) {
+    // A repair of the result would run them, too.
+    run_passes(driver, options, tolerances);
+  }
   if (options.reports_patches) result.patches = find_patch_outcomes(driver, result.before);
   if (options.keep_largest != 0) {
     driver.apply_unchecked({"keep largest", DefectCode::Disjoint, [&](const PassInput& input) {

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "meshalyzer/base/types.h"
+#include "meshalyzer/repair/holes/fill_options.h"
 #include "meshalyzer/repair/pass.h"
 
-#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 
@@ -35,6 +34,17 @@ namespace meshalyzer {
 /// collapses the short edge of needles and others, and flips the longest edge of caps or splits the
 /// face beyond it. It turns no neighbour over, and keeps the topology and the maximum deviation.
 [[nodiscard]] PassResult mend_facets(const PassInput& input);
+
+/// Mends degenerate and flat facets that mend_facets() leaves, in a mesh where nothing else can be
+/// repaired: in the same way, but without contact where the usual step would make faces intersect;
+/// cuts necks that are thinner than the tolerance; and drops components without a body whose
+/// surface is within the deviation of the rest.
+[[nodiscard]] PassResult mend_remaining_facets(const PassInput& input);
+
+/// Widens degenerate and flat facets that nothing takes away: moves one vertex of each, by a few
+/// times the tolerance at most, so that the facet is as wide as that. It turns no face over, and
+/// makes no contact.
+[[nodiscard]] PassResult widen_facets(const PassInput& input);
 
 /// Joins border edges, only with border edges, and never so that an edge gets a third face: those
 /// at exactly the same position first, then those whose ends are within `within`. If several could
@@ -79,35 +89,6 @@ namespace meshalyzer {
 /// Replaces opposed vertex normals (see find_opposed_normals()) by the mean normal of the faces,
 /// weighted by angle.
 [[nodiscard]] PassResult renew_normals(const PassInput& input);
-
-/// The ways to fill a hole.
-enum class FillShape : std::uint8_t {
-  /// The patch is Smooth if the hole has more than a few edges and the surface round it bends
-  /// towards it; it is Linear if the surface is flat or ends at a crease.
-  Auto,
-  /// The patch is the triangulation of its border that bends least, and of those the one of least
-  /// area. It has no new vertices unless only they make a patch without contacts.
-  Linear,
-  /// The patch is refined to the density of its surroundings, and faired.
-  Smooth,
-};
-
-/// The open parts whose holes are filled.
-enum class FillSheets : std::uint8_t {
-  /// Only the holes of parts that bound a solid are filled: at least half of their surface
-  /// separates inside from outside.
-  No,
-  Yes,
-};
-
-struct FillOptions {
-  /// Loops with more edges are left open.
-  std::size_t max_edges = std::numeric_limits<std::size_t>::max();
-  /// If a point is given, only the loop nearest to it is filled.
-  std::optional<Vec3> at = {};
-  FillShape shape = FillShape::Auto;
-  FillSheets sheets = FillSheets::No;
-};
 
 /// Returns a pass that fills holes with patches which meet neither the mesh nor themselves. By
 /// PassInput::holes, a loop without one is tried again only once a face near it has changed.

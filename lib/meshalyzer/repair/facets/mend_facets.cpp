@@ -1,16 +1,16 @@
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/repair/facets/internal/collapse_edge.h"
+#include "meshalyzer/repair/facets/internal/cut_neck.h"
 #include "meshalyzer/repair/facets/internal/facet_shape.h"
+#include "meshalyzer/repair/facets/internal/flat_components.h"
 #include "meshalyzer/repair/facets/internal/mend_rules.h"
 #include "meshalyzer/repair/facets/internal/retract_cap.h"
+#include "meshalyzer/repair/facets/internal/step_contacts.h"
 #include "meshalyzer/repair/facets/internal/step_journal.h"
 #include "meshalyzer/repair/facets/internal/working_mesh.h"
 #include "meshalyzer/repair/pass.h"
 #include "meshalyzer/repair/passes.h"
-#include "meshalyzer/spatial/closest_point.h"
-#include "meshalyzer/spatial/face_tree.h"
-#include "meshalyzer/topology/components.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <deque>
 #include <iterator>
-#include <map>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -29,90 +28,15 @@
 namespace meshalyzer {
 namespace {
 
-/// An edge component of which every face is thin, so that no surface could take its place.
-struct FlatComponents {
-  /// Their faces, ascending.
-  std::vector<Index> faces;
-  /// The faces of those components whose corners are all within the maximum deviation of the rest
-  /// of the mesh, so that the surface loses nothing without them. Each list is ascending.
-  std::vector<std::vector<Index>> needless;
+/// The means of mending.
+enum class Means : std::uint8_t {
+  /// Edges are collapsed and caps retracted, whatever else is near: the step that is best by itself
+  /// is proposed.
+  Usual,
+  /// The best step without contact is proposed; besides, necks are cut, and closed components
+  /// without a body dropped.
+  All,
 };
-
-/// Returns the number of faces of each component that are not thin.
-std::vector<Index> count_others(const Components& components, const SideTable& side,
-                                std::span<const Index> thin_faces) {
-  std::vector<Index> n_others(components.count, 0);
-  for (const Index component : components.of_face) ++n_others[component];
-  for (const Index f : thin_faces) --n_others[components.of_face[side.mesh_face(f)]];
-  return n_others;
-}
-
-/// Returns the positions of the vertices of some faces.
-std::vector<Vec3> places_of(const Soup& soup, const std::vector<Index>& faces) {
-  std::vector<Vec3> places;
-  for (const Index f : faces) {
-    for (const Index v : soup.triangles[f]) places.push_back(soup.positions[v]);
-  }
-  return places;
-}
-
-/// Returns the faces of the complex that are not among some others.
-///
-/// @param without  Ascending.
-std::vector<Index> mesh_faces_without(const SideTable& side, const std::vector<Index>& without) {
-  std::vector<Index> others;
-  for (Index f = 0; f < side.faces.size(); ++f) {
-    if (!std::binary_search(without.begin(), without.end(), side.faces[f])) others.push_back(f);
-  }
-  return others;
-}
-
-/// Tells which faces are near to the rest of the mesh. It has a tree of its own: in that of all
-/// faces, each search would visit all that are left out, and these may be nearly all.
-class RestOfMesh {
- public:
-  /// @param without  The faces that are left out, ascending.
-  RestOfMesh(const PassInput& input, const std::vector<Index>& without)
-      : tree_(input.mesh.cut(), mesh_faces_without(input.mesh.cut().side, without)),
-        within_(input.limits.max_deviation) {}
-
-  [[nodiscard]] bool are_near(const std::vector<Vec3>& places) const {
-    return std::all_of(places.begin(), places.end(), [&](const Vec3& p) {
-      return closest_.find({.point = p, .within = within_, .near_enough = within_}).has_value();
-    });
-  }
-
- private:
-  FaceTree tree_;
-  ClosestPoints closest_{tree_};
-  double within_;
-};
-
-/// @param thin_faces  Thin faces of the complex, ascending.
-/// @complexity        O(#F log #F).
-FlatComponents find_flat_components(const PassInput& input, std::span<const Index> thin_faces) {
-  const CutMesh& cut = input.mesh.cut();
-  const Components components = find_edge_components(cut);
-  const std::vector<Index> n_others = count_others(components, cut.side, thin_faces);
-  FlatComponents flat;
-  std::map<Index, std::vector<Index>> faces_of;
-  for (const Index f : thin_faces) {
-    const Index component = components.of_face[cut.side.mesh_face(f)];
-    if (n_others[component] != 0) continue;
-    flat.faces.push_back(f);
-    faces_of[component].push_back(f);
-  }
-  if (faces_of.empty()) return flat;
-  const RestOfMesh rest(input, flat.faces);
-  for (const auto& [component, faces] : faces_of) {
-    if (input.wants_to_stop()) break;
-    if (rest.are_near(places_of(input.tracked.soup, faces))) flat.needless.push_back(faces);
-  }
-  return flat;
-}
-
-/// The maximum number of steps that depend on each other in one operation.
-constexpr std::size_t kMaxStepsTogether = 512;
 
 /// The repairs that are permitted.
 enum class Effort : std::uint8_t {
@@ -126,15 +50,16 @@ enum class Effort : std::uint8_t {
 /// changes as far as that goes, then with any.
 ///
 /// Each step leaves fewer vertices, or as many and fewer thin faces, or as many of both and a
-/// shorter edge; so the process ends.
+/// shorter edge. Only the cut of a neck may add a vertex, but each raises the Euler characteristic,
+/// which no other step lowers, and has an upper bound. So the process ends.
 class Mender {
  public:
-  Mender(const PassInput& input, std::span<const Index> thin_faces)
+  Mender(const PassInput& input, std::span<const Index> thin_faces, Means means)
       : input_(input),
+        means_(means),
         soup_(input.tracked.soup),
-        rules_(input),
         mesh_(input.tracked.soup, thin_faces, input.tolerances.degeneracy),
-        journal_(input.operation_size == OperationSize::Smallest ? 1 : kMaxStepsTogether) {}
+        journal_(input.operation_size) {}
 
   void mend(std::span<const Index> faces) {
     for (const Index f : faces) push(f);
@@ -226,8 +151,10 @@ class Mender {
     MendAttempt best;
     for (const std::size_t k : order) {
       if (!is_short(shape.lengths[k]) || best.is_possible()) break;
-      const MendAttempt collapsed = collapse_edge(mesh_, rules_, {t[k], t[(k + 1) % 3]});
-      best = better(best, collapsed);
+      const std::array<Index, 2> edge{t[k], t[(k + 1) % 3]};
+      best = better(best, collapse_edge(mesh_, rules_, edge));
+      if (best.is_possible() || means_ == Means::Usual) continue;
+      best = better(best, cut_neck(mesh_, rules_, edge));
     }
     return best;
   }
@@ -259,9 +186,11 @@ class Mender {
   }
 
   const PassInput& input_;
+  Means means_;
   const Soup& soup_;
-  MendRules rules_;
   WorkingMesh mesh_;
+  StepContacts contacts_{input_.mesh, mesh_};
+  MendRules rules_{input_, means_ == Means::All ? &contacts_ : nullptr};
   StepJournal journal_;
   std::deque<Index> queue_;
   std::unordered_set<Index> is_queued_;
@@ -276,37 +205,49 @@ void drop(const std::vector<Index>& faces, Edits& edits) {
   for (const Index f : faces) edits.removed_faces.push_back({op, f});
 }
 
-void mend_in_complex(const PassInput& input, const DefectList& defects, PassResult& result) {
-  std::vector<Index> thin;
-  for (const Defect& defect : defects) thin.push_back(defect.faces.front());
-  const FlatComponents flat = find_flat_components(input, thin);
-  std::vector<Index> mendable;
-  std::set_difference(thin.begin(), thin.end(), flat.faces.begin(), flat.faces.end(),
-                      std::back_inserter(mendable));
-  Mender mender(input, thin);
-  mender.mend(mendable);
-  result.edits = mender.edits();
-  result.has_smaller_operations = true;
-  mender.report(defects, result.refused);
+/// Appends those of the thin faces of flat components that stay.
+void refuse_flat(const DefectList& defects, const FlatComponents& flat,
+                 std::vector<Refusal>& refused) {
   std::unordered_set<Index> dropped;
-  for (const std::vector<Index>& faces : flat.needless) {
-    drop(faces, result.edits);
-    dropped.insert(faces.begin(), faces.end());
-  }
+  for (const std::vector<Index>& faces : flat.needless) dropped.insert(faces.begin(), faces.end());
   for (const Defect& defect : defects) {
     const Index f = defect.faces.front();
     if (dropped.contains(f) || !std::binary_search(flat.faces.begin(), flat.faces.end(), f)) {
       continue;
     }
-    result.refused.push_back(
-        {defect.code, kNoIndex, f,
-         "all faces of its component are flat, and no other surface is where it is"});
+    refused.push_back({defect.code, kNoIndex, f,
+                       "all faces of its component are flat, and no other surface is where it is"});
   }
 }
 
-}  // namespace
+void mend_in_complex(const PassInput& input, const DefectList& defects, Means means,
+                     PassResult& result) {
+  std::vector<Index> thin;
+  for (const Defect& defect : defects) thin.push_back(defect.faces.front());
+  const FlatComponents flat = find_flat_components(input, thin);
+  std::vector<std::vector<Index>> needless = flat.needless;
+  std::vector<Index> left_out = flat.faces;
+  // Where dropping all of a component was rejected, its faces are mended one by one.
+  if (means == Means::All && input.operation_size != OperationSize::Smallest) {
+    for (std::vector<Index>& faces : find_needless_layers(input, thin)) {
+      left_out.insert(left_out.end(), faces.begin(), faces.end());
+      needless.push_back(std::move(faces));
+    }
+    sort_unique(left_out);
+  }
+  std::vector<Index> mendable;
+  std::set_difference(thin.begin(), thin.end(), left_out.begin(), left_out.end(),
+                      std::back_inserter(mendable));
+  Mender mender(input, thin, means);
+  mender.mend(mendable);
+  result.edits = mender.edits();
+  result.has_smaller_operations = true;
+  for (const std::vector<Index>& faces : needless) drop(faces, result.edits);
+  mender.report(defects, result.refused);
+  refuse_flat(defects, flat, result.refused);
+}
 
-PassResult mend_facets(const PassInput& input) {
+PassResult mend(const PassInput& input, Means means) {
   DefectList in_complex;
   std::vector<Index> rejected;
   for (const Defect& defect : find_thin_facets(input.mesh, input.tolerances)) {
@@ -318,9 +259,19 @@ PassResult mend_facets(const PassInput& input) {
     }
   }
   PassResult result;
-  if (!in_complex.empty()) mend_in_complex(input, in_complex, result);
+  if (!in_complex.empty()) mend_in_complex(input, in_complex, means, result);
   for (const Index f : rejected) drop({f}, result.edits);
   return result;
+}
+
+}  // namespace
+
+PassResult mend_facets(const PassInput& input) {
+  return mend(input, Means::Usual);
+}
+
+PassResult mend_remaining_facets(const PassInput& input) {
+  return mend(input, Means::All);
 }
 
 }  // namespace meshalyzer

@@ -114,8 +114,9 @@ Soup short_edge_from_dip_to_bump() {
 
 TEST(RepairOptions, OperationThatWouldMakeFacesIntersectIsUndone) {
   RepairOptions options;
-  options.tolerances.degeneracy = 0.51;
-  options.max_deviation = {1.0, Deviation::Unit::Length};
+  // The edge cannot be made as long as this within the deviation.
+  options.tolerances.degeneracy = 0.75;
+  options.max_deviation = {0.2, Deviation::Unit::Length};
   options.fixes.erase(Disjoint);
   const Soup roof = short_edge_from_dip_to_bump();
   const RepairResult alone = fix_defects(roof, options);

@@ -282,7 +282,7 @@ TEST(StepJournal, StepThatReliesOnAnEdgeAnotherHasTakenIsOfTheSameOperation) {
   ASSERT_EQ(both.size(), 2U);
   for (const bool are_apart : {false, true}) {
     WorkingMesh mesh = fixture.mesh;
-    StepJournal journal(512);
+    StepJournal journal(OperationSize::Normal);
     std::vector<Index> gone{both[0], both[1]};
     // On a sphere of 320 faces the last one has nothing to do with the first.
     if (are_apart) gone[1] = 319;

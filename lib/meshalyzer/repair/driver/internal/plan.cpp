@@ -166,6 +166,16 @@ std::vector<PlannedPass> plan_passes(const RepairOptions& options, const Toleran
   return plan.take();
 }
 
+std::vector<PlannedPass> plan_for_remaining_facets(const RepairOptions& options) {
+  using enum DefectCode;
+  Planner plan(options.fixes);
+  if (!options.fixes.contains(DegenerateFacet) && !options.fixes.contains(FlatFacet)) return {};
+  plan.add_always({"mend facets", DegenerateFacet, mend_remaining_facets});
+  plan.add({"remove foldovers", Foldover, remove_foldovers, {Hole}});
+  plan.add_always({"widen facets", DegenerateFacet, widen_facets});
+  return plan.take();
+}
+
 std::vector<PlannedPass> plan_to_join_contacts(const RepairOptions& options) {
   using enum DefectCode;
   Planner plan(options.fixes);

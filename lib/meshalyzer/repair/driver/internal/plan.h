@@ -80,4 +80,9 @@ struct PlannedPass {
 /// Returns the passes for a mesh of which parts were replaced by closed surfaces.
 [[nodiscard]] std::vector<PlannedPass> plan_after_replacement(const RepairOptions& options);
 
+/// Returns the passes for the flat and degenerate facets that all other passes have left, if these
+/// are to be repaired. They come last, because what they move by a tolerance is no longer where
+/// other surfaces are.
+[[nodiscard]] std::vector<PlannedPass> plan_for_remaining_facets(const RepairOptions& options);
+
 }  // namespace meshalyzer

@@ -93,6 +93,11 @@ class RepairDriver {
 
   [[nodiscard]] RepairLog take_log() { return std::move(log_); }
 
+  /// Adds refusals that an earlier plan has logged; each plan begins without any.
+  void add_refusals(const std::vector<LoggedRefusal>& refusals) {
+    log_.refusals.insert(log_.refusals.end(), refusals.begin(), refusals.end());
+  }
+
  private:
   /// The operations that a pass proposes.
   struct Proposal {

@@ -1,7 +1,7 @@
 #include "meshalyzer/repair/facets/internal/collapse_edge.h"
 
 #include "meshalyzer/base/sort_unique.h"
-#include "meshalyzer/repair/facets/internal/facet_shape.h"
+#include "meshalyzer/repair/facets/internal/face_changes.h"
 #include "meshalyzer/repair/facets/internal/link_condition.h"
 #include "meshalyzer/spatial/triangle_distance.h"
 
@@ -27,10 +27,6 @@ struct Merge {
   std::optional<Vec3> middle = std::nullopt;
 };
 
-bool is_at(const Triangle& t, Index vertex) {
-  return std::find(t.begin(), t.end(), vertex) != t.end();
-}
-
 Triangle renamed(Triangle t, Index from, Index to) {
   std::replace(t.begin(), t.end(), from, to);
   return t;
@@ -41,6 +37,7 @@ class MergeCandidate {
  public:
   MergeCandidate(const WorkingMesh& mesh, const Merge& merge, const std::vector<FinTip>& fins)
       : mesh_(mesh), merge_(merge), fins_(fins) {
+    if (merge.middle) move_.moved = {merge.kept, *merge.middle};
     for (const FinTip& fin : fins) {
       const auto faces = mesh.faces_at(fin.tip);
       fin_faces_.insert(fin_faces_.end(), faces.begin(), faces.end());
@@ -51,34 +48,15 @@ class MergeCandidate {
     }
     if (!merge.middle) return;
     for (const Index f : mesh.faces_at(merge.kept)) {
-      if (!is_at(mesh.triangle(f), merge.gone) && !is_of_fin(f)) add(f, mesh.triangle(f));
+      if (!has_corner(mesh.triangle(f), merge.gone) && !is_of_fin(f)) add(f, mesh.triangle(f));
     }
   }
 
   /// Tells whether the faces round the edge stay sound.
   [[nodiscard]] MendOutcome check(double tolerance) const {
-    const Vec3 mean = mean_normal();
-    std::size_t n_thin_made = 0;
-    auto n_thin_gone = static_cast<std::size_t>(std::count_if(
+    const auto n_thin_fins = static_cast<std::size_t>(std::count_if(
         fin_faces_.begin(), fin_faces_.end(), [&](Index f) { return mesh_.is_thin(f); }));
-    for (const Face& face : faces_) {
-      if (face.goes) {
-        n_thin_gone += mesh_.is_thin(face.number) ? 1U : 0U;
-        continue;
-      }
-      const FacetShape now = measure_facet(face.after);
-      if (!now.is_sound(tolerance)) {
-        n_thin_made += mesh_.is_thin(face.number) ? 0U : 1U;
-        if (face.is_turned_over(now)) return MendOutcome::TurnsOver;
-        continue;
-      }
-      // The normal of a thin face is noise: one that becomes wider must face the same side as the
-      // others.
-      const Vec3& wanted = mesh_.is_thin(face.number) && !mean.isZero(0) ? mean : face.shape.normal;
-      if (!(now.normal.dot(wanted) > 0.0)) return MendOutcome::TurnsOver;
-    }
-    return n_thin_made > 0 && n_thin_made >= n_thin_gone ? MendOutcome::MakesThin
-                                                         : MendOutcome::Possible;
+    return check_shapes(mesh_, faces_, n_thin_fins, tolerance);
   }
 
   /// Returns the approximate distance of the new surface from the old one; never less than 0 or
@@ -88,51 +66,15 @@ class MergeCandidate {
   }
 
   [[nodiscard]] MendStep step(MendStep begun) const {
-    for (const Face& face : faces_) {
-      if (face.goes) {
-        begun.changed.push_back({face.number, kNoTriangle});
-      } else if (face.corners != mesh_.triangle(face.number)) {
-        begun.changed.push_back({face.number, face.corners});
-      }
-    }
+    write_changes(mesh_, faces_, begun);
     for (const Index f : fin_faces_) begun.changed.push_back({f, kNoTriangle});
-    if (merge_.middle) begun.moved = {merge_.kept, *merge_.middle};
+    begun.moved = move_.moved;
     return begun;
   }
 
  private:
-  struct Face {
-    Index number;
-    /// The faces after the merge.
-    Triangle corners;
-    bool goes;
-    Corners before;
-    Corners after;
-    FacetShape shape;
-
-    [[nodiscard]] bool is_turned_over(const FacetShape& now) const {
-      return now.normal.dot(shape.normal) < 0.0;
-    }
-  };
-
   void add(Index number, const Triangle& corners) {
-    const Triangle& old = mesh_.triangle(number);
-    Face face{number, corners, !is_in_complex(corners), mesh_.corners(old), mesh_.corners(corners),
-              {}};
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (merge_.middle && corners[k] == merge_.kept) face.after[k] = *merge_.middle;
-    }
-    face.shape = measure_facet(face.before);
-    faces_.push_back(face);
-  }
-
-  /// Returns the sum of the normals of the faces that have one; zero if none has.
-  [[nodiscard]] Vec3 mean_normal() const {
-    Vec3 sum = Vec3::Zero();
-    for (const Face& face : faces_) {
-      if (!mesh_.is_thin(face.number)) sum += face.shape.normal;
-    }
-    return sum;
+    faces_.push_back(change_of_face(mesh_, move_, number, corners));
   }
 
   [[nodiscard]] bool is_of_fin(Index face) const {
@@ -145,7 +87,7 @@ class MergeCandidate {
     for (const FinTip& fin : fins_) {
       const Vec3& tip = mesh_.position(fin.tip);
       double nearest = std::numeric_limits<double>::infinity();
-      for (const Face& face : faces_) {
+      for (const FaceChange& face : faces_) {
         if (face.goes) continue;
         nearest = std::min(nearest, closest_on_triangle(face.after, tip).distance);
       }
@@ -159,7 +101,7 @@ class MergeCandidate {
     if (faces_.size() > kMostFacesCompared) return moved;
     double largest = to_new_faces(mesh_.position(merge_.gone));
     if (merge_.middle) largest = std::max(largest, to_new_faces(mesh_.position(merge_.kept)));
-    for (const Face& face : faces_) {
+    for (const FaceChange& face : faces_) {
       if (face.goes) continue;
       for (std::size_t k = 0; k < 3; ++k) {
         const Vec3& from = face.after[k];
@@ -181,7 +123,7 @@ class MergeCandidate {
 
   [[nodiscard]] double to_new_faces(const Vec3& point) const {
     double nearest = largest_move();
-    for (const Face& face : faces_) {
+    for (const FaceChange& face : faces_) {
       if (face.goes) continue;
       nearest = std::min(nearest, closest_on_triangle(face.after, point).distance);
     }
@@ -190,7 +132,7 @@ class MergeCandidate {
 
   [[nodiscard]] double to_old_faces(const Vec3& point) const {
     double nearest = largest_move();
-    for (const Face& face : faces_) {
+    for (const FaceChange& face : faces_) {
       nearest = std::min(nearest, closest_on_triangle(face.before, point).distance);
     }
     return nearest;
@@ -198,11 +140,13 @@ class MergeCandidate {
 
   const WorkingMesh& mesh_;
   Merge merge_;
+  /// A step that has the movement of the vertex, and nothing else yet.
+  MendStep move_;
   const std::vector<FinTip>& fins_;
   /// The faces at the tips of fins, all of which go, ascending.
   std::vector<Index> fin_faces_;
   /// The other faces.
-  std::vector<Face> faces_;
+  std::vector<FaceChange> faces_;
 };
 
 /// Tries the ways to merge the ends of one edge.
@@ -277,7 +221,9 @@ class EdgeCollapse {
     if (outcome != MendOutcome::Possible) return {.outcome = outcome};
     const double deviation = candidate.deviation();
     if (!(deviation <= rules_.max_deviation())) return {.outcome = MendOutcome::TooFar};
-    return {outcome, candidate.step(begun_), deviation};
+    MendStep step = candidate.step(begun_);
+    if (rules_.forbids(step)) return {.outcome = MendOutcome::Intersects};
+    return {outcome, std::move(step), deviation};
   }
 
   const WorkingMesh& mesh_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/repair/facets/internal/step_contacts.h"
 #include "meshalyzer/repair/facets/internal/working_mesh.h"
 #include "meshalyzer/repair/pass.h"
 
@@ -10,7 +11,9 @@ namespace meshalyzer {
 /// The limits of mending, and the vertices it may change. This refers to the input of the pass.
 class MendRules {
  public:
-  explicit MendRules(const PassInput& input) : input_(input) {}
+  /// @param contacts  Forbids the steps that make contact; null if these are permitted.
+  explicit MendRules(const PassInput& input, const StepContacts* contacts = nullptr)
+      : input_(input), contacts_(contacts) {}
 
   [[nodiscard]] double tolerance() const { return input_.tolerances.degeneracy; }
   [[nodiscard]] double max_deviation() const { return input_.limits.max_deviation; }
@@ -26,14 +29,18 @@ class MendRules {
     return std::any_of(faces.begin(), faces.end(),
                        [&](Index f) { return group(mesh, f) != first; });
   }
+  [[nodiscard]] bool forbids(const MendStep& step) const {
+    return contacts_ != nullptr && contacts_->are_made_by(step);
+  }
   /// Tells whether a vertex must stay at its position.
   [[nodiscard]] bool is_fixed(const WorkingMesh& mesh, Index vertex) const {
-    return input_.limits.is_fixed(input_.tracked, vertex) ||
+    return (!mesh.is_added(vertex) && input_.limits.is_fixed(input_.tracked, vertex)) ||
            (groups() == Groups::Faces && is_between_groups(mesh, vertex));
   }
 
  private:
   const PassInput& input_;
+  const StepContacts* contacts_;
 };
 
 /// A vertex with more faces is not removed, because examining its surroundings again and again

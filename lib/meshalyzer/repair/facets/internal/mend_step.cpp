@@ -18,6 +18,8 @@ std::string_view mend_reason(MendOutcome outcome) {
       return "taking it away would make its neighbours flat";
     case MendOutcome::TurnsOver:
       return "taking it away would turn a neighbour over";
+    case MendOutcome::Intersects:
+      return "taking it away would make faces intersect";
     case MendOutcome::Possible:
       break;
   }

@@ -26,9 +26,15 @@ struct MendStep {
     Index vertex;
     Vec3 to;
   };
+  /// A copy of a vertex at another position. The mesh numbers it as its next vertex.
+  struct NewVertex {
+    Index copy_of;
+    Vec3 position;
+  };
   std::vector<NewCorners> changed;
   std::vector<NewFace> added;
   std::optional<Move> moved;
+  std::optional<NewVertex> added_vertex;
   /// Pairs of vertices for which the step relies on an edge, or on none, between them; beside the
   /// edges of the faces it changes.
   std::vector<std::array<Index, 2>> read_edges;
@@ -47,6 +53,7 @@ enum class MendOutcome : std::uint8_t {
   TooFar,
   MakesThin,
   TurnsOver,
+  Intersects,
   Possible,
 };
 

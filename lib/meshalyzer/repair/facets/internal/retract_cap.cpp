@@ -49,6 +49,7 @@ class Retraction {
     const double deviation = std::max(altitude_, height_of_ends_that_go());
     if (!(deviation <= rules_.max_deviation())) return {.outcome = MendOutcome::TooFar};
     write_step();
+    if (rules_.forbids(step_)) return {.outcome = MendOutcome::Intersects};
     return {outcome, std::move(step_), deviation};
   }
 

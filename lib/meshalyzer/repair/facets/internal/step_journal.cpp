@@ -47,17 +47,18 @@ class EditsWriter {
   void write_face(Index face, Index group) {
     if (face >= before_.n_faces()) {
       if (!after_.has(face)) return;
-      edits_.added_faces.push_back(
-          {operation(group), after_.triangle(face), after_.original(face)});
+      const Index op = operation(group);
+      edits_.added_faces.push_back({op, named(op, face), after_.original(face)});
     } else if (!after_.has(face)) {
       edits_.removed_faces.push_back({operation(group), face});
     } else if (after_.triangle(face) != before_.triangles[face]) {
-      edits_.changed_faces.push_back({operation(group), face, after_.triangle(face)});
+      const Index op = operation(group);
+      edits_.changed_faces.push_back({op, face, named(op, face)});
     }
   }
 
   void write_vertex(Index vertex, Index group) {
-    if (after_.faces_at(vertex).empty()) return;
+    if (after_.is_added(vertex) || after_.faces_at(vertex).empty()) return;
     edits_.moved_vertices.push_back({operation(group), vertex, after_.position(vertex)});
   }
 
@@ -70,9 +71,26 @@ class EditsWriter {
     return place->second;
   }
 
+  /// Returns the corners of a face as edits name them, and adds those vertices that are new.
+  [[nodiscard]] Triangle named(Index op, Index face) {
+    Triangle t = after_.triangle(face);
+    for (Index& v : t) {
+      if (!after_.is_added(v)) continue;
+      const auto name = static_cast<Index>(before_.n_vertices() + edits_.added_vertices.size());
+      const auto [place, is_new] = names_.emplace(v, name);
+      if (is_new) {
+        edits_.added_vertices.push_back({op, after_.position(v), after_.copied_from(v)});
+      }
+      v = place->second;
+    }
+    return t;
+  }
+
   const Soup& before_;
   const WorkingMesh& after_;
   std::unordered_map<Index, Index> operations_;
+  /// The names in the edits of the vertices that steps have added.
+  std::unordered_map<Index, Index> names_;
   Edits edits_;
 };
 

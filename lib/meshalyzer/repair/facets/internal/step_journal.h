@@ -3,6 +3,7 @@
 #include "meshalyzer/repair/edits/edits.h"
 #include "meshalyzer/repair/facets/internal/mend_step.h"
 #include "meshalyzer/repair/facets/internal/working_mesh.h"
+#include "meshalyzer/repair/pass.h"
 
 #include <array>
 #include <cstddef>
@@ -17,8 +18,8 @@ namespace meshalyzer {
 /// that relies on what another has changed belongs to the same operation.
 class StepJournal {
  public:
-  /// @param most_steps  The maximum number of steps of one operation.
-  explicit StepJournal(std::size_t most_steps) : most_steps_(most_steps) {}
+  explicit StepJournal(OperationSize size)
+      : most_steps_(size == OperationSize::Smallest ? 1 : kMostSteps) {}
 
   /// Records a step that is about to be made.
   ///
@@ -29,6 +30,9 @@ class StepJournal {
   [[nodiscard]] Edits edits(const Soup& before, const WorkingMesh& after) const;
 
  private:
+  /// The maximum number of steps of one operation that depend on each other.
+  static constexpr std::size_t kMostSteps = 512;
+
   using EdgeKey = std::uint64_t;
   struct Group {
     Index parent;

@@ -7,13 +7,6 @@
 #include <utility>
 
 namespace meshalyzer {
-namespace {
-
-bool names(const Triangle& t, Index vertex) {
-  return std::find(t.begin(), t.end(), vertex) != t.end();
-}
-
-}  // namespace
 
 WorkingMesh::WorkingMesh(const Soup& soup, std::span<const Index> thin_faces, double tolerance)
     : triangles_(soup.triangles),
@@ -37,9 +30,22 @@ WorkingMesh::WorkingMesh(const Soup& soup, std::span<const Index> thin_faces, do
   }
 }
 
+Corners WorkingMesh::corners_after(const MendStep& step, const Triangle& t) const {
+  Corners corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (t[k] == positions_.size()) {
+      corners[k] = step.added_vertex->position;
+    } else {
+      corners[k] = step.moved && t[k] == step.moved->vertex ? step.moved->to : positions_[t[k]];
+    }
+  }
+  return corners;
+}
+
 std::span<const Index> WorkingMesh::faces_at(Index vertex) const {
   const auto changed = changed_.find(vertex);
   if (changed != changed_.end()) return changed->second;
+  if (is_added(vertex)) return {};
   return std::span(faces_).subspan(begin_[vertex], begin_[vertex + 1] - begin_[vertex]);
 }
 
@@ -48,7 +54,7 @@ std::vector<Index> WorkingMesh::faces_at(Index a, Index b) const {
   const Index other = a_has_fewer ? b : a;
   std::vector<Index> faces;
   for (const Index f : faces_at(a_has_fewer ? a : b)) {
-    if (names(triangles_[f], other)) faces.push_back(f);
+    if (has_corner(triangles_[f], other)) faces.push_back(f);
   }
   return faces;
 }
@@ -58,7 +64,7 @@ bool WorkingMesh::are_joined(Index a, Index b) const {
   const Index other = a_has_fewer ? b : a;
   const auto faces = faces_at(a_has_fewer ? a : b);
   return std::any_of(faces.begin(), faces.end(),
-                     [&](Index f) { return names(triangles_[f], other); });
+                     [&](Index f) { return has_corner(triangles_[f], other); });
 }
 
 std::vector<Index> WorkingMesh::neighbours(Index vertex) const {
@@ -74,6 +80,11 @@ std::vector<Index> WorkingMesh::neighbours(Index vertex) const {
 
 void WorkingMesh::make(const MendStep& step) {
   if (step.moved) positions_[step.moved->vertex] = step.moved->to;
+  if (step.added_vertex) {
+    const Index copied = step.added_vertex->copy_of;
+    copied_from_.push_back(is_added(copied) ? copied_from(copied) : copied);
+    positions_.push_back(step.added_vertex->position);
+  }
   for (const MendStep::NewCorners& change : step.changed) {
     detach(change.face);
     if (change.corners != kNoTriangle) attach(change.face, change.corners);

@@ -4,6 +4,7 @@
 #include "meshalyzer/repair/facets/internal/mend_step.h"
 #include "meshalyzer/spatial/triangle_contact.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -11,6 +12,10 @@
 #include <vector>
 
 namespace meshalyzer {
+
+[[nodiscard]] inline bool has_corner(const Triangle& t, Index vertex) {
+  return std::find(t.begin(), t.end(), vertex) != t.end();
+}
 
 /// The complex of a soup on which repairs are tried. It holds the connectivity as each vertex's
 /// list of faces, whatever the topology, and which faces are thin. Faces keep their numbers; added
@@ -25,14 +30,24 @@ class WorkingMesh {
   [[nodiscard]] const Triangle& triangle(Index face) const { return triangles_[face]; }
   [[nodiscard]] bool has(Index face) const { return triangles_[face][0] != kNoIndex; }
   [[nodiscard]] std::size_t n_faces() const { return triangles_.size(); }
+  [[nodiscard]] std::size_t n_vertices() const { return positions_.size(); }
   [[nodiscard]] const Vec3& position(Index vertex) const { return positions_[vertex]; }
   [[nodiscard]] Corners corners(const Triangle& t) const {
     return {positions_[t[0]], positions_[t[1]], positions_[t[2]]};
   }
+  /// Returns the corners that a face would have after a step.
+  [[nodiscard]] Corners corners_after(const MendStep& step, const Triangle& t) const;
   [[nodiscard]] bool is_thin(Index face) const { return is_thin_[face] != 0; }
   /// Returns the face of the soup that a face is, or was modelled on when it was added.
   [[nodiscard]] Index original(Index face) const {
     return face < n_original_faces_ ? face : prototypes_[face - n_original_faces_];
+  }
+
+  /// Tells whether a step has added a vertex.
+  [[nodiscard]] bool is_added(Index vertex) const { return vertex + 1 >= begin_.size(); }
+  /// Returns the vertex of the soup that an added one is a copy of.
+  [[nodiscard]] Index copied_from(Index added) const {
+    return copied_from_[added + 1 - begin_.size()];
   }
 
   /// Returns the faces at a vertex, in no particular but a reproducible order. The result is valid
@@ -62,6 +77,8 @@ class WorkingMesh {
   /// #V + 1: where the initial faces of each vertex begin.
   std::vector<Index> begin_;
   std::vector<Index> faces_;
+  /// #added vertices.
+  std::vector<Index> copied_from_;
   /// The faces of those vertices where they have changed.
   std::unordered_map<Index, std::vector<Index>> changed_;
 };
