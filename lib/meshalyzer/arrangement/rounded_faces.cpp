@@ -1,5 +1,6 @@
 #include "meshalyzer/arrangement/rounded_faces.h"
 
+#include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/exact/predicates.h"
 
 #include <algorithm>
@@ -10,15 +11,6 @@ namespace meshalyzer {
 namespace {
 
 constexpr Triangle kRemoved{kNoIndex, kNoIndex, kNoIndex};
-
-bool is_corner(const Triangle& t, Index v) {
-  return std::find(t.begin(), t.end(), v) != t.end();
-}
-
-Triangle with_corner(Triangle t, Index old, Index vertex) {
-  std::replace(t.begin(), t.end(), old, vertex);
-  return t;
-}
 
 }  // namespace
 
@@ -32,8 +24,8 @@ RoundedFaceEdits::RoundedFaceEdits(RoundedFaces& faces)
 void RoundedFaceEdits::collapse(Index vertex, Index into) {
   for (const Index face : std::exchange(faces_of_[vertex], {})) {
     Triangle& t = faces_.triangles[face];
-    if (!is_corner(t, vertex)) continue;
-    if (is_corner(t, into)) {
+    if (!has_corner(t, vertex)) continue;
+    if (has_corner(t, into)) {
       t = kRemoved;
       continue;
     }
@@ -47,8 +39,8 @@ void RoundedFaceEdits::split_edge(Index a, Index b, Index through) {
   const std::vector<Index> round_a = faces_of_[a];
   for (const Index face : round_a) {
     const Triangle t = faces_.triangles[face];
-    if (!is_corner(t, a) || !is_corner(t, b)) continue;
-    if (is_corner(t, through)) {
+    if (!has_corner(t, a) || !has_corner(t, b)) continue;
+    if (has_corner(t, through)) {
       faces_.triangles[face] = kRemoved;
       continue;
     }

@@ -149,7 +149,7 @@ void run_passes(RepairDriver& driver, const RepairOptions& options, const Tolera
   }
 }
 
-/// Passes that mend the facets left by all others are followed by these at most so often, in case
+/// The maximum number of times that the facets left are mended and all passes run again, in case
 /// they undo each other's work for ever.
 constexpr int kMostRepeats = 10;
 

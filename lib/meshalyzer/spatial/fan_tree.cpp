@@ -1,6 +1,7 @@
 #include "meshalyzer/spatial/fan_tree.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/triangle_vertices.h"
 
 #include <algorithm>
 #include <limits>
@@ -29,10 +30,6 @@ bool are_apart(const TreeBox& a, const TreeBox& b) {
   return false;
 }
 
-bool names(const Triangle& t, Index v) {
-  return t[0] == v || t[1] == v || t[2] == v;
-}
-
 /// Returns the vertex that all faces of a leaf have in common, or kNoIndex. A leaf with far faces
 /// has none, because its rim would be in another place.
 Index hub_of_leaf(const FaceTree& tree, std::size_t leaf) {
@@ -41,7 +38,7 @@ Index hub_of_leaf(const FaceTree& tree, std::size_t leaf) {
   const std::size_t end = std::min(begin + 8, tree.n_faces());
   for (const Index candidate : tree.triangle(begin)) {
     std::size_t slot = begin + 1;
-    while (slot < end && names(tree.triangle(slot), candidate)) ++slot;
+    while (slot < end && has_corner(tree.triangle(slot), candidate)) ++slot;
     if (slot == end) return candidate;
   }
   return kNoIndex;

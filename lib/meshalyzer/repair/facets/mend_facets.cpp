@@ -224,12 +224,13 @@ void mend_in_complex(const PassInput& input, const DefectList& defects, Means me
                      PassResult& result) {
   std::vector<Index> thin;
   for (const Defect& defect : defects) thin.push_back(defect.faces.front());
-  const FlatComponents flat = find_flat_components(input, thin);
+  const ThinComponents counted = count_thin_faces(input.mesh.cut(), thin);
+  const FlatComponents flat = find_flat_components(input, thin, counted);
   std::vector<std::vector<Index>> needless = flat.needless;
   std::vector<Index> left_out = flat.faces;
   // Where dropping all of a component was rejected, its faces are mended one by one.
   if (means == Means::All && input.operation_size != OperationSize::Smallest) {
-    for (std::vector<Index>& faces : find_needless_layers(input, thin)) {
+    for (std::vector<Index>& faces : find_needless_layers(input, counted)) {
       left_out.insert(left_out.end(), faces.begin(), faces.end());
       needless.push_back(std::move(faces));
     }

@@ -1,4 +1,5 @@
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/repair/folds/internal/candidate_faces.h"
@@ -283,8 +284,7 @@ std::optional<double> FoldoverRemover::try_move(const FaceDisc& disc,
 bool FoldoverRemover::replace_one(const FoldedRegion& region) {
   return std::any_of(region.vertices.begin(), region.vertices.end(), [&](Index v) {
     const bool is_hub = std::all_of(region.faces.begin(), region.faces.end(), [&](Index f) {
-      const Triangle& t = soup_.triangles[cut_.side.faces[f]];
-      return std::find(t.begin(), t.end(), v) != t.end();
+      return has_corner(soup_.triangles[cut_.side.faces[f]], v);
     });
     return is_hub && replace(region, {v});
   });

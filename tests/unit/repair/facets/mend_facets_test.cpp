@@ -219,29 +219,7 @@ TEST(MendFacets, NeckOfThreeShortEdgesIsNotPinched) {
   // A tube of two long halves on a triangle smaller than the tolerance: collapsing one of its edges
   // would tear the halves apart.
   const double r = 1e-10;
-  const Soup soup = shapes::make({{r, 0, 0},
-                                  {-r, r, 0},
-                                  {-r, -r, 0},
-                                  {1, 0, 1},
-                                  {-1, 1, 1},
-                                  {-1, -1, 1},
-                                  {1, 0, -1},
-                                  {-1, 1, -1},
-                                  {-1, -1, -1}},
-                                 {{0, 1, 4},
-                                  {0, 4, 3},
-                                  {1, 2, 5},
-                                  {1, 5, 4},
-                                  {2, 0, 3},
-                                  {2, 3, 5},
-                                  {3, 4, 5},
-                                  {1, 0, 6},
-                                  {1, 6, 7},
-                                  {2, 1, 7},
-                                  {2, 7, 8},
-                                  {0, 2, 8},
-                                  {0, 8, 6},
-                                  {8, 7, 6}});
+  const Soup soup = hourglass({Vec3{r, 0, 0}, Vec3{-r, r, 0}, Vec3{-r, -r, 0}});
   const PassRun run = run_pass(soup, mend_facets);
   EXPECT_EQ(topology_of(run.tracked.soup), topology_of(soup));
   EXPECT_FALSE(run.refused.empty());

@@ -8,6 +8,7 @@
 #include "meshalyzer/topology/edges.h"
 #include "support/random_soups.h"
 #include "support/run_pass.h"
+#include "support/shapes.h"
 
 #include <algorithm>
 #include <array>
@@ -92,6 +93,27 @@ inline void add_cap(Soup& soup, Index face, std::size_t k, double share) {
   soup.triangles[face] = {t[0], t[1], apex};
   soup.triangles.push_back({t[1], t[2], apex});
   soup.triangles.push_back({t[2], t[0], apex});
+}
+
+/// Two tetrahedra, one on the other, the tips of which are one: a waist of three vertices.
+[[nodiscard]] inline Soup hourglass(const std::array<Vec3, 3>& waist) {
+  Soup soup = shapes::make({waist[0],
+                            waist[1],
+                            waist[2],
+                            {2, 0, 1},
+                            {-1, 2, 1},
+                            {-1, -2, 1},
+                            {2, 0, -1},
+                            {-1, 2, -1},
+                            {-1, -2, -1}},
+                           {{3, 4, 5}, {6, 8, 7}});
+  for (Index k = 0; k < 3; ++k) {
+    const Index next = (k + 1) % 3;
+    soup.triangles.insert(
+        soup.triangles.end(),
+        {{k, next, 3 + k}, {next, 3 + next, 3 + k}, {next, k, 6 + k}, {next, 6 + k, 6 + next}});
+  }
+  return soup;
 }
 
 /// Needles and caps at n random places, which may lie in each other.

@@ -1,6 +1,6 @@
 #include "meshalyzer/repair/fix_defects.h"
 #include "meshalyzer/repair/passes.h"
-#include "meshalyzer/spatial/self_intersection.h"
+#include "support/intersecting_pairs.h"
 #include "support/run_pass.h"
 #include "support/same_soup.h"
 #include "support/shapes.h"
@@ -20,10 +20,6 @@
 namespace meshalyzer {
 namespace {
 
-std::size_t count_intersecting_pairs(const Soup& soup) {
-  return PreparedMesh(soup).intersecting_pairs().size();
-}
-
 /// The largest distance by which a vertex that stays was moved.
 double largest_move(const Soup& before, const TrackedMesh& after) {
   double largest = 0.0;
@@ -39,27 +35,6 @@ double tolerance_of(const Soup& soup) {
   return resolve_tolerances({}, box_of(soup)).degeneracy;
 }
 
-/// Two tetrahedra, one on the other, the tips of which are one: a waist of three vertices.
-Soup hourglass(const std::array<Vec3, 3>& waist) {
-  Soup soup = shapes::make({waist[0],
-                            waist[1],
-                            waist[2],
-                            {2, 0, 1},
-                            {-1, 2, 1},
-                            {-1, -2, 1},
-                            {2, 0, -1},
-                            {-1, 2, -1},
-                            {-1, -2, -1}},
-                           {{3, 4, 5}, {6, 8, 7}});
-  for (Index k = 0; k < 3; ++k) {
-    const Index next = (k + 1) % 3;
-    soup.triangles.insert(
-        soup.triangles.end(),
-        {{k, next, 3 + k}, {next, 3 + next, 3 + k}, {next, k, 6 + k}, {next, 6 + k, 6 + next}});
-  }
-  return soup;
-}
-
 /// Expects the two solids of an hourglass to be apart, and sound.
 void expect_cut_in_two(const Soup& soup) {
   const TopologyCounts topology = topology_of(soup);
@@ -69,13 +44,13 @@ void expect_cut_in_two(const Soup& soup) {
   EXPECT_EQ(topology.non_manifold_vertices, 0U);
   EXPECT_EQ(topology.flipped_edges, 0U);
   EXPECT_TRUE(thin_faces(soup).empty());
-  EXPECT_EQ(count_intersecting_pairs(soup), 0U);
+  EXPECT_EQ(n_intersecting_pairs(soup), 0U);
 }
 
 TEST(MendRemainingFacets, NeckThinnerThanTheToleranceIsCutAtItsVertices) {
   const Soup soup = hourglass({Vec3{1e-9, 0, 0}, Vec3{0, 1e-9, 0}, Vec3{0, -1e-9, 0}});
   ASSERT_EQ(topology_of(soup).euler_characteristic, 2);
-  ASSERT_EQ(count_intersecting_pairs(soup), 0U);
+  ASSERT_EQ(n_intersecting_pairs(soup), 0U);
   EXPECT_EQ(run_pass(soup, mend_facets).operations, 0U);
   const PassRun run = run_pass(soup, mend_remaining_facets);
   expect_cut_in_two(run.tracked.soup);
@@ -85,7 +60,7 @@ TEST(MendRemainingFacets, NeckThinnerThanTheToleranceIsCutAtItsVertices) {
 
 TEST(MendRemainingFacets, FlatNeckIsCutWithACopyOfItsFarVertex) {
   const Soup soup = hourglass({Vec3{1, 0, 0}, Vec3{0, 1e-9, 0}, Vec3{0, -1e-9, 0}});
-  ASSERT_EQ(count_intersecting_pairs(soup), 0U);
+  ASSERT_EQ(n_intersecting_pairs(soup), 0U);
   EXPECT_EQ(run_pass(soup, mend_facets).operations, 0U);
   const PassRun run = run_pass(soup, mend_remaining_facets);
   expect_cut_in_two(run.tracked.soup);
@@ -134,11 +109,11 @@ TEST(MendRemainingFacets, EndOfAShortEdgeStaysThatMakesNoContact) {
       }
     }
     ASSERT_EQ(thin_faces(soup).size(), 2U);
-    ASSERT_EQ(count_intersecting_pairs(soup), 0U);
-    n_usual += count_intersecting_pairs(run_pass(soup, mend_facets).tracked.soup);
+    ASSERT_EQ(n_intersecting_pairs(soup), 0U);
+    n_usual += n_intersecting_pairs(run_pass(soup, mend_facets).tracked.soup);
     const PassRun run = run_pass(soup, mend_remaining_facets);
     EXPECT_TRUE(thin_faces(run.tracked.soup).empty());
-    EXPECT_EQ(count_intersecting_pairs(run.tracked.soup), 0U);
+    EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
   }
   // By itself, one end is as good as the other.
   EXPECT_GT(n_usual, 0U);
@@ -184,7 +159,7 @@ TEST(MendRemainingFacets, MendsAsUsualWhereNothingIsNear) {
     const PassRun run = run_pass(soup, mend_remaining_facets);
     EXPECT_TRUE(thin_faces(run.tracked.soup).empty());
     EXPECT_EQ(topology_of(run.tracked.soup), topology_of(soup));
-    EXPECT_EQ(count_intersecting_pairs(run.tracked.soup), 0U);
+    EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
   }
 }
 
@@ -210,7 +185,7 @@ TEST(WidenFacets, NeedlesAndCapsBecomeAsWideAsTheTolerance) {
     const PassRun run = run_pass(soup, widen_facets);
     EXPECT_TRUE(thin_faces(run.tracked.soup).empty());
     EXPECT_EQ(run.tracked.soup.triangles, soup.triangles);
-    EXPECT_EQ(count_intersecting_pairs(run.tracked.soup), 0U);
+    EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
     EXPECT_LE(largest_move(soup, run.tracked), 8 * tolerance_of(soup));
     EXPECT_GT(largest_move(soup, run.tracked), 0.0);
   }
@@ -221,7 +196,7 @@ TEST(WidenFacets, NeckIsWidenedWhereItCannotBeCut) {
   const PassRun run = run_pass(soup, widen_facets);
   EXPECT_TRUE(thin_faces(run.tracked.soup).empty());
   EXPECT_EQ(topology_of(run.tracked.soup), topology_of(soup));
-  EXPECT_EQ(count_intersecting_pairs(run.tracked.soup), 0U);
+  EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
 }
 
 TEST(WidenFacets, FixedVerticesStay) {
@@ -257,9 +232,9 @@ TEST(WidenFacets, NoContactIsMadeWithLayersCloserThanTheTolerance) {
       add_cap(soup, face, 0, 0.3);
     }
     soup = shapes::merged(shapes::merged(std::move(soup), layer(1 - 1e-9)), layer(1 + 1e-9));
-    ASSERT_EQ(count_intersecting_pairs(soup), 0U);
+    ASSERT_EQ(n_intersecting_pairs(soup), 0U);
     const PassRun run = run_pass(soup, widen_facets);
-    EXPECT_EQ(count_intersecting_pairs(run.tracked.soup), 0U);
+    EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
     n_operations += run.operations;
   }
   EXPECT_GT(n_operations, 10U);
@@ -271,7 +246,7 @@ TEST(FixDefects, NecksAndSliversThatCollapseCannotMendAreMended) {
                            cube_and_sliver(0.0005), cube_and_sliver(0.5)}) {
     const Soup repaired = fix_defects(soup).meshes.front().tracked.soup;
     EXPECT_TRUE(thin_faces(repaired).empty());
-    EXPECT_EQ(count_intersecting_pairs(repaired), 0U);
+    EXPECT_EQ(n_intersecting_pairs(repaired), 0U);
   }
 }
 
@@ -298,7 +273,7 @@ TEST(FixDefects, BoxesThatNearlyShareFacesAreUnitedWithoutThinFacets) {
   for (int i = 0; i < 30; ++i) {
     const Soup repaired = fix_defects(boxes_on_a_lattice(6, 1e-10, random)).meshes[0].tracked.soup;
     EXPECT_TRUE(thin_faces(repaired).empty());
-    EXPECT_EQ(count_intersecting_pairs(repaired), 0U);
+    EXPECT_EQ(n_intersecting_pairs(repaired), 0U);
     EXPECT_EQ(topology_of(repaired).boundaries, 0U);
   }
 }

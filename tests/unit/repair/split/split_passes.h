@@ -3,6 +3,7 @@
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/topology/components.h"
 #include "meshalyzer/topology/edges.h"
+#include "support/intersecting_pairs.h"
 #include "support/run_pass.h"
 
 #include <gtest/gtest.h>
@@ -31,10 +32,6 @@ namespace meshalyzer {
 [[nodiscard]] inline std::size_t n_border_edges(const Soup& soup) {
   const std::vector<EdgeKind> kinds = classify_edges(build(soup));
   return static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), EdgeKind::Border));
-}
-
-[[nodiscard]] inline std::size_t n_intersecting_pairs(const Soup& soup) {
-  return PreparedMesh(soup).intersecting_pairs().size();
 }
 
 /// Returns the volume of each component, ascending.

@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/facets/internal/collapse_edge.h"
 
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/repair/facets/internal/face_changes.h"
 #include "meshalyzer/repair/facets/internal/link_condition.h"
 #include "meshalyzer/spatial/triangle_distance.h"
@@ -27,11 +28,6 @@ struct Merge {
   std::optional<Vec3> middle = std::nullopt;
 };
 
-Triangle renamed(Triangle t, Index from, Index to) {
-  std::replace(t.begin(), t.end(), from, to);
-  return t;
-}
-
 /// A merge, and the faces round the edge before and after it.
 class MergeCandidate {
  public:
@@ -44,7 +40,7 @@ class MergeCandidate {
     }
     sort_unique(fin_faces_);
     for (const Index f : mesh.faces_at(merge.gone)) {
-      if (!is_of_fin(f)) add(f, renamed(mesh.triangle(f), merge.gone, merge.kept));
+      if (!is_of_fin(f)) add(f, with_corner(mesh.triangle(f), merge.gone, merge.kept));
     }
     if (!merge.middle) return;
     for (const Index f : mesh.faces_at(merge.kept)) {

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/repair/facets/internal/face_changes.h"
 #include "meshalyzer/repair/facets/internal/link_condition.h"
 
@@ -25,7 +26,7 @@ using Sides = std::array<std::vector<Index>, 2>;
 /// Joins the faces that have an edge in common with one end on the ring.
 ///
 /// @return Nothing if there are not two sides, or an edge of the ring has not a face on each.
-std::optional<Sides> find_sides(const WorkingMesh& mesh, const Ring& ring) {
+std::optional<Sides> sides_of_ring(const WorkingMesh& mesh, const Ring& ring) {
   std::vector<Index> faces;
   for (const Index v : ring) {
     const auto round = mesh.faces_at(v);
@@ -112,7 +113,7 @@ class Neck {
     const bool is_fixed =
         std::any_of(ring_.begin(), ring_.end(), [&](Index v) { return rules_.is_fixed(mesh_, v); });
     if (is_fixed) return {.outcome = MendOutcome::Fixed};
-    const std::optional<Sides> sides = find_sides(mesh_, ring_);
+    const std::optional<Sides> sides = sides_of_ring(mesh_, ring_);
     if (!sides) return {.outcome = MendOutcome::Topology};
     MendAttempt best{.outcome = MendOutcome::Topology};
     for (const NeckClosing& closing : closings()) {

@@ -6,13 +6,11 @@
 #include "meshalyzer/prepared/shells.h"
 #include "meshalyzer/spatial/closest_point.h"
 #include "meshalyzer/spatial/face_tree.h"
-#include "meshalyzer/topology/components.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <map>
 
 namespace meshalyzer {
@@ -34,20 +32,6 @@ std::vector<double> mean_thickness(const CutMesh& cut, const FaceParts& parts) {
     thickness[c] = 2.0 * std::abs(volumes[c].value) / areas[c];
   }
   return thickness;
-}
-
-/// Returns the number of thin faces of each component.
-std::vector<Index> count_thin(const Components& components, const SideTable& side,
-                              std::span<const Index> thin_faces) {
-  std::vector<Index> n_thin(components.count, 0);
-  for (const Index f : thin_faces) ++n_thin[components.of_face[side.mesh_face(f)]];
-  return n_thin;
-}
-
-std::vector<Index> count_faces(const Components& components) {
-  std::vector<Index> n_faces(components.count, 0);
-  for (const Index component : components.of_face) ++n_faces[component];
-  return n_faces;
 }
 
 /// Returns the corners of some faces, and points between them.
@@ -110,26 +94,34 @@ std::vector<std::vector<Index>> find_near_rest(const PassInput& input, const Com
 
 }  // namespace
 
-FlatComponents find_flat_components(const PassInput& input, std::span<const Index> thin_faces) {
-  const CutMesh& cut = input.mesh.cut();
-  const Components components = find_edge_components(cut);
-  const std::vector<Index> n_faces = count_faces(components);
-  const std::vector<Index> n_thin = count_thin(components, cut.side, thin_faces);
+ThinComponents count_thin_faces(const CutMesh& cut, std::span<const Index> thin_faces) {
+  ThinComponents counted{.components = find_edge_components(cut), .n_faces = {}, .n_thin = {}};
+  const Components& components = counted.components;
+  counted.n_faces.assign(components.count, 0);
+  counted.n_thin.assign(components.count, 0);
+  for (const Index component : components.of_face) ++counted.n_faces[component];
+  for (const Index f : thin_faces) ++counted.n_thin[components.of_face[cut.side.mesh_face(f)]];
+  return counted;
+}
+
+FlatComponents find_flat_components(const PassInput& input, std::span<const Index> thin_faces,
+                                    const ThinComponents& counted) {
+  const auto& [components, n_faces, n_thin] = counted;
   std::vector<std::uint8_t> is_flat(components.count);
   for (std::size_t c = 0; c < components.count; ++c) is_flat[c] = n_thin[c] == n_faces[c] ? 1 : 0;
   FlatComponents flat;
-  std::copy_if(thin_faces.begin(), thin_faces.end(), std::back_inserter(flat.faces),
-               [&](Index f) { return is_flat[components.of_face[cut.side.mesh_face(f)]] != 0; });
+  for (const Index f : thin_faces) {
+    const std::size_t mesh_face = input.mesh.cut().side.mesh_face(f);
+    if (is_flat[components.of_face[mesh_face]] != 0) flat.faces.push_back(f);
+  }
   flat.needless = find_near_rest(input, components, is_flat);
   return flat;
 }
 
 std::vector<std::vector<Index>> find_needless_layers(const PassInput& input,
-                                                     std::span<const Index> thin_faces) {
+                                                     const ThinComponents& counted) {
   const CutMesh& cut = input.mesh.cut();
-  const Components components = find_edge_components(cut);
-  const std::vector<Index> n_faces = count_faces(components);
-  const std::vector<Index> n_thin = count_thin(components, cut.side, thin_faces);
+  const auto& [components, n_faces, n_thin] = counted;
   const std::vector<std::uint8_t> is_closed = which_are_shells(cut, components);
   std::vector<Index> part_of_face(components.of_face.size(), kNoIndex);
   for (std::size_t f = 0; f < part_of_face.size(); ++f) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/repair/pass.h"
+#include "meshalyzer/topology/components.h"
 
 #include <span>
 #include <vector>
@@ -16,20 +17,35 @@ struct FlatComponents {
   std::vector<std::vector<Index>> needless;
 };
 
+/// The edge components of a mesh, and the numbers of their faces.
+struct ThinComponents {
+  Components components;
+  /// #components: how many faces each has, and how many of them are thin.
+  std::vector<Index> n_faces;
+  std::vector<Index> n_thin;
+};
+
+/// @param thin_faces  Thin faces of the complex.
+/// @complexity        O(#E log #F).
+[[nodiscard]] ThinComponents count_thin_faces(const CutMesh& cut,
+                                              std::span<const Index> thin_faces);
+
 /// @param thin_faces  Thin faces of the complex, ascending.
+/// @param counted     The result of count_thin_faces().
 /// @complexity        O(#F log #F).
 [[nodiscard]] FlatComponents find_flat_components(const PassInput& input,
-                                                  std::span<const Index> thin_faces);
+                                                  std::span<const Index> thin_faces,
+                                                  const ThinComponents& counted);
 
 /// Finds components without a body: they are closed, some of their faces are thin and some are not,
 /// and the mean distance of the layers of their surface from each other is below the tolerance, as
 /// in a sliver of a tetrahedron.
 ///
-/// @param thin_faces  Thin faces of the complex, ascending.
-/// @return            The faces, ascending, of each that is within the maximum deviation of the
-///                    rest of the mesh.
-/// @complexity        O(#F log #F).
-[[nodiscard]] std::vector<std::vector<Index>> find_needless_layers(
-    const PassInput& input, std::span<const Index> thin_faces);
+/// @param counted  The result of count_thin_faces().
+/// @return         The faces, ascending, of each that is within the maximum deviation of the rest
+///                 of the mesh.
+/// @complexity     O(#F log #F).
+[[nodiscard]] std::vector<std::vector<Index>> find_needless_layers(const PassInput& input,
+                                                                   const ThinComponents& counted);
 
 }  // namespace meshalyzer

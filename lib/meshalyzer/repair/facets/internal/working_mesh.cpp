@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/facets/internal/working_mesh.h"
 
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/repair/facets/internal/facet_shape.h"
 
 #include <algorithm>

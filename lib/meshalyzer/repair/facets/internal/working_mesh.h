@@ -4,7 +4,6 @@
 #include "meshalyzer/repair/facets/internal/mend_step.h"
 #include "meshalyzer/spatial/triangle_contact.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,10 +11,6 @@
 #include <vector>
 
 namespace meshalyzer {
-
-[[nodiscard]] inline bool has_corner(const Triangle& t, Index vertex) {
-  return std::find(t.begin(), t.end(), vertex) != t.end();
-}
 
 /// The complex of a soup on which repairs are tried. It holds the connectivity as each vertex's
 /// list of faces, whatever the topology, and which faces are thin. Faces keep their numbers; added

@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/weld/internal/weld_splits.h"
 
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/repair/driver/internal/merge_rule.h"
 #include "meshalyzer/repair/driver/internal/orientation_rule.h"
@@ -197,10 +198,8 @@ class Splitter {
 
   [[nodiscard]] bool are_neighbours(Index v, Index w) const {
     const auto faces = faces_at_[v];
-    return std::any_of(faces.begin(), faces.end(), [&](Index f) {
-      const Triangle& t = soup_.triangles[f];
-      return std::find(t.begin(), t.end(), w) != t.end();
-    });
+    return std::any_of(faces.begin(), faces.end(),
+                       [&](Index f) { return has_corner(soup_.triangles[f], w); });
   }
 
   /// Returns the other faces with an end of the crack, ascending.
