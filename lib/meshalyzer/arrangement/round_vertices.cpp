@@ -12,9 +12,8 @@
 namespace meshalyzer {
 namespace {
 
-/// The resolution of the grid of each round: its spacing is the extent divided by two to this
-/// power. The first rounds use the nearest doubles; later ones round the new points, and the last
-/// ones all vertices of intersecting faces.
+/// The resolution of the grid of each round, see grid_spacing(). The first rounds use the nearest
+/// doubles; later ones round the new points, and the last ones all vertices of intersecting faces.
 constexpr std::array<int, kRoundingRounds> kGridBits{0,  0,  24, 24, 24, 24, 24,
                                                      24, 20, 20, 20, 17, 17, 17};
 constexpr std::size_t kFirstSnappedRound = 2;
@@ -39,10 +38,6 @@ std::vector<Index> vertices_of_cut_faces(const Arrangement& arrangement) {
   }
   sort_unique(vertices);
   return vertices;
-}
-
-Vec3 nearest_on_grid(const Vec3& position, double spacing) {
-  return (position / spacing).array().rint().matrix() * spacing;
 }
 
 /// Rounds vertices to the points of a grid near vertices of cut faces.
@@ -81,12 +76,19 @@ void merge(const std::vector<Index>& of_cut_faces, RoundedVertices& rounded) {
 
 }  // namespace
 
+Vec3 nearest_on_grid(const Vec3& position, double spacing) {
+  return (position / spacing).array().rint().matrix() * spacing;
+}
+
+double grid_spacing(int bits, double extent, double max_deviation) {
+  const double largest_move = kRoundingShare * max_deviation;
+  if (!(extent > 0.0) || !(largest_move > 0.0)) return 0.0;
+  return std::ldexp(1.0, std::min(std::ilogb(extent) + 1 - bits, std::ilogb(largest_move)));
+}
+
 Rounding rounding_of_round(std::size_t round, const RoundingLimits& limits) {
-  const double largest_move = kRoundingShare * limits.max_deviation;
-  if (round < kFirstSnappedRound || !(limits.extent > 0.0) || !(largest_move > 0.0)) return {};
-  const int exponent =
-      std::min(std::ilogb(limits.extent) + 1 - kGridBits[round], std::ilogb(largest_move));
-  return {.spacing = std::ldexp(1.0, exponent),
+  if (round < kFirstSnappedRound) return {};
+  return {.spacing = grid_spacing(kGridBits[round], limits.extent, limits.max_deviation),
           .first_to_snap = round < kFirstRoundOfAll ? limits.n_input_vertices : 0};
 }
 

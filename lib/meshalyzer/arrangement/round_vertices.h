@@ -15,6 +15,14 @@ struct RoundedVertices {
   std::vector<Index> stands_for;
 };
 
+/// Returns the point of a grid of this spacing, with a point at the origin, that is nearest to a
+/// position.
+[[nodiscard]] Vec3 nearest_on_grid(const Vec3& position, double spacing);
+
+/// Returns the spacing of a grid: a power of two, about the extent divided by two to the power of
+/// `bits`, but at most a share of the maximum deviation; 0 if there is no such grid.
+[[nodiscard]] double grid_spacing(int bits, double extent, double max_deviation);
+
 /// The parameters of rounding in one round of cutting.
 struct Rounding {
   /// The spacing of the grid; 0 for the nearest doubles.

@@ -1,10 +1,15 @@
+#include "meshalyzer/arrangement/round_vertices.h"
 #include "meshalyzer/base/grouped_digits.h"
+#include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/repair/cut/internal/cut_edits.h"
 #include "meshalyzer/repair/cut/internal/cut_surface.h"
+#include "meshalyzer/repair/cut/internal/positions_on_grid.h"
 #include "meshalyzer/repair/holes/internal/crossing_patches.h"
 #include "meshalyzer/repair/passes.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -29,6 +34,9 @@ struct CutLimits {
 constexpr CutLimits kUsualLimits{100'000, 1e7, PieceRules{}.more_pieces};
 /// Where the result is to be good, there is no other way left than to cut, or to replace all.
 constexpr CutLimits kLimitsOfGuarantee{200'000, 1e8, 1'000'000};
+
+/// The resolutions of the grids on which it is tried again, see grid_spacing().
+constexpr std::array kGridsOfAttempts{40, 36, 32};
 
 PassResult refuse_at(Index face, const std::string& reason) {
   PassResult result;
@@ -81,6 +89,39 @@ bool has_sheets_to_split(const PassInput& input) {
   return !input.tracked.sheet_cuts.empty() && input.mesh.cut().side.non_manifold_edges.size() != 0;
 }
 
+using Cut = std::function<CutSurface(const ChangesBefore&)>;
+using EditsOf = std::function<PassResult(const CutSurface&)>;
+
+/// Cuts, and makes edits of the surface. If nothing can be cut to the end, it is tried again with
+/// vertices moved to points of a grid.
+PassResult propose_cut(const PassInput& input, std::span<const Edits::AddedFace> patches,
+                       const Cut& cut, const EditsOf& edits_of) {
+  const CutSurface surface = cut({.patches = patches, .positions = {}});
+  if (surface.has_too_many_pieces) return refuse_pieces(input, surface);
+  PassResult result = edits_of(surface);
+  if (!result.edits.empty() || surface.unfinished.empty()) return result;
+  const Soup& soup = input.tracked.soup;
+  for (const int bits : kGridsOfAttempts) {
+    const double spacing =
+        grid_spacing(bits, used_box(soup).sizes().maxCoeff(), input.limits.max_deviation);
+    if (!(spacing > 0.0) || input.wants_to_stop()) break;
+    const std::vector<Vec3> positions = positions_on_grid(soup, surface, spacing);
+    const CutSurface of_grid = cut({patches, positions});
+    if (PassResult again = edits_of(of_grid); !again.edits.empty()) return again;
+  }
+  return result;
+}
+
+/// Does the same as cut_keeping_pockets() cuts.
+PassResult propose_cut_with_pockets(const PassInput& input,
+                                    std::span<const Edits::AddedFace> patches, Sheets sheets,
+                                    std::size_t more_pieces, const EditsOf& edits_of) {
+  const auto cut = [&](const ChangesBefore& changes) {
+    return cut_keeping_pockets(input, changes, sheets, more_pieces);
+  };
+  return propose_cut(input, patches, cut, edits_of);
+}
+
 }  // namespace
 
 PassResult self_union(const PassInput& input, const SelfUnionOptions& options) {
@@ -88,10 +129,11 @@ PassResult self_union(const PassInput& input, const SelfUnionOptions& options) {
     return refuse_all(input.mesh.intersecting_pairs().front(), reason);
   }
   const std::vector<Edits::AddedFace> patches = crossing_patches(input, options.fill);
-  const CutSurface surface =
-      cut_keeping_pockets(input, patches, Sheets::Left, kLimitsOfGuarantee.more_pieces);
-  if (surface.has_too_many_pieces) return refuse_pieces(input, surface);
-  return cut_edits_as_one(input, patches, surface, options.lost);
+  const auto edits_of = [&](const CutSurface& surface) {
+    return cut_edits_as_one(input, patches, surface, options.lost);
+  };
+  return propose_cut_with_pockets(input, patches, Sheets::Left, kLimitsOfGuarantee.more_pieces,
+                                  edits_of);
 }
 
 PassResult cut_intersections(const PassInput& input, const CutOptions& options) {
@@ -110,20 +152,23 @@ PassResult cut_intersections(const PassInput& input, const CutOptions& options) 
   std::vector<Edits::AddedFace> patches;
   if (options.fill && !has_sheets_to_split(input)) patches = crossing_patches(input, *options.fill);
   if (pairs.empty() && patches.empty()) return {};
-  if (input.operation_size == OperationSize::Normal) {
-    const CutSurface surface =
-        cut_surface(input, patches, {.sheets = options.sheets},
-                    {.thin_facets = ThinFacets::Removed, .more_pieces = limits.more_pieces});
-    if (surface.has_too_many_pieces) return refuse_pieces(input, surface);
+  if (input.operation_size == OperationSize::Smallest) {
+    const auto edits_of = [&](const CutSurface& surface) {
+      return cut_edits(input, patches, surface);
+    };
+    return propose_cut_with_pockets(input, patches, options.sheets, limits.more_pieces, edits_of);
+  }
+  const auto cut = [&](const ChangesBefore& changes) {
+    return cut_surface(input, changes, {.sheets = options.sheets},
+                       {.thin_facets = ThinFacets::Removed, .more_pieces = limits.more_pieces});
+  };
+  const auto edits_of = [&](const CutSurface& surface) {
     PassResult result = cut_edits(input, patches, surface);
     // Only pockets and thin facets are treated otherwise in smaller operations.
     result.has_smaller_operations = surface.has_pockets || surface.has_removed_facets;
     return result;
-  }
-  const CutSurface surface =
-      cut_keeping_pockets(input, patches, options.sheets, limits.more_pieces);
-  if (surface.has_too_many_pieces) return refuse_pieces(input, surface);
-  return cut_edits(input, patches, surface);
+  };
+  return propose_cut(input, patches, cut, edits_of);
 }
 
 }  // namespace meshalyzer

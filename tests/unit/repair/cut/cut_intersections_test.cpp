@@ -5,6 +5,7 @@
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/topology/components.h"
+#include "support/random_soups.h"
 #include "support/run_pass.h"
 #include "support/same_soup.h"
 #include "support/shapes.h"
@@ -14,8 +15,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -341,6 +345,59 @@ TEST(CutIntersections, BallTurnedIntoItselfSixTimesComesOutGood) {
   EXPECT_FALSE(intersects(united));
   EXPECT_GT(volume(united), volume(ball));
   EXPECT_LT(volume(united), 4.0 / 3.0 * std::numbers::pi);
+}
+
+/// Boxes with corners on a lattice, turned together, so that faces which are to coincide are some
+/// roundings apart.
+struct TurnedBoxes {
+  Soup soup;
+  /// The volume of their union.
+  double volume = 0.0;
+};
+
+TurnedBoxes turned_boxes(std::size_t n, std::mt19937& random) {
+  Soup soup;
+  VoxelSolid cells({6, 6, 6});
+  for (std::size_t i = 0; i < n; ++i) {
+    std::array<int, 3> low{};
+    std::array<int, 3> high{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = static_cast<int>(below(random, 4));
+      high[k] = low[k] + 1 + static_cast<int>(below(random, 3));
+    }
+    for (int x = low[0]; x < high[0]; ++x) {
+      for (int y = low[1]; y < high[1]; ++y) {
+        for (int z = low[2]; z < high[2]; ++z) cells.fill({x, y, z});
+      }
+    }
+    soup = shapes::merged(std::move(soup), shapes::box(Vec3(low[0], low[1], low[2]),
+                                                       Vec3(high[0], high[1], high[2])));
+  }
+  const auto angle = [&] { return uniform(random, 0.0, 2.0 * std::numbers::pi); };
+  const Eigen::Matrix3d turned =
+      (Eigen::AngleAxisd(angle(), Vec3::UnitX()) * Eigen::AngleAxisd(angle(), Vec3::UnitY()) *
+       Eigen::AngleAxisd(angle(), Vec3::UnitZ()))
+          .toRotationMatrix();
+  for (Vec3& p : soup.positions) {
+    p = turned * p;
+    for (double& x : p) x += uniform(random, -1e-15, 1e-15);
+  }
+  return {std::move(soup), static_cast<double>(cells.full_cells().size())};
+}
+
+TEST(CutIntersections, BoxesWhoseCommonFacesAreRoundingsApartBecomeTheirUnion) {
+  std::mt19937 random(7);
+  const Soup ball = shapes::translated(shapes::icosphere(1), {20.0, 0.1, 0.2});
+  for (int i = 0; i < 30; ++i) {
+    const TurnedBoxes boxes = turned_boxes(6, random);
+    const PassRun run = cut_all(shapes::merged(ball, boxes.soup));
+    const Soup& cut = run.tracked.soup;
+    EXPECT_TRUE(run.refused.empty());
+    EXPECT_FALSE(intersects(cut));
+    EXPECT_NEAR(volume(cut), boxes.volume + volume(ball), 1e-3);
+    // What intersects nothing keeps its bits, even if other vertices move to a grid.
+    EXPECT_TRUE(std::equal(ball.positions.begin(), ball.positions.end(), cut.positions.begin()));
+  }
 }
 
 TEST(CutIntersections, NumberOfThreadsDoesNotMatter) {

@@ -82,9 +82,18 @@ class CutEdits {
  private:
   PassResult edits() {
     remove_faces();
+    move_vertices();
     add_faces();
     add_walls();
     return std::move(result_);
+  }
+
+  [[nodiscard]] bool is_moved(Index vertex) const {
+    return surface_.positions[vertex] != soup_.positions[vertex];
+  }
+
+  [[nodiscard]] bool has_moved_corner(const Triangle& t) const {
+    return std::any_of(t.begin(), t.end(), [&](Index v) { return is_moved(v); });
   }
 
   void find_changes() {
@@ -99,7 +108,9 @@ class CutEdits {
       stays[face] = 1;
     }
     for (Index face = 0; face < soup_.n_faces(); ++face) {
-      if (stays[face] == 0 && is_in_complex(soup_.triangles[face])) changed_.push_back(face);
+      if (!is_in_complex(soup_.triangles[face])) continue;
+      if (stays[face] == 0) removed_.push_back(face);
+      if (stays[face] == 0 || has_moved_corner(soup_.triangles[face])) changed_.push_back(face);
     }
   }
 
@@ -180,7 +191,10 @@ class CutEdits {
         continue;
       }
       if (operations_[part] == kNoIndex) operations_[part] = result_.edits.begin_operation();
-      result_.edits.removed_faces.push_back({operations_[part], face});
+    }
+    for (const Index face : removed_) {
+      const Index op = operations_[parts_.find(face)];
+      if (op != kNoIndex) result_.edits.removed_faces.push_back({op, face});
     }
     // A patch that is left as it is changes no other face.
     for (std::size_t i = 0; i < surface_.triangles.size(); ++i) {
@@ -223,6 +237,18 @@ class CutEdits {
       for (const Index v : surface_.triangles[i]) found[v] = 1;
     }
     return found;
+  }
+
+  void move_vertices() {
+    std::vector<std::uint8_t> is_done(soup_.n_vertices(), 0);
+    for (std::size_t i = 0; i < surface_.triangles.size(); ++i) {
+      const Index op = operations_[parts_.find(surface_.origins[i])];
+      if (op == kNoIndex) continue;
+      for (const Index v : surface_.triangles[i]) {
+        if (v >= soup_.n_vertices() || !is_moved(v) || std::exchange(is_done[v], 1) != 0) continue;
+        result_.edits.moved_vertices.push_back({op, v, surface_.positions[v]});
+      }
+    }
   }
 
   void add_faces() {
@@ -272,6 +298,9 @@ class CutEdits {
   std::vector<Obstacle> obstacles_;
   std::vector<Index> operations_;
   std::vector<std::uint8_t> is_same_;
+  /// The faces that are removed, and those that get other corners or have some that move;
+  /// ascending.
+  std::vector<Index> removed_;
   std::vector<Index> changed_;
   PassResult result_;
 };

@@ -44,22 +44,22 @@ bool may_forget_pockets(const CuttingRounds& rounds) {
 
 }  // namespace
 
-CutSurface cut_surface(const PassInput& input, std::span<const Edits::AddedFace> patches,
+CutSurface cut_surface(const PassInput& input, const ChangesBefore& changes,
                        const SelectOptions& options, const PieceRules& rules) {
-  CuttingRounds first(input, patches, options, rules.more_pieces);
+  CuttingRounds first(input, changes, options, rules.more_pieces);
   first.cut_off_grid();
   CuttingRounds rounds = cut_on_grid(std::move(first), Slivers::OfGrid);
   if (rules.thin_facets == ThinFacets::Kept) return rounds.take_result();
   return without_thin_facets(std::move(rounds)).take_result();
 }
 
-CutSurface cut_keeping_pockets(const PassInput& input, std::span<const Edits::AddedFace> patches,
-                               Sheets sheets, std::size_t more_pieces) {
-  CuttingRounds with_pockets(input, patches, {Pockets::Kept, sheets}, more_pieces);
+CutSurface cut_keeping_pockets(const PassInput& input, const ChangesBefore& changes, Sheets sheets,
+                               std::size_t more_pieces) {
+  CuttingRounds with_pockets(input, changes, {Pockets::Kept, sheets}, more_pieces);
   with_pockets.cut_off_grid();
   CuttingRounds first = cut_on_grid(with_pockets, Slivers::OfGrid);
   if (first.is_finished() || first.has_too_many_pieces()) return first.take_result();
-  CuttingRounds solid(input, patches, {Pockets::Forgotten, sheets}, more_pieces);
+  CuttingRounds solid(input, changes, {Pockets::Forgotten, sheets}, more_pieces);
   solid.cut_off_grid();
   if (CuttingRounds rounds = cut_on_grid(solid, Slivers::OfGrid); may_forget_pockets(rounds)) {
     return rounds.take_result();

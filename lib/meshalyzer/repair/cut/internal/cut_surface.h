@@ -13,9 +13,18 @@
 
 namespace meshalyzer {
 
+/// The changes to a mesh that are made before it is cut.
+struct ChangesBefore {
+  /// Faces on vertices of the mesh that are added.
+  std::span<const Edits::AddedFace> patches;
+  /// #vertices: where they are; empty if they stay in place.
+  std::span<const Vec3> positions;
+};
+
 /// A surface with its intersecting faces cut: positions and faces alone.
 struct CutSurface {
-  /// Vertices of the input keep their numbers; later ones are new.
+  /// Vertices of the input keep their numbers, and are where ChangesBefore has placed them; later
+  /// ones are new.
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
   /// #triangles: the face of the input that each is a part of; n_faces + i for patch face i.
@@ -69,17 +78,14 @@ struct PieceRules {
 /// rounding makes multiply, even if slivers are removed, if it takes too many tests to find them,
 /// or if there are too many pieces.
 ///
-/// @param patches  Faces on vertices of the mesh that are added before cutting.
-[[nodiscard]] CutSurface cut_surface(const PassInput& input,
-                                     std::span<const Edits::AddedFace> patches,
+[[nodiscard]] CutSurface cut_surface(const PassInput& input, const ChangesBefore& changes,
                                      const SelectOptions& options, const PieceRules& rules);
 
 /// Does the same, and keeps the pockets and the thin facets; drops small pockets if rounding makes
 /// it impossible to keep them; if that fails too, tries both again with wider slivers removed.
 ///
 /// @param more_pieces  See PieceRules.
-[[nodiscard]] CutSurface cut_keeping_pockets(const PassInput& input,
-                                             std::span<const Edits::AddedFace> patches,
+[[nodiscard]] CutSurface cut_keeping_pockets(const PassInput& input, const ChangesBefore& changes,
                                              Sheets sheets, std::size_t more_pieces);
 
 }  // namespace meshalyzer

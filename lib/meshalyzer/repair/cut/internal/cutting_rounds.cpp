@@ -95,18 +95,20 @@ double share_of_pockets(const Arrangement& arrangement, std::span<const PieceCla
 
 }  // namespace
 
-CuttingRounds::CuttingRounds(const PassInput& input, std::span<const Edits::AddedFace> patches,
+CuttingRounds::CuttingRounds(const PassInput& input, const ChangesBefore& changes,
                              const SelectOptions& options, std::size_t more_pieces)
     : input_(input),
       mesh_(input.mesh),
       options_(options),
+      is_moved_(!changes.positions.empty()),
       max_pieces_(more_pieces + kPiecesAFace * mesh_.soup().n_faces()),
       extent_(extent_of(mesh_.soup())),
-      parts_(mesh_.soup().n_faces() + patches.size()) {
+      parts_(mesh_.soup().n_faces() + changes.patches.size()) {
   options_.wants_to_stop = input.wants_to_stop;
-  soup_.positions = mesh_.soup().positions;
+  const std::span<const Vec3> positions = is_moved_ ? changes.positions : mesh_.soup().positions;
+  soup_.positions.assign(positions.begin(), positions.end());
   for (const Triangle& t : mesh_.soup().triangles) add(t);
-  for (const Edits::AddedFace& patch : patches) add(patch.corners);
+  for (const Edits::AddedFace& patch : changes.patches) add(patch.corners);
 }
 
 void CuttingRounds::cut_off_grid() {
@@ -159,8 +161,8 @@ bool CuttingRounds::cut_round() {
 }
 
 bool CuttingRounds::cut_first_round() {
-  // If nothing was left out or added, all is prepared already.
-  if (soup_.triangles == mesh_.soup().triangles) {
+  // If nothing was left out, added or moved, all is prepared already.
+  if (!is_moved_ && soup_.triangles == mesh_.soup().triangles) {
     return cut_pairs(mesh_.cut(), mesh_.tree(), mesh_.intersecting_pairs());
   }
   const CutMesh cut = build(soup_);

@@ -29,8 +29,8 @@ class CuttingRounds {
   /// The arguments are those of cut_surface().
   ///
   /// @param input  Must outlive the rounds and all copies.
-  CuttingRounds(const PassInput& input, std::span<const Edits::AddedFace> patches,
-                const SelectOptions& options, std::size_t more_pieces);
+  CuttingRounds(const PassInput& input, const ChangesBefore& changes, const SelectOptions& options,
+                std::size_t more_pieces);
 
   /// Cuts until no pairs are left to cut, or the vertices are to be rounded to a grid.
   void cut_off_grid();
@@ -99,6 +99,8 @@ class CuttingRounds {
   const PassInput& input_;
   const PreparedMesh& mesh_;
   SelectOptions options_;
+  /// Tells whether vertices are elsewhere than in the mesh.
+  bool is_moved_;
   std::size_t max_pieces_;
   double extent_;
   bool has_pairs_ = true;
