@@ -5,6 +5,7 @@
 #include "meshalyzer/repair/folds/internal/candidate_faces.h"
 #include "meshalyzer/repair/folds/internal/face_disc.h"
 #include "meshalyzer/repair/folds/internal/fold_outline.h"
+#include "meshalyzer/repair/folds/internal/layer_join.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/spatial/closest_point.h"
 
@@ -68,7 +69,7 @@ class FoldoverRemover {
     const FoldedRegion region = region_of(foldover);
     reason_ = kNoWay;
     if (move(region) || (reaches_border(cut_, region.faces) && drop(region)) ||
-        replace_one(region) || replace_all(region)) {
+        replace_one(region) || replace_all(region) || join_layers(region)) {
       return;
     }
     result_.refused.push_back(
@@ -97,6 +98,11 @@ class FoldoverRemover {
   [[nodiscard]] bool is_near(const FaceDisc& disc, const std::vector<PlacedFace>& replacement,
                              Index vertex);
   void put_replacement(const FaceDisc& disc, const std::vector<PlacedFace>& replacement);
+
+  bool join_layers(const FoldedRegion& region);
+  [[nodiscard]] std::optional<LayerJoin> join_at(HalfedgeHandle crease) const;
+  [[nodiscard]] std::vector<Index> faces_at(const LayerJoin& join) const;
+  void put_join(const LayerJoin& join);
 
   const PassInput& input_;
   const Soup& soup_;
@@ -384,6 +390,67 @@ void FoldoverRemover::put_replacement(const FaceDisc& disc,
       prototype = cut_.side.face(cut_.mesh.face_handle(h));
     }
     edits.added_faces.push_back({.op = op, .corners = face.vertices, .prototype = prototype});
+  }
+}
+
+// Handles folds whose layers have the same corners: what lies on each other goes.
+
+bool FoldoverRemover::join_layers(const FoldedRegion& region) {
+  for (const Index f : region.faces) {
+    for (const HalfedgeHandle h : cut_.mesh.fh_range(FaceHandle(static_cast<int>(f)))) {
+      const std::optional<LayerJoin> join = join_at(h);
+      if (!join) continue;
+      if (claim(faces_at(*join))) put_join(*join);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Returns how the layers at an edge are joined if they are no farther apart than those of a fold.
+std::optional<LayerJoin> FoldoverRemover::join_at(HalfedgeHandle crease) const {
+  for (const HalfedgeHandle h : {crease, cut_.mesh.opposite_halfedge_handle(crease)}) {
+    if (cut_.mesh.is_boundary(h)) return std::nullopt;
+    for (const VertexHandle v : cut_.mesh.fv_range(cut_.mesh.face_handle(h))) {
+      if (!is_inner(cut_, cut_.side.vertex(v))) return std::nullopt;
+    }
+  }
+  for (const HalfedgeHandle h : {crease, cut_.mesh.opposite_halfedge_handle(crease)}) {
+    std::optional<LayerJoin> join = join_layers_at(cut_.mesh, h);
+    if (!join || !may_change(cut_.side.vertex(join->merged))) continue;
+    const Vec3 way = cut_.mesh.point(join->kept) - cut_.mesh.point(join->merged);
+    if (way.stableNorm() <= input_.tolerances.height) return join;
+  }
+  return std::nullopt;
+}
+
+/// Returns the mesh faces at all vertices of the layers, in ascending order.
+std::vector<Index> FoldoverRemover::faces_at(const LayerJoin& join) const {
+  std::vector<Index> faces;
+  for (const auto& layers : join.layers) {
+    for (const FaceHandle layer : layers) {
+      for (const VertexHandle v : cut_.mesh.fv_range(layer)) {
+        for (const FaceHandle f : cut_.mesh.vf_range(v)) {
+          faces.push_back(static_cast<Index>(f.idx()));
+        }
+      }
+    }
+  }
+  sort_unique(faces);
+  return faces;
+}
+
+void FoldoverRemover::put_join(const LayerJoin& join) {
+  Edits& edits = result_.edits;
+  const Index op = edits.begin_operation();
+  const Index kept = cut_.side.vertex(join.kept);
+  const Index merged = cut_.side.vertex(join.merged);
+  for (const auto& layers : join.layers) {
+    for (const FaceHandle f : layers) edits.removed_faces.push_back({op, cut_.side.face(f)});
+  }
+  for (const FaceHandle f : join.changed) {
+    const Index face = cut_.side.face(f);
+    edits.changed_faces.push_back({op, face, with_corner(soup_.triangles[face], merged, kept)});
   }
 }
 

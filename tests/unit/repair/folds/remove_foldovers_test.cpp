@@ -1,5 +1,6 @@
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/geometry/edge_measures.h"
+#include "meshalyzer/repair/fix_defects.h"
 #include "meshalyzer/repair/passes.h"
 #include "support/foldovers.h"
 #include "support/random_soups.h"
@@ -9,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <random>
 #include <vector>
@@ -198,6 +200,67 @@ TEST(RemoveFoldovers, PleatOfSeveralVerticesIsMended) {
     expect_clean(run.tracked.soup);
     EXPECT_EQ(*find_holes(PreparedMesh(run.tracked.soup), {})[0].value, 32.0);
   }
+}
+
+/// A pyramid on whose base a flap lies: three layers of two faces, nanometres apart. The one in the
+/// middle is a foldover: its edges with the flap's outside run through vertex 4, which is over
+/// vertex 2 of the base; those with the base through vertex 6, which is under vertex 5 of the flap.
+Soup pyramid_with_flap() {
+  return shapes::make({{0, -1, 0},
+                       {0, 1, 0},
+                       {0, 0, 1},
+                       {-2, 0, 0},
+                       {2e-9, 0, 1},
+                       {4e-9, 0, -1},
+                       {0, 0, -1 + 1e-8}},
+                      {{5, 0, 3},
+                       {1, 5, 3},
+                       {2, 1, 3},
+                       {0, 2, 3},
+                       {0, 5, 4},
+                       {5, 1, 4},
+                       {0, 4, 6},
+                       {6, 4, 1},
+                       {0, 6, 2},
+                       {6, 1, 2}});
+}
+
+/// Expects the flap to be gone, but for one layer.
+void expect_no_flap(const Soup& soup) {
+  EXPECT_EQ(soup.n_vertices(), 5U);
+  EXPECT_EQ(soup.n_faces(), 6U);
+  const PreparedMesh mesh(soup);
+  EXPECT_TRUE(mesh.intersecting_pairs().empty());
+  EXPECT_TRUE(find_foldovers(mesh, {.height = 1e-6, .max_foldover_angle = 1.0}).empty());
+  EXPECT_EQ(mesh.cut().side.non_manifold_edges.size(), 0U);
+  EXPECT_EQ(mesh.cut().side.flipped_edges.size(), 0U);
+  for (const auto h : mesh.cut().mesh.halfedges()) EXPECT_FALSE(mesh.cut().mesh.is_boundary(h));
+}
+
+TEST(RemoveFoldovers, LayersWithTheSameCornersAreJoined) {
+  const Soup soup = pyramid_with_flap();
+  const PreparedMesh mesh(soup);
+  ASSERT_TRUE(mesh.intersecting_pairs().empty());
+  ASSERT_EQ(find_foldovers(mesh, {.height = 1e-6, .max_foldover_angle = 1.0}).size(), 1U);
+  const RepairResult result = fix_defects(soup);
+  expect_no_flap(result.meshes.front().tracked.soup);
+  EXPECT_LE(result.deviation, 2e-8);
+}
+
+TEST(RemoveFoldovers, LayersAreJoinedAtVerticesThatMayMove) {
+  const Soup soup = pyramid_with_flap();
+  EXPECT_EQ(run_pass(soup, remove_foldovers, limits_with_fixed(0.001, {2, 4, 5, 6})).operations,
+            0U);
+  for (const std::vector<Index>& fixed : {std::vector<Index>{4, 5, 6}, {2, 5, 6}, {2, 4, 6}}) {
+    const PassRun run = run_pass(soup, remove_foldovers, limits_with_fixed(0.001, fixed));
+    expect_no_flap(run.tracked.soup);
+  }
+}
+
+TEST(RemoveFoldovers, LayersFartherApartThanTheToleranceStay) {
+  Soup soup = pyramid_with_flap();
+  for (const Index v : {4U, 5U}) soup.positions[v].z() *= 1.001;
+  EXPECT_EQ(run_pass(soup, remove_foldovers, limits_of(1e-4)).operations, 0U);
 }
 
 TEST(RemoveFoldovers, SurvivesBadMeshes) {
