@@ -101,6 +101,7 @@ class FoldoverRemover {
 
   bool join_layers(const FoldedRegion& region);
   [[nodiscard]] std::optional<LayerJoin> join_at(HalfedgeHandle crease) const;
+  [[nodiscard]] bool may_go(const LayerJoin& join) const;
   [[nodiscard]] std::vector<Index> faces_at(const LayerJoin& join) const;
   void put_join(const LayerJoin& join);
 
@@ -417,11 +418,20 @@ std::optional<LayerJoin> FoldoverRemover::join_at(HalfedgeHandle crease) const {
   }
   for (const HalfedgeHandle h : {crease, cut_.mesh.opposite_halfedge_handle(crease)}) {
     std::optional<LayerJoin> join = join_layers_at(cut_.mesh, h);
-    if (!join || !may_change(cut_.side.vertex(join->merged))) continue;
+    if (!join || !may_change(cut_.side.vertex(join->merged)) || !may_go(*join)) continue;
     const Vec3 way = cut_.mesh.point(join->kept) - cut_.mesh.point(join->merged);
-    if (way.stableNorm() <= input_.tolerances.height) return join;
+    const double farthest = std::min(input_.tolerances.height, input_.limits.max_deviation);
+    if (way.stableNorm() <= farthest) return join;
   }
   return std::nullopt;
+}
+
+/// Tells whether layers may go: where groups must keep their borders, those of two groups stay.
+bool FoldoverRemover::may_go(const LayerJoin& join) const {
+  if (input_.limits.groups == Groups::Names || soup_.groups.empty()) return true;
+  return std::all_of(join.layers.begin(), join.layers.end(), [&](const auto& layers) {
+    return group_of(soup_, cut_.side.face(layers[0])) == group_of(soup_, cut_.side.face(layers[1]));
+  });
 }
 
 /// Returns the mesh faces at all vertices of the layers, in ascending order.

@@ -257,6 +257,15 @@ TEST(RemoveFoldovers, LayersAreJoinedAtVerticesThatMayMove) {
   }
 }
 
+TEST(RemoveFoldovers, LayersOfTwoGroupsAreNotJoinedIfGroupsKeepTheirBorders) {
+  Soup soup = pyramid_with_flap();
+  soup.groups = {{"outside", 0}, {"middle", 6}, {"base", 8}};
+  RepairLimits limits = limits_of(0.001);
+  EXPECT_EQ(run_pass(soup, remove_foldovers, limits).operations, 1U);
+  limits.groups = Groups::Faces;
+  EXPECT_EQ(run_pass(soup, remove_foldovers, limits).operations, 0U);
+}
+
 TEST(RemoveFoldovers, LayersFartherApartThanTheToleranceStay) {
   Soup soup = pyramid_with_flap();
   for (const Index v : {4U, 5U}) soup.positions[v].z() *= 1.001;
