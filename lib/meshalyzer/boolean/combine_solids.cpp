@@ -6,6 +6,7 @@
 #include "meshalyzer/exact/exact_point.h"
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/mesh/build.h"
+#include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/spatial/self_intersection_of.h"
 
@@ -40,14 +41,6 @@ bool has_area(const std::vector<Vec3>& positions, const Triangle& t) {
   return is_in_complex(t) && !are_collinear(positions[t[0]], positions[t[1]], positions[t[2]]);
 }
 
-double longest_side(const Soup& soup) {
-  Box3 box;
-  for (const Triangle& t : soup.triangles) {
-    for (const Index v : t) box.extend(soup.positions[v]);
-  }
-  return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
-}
-
 /// Combines operands, round by round: the first round cuts and selects, later ones cut what
 /// rounding has made intersect.
 class Combination {
@@ -62,7 +55,7 @@ class Combination {
       origins_.push_back({.corners = t, .origin = face});
       operand_of_.push_back(operands.of_face[face]);
     }
-    limits_ = {.extent = longest_side(soup_),
+    limits_ = {.extent = used_extent(soup_),
                .max_deviation = options.max_deviation,
                .n_input_vertices = static_cast<Index>(soup_.n_vertices())};
   }

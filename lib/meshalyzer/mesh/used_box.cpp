@@ -19,4 +19,9 @@ Box3 used_box(const Soup& soup) {
   return box;
 }
 
+double used_extent(const Soup& soup) {
+  const Box3 box = used_box(soup);
+  return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
+}
+
 }  // namespace meshalyzer

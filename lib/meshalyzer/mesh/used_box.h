@@ -9,4 +9,7 @@ namespace meshalyzer {
 /// @complexity O(#F).
 [[nodiscard]] Box3 used_box(const Soup& soup);
 
+/// Returns the longest side of this box; 0 if it is empty.
+[[nodiscard]] double used_extent(const Soup& soup);
+
 }  // namespace meshalyzer

@@ -12,7 +12,7 @@ namespace {
 
 /// Returns the file vertex opposite to a half-edge in its face.
 Index opposite_vertex(const CutMesh& cut, HalfedgeHandle h) {
-  return cut.side.vertex(cut.mesh.to_vertex_handle(cut.mesh.next_halfedge_handle(h)));
+  return cut.side.vertex(cut.mesh.opposite_vh(h));
 }
 
 /// Returns the higher of the two faces of an inner edge if they have the same vertices.

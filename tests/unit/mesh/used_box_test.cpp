@@ -22,5 +22,10 @@ TEST(UsedBox, IsEmptyWithoutFaces) {
   EXPECT_TRUE(used_box(shapes::make({Vec3(1, 2, 3)}, {})).isEmpty());
 }
 
+TEST(UsedExtent, IsTheLongestSideOfTheBox) {
+  EXPECT_EQ(used_extent(shapes::box(Vec3(1, 2, 3), Vec3(2, 7, 6))), 5.0);
+  EXPECT_EQ(used_extent({}), 0.0);
+}
+
 }  // namespace
 }  // namespace meshalyzer

@@ -101,9 +101,9 @@ PassResult propose_cut(const PassInput& input, std::span<const Edits::AddedFace>
   PassResult result = edits_of(surface);
   if (!result.edits.empty() || surface.unfinished.empty()) return result;
   const Soup& soup = input.tracked.soup;
+  const double extent = used_extent(soup);
   for (const int bits : kGridsOfAttempts) {
-    const double spacing =
-        grid_spacing(bits, used_box(soup).sizes().maxCoeff(), input.limits.max_deviation);
+    const double spacing = grid_spacing(bits, extent, input.limits.max_deviation);
     if (!(spacing > 0.0) || input.wants_to_stop()) break;
     const std::vector<Vec3> positions = positions_on_grid(soup, surface, spacing);
     const CutSurface of_grid = cut({patches, positions});
@@ -112,7 +112,7 @@ PassResult propose_cut(const PassInput& input, std::span<const Edits::AddedFace>
   return result;
 }
 
-/// Does the same as cut_keeping_pockets() cuts.
+/// Does the same, and cuts with cut_keeping_pockets().
 PassResult propose_cut_with_pockets(const PassInput& input,
                                     std::span<const Edits::AddedFace> patches, Sheets sheets,
                                     std::size_t more_pieces, const EditsOf& edits_of) {

@@ -80,6 +80,7 @@ class FoldoverRemover {
 
  private:
   [[nodiscard]] FoldedRegion region_of(const Defect& foldover) const;
+  [[nodiscard]] bool keeps_group_borders() const;
   [[nodiscard]] bool may_change(Index vertex) const;
   [[nodiscard]] PlacedFace placed(Index mesh_face) const;
   [[nodiscard]] bool claim(const std::vector<Index>& faces);
@@ -133,10 +134,15 @@ FoldedRegion FoldoverRemover::region_of(const Defect& foldover) const {
   return region;
 }
 
+/// Tells whether the mesh has groups that must keep their borders.
+bool FoldoverRemover::keeps_group_borders() const {
+  return input_.limits.groups == Groups::Faces && !soup_.groups.empty();
+}
+
 /// Tells whether a vertex may be moved or removed.
 bool FoldoverRemover::may_change(Index vertex) const {
   if (input_.limits.is_fixed(input_.tracked, vertex) || !is_inner(cut_, vertex)) return false;
-  if (input_.limits.groups == Groups::Names || soup_.groups.empty()) return true;
+  if (!keeps_group_borders()) return true;
   Index group = kNoIndex;
   bool is_first = true;
   for (const FaceHandle f : cut_.mesh.vf_range(VertexHandle(static_cast<int>(vertex)))) {
@@ -426,9 +432,9 @@ std::optional<LayerJoin> FoldoverRemover::join_at(HalfedgeHandle crease) const {
   return std::nullopt;
 }
 
-/// Tells whether layers may go: where groups must keep their borders, those of two groups stay.
+/// Tells whether layers may go: those of two groups stay if these must keep their borders.
 bool FoldoverRemover::may_go(const LayerJoin& join) const {
-  if (input_.limits.groups == Groups::Names || soup_.groups.empty()) return true;
+  if (!keeps_group_borders()) return true;
   return std::all_of(join.layers.begin(), join.layers.end(), [&](const auto& layers) {
     return group_of(soup_, cut_.side.face(layers[0])) == group_of(soup_, cut_.side.face(layers[1]));
   });

@@ -35,14 +35,19 @@ RepairLimits limits_with_fixed(double max_deviation, const std::vector<Index>& f
   return limits;
 }
 
-/// Tells whether nothing in a mesh is folded, meets anything, or is cut.
-void expect_clean(const Soup& soup) {
-  const PreparedMesh mesh(soup);
+/// Expects that nothing in a mesh is folded, meets anything, or is cut.
+void expect_unfolded(const PreparedMesh& mesh) {
   EXPECT_TRUE(mesh.intersecting_pairs().empty());
   EXPECT_TRUE(find_foldovers(mesh, {.height = 1e-6, .max_foldover_angle = 1.0}).empty());
   EXPECT_EQ(mesh.cut().side.non_manifold_edges.size(), 0U);
   EXPECT_EQ(mesh.cut().side.flipped_edges.size(), 0U);
   EXPECT_TRUE(mesh.cut().side.non_manifold_vertices.empty());
+}
+
+/// Expects that a mesh is flat besides.
+void expect_clean(const Soup& soup) {
+  const PreparedMesh mesh(soup);
+  expect_unfolded(mesh);
   for (const double angle : measure_edge_angles(mesh.cut().mesh, {}).degrees) {
     EXPECT_NEAR(angle, 180.0, 1e-6);
   }
@@ -230,10 +235,7 @@ void expect_no_flap(const Soup& soup) {
   EXPECT_EQ(soup.n_vertices(), 5U);
   EXPECT_EQ(soup.n_faces(), 6U);
   const PreparedMesh mesh(soup);
-  EXPECT_TRUE(mesh.intersecting_pairs().empty());
-  EXPECT_TRUE(find_foldovers(mesh, {.height = 1e-6, .max_foldover_angle = 1.0}).empty());
-  EXPECT_EQ(mesh.cut().side.non_manifold_edges.size(), 0U);
-  EXPECT_EQ(mesh.cut().side.flipped_edges.size(), 0U);
+  expect_unfolded(mesh);
   for (const auto h : mesh.cut().mesh.halfedges()) EXPECT_FALSE(mesh.cut().mesh.is_boundary(h));
 }
 

@@ -64,11 +64,6 @@ bool stays(PieceClass piece_class) {
          piece_class == PieceClass::OfSheet || is_left(piece_class);
 }
 
-double extent_of(const Soup& soup) {
-  const Box3 box = used_box(soup);
-  return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
-}
-
 /// #components: 1 for those that intersect.
 std::vector<std::uint8_t> components_to_select(const Arrangement& arrangement, const Cells& cells,
                                                const std::vector<IntersectingPair>& pairs) {
@@ -102,7 +97,7 @@ CuttingRounds::CuttingRounds(const PassInput& input, const ChangesBefore& change
       options_(options),
       is_moved_(!changes.positions.empty()),
       max_pieces_(more_pieces + kPiecesAFace * mesh_.soup().n_faces()),
-      extent_(extent_of(mesh_.soup())),
+      extent_(used_extent(mesh_.soup())),
       parts_(mesh_.soup().n_faces() + changes.patches.size()) {
   options_.wants_to_stop = input.wants_to_stop;
   const std::span<const Vec3> positions = is_moved_ ? changes.positions : mesh_.soup().positions;

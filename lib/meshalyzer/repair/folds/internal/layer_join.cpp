@@ -5,11 +5,6 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns the corner of the face at a half-edge that is not on it.
-VertexHandle apex_of(const TriMesh& mesh, HalfedgeHandle h) {
-  return mesh.to_vertex_handle(mesh.next_halfedge_handle(h));
-}
-
 /// Returns the number of faces at an edge that stay; 0 if there is no such edge.
 std::size_t n_left_at(const TriMesh& mesh, VertexHandle a, VertexHandle b, const LayerJoin& join) {
   const HalfedgeHandle h = mesh.find_halfedge(a, b);
@@ -39,8 +34,8 @@ bool is_manifold_after(const TriMesh& mesh, const LayerJoin& join) {
 std::optional<LayerJoin> join_layers_at(const TriMesh& mesh, HalfedgeHandle crease) {
   const HalfedgeHandle opposite = mesh.opposite_halfedge_handle(crease);
   LayerJoin join;
-  join.kept = apex_of(mesh, opposite);
-  join.merged = apex_of(mesh, crease);
+  join.kept = mesh.opposite_vh(opposite);
+  join.merged = mesh.opposite_vh(crease);
   if (join.kept == join.merged || mesh.find_halfedge(join.kept, join.merged).is_valid()) {
     return std::nullopt;
   }
@@ -48,7 +43,7 @@ std::optional<LayerJoin> join_layers_at(const TriMesh& mesh, HalfedgeHandle crea
     // The edge of the face that the merged vertex is not on.
     const HalfedgeHandle edge = mesh.next_halfedge_handle(h);
     const HalfedgeHandle beyond = mesh.opposite_halfedge_handle(edge);
-    if (!mesh.is_boundary(beyond) && apex_of(mesh, beyond) == join.kept) {
+    if (mesh.opposite_vh(beyond) == join.kept) {
       join.layers.push_back({mesh.face_handle(beyond), mesh.face_handle(edge)});
     } else {
       join.changed.push_back(mesh.face_handle(edge));
