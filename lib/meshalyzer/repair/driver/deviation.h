@@ -77,7 +77,7 @@ class DeviationMeter {
     /// An upper bound, except for rounding, of the largest distance of a point of either surface
     /// from the other, without hole patches; infinite if there is no other surface. If no face is
     /// far, it exceeds the true value by at most a thousandth of the bound, except at faces that
-    /// lie over hundreds of others; it never exceeds the bound there.
+    /// lie over a thousand others or more; it never exceeds the bound there.
     double largest = 0.0;
     FarFaces far;
   };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "meshalyzer/repair/driver/internal/convex_piece.h"
+#include "meshalyzer/repair/driver/internal/near_region.h"
 #include "meshalyzer/spatial/box_tree.h"
 #include "meshalyzer/spatial/closest_point.h"
 
@@ -37,10 +39,9 @@ enum class DistanceQuestion {
 /// Measures how far triangles are from a surface, one after the other.
 ///
 /// The method is branch and bound, as for Hausdorff distances between meshes (Guthe, Borodin and
-/// Klein 2005): a triangle is cut into pieces until the bounds of each are tight enough. No point
-/// of a piece is farther from the surface than its farthest corner is from any one face, nor than
-/// its middle is from the surface plus its own radius. If these bounds are too loose, the part of a
-/// piece that is near enough to one face is cut off.
+/// Klein 2005): a triangle is cut into convex pieces until the bounds of each are tight enough. No
+/// point of a piece is farther from the surface than its farthest corner is from any one face. If
+/// this bound is too loose, all of the piece that is near enough to one face is cut off at once.
 class SurfaceDistance {
  public:
   /// The resolution of all answers, as a fraction of the bound.
@@ -68,45 +69,15 @@ class SurfaceDistance {
   [[nodiscard]] FaceDistance measure(const Corners& corners, const BoxTree* doubtful = nullptr);
 
  private:
-  struct Piece {
-    Corners corners;
-    /// The distances of the corners from the surface.
-    std::array<double, 3> distances{};
-    /// The number of cuts that led to the piece.
-    std::uint32_t depth = 0;
-  };
-  /// A face of the surface that may be near to all of a piece, and the distances of its corners
-  /// from it.
-  struct Candidate {
-    Index slot = kNoIndex;
-    std::array<double, 3> distances{};
-  };
-  /// The bounds of the distance of a piece.
+  /// The bounds of the distance of a piece, and faces that may be near to much of it.
   struct Estimate {
     double lower = 0.0;
     double upper = 0.0;
-    std::array<Candidate, 4> candidates;
-    std::size_t n_candidates = 0;
-  };
-  /// A line across a piece, through the two edges at one corner, the apex. One side of it is near
-  /// enough to a face.
-  struct Clip {
-    std::size_t apex = 0;
-    /// The fractions of the edge to the next corner, and of the edge to the one after, where the
-    /// line crosses them: 0 at the apex.
-    std::array<double, 2> at{0.0, 0.0};
-    /// Tells whether the apex is on that side.
-    bool is_apex_done = false;
-    /// The fraction of the area on that side.
-    double share = 0.0;
-  };
-  /// A point of an edge of a piece, which runs from one corner to another.
-  struct Cut {
-    std::size_t from = 0;
-    std::size_t to = 0;
-    double at = 0.5;
+    std::array<SurfacePoint, 2> nearest;
+    std::size_t n_nearest = 0;
   };
 
+  void start_with(const Corners& triangle);
   /// Returns how far a triangle is from the face that was nearest last, if only the bound is asked
   /// for and this is within it. Neighbours are mostly near to one face; where the bound is larger
   /// than most faces, nearly all are, and the nearest of them is not worth searching.
@@ -114,15 +85,13 @@ class SurfaceDistance {
   [[nodiscard]] SurfacePoint closest(const Vec3& point);
   [[nodiscard]] Corners corners_of(Index slot) const;
   [[nodiscard]] bool is_precise(const Estimate& known) const;
-  [[nodiscard]] Estimate estimate(const Piece& piece);
-  void add_candidate(const Piece& piece, Index slot, Estimate& known) const;
-  [[nodiscard]] static Cut halve_longest_edge(const Corners& corners);
-  [[nodiscard]] double exit_at(Index slot, const std::array<Vec3, 2>& segment, double level) const;
-  [[nodiscard]] Clip clip_for(const Piece& piece, const Candidate& face, double level) const;
-  void divide(const Piece& piece, const Estimate& known);
-  void divide_segment(const Piece& piece, const Estimate& known, double level);
-  void keep_remainder(const Piece& piece, const Clip& clip);
-  void cut_in_two(const Piece& piece, const Cut& where);
+  [[nodiscard]] Estimate estimate(const ConvexPiece& piece);
+  void divide(const ConvexPiece& piece, const Estimate& known);
+  [[nodiscard]] double cut_off_near(const ConvexPiece& piece, const SurfacePoint& nearest,
+                                    double level);
+  [[nodiscard]] double size_of(const ConvexPiece& piece) const;
+  void halve(const ConvexPiece& piece);
+  void keep(const ConvexPiece& part, std::uint32_t depth);
 
   const FaceTree& tree_;
   const ClosestPoints& closest_;
@@ -137,7 +106,15 @@ class SurfaceDistance {
   double done_ = 0.0;
   /// The slot of the latest answer.
   Index hint_ = kNoIndex;
-  std::vector<Piece> work_;
+  /// The plane of the current triangle; if it is a segment, except for rounding, any plane through
+  /// it.
+  FacePlane plane_;
+  bool is_segment_ = false;
+  double longest_side_ = 0.0;
+  /// The pieces of it that remain to be measured.
+  std::vector<ConvexPiece> work_;
+  /// What remained when a part of a piece was cut off.
+  std::vector<ConvexPiece> rest_;
 };
 
 }  // namespace meshalyzer
