@@ -26,7 +26,8 @@ constexpr std::size_t kManyCorners = 8;
 /// A piece whose altitude is at most this fraction of its longest edge is a segment, except for
 /// rounding.
 constexpr double kSegmentAltitude = 1e-12;
-/// Where only the bound is asked for, a face within this fraction of it will do for the nearest.
+/// A face within this fraction of the distance that need not be told, which is the bound where only
+/// that is asked for, will do for the nearest.
 constexpr double kNearEnough = 1.0 / 16;
 /// Beyond this number of cuts every second one halves a piece across its diameter, so that pieces
 /// surely shrink.
@@ -85,12 +86,6 @@ FaceDistance SurfaceDistance::measure(const Corners& corners, const BoxTree* dou
       done_ = bound_;
       continue;
     }
-    if (piece.corners().size() > kManyCorners) {
-      const ConvexPiece::Parts parts = piece.cut_between_corners();
-      keep(parts.inside, piece.depth);
-      keep(parts.outside, piece.depth);
-      continue;
-    }
     if (n_pieces > kPrecisePieces) asks_within_ = true;
     const Estimate known = estimate(piece);
     if (n_pieces == 1) upper_of_all = known.upper;
@@ -126,8 +121,8 @@ std::optional<double> SurfaceDistance::distance_from_latest(const Corners& corne
   return distance <= bound_ ? std::optional(distance) : std::nullopt;
 }
 
-/// Returns the closest point of the surface; where only the bound is asked for, any that is near
-/// enough.
+/// Returns the closest point of the surface, or any that is so near that its distance does not
+/// matter.
 SurfacePoint SurfaceDistance::closest(const Vec3& point) {
   const double near_enough = kNearEnough * (asks_within_ ? bound_ : found_);
   SurfacePoint answer;
@@ -224,7 +219,14 @@ void SurfaceDistance::halve(const ConvexPiece& piece) {
   keep(parts.inside, piece.depth + 1);
 }
 
+/// Adds a part to the pieces, in two if it has many corners.
 void SurfaceDistance::keep(const ConvexPiece& part, std::uint32_t depth) {
+  if (part.corners().size() > kManyCorners) {
+    const ConvexPiece::Parts halves = part.cut_between_corners();
+    keep(halves.inside, depth);
+    keep(halves.outside, depth);
+    return;
+  }
   work_.push_back(part);
   work_.back().depth = depth;
 }
