@@ -22,6 +22,12 @@ ConvexPiece cut_at_all(ConvexPiece piece, const std::vector<HalfSpace>& bounds) 
   return piece;
 }
 
+/// Returns the place below a point, and what of the triangle is closest to it.
+PlaceNearTriangle seen_from(const Vec3& point, const Corners& t) {
+  const Vec3 place(point.x(), point.y(), 0.0);
+  return {place, closest_on_triangle(t, place).point};
+}
+
 double area_of(const Corners& t) {
   return normal_of(t).norm() / 2;
 }
@@ -81,8 +87,8 @@ TEST(NearRegion, OfATriangleInThePlaneIsGrownByTheDistanceExceptAtCorners) {
     Corners t{random.point(3), random.point(3), random.point(3)};
     for (Vec3& corner : t) corner.z() = 0.0;
     const double distance = random.between(0.01, 2);
-    const ConvexPiece region =
-        cut_at_all(ConvexPiece(kWide), find_near_region(t, kPlane, distance, 0.0));
+    const ConvexPiece region = cut_at_all(
+        ConvexPiece(kWide), find_near_region(t, kPlane, distance, seen_from(centroid_of(t), t)));
     // A strip along each side, and at each corner the triangle between the ends of two strips.
     double expected = area_of(t);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -98,27 +104,41 @@ TEST(NearRegion, OfATriangleInThePlaneIsGrownByTheDistanceExceptAtCorners) {
 TEST(NearRegion, AboveTheTriangleIsGrownByWhatTheHeightLeaves) {
   // 3, 4, 5: a triangle 3 below the plane is within 5 of what lies within 4 of its projection.
   const Corners t{Vec3(0, 0, -3), Vec3(6, 0, -3), Vec3(0, 8, -3)};
-  const ConvexPiece region = cut_at_all(ConvexPiece(kWide), find_near_region(t, kPlane, 5, -3));
+  const ConvexPiece region =
+      cut_at_all(ConvexPiece(kWide), find_near_region(t, kPlane, 5, seen_from(centroid_of(t), t)));
   EXPECT_NEAR(region.area(1), 24 + 24 * 4 + 16 * (1 + 0.8 + 0.6) / 2, 1e-12);
 }
 
-TEST(NearRegion, IsWithinTheDistanceAndHoldsTheFootOfThePointAskedFor) {
+TEST(NearRegion, ReachesToAPlaceOutsideOfACorner) {
+  // Within the disc round the origin, beyond the line between the ends of the sides' strips.
+  const Corners t{Vec3(0, 0, 0), Vec3(6, 0, 0), Vec3(0, 8, 0)};
+  const Vec3 place(-0.6, -0.79, 0);
+  const std::vector<HalfSpace> bounds = find_near_region(t, kPlane, 1, seen_from(place, t));
+  for (const HalfSpace& bound : bounds) EXPECT_LE(bound.excess(place), 0);
+  const ConvexPiece region = cut_at_all(ConvexPiece(kWide), bounds);
+  EXPECT_EQ(bounds.size(), 7);
+  // Two triangles at the origin, between the tip and the ends of the strips.
+  const Vec3 tip = place.normalized();
+  EXPECT_NEAR(region.area(1), 24 + 24 + (0.8 + 0.6) / 2 - (tip.x() + tip.y()) / 2, 1e-12);
+}
+
+TEST(NearRegion, IsWithinTheDistanceAndHoldsThePlace) {
   Random random;
   for (int run = 0; run < 3000; ++run) {
-    // Some of them stand upright, some are segments.
+    // Some of them are in the plane, some stand upright, some are segments.
     Corners t{random.point(3), random.point(3), random.point(3)};
-    if (run % 3 == 1) t[2] = t[0] + Vec3(0, 0, random.between(0.5, 3));
-    if (run % 3 == 2) t[2] = (t[0] + t[1]) / 2;
+    if (run % 4 == 1) t[2] = t[0] + Vec3(0, 0, random.between(0.5, 3));
+    if (run % 4 == 2) t[2] = (t[0] + t[1]) / 2;
+    if (run % 4 == 3) t[0].z() = t[1].z() = t[2].z() = 0.0;
     const double distance = random.between(0.1, 2);
-    const Vec3 at = random.between(0, 1) * t[0];
-    const Vec3 inside = closest_on_triangle(t, {at.x(), at.y(), 0.0}).point;
-    if (std::abs(inside.z()) >= 0.99 * distance) continue;
-    const std::vector<HalfSpace> bounds = find_near_region(t, kPlane, distance, inside.z());
+    const PlaceNearTriangle from = seen_from(random.point(4), t);
+    if ((from.place - from.closest).norm() >= 0.99 * distance) continue;
+    const std::vector<HalfSpace> bounds = find_near_region(t, kPlane, distance, from);
     ASSERT_FALSE(bounds.empty());
-    ASSERT_LE(bounds.size(), 10);
+    ASSERT_LE(bounds.size(), 11);
     for (const HalfSpace& bound : bounds) {
       EXPECT_NEAR(bound.outward.norm(), 1, 1e-12);
-      EXPECT_LE(bound.excess({inside.x(), inside.y(), 0.0}), 1e-9) << run;
+      EXPECT_LE(bound.excess(from.place), 1e-9) << run;
     }
     const ConvexPiece region = cut_at_all(ConvexPiece(kWide), bounds);
     // The distance from a triangle is convex, so that it is largest at corners.

@@ -152,15 +152,16 @@ SurfaceDistance::Estimate SurfaceDistance::estimate(const ConvexPiece& piece) {
   if (at_middle.slot == kNoIndex) return known;
   const FarthestCorner farthest = farthest_corner(piece, corners_of(at_middle.slot));
   known.upper = farthest.distance;
-  known.nearest[known.n_nearest++] = at_middle;
+  known.nearest[known.n_nearest++] = {middle, at_middle};
   if (is_precise(known)) return known;
   known.lower = std::max(known.lower, closest(farthest.point).distance);
-  const SurfacePoint near_corner = closest(between(farthest.point, middle, kInwards));
+  const Vec3 inwards = between(farthest.point, middle, kInwards);
+  const SurfacePoint near_corner = closest(inwards);
   known.lower = std::max(known.lower, near_corner.distance);
   if (near_corner.slot == at_middle.slot) return known;
   known.upper =
       std::min(known.upper, farthest_corner(piece, corners_of(near_corner.slot)).distance);
-  known.nearest[known.n_nearest++] = near_corner;
+  known.nearest[known.n_nearest++] = {inwards, near_corner};
   return known;
 }
 
@@ -179,19 +180,19 @@ void SurfaceDistance::divide(const ConvexPiece& piece, const Estimate& known) {
   halve(piece);
 }
 
-/// Cuts off a part of a piece that is within a level of the face at its nearest point, and leaves
-/// the rest in `rest_`.
+/// Cuts off a part of a piece that is within a level of a face, and leaves the rest in `rest_`.
 /// @return The fraction that was cut off.
-double SurfaceDistance::cut_off_near(const ConvexPiece& piece, const SurfacePoint& nearest,
+double SurfaceDistance::cut_off_near(const ConvexPiece& piece, const Nearest& nearest,
                                      double level) {
   rest_.clear();
-  const Corners face = corners_of(nearest.slot);
-  const double height = plane_.height(nearest.point);
   // Rounding must not take the cuts beyond the level.
   const double aim = level - kAim / 4 * slack_;
-  if (!(std::abs(height) < aim)) return 0.0;
+  if (!(nearest.found.distance < aim)) return 0.0;
+  const Corners face = corners_of(nearest.found.slot);
+  const std::vector<HalfSpace> bounds =
+      find_near_region(face, plane_, aim, {nearest.place, nearest.found.point});
   ConvexPiece near = piece;
-  for (const HalfSpace& bound : find_near_region(face, plane_, aim, height)) {
+  for (const HalfSpace& bound : bounds) {
     ConvexPiece::Parts parts = near.cut(bound);
     if (parts.inside.empty()) return 0.0;
     if (!parts.outside.empty()) rest_.push_back(parts.outside);

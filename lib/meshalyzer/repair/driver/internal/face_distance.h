@@ -69,11 +69,16 @@ class SurfaceDistance {
   [[nodiscard]] FaceDistance measure(const Corners& corners, const BoxTree* doubtful = nullptr);
 
  private:
+  /// A place on a piece, and the nearest face.
+  struct Nearest {
+    Vec3 place;
+    SurfacePoint found;
+  };
   /// The bounds of the distance of a piece, and faces that may be near to much of it.
   struct Estimate {
     double lower = 0.0;
     double upper = 0.0;
-    std::array<SurfacePoint, 2> nearest;
+    std::array<Nearest, 2> nearest;
     std::size_t n_nearest = 0;
   };
 
@@ -87,8 +92,7 @@ class SurfaceDistance {
   [[nodiscard]] bool is_precise(const Estimate& known) const;
   [[nodiscard]] Estimate estimate(const ConvexPiece& piece);
   void divide(const ConvexPiece& piece, const Estimate& known);
-  [[nodiscard]] double cut_off_near(const ConvexPiece& piece, const SurfacePoint& nearest,
-                                    double level);
+  [[nodiscard]] double cut_off_near(const ConvexPiece& piece, const Nearest& nearest, double level);
   [[nodiscard]] double size_of(const ConvexPiece& piece) const;
   void halve(const ConvexPiece& piece);
   void keep(const ConvexPiece& part, std::uint32_t depth);

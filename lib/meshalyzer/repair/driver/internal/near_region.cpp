@@ -4,14 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 
 namespace meshalyzer {
 namespace {
 
-/// Of a triangle that leaves the plane, what is higher than this fraction of the distance has only
-/// points of the plane near it that are near to the rest, too.
-constexpr double kHighest = 0.7;
+/// Returns the other leg of a right triangle.
+double leg(double hypotenuse, double other) {
+  return std::sqrt(hypotenuse - other) * std::sqrt(hypotenuse + other);
+}
 
 double largest_height(const ConvexPiece& piece, const FacePlane& plane) {
   double largest = 0.0;
@@ -44,7 +46,7 @@ Vec3 turned_to(std::span<const Vec3> corners, const Vec3& normal) {
 std::vector<HalfSpace> beyond_sides(std::span<const Vec3> corners, const Vec3& normal,
                                     double reach) {
   std::vector<HalfSpace> bounds;
-  bounds.reserve(2 * corners.size());
+  bounds.reserve(2 * corners.size() + 1);
   double longest = 0.0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec3 along = corners[(i + 1) % corners.size()] - corners[i];
@@ -60,38 +62,64 @@ std::vector<HalfSpace> beyond_sides(std::span<const Vec3> corners, const Vec3& n
   return bounds;
 }
 
-/// Adds the half-spaces that cut off the corners of others, up to the points opposite the ends of
-/// the sides: beyond these the polygon's corner is farther away than its sides.
-void cut_off_corners(const Vec3& normal, std::vector<HalfSpace>& bounds) {
+/// Adds a half-space that ends at the line between two points at a distance from a corner.
+///
+/// @param first, second  The directions of the points, of length 1.
+/// @param between        The direction half-way if they are opposite.
+void add_chord(const Vec3& corner, double reach, const Vec3& first, const Vec3& second,
+               const Vec3& between, std::vector<HalfSpace>& bounds) {
+  constexpr double kOpposite = 1e-8;
+  const Vec3 sum = first + second;
+  const double length = sum.norm();
+  bounds.push_back(
+      {corner, length > kOpposite ? Vec3(sum / length) : between, reach * length / 2.0});
+}
+
+/// Adds the half-spaces that cut off the corners of others, between the points opposite the ends of
+/// the sides: beyond these the polygon's corner is farther away than its sides. Where a place lies
+/// outward from a corner, they leave it a tip.
+void cut_off_corners(const Vec3& normal, const Vec3& place, std::vector<HalfSpace>& bounds) {
   const std::size_t n_sides = bounds.size();
   for (std::size_t i = 0; i < n_sides; ++i) {
-    const HalfSpace& side = bounds[i];
-    const Vec3& before = bounds[(i + n_sides - 1) % n_sides].outward;
-    const Vec3 sum = before + side.outward;
-    const double length = sum.norm();
-    // The sides of a segment are opposite to each other, and the direction of its end is between.
-    constexpr double kOpposite = 1e-8;
-    const Vec3 outward =
-        length > kOpposite ? Vec3(sum / length) : side.outward.cross(normal).normalized();
-    bounds.push_back({side.point, outward, side.reach * length / 2.0});
+    const HalfSpace side = bounds[i];
+    const Vec3 before = bounds[(i + n_sides - 1) % n_sides].outward;
+    const Vec3 backwards = side.outward.cross(normal);
+    Vec3 to_place = place - side.point;
+    to_place -= to_place.dot(normal) * normal;
+    const bool is_outward =
+        before.cross(to_place).dot(normal) > 0.0 && to_place.cross(side.outward).dot(normal) > 0.0;
+    if (is_outward) {
+      to_place.stableNormalize();
+      add_chord(side.point, side.reach, before, to_place, to_place, bounds);
+      add_chord(side.point, side.reach, to_place, side.outward, to_place, bounds);
+    } else {
+      add_chord(side.point, side.reach, before, side.outward, backwards, bounds);
+    }
   }
 }
 
 }  // namespace
 
 std::vector<HalfSpace> find_near_region(const Corners& triangle, const FacePlane& plane,
-                                        double distance, double height) {
+                                        double distance, const PlaceNearTriangle& from) {
+  const double of_place = (from.place - from.closest).stableNorm();
+  if (!(of_place < distance)) return {};
+  // Of a triangle that leaves the plane, only what is not much higher than the closest point has
+  // points of the plane near it that are not near to the rest, too. The lower the part, the farther
+  // the region reaches beyond its sides.
+  const double rest = leg(distance, of_place) / std::numbers::sqrt2;
+  const double most = std::hypot(plane.height(from.closest), rest);
   ConvexPiece part(triangle);
   double highest = largest_height(part, plane);
-  if (highest > kHighest * distance) {
-    highest = std::max(kHighest * distance, (std::abs(height) + distance) / 2.0);
-    part = part_near_plane(triangle, plane, highest);
+  if (highest > most) {
+    highest = most;
+    part = part_near_plane(triangle, plane, most);
   }
   // Points of the plane that are so near to the projected part are within the distance of it.
-  const double reach = std::sqrt(distance - highest) * std::sqrt(distance + highest);
+  const double reach = leg(distance, highest);
   const Vec3 normal = turned_to(part.corners(), plane.normal);
   std::vector<HalfSpace> bounds = beyond_sides(part.corners(), normal, reach);
-  cut_off_corners(normal, bounds);
+  cut_off_corners(normal, from.place, bounds);
   return bounds;
 }
 
