@@ -5,6 +5,8 @@
 #include "meshalyzer/io/write.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/picture/scene.h"
+#include "meshalyzer/repair/driver/internal/face_distance.h"
+#include "meshalyzer/repair/driver/internal/searched_surface.h"
 #include "meshalyzer/spatial/mutual_intersection.h"
 #include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/spatial/winding_number.h"
@@ -186,5 +188,46 @@ BENCHMARK_CAPTURE(winding_numbers, closed_few, 0, ExpectedQueries::Few);
 BENCHMARK_CAPTURE(winding_numbers, closed_many, 0, ExpectedQueries::Many);
 BENCHMARK_CAPTURE(winding_numbers, holes_few, 100, ExpectedQueries::Few);
 BENCHMARK_CAPTURE(winding_numbers, holes_many, 100, ExpectedQueries::Many);
+
+// A square of 2 n^2 faces, whose inner vertices are moved at random: in the plane by up to a third
+// of a side, and out of it by up to a thousandth.
+Soup uneven_square(Index n) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  Soup soup;
+  for (Index i = 0; i <= n; ++i) {
+    for (Index k = 0; k <= n; ++k) {
+      const bool is_inside = i > 0 && i < n && k > 0 && k < n;
+      const Vec3 move(share(random) / 3, share(random) / 3, share(random) / 1000);
+      soup.positions.push_back(Vec3(i, k, 0) + (is_inside ? move : Vec3(0, 0, 0)));
+    }
+  }
+  for (Index i = 0; i < n; ++i) {
+    for (Index k = 0; k < n; ++k) {
+      const Index a = i * (n + 1) + k;
+      soup.triangles.push_back({a, a + n + 1, a + n + 2});
+      soup.triangles.push_back({a, a + n + 2, a + 1});
+    }
+  }
+  return soup;
+}
+
+// A face of the input that was cut into so many: how far is it from them?
+void distance_of_cut_face(benchmark::State& state, Index n, DistanceQuestion question) {
+  const SearchedSurface surface(uneven_square(n));
+  const double end = n;
+  const Corners face{Vec3(0, 0, 0), Vec3(end, 0, 0), Vec3(end, end, 0)};
+  constexpr double kBound = 0.01;
+  for (auto _ : state) {
+    SurfaceDistance meter(surface.tree, surface.closest, kBound, question, 0.0);
+    benchmark::DoNotOptimize(meter.measure(face));
+  }
+}
+BENCHMARK_CAPTURE(distance_of_cut_face, how_far_100, 10, DistanceQuestion::HowFar)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(distance_of_cut_face, how_far_900, 30, DistanceQuestion::HowFar)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(distance_of_cut_face, is_within_900, 30, DistanceQuestion::IsWithin)
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
