@@ -104,9 +104,8 @@ std::vector<HalfSpace> find_near_region(const Corners& triangle, const FacePlane
                                         double distance, const PlaceNearTriangle& from) {
   const double of_place = (from.place - from.closest).stableNorm();
   if (!(of_place < distance)) return {};
-  // Of a triangle that leaves the plane, only what is not much higher than the closest point has
-  // points of the plane near it that are not near to the rest, too. The lower the part, the farther
-  // the region reaches beyond its sides.
+  // Where the triangle leaves the plane, only the part of it up to this height counts: the lower
+  // the part, the farther the region reaches beyond its sides. It has to reach beyond the place.
   const double rest = leg(distance, of_place) / std::numbers::sqrt2;
   const double most = std::hypot(plane.height(from.closest), rest);
   ConvexPiece part(triangle);
