@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
 namespace meshalyzer {
@@ -56,9 +55,6 @@ class ConvexPiece {
   [[nodiscard]] Parts cut(const HalfSpace& half_space) const;
   /// Cuts a piece with at least four corners in two between opposite ones.
   [[nodiscard]] Parts cut_between_corners() const;
-
-  /// The number of cuts that led to the piece.
-  std::uint32_t depth = 0;
 
  private:
   void add(const Vec3& corner) { corners_[n_corners_++] = corner; }

@@ -79,15 +79,15 @@ FaceDistance SurfaceDistance::measure(const Corners& corners, const BoxTree* dou
       question_ == DistanceQuestion::IsWithin ? kMaxPiecesWithin : kMaxPiecesHowFar;
   double upper_of_all = kInfinity;
   for (std::size_t n_pieces = 1; !work_.empty(); ++n_pieces) {
-    const ConvexPiece piece = work_.back();
+    const Piece piece = work_.back();
     work_.pop_back();
     // The first piece is the whole triangle, which was looked up above.
-    if (n_pieces > 1 && is_known(piece.box())) {
+    if (n_pieces > 1 && is_known(piece.shape.box())) {
       done_ = bound_;
       continue;
     }
     if (n_pieces > kPrecisePieces) asks_within_ = true;
-    const Estimate known = estimate(piece);
+    const Estimate known = estimate(piece.shape);
     if (n_pieces == 1) upper_of_all = known.upper;
     if (!asks_within_) found_ = std::max(found_, known.lower);
     if (known.upper <= bound_ && is_precise(known)) {
@@ -112,7 +112,7 @@ void SurfaceDistance::start_with(const Corners& triangle) {
     normal = (along.squaredNorm() > other.squaredNorm() ? along : other).unitOrthogonal();
   }
   plane_ = {triangle[0], normal.normalized()};
-  work_.assign(1, ConvexPiece(triangle));
+  work_.assign(1, {ConvexPiece(triangle)});
 }
 
 std::optional<double> SurfaceDistance::distance_from_latest(const Corners& corners) const {
@@ -167,12 +167,12 @@ SurfaceDistance::Estimate SurfaceDistance::estimate(const ConvexPiece& piece) {
 
 /// Divides a piece so that as much of it as possible is near enough to one face, and finished; if
 /// that is little, halves it.
-void SurfaceDistance::divide(const ConvexPiece& piece, const Estimate& known) {
+void SurfaceDistance::divide(const Piece& piece, const Estimate& known) {
   const double level =
       asks_within_ ? bound_ : std::min(bound_, std::max(found_, known.lower) + kAim * slack_);
   const bool is_halving_due = piece.depth >= kFreeCuts && piece.depth % 2 == 1;
   for (std::size_t i = 0; i < known.n_nearest && !is_halving_due; ++i) {
-    if (cut_off_near(piece, known.nearest[i], level) < kLeastShare) continue;
+    if (cut_off_near(piece.shape, known.nearest[i], level) < kLeastShare) continue;
     done_ = std::max(done_, level);
     for (const ConvexPiece& part : rest_) keep(part, piece.depth + 1);
     return;
@@ -211,11 +211,11 @@ double SurfaceDistance::size_of(const ConvexPiece& piece) const {
 }
 
 /// Cuts a piece in two across its diameter.
-void SurfaceDistance::halve(const ConvexPiece& piece) {
-  const auto [from, to] = piece.diameter();
+void SurfaceDistance::halve(const Piece& piece) {
+  const auto [from, to] = piece.shape.diameter();
   const HalfSpace half{between(from, to, 0.5), (to - from).stableNormalized()};
-  ConvexPiece::Parts parts = piece.cut(half);
-  if (parts.outside.empty()) parts = piece.cut_between_corners();
+  ConvexPiece::Parts parts = piece.shape.cut(half);
+  if (parts.outside.empty()) parts = piece.shape.cut_between_corners();
   keep(parts.outside, piece.depth + 1);
   keep(parts.inside, piece.depth + 1);
 }
@@ -228,8 +228,7 @@ void SurfaceDistance::keep(const ConvexPiece& part, std::uint32_t depth) {
     keep(halves.outside, depth);
     return;
   }
-  work_.push_back(part);
-  work_.back().depth = depth;
+  work_.push_back({part, depth});
 }
 
 }  // namespace meshalyzer

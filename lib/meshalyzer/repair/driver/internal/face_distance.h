@@ -69,6 +69,12 @@ class SurfaceDistance {
   [[nodiscard]] FaceDistance measure(const Corners& corners, const BoxTree* doubtful = nullptr);
 
  private:
+  /// A piece that remains to be measured.
+  struct Piece {
+    ConvexPiece shape;
+    /// The number of cuts that led to it.
+    std::uint32_t depth = 0;
+  };
   /// A place on a piece, and the nearest face.
   struct Nearest {
     Vec3 place;
@@ -91,10 +97,10 @@ class SurfaceDistance {
   [[nodiscard]] Corners corners_of(Index slot) const;
   [[nodiscard]] bool is_precise(const Estimate& known) const;
   [[nodiscard]] Estimate estimate(const ConvexPiece& piece);
-  void divide(const ConvexPiece& piece, const Estimate& known);
+  void divide(const Piece& piece, const Estimate& known);
   [[nodiscard]] double cut_off_near(const ConvexPiece& piece, const Nearest& nearest, double level);
   [[nodiscard]] double size_of(const ConvexPiece& piece) const;
-  void halve(const ConvexPiece& piece);
+  void halve(const Piece& piece);
   void keep(const ConvexPiece& part, std::uint32_t depth);
 
   const FaceTree& tree_;
@@ -115,8 +121,8 @@ class SurfaceDistance {
   FacePlane plane_;
   bool is_segment_ = false;
   double longest_side_ = 0.0;
-  /// The pieces of it that remain to be measured.
-  std::vector<ConvexPiece> work_;
+  /// Its pieces.
+  std::vector<Piece> work_;
   /// What remained when a part of a piece was cut off.
   std::vector<ConvexPiece> rest_;
 };

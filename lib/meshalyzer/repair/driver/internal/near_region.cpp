@@ -65,14 +65,14 @@ std::vector<HalfSpace> beyond_sides(std::span<const Vec3> corners, const Vec3& n
 /// Adds a half-space that ends at the line between two points at a distance from a corner.
 ///
 /// @param first, second  The directions of the points, of length 1.
-/// @param between        The direction half-way if they are opposite.
+/// @param half_way       The direction half-way if they are opposite.
 void add_chord(const Vec3& corner, double reach, const Vec3& first, const Vec3& second,
-               const Vec3& between, std::vector<HalfSpace>& bounds) {
+               const Vec3& half_way, std::vector<HalfSpace>& bounds) {
   constexpr double kOpposite = 1e-8;
   const Vec3 sum = first + second;
   const double length = sum.norm();
   bounds.push_back(
-      {corner, length > kOpposite ? Vec3(sum / length) : between, reach * length / 2.0});
+      {corner, length > kOpposite ? Vec3(sum / length) : half_way, reach * length / 2.0});
 }
 
 /// Adds the half-spaces that cut off the corners of others, between the points opposite the ends of
