@@ -25,14 +25,14 @@ class UniteFromInput : public ::testing::Test {
     driver_.emplace(soup, tolerances,
                     RepairLimits{.max_deviation = kMaxDeviation, .fixed_vertices = {}},
                     [](const TrackedMesh&, const CutMesh&) { return std::vector<std::uint8_t>(); });
-    return unite_from_input(*driver_, options_, tolerances, choice, boundary_);
+    return unite_from_input(*driver_, options_, tolerances, choice, memory_);
   }
 
   [[nodiscard]] const Soup& mesh() const { return driver_->mesh().tracked().soup; }
 
   RepairOptions options_;
   std::optional<RepairDriver> driver_;
-  SampledBoundary boundary_;
+  UnionMemory memory_;
 };
 
 const Soup kCrossing = shapes::merged(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
@@ -66,6 +66,13 @@ TEST_F(UniteFromInput, MakesShellsOfPartsThatItWouldLose) {
   EXPECT_TRUE(united.is_too_far);
   ASSERT_FALSE(united.lost.face_keys.empty());
   EXPECT_GE(united.lost.face_keys.front(), 12U);
+  // The union without shells is remembered; made again, it has lost the same.
+  ASSERT_NE(memory_.too_far, nullptr);
+  memory_ = {};
+  const LostBoundary lost_again = unite(soup, {.shells = ShellChoice{}}).lost;
+  EXPECT_EQ(lost_again.face_keys, united.lost.face_keys);
+  EXPECT_EQ(lost_again.points, united.lost.points);
+  EXPECT_EQ(lost_again.has_open, united.lost.has_open);
   united =
       unite(soup, {.shells = ShellChoice{.face_keys = united.lost.face_keys, .hidden_points = {}}});
   EXPECT_NE(united.note.find("made hollow"), std::string::npos);

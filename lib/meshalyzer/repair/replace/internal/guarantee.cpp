@@ -129,7 +129,8 @@ class Guarantee {
   }
 
   bool unite(const UnionChoice& choice) {
-    UnitedFromInput united = unite_from_input(driver_, options_, tolerances_, choice, boundary_);
+    UnitedFromInput united =
+        unite_from_input(driver_, options_, tolerances_, choice, union_memory_);
     if (!choice.shells) is_union_too_far_behind_holes_ = united.is_too_far_behind_holes;
     is_union_too_far_ = united.is_too_far;
     lost_ = std::move(united.lost);
@@ -282,7 +283,7 @@ class Guarantee {
   bool is_union_too_far_ = false;
   /// What the last union has lost.
   LostBoundary lost_;
-  SampledBoundary boundary_;
+  UnionMemory union_memory_;
   bool needs_larger_grid_ = false;
   std::string reason_;
   std::vector<std::string> notes_;

@@ -74,12 +74,12 @@ bool fills_more_with_sheets(const PassInput& input, FillOptions fill) {
 class UnionFromInput {
  public:
   UnionFromInput(RepairDriver& driver, const RepairOptions& options, const Tolerances& tolerances,
-                 const UnionChoice& choice, SampledBoundary& boundary)
+                 const UnionChoice& choice, UnionMemory& memory)
       : driver_(driver),
         options_(options),
         tolerances_(tolerances),
         choice_(choice),
-        boundary_(boundary),
+        memory_(memory),
         check_(final_check_for(options, driver.mesh().input().format)) {}
 
   bool run() {
@@ -111,26 +111,27 @@ class UnionFromInput {
   /// Unites the mesh; where many parts of the union touch at a point and cannot be parted, again
   /// with a small solid round it.
   bool unite(FillSheets sheets) {
+    sheets_ = sheets;
     joined_.clear();
     for (int i = 0; i <= kMostTimesJoined; ++i) {
       touching_.clear();
-      if (try_union(sheets)) return true;
+      if (try_union()) return true;
       if (touching_.empty() || touching_.size() > kMostPointsJoined) break;
       joined_.insert(joined_.end(), touching_.begin(), touching_.end());
     }
     return false;
   }
 
-  bool try_union(FillSheets sheets) {
+  bool try_union() {
     SelfUnionOptions how{.fill = options_.fill};
-    how.fill.sheets = sheets;
+    how.fill.sheets = sheets_;
     if (options_.solid) how.lost = LostParts::Allowed;
     const PlannedPass pass{
         "unite with itself", DefectCode::SelfIntersection, [&](const PassInput& input) {
           // With the same patches it would end as before.
-          if (sheets == FillSheets::Yes && !fills_more_with_sheets(input, how.fill)) {
-            return PassResult{};
-          }
+          const bool is_known =
+              sheets_ == FillSheets::Yes && !fills_more_with_sheets(input, how.fill);
+          if (is_known || is_again_too_far_) return PassResult{};
           PassResult result = self_union(input, how);
           if (!choice_.shells) lost_ = lost_boundary(input, result.edits);
           return result;
@@ -152,12 +153,25 @@ class UnionFromInput {
 
   [[nodiscard]] PlannedPass thickening() {
     return {"thicken parts", DefectCode::Hole, [&](const PassInput& input) {
-              sample_whole(input, boundary_);
-              lost_ = boundary_.samples;
+              sample_whole(input, memory_.boundary);
+              lost_ = memory_.boundary.samples;
               shells_ = choose_shells(input, *choice_.shells);
+              is_again_too_far_ = is_again_too_far();
               return thicken_parts(input, shells_.face_keys,
                                    choice_.shells->thickness_share * input.limits.max_deviation);
             }};
+  }
+
+  /// Tells whether this union would be the last one without shells again, and too far from what
+  /// bounds the solid.
+  [[nodiscard]] bool is_again_too_far() {
+    if (!memory_.too_far || memory_.sheets != sheets_ || !shells_.face_keys.empty() ||
+        choice_.behind_holes == BehindHoles::Dropped) {
+      return false;
+    }
+    static_cast<void>(measure_lost(*memory_.too_far));
+    is_too_far_ = !far_.points.empty();
+    return is_too_far_;
   }
 
   bool is_wanted(const RepairState& state) {
@@ -178,6 +192,10 @@ class UnionFromInput {
                     ? distance_of_rest_
                     : std::max(distance_of_rest_, distance_behind_holes_);
     is_too_far_ = !(distance_ <= driver_.mesh().max_deviation());
+    if (is_too_far_ && !choice_.shells) {
+      memory_.too_far = driver_.mesh().shared_state();
+      memory_.sheets = sheets_;
+    }
     return !is_too_far_;
   }
 
@@ -222,8 +240,10 @@ class UnionFromInput {
   const RepairOptions& options_;
   const Tolerances& tolerances_;
   const UnionChoice& choice_;
-  SampledBoundary& boundary_;
+  UnionMemory& memory_;
   FinalCheck check_;
+  /// The sheets whose holes are filled.
+  FillSheets sheets_ = FillSheets::No;
   /// Samples of what bounded the solid: of the dropped parts of the last union, or with shells of
   /// all of the mesh.
   std::vector<BoundarySample> lost_;
@@ -240,14 +260,15 @@ class UnionFromInput {
   double distance_behind_holes_ = 0.0;
   double distance_of_rest_ = 0.0;
   bool is_too_far_ = false;
+  bool is_again_too_far_ = false;
 };
 
 }  // namespace
 
 UnitedFromInput unite_from_input(RepairDriver& driver, const RepairOptions& options,
                                  const Tolerances& tolerances, const UnionChoice& choice,
-                                 SampledBoundary& boundary) {
-  UnionFromInput from_input(driver, options, tolerances, choice, boundary);
+                                 UnionMemory& memory) {
+  UnionFromInput from_input(driver, options, tolerances, choice, memory);
   if (!from_input.run()) {
     return {.note = "",
             .is_too_far_behind_holes = from_input.is_too_far_behind_holes(),

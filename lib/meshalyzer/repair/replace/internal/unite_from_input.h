@@ -7,6 +7,7 @@
 #include "meshalyzer/repair/replace/internal/shell_choice.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,6 +43,16 @@ struct SampledBoundary {
   std::vector<BoundarySample> samples;
 };
 
+/// What a union of a mesh leaves for the next one, with other shells.
+struct UnionMemory {
+  SampledBoundary boundary;
+  /// The last union without shells that was good, but too far from the input; null if there was
+  /// none.
+  std::shared_ptr<const RepairState> too_far;
+  /// The sheets whose holes it has filled.
+  FillSheets sheets = FillSheets::No;
+};
+
 /// What a union has lost, although it bounded the solid by winding number.
 struct LostBoundary {
   /// The keys of faces on which a sample is too far from the union, ascending.
@@ -73,10 +84,9 @@ struct UnitedFromInput {
 /// The parts that were dropped, although they bounded the solid by winding number, are sampled:
 /// their distance from the result counts as deviation.
 ///
-/// @param boundary  What the last call has sampled; empty before the first one.
+/// @param memory  What the last call has left; empty before the first one.
 [[nodiscard]] UnitedFromInput unite_from_input(RepairDriver& driver, const RepairOptions& options,
                                                const Tolerances& tolerances,
-                                               const UnionChoice& choice,
-                                               SampledBoundary& boundary);
+                                               const UnionChoice& choice, UnionMemory& memory);
 
 }  // namespace meshalyzer
