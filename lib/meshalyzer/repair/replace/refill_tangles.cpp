@@ -54,9 +54,10 @@ class EdgesOfPlaces {
   std::vector<Edge> edges_;
 };
 
-/// The patches that a place is refilled with.
+/// A place, and what it is refilled with.
 struct Refill {
-  Index place = kNoIndex;
+  /// The faces that go, ascending.
+  std::vector<Index> faces;
   Patch patch;
 };
 
@@ -81,10 +82,10 @@ class CutTrial {
   std::optional<std::vector<std::uint8_t>> is_alike_;
 };
 
-/// Takes the faces at tangles away, and fills the holes.
-class TangleRefill {
+/// Finds patches for the holes that are left where the faces at tangles are taken away.
+class RefillSearch {
  public:
-  TangleRefill(const PassInput& input, Tangles tangles, CutTrial& cut)
+  RefillSearch(const PassInput& input, Tangles tangles, CutTrial& cut)
       : input_(input),
         cut_(cut),
         soup_(input.mesh.soup()),
@@ -94,21 +95,15 @@ class TangleRefill {
         edges_(soup_, tangles_.places),
         existing_(rest_, loops_.loops) {}
 
-  PassResult run() {
+  std::vector<Refill> run() {
     find_loops_of_places();
     std::vector<Refill> refills;
     for (Index place = 0; place < tangles_.places.size(); ++place) {
       if (std::optional<Patch> patch = patch_for(place)) {
-        refills.push_back({place, std::move(*patch)});
+        refills.push_back({std::move(tangles_.places[place]), std::move(*patch)});
       }
     }
-    std::vector<Patch> patches;
-    for (const Refill& refill : refills) patches.push_back(refill.patch);
-    const std::vector<std::uint8_t> is_kept = keep_apart(rest_, patches);
-    for (std::size_t i = 0; i < refills.size(); ++i) {
-      if (is_kept[i] != 0) propose(refills[i]);
-    }
-    return std::move(result_);
+    return refills;
   }
 
  private:
@@ -237,28 +232,6 @@ class TangleRefill {
     });
   }
 
-  void propose(const Refill& refill) {
-    const std::vector<Index>& faces = tangles_.places[refill.place];
-    Edits& edits = result_.edits;
-    const Index op = edits.begin_operation();
-    for (const Index face : faces) edits.removed_faces.push_back({op, face});
-    const auto shift = static_cast<Index>(edits.added_vertices.size());
-    for (const Vec3& p : refill.patch.added) edits.added_vertices.push_back({op, p});
-    for (Triangle t : refill.patch.triangles) {
-      const Index prototype = nearest_of(faces, centroid_of(corners_of(soup_, refill.patch, t)));
-      for (Index& v : t) v += v >= soup_.n_vertices() ? shift : 0;
-      edits.added_faces.push_back({.op = op, .corners = t, .prototype = prototype});
-    }
-  }
-
-  [[nodiscard]] Index nearest_of(const std::vector<Index>& faces, const Vec3& point) const {
-    const auto distance = [&](Index face) {
-      return closest_on_triangle(corners_of(soup_, face), point).distance;
-    };
-    return *std::min_element(faces.begin(), faces.end(),
-                             [&](Index a, Index b) { return distance(a) < distance(b); });
-  }
-
   const PassInput& input_;
   CutTrial& cut_;
   const Soup& soup_;
@@ -271,21 +244,54 @@ class TangleRefill {
   /// #places: 1 for those that cannot be refilled.
   std::vector<std::uint8_t> is_left_;
   std::optional<ClosestPoints> closest_;
-  PassResult result_;
 };
+
+Index nearest_of(const Soup& soup, const std::vector<Index>& faces, const Vec3& point) {
+  const auto distance = [&](Index face) {
+    return closest_on_triangle(corners_of(soup, face), point).distance;
+  };
+  return *std::min_element(faces.begin(), faces.end(),
+                           [&](Index a, Index b) { return distance(a) < distance(b); });
+}
+
+void propose(const Soup& soup, const Refill& refill, Edits& edits) {
+  const Index op = edits.begin_operation();
+  for (const Index face : refill.faces) edits.removed_faces.push_back({op, face});
+  const auto shift = static_cast<Index>(edits.added_vertices.size());
+  for (const Vec3& p : refill.patch.added) edits.added_vertices.push_back({op, p});
+  for (Triangle t : refill.patch.triangles) {
+    const Vec3 middle = centroid_of(corners_of(soup, refill.patch, t));
+    const Index prototype = nearest_of(soup, refill.faces, middle);
+    for (Index& v : t) v += v >= soup.n_vertices() ? shift : 0;
+    edits.added_faces.push_back({.op = op, .corners = t, .prototype = prototype});
+  }
+}
 
 }  // namespace
 
 PassResult refill_tangles(const PassInput& input, const PassFunction& cut) {
   if (input.limits.groups == Groups::Faces || input.mesh.intersecting_pairs().empty()) return {};
   CutTrial trial(input, cut);
+  std::vector<Refill> refills;
+  std::vector<Index> refilled;
+  // All rings are tried in one run, because after a change of the mesh another trial is needed.
   for (std::size_t n_rings = 0; n_rings <= kMostRings; ++n_rings) {
-    Tangles tangles = find_tangles(input.mesh, n_rings, kMostFacesRefilled);
+    Tangles tangles =
+        find_tangles(input.mesh, {.n_rings = n_rings, .max_faces = kMostFacesRefilled}, refilled);
     if (tangles.places.empty()) continue;
-    PassResult result = TangleRefill(input, std::move(tangles), trial).run();
-    if (!result.edits.empty()) return result;
+    for (Refill& refill : RefillSearch(input, std::move(tangles), trial).run()) {
+      refilled.insert(refilled.end(), refill.faces.begin(), refill.faces.end());
+      refills.push_back(std::move(refill));
+    }
   }
-  return {};
+  std::vector<Patch> patches;
+  for (const Refill& refill : refills) patches.push_back(refill.patch);
+  const std::vector<std::uint8_t> is_kept = keep_apart(input.mesh, patches);
+  PassResult result;
+  for (std::size_t i = 0; i < refills.size(); ++i) {
+    if (is_kept[i] != 0) propose(input.mesh.soup(), refills[i], result.edits);
+  }
+  return result;
 }
 
 }  // namespace meshalyzer

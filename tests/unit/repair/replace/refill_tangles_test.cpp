@@ -28,14 +28,28 @@ std::vector<Index> neighbours(const Soup& soup, Index vertex) {
   return found;
 }
 
-/// A sphere of radius 1 whose faces round a vertex are shrunk and turned by half a turn: the faces
-/// beside them cross each other near the vertex.
-Soup sphere_with_tangle(Index vertex, double share) {
-  Soup soup = shapes::icosphere(3);
+/// Shrinks the faces round a vertex and turns them by half a turn: the faces beside them cross each
+/// other near the vertex.
+void tangle(Soup& soup, Index vertex, double share) {
   const Vec3 middle = soup.positions[vertex];
   for (const Index v : neighbours(soup, vertex)) {
     soup.positions[v] = middle - share * (soup.positions[v] - middle);
   }
+}
+
+/// Returns the vertex opposite another one of a sphere about the origin.
+Index opposite(const Soup& sphere, Index vertex) {
+  const Vec3 to = -sphere.positions[vertex];
+  const auto found = std::min_element(
+      sphere.positions.begin(), sphere.positions.end(),
+      [&](const Vec3& a, const Vec3& b) { return (a - to).norm() < (b - to).norm(); });
+  return static_cast<Index>(found - sphere.positions.begin());
+}
+
+/// A sphere of radius 1 with a tangle.
+Soup sphere_with_tangle(Index vertex, double share) {
+  Soup soup = shapes::icosphere(3);
+  tangle(soup, vertex, share);
   return soup;
 }
 
@@ -129,12 +143,56 @@ TEST(RefillTangles, WhatCuttingMendsWithoutChangeOfTopologyIsLeftToIt) {
   EXPECT_GT(n_refilled, 0U);
 }
 
+/// Returns the topology of each place that find_tangles() finds.
+std::vector<SurfaceTopology> topologies_of_places(const Soup& soup, std::size_t n_rings) {
+  std::vector<SurfaceTopology> topologies;
+  for (const auto& place : find_tangles(PreparedMesh(soup), {n_rings, 1000}).places) {
+    std::vector<Triangle> faces;
+    for (const Index face : place) faces.push_back(soup.triangles[face]);
+    topologies.push_back(topology_of(faces));
+  }
+  return topologies;
+}
+
+/// A sphere with two tangles that have one vertex in common: they are one place, which is a disc
+/// only together with a ring of faces.
+Soup sphere_with_two_tangles(Index vertex, double share) {
+  const SurfaceTopology disc{.euler_characteristic = 1, .components = 1};
+  const SurfaceTopology two_at_a_vertex{.euler_characteristic = 1, .components = 2};
+  for (Index other = 0;; ++other) {
+    Soup soup = sphere_with_tangle(vertex, share);
+    tangle(soup, other, share);
+    if (topologies_of_places(soup, 0) == std::vector{two_at_a_vertex} &&
+        topologies_of_places(soup, 1) == std::vector{disc}) {
+      return soup;
+    }
+  }
+}
+
+TEST(RefillTangles, PlacesWithAndWithoutRingsAreRefilledAfterOneTrialOfTheCut) {
+  Soup soup = sphere_with_two_tangles(300, 0.05);
+  tangle(soup, opposite(soup, 300), 0.05);
+  std::size_t n_cuts = 0;
+  const PassFunction cut = [&](const PassInput& input) {
+    ++n_cuts;
+    return cut_all(input);
+  };
+  const PassRun run =
+      run_pass(soup, [&](const PassInput& input) { return refill_tangles(input, cut); },
+               {.max_deviation = 1.0, .fixed_vertices = {}, .groups = Groups::Names});
+  EXPECT_EQ(run.operations, 2U);
+  EXPECT_EQ(n_cuts, 1U);
+  EXPECT_TRUE(is_good(run.tracked.soup));
+  EXPECT_EQ(topology_of(run.tracked.soup.triangles),
+            (SurfaceTopology{.euler_characteristic = 2, .components = 1}));
+}
+
 TEST(FindTangles, TheFacesRoundAreTakenRingByRing) {
   const Soup tangled = sphere_with_tangle(300, 0.05);
   const PreparedMesh mesh(tangled);
   std::size_t n_before = 0;
   for (const std::size_t n_rings : {0U, 1U, 2U}) {
-    const Tangles tangles = find_tangles(mesh, n_rings, 1000);
+    const Tangles tangles = find_tangles(mesh, {.n_rings = n_rings, .max_faces = 1000});
     ASSERT_EQ(tangles.places.size(), 1U);
     EXPECT_GT(tangles.places[0].size(), n_before);
     n_before = tangles.places[0].size();
@@ -142,8 +200,26 @@ TEST(FindTangles, TheFacesRoundAreTakenRingByRing) {
                                       [](const Triangle& t) { return is_in_complex(t); });
     EXPECT_EQ(static_cast<std::size_t>(n_left) + n_before, tangled.n_faces());
   }
-  EXPECT_TRUE(find_tangles(mesh, 0, 3).places.empty());
-  EXPECT_TRUE(find_tangles(PreparedMesh(shapes::icosphere(1)), 2, 1000).places.empty());
+  EXPECT_TRUE(find_tangles(mesh, {.n_rings = 0, .max_faces = 3}).places.empty());
+  EXPECT_TRUE(find_tangles(PreparedMesh(shapes::icosphere(1)), {2, 1000}).places.empty());
+}
+
+TEST(FindTangles, NothingIsTakenAtAPlaceThatIsRefilled) {
+  Soup soup = sphere_with_tangle(300, 0.05);
+  tangle(soup, 400, 0.05);
+  const PreparedMesh mesh(soup);
+  const Tangles both = find_tangles(mesh, {.n_rings = 0, .max_faces = 1000});
+  ASSERT_EQ(both.places.size(), 2U);
+  const std::vector<Index>& refilled = both.places[0];
+  const Tangles left = find_tangles(mesh, {.n_rings = 0, .max_faces = 1000}, refilled);
+  ASSERT_EQ(left.places.size(), 1U);
+  EXPECT_EQ(left.places[0], both.places[1]);
+  EXPECT_EQ(left.rest.triangles, both.rest.triangles);
+  // Rings that grow to the refilled place make the other one touch it.
+  std::size_t n_rings = 1;
+  while (!find_tangles(mesh, {n_rings, 1000}, refilled).places.empty()) ++n_rings;
+  EXPECT_GT(n_rings, 2U);
+  EXPECT_LT(n_rings, 16U);
 }
 
 TEST(FindTangles, WhatATangleCutsOffIsTakenToo) {
@@ -152,7 +228,7 @@ TEST(FindTangles, WhatATangleCutsOffIsTakenToo) {
   constexpr Index kSides = 8;
   Soup soup = shapes::uv_sphere(16, kSides);
   for (Index v = 2 * kSides; v < 3 * kSides; ++v) soup.positions[v].head<2>() *= -1.0;
-  const Tangles tangles = find_tangles(PreparedMesh(soup), 0, 100);
+  const Tangles tangles = find_tangles(PreparedMesh(soup), {0, 100});
   ASSERT_EQ(tangles.places.size(), 1U);
   EXPECT_EQ(tangles.places[0].size(), 32U + 24U);
 }

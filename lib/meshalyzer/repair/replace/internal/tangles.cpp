@@ -12,19 +12,29 @@ namespace {
 
 class TangleSearch {
  public:
-  TangleSearch(const PreparedMesh& mesh, std::size_t max_faces)
+  TangleSearch(const PreparedMesh& mesh, const TangleLimits& limits,
+               std::span<const Index> refilled)
       : mesh_(mesh),
         soup_(mesh.soup()),
-        max_faces_(max_faces),
+        limits_(limits),
+        is_refilled_(soup_.n_faces(), 0),
+        is_of_refilled_(soup_.n_vertices(), 0),
         is_taken_(soup_.n_faces(), 0),
-        joined_(soup_.n_vertices()) {}
+        joined_(soup_.n_vertices()) {
+    for (const Index face : refilled) {
+      is_refilled_[face] = 1;
+      for (const Index v : soup_.triangles[face]) is_of_refilled_[v] = 1;
+    }
+  }
 
-  Tangles run(std::size_t n_rings) {
+  Tangles run() {
     for (const IntersectingPair& pair : mesh_.intersecting_pairs()) {
+      // What intersects a face of a refilled place belongs to the place.
+      if (is_refilled_[pair.face_a] != 0) continue;
       is_taken_[pair.face_a] = 1;
       is_taken_[pair.face_b] = 1;
     }
-    for (std::size_t ring = 0; ring < n_rings; ++ring) take_ring();
+    for (std::size_t ring = 0; ring < limits_.n_rings; ++ring) take_ring();
     group();
     if (places_.empty()) return {};
     take_what_is_cut_off();
@@ -48,11 +58,14 @@ class TangleSearch {
       for (const Index v : soup_.triangles[face]) is_reached[v] = 1;
     });
     for (const Index face : mesh_.cut().side.faces) {
-      const Triangle& t = soup_.triangles[face];
-      if (std::any_of(t.begin(), t.end(), [&](Index v) { return is_reached[v] != 0; })) {
-        is_taken_[face] = 1;
-      }
+      if (is_refilled_[face] == 0 && has_corner_of(face, is_reached)) is_taken_[face] = 1;
     }
+  }
+
+  /// @param vertices  #V: 1 for those that are meant.
+  [[nodiscard]] bool has_corner_of(Index face, const std::vector<std::uint8_t>& vertices) const {
+    const Triangle& t = soup_.triangles[face];
+    return std::any_of(t.begin(), t.end(), [&](Index v) { return vertices[v] != 0; });
   }
 
   /// Groups the faces that are taken. Those that have a vertex in common, or intersect, belong to
@@ -64,6 +77,7 @@ class TangleSearch {
       joined_.unite(t[0], t[2]);
     });
     for (const IntersectingPair& pair : mesh_.intersecting_pairs()) {
+      if (is_refilled_[pair.face_a] != 0) continue;
       joined_.unite(soup_.triangles[pair.face_a][0], soup_.triangles[pair.face_b][0]);
     }
     places_.clear();
@@ -77,7 +91,10 @@ class TangleSearch {
       places_[place].push_back(face);
     });
     std::erase_if(places_, [&](const std::vector<Index>& faces) {
-      if (faces.size() <= max_faces_ && is_of_one_component(faces)) return false;
+      if (faces.size() <= limits_.max_faces && is_of_one_component(faces) &&
+          is_apart_from_refilled(faces)) {
+        return false;
+      }
       for (const Index face : faces) is_taken_[face] = 0;
       return true;
     });
@@ -92,11 +109,18 @@ class TangleSearch {
     });
   }
 
+  [[nodiscard]] bool is_apart_from_refilled(const std::vector<Index>& faces) const {
+    return std::none_of(faces.begin(), faces.end(),
+                        [&](Index face) { return has_corner_of(face, is_of_refilled_); });
+  }
+
   [[nodiscard]] Soup without_places() const {
     Soup rest;
     rest.positions = soup_.positions;
     rest.triangles = soup_.triangles;
-    for_each_taken([&](Index face) { rest.triangles[face] = kNoTriangle; });
+    for (Index face = 0; face < soup_.n_faces(); ++face) {
+      if (is_taken_[face] != 0 || is_refilled_[face] != 0) rest.triangles[face] = kNoTriangle;
+    }
     return rest;
   }
 
@@ -123,13 +147,17 @@ class TangleSearch {
     for (std::size_t f = 0; f < parts.of_face.size(); ++f) {
       const Index part = parts.of_face[f];
       const Index face = cut.side.faces[f];
-      if (part != largest[component_of(face)] && n_faces[part] <= max_faces_) is_taken_[face] = 1;
+      const bool is_cut_off = part != largest[component_of(face)];
+      if (is_cut_off && n_faces[part] <= limits_.max_faces) is_taken_[face] = 1;
     }
   }
 
   const PreparedMesh& mesh_;
   const Soup& soup_;
-  std::size_t max_faces_;
+  TangleLimits limits_;
+  /// #faces and #vertices: 1 for those of places that are refilled already.
+  std::vector<std::uint8_t> is_refilled_;
+  std::vector<std::uint8_t> is_of_refilled_;
   /// #faces: 1 for those of places.
   std::vector<std::uint8_t> is_taken_;
   /// The vertices, united where they belong to one place.
@@ -139,8 +167,9 @@ class TangleSearch {
 
 }  // namespace
 
-Tangles find_tangles(const PreparedMesh& mesh, std::size_t n_rings, std::size_t max_faces) {
-  return TangleSearch(mesh, max_faces).run(n_rings);
+Tangles find_tangles(const PreparedMesh& mesh, const TangleLimits& limits,
+                     std::span<const Index> refilled) {
+  return TangleSearch(mesh, limits, refilled).run();
 }
 
 }  // namespace meshalyzer
