@@ -106,7 +106,7 @@ PassResult propose_cut(const PassInput& input, std::span<const Edits::AddedFace>
     const double spacing = grid_spacing(bits, extent, input.limits.max_deviation);
     if (!(spacing > 0.0) || input.wants_to_stop()) break;
     const std::vector<Vec3> positions = positions_on_grid(soup, surface, spacing);
-    const CutSurface of_grid = cut({patches, positions});
+    const CutSurface of_grid = cut({patches, positions, surface.n_first_pairs});
     if (PassResult again = edits_of(of_grid); !again.edits.empty()) return again;
   }
   return result;

@@ -161,5 +161,28 @@ TEST(CutSurface, NoMorePiecesAreMadeThanPermitted) {
   EXPECT_FALSE(has_too_many(100'000));
 }
 
+TEST(CutSurface, IsGivenUpWhereMovingVerticesHasMultipliedThePairs) {
+  const Soup ball = shapes::icosphere(3);
+  const Soup apart = shapes::merged(ball, shapes::translated(ball, {5, 0, 0}));
+  const Soup crossing = shapes::merged(ball, shapes::translated(ball, {1, 0, 0}));
+  const TrackedMesh tracked = track_mesh(apart);
+  const PreparedMesh mesh(tracked.soup);
+  const Tolerances tolerances;
+  const RepairLimits limits{.max_deviation = 1.0, .fixed_vertices = {}};
+  const auto cut_moved = [&](std::size_t n_pairs_in_place) {
+    return cut_surface(
+        {apart, tracked, mesh, tolerances, limits},
+        {.patches = {}, .positions = crossing.positions, .n_pairs_in_place = n_pairs_in_place}, {},
+        {});
+  };
+  const CutSurface whole = cut_moved(0);
+  EXPECT_TRUE(whole.unfinished.empty());
+  EXPECT_EQ(cut_moved(whole.n_first_pairs).triangles, whole.triangles);
+  ASSERT_GT(whole.n_first_pairs, 108U);
+  const CutSurface given_up = cut_moved(1);
+  EXPECT_FALSE(given_up.unfinished.empty());
+  EXPECT_EQ(given_up.triangles, apart.triangles);
+}
+
 }  // namespace
 }  // namespace meshalyzer

@@ -19,6 +19,9 @@ struct ChangesBefore {
   std::span<const Edits::AddedFace> patches;
   /// #vertices: where they are; empty if they stay in place.
   std::span<const Vec3> positions;
+  /// The number of pairs that were cut first where all vertices were in place; 0 if that is not
+  /// known.
+  std::size_t n_pairs_in_place = 0;
 };
 
 /// A surface with its intersecting faces cut: positions and faces alone.
@@ -31,6 +34,8 @@ struct CutSurface {
   std::vector<Index> origins;
   /// The walls that were removed, with faces as `origins` names them.
   std::vector<InteriorWall> walls;
+  /// The number of pairs that the first round has cut.
+  std::size_t n_first_pairs = 0;
   /// The area of the dropped pockets, relative to the area that stays.
   double pocket_share = 0.0;
   /// Tells whether a round has met pockets, whatever became of them; if not, SelectOptions::pockets
@@ -75,8 +80,8 @@ struct PieceRules {
 /// round them are cut at their corners.
 ///
 /// The search ends early, with pairs that still intersect, if it is told to stop, if the pairs that
-/// rounding makes multiply, even if slivers are removed, if it takes too many tests to find them,
-/// or if there are too many pieces.
+/// rounding makes multiply, even if slivers are removed, or moving the vertices has multiplied
+/// them, if it takes too many tests to find them, or if there are too many pieces.
 ///
 [[nodiscard]] CutSurface cut_surface(const PassInput& input, const ChangesBefore& changes,
                                      const SelectOptions& options, const PieceRules& rules);

@@ -34,7 +34,8 @@ constexpr double kSliverGrowth = 8.0;
 constexpr double kWidestSliver = 1.0 / 16.0;
 /// It is given up to cut once, after a round, this multiple of its pairs intersect, and some more:
 /// then the pairs mostly multiply from round to round, as where many faces have an edge in common.
-/// Where slivers are removed, they do so if they become more at all.
+/// Where slivers are removed, they do so if they become more at all. So many more after the
+/// vertices were moved show that the steps were too large for the mesh.
 constexpr std::size_t kMostGrowthOfPairs = 8;
 constexpr std::size_t kMostGrowthWithoutSlivers = 2;
 constexpr std::size_t kMoreThanGrowth = 100;
@@ -98,6 +99,7 @@ CuttingRounds::CuttingRounds(const PassInput& input, const ChangesBefore& change
       is_moved_(!changes.positions.empty()),
       max_pieces_(more_pieces + kPiecesAFace * mesh_.soup().n_faces()),
       extent_(used_extent(mesh_.soup())),
+      n_pairs_of_round_(changes.n_pairs_in_place),
       parts_(mesh_.soup().n_faces() + changes.patches.size()) {
   options_.wants_to_stop = input.wants_to_stop;
   const std::span<const Vec3> positions = is_moved_ ? changes.positions : mesh_.soup().positions;
@@ -186,7 +188,10 @@ bool CuttingRounds::cut_later_round() {
 bool CuttingRounds::cut_pairs(const CutMesh& cut, const FaceTree& tree, Pairs pairs) {
   pairs = pairs_to_cut(soup_, cut, tree, std::move(pairs));
   if (pairs.empty()) return false;
-  if (round_ == 0) most_pairs_ = kMorePairs + kTimesFirstPairs * pairs.size();
+  if (round_ == 0) {
+    result_.n_first_pairs = pairs.size();
+    most_pairs_ = kMorePairs + kTimesFirstPairs * pairs.size();
+  }
   n_pairs_cut_ += pairs.size();
   if (round_ == kRoundingRounds || n_pairs_cut_ > most_pairs_ || is_growing(pairs.size()) ||
       input_.wants_to_stop()) {
@@ -201,7 +206,7 @@ bool CuttingRounds::cut_pairs(const CutMesh& cut, const FaceTree& tree, Pairs pa
 bool CuttingRounds::is_growing(std::size_t n_pairs) {
   const std::size_t before = std::exchange(n_pairs_of_round_, n_pairs);
   const std::size_t most = removes_slivers_ ? kMostGrowthWithoutSlivers : kMostGrowthOfPairs;
-  return round_ > 0 && n_pairs > most * before + kMoreThanGrowth;
+  return before > 0 && n_pairs > most * before + kMoreThanGrowth;
 }
 
 void CuttingRounds::cut_once(const CutMesh& cut, const FaceTree& tree, const Pairs& pairs) {

@@ -106,7 +106,8 @@ class CuttingRounds {
   bool has_pairs_ = true;
   std::size_t round_ = 0;
   std::size_t n_pairs_cut_ = 0;
-  std::size_t n_pairs_of_round_ = 0;
+  /// Those of the last round; of the first one before vertices were moved.
+  std::size_t n_pairs_of_round_;
   std::size_t most_pairs_ = 0;
   Index n_added_ = 0;
   /// The faces of the input, in sets that change together.
