@@ -242,7 +242,7 @@ class UnionFromInput {
   const UnionChoice& choice_;
   UnionMemory& memory_;
   FinalCheck check_;
-  /// The sheets whose holes are filled.
+  /// Whether the holes of sheets are filled.
   FillSheets sheets_ = FillSheets::No;
   /// Samples of what bounded the solid: of the dropped parts of the last union, or with shells of
   /// all of the mesh.
@@ -260,6 +260,7 @@ class UnionFromInput {
   double distance_behind_holes_ = 0.0;
   double distance_of_rest_ = 0.0;
   bool is_too_far_ = false;
+  /// Tells whether the last union without shells would be made again, and is too far.
   bool is_again_too_far_ = false;
 };
 

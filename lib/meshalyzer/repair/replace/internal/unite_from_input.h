@@ -49,7 +49,7 @@ struct UnionMemory {
   /// The last union without shells that was good, but too far from the input; null if there was
   /// none.
   std::shared_ptr<const RepairState> too_far;
-  /// The sheets whose holes it has filled.
+  /// Whether it has filled the holes of sheets.
   FillSheets sheets = FillSheets::No;
 };
 
