@@ -19,8 +19,7 @@ struct ChangesBefore {
   std::span<const Edits::AddedFace> patches;
   /// #vertices: where they are; empty if they stay in place.
   std::span<const Vec3> positions;
-  /// The number of pairs that were cut first where all vertices were in place; 0 if that is not
-  /// known.
+  /// CutSurface::n_first_pairs of the mesh with all vertices in place; 0 if that is not known.
   std::size_t n_pairs_in_place = 0;
 };
 
@@ -34,7 +33,7 @@ struct CutSurface {
   std::vector<Index> origins;
   /// The walls that were removed, with faces as `origins` names them.
   std::vector<InteriorWall> walls;
-  /// The number of pairs that the first round has cut.
+  /// The number of pairs that the first round was to cut.
   std::size_t n_first_pairs = 0;
   /// The area of the dropped pockets, relative to the area that stays.
   double pocket_share = 0.0;

@@ -106,7 +106,7 @@ class CuttingRounds {
   bool has_pairs_ = true;
   std::size_t round_ = 0;
   std::size_t n_pairs_cut_ = 0;
-  /// Those of the last round; of the first one before vertices were moved.
+  /// The number of pairs of the last round; at first ChangesBefore::n_pairs_in_place.
   std::size_t n_pairs_of_round_;
   std::size_t most_pairs_ = 0;
   Index n_added_ = 0;

@@ -113,6 +113,7 @@ class UnionFromInput {
   bool unite(FillSheets sheets) {
     sheets_ = sheets;
     joined_.clear();
+    is_again_too_far_ = false;
     for (int i = 0; i <= kMostTimesJoined; ++i) {
       touching_.clear();
       if (try_union()) return true;
@@ -129,9 +130,9 @@ class UnionFromInput {
     const PlannedPass pass{
         "unite with itself", DefectCode::SelfIntersection, [&](const PassInput& input) {
           // With the same patches it would end as before.
-          const bool is_known =
+          const bool has_same_patches =
               sheets_ == FillSheets::Yes && !fills_more_with_sheets(input, how.fill);
-          if (is_known || is_again_too_far_) return PassResult{};
+          if (has_same_patches || is_again_too_far_) return PassResult{};
           PassResult result = self_union(input, how);
           if (!choice_.shells) lost_ = lost_boundary(input, result.edits);
           return result;
@@ -156,22 +157,23 @@ class UnionFromInput {
               sample_whole(input, memory_.boundary);
               lost_ = memory_.boundary.samples;
               shells_ = choose_shells(input, *choice_.shells);
-              is_again_too_far_ = is_again_too_far();
+              if (would_be_last_again()) measure_last();
               return thicken_parts(input, shells_.face_keys,
                                    choice_.shells->thickness_share * input.limits.max_deviation);
             }};
   }
 
-  /// Tells whether this union would be the last one without shells again, and too far from what
-  /// bounds the solid.
-  [[nodiscard]] bool is_again_too_far() {
-    if (!memory_.too_far || memory_.sheets != sheets_ || !shells_.face_keys.empty() ||
-        choice_.behind_holes == BehindHoles::Dropped) {
-      return false;
-    }
+  /// Tells whether this union would be the last one without shells again.
+  [[nodiscard]] bool would_be_last_again() const {
+    return memory_.too_far && memory_.sheets == sheets_ && shells_.face_keys.empty() &&
+           choice_.behind_holes == BehindHoles::Kept;
+  }
+
+  /// Measures whether the last union without shells is too far from what bounds the solid.
+  void measure_last() {
     static_cast<void>(measure_lost(*memory_.too_far));
-    is_too_far_ = !far_.points.empty();
-    return is_too_far_;
+    is_again_too_far_ = !far_.points.empty();
+    is_too_far_ = is_again_too_far_;
   }
 
   bool is_wanted(const RepairState& state) {
@@ -260,7 +262,7 @@ class UnionFromInput {
   double distance_behind_holes_ = 0.0;
   double distance_of_rest_ = 0.0;
   bool is_too_far_ = false;
-  /// Tells whether the last union without shells would be made again, and is too far.
+  /// Tells whether this union is not made, because it would be the last one, which is too far.
   bool is_again_too_far_ = false;
 };
 
