@@ -125,6 +125,38 @@ TEST(RepairDriver, InAHeapOfFacesPassesRunAFewTimesOnly) {
   EXPECT_EQ(count_moves(400, 20, pass), 22U);
 }
 
+TEST(RepairDriver, RoundsEndAfterThreeInSuccessionThatHaveLeftNoFewerDefects) {
+  const PlannedPass pass{.name = "move", .run = {}, .repeat = Repeat::OncePerRound};
+  // No round leaves fewer than the first.
+  EXPECT_EQ(count_moves(30, 20, pass), 4U);
+  EXPECT_EQ(count_moves(30, 2, pass), 3U);
+}
+
+TEST(RepairDriver, RoundsGoOnWhileOneInThreeLeavesFewerPairs) {
+  const Soup soup = star_of_faces(30);
+  RepairDriver driver(
+      soup, {}, RepairLimits{.max_deviation = 2.0, .fixed_vertices = {}},
+      [](const TrackedMesh&, const CutMesh&) { return std::vector<std::uint8_t>(); });
+  std::size_t n_proposals = 0;
+  const PassFunction drop_now_and_then = [&](const PassInput& input) {
+    PassResult result;
+    if (++n_proposals > 12) return result;
+    const Index op = result.edits.begin_operation();
+    if (n_proposals % 3 == 0) {
+      result.edits.removed_faces.push_back({op, 0});
+    } else {
+      // A removed face takes its vertices along.
+      const auto last = static_cast<Index>(input.tracked.soup.n_vertices() - 1);
+      const Vec3 to = input.tracked.soup.positions[last] + Vec3{0.0, 0.01, 0.0};
+      result.edits.moved_vertices.push_back({.op = op, .vertex = last, .to = to});
+    }
+    return result;
+  };
+  driver.run_plan({{.name = "drop", .run = drop_now_and_then, .repeat = Repeat::OncePerRound}}, {});
+  EXPECT_EQ(n_proposals, 13U);
+  EXPECT_EQ(driver.mesh().tracked().soup.n_faces(), soup.n_faces() - 4);
+}
+
 /// Counts the proposals of a pass whose only operation moves the surface too far.
 std::size_t count_proposals(bool has_smaller_operations) {
   const Soup soup = star_of_faces(1);

@@ -3,6 +3,7 @@
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/repair/driver/internal/log_edits.h"
 #include "meshalyzer/repair/driver/internal/log_refusals.h"
+#include "meshalyzer/repair/driver/internal/round_progress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,10 @@
 namespace meshalyzer {
 namespace {
 
-/// The repair stops after this number of rounds, in case passes undo each other's work for ever.
+/// Rounds end after this number of them, or once so many in succession have made no progress:
+/// passes may undo each other's work for ever.
 constexpr std::size_t kMaxRounds = 20;
+constexpr std::size_t kRoundsWithoutProgress = 3;
 /// The maximum number of successive runs of a pass: each run leaves less to do, but a pass that
 /// repairs one of a long chain of defects at a time must not take forever.
 constexpr std::size_t kMaxRuns = 200;
@@ -229,6 +232,7 @@ bool RepairDriver::run_rounds(const std::vector<PlannedPass>& plan, bool may_be_
   const std::size_t n_pairs_at_first = n_pairs();
   std::vector<std::optional<IdleRun>> idle_runs(plan.size());
   std::size_t n_changes = 0;
+  RoundProgress progress;
   for (std::size_t round = 0; round < kMaxRounds; ++round) {
     const std::size_t n_changes_before = n_changes;
     const std::size_t n_pairs_before = n_pairs();
@@ -251,6 +255,8 @@ bool RepairDriver::run_rounds(const std::vector<PlannedPass>& plan, bool may_be_
       run_unless_idle(plan[i], n_changes, idle_runs[i]);
     }
     if (n_changes == n_changes_before) return true;
+    progress.note(mesh_.state());
+    if (progress.n_rounds_without() >= kRoundsWithoutProgress) return true;
     if (round + 1 >= kRoundsInHeap && is_heap() && are_many_alike(n_pairs(), n_pairs_before)) {
       return true;
     }
