@@ -24,21 +24,17 @@ class EdgeCutter {
         incidences_(list_incidences(input.mesh.cut())),
         incident_(input.mesh.cut(), ends_of_edges(incidences_)),
         partner_(pair_incidences(input.mesh, incidences_, incident_)),
-        fans_(incident_.n_places(), 0) {}
+        fans_(incident_.n_places(), 0),
+        has_too_many_fans_(incident_.size(), 0) {}
 
   [[nodiscard]] PassResult cut() {
     PassResult result;
     for (std::size_t entry = 0; entry < incident_.size(); ++entry) find_fans(entry);
     for (std::size_t edge = 0; edge < incidences_.size(); ++edge) {
-      if (is_held(edge)) {
-        result.refused.push_back(
-            {.code = DefectCode::NonManifold,
-             .vertex = incidences_.ends[edge][0],
-             .face = incidences_.faces[incidences_.begin[edge]],
-             .reason = "the border of a face of the body would get more edges"});
-      } else {
-        take_apart(edge);
-      }
+      if (!is_held(edge)) take_apart(edge);
+    }
+    for (std::size_t edge = 0; edge < incidences_.size(); ++edge) {
+      if (is_held(edge)) refuse(edge, result);
     }
     result.edits = copy_vertices(soup_, incident_, fans_, connected_entries());
     return result;
@@ -47,15 +43,34 @@ class EdgeCutter {
  private:
   /// Tells whether a vertex must not get copies.
   [[nodiscard]] bool is_fixed(Index vertex) const { return !may_be_copied(input_, vertex); }
+  [[nodiscard]] bool has_too_many_fans(Index vertex) const {
+    return has_too_many_fans_[incident_.entry_of(vertex)] != 0;
+  }
   /// Tells whether an edge cannot be split, because neither of its ends can.
   [[nodiscard]] bool is_held(std::size_t edge) const {
-    return is_fixed(incidences_.ends[edge][0]) && is_fixed(incidences_.ends[edge][1]);
+    const auto& ends = incidences_.ends[edge];
+    return std::all_of(ends.begin(), ends.end(),
+                       [&](Index v) { return is_fixed(v) || has_too_many_fans(v); });
   }
 
-  /// Numbers the fans at a vertex, as incidences are paired now.
+  void refuse(std::size_t edge, PassResult& result) const {
+    const auto& ends = incidences_.ends[edge];
+    const bool is_crowded =
+        std::any_of(ends.begin(), ends.end(), [&](Index v) { return has_too_many_fans(v); });
+    result.refused.push_back(
+        {.code = DefectCode::NonManifold,
+         .vertex = ends[0],
+         .face = incidences_.faces[incidences_.begin[edge]],
+         .reason = is_crowded ? "so many fans of faces meet at an end that all their copies of it "
+                                "would touch"
+                              : "the border of a face of the body would get more edges"});
+  }
+
+  /// Numbers the fans at a vertex, as incidences are paired now. A vertex that must not get copies,
+  /// or would get too many, has one only.
   void find_fans(std::size_t entry) {
     const Index v = incident_.vertex(entry);
-    if (is_fixed(v)) return;
+    if (is_fixed(v) || has_too_many_fans_[entry] != 0) return;
     const auto join = [&](std::span<const Spoke> spokes) {
       const Index begin = incidences_.begin[incidences_.edge_between(v, spokes.front().other)];
       std::vector<Index> partner;
@@ -65,7 +80,11 @@ class EdgeCutter {
       }
       return partner;
     };
-    const std::vector<Index> fans = find_fans_at(soup_, incident_, entry, join);
+    std::vector<Index> fans = find_fans_at(soup_, incident_, entry, join);
+    if (are_too_many_fans(fans)) {
+      has_too_many_fans_[entry] = 1;
+      std::fill(fans.begin(), fans.end(), 0);
+    }
     std::copy(fans.begin(), fans.end(),
               fans_.begin() + static_cast<std::ptrdiff_t>(incident_.begin(entry)));
   }
@@ -131,6 +150,8 @@ class EdgeCutter {
   std::vector<Index> partner_;
   /// The fan of each incident face, entry by entry.
   std::vector<Index> fans_;
+  /// #entries: 1 for vertices that get no copies because of are_too_many_fans().
+  std::vector<std::uint8_t> has_too_many_fans_;
 };
 
 }  // namespace

@@ -5,7 +5,9 @@
 #include "meshalyzer/repair/split/internal/incident_faces.h"
 #include "meshalyzer/topology/manifold.h"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -36,7 +38,14 @@ PassResult split_vertices(const PassInput& input) {
   const IncidentFaces incident(input.mesh.cut(), std::move(pinched));
   std::vector<Index> fans;
   for (std::size_t entry = 0; entry < incident.size(); ++entry) {
-    const std::vector<Index> at_vertex = find_fans_at(soup, incident, entry, join_none);
+    std::vector<Index> at_vertex = find_fans_at(soup, incident, entry, join_none);
+    if (are_too_many_fans(at_vertex)) {
+      std::fill(at_vertex.begin(), at_vertex.end(), 0);
+      result.refused.push_back({.code = DefectCode::NonManifold,
+                                .vertex = incident.vertex(entry),
+                                .reason = "so many fans of faces meet there that all their copies "
+                                          "of the vertex would touch"});
+    }
     fans.insert(fans.end(), at_vertex.begin(), at_vertex.end());
   }
   result.edits = copy_vertices(soup, incident, fans, DisjointSets(incident.size()));

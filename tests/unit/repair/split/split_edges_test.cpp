@@ -3,12 +3,17 @@
 #include "support/run_pass.h"
 #include "support/same_soup.h"
 #include "support/shapes.h"
+#include "support/soups.h"
 #include "unit/repair/split/split_passes.h"
 #include "unit/repair/voxel_solid.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -154,6 +159,44 @@ TEST(SplitEdges, EdgeWithBothEndsFixedIsRefusedWithOneItIsSplit) {
   const PassRun cut = run_pass(soup, split_edges, body_limits(soup, {0}));
   EXPECT_EQ(cut.tracked.soup.n_vertices(), soup.n_vertices() + 1);
   EXPECT_EQ(build(cut.tracked.soup).side.non_manifold_edges.size(), 0U);
+}
+
+TEST(SplitEdges, VertexOfVeryManyFansGetsNoCopies) {
+  // Edges with three faces each, two of which stay joined: two fans for each.
+  const auto edges_round_a_vertex = [](Index n) {
+    std::vector<Triangle> faces;
+    for (Index a = 1; a < 4 * n; a += 4) {
+      for (const Index b : {a + 1, a + 2, a + 3}) faces.push_back({0, a, b});
+    }
+    return soup_of(1 + 4 * n, faces);
+  };
+  for (const Index n : {250, 251}) {
+    const Soup soup = edges_round_a_vertex(n);
+    const Soup cut = run_pass(soup, split_edges).tracked.soup;
+    EXPECT_EQ(build(cut).side.non_manifold_edges.size(), 0U);
+    const auto n_at_vertex = std::count_if(cut.triangles.begin(), cut.triangles.end(),
+                                           [](const Triangle& t) { return t[0] == 0; });
+    EXPECT_EQ(n_at_vertex == static_cast<std::ptrdiff_t>(cut.n_faces()), n == 251);
+  }
+}
+
+TEST(SplitEdges, EdgeWithVeryManyFansAtBothEndsIsRefused) {
+  // All faces go round the edge in the same direction, so that no two stay joined.
+  const auto book = [](Index n_faces) {
+    Soup soup;
+    soup.positions = {{0, 0, 0}, {0, 0, 1}};
+    for (Index i = 0; i < n_faces; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / n_faces;
+      soup.positions.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+      soup.triangles.push_back({0, 1, 2 + i});
+    }
+    return soup;
+  };
+  EXPECT_TRUE(run_pass(book(500), split_edges).refused.empty());
+  const Soup soup = book(501);
+  const PassRun run = run_pass(soup, split_edges);
+  EXPECT_TRUE(same_soup(run.tracked.soup, soup));
+  EXPECT_EQ(run.refused.size(), 1U);
 }
 
 TEST(SplitEdges, AnySoupIsManifoldAtItsEdgesAtOnce) {

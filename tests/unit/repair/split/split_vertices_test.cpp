@@ -45,6 +45,20 @@ TEST(SplitVertices, EachFanGetsAVertex) {
   EXPECT_EQ(run.tracked.soup.triangles[0], soup.triangles[0]);
 }
 
+TEST(SplitVertices, VertexOfVeryManyFansIsRefused) {
+  const auto fans = [](Index n) {
+    std::vector<Triangle> faces;
+    for (Index i = 0; i < n; ++i) faces.push_back({0, 1 + 2 * i, 2 + 2 * i});
+    return soup_of(1 + 2 * n, faces);
+  };
+  EXPECT_EQ(n_components(run_pass(fans(500), split_vertices).tracked.soup), 500U);
+  const Soup soup = fans(501);
+  const PassRun run = run_pass(soup, split_vertices);
+  EXPECT_TRUE(same_soup(run.tracked.soup, soup));
+  ASSERT_EQ(run.refused.size(), 1U);
+  EXPECT_EQ(run.refused[0].vertex, 0U);
+}
+
 TEST(SplitVertices, PinchesAtBothEndsOfAnEdgeAreOneOperation) {
   // The last face has but a vertex in common with each of the others, and changes at both.
   const Soup soup = soup_of(7, {{0, 2, 3}, {1, 5, 6}, {0, 1, 4}});

@@ -7,6 +7,9 @@
 namespace meshalyzer {
 namespace {
 
+/// Copies of a vertex for more fans than these touch in more than a hundred thousand pairs.
+constexpr Index kMostFans = 500;
+
 /// A corner of a face that gets another vertex.
 struct NewCorner {
   Index face = 0;
@@ -83,6 +86,11 @@ class VertexCopier {
 };
 
 }  // namespace
+
+bool are_too_many_fans(std::span<const Index> fans) {
+  // They are numbered from 0.
+  return std::any_of(fans.begin(), fans.end(), [](Index fan) { return fan >= kMostFans; });
+}
 
 Edits copy_vertices(const Soup& soup, const IncidentFaces& incident, std::span<const Index> fans,
                     DisjointSets together) {

@@ -8,6 +8,13 @@
 
 namespace meshalyzer {
 
+/// Tells whether so many fans meet at a vertex, as where a file was overwritten with zeros, that
+/// copies of it would do harm: each two of them would touch, and no other pass could go on with all
+/// these pairs.
+///
+/// @param fans  The fans of the faces at the vertex, as find_fans_at() returns them.
+[[nodiscard]] bool are_too_many_fans(std::span<const Index> fans);
+
 /// Gives each fan beyond the first at each vertex a copy of the vertex.
 ///
 /// @param fans      The fan of each incident face, as find_fans_at() returns them, entry after
