@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/driver/internal/repair_driver.h"
 #include "meshalyzer/repair/passes.h"
+#include "support/soups.h"
 
 #include <gtest/gtest.h>
 
@@ -30,11 +31,21 @@ Soup star_of_faces(Index n_crossing) {
   return soup;
 }
 
+/// Moves the last vertex a little: in a star, one of the face that crosses none.
+PassResult move_last_vertex(const PassInput& input) {
+  const Soup& soup = input.tracked.soup;
+  PassResult result;
+  const Index op = result.edits.begin_operation();
+  const auto last = static_cast<Index>(soup.n_vertices() - 1);
+  const Vec3 to = soup.positions[last] + Vec3{0.0, 0.01, 0.0};
+  result.edits.moved_vertices.push_back({.op = op, .vertex = last, .to = to});
+  return result;
+}
+
 /// Counts the runs of a pass that changes nothing, beside one that changes something in three
 /// rounds.
 std::size_t count_runs(Index n_crossing, bool takes_time_for_pairs) {
   const Soup soup = star_of_faces(n_crossing);
-  const auto last = static_cast<Index>(soup.n_vertices() - 1);
   RepairLimits limits;
   limits.max_deviation = 1.0;
   RepairDriver driver(soup, {}, limits, [](const TrackedMesh&, const CutMesh&) {
@@ -43,12 +54,8 @@ std::size_t count_runs(Index n_crossing, bool takes_time_for_pairs) {
   std::size_t n_moves = 0;
   std::size_t n_runs = 0;
   const PassFunction move_once_a_round = [&](const PassInput& input) {
-    PassResult result;
-    if (n_moves++ % 2 != 0 || n_moves > 6) return result;
-    const Index op = result.edits.begin_operation();
-    const Vec3 to = input.tracked.soup.positions[last] + Vec3{0.0, 0.01, 0.0};
-    result.edits.moved_vertices.push_back({.op = op, .vertex = last, .to = to});
-    return result;
+    const bool is_at_rest = n_moves++ % 2 != 0 || n_moves > 6;
+    return is_at_rest ? PassResult() : move_last_vertex(input);
   };
   const PassFunction count = [&](const PassInput&) {
     ++n_runs;
@@ -94,18 +101,12 @@ TEST(RepairDriver, EachPassThatTakesTimeForVeryManyPairsIsRunOnce) {
 /// @param pass  The pass, without its function.
 std::size_t count_moves(Index n_crossing, std::size_t n_moves, PlannedPass pass) {
   const Soup soup = star_of_faces(n_crossing);
-  const auto last = static_cast<Index>(soup.n_vertices() - 1);
   RepairDriver driver(
       soup, {}, RepairLimits{.max_deviation = 1.0, .fixed_vertices = {}},
       [](const TrackedMesh&, const CutMesh&) { return std::vector<std::uint8_t>(); });
   std::size_t n_proposals = 0;
   pass.run = [&](const PassInput& input) {
-    PassResult result;
-    if (++n_proposals > n_moves) return result;
-    const Index op = result.edits.begin_operation();
-    const Vec3 to = input.tracked.soup.positions[last] + Vec3{0.0, 0.01, 0.0};
-    result.edits.moved_vertices.push_back({.op = op, .vertex = last, .to = to});
-    return result;
+    return ++n_proposals > n_moves ? PassResult() : move_last_vertex(input);
   };
   driver.run_plan({pass}, {});
   return n_proposals;
@@ -139,17 +140,10 @@ TEST(RepairDriver, RoundsGoOnWhileOneInThreeLeavesFewerPairs) {
       [](const TrackedMesh&, const CutMesh&) { return std::vector<std::uint8_t>(); });
   std::size_t n_proposals = 0;
   const PassFunction drop_now_and_then = [&](const PassInput& input) {
+    if (++n_proposals > 12) return PassResult();
+    if (n_proposals % 3 != 0) return move_last_vertex(input);
     PassResult result;
-    if (++n_proposals > 12) return result;
-    const Index op = result.edits.begin_operation();
-    if (n_proposals % 3 == 0) {
-      result.edits.removed_faces.push_back({op, 0});
-    } else {
-      // A removed face takes its vertices along.
-      const auto last = static_cast<Index>(input.tracked.soup.n_vertices() - 1);
-      const Vec3 to = input.tracked.soup.positions[last] + Vec3{0.0, 0.01, 0.0};
-      result.edits.moved_vertices.push_back({.op = op, .vertex = last, .to = to});
-    }
+    result.edits.removed_faces.push_back({result.edits.begin_operation(), 0});
     return result;
   };
   driver.run_plan({{.name = "drop", .run = drop_now_and_then, .repeat = Repeat::OncePerRound}}, {});
@@ -182,22 +176,10 @@ TEST(RepairDriver, PassIsRunForSmallerOperationsOnlyIfTheseDiffer) {
   EXPECT_EQ(count_proposals(false), 1U);
 }
 
-/// Makes faces round an edge that all of them have in common.
-Soup fan_of_faces(Index n_faces) {
-  Soup soup;
-  soup.positions = {{0, 0, 0}, {0, 0, 1}};
-  for (Index i = 0; i < n_faces; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / n_faces;
-    soup.positions.emplace_back(std::cos(angle), std::sin(angle), 0.0);
-    soup.triangles.push_back({0, 1, 2 + i});
-  }
-  return soup;
-}
-
 /// Counts the runs of a pass that takes time for pairs, after one that has split an edge, so that
 /// each two of the faces at it touch.
 std::size_t count_runs_after_split(Index n_faces, OnWorse on_worse) {
-  const Soup soup = fan_of_faces(n_faces);
+  const Soup soup = faces_round_edge(n_faces);
   RepairDriver driver(soup, {}, RepairLimits(), [](const TrackedMesh&, const CutMesh&) {
     return std::vector<std::uint8_t>();
   });

@@ -11,9 +11,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <random>
 #include <vector>
 
@@ -181,19 +179,9 @@ TEST(SplitEdges, VertexOfVeryManyFansGetsNoCopies) {
 }
 
 TEST(SplitEdges, EdgeWithVeryManyFansAtBothEndsIsRefused) {
-  // All faces go round the edge in the same direction, so that no two stay joined.
-  const auto book = [](Index n_faces) {
-    Soup soup;
-    soup.positions = {{0, 0, 0}, {0, 0, 1}};
-    for (Index i = 0; i < n_faces; ++i) {
-      const double angle = 2.0 * std::numbers::pi * i / n_faces;
-      soup.positions.emplace_back(std::cos(angle), std::sin(angle), 0.0);
-      soup.triangles.push_back({0, 1, 2 + i});
-    }
-    return soup;
-  };
-  EXPECT_TRUE(run_pass(book(500), split_edges).refused.empty());
-  const Soup soup = book(501);
+  // As all faces go the same way round, no two stay joined.
+  EXPECT_TRUE(run_pass(faces_round_edge(500), split_edges).refused.empty());
+  const Soup soup = faces_round_edge(501);
   const PassRun run = run_pass(soup, split_edges);
   EXPECT_TRUE(same_soup(run.tracked.soup, soup));
   EXPECT_EQ(run.refused.size(), 1U);
