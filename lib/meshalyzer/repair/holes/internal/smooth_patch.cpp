@@ -24,6 +24,7 @@ constexpr double kLeastWeight = 1e-3;
 constexpr double kGreatestWeight = 1e3;
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
+using Solver = Eigen::SimplicialLDLT<SparseMatrix>;
 using Places = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
 /// A patch together with the faces beyond its loop. New vertices come first, then those of the
@@ -154,8 +155,11 @@ SparseMatrix make_laplacian(const Surroundings& all) {
 
 /// Moves the new vertices to the minimum of the energy, for the weights of the present surface.
 ///
-/// @return Whether there is a minimum.
-bool relax(Surroundings& all) {
+/// @param solver  Has analysed the pattern of the system in the first round: no weight is 0, so
+/// that
+///                it is the same in all.
+/// @return        Whether there is a minimum.
+bool relax(Surroundings& all, std::size_t round, Solver& solver) {
   const SparseMatrix laplacian = make_laplacian(all);
   const auto n_new = static_cast<Eigen::Index>(all.n_new);
   const auto n_fixed = static_cast<Eigen::Index>(all.points.size()) - n_new;
@@ -167,7 +171,8 @@ bool relax(Surroundings& all) {
   const SparseMatrix transposed = movable.transpose();
   const SparseMatrix system = transposed * movable;
   const Places held = laplacian.rightCols(n_fixed) * fixed;
-  const Eigen::SimplicialLDLT<SparseMatrix> solver(system);
+  if (round == 0) solver.analyzePattern(system);
+  solver.factorize(system);
   if (solver.info() != Eigen::Success) return false;
   const Places places = solver.solve(-(transposed * held));
   if (!places.allFinite()) return false;
@@ -188,8 +193,9 @@ bool fair_patch(const FillTask& task, const HoleLoop& loop, WorkingPatch& patch)
   const Frame frame(all);
   if (all.n_new == 0 || !frame.is_usable()) return false;
   for (Vec3& p : all.points) p = frame.into(p);
+  Solver solver;
   for (std::size_t round = 0; round < kReweightings; ++round) {
-    if (task.wants_to_stop() || !relax(all)) return false;
+    if (task.wants_to_stop() || !relax(all, round, solver)) return false;
   }
   for (std::size_t i = 0; i < all.n_new; ++i) {
     const VertexHandle v(static_cast<int>(all.n_loop + i));
