@@ -1,7 +1,8 @@
 #include "meshalyzer/repair/driver/deviation.h"
 
-#include "meshalyzer/base/lexicographic.h"
+#include "meshalyzer/base/hash.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/repair/driver/internal/changed_faces.h"
 #include "meshalyzer/repair/driver/internal/face_cover.h"
@@ -82,41 +83,53 @@ double settle_near_faces(Side& side, const DistanceQuery& query) {
   return drop_settled(distances, side);
 }
 
-/// The parts that the changed faces of the input became: faces of the new surface, and walls that
-/// were removed.
+/// The parts that changed faces of the input became: faces of the new surface, and walls that were
+/// removed. It only refers to them.
 class PartsOfFaces {
  public:
-  PartsOfFaces(const TrackedMesh& tracked, std::span<const ChangedFace> of_repaired,
-               std::span<const InteriorWall> walls) {
-    parts_.reserve(of_repaired.size() + walls.size());
-    for (const ChangedFace& changed : of_repaired) {
-      parts_.push_back(
-          {tracked.origin_of_face(changed.face), corners_of(tracked.soup, changed.face)});
+  /// @param of_input  The faces of the input whose parts are asked for, ascending.
+  PartsOfFaces(std::span<const ChangedFace> of_input, const TrackedMesh& tracked,
+               std::span<const ChangedFace> of_repaired, std::span<const InteriorWall> walls)
+      : tracked_(tracked), of_repaired_(of_repaired), walls_(walls) {
+    const auto add = [&](Index origin, std::size_t part) {
+      const auto at = std::lower_bound(
+          of_input.begin(), of_input.end(), origin,
+          [](const ChangedFace& changed, Index face) { return changed.face < face; });
+      if (at == of_input.end() || at->face != origin) return;
+      by_origin_.push_back(std::uint64_t{origin} << kBitsOfPart | part);
+    };
+    for (std::size_t i = 0; i < of_repaired.size(); ++i) {
+      add(tracked.origin_of_face(of_repaired[i].face), i);
     }
-    for (const InteriorWall& wall : walls) parts_.push_back({wall.face, wall.corners});
-    std::stable_sort(parts_.begin(), parts_.end(), ByOrigin());
+    for (std::size_t i = 0; i < walls.size(); ++i) add(walls[i].face, of_repaired.size() + i);
+    parallel_sort(by_origin_);
   }
 
-  /// @param face  A face of the input.
+  /// @param face  One of the faces of the input.
   [[nodiscard]] std::vector<Corners> of(Index face) const {
-    const auto [first, last] =
-        std::equal_range(parts_.begin(), parts_.end(), Part{face, {}}, ByOrigin());
     std::vector<Corners> parts;
-    std::transform(first, last, std::back_inserter(parts),
-                   [](const Part& part) { return part.corners; });
+    for (auto at = std::lower_bound(by_origin_.begin(), by_origin_.end(),
+                                    std::uint64_t{face} << kBitsOfPart);
+         at != by_origin_.end() && *at >> kBitsOfPart == face; ++at) {
+      parts.push_back(corners(*at & kPartMask));
+    }
     return parts;
   }
 
  private:
-  struct Part {
-    Index origin = 0;
-    Corners corners;
-  };
-  struct ByOrigin {
-    bool operator()(const Part& a, const Part& b) const { return a.origin < b.origin; }
-  };
+  static constexpr unsigned kBitsOfPart = 32;
+  static constexpr std::uint64_t kPartMask = (std::uint64_t{1} << kBitsOfPart) - 1;
 
-  std::vector<Part> parts_;
+  [[nodiscard]] Corners corners(std::size_t part) const {
+    if (part >= of_repaired_.size()) return walls_[part - of_repaired_.size()].corners;
+    return corners_of(tracked_.soup, of_repaired_[part].face);
+  }
+
+  const TrackedMesh& tracked_;
+  std::span<const ChangedFace> of_repaired_;
+  std::span<const InteriorWall> walls_;
+  /// For each part, the face that it is a part of, and its number, ascending.
+  std::vector<std::uint64_t> by_origin_;
 };
 
 /// Removes the faces of the input that lie near enough to the pieces they were cut into, and
@@ -211,27 +224,38 @@ SideResult measure_rest(const Side& side, const Soup& other, const DistanceQuery
   return is_known ? result : measure_whole();
 }
 
-/// Puts corners in an order that does not depend on which one is first.
-Corners sorted(Corners corners) {
-  std::sort(corners.begin(), corners.end(), lexicographically_less);
-  return corners;
+/// Hashes corners; the hash does not depend on their order.
+std::uint64_t hash_of(const Corners& corners) {
+  std::uint64_t hash = 0;
+  for (const Vec3& corner : corners) hash += hash_position(corner);
+  return hash;
 }
 
 /// Removes faces that are walls as a whole.
 void drop_walls(const Soup& input, std::span<const InteriorWall> walls,
                 std::vector<ChangedFace>& faces) {
   if (walls.empty()) return;
-  const auto less = [](const Corners& a, const Corners& b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
-                                        lexicographically_less);
-  };
-  std::vector<Corners> all(walls.size());
-  std::transform(walls.begin(), walls.end(), all.begin(),
-                 [](const InteriorWall& wall) { return sorted(wall.corners); });
-  std::sort(all.begin(), all.end(), less);
+  using HashedFace = std::pair<std::uint64_t, Index>;
+  std::vector<HashedFace> by_hash;
+  by_hash.reserve(faces.size());
+  for (const ChangedFace& changed : faces) {
+    by_hash.emplace_back(hash_of(corners_of(input, changed.face)), changed.face);
+  }
+  std::sort(by_hash.begin(), by_hash.end());
+  std::vector<Index> are_walls =
+      collect_chunks<Index>(walls.size(), [&](Chunk chunk, std::vector<Index>& found) {
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+          const Corners& wall = walls[i].corners;
+          const std::uint64_t hash = hash_of(wall);
+          for (auto at = std::lower_bound(by_hash.begin(), by_hash.end(), HashedFace(hash, 0));
+               at != by_hash.end() && at->first == hash; ++at) {
+            if (is_same_surface(wall, corners_of(input, at->second))) found.push_back(at->second);
+          }
+        }
+      });
+  sort_unique(are_walls);
   std::erase_if(faces, [&](const ChangedFace& changed) {
-    return std::binary_search(all.begin(), all.end(), sorted(corners_of(input, changed.face)),
-                              less);
+    return std::binary_search(are_walls.begin(), are_walls.end(), changed.face);
   });
 }
 
@@ -386,7 +410,7 @@ DeviationMeter::Result DeviationMeter::measure_changes(ChangedFaces changes,
   Result result;
   result.largest = settle_near_faces(old_side, query);
   if (!old_side.faces.empty()) {
-    const PartsOfFaces parts(tracked, new_side.faces, own_walls);
+    const PartsOfFaces parts(old_side.faces, tracked, new_side.faces, own_walls);
     result.largest = std::max(result.largest, settle_cut_faces(old_side, parts, query));
   }
   if (repaired.step != nullptr) {

@@ -16,6 +16,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace meshalyzer {
@@ -190,6 +191,46 @@ TEST(DeviationMeter, LostFacesDoNotCount) {
   const FarFaces far =
       meter.find_far({.tracked = tracked, .mesh = mesh, .bound = 1, .lost = fewer});
   EXPECT_EQ(far.of_input, Faces{23});
+}
+
+TEST(DeviationMeter, FacesThatAreWallsDoNotCountWhereverTheirCornersBegin) {
+  // Some coordinates are 0, which equals -0.
+  const Soup input = shapes::merged(shapes::cube(1, {5, 0, 0}), shapes::cube());
+  const TrackedMesh tracked = without_faces(track_mesh(input), face_range(12, 24));
+  const PreparedMesh mesh(tracked.soup);
+  std::vector<InteriorWall> walls;
+  for (Index face = 12; face < 24; ++face) {
+    const auto [a, b, c] = corners_of(input, face);
+    // Nothing tells which face a wall is a part of.
+    walls.push_back({face % 2 == 0 ? Corners{c, a, b} : Corners{b, a, c}});
+    for (Vec3& p : walls.back().corners) p = p.unaryExpr([](double x) { return x == 0 ? -x : x; });
+  }
+  const DeviationMeter meter(input);
+  DeviationMeter::Repaired repaired{.tracked = tracked, .mesh = mesh, .bound = 0.1, .walls = walls};
+  EXPECT_EQ(meter.measure(repaired).largest, 0.0);
+  repaired.walls = std::span(walls).first(11);
+  EXPECT_EQ(meter.find_far(repaired).of_input, Faces{23});
+}
+
+TEST(DeviationMeter, FaceIsWhereItsPartsAre) {
+  // A triangle in four parts: two of them faces, two walls. Another face lies beside it.
+  const Soup input = shapes::make(
+      {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {9, 9, 9}, {9, 8, 9}, {8, 9, 9}}, {{3, 4, 5}, {0, 1, 2}});
+  TrackedMesh tracked = without_faces(track_mesh(input), Faces{1});
+  tracked.soup.positions.insert(tracked.soup.positions.end(), {{1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  add_face(tracked, {0, 6, 8}, 1);
+  add_face(tracked, {6, 1, 7}, 1);
+  const auto at = [&](Index v) { return tracked.soup.positions[v]; };
+  std::vector<InteriorWall> walls{{{at(8), at(7), at(2)}, 1}, {{at(6), at(7), at(8)}, 1}};
+  const PreparedMesh mesh(tracked.soup);
+  const DeviationMeter meter(input);
+  EXPECT_EQ(
+      meter.measure({.tracked = tracked, .mesh = mesh, .bound = 1e-3, .walls = walls}).largest,
+      0.0);
+  walls.pop_back();
+  EXPECT_EQ(
+      meter.find_far({.tracked = tracked, .mesh = mesh, .bound = 1e-3, .walls = walls}).of_input,
+      Faces{1});
 }
 
 TEST(DeviationMeter, NewSurfaceIsAsFarAsItsFarSide) {

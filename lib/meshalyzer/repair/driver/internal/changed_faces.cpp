@@ -1,6 +1,5 @@
 #include "meshalyzer/repair/driver/internal/changed_faces.h"
 
-#include "meshalyzer/base/corners.h"
 #include "meshalyzer/base/parallel.h"
 
 #include <algorithm>
@@ -11,11 +10,6 @@ namespace {
 
 bool has_surface(const Soup& soup, Index face) {
   return is_in_complex(soup.triangles[face]);
-}
-
-/// Tells whether two faces have corners at the same positions, in any order.
-bool is_same_surface(const Corners& a, const Corners& b) {
-  return a == b || std::is_permutation(a.begin(), a.end(), b.begin(), b.end());
 }
 
 /// Tells for each face of the tracked mesh whether it is the same as the face of the input that it
@@ -36,6 +30,10 @@ std::vector<std::uint8_t> find_same(const Soup& input, const TrackedMesh& tracke
 }
 
 }  // namespace
+
+bool is_same_surface(const Corners& a, const Corners& b) {
+  return a == b || std::is_permutation(a.begin(), a.end(), b.begin(), b.end());
+}
 
 ChangedFaces find_changed_faces(const Soup& input, const TrackedMesh& tracked) {
   const std::vector<std::uint8_t> same = find_same(input, tracked);

@@ -1,10 +1,14 @@
 #pragma once
 
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/repair/edits/tracked_mesh.h"
 
 #include <vector>
 
 namespace meshalyzer {
+
+/// Tells whether two faces have corners at the same positions, in any order.
+[[nodiscard]] bool is_same_surface(const Corners& a, const Corners& b);
 
 /// A face that differs between the two meshes, and a face of the other mesh that is likely to be
 /// near, because one was made of the other (kNoIndex: there is none).
