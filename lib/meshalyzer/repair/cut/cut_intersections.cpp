@@ -102,11 +102,15 @@ PassResult propose_cut(const PassInput& input, std::span<const Edits::AddedFace>
   if (!result.edits.empty() || surface.unfinished.empty()) return result;
   const Soup& soup = input.tracked.soup;
   const double extent = used_extent(soup);
+  std::vector<Vec3> last = soup.positions;
   for (const int bits : kGridsOfAttempts) {
     const double spacing = grid_spacing(bits, extent, input.limits.max_deviation);
     if (!(spacing > 0.0) || input.wants_to_stop()) break;
-    const std::vector<Vec3> positions = positions_on_grid(soup, surface, spacing);
-    const CutSurface of_grid = cut({patches, positions, surface.n_first_pairs});
+    std::vector<Vec3> positions = positions_on_grid(soup, surface, spacing);
+    // With the same positions it would end as before.
+    if (positions == last) continue;
+    last = std::move(positions);
+    const CutSurface of_grid = cut({patches, last, surface.n_first_pairs});
     if (PassResult again = edits_of(of_grid); !again.edits.empty()) return again;
   }
   return result;
