@@ -21,7 +21,8 @@ namespace {
 
 /// A node is approximated as a whole beyond this many of its radii. The error falls with the cube
 /// of this: it is below 0.003 of a winding number for real surfaces at 2, and 0.015 at 1.5.
-constexpr double kFar = 2.0;
+constexpr double kFarFine = 2.0;
+constexpr double kFarCoarse = 1.5;
 /// A point at this distance of a triangle is on it if the size of the mesh is about 1. The distance
 /// is at least a multiple of the spacing of the coordinates.
 constexpr double kOnTriangle = 0x1p-40;
@@ -202,7 +203,8 @@ Vec3 middle_of(const Corners& t) {
   return (t[0] + (t[1] + t[2])) / 3.0;
 }
 
-FarField far_field_of(std::span<const Corners> triangles) {
+/// @param far  The field is used beyond this many radii.
+FarField far_field_of(std::span<const Corners> triangles, double far) {
   FarField field;
   double weight = 0.0;
   for (const Corners& t : triangles) {
@@ -222,7 +224,7 @@ FarField far_field_of(std::span<const Corners> triangles) {
     for (const Vec3& d : offsets) radius_squared = std::max(radius_squared, d.squaredNorm());
   }
   field.remove_traces();
-  field.far_squared = kFar * kFar * radius_squared;
+  field.far_squared = far * far * radius_squared;
   return field;
 }
 
@@ -232,7 +234,9 @@ class FarFieldTree {
  public:
   /// @param triangles  Triangles with coordinates of about -1 ... 1.
   /// @param near       A point within this distance of a triangle is on it.
-  FarFieldTree(std::span<const Corners> triangles, double near) : near_(near) {
+  /// @param far        A node is approximated as a whole beyond this many of its radii.
+  FarFieldTree(std::span<const Corners> triangles, double near, double far)
+      : near_(near), far_(far) {
     triangles_.reserve(triangles.size());
     for (const Index i : order_by_size(triangles)) triangles_.push_back(triangles[i]);
     for (std::size_t length = kTreeWidth; !triangles_.empty(); length *= kTreeWidth) {
@@ -261,7 +265,7 @@ class FarFieldTree {
     parallel_chunks(level.size(), nodes_per_task, [&](Chunk chunk) {
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
         const std::size_t end = std::min(length * (i + 1), triangles_.size());
-        level[i] = far_field_of(std::span(triangles_).subspan(length * i, end - length * i));
+        level[i] = far_field_of(std::span(triangles_).subspan(length * i, end - length * i), far_);
       }
     });
     return level;
@@ -290,6 +294,7 @@ class FarFieldTree {
   }
 
   double near_;
+  double far_;
   std::vector<Corners> triangles_;
   /// Level 0 has the far fields of eight triangles each; each other level those of eight nodes
   /// below.
@@ -302,8 +307,8 @@ class ClosedByTriangles {
  public:
   /// @param closing  The triangles that close the others.
   ClosedByTriangles(std::span<const Corners> triangles, std::span<const Corners> closing,
-                    double near)
-      : all_(joined(triangles, closing), near), closing_(closing, near) {}
+                    double near, double far)
+      : all_(joined(triangles, closing), near), closing_(closing, near, far) {}
 
   /// Returns the numbers at two points; nothing where a ray gives no answer.
   [[nodiscard]] std::optional<Two> at(const Vec3& first, const Vec3& second) const {
@@ -330,14 +335,14 @@ class ClosedByTriangles {
 struct WindingNumbers::Prepared {
   /// @param triangles  Triangles that were scaled.
   Prepared(const UnitScale& unit_scale, std::span<const Corners> triangles,
-           ExpectedQueries expected)
+           ExpectedQueries expected, double far)
       : scale(unit_scale),
         near(std::max(kOnTriangle, kOnTriangleRoundings * scale.rounding())),
-        by_far_fields(triangles, near) {
+        by_far_fields(triangles, near, far) {
     if (expected == ExpectedQueries::Few) return;
     const std::vector<Corners> closing = closing_triangles(triangles);
     if (kWorthRays * closing.size() > triangles.size()) return;
-    by_rays.emplace(triangles, closing, near);
+    by_rays.emplace(triangles, closing, near, far);
   }
 
   [[nodiscard]] Two at(const Vec3& first, const Vec3& second) const {
@@ -353,14 +358,17 @@ struct WindingNumbers::Prepared {
   std::optional<ClosedByTriangles> by_rays;
 };
 
-WindingNumbers::WindingNumbers(std::vector<Corners> triangles, ExpectedQueries expected) {
+WindingNumbers::WindingNumbers(std::vector<Corners> triangles, ExpectedQueries expected,
+                               WindingAccuracy accuracy) {
   const UnitScale scale(triangles);
   for (Corners& t : triangles) {
     for (Vec3& p : t) p = scale(p);
   }
-  prepared_ = std::make_unique<Prepared>(scale, triangles, expected);
+  const double far = accuracy == WindingAccuracy::Fine ? kFarFine : kFarCoarse;
+  prepared_ = std::make_unique<Prepared>(scale, triangles, expected, far);
 }
 
+WindingNumbers::WindingNumbers(WindingNumbers&&) noexcept = default;
 WindingNumbers::~WindingNumbers() = default;
 
 double WindingNumbers::at(const Vec3& point) const {

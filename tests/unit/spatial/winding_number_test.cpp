@@ -134,6 +134,7 @@ TEST(WindingNumbers, TrianglesWithoutAreaCountForNothing) {
 TEST(WindingNumbers, AgreeWithTheSumOverAllTrianglesByExcess) {
   std::mt19937 random(7);
   double worst = 0.0;
+  double worst_coarse = 0.0;
   for (const Soup& soup : {shapes::icosphere(4), damaged(shapes::torus(2, 1, 60, 30), 8, random),
                            shapes::genus_block(20), damaged(shapes::icosphere(4), 2, random)}) {
     Box3 box;
@@ -141,14 +142,18 @@ TEST(WindingNumbers, AgreeWithTheSumOverAllTrianglesByExcess) {
     const std::vector<Corners> triangles = test::triangles_of(soup);
     const WindingNumbers few(triangles);
     const WindingNumbers many(triangles, ExpectedQueries::Many);
+    const WindingNumbers coarse(triangles, ExpectedQueries::Few, WindingAccuracy::Coarse);
     for (std::size_t i = 0; i < 300; i += test::one_of()) {
       const Vec3 point = box.center() + random_point(random, 0.6 * box.sizes().maxCoeff());
       const double expected = winding_by_excess(triangles, point);
       worst = std::max(worst, std::abs(few.at(point) - expected));
       worst = std::max(worst, std::abs(many.at(point) - expected));
+      worst_coarse = std::max(worst_coarse, std::abs(coarse.at(point) - expected));
     }
   }
   EXPECT_LT(worst, 0.01);
+  EXPECT_LT(worst_coarse, 0.03);
+  EXPECT_GT(worst_coarse, worst);
 }
 
 TEST(WindingNumbers, FarSurfaceIsExactToTheThirdTerm) {

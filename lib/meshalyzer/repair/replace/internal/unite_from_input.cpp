@@ -2,16 +2,15 @@
 
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/base/sort_unique.h"
-#include "meshalyzer/contour/boundary_samples.h"
 #include "meshalyzer/contour/mesh_region.h"
 #include "meshalyzer/repair/holes/internal/crossing_patches.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/replace/internal/broken_solids.h"
 #include "meshalyzer/repair/replace/internal/join_points.h"
-#include "meshalyzer/spatial/closest_point.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -26,41 +25,26 @@ constexpr double kSideReach = 1.0 / 16.0;
 constexpr std::size_t kMostPointsJoined = 64;
 constexpr int kMostTimesJoined = 3;
 
-/// Returns samples of those pieces of faces of a mesh that bound its solid.
-std::vector<BoundarySample> boundary_samples(const PassInput& input,
-                                             std::span<const Corners> pieces) {
-  const ClosestPoints closest(input.mesh.tree());
-  std::vector<BoundarySample> samples;
-  Index hint = kNoIndex;
-  for (const Vec3& point :
-       sample_boundary(input.tracked.soup, pieces, kSideReach * input.limits.max_deviation)) {
-    const auto found = closest.find({.point = point, .hint = hint});
-    hint = found->slot;
-    const Index face = input.mesh.cut().side.faces[found->mesh_face];
-    samples.push_back({point, input.tracked.face_keys[face]});
+/// Returns the pieces of faces that were removed as walls inside the solid. Patches are no faces of
+/// the mesh.
+FacePieces removed_walls(const TrackedMesh& mesh, const Edits& edits) {
+  FacePieces walls;
+  for (const auto& removed : edits.interior_walls) {
+    if (removed.wall.face == kNoIndex) continue;
+    walls.corners.push_back(removed.wall.corners);
+    walls.face_keys.push_back(mesh.face_keys[removed.wall.face]);
   }
-  return samples;
+  return walls;
 }
 
-/// Returns samples of those removed parts of the mesh that bound its solid.
-std::vector<BoundarySample> lost_boundary(const PassInput& input, const Edits& edits) {
-  std::vector<Corners> pieces;
-  pieces.reserve(edits.interior_walls.size());
-  for (const auto& removed : edits.interior_walls) pieces.push_back(removed.wall.corners);
-  return boundary_samples(input, pieces);
-}
-
-/// Finds the samples of all of the mesh that bounds its solid, unless they are known.
-void sample_whole(const PassInput& input, SampledBoundary& boundary) {
-  const Soup& soup = input.tracked.soup;
-  const std::vector<Index>& face_keys = input.tracked.face_keys;
-  if (boundary.positions == soup.positions && boundary.triangles == soup.triangles &&
-      boundary.face_keys == face_keys) {
-    return;
+/// Returns all faces of a mesh that are in its complex.
+FacePieces whole_faces(const PassInput& input) {
+  FacePieces faces;
+  for (const Index face : input.mesh.cut().side.faces) {
+    faces.corners.push_back(corners_of(input.tracked.soup, face));
+    faces.face_keys.push_back(input.tracked.face_keys[face]);
   }
-  std::vector<Corners> faces;
-  for (const Index face : input.mesh.cut().side.faces) faces.push_back(corners_of(soup, face));
-  boundary = {soup.positions, soup.triangles, face_keys, boundary_samples(input, faces)};
+  return faces;
 }
 
 /// Tells whether more holes are filled if those of sheets are.
@@ -134,7 +118,10 @@ class UnionFromInput {
               sheets_ == FillSheets::Yes && !fills_more_with_sheets(input, how.fill);
           if (has_same_patches || is_again_too_far_) return PassResult{};
           PassResult result = self_union(input, how);
-          if (!choice_.shells) lost_ = lost_boundary(input, result.edits);
+          if (!choice_.shells) {
+            remember(input);
+            losable_ = removed_walls(input.tracked, result.edits);
+          }
           return result;
         }};
     std::vector<PlannedPass> changes{pass};
@@ -154,13 +141,20 @@ class UnionFromInput {
 
   [[nodiscard]] PlannedPass thickening() {
     return {"thicken parts", DefectCode::Hole, [&](const PassInput& input) {
-              sample_whole(input, memory_.boundary);
-              lost_ = memory_.boundary.samples;
+              remember(input);
+              losable_ = whole_faces(input);
               shells_ = choose_shells(input, *choice_.shells);
               if (would_be_last_again()) measure_last();
               return thicken_parts(input, shells_.face_keys,
                                    choice_.shells->thickness_share * input.limits.max_deviation);
             }};
+  }
+
+  /// Remembers the mesh that is replaced, unless it is the one that was replaced before.
+  void remember(const PassInput& input) {
+    if (memory_.replaced && memory_.replaced->is(input.tracked)) return;
+    memory_.replaced = std::make_shared<const ReplacedMesh>(
+        input.tracked, kSideReach * input.limits.max_deviation);
   }
 
   /// Tells whether this union would be the last one without shells again.
@@ -171,7 +165,7 @@ class UnionFromInput {
 
   /// Measures whether the last union without shells is too far from what bounds the solid.
   void measure_last() {
-    static_cast<void>(measure_lost(*memory_.too_far));
+    note_far(measure_loss(*memory_.too_far).farther_than(driver_.mesh().max_deviation()));
     is_again_too_far_ = !far_.points.empty();
     is_too_far_ = is_again_too_far_;
   }
@@ -182,14 +176,16 @@ class UnionFromInput {
       return false;
     }
     is_too_far_ = true;
-    const std::vector<double> distances = measure_lost(state);
+    const BoundaryLoss loss = measure_loss(state);
+    const std::vector<BoundarySample> far = loss.farther_than(driver_.mesh().max_deviation());
+    note_far(far);
     // It takes much longer to measure what is not lost. After a lost sample is too far, that
     // matters only if parts behind holes may be dropped, in this union or in one like it later.
     const bool may_be_dropped = !choice_.shells || choice_.behind_holes == BehindHoles::Dropped;
-    if (!may_be_dropped && !far_.points.empty()) return false;
+    if (!may_be_dropped && !far.empty()) return false;
     distance_of_rest_ = choice_.shells ? driver_.mesh().measure_deviation_but_for_lost()
                                        : driver_.mesh().measure_deviation();
-    add_lost(state, distances);
+    add_loss(state, loss, far);
     distance_ = choice_.behind_holes == BehindHoles::Dropped
                     ? distance_of_rest_
                     : std::max(distance_of_rest_, distance_behind_holes_);
@@ -201,41 +197,40 @@ class UnionFromInput {
     return !is_too_far_;
   }
 
-  /// Adds the distances of lost samples to those of what is not lost.
-  void add_lost(const RepairState& state, std::span<const double> distances) {
-    distance_behind_holes_ = 0.0;
-    if (lost_.empty()) return;
-    const MeshRegion solid(state.tracked().soup, state.mesh().tree());
-    for (std::size_t i = 0; i < lost_.size(); ++i) {
-      if (distances[i] <= distance_of_rest_) continue;
-      double& largest = solid.contains(lost_[i].point) ? distance_behind_holes_ : distance_of_rest_;
-      largest = std::max(largest, distances[i]);
-    }
+  [[nodiscard]] BoundaryLoss measure_loss(const RepairState& state) const {
+    return {memory_.replaced, losable_, state.mesh().tree()};
   }
 
-  /// Returns the distance of each lost sample from the result, and notes those that are too far.
-  std::vector<double> measure_lost(const RepairState& state) {
+  /// Adds the distances of lost samples to those of what is not lost.
+  void add_loss(const RepairState& state, const BoundaryLoss& loss,
+                std::span<const BoundarySample> far) {
+    distance_behind_holes_ = 0.0;
+    std::optional<MeshRegion> solid;
+    const auto is_inside = [&](const Vec3& point) {
+      if (!solid) solid.emplace(state.tracked().soup, state.mesh().tree());
+      return solid->contains(point);
+    };
+    for (const BoundarySample& sample : far) {
+      double& largest = is_inside(sample.point) ? distance_behind_holes_ : distance_of_rest_;
+      largest = std::max(largest, sample.distance);
+    }
+    const bool all_count = choice_.behind_holes == BehindHoles::Kept;
+    distance_of_rest_ =
+        loss.largest_between(distance_of_rest_, driver_.mesh().max_deviation(),
+                             [&](const Vec3& point) { return all_count || !is_inside(point); });
+  }
+
+  /// Notes the lost samples that are too far away.
+  void note_far(std::span<const BoundarySample> samples) {
     far_ = {};
-    const ClosestPoints closest(state.mesh().tree());
-    Index hint = kNoIndex;
-    std::vector<double> distances;
-    distances.reserve(lost_.size());
-    for (const BoundarySample& sample : lost_) {
-      const auto found = closest.find({.point = sample.point, .hint = hint});
-      hint = found->slot;
-      distances.push_back(found->distance);
-      if (found->distance > driver_.mesh().max_deviation()) note_far(sample);
+    for (const BoundarySample& sample : samples) {
+      far_.points.push_back(sample.point);
+      far_.face_keys.push_back(sample.face_key);
+      far_.has_open =
+          far_.has_open || std::binary_search(shells_.other_open_keys.begin(),
+                                              shells_.other_open_keys.end(), sample.face_key);
     }
     sort_unique(far_.face_keys);
-    return distances;
-  }
-
-  void note_far(const BoundarySample& sample) {
-    const Index key = sample.face_key;
-    far_.points.push_back(sample.point);
-    far_.face_keys.push_back(key);
-    far_.has_open = far_.has_open || std::binary_search(shells_.other_open_keys.begin(),
-                                                        shells_.other_open_keys.end(), key);
   }
 
   RepairDriver& driver_;
@@ -246,9 +241,8 @@ class UnionFromInput {
   FinalCheck check_;
   /// Whether the holes of sheets are filled.
   FillSheets sheets_ = FillSheets::No;
-  /// Samples of what bounded the solid: of the dropped parts of the last union, or with shells of
-  /// all of the mesh.
-  std::vector<BoundarySample> lost_;
+  /// What the last union may have lost: the walls that it has removed, or with shells all faces.
+  FacePieces losable_;
   /// The points at which the last union still touched, and those at which it is joined.
   std::vector<Vec3> touching_;
   std::vector<Vec3> joined_;

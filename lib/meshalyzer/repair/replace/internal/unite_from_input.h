@@ -4,6 +4,7 @@
 #include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/repair/driver/internal/repair_driver.h"
 #include "meshalyzer/repair/driver/options.h"
+#include "meshalyzer/repair/replace/internal/boundary_loss.h"
 #include "meshalyzer/repair/replace/internal/shell_choice.h"
 
 #include <cstdint>
@@ -26,26 +27,10 @@ struct UnionChoice {
   std::optional<ShellChoice> shells = {};
 };
 
-/// A sample of what bounds the solid of a mesh by winding number.
-struct BoundarySample {
-  Vec3 point;
-  /// The key of the face that it lies on.
-  Index face_key = kNoIndex;
-};
-
-/// The samples of all that bounds the solid of a mesh. Finding them takes seconds, and unions with
-/// different shells start from the same mesh.
-struct SampledBoundary {
-  /// The mesh.
-  std::vector<Vec3> positions;
-  std::vector<Triangle> triangles;
-  std::vector<Index> face_keys;
-  std::vector<BoundarySample> samples;
-};
-
 /// What a union of a mesh leaves for the next one, with other shells.
 struct UnionMemory {
-  SampledBoundary boundary;
+  /// The mesh that it has replaced; unions with different shells start from the same one.
+  std::shared_ptr<const ReplacedMesh> replaced;
   /// The last union without shells that was good, but too far from the input; null if there was
   /// none.
   std::shared_ptr<const RepairState> too_far;
