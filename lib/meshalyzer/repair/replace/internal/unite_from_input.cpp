@@ -24,6 +24,9 @@ constexpr double kSideReach = 1.0 / 16.0;
 /// many times at most.
 constexpr std::size_t kMostPointsJoined = 64;
 constexpr int kMostTimesJoined = 3;
+/// Where so many pairs of faces touch at these few points, dozens of parts meet there: to join them
+/// after they were parted takes long, and mostly fails.
+constexpr std::size_t kManyContacts = 1000;
 
 /// Returns the pieces of faces that were removed as walls inside the solid. Patches are no faces of
 /// the mesh.
@@ -98,13 +101,19 @@ class UnionFromInput {
     sheets_ = sheets;
     joined_.clear();
     is_again_too_far_ = false;
+    has_left_contacts_ = false;
     for (int i = 0; i <= kMostTimesJoined; ++i) {
       touching_.clear();
+      may_leave_contacts_ = i < kMostTimesJoined;
       if (try_union()) return true;
       if (touching_.empty() || touching_.size() > kMostPointsJoined) break;
       joined_.insert(joined_.end(), touching_.begin(), touching_.end());
     }
-    return false;
+    if (!has_left_contacts_ || is_too_far_) return false;
+    // A rod at each point did not suffice, so that the contacts left are joined after all.
+    joined_.clear();
+    may_leave_contacts_ = false;
+    return try_union();
   }
 
   bool try_union() {
@@ -133,10 +142,31 @@ class UnionFromInput {
     const bool is_kept = driver_.run_trial(
         {.from_input = plan_before_cutting(options_, tolerances_),
          .changes = std::move(changes),
-         .plan = plan_with_contacts_joined(options_, tolerances_),
+         .plan = plan_after_union(),
          .is_wanted = [&](const RepairState& state) { return is_wanted(state); }});
     if (is_kept) driver_.mesh().raise_deviation(distance_);
     return is_kept;
+  }
+
+  /// Returns the passes after a union. They leave what touches at a few points if these can be
+  /// joined before anything is parted, in the next union.
+  [[nodiscard]] std::vector<PlannedPass> plan_after_union() {
+    std::vector<PlannedPass> plan = plan_passes(options_, tolerances_);
+    for (PlannedPass& pass : plan_to_join_contacts(options_)) {
+      pass.run = [this, join = std::move(pass.run)](const PassInput& input) {
+        return leaves_contacts(input.mesh) ? PassResult{} : join(input);
+      };
+      plan.push_back(std::move(pass));
+    }
+    return plan;
+  }
+
+  bool leaves_contacts(const PreparedMesh& mesh) {
+    if (!may_leave_contacts_ || mesh.intersecting_pairs().size() < kManyContacts) return false;
+    const std::size_t n_points = contact_points(mesh).size();
+    const bool leaves = n_points != 0 && n_points <= kMostPointsJoined;
+    has_left_contacts_ = has_left_contacts_ || leaves;
+    return leaves;
   }
 
   [[nodiscard]] PlannedPass thickening() {
@@ -246,6 +276,9 @@ class UnionFromInput {
   /// The points at which the last union still touched, and those at which it is joined.
   std::vector<Vec3> touching_;
   std::vector<Vec3> joined_;
+  /// Whether the present union may leave contacts to the next one, and whether one of them did.
+  bool may_leave_contacts_ = false;
+  bool has_left_contacts_ = false;
   /// The parts that became shells.
   ChosenShells shells_;
   /// Those of the samples that are too far from it.
