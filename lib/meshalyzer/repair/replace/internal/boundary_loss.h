@@ -56,7 +56,7 @@ struct BoundarySample {
 /// boundary: only those samples are asked about that may decide something.
 class BoundaryLoss {
  public:
-  /// @param pieces  The pieces of the mesh that may be lost.
+  /// @param pieces  The pieces of the mesh that may be lost; they must outlive this.
   /// @param tree    The tree over the faces of the surface.
   BoundaryLoss(std::shared_ptr<const ReplacedMesh> mesh, const FacePieces& pieces,
                const FaceTree& tree);
