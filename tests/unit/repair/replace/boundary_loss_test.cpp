@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -35,7 +35,7 @@ class HalfOfACubeIsLost : public ::testing::Test {
   FacePieces pieces_ = all_faces(mesh_);
   PreparedMesh half_{lower_half()};
   std::shared_ptr<const ReplacedMesh> replaced_ = std::make_shared<ReplacedMesh>(mesh_, 1e-3);
-  BoundaryLoss loss_{replaced_, pieces_, half_.tree()};
+  BoundaryLoss loss_{replaced_, pieces_, half_.tree(), 0.5};
 };
 
 TEST_F(HalfOfACubeIsLost, FarSamplesLieOnTheBoundaryAndKnowTheirFaces) {

@@ -2,10 +2,10 @@
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/used_box.h"
-#include "meshalyzer/spatial/closest_point.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 namespace meshalyzer {
@@ -38,26 +38,39 @@ const SolidBoundary& ReplacedMesh::boundary() const {
 }
 
 BoundaryLoss::BoundaryLoss(std::shared_ptr<const ReplacedMesh> mesh, const FacePieces& pieces,
-                           const FaceTree& tree)
-    : mesh_(std::move(mesh)), pieces_(pieces) {
+                           const FaceTree& tree, double near_enough)
+    : mesh_(std::move(mesh)), pieces_(pieces), closest_(tree), near_enough_(near_enough) {
   for (const PieceSample& sample : sample_pieces(pieces_.corners, mesh_->spacing())) {
     samples_.push_back({.sample = sample});
   }
-  const ClosestPoints closest(tree);
-  parallel_chunks(samples_.size(), kSamplesOfTask, [&](Chunk chunk) {
+  measure(samples_, near_enough_);
+}
+
+void BoundaryLoss::measure(std::vector<Measured>& samples, double near_enough) const {
+  parallel_chunks(samples.size(), kSamplesOfTask, [&](Chunk chunk) {
     Index hint = kNoIndex;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const auto found = closest.find({.point = samples_[i].sample.point, .hint = hint});
+      const auto found = closest_.find(
+          {.point = samples[i].sample.point, .hint = hint, .near_enough = near_enough});
       hint = found->slot;
-      samples_[i].distance = found->distance;
+      samples[i].distance = found->distance;
     }
   });
 }
 
+std::vector<BoundaryLoss::Measured> BoundaryLoss::samples_beyond(double distance) const {
+  const auto is_nearer = [&](const Measured& measured) { return measured.distance <= distance; };
+  std::vector<Measured> beyond;
+  std::remove_copy_if(samples_.begin(), samples_.end(), std::back_inserter(beyond), is_nearer);
+  if (distance < near_enough_) {
+    measure(beyond, distance);
+    std::erase_if(beyond, is_nearer);
+  }
+  return beyond;
+}
+
 std::vector<BoundarySample> BoundaryLoss::farther_than(double distance) const {
-  std::vector<Measured> far;
-  std::copy_if(samples_.begin(), samples_.end(), std::back_inserter(far),
-               [&](const Measured& measured) { return measured.distance > distance; });
+  const std::vector<Measured> far = samples_beyond(distance);
   std::vector<std::uint8_t> is_on(far.size());
   parallel_chunks(far.size(), kSamplesOfTask, [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) is_on[i] = is_on_boundary(far[i].sample);
@@ -73,9 +86,8 @@ std::vector<BoundarySample> BoundaryLoss::farther_than(double distance) const {
 
 double BoundaryLoss::largest_between(double low, double high,
                                      const std::function<bool(const Vec3&)>& counts) const {
-  std::vector<Measured> between;
-  std::copy_if(samples_.begin(), samples_.end(), std::back_inserter(between),
-               [&](const Measured& m) { return m.distance > low && m.distance <= high; });
+  std::vector<Measured> between = samples_beyond(low);
+  std::erase_if(between, [&](const Measured& measured) { return measured.distance > high; });
   std::sort(between.begin(), between.end(),
             [](const Measured& a, const Measured& b) { return a.distance > b.distance; });
   const auto first = std::find_if(between.begin(), between.end(), [&](const Measured& measured) {

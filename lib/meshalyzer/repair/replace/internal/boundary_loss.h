@@ -3,7 +3,7 @@
 #include "meshalyzer/base/lazy.h"
 #include "meshalyzer/contour/boundary_samples.h"
 #include "meshalyzer/repair/edits/tracked_mesh.h"
-#include "meshalyzer/spatial/face_tree.h"
+#include "meshalyzer/spatial/closest_point.h"
 
 #include <functional>
 #include <memory>
@@ -56,10 +56,12 @@ struct BoundarySample {
 /// boundary: only those samples are asked about that may decide something.
 class BoundaryLoss {
  public:
-  /// @param pieces  The pieces of the mesh that may be lost; they must outlive this.
-  /// @param tree    The tree over the faces of the surface.
+  /// @param pieces       The pieces of the mesh that may be lost; they must outlive this.
+  /// @param tree         The tree over the faces of the surface; it must outlive this.
+  /// @param near_enough  Smaller distances are measured only if somebody asks for them: where most
+  ///                     samples are that near, it takes much longer.
   BoundaryLoss(std::shared_ptr<const ReplacedMesh> mesh, const FacePieces& pieces,
-               const FaceTree& tree);
+               const FaceTree& tree, double near_enough);
 
   /// Returns the samples on the boundary that are farther away than a distance.
   [[nodiscard]] std::vector<BoundarySample> farther_than(double distance) const;
@@ -72,13 +74,20 @@ class BoundaryLoss {
  private:
   struct Measured {
     PieceSample sample;
+    /// The distance, or an upper bound of it that was near enough.
     double distance = 0.0;
   };
 
+  /// Measures how far samples are, where that is more than is near enough.
+  void measure(std::vector<Measured>& samples, double near_enough) const;
+  /// Returns the samples that are farther away than a distance, on the boundary or not.
+  [[nodiscard]] std::vector<Measured> samples_beyond(double distance) const;
   [[nodiscard]] bool is_on_boundary(const PieceSample& sample) const;
 
   std::shared_ptr<const ReplacedMesh> mesh_;
   const FacePieces& pieces_;
+  ClosestPoints closest_;
+  double near_enough_;
   std::vector<Measured> samples_;
 };
 

@@ -228,7 +228,7 @@ class UnionFromInput {
   }
 
   [[nodiscard]] BoundaryLoss measure_loss(const RepairState& state) const {
-    return {memory_.replaced, losable_, state.mesh().tree()};
+    return {memory_.replaced, losable_, state.mesh().tree(), driver_.mesh().max_deviation()};
   }
 
   /// Adds the distances of lost samples to those of what is not lost.
