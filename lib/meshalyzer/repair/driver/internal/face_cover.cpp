@@ -1,13 +1,17 @@
 #include "meshalyzer/repair/driver/internal/face_cover.h"
 
 #include "meshalyzer/base/lexicographic.h"
+#include "meshalyzer/base/point_table.h"
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/base/triangle.h"
-#include "meshalyzer/repair/driver/internal/face_distance.h"
-#include "meshalyzer/spatial/closest_point.h"
+#include "meshalyzer/spatial/triangle_distance.h"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -31,24 +35,55 @@ Incircle incircle_of(const Corners& t) {
   return {(a * t[0] + b * t[1] + c * t[2]) / perimeter, normal_of(t).norm() / perimeter};
 }
 
+/// Triangles between points.
+struct IndexedParts {
+  /// The corners of the parts, each once, in lexicographic order.
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+
+  [[nodiscard]] Corners corners(const Triangle& t) const {
+    return {points[t[0]], points[t[1]], points[t[2]]};
+  }
+};
+
+IndexedParts index_corners(std::span<const Corners> parts) {
+  IndexedParts indexed;
+  std::vector<Vec3> found;
+  PointTable table(3 * parts.size());
+  for (const Corners& part : parts) {
+    indexed.triangles.push_back(
+        {table.insert(found, part[0]), table.insert(found, part[1]), table.insert(found, part[2])});
+  }
+  std::vector<Index> order(found.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::sort(order.begin(), order.end(),
+            [&](Index a, Index b) { return lexicographically_less(found[a], found[b]); });
+  std::vector<Index> place(found.size());
+  for (Index i = 0; i < order.size(); ++i) {
+    place[order[i]] = i;
+    indexed.points.push_back(found[order[i]]);
+  }
+  for (Triangle& t : indexed.triangles) {
+    for (Index& corner : t) corner = place[corner];
+  }
+  return indexed;
+}
+
 /// An edge of a part with its lower end first, and the number of times that parts run along it,
 /// less the times in the other direction.
 struct CountedEdge {
-  Segment ends;
+  std::array<Index, 2> ends{};
   int count = 0;
 };
 
-CountedEdge count_edge(const Vec3& from, const Vec3& to, int count) {
-  return lexicographically_less(from, to) ? CountedEdge{{from, to}, count}
-                                          : CountedEdge{{to, from}, -count};
+CountedEdge count_edge(Index from, Index to, int count) {
+  return from < to ? CountedEdge{{from, to}, count} : CountedEdge{{to, from}, -count};
 }
 
 /// Merges edges between the same ends, and removes those that cancel.
 void add_up(std::vector<CountedEdge>& edges) {
-  std::sort(edges.begin(), edges.end(), [](const CountedEdge& a, const CountedEdge& b) {
-    return std::lexicographical_compare(a.ends.begin(), a.ends.end(), b.ends.begin(), b.ends.end(),
-                                        lexicographically_less);
-  });
+  std::sort(edges.begin(), edges.end(),
+            [](const CountedEdge& a, const CountedEdge& b) { return a.ends < b.ends; });
   std::size_t n = 0;
   for (const CountedEdge& edge : edges) {
     if (n > 0 && edges[n - 1].ends == edge.ends) {
@@ -64,36 +99,26 @@ void add_up(std::vector<CountedEdge>& edges) {
 }
 
 /// Returns the sum of the boundaries of the parts, each turned to the side of the normal.
-std::vector<CountedEdge> sum_of_boundaries(std::span<const Corners> parts, const Vec3& normal) {
+std::vector<CountedEdge> sum_of_boundaries(const IndexedParts& parts, const Vec3& normal) {
   std::vector<CountedEdge> edges;
-  edges.reserve(3 * parts.size());
-  for (const Corners& part : parts) {
-    const int sign = normal_of(part).dot(normal) < 0.0 ? -1 : 1;
-    for (std::size_t i = 0; i < 3; ++i) {
-      edges.push_back(count_edge(part[i], part[(i + 1) % 3], sign));
-    }
+  edges.reserve(3 * parts.triangles.size());
+  for (const Triangle& t : parts.triangles) {
+    const int sign = normal_of(parts.corners(t)).dot(normal) < 0.0 ? -1 : 1;
+    for (std::size_t i = 0; i < 3; ++i) edges.push_back(count_edge(t[i], t[(i + 1) % 3], sign));
   }
   add_up(edges);
   return edges;
 }
 
-/// Sorts points and removes repeated ones.
-void sort_unique_points(std::vector<Vec3>& points) {
-  std::sort(points.begin(), points.end(), lexicographically_less);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-}
-
 /// Merges corners that are nearer to each other than the slack.
 /// @return The largest distance by which a corner moved.
-double merge_corners(std::vector<Corners>& parts, double slack) {
-  std::vector<Vec3> points;
-  for (const Corners& part : parts) points.insert(points.end(), part.begin(), part.end());
-  sort_unique_points(points);
-  std::vector<std::size_t> stands_for(points.size());
+double merge_corners(IndexedParts& parts, double slack) {
+  const std::vector<Vec3>& points = parts.points;
+  std::vector<Index> stands_for(points.size());
   double moved = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (Index i = 0; i < points.size(); ++i) {
     stands_for[i] = i;
-    for (std::size_t j = i; j-- > 0 && points[i].x() - points[j].x() <= slack;) {
+    for (Index j = i; j-- > 0 && points[i].x() - points[j].x() <= slack;) {
       const double distance = (points[i] - points[j]).norm();
       if (stands_for[j] != j || distance > slack) continue;
       stands_for[i] = j;
@@ -101,12 +126,8 @@ double merge_corners(std::vector<Corners>& parts, double slack) {
       break;
     }
   }
-  for (Corners& part : parts) {
-    for (Vec3& corner : part) {
-      const auto at =
-          std::lower_bound(points.begin(), points.end(), corner, lexicographically_less);
-      corner = points[stands_for[static_cast<std::size_t>(at - points.begin())]];
-    }
+  for (Triangle& t : parts.triangles) {
+    for (Index& corner : t) corner = stands_for[corner];
   }
   return moved;
 }
@@ -114,37 +135,50 @@ double merge_corners(std::vector<Corners>& parts, double slack) {
 /// Splits edges at the ends of others that are nearer to them than the slack, so that a long edge
 /// cancels the short ones along it.
 /// @return The largest distance by which an edge moved.
-double split_at_corners(std::vector<CountedEdge>& edges, double slack) {
-  std::vector<Vec3> points;
-  for (const CountedEdge& edge : edges) {
-    points.insert(points.end(), edge.ends.begin(), edge.ends.end());
-  }
-  sort_unique_points(points);
+double split_at_corners(const std::vector<Vec3>& points, double slack,
+                        std::vector<CountedEdge>& edges) {
+  std::vector<Index> ends;
+  for (const CountedEdge& edge : edges) ends.insert(ends.end(), edge.ends.begin(), edge.ends.end());
+  sort_unique(ends);
   double moved = 0.0;
   std::vector<CountedEdge> split;
-  std::vector<std::pair<double, std::size_t>> on_edge;
+  std::vector<std::pair<double, Index>> on_edge;
   for (const CountedEdge& edge : edges) {
-    const Vec3 along = edge.ends[1] - edge.ends[0];
+    const Vec3& origin = points[edge.ends[0]];
+    const Vec3 along = points[edge.ends[1]] - origin;
     on_edge.clear();
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const double at = (points[i] - edge.ends[0]).dot(along) / along.squaredNorm();
-      const double distance = (points[i] - edge.ends[0] - at * along).norm();
-      const bool is_end = points[i] == edge.ends[0] || points[i] == edge.ends[1];
-      if (is_end || !(at > 0.0 && at < 1.0) || distance > slack) continue;
-      on_edge.emplace_back(at, i);
+    for (const Index end : ends) {
+      const double at = (points[end] - origin).dot(along) / along.squaredNorm();
+      const double distance = (points[end] - origin - at * along).norm();
+      const bool is_own = end == edge.ends[0] || end == edge.ends[1];
+      if (is_own || !(at > 0.0 && at < 1.0) || distance > slack) continue;
+      on_edge.emplace_back(at, end);
       moved = std::max(moved, distance);
     }
     std::sort(on_edge.begin(), on_edge.end());
-    Vec3 from = edge.ends[0];
-    for (const auto& [at, i] : on_edge) {
-      split.push_back(count_edge(from, points[i], edge.count));
-      from = points[i];
+    Index from = edge.ends[0];
+    for (const auto& [at, end] : on_edge) {
+      split.push_back(count_edge(from, end, edge.count));
+      from = end;
     }
     split.push_back(count_edge(from, edge.ends[1], edge.count));
   }
   edges = std::move(split);
   add_up(edges);
   return moved;
+}
+
+/// Returns the largest distance of a corner of a part from a face.
+double distance_of_corners(const IndexedParts& parts, const Corners& face) {
+  std::vector<std::uint8_t> is_used(parts.points.size(), 0);
+  double largest = 0.0;
+  for (const Triangle& t : parts.triangles) {
+    for (const Index corner : t) {
+      if (std::exchange(is_used[corner], 1) != 0) continue;
+      largest = std::max(largest, closest_on_triangle(face, parts.points[corner]).distance);
+    }
+  }
+  return largest;
 }
 
 /// Returns the distance of the farther end of a segment from the nearest edge of a face.
@@ -177,23 +211,24 @@ std::optional<double> distance_from_parts(const Corners& face, std::span<const C
   /// With more edges than this they are not compared with each other.
   constexpr std::size_t kMostSplitEdges = 1000;
   const Vec3 normal = normal_of(face);
-  std::vector<Corners> merged(parts.begin(), parts.end());
+  IndexedParts merged = index_corners(parts);
+  const std::vector<Vec3>& points = merged.points;
   double moved = slack > 0.0 ? merge_corners(merged, slack) : 0.0;
   std::vector<CountedEdge> border = sum_of_boundaries(merged, normal);
-  if (slack > 0.0 && border.size() <= kMostSplitEdges) moved += split_at_corners(border, slack);
-  double inaccuracy = 0.0;
-  for (const Corners& part : merged) {
-    inaccuracy = std::max(inaccuracy, largest_distance(part, face));
+  if (slack > 0.0 && border.size() <= kMostSplitEdges) {
+    moved += split_at_corners(points, slack, border);
   }
-  for (const CountedEdge& edge : border) {
-    inaccuracy = std::max(inaccuracy, distance_from_edge(edge.ends, face));
+  double inaccuracy = distance_of_corners(merged, face);
+  for (const auto& [ends, count] : border) {
+    inaccuracy = std::max(inaccuracy, distance_from_edge({points[ends[0]], points[ends[1]]}, face));
   }
   inaccuracy += moved;
   const Incircle circle = incircle_of(face);
-  const bool is_covered = circle.radius > kMargin * inaccuracy &&
-                          std::any_of(merged.begin(), merged.end(), [&](const Corners& part) {
-                            return contains(part, circle.centre, normal);
-                          });
+  const bool is_covered =
+      circle.radius > kMargin * inaccuracy &&
+      std::any_of(merged.triangles.begin(), merged.triangles.end(), [&](const Triangle& t) {
+        return contains(merged.corners(t), circle.centre, normal);
+      });
   if (!is_covered) return std::nullopt;
   // Shrinking the face towards the incentre makes it that deep; no point moves farther than a
   // corner.
