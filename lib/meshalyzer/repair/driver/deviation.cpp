@@ -234,7 +234,7 @@ std::uint64_t hash_of(const Corners& corners) {
 /// Removes faces that are walls as a whole.
 void drop_walls(const Soup& input, std::span<const InteriorWall> walls,
                 std::vector<ChangedFace>& faces) {
-  if (walls.empty()) return;
+  if (walls.empty() || faces.empty()) return;
   using HashedFace = std::pair<std::uint64_t, Index>;
   std::vector<HashedFace> by_hash;
   by_hash.reserve(faces.size());
@@ -350,8 +350,9 @@ DeviationMeter::Result DeviationMeter::measure(const Repaired& repaired) const {
 }
 
 FarFaces DeviationMeter::find_far(const Repaired& repaired) const {
-  ChangedFaces changes = find_measured_faces(repaired);
+  ChangedFaces changes = find_changed_faces(input_, repaired.tracked);
   if (repaired.step != nullptr) drop_unaffected(repaired, changes.of_input);
+  drop_uncounted(repaired, changes.of_input);
   return measure_changes(std::move(changes), repaired, repaired.walls, DistanceQuestion::IsWithin)
       .far;
 }
@@ -366,11 +367,16 @@ void DeviationMeter::drop_unaffected(const Repaired& repaired,
 
 ChangedFaces DeviationMeter::find_measured_faces(const Repaired& repaired) const {
   ChangedFaces changed = find_changed_faces(input_, repaired.tracked);
-  drop_walls(input_, repaired.walls, changed.of_input);
-  std::erase_if(changed.of_input, [&](const ChangedFace& face) {
-    return std::binary_search(repaired.lost.begin(), repaired.lost.end(), face.face);
-  });
+  drop_uncounted(repaired, changed.of_input);
   return changed;
+}
+
+void DeviationMeter::drop_uncounted(const Repaired& repaired,
+                                    std::vector<ChangedFace>& of_input) const {
+  std::erase_if(of_input, [&](const ChangedFace& changed) {
+    return std::binary_search(repaired.lost.begin(), repaired.lost.end(), changed.face);
+  });
+  drop_walls(input_, repaired.walls, of_input);
 }
 
 std::vector<double> DeviationMeter::measure_parts(const Repaired& repaired,
