@@ -28,6 +28,14 @@ TrackedMesh renumbered(const TrackedMesh& tracked, const Tolerances& tolerances)
   return apply_edits(tracked, renumber({tracked.soup, tracked, mesh, tolerances, limits}).edits);
 }
 
+/// Tells whether all records have the numbers that they are to have.
+bool is_numbered(RepairDriver& driver, const Tolerances& tolerances) {
+  const MeasuredMesh& mesh = driver.mesh();
+  const RepairLimits limits;
+  return renumber({mesh.input(), mesh.tracked(), mesh.prepared(), tolerances, limits})
+      .edits.empty();
+}
+
 /// @param before  The defects of the input.
 std::vector<RepairedMesh> finished_meshes(RepairDriver& driver, const RepairOptions& options,
                                           const Tolerances& tolerances,
@@ -37,7 +45,8 @@ std::vector<RepairedMesh> finished_meshes(RepairDriver& driver, const RepairOpti
                            .max_defects = options.max_defects,
                            .pairs = {.max_found = driver.mesh().max_pairs(), .wants_to_stop = {}}};
   const bool is_separated = options.fixes.contains(DefectCode::Disjoint);
-  const bool is_renumbered = options.fixes.contains(DefectCode::Numbering);
+  const bool is_renumbered =
+      options.fixes.contains(DefectCode::Numbering) && !is_numbered(driver, tolerances);
   if (!is_separated && !is_renumbered) {
     return {{.tracked = driver.mesh().tracked(),
              .remaining =
