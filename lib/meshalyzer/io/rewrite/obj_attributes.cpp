@@ -89,17 +89,19 @@ Index ObjAttributes::texture_point(const Blend& blend) {
   std::vector<double> mean = texture_numbers(first);
   for (std::size_t i = 0; i < mean.size(); ++i) {
     mean[i] = blend.mean([&](Index item) {
-      const std::vector<double> numbers = texture_numbers(named(item));
+      const std::vector<double>& numbers = texture_numbers(named(item));
       return i < numbers.size() ? numbers[i] : 0.0;
     });
   }
   return static_cast<Index>(records_.texture_points.size()) + texture_points_.insert(text_of(mean));
 }
 
-std::vector<double> ObjAttributes::texture_numbers(Index texture_point) const {
+const std::vector<double>& ObjAttributes::texture_numbers(Index texture_point) {
+  const auto [entry, is_new] = texture_numbers_.try_emplace(texture_point);
+  std::vector<double>& numbers = entry->second;
+  if (!is_new) return numbers;
   const std::vector<std::string_view> words =
       words_at(text_, records_.texture_points[texture_point], Continuation::Backslash);
-  std::vector<double> numbers;
   for (std::size_t i = 1; i < words.size(); ++i) {
     numbers.push_back(parse_real(words[i]).value_or(0.0));
   }

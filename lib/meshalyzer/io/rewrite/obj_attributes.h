@@ -40,7 +40,8 @@ class ObjAttributes {
   /// Returns the records that a corner of the source names, by its number.
   [[nodiscard]] ObjCorner source_corner(Index number);
   [[nodiscard]] Index texture_point(const Blend& blend);
-  [[nodiscard]] std::vector<double> texture_numbers(Index texture_point) const;
+  /// Returns the coordinates of a texture point of the source.
+  [[nodiscard]] const std::vector<double>& texture_numbers(Index texture_point);
 
   const EditedMesh& mesh_;
   std::string_view text_;
@@ -50,6 +51,9 @@ class ObjAttributes {
   CornerBlender blender_;
   NewRecords texture_points_;
   NewRecords normals_;
+  /// The coordinates of the texture points that were asked for: pieces of a cut face ask for the
+  /// same ones again and again.
+  std::unordered_map<Index, std::vector<double>> texture_numbers_;
   /// The record whose corners were parsed last.
   Index latest_record_ = kNoIndex;
   std::vector<ObjCorner> latest_corners_;
