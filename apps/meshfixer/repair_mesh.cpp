@@ -69,15 +69,18 @@ DefectReport remaining_on_disk(const RepairedMesh& mesh, const std::vector<Index
   const Soup& disk = *final_soup.soup;
   const bool is_same = is_same_mesh(disk, mesh.tracked.soup);
   if (is_same) final_soup.prepared = mesh.prepared;
-  if (mesh.remaining.total() == 0 && is_same_but_for_order(disk, mesh.tracked.soup, face_records)) {
-    return mesh.remaining;
-  }
+  const bool is_in_other_order = is_same_but_for_order(disk, mesh.tracked.soup, face_records);
+  if (mesh.remaining.total() == 0 && is_in_other_order) return mesh.remaining;
   const bool has_numbers = disk.format == Format::Mesh;
   if (is_same && has_numbers == (mesh.tracked.soup.format == Format::Mesh)) {
     return mesh.remaining;
   }
-  final_soup.prepared = std::make_shared<const PreparedMesh>(final_soup.soup, search.pairs);
-  return find_defects(*final_soup.prepared, search);
+  const auto prepared = std::make_shared<PreparedMesh>(final_soup.soup, search.pairs);
+  if (is_in_other_order && mesh.remaining.count(DefectCode::SelfIntersection) == 0) {
+    prepared->set_intersecting_pairs({});
+  }
+  final_soup.prepared = prepared;
+  return find_defects(*prepared, search);
 }
 
 /// Tells whether a result is the input as it was read.
