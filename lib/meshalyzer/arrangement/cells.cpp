@@ -13,6 +13,9 @@
 namespace meshalyzer {
 namespace {
 
+/// Vertices in one task: to sort the pieces round an edge takes some microseconds.
+constexpr std::size_t kVerticesAtOnce = 1024;
+
 /// An edge of a piece, as stored at its lower vertex.
 struct EdgeUse {
   Index high = kNoIndex;
@@ -69,16 +72,15 @@ PieceEdges::PieceEdges(const Arrangement& arrangement)
 }
 
 /// Calls `body` with the uses of each edge, edge by edge.
+///
+/// @param uses  The uses of all edges with the same lower vertex.
 template <typename Body>
-void for_each_edge(PieceEdges& edges, const Body& body) {
-  for (std::size_t v = 0; v < edges.n_vertices(); ++v) {
-    const std::span<EdgeUse> uses = edges.of(v);
-    for (std::size_t first = 0; first < uses.size();) {
-      std::size_t end = first + 1;
-      while (end < uses.size() && uses[end].high == uses[first].high) ++end;
-      body(uses.subspan(first, end - first));
-      first = end;
-    }
+void for_each_edge(std::span<EdgeUse> uses, const Body& body) {
+  for (std::size_t first = 0; first < uses.size();) {
+    std::size_t end = first + 1;
+    while (end < uses.size() && uses[end].high == uses[first].high) ++end;
+    body(uses.subspan(first, end - first));
+    first = end;
   }
 }
 
@@ -93,22 +95,26 @@ class RadialOrder {
   void sort(std::span<EdgeUse> uses) const {
     if (uses.size() < 3) return;
     const EdgeUse first = uses[0];
-    const auto part = [&](const EdgeUse& use) { return 1 - turn(first, use.apex); };
+    const auto part = [&](const EdgeUse& use) { return 1 - turn(first, use); };
     std::sort(uses.begin() + 1, uses.end(), [&](const EdgeUse& p, const EdgeUse& q) {
       const Sign part_of_p = part(p);
       const Sign part_of_q = part(q);
       if (part_of_p != part_of_q) return part_of_p < part_of_q;
-      return p.piece != q.piece && turn(p, q.apex) > 0;
+      return p.piece != q.piece && turn(p, q) > 0;
     });
   }
 
  private:
-  /// Returns 1 if a vertex comes within half a turn after the piece, -1 if within half a turn
-  /// before it, 0 if it is opposite.
-  [[nodiscard]] Sign turn(const EdgeUse& use, Index apex) const {
+  /// Returns 1 if a piece comes within half a turn after another, -1 if within half a turn before
+  /// it, 0 if it is opposite.
+  [[nodiscard]] Sign turn(const EdgeUse& use, const EdgeUse& other) const {
     // The first source has the orientation of the piece.
-    const auto plane = corners_of(soup_, arrangement_.sources_of(use.piece).front().face);
+    const Index face = arrangement_.sources_of(use.piece).front().face;
+    // Pieces of one face do not overlap, so that each is opposite to the other.
+    if (arrangement_.sources_of(other.piece).front().face == face) return 0;
+    const auto plane = corners_of(soup_, face);
     const std::size_t n = arrangement_.n_input_vertices;
+    const Index apex = other.apex;
     const Sign side =
         apex < n ? orient3d(plane[0], plane[1], plane[2], soup_.positions[apex])
                  : orient3d(plane[0], plane[1], plane[2], arrangement_.exact.made(apex - n));
@@ -146,8 +152,12 @@ Cells find_cells(const Soup& soup, const Arrangement& arrangement) {
   std::vector<Index> unbalanced;
   const RadialOrder order(soup, arrangement);
   PieceEdges edges(arrangement);
-  for_each_edge(edges, [&](std::span<EdgeUse> uses) {
-    order.sort(uses);
+  parallel_chunks(edges.n_vertices(), kVerticesAtOnce, [&](Chunk chunk) {
+    for (std::size_t v = chunk.begin; v < chunk.end; ++v) {
+      for_each_edge(edges.of(v), [&](std::span<EdgeUse> uses) { order.sort(uses); });
+    }
+  });
+  const auto join_sides = [&](std::span<EdgeUse> uses) {
     int balance = 0;
     for (std::size_t i = 0; i < uses.size(); ++i) {
       const EdgeUse& next = uses[(i + 1) % uses.size()];
@@ -156,7 +166,8 @@ Cells find_cells(const Soup& soup, const Arrangement& arrangement) {
       balance += uses[i].direction * arrangement.multiplicity(uses[i].piece);
     }
     if (balance != 0) unbalanced.push_back(uses[0].piece);
-  });
+  };
+  for (std::size_t v = 0; v < edges.n_vertices(); ++v) for_each_edge(edges.of(v), join_sides);
   DisjointSets::Numbers cell = sides.number_all();
   DisjointSets::Numbers component = pieces.number_all();
   Cells cells;
