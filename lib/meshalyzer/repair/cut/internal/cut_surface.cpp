@@ -55,12 +55,15 @@ CutSurface cut_surface(const PassInput& input, const ChangesBefore& changes,
 
 CutSurface cut_keeping_pockets(const PassInput& input, const ChangesBefore& changes, Sheets sheets,
                                std::size_t more_pieces) {
-  CuttingRounds with_pockets(input, changes, {Pockets::Kept, sheets}, more_pieces);
+  // Pockets matter only once the faces are cut.
+  FirstCut first_cut;
+  CuttingRounds with_pockets(input, changes, {Pockets::Kept, sheets}, more_pieces, &first_cut);
   with_pockets.cut_off_grid();
   CuttingRounds first = cut_on_grid(with_pockets, Slivers::OfGrid);
   if (first.is_finished() || first.has_too_many_pieces()) return first.take_result();
-  CuttingRounds solid(input, changes, {Pockets::Forgotten, sheets}, more_pieces);
+  CuttingRounds solid(input, changes, {Pockets::Forgotten, sheets}, more_pieces, &first_cut);
   solid.cut_off_grid();
+  first_cut.reset();
   if (CuttingRounds rounds = cut_on_grid(solid, Slivers::OfGrid); may_forget_pockets(rounds)) {
     return rounds.take_result();
   }

@@ -92,12 +92,14 @@ double share_of_pockets(const Arrangement& arrangement, std::span<const PieceCla
 }  // namespace
 
 CuttingRounds::CuttingRounds(const PassInput& input, const ChangesBefore& changes,
-                             const SelectOptions& options, std::size_t more_pieces)
+                             const SelectOptions& options, std::size_t more_pieces,
+                             FirstCut* first_cut)
     : input_(input),
       mesh_(input.mesh),
       options_(options),
       is_moved_(!changes.positions.empty()),
       max_pieces_(more_pieces + kPiecesAFace * mesh_.soup().n_faces()),
+      first_cut_(first_cut),
       extent_(used_extent(mesh_.soup())),
       n_pairs_of_round_(changes.n_pairs_in_place),
       parts_(mesh_.soup().n_faces() + changes.patches.size()) {
@@ -210,11 +212,10 @@ bool CuttingRounds::is_growing(std::size_t n_pairs) {
 }
 
 void CuttingRounds::cut_once(const CutMesh& cut, const FaceTree& tree, const Pairs& pairs) {
-  const std::optional<Arrangement> arranged = arrange_within(soup_, pairs, max_pieces_);
-  result_.has_too_many_pieces = !arranged;
-  if (!arranged || input_.wants_to_stop()) return give_up(pairs);
-  const Arrangement& arrangement = *arranged;
-  const Cells cells = find_cells(soup_, arrangement);
+  const std::shared_ptr<const ArrangedPieces> arranged = arranged_pieces(pairs);
+  result_.has_too_many_pieces = arranged == nullptr;
+  if (arranged == nullptr || input_.wants_to_stop()) return give_up(pairs);
+  const auto& [arrangement, cells] = *arranged;
   const std::vector<PieceClass> classes =
       select_pieces({soup_, cut, tree, arrangement, cells},
                     components_to_select(arrangement, cells, pairs), options_);
@@ -224,6 +225,18 @@ void CuttingRounds::cut_once(const CutMesh& cut, const FaceTree& tree, const Pai
   result_.has_pockets = result_.has_pockets || std::find(classes.begin(), classes.end(),
                                                          PieceClass::Exterior) != classes.end();
   take(arrangement, classes, round_vertices(arrangement, rounding()));
+}
+
+std::shared_ptr<const ArrangedPieces> CuttingRounds::arranged_pieces(const Pairs& pairs) {
+  FirstCut* const first = round_ == 0 ? first_cut_ : nullptr;
+  if (first != nullptr && *first != nullptr) return *first;
+  std::optional<Arrangement> arrangement = arrange_within(soup_, pairs, max_pieces_);
+  if (!arrangement) return nullptr;
+  const auto pieces = std::make_shared<ArrangedPieces>();
+  pieces->arrangement = std::move(*arrangement);
+  pieces->cells = find_cells(soup_, pieces->arrangement);
+  if (first != nullptr) *first = pieces;
+  return pieces;
 }
 
 Rounding CuttingRounds::rounding() const {

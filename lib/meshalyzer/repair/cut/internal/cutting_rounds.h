@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,14 +24,25 @@ enum class Slivers : std::uint8_t {
   Widening,
 };
 
+/// A surface that was cut once, exactly.
+struct ArrangedPieces {
+  Arrangement arrangement;
+  Cells cells;
+};
+
+/// The first cut of a surface, for all that cut the same surface; null until one has cut it.
+using FirstCut = std::shared_ptr<const ArrangedPieces>;
+
 /// Cuts a surface, round by round. A copy is a state to which one can return.
 class CuttingRounds {
  public:
   /// The arguments are those of cut_surface().
   ///
-  /// @param input  Must outlive the rounds and all copies.
+  /// @param input      Must outlive the rounds and all copies.
+  /// @param first_cut  Is used instead of cutting, or receives the first cut if there is none yet;
+  ///                   it must outlive the rounds and all copies. May be null.
   CuttingRounds(const PassInput& input, const ChangesBefore& changes, const SelectOptions& options,
-                std::size_t more_pieces);
+                std::size_t more_pieces, FirstCut* first_cut = nullptr);
 
   /// Cuts until no pairs are left to cut, or the vertices are to be rounded to a grid.
   void cut_off_grid();
@@ -74,6 +86,8 @@ class CuttingRounds {
   /// Tells whether the pairs become so many more that another round only makes it worse.
   bool is_growing(std::size_t n_pairs);
   void cut_once(const CutMesh& cut, const FaceTree& tree, const Pairs& pairs);
+  /// Returns the exact pieces of this round; null if they are too many.
+  [[nodiscard]] std::shared_ptr<const ArrangedPieces> arranged_pieces(const Pairs& pairs);
 
   /// The rounding of new vertices in this round.
   [[nodiscard]] Rounding rounding() const;
@@ -102,6 +116,7 @@ class CuttingRounds {
   /// Tells whether vertices are elsewhere than in the mesh.
   bool is_moved_;
   std::size_t max_pieces_;
+  FirstCut* first_cut_;
   double extent_;
   bool has_pairs_ = true;
   std::size_t round_ = 0;
