@@ -21,7 +21,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Numbers the records of a mesh anew, because separation leaves gaps in the ids.
+/// Numbers the records of a mesh anew.
 TrackedMesh renumbered(const TrackedMesh& tracked, const Tolerances& tolerances) {
   const PreparedMesh mesh(tracked.soup);
   const RepairLimits limits;
@@ -45,8 +45,9 @@ std::vector<RepairedMesh> finished_meshes(RepairDriver& driver, const RepairOpti
                            .max_defects = options.max_defects,
                            .pairs = {.max_found = driver.mesh().max_pairs(), .wants_to_stop = {}}};
   const bool is_separated = options.fixes.contains(DefectCode::Disjoint);
-  const bool is_renumbered =
-      options.fixes.contains(DefectCode::Numbering) && !is_numbered(driver, tolerances);
+  // Separation leaves gaps in the numbers.
+  const bool is_renumbered = options.fixes.contains(DefectCode::Numbering) &&
+                             (is_separated || !is_numbered(driver, tolerances));
   if (!is_separated && !is_renumbered) {
     return {{.tracked = driver.mesh().tracked(),
              .remaining =

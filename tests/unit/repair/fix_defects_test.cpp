@@ -144,6 +144,17 @@ TEST(FixDefects, SolidsThatShareAVertexOrAnEdgeComeApart) {
   }
 }
 
+TEST(FixDefects, SolidsThatComeApartAreNumberedFromOneOn) {
+  RepairOptions options;
+  options.fixes = DefectCodes::all();
+  const RepairResult result = fix_defects(shapes::two_tetrahedra_sharing_vertex(), options);
+  ASSERT_EQ(result.meshes.size(), 2U);
+  for (const RepairedMesh& mesh : result.meshes) {
+    EXPECT_EQ(mesh.remaining.total(), 0U);
+    for (Index v = 0; v < 4; ++v) EXPECT_EQ(mesh.tracked.soup.vertex_ids.of(v), v + 1);
+  }
+}
+
 TEST(FixDefects, TurnedFaceAndInwardSolidAreTurnedBack) {
   const std::array<Index, 2> some{3, 4};
   const Soup cube = shapes::cube();
