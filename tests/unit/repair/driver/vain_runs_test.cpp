@@ -121,9 +121,9 @@ TEST(RepairDriver, PassThatLeavesNearlyAllOfVeryManyPairsIsNotRunAgain) {
 
 TEST(RepairDriver, InAHeapOfFacesPassesRunAFewTimesOnly) {
   const PlannedPass pass{.name = "move", .run = {}};
-  // All pairs of 460 faces are 105,570, and all of 400 are 79,800.
-  EXPECT_EQ(count_moves(460, 20, pass), 6U);
-  EXPECT_EQ(count_moves(400, 20, pass), 22U);
+  // All pairs of 250 faces are 31,125, and all of 240 are 28,680.
+  EXPECT_EQ(count_moves(250, 20, pass), 6U);
+  EXPECT_EQ(count_moves(240, 20, pass), 22U);
 }
 
 TEST(RepairDriver, RoundsEndAfterThreeInSuccessionThatHaveLeftNoFewerDefects) {

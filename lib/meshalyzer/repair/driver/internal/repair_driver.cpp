@@ -63,7 +63,7 @@ constexpr std::size_t kAttemptsOfLaterStages = 3;
 /// little use. In a heap, each pass runs at most this number of times in a round, one that has
 /// changed nothing is not run again while the pairs are about as many, and rounds beyond this
 /// number go on only if the last one has left notably fewer pairs.
-constexpr std::size_t kPairsOfHeap = 100'000;
+constexpr std::size_t kPairsOfHeap = 30'000;
 constexpr std::size_t kPairsAFaceOfHeap = 32;
 constexpr std::size_t kRunsInHeap = 3;
 constexpr std::size_t kRoundsInHeap = 2;
