@@ -76,6 +76,7 @@ DefectReport remaining_on_disk(const RepairedMesh& mesh, const std::vector<Index
     return mesh.remaining;
   }
   const auto prepared = std::make_shared<PreparedMesh>(final_soup.soup, search.pairs);
+  // The positions are the same, so that no faces intersect in the file either.
   if (is_in_other_order && mesh.remaining.count(DefectCode::SelfIntersection) == 0) {
     prepared->set_intersecting_pairs({});
   }

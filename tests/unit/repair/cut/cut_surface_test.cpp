@@ -6,7 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
+#include <random>
 #include <set>
 #include <utility>
 
@@ -73,6 +76,42 @@ TEST(CutSurface, PocketsThatAreKeptLeaveNothingToMiss) {
   const Soup soup = pierced_ball();
   const Areas areas = areas_of(cut(soup, Pockets::Kept));
   EXPECT_NEAR(areas.kept + areas.walls, area_of(soup), 1e-9 * area_of(soup));
+}
+
+/// A ball with pockets beside it: balls inside out, whose vertices are some roundings apart. So
+/// many planes nearly coincide that rounding makes faces intersect again and again.
+Soup ball_and_pockets(std::size_t n_pockets) {
+  const double rounding = std::ldexp(1.0, -51);
+  Soup soup = shapes::icosphere(2);
+  const Soup pocket = shapes::translated(shapes::scaled(shapes::flipped(shapes::icosphere(1)), 0.1),
+                                         {3.0, 0.1, 0.7});
+  std::minstd_rand random;
+  for (std::size_t i = 0; i < n_pockets; ++i) {
+    Soup next = pocket;
+    for (Vec3& p : next.positions) {
+      for (double& x : p) x += rounding * (static_cast<double>(random() % 3) - 1.0);
+    }
+    soup = shapes::merged(soup, next);
+  }
+  return soup;
+}
+
+TEST(CutSurface, PocketsAreForgottenIfTheyCannotBeCutToTheEnd) {
+  const Soup soup = ball_and_pockets(6);
+  const TrackedMesh tracked = track_mesh(soup);
+  const PreparedMesh mesh(tracked.soup);
+  const Tolerances tolerances;
+  const RepairLimits limits{.max_deviation = 1e-6, .fixed_vertices = {}};
+  const PassInput input{soup, tracked, mesh, tolerances, limits};
+  const auto cut = [&](Pockets pockets) {
+    return cut_surface(input, {}, {.pockets = pockets}, {ThinFacets::Kept});
+  };
+  EXPECT_FALSE(cut(Pockets::Kept).unfinished.empty());
+  const CutSurface forgotten = cut(Pockets::Forgotten);
+  EXPECT_TRUE(forgotten.unfinished.empty());
+  const CutSurface surface = cut_keeping_pockets(input, {}, Sheets::Left, 100'000);
+  EXPECT_EQ(surface.triangles, forgotten.triangles);
+  EXPECT_EQ(surface.positions, forgotten.positions);
 }
 
 double least_altitude(const CutSurface& surface) {
