@@ -350,10 +350,8 @@ DeviationMeter::Result DeviationMeter::measure(const Repaired& repaired) const {
 }
 
 FarFaces DeviationMeter::find_far(const Repaired& repaired) const {
-  ChangedFaces changes = find_changed_faces(input_, repaired.tracked);
-  if (repaired.step != nullptr) drop_unaffected(repaired, changes.of_input);
-  drop_uncounted(repaired, changes.of_input);
-  return measure_changes(std::move(changes), repaired, repaired.walls, DistanceQuestion::IsWithin)
+  return measure_changes(find_measured_faces(repaired), repaired, repaired.walls,
+                         DistanceQuestion::IsWithin)
       .far;
 }
 
@@ -367,16 +365,13 @@ void DeviationMeter::drop_unaffected(const Repaired& repaired,
 
 ChangedFaces DeviationMeter::find_measured_faces(const Repaired& repaired) const {
   ChangedFaces changed = find_changed_faces(input_, repaired.tracked);
-  drop_uncounted(repaired, changed.of_input);
-  return changed;
-}
-
-void DeviationMeter::drop_uncounted(const Repaired& repaired,
-                                    std::vector<ChangedFace>& of_input) const {
-  std::erase_if(of_input, [&](const ChangedFace& changed) {
-    return std::binary_search(repaired.lost.begin(), repaired.lost.end(), changed.face);
+  // What leaves few faces comes first: there may be very many walls to look for.
+  if (repaired.step != nullptr) drop_unaffected(repaired, changed.of_input);
+  std::erase_if(changed.of_input, [&](const ChangedFace& face) {
+    return std::binary_search(repaired.lost.begin(), repaired.lost.end(), face.face);
   });
-  drop_walls(input_, repaired.walls, of_input);
+  drop_walls(input_, repaired.walls, changed.of_input);
+  return changed;
 }
 
 std::vector<double> DeviationMeter::measure_parts(const Repaired& repaired,

@@ -107,10 +107,9 @@ class DeviationMeter {
 
  private:
   struct Surface;
-  /// Returns the faces that differ between the two meshes, without those that do not count.
+  /// Returns the faces that differ between the two meshes, without those of the input that are
+  /// walls, lost on purpose, or not affected by the latest step.
   [[nodiscard]] ChangedFaces find_measured_faces(const Repaired& repaired) const;
-  /// Removes the faces of the input that do not count: those that are walls, or lost on purpose.
-  void drop_uncounted(const Repaired& repaired, std::vector<ChangedFace>& of_input) const;
   /// Removes the faces of the input that the latest step has left as near as they were.
   void drop_unaffected(const Repaired& repaired, std::vector<ChangedFace>& of_input) const;
   /// @param own_walls  The walls that were parts of the changed faces; others may be near them too.
