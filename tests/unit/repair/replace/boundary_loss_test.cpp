@@ -35,11 +35,15 @@ class HalfOfACubeIsLost : public ::testing::Test {
   FacePieces pieces_ = all_faces(mesh_);
   PreparedMesh half_{lower_half()};
   std::shared_ptr<const ReplacedMesh> replaced_ = std::make_shared<ReplacedMesh>(mesh_, 1e-3);
-  BoundaryLoss loss_{replaced_, pieces_, half_.tree(), 0.5};
+
+  /// What is lost, up to a limit and beyond.
+  [[nodiscard]] BoundaryLoss loss(double limit) const {
+    return {replaced_, pieces_, half_.tree(), limit};
+  }
 };
 
 TEST_F(HalfOfACubeIsLost, FarSamplesLieOnTheBoundaryAndKnowTheirFaces) {
-  const std::vector<BoundarySample> far = loss_.farther_than(0.5);
+  const std::vector<BoundarySample> far = loss(0.5).beyond_limit();
   ASSERT_FALSE(far.empty());
   for (const BoundarySample& sample : far) {
     EXPECT_NEAR(sample.distance, sample.point.z() - 1.0, 1e-12);
@@ -50,17 +54,17 @@ TEST_F(HalfOfACubeIsLost, FarSamplesLieOnTheBoundaryAndKnowTheirFaces) {
     const Vec3 normal = (face[1] - face[0]).cross(face[2] - face[0]).normalized();
     EXPECT_NEAR(normal.dot(sample.point - face[0]), 0.0, 1e-12);
   }
-  EXPECT_TRUE(loss_.farther_than(1.0).empty());
+  EXPECT_TRUE(loss(1.0).beyond_limit().empty());
 }
 
 TEST_F(HalfOfACubeIsLost, LargestDistanceIsThatOfTheTop) {
-  EXPECT_NEAR(loss_.largest_between(0.0, 2.0, any), 1.0, 1e-12);
+  EXPECT_NEAR(loss(2.0).largest_within_limit(0.0, any), 1.0, 1e-12);
   // There are samples up to any limit, no farther apart than the spacing.
-  EXPECT_LE(loss_.largest_between(0.0, 0.7, any), 0.7);
-  EXPECT_NEAR(loss_.largest_between(0.0, 0.7, any), 0.7, replaced_->spacing());
-  EXPECT_EQ(loss_.largest_between(1.5, 2.0, any), 1.5);
+  EXPECT_LE(loss(0.7).largest_within_limit(0.0, any), 0.7);
+  EXPECT_NEAR(loss(0.7).largest_within_limit(0.0, any), 0.7, replaced_->spacing());
+  EXPECT_EQ(loss(2.0).largest_within_limit(1.5, any), 1.5);
   const auto is_below = [](const Vec3& point) { return point.z() < 1.25; };
-  EXPECT_NEAR(loss_.largest_between(0.0, 2.0, is_below), 0.25, replaced_->spacing());
+  EXPECT_NEAR(loss(2.0).largest_within_limit(0.0, is_below), 0.25, replaced_->spacing());
 }
 
 TEST_F(HalfOfACubeIsLost, MeshIsKnownByItsShapeAndItsKeys) {

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace meshalyzer {
@@ -38,62 +39,81 @@ const SolidBoundary& ReplacedMesh::boundary() const {
 }
 
 BoundaryLoss::BoundaryLoss(std::shared_ptr<const ReplacedMesh> mesh, const FacePieces& pieces,
-                           const FaceTree& tree, double near_enough)
-    : mesh_(std::move(mesh)), pieces_(pieces), closest_(tree), near_enough_(near_enough) {
-  for (const PieceSample& sample : sample_pieces(pieces_.corners, mesh_->spacing())) {
-    samples_.push_back({.sample = sample});
-  }
-  measure(samples_, near_enough_);
-}
-
-void BoundaryLoss::measure(std::vector<Measured>& samples, double near_enough) const {
+                           const FaceTree& tree, double limit)
+    : mesh_(std::move(mesh)), pieces_(pieces), closest_(tree) {
+  const std::vector<PieceSample> samples = sample_pieces(pieces_.corners, mesh_->spacing());
+  std::vector<double> upper_bounds(samples.size(), std::numeric_limits<double>::infinity());
   parallel_chunks(samples.size(), kSamplesOfTask, [&](Chunk chunk) {
     Index hint = kNoIndex;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       const auto found = closest_.find(
-          {.point = samples[i].sample.point, .hint = hint, .near_enough = near_enough});
+          {.point = samples[i].point, .within = limit, .hint = hint, .near_enough = limit});
+      if (!found) continue;
       hint = found->slot;
-      samples[i].distance = found->distance;
+      upper_bounds[i] = found->distance;
     }
   });
-}
-
-std::vector<BoundaryLoss::Measured> BoundaryLoss::samples_beyond(double distance) const {
-  const auto is_nearer = [&](const Measured& measured) { return measured.distance <= distance; };
-  std::vector<Measured> beyond;
-  std::remove_copy_if(samples_.begin(), samples_.end(), std::back_inserter(beyond), is_nearer);
-  if (distance < near_enough_) {
-    measure(beyond, distance);
-    std::erase_if(beyond, is_nearer);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (upper_bounds[i] <= limit) {
+      near_.push_back({samples[i], upper_bounds[i]});
+    } else {
+      far_.push_back(samples[i]);
+    }
   }
-  return beyond;
 }
 
-std::vector<BoundarySample> BoundaryLoss::farther_than(double distance) const {
-  const std::vector<Measured> far = samples_beyond(distance);
-  std::vector<std::uint8_t> is_on(far.size());
-  parallel_chunks(far.size(), kSamplesOfTask, [&](Chunk chunk) {
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) is_on[i] = is_on_boundary(far[i].sample);
-  });
+std::vector<BoundarySample> BoundaryLoss::beyond_limit() const {
+  const std::vector<PieceSample> far = on_boundary(far_);
+  const std::vector<double> distances = distances_of(far);
   std::vector<BoundarySample> lost;
   for (std::size_t i = 0; i < far.size(); ++i) {
-    if (is_on[i] == 0) continue;
-    const PieceSample& sample = far[i].sample;
-    lost.push_back({sample.point, pieces_.face_keys[sample.piece], far[i].distance});
+    lost.push_back({far[i].point, pieces_.face_keys[far[i].piece], distances[i]});
   }
   return lost;
 }
 
-double BoundaryLoss::largest_between(double low, double high,
-                                     const std::function<bool(const Vec3&)>& counts) const {
-  std::vector<Measured> between = samples_beyond(low);
-  std::erase_if(between, [&](const Measured& measured) { return measured.distance > high; });
-  std::sort(between.begin(), between.end(),
-            [](const Measured& a, const Measured& b) { return a.distance > b.distance; });
-  const auto first = std::find_if(between.begin(), between.end(), [&](const Measured& measured) {
-    return is_on_boundary(measured.sample) && counts(measured.sample.point);
+double BoundaryLoss::largest_within_limit(double least,
+                                          const std::function<bool(const Vec3&)>& counts) const {
+  std::vector<PieceSample> samples;
+  for (const auto& [sample, upper_bound] : near_) {
+    if (upper_bound > least) samples.push_back(sample);
+  }
+  const std::vector<double> distances = distances_of(samples);
+  std::vector<std::size_t> farthest_first;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (distances[i] > least) farthest_first.push_back(i);
+  }
+  std::sort(farthest_first.begin(), farthest_first.end(),
+            [&](std::size_t a, std::size_t b) { return distances[a] > distances[b]; });
+  for (const std::size_t i : farthest_first) {
+    if (is_on_boundary(samples[i]) && counts(samples[i].point)) return distances[i];
+  }
+  return least;
+}
+
+std::vector<PieceSample> BoundaryLoss::on_boundary(std::span<const PieceSample> samples) const {
+  std::vector<std::uint8_t> is_on(samples.size());
+  parallel_chunks(samples.size(), kSamplesOfTask, [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) is_on[i] = is_on_boundary(samples[i]);
   });
-  return first == between.end() ? low : first->distance;
+  std::vector<PieceSample> found;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (is_on[i] != 0) found.push_back(samples[i]);
+  }
+  return found;
+}
+
+std::vector<double> BoundaryLoss::distances_of(std::span<const PieceSample> samples) const {
+  std::vector<double> distances(samples.size());
+  parallel_chunks(samples.size(), kSamplesOfTask, [&](Chunk chunk) {
+    Index hint = kNoIndex;
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const auto found = closest_.find({.point = samples[i].point, .hint = hint});
+      hint = found->slot;
+      distances[i] = found->distance;
+    }
+  });
+  return distances;
 }
 
 bool BoundaryLoss::is_on_boundary(const PieceSample& sample) const {

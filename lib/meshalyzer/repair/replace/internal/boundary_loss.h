@@ -52,43 +52,44 @@ struct BoundarySample {
 };
 
 /// How far the boundary of the solid that a mesh represents is from a surface that has replaced the
-/// mesh. Distances are measured first, because it takes longer to tell whether a sample lies on the
-/// boundary: only those samples are asked about that may decide something.
+/// mesh, up to a limit and beyond. Only what may decide something is measured: first whether
+/// samples are within the limit, then whether they lie on the boundary, which takes longer, and
+/// only for those that do how far they are.
 class BoundaryLoss {
  public:
-  /// @param pieces       The pieces of the mesh that may be lost; they must outlive this.
-  /// @param tree         The tree over the faces of the surface; it must outlive this.
-  /// @param near_enough  Smaller distances are measured only if somebody asks for them: where most
-  ///                     samples are that near, it takes much longer.
+  /// @param pieces  The pieces of the mesh that may be lost; they must outlive this.
+  /// @param tree    The tree over the faces of the surface; it must outlive this.
+  /// @param limit   The distance that matters.
   BoundaryLoss(std::shared_ptr<const ReplacedMesh> mesh, const FacePieces& pieces,
-               const FaceTree& tree, double near_enough);
+               const FaceTree& tree, double limit);
 
-  /// Returns the samples on the boundary that are farther away than a distance.
-  [[nodiscard]] std::vector<BoundarySample> farther_than(double distance) const;
+  /// Returns the samples on the boundary that are farther away than the limit.
+  [[nodiscard]] std::vector<BoundarySample> beyond_limit() const;
 
-  /// Returns the largest distance, between two limits, of a sample on the boundary that counts; the
-  /// lower limit if there is none.
-  [[nodiscard]] double largest_between(double low, double high,
-                                       const std::function<bool(const Vec3&)>& counts) const;
+  /// Returns the largest distance, larger than `least` and at most the limit, of a sample on the
+  /// boundary that counts; `least` if there is none.
+  [[nodiscard]] double largest_within_limit(double least,
+                                            const std::function<bool(const Vec3&)>& counts) const;
 
  private:
-  struct Measured {
+  struct NearSample {
     PieceSample sample;
-    /// The distance, or an upper bound of it that was near enough.
-    double distance = 0.0;
+    /// The distance from some face of the surface.
+    double upper_bound = 0.0;
   };
 
-  /// Measures how far samples are, where that is more than is near enough.
-  void measure(std::vector<Measured>& samples, double near_enough) const;
-  /// Returns the samples that are farther away than a distance, on the boundary or not.
-  [[nodiscard]] std::vector<Measured> samples_beyond(double distance) const;
+  /// Returns those of some samples that lie on the boundary.
+  [[nodiscard]] std::vector<PieceSample> on_boundary(std::span<const PieceSample> samples) const;
+  /// #samples: how far each is.
+  [[nodiscard]] std::vector<double> distances_of(std::span<const PieceSample> samples) const;
   [[nodiscard]] bool is_on_boundary(const PieceSample& sample) const;
 
   std::shared_ptr<const ReplacedMesh> mesh_;
   const FacePieces& pieces_;
   ClosestPoints closest_;
-  double near_enough_;
-  std::vector<Measured> samples_;
+  /// The samples within the limit, and the others.
+  std::vector<NearSample> near_;
+  std::vector<PieceSample> far_;
 };
 
 }  // namespace meshalyzer

@@ -195,7 +195,7 @@ class UnionFromInput {
 
   /// Measures whether the last union without shells is too far from what bounds the solid.
   void measure_last() {
-    note_far(measure_loss(*memory_.too_far).farther_than(driver_.mesh().max_deviation()));
+    note_far(measure_loss(*memory_.too_far).beyond_limit());
     is_again_too_far_ = !far_.points.empty();
     is_too_far_ = is_again_too_far_;
   }
@@ -207,7 +207,7 @@ class UnionFromInput {
     }
     is_too_far_ = true;
     const BoundaryLoss loss = measure_loss(state);
-    const std::vector<BoundarySample> far = loss.farther_than(driver_.mesh().max_deviation());
+    const std::vector<BoundarySample> far = loss.beyond_limit();
     note_far(far);
     // It takes much longer to measure what is not lost. After a lost sample is too far, that
     // matters only if parts behind holes may be dropped, in this union or in one like it later.
@@ -245,9 +245,8 @@ class UnionFromInput {
       largest = std::max(largest, sample.distance);
     }
     const bool all_count = choice_.behind_holes == BehindHoles::Kept;
-    distance_of_rest_ =
-        loss.largest_between(distance_of_rest_, driver_.mesh().max_deviation(),
-                             [&](const Vec3& point) { return all_count || !is_inside(point); });
+    distance_of_rest_ = loss.largest_within_limit(
+        distance_of_rest_, [&](const Vec3& point) { return all_count || !is_inside(point); });
   }
 
   /// Notes the lost samples that are too far away.
