@@ -70,7 +70,7 @@ void declare_operations(OptionTable& table, Options& options, GivenOptions& give
   table.flag("--renumber", given.renumber, "number vertices and faces 1, 2, ..., n");
   table.flag("--drop-orphans", given.drop_orphans,
              "drop vertices that no face uses. If nothing else is asked for, only these four are "
-             "done");
+             "done; --solid and --guarantee ask for the default repairs too");
   table.flag("--separate", given.separate,
              "write one file for each component: OUT_1, OUT_2, ..., largest first; fixing "
              "disjoint does the same, as with --fix all");
@@ -283,9 +283,10 @@ void check_consistent(const GivenOptions& given, const Options& options) {
 /// the default; and those that other options imply.
 DefectCodes fixes_of(const GivenOptions& given, const RepairOptions& repair) {
   DefectCodes fixes = default_fixes();
+  const bool asks_for_all = given.no_fix || repair.solid || repair.guarantee;
   if (given.fix) {
     fixes = given.fix->codes;
-  } else if (names_operation(given, repair) && !given.no_fix) {
+  } else if (names_operation(given, repair) && !asks_for_all) {
     fixes = {};
   }
   if (given.no_fix) {
