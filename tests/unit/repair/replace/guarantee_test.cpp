@@ -160,6 +160,39 @@ TEST(Guarantee, SheetStaysOneUnlessASolidIsAskedFor) {
   EXPECT_TRUE(is_noted(result, "it is a sheet"));
 }
 
+/// What is left as it is, except for repairs that keep the borders, with a reason.
+void expect_not_replaced(const Soup& soup, RepairOptions options) {
+  options.guarantee = true;
+  // So that nothing but a replacement could help.
+  options.fixes.erase(DefectCode::SelfIntersection);
+  options.max_deviation.value = 0.05;
+  const RepairResult result = fix_defects(soup, options);
+  EXPECT_TRUE(is_noted(result, "borders that are to be kept"));
+  EXPECT_EQ(only_mesh(result).positions, soup.positions);
+  EXPECT_EQ(only_mesh(result).triangles, soup.triangles);
+}
+
+TEST(Guarantee, IntendedBordersStay) {
+  RepairOptions options;
+  options.borders = Borders::Intended;
+  expect_not_replaced(shapes::merged(shapes::open_cube(), shapes::cube(1, {0.5, 0.5, -0.5})),
+                      options);
+}
+
+TEST(Guarantee, CommonBordersOfTheFacesOfABodyStay) {
+  RepairOptions options;
+  options.groups = Groups::Faces;
+  Soup soup = shapes::merged(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
+  soup.groups = {{"a", 0}, {"b", 4}};
+  expect_not_replaced(soup, options);
+  // Where each cube is a group, there are none.
+  soup.groups = {{"a", 0}, {"b", 12}};
+  options.guarantee = true;
+  options.fixes.erase(DefectCode::SelfIntersection);
+  options.max_deviation.value = 0.05;
+  made_good(soup, options);
+}
+
 TEST(Guarantee, PointsAloneAreRefused) {
   const RepairResult result = fix_defects(shapes::make({{0, 0, 0}, {1, 0, 0}}, {}), to_solid());
   EXPECT_TRUE(is_noted(result, "there is no face"));

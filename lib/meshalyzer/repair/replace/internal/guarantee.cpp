@@ -4,6 +4,7 @@
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/repair/driver/internal/final_check.h"
+#include "meshalyzer/repair/driver/internal/fixed_vertices.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/replace/internal/broken_solids.h"
 #include "meshalyzer/repair/replace/internal/replacements.h"
@@ -50,6 +51,11 @@ class Guarantee {
     if (!(max_deviation_ > 0.0)) {
       return {"not replaced: a replacement needs a maximum deviation above 0"};
     }
+    if (has_borders_to_keep()) {
+      return {
+          "not good, and not replaced: a new surface would not have the borders that are to be "
+          "kept"};
+    }
     // A new surface, which would keep what is behind holes, needs a part of the deviation.
     const bool may_replace =
         max_deviation_ - driver_.mesh().deviation() >= kLeastShareLeft * max_deviation_;
@@ -66,6 +72,14 @@ class Guarantee {
  private:
   [[nodiscard]] bool is_good(const RepairState& state) const {
     return is_good_in_file(state, tolerances_, check_);
+  }
+
+  /// Tells whether there are intended borders, or common borders of the faces of a body.
+  [[nodiscard]] bool has_borders_to_keep() const {
+    const MeasuredMesh& mesh = driver_.mesh();
+    const std::vector<std::uint8_t> fixed =
+        find_fixed_vertices(mesh.tracked(), mesh.prepared().cut(), options_);
+    return std::find(fixed.begin(), fixed.end(), 1) != fixed.end();
   }
 
   /// Tells whether a contour of the whole mesh may serve where one of the broken parts did not: it
