@@ -315,9 +315,11 @@ void complete(const GivenOptions& given, Options& options) {
   const bool is_named = given.names_holes || (given.fix && given.fix->names_holes);
   RepairOptions& repair = options.repair;
   repair.fill.sheets = is_named || repair.solid ? FillSheets::Yes : FillSheets::No;
-  // Gaps in the numbering are not good either.
-  const bool leaves_numbers = given.no_fix && given.no_fix->codes.contains(DefectCode::Numbering);
-  if (repair.guarantee && !leaves_numbers) repair.fixes.insert(DefectCode::Numbering);
+  // With any of these a mesh is not good, so that they are fixed unless --no-fix names them.
+  for (const DefectCode code : {DefectCode::OrphanVertex, DefectCode::Numbering}) {
+    const bool is_left = given.no_fix && given.no_fix->codes.contains(code);
+    if (repair.guarantee && !is_left) repair.fixes.insert(code);
+  }
   const bool has_one_file_each = options.is_batch() || options.writes_to_stdout();
   if (has_one_file_each && options.repair.fixes.contains(DefectCode::Disjoint)) {
     throw UsageError("disjoint makes several files of one mesh: name OUT as one mesh file");
