@@ -36,7 +36,7 @@ MeshAttributes read_off_attributes(const Soup& soup, std::string_view text) {
   const OffRecords records = find_off_records(text, soup.n_vertices());
   attributes.faces = records.face_records;
   const std::size_t n_own = has_vertex_normals(soup) ? 6 : 3;
-  const std::size_t n_texture = records.has_texture ? 2 : 0;
+  const std::size_t n_texture = records.layout.texture ? 2 : 0;
   std::vector<TexturePoint> texture_points;
   for (std::size_t v = 0; v < records.vertices.size(); ++v) {
     const Words words = words_at(text, records.vertices[v], Continuation::None);
@@ -45,7 +45,7 @@ MeshAttributes read_off_attributes(const Soup& soup, std::string_view text) {
       attributes.vertex_colours.resize(records.vertices.size());
       attributes.vertex_colours[v] = colour;
     }
-    if (records.has_texture) {
+    if (records.layout.texture) {
       texture_points.push_back({parse_real(words[colour_end]).value_or(0.0),
                                 parse_real(words[colour_end + 1]).value_or(0.0)});
     }

@@ -1,6 +1,5 @@
 #include "meshalyzer/io/rewrite/off_records.h"
 
-#include "meshalyzer/io/off_keyword.h"
 #include "meshalyzer/io/text_scanner.h"
 
 #include <algorithm>
@@ -17,7 +16,7 @@ class OffRecordFinder {
   OffRecords find() {
     static_cast<void>(in_.next_record());
     if (is_off_keyword(in_.peek())) {
-      records_.has_texture = in_.peek().substr(0, 2) == "ST";
+      records_.layout = parse_off_keyword(in_.peek(), in_);
       static_cast<void>(in_.word());
       static_cast<void>(in_.next_record());
     }

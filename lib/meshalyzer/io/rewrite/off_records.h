@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/io/off_keyword.h"
 #include "meshalyzer/io/rewrite/face_plan.h"
 
 #include <cstddef>
@@ -15,8 +16,8 @@ struct OffRecords {
   std::vector<std::size_t> vertices;
   std::vector<std::size_t> faces;
   FaceRecords face_records;
-  /// Tells whether vertices end with texture coordinates.
-  bool has_texture = false;
+  /// What each vertex must have.
+  OffLayout layout;
 };
 
 /// Finds the records of a text that parse_off() reads.

@@ -91,21 +91,33 @@ class OffRewriter {
     return lines;
   }
 
+  /// Returns the colour and the texture coordinates of a vertex of the source.
+  [[nodiscard]] Words extra_of(Index vertex) const {
+    Words all = words(records_.vertices[vertex]);
+    all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n_vertex_numbers_));
+    return all;
+  }
+
+  /// Appends what each vertex must have, for one that has nothing of the source: white, and a point
+  /// of the texture.
+  void append_required(std::string& line) const {
+    const Words first = records_.vertices.empty() ? Words() : extra_of(0);
+    const bool is_whole = first.empty() || parse_integer(first[0]).has_value();
+    if (records_.layout.colour) line += is_whole ? "255 255 255 255 " : "1.0 1.0 1.0 1.0 ";
+    if (records_.layout.texture) line += "0 0 ";
+  }
+
   /// Appends colours and texture coordinates, each number followed by a blank. Whole colours stay
   /// whole.
   void append_extra(std::string& line, const Blend& blend) const {
     if (blend.is_empty()) {
+      append_required(line);
       return;
     }
-    const auto extra = [&](Index vertex) {
-      Words all = words(records_.vertices[vertex]);
-      all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n_vertex_numbers_));
-      return all;
-    };
-    const Words first = extra(blend.items[0]);
+    const Words first = extra_of(blend.items[0]);
     for (std::size_t i = 0; i < first.size(); ++i) {
       const auto number = [&](Index item) {
-        const Words all = extra(item);
+        const Words all = extra_of(item);
         return i < all.size() ? parse_real(all[i]).value_or(0.0) : 0.0;
       };
       const bool is_whole = parse_integer(first[i]).has_value();

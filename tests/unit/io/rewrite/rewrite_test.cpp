@@ -57,6 +57,22 @@ TEST(RewriteOff, VertexOnAnEdgeHasAMeanColour) {
   EXPECT_NE(file.rewritten_bytes().find("\n0.5 0 0 100 0 0 255\n"), std::string::npos);
 }
 
+TEST(RewriteOff, VertexOfNothingHasWhatTheKeywordDeclares) {
+  const auto added = [](const std::string& keyword, const std::string& extra) {
+    const std::string end = extra + "\n";
+    EditedFile file(keyword + "\n3 1 0\n0 0 0" + end + "1 0 0" + end + "0 1 0" + end + "3 0 1 2\n",
+                    "a.off");
+    for (const double x : {5, 6, 7}) file.add_vertex({x, x * x, 0});
+    file.add_face({3, 4, 5}, {});
+    return file.rewritten_bytes();
+  };
+  EXPECT_NE(added("OFF", "").find("\n5 25 0\n"), std::string::npos);
+  EXPECT_NE(added("STOFF", " 1 1").find("\n5 25 0 0 0\n"), std::string::npos);
+  EXPECT_NE(added("COFF", " 9 9 9").find("\n5 25 0 255 255 255 255\n"), std::string::npos);
+  EXPECT_NE(added("STCOFF", " 0.5 0.5 0.5 1.0 1 1").find("\n5 25 0 1.0 1.0 1.0 1.0 0 0\n"),
+            std::string::npos);
+}
+
 std::string textured_ply() {
   return "ply\nformat ascii 1.0\ncomment a wall\nelement vertex 4\nproperty float x\n"
          "property float y\nproperty float z\nproperty uchar red\nelement face 1\n"
