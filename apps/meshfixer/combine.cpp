@@ -215,22 +215,25 @@ class CombinationRun {
       add_empty(path);
       return std::nullopt;
     }
-    if (result.solid.outcome == CombineOutcome::Unfinished) {
-      report_.notes.emplace_back("rounding makes faces of the result intersect again and again");
-    }
-    PartedMesh parted = part(result);
-    const bool is_changed = !is_unchanged(result.edited(), result.solid) || parted.is_parted;
-    Soup disk = write(result, parted.mesh, is_changed, path);
-    report_.outputs.back().largest_move = result.solid.largest_move + parted.largest_move;
+    MendedMesh mended = mend(result);
+    const bool is_changed = !is_unchanged(result.edited(), result.solid) || mended.is_mended;
+    Soup disk = write(result, mended.mesh, is_changed, path);
+    report_.outputs.back().largest_move = result.solid.largest_move + mended.largest_move;
     judge(disk);
     return disk;
   }
 
-  /// Separates a result where it touches itself.
-  PartedMesh part(const Result& result) {
-    PartedMesh parted = part_combined(track_combined(result.edited(), result.solid),
-                                      combine_options(result.all).max_deviation);
-    if (parted.is_parted) {
+  /// Separates a result where it touches itself, and repairs one that still intersects itself.
+  MendedMesh mend(const Result& result) {
+    TrackedMesh combined = track_combined(result.edited(), result.solid);
+    const CombineOptions options = combine_options(result.all);
+    if (result.solid.outcome == CombineOutcome::Unfinished) {
+      report_.notes.emplace_back(
+          "rounding makes faces of the result intersect again and again, so it was repaired");
+      return mend_combined(combined, options);
+    }
+    MendedMesh parted = part_combined(std::move(combined), options.max_deviation);
+    if (parted.is_mended) {
       report_.notes.emplace_back("parts that touched along an edge or at a vertex were parted");
     }
     return parted;

@@ -179,6 +179,15 @@ TrackedMesh composed(const TrackedMesh& first, TrackedMesh second) {
   return second;
 }
 
+MendedMesh mended(const TrackedMesh& combined, double max_deviation, RepairOptions options) {
+  options.max_deviation = {max_deviation, Deviation::Unit::Length};
+  RepairResult result = fix_defects(combined.soup, options);
+  MendedMesh mesh{composed(combined, std::move(result.meshes.front().tracked)), true,
+                  result.deviation};
+  number_from_one(mesh.mesh);
+  return mesh;
+}
+
 }  // namespace
 
 TrackedMesh track_combined(const Soup& source, const CombinedSolid& solid) {
@@ -201,16 +210,19 @@ bool is_unchanged(const Soup& source, const CombinedSolid& solid) {
   return true;
 }
 
-PartedMesh part_combined(TrackedMesh combined, double max_deviation) {
+MendedMesh part_combined(TrackedMesh combined, double max_deviation) {
   if (build(combined.soup).side.non_manifold_vertices.empty()) return {std::move(combined)};
   RepairOptions options;
   options.fixes = {DefectCode::NonManifold};
-  options.max_deviation = {max_deviation, Deviation::Unit::Length};
-  RepairResult result = fix_defects(combined.soup, options);
-  PartedMesh parted{composed(combined, std::move(result.meshes.front().tracked)), true,
-                    result.deviation};
-  number_from_one(parted.mesh);
-  return parted;
+  return mended(combined, max_deviation, std::move(options));
+}
+
+MendedMesh mend_combined(const TrackedMesh& combined, const CombineOptions& options) {
+  RepairOptions repair;
+  repair.solid = true;
+  repair.fill.sheets = FillSheets::Yes;
+  repair.wants_to_stop = options.wants_to_stop;
+  return mended(combined, options.max_deviation, std::move(repair));
 }
 
 }  // namespace meshalyzer

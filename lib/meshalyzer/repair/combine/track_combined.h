@@ -21,11 +21,11 @@ namespace meshalyzer {
 /// @param source  The soup as track_combined() takes it.
 [[nodiscard]] bool is_unchanged(const Soup& source, const CombinedSolid& solid);
 
-/// The result of a boolean operation, parted where it touches itself.
-struct PartedMesh {
+/// The result of a boolean operation, repaired.
+struct MendedMesh {
   TrackedMesh mesh;
-  /// The log of the parting, which says whether anything was done and how far vertices have moved.
-  bool is_parted = false;
+  /// Tells whether there was something to repair, and how far that has moved the surface.
+  bool is_mended = false;
   double largest_move = 0.0;
 };
 
@@ -33,6 +33,13 @@ struct PartedMesh {
 /// mesh that is manifold is left unchanged.
 ///
 /// @param max_deviation  The maximum distance by which a vertex may move. A length.
-[[nodiscard]] PartedMesh part_combined(TrackedMesh combined, double max_deviation);
+[[nodiscard]] MendedMesh part_combined(TrackedMesh combined, double max_deviation);
+
+/// Repairs the result of an operation that is CombineOutcome::Unfinished, as a solid: a repair
+/// knows more ways to cut what rounding makes intersect again and again.
+///
+/// @param options  The options of the operation: the maximum distance between the surfaces before
+/// and after, and when to stop.
+[[nodiscard]] MendedMesh mend_combined(const TrackedMesh& combined, const CombineOptions& options);
 
 }  // namespace meshalyzer

@@ -1,10 +1,12 @@
 #include "meshalyzer/repair/combine/track_combined.h"
 
 #include "support/shapes.h"
+#include "unit/repair/repaired_meshes.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -78,8 +80,8 @@ TEST(PartCombined, CubesThatShareAnEdgeArePartedAndTrackedToTheInput) {
   const std::vector<Soup> meshes{shapes::cube(), shapes::cube(1, {1, 1, 0})};
   const Soup all = concatenate(meshes);
   const CombinedSolid solid = combine_solids(operands_of(all, meshes), union_rule());
-  const PartedMesh parted = part_combined(track_combined(all, solid), 1e-3);
-  EXPECT_TRUE(parted.is_parted);
+  const MendedMesh parted = part_combined(track_combined(all, solid), 1e-3);
+  EXPECT_TRUE(parted.is_mended);
   EXPECT_GT(parted.largest_move, 0.0);
   EXPECT_LT(parted.largest_move, 1e-14);
   EXPECT_EQ(parted.mesh.soup.n_vertices(), 16U);
@@ -93,9 +95,29 @@ TEST(PartCombined, CubesThatShareAnEdgeArePartedAndTrackedToTheInput) {
 TEST(PartCombined, ManifoldMeshStays) {
   const Difference cut(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
   const TrackedMesh tracked = track_combined(cut.all, cut.solid);
-  const PartedMesh parted = part_combined(tracked, 1e-3);
-  EXPECT_FALSE(parted.is_parted);
+  const MendedMesh parted = part_combined(tracked, 1e-3);
+  EXPECT_FALSE(parted.is_mended);
   EXPECT_EQ(parted.mesh.soup.positions, tracked.soup.positions);
+}
+
+TEST(MendCombined, FacesThatStillIntersectAreCutAndTrackedToTheInput) {
+  const Soup cubes = shapes::merged(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
+  const MendedMesh mended = mend_combined(track_mesh(cubes), {.max_deviation = 1e-3});
+  EXPECT_TRUE(mended.is_mended);
+  EXPECT_LE(mended.largest_move, 1e-3);
+  EXPECT_TRUE(is_good(mended.mesh.soup));
+  // 8 + 8 - 1
+  EXPECT_NEAR(volume_of(mended.mesh.soup), 15.0, 1e-12);
+  for (Index f = 0; f < mended.mesh.soup.n_faces(); ++f) {
+    EXPECT_LT(mended.mesh.origin_of_face(f), 24U);
+  }
+}
+
+TEST(MendCombined, StopsWhenItIsTold) {
+  const Soup cubes = shapes::merged(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
+  const MendedMesh mended = mend_combined(
+      track_mesh(cubes), {.max_deviation = 1e-3, .wants_to_stop = [] { return true; }});
+  EXPECT_EQ(mended.mesh.soup.triangles, cubes.triangles);
 }
 
 }  // namespace
