@@ -3,6 +3,7 @@
 #include "meshalyzer/analysis/analyze.h"
 #include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/base/numbers.h"
 #include "meshalyzer/boolean/combine_solids.h"
 #include "meshalyzer/boolean/make_disjoint.h"
 #include "meshalyzer/io/read.h"
@@ -137,7 +138,7 @@ class CombinationRun {
       path = (std::filesystem::path(*options_.output) / name).string();
     }
     add_operands({soups.front(), std::vector<Index>(soups.front().n_faces(), 0), 1}, left.solid);
-    note_moved(i, left.n_moved);
+    note_parting(i, left);
     std::optional<Soup> disk = add_result({left.solid, all, {source(i)}, true}, path);
     if (!disk) return {};
     check_apart(i, *disk, others);
@@ -151,16 +152,22 @@ class CombinationRun {
     const std::size_t n = find_intersections(mesh, FaceTree(mesh), before, FaceTree(before)).size();
     if (n == 0) return;
     report_.notes.push_back(operands_.files[i]->path() + ": " + std::to_string(n) +
-                            " pairs of faces still meet a mesh before it: no step within the "
-                            "maximum deviation was found that parts them");
+                            " pairs of faces still meet a mesh before it: neither moving vertices "
+                            "nor cutting back parts them within the maximum deviation");
     be_at_least(ExitCode::NotGood);
   }
 
-  /// Notes how much of file i was moved off the meshes before it.
-  void note_moved(std::size_t i, std::size_t n_moved) {
-    if (n_moved == 0) return;
-    report_.notes.push_back(operands_.files[i]->path() + ": " + std::to_string(n_moved) +
-                            " vertices were moved off the meshes before it");
+  /// Notes how file i was parted from the meshes before it.
+  void note_parting(std::size_t i, const PartedDifference& left) {
+    const std::string& path = operands_.files[i]->path();
+    if (left.n_moved > 0) {
+      report_.notes.push_back(path + ": " + std::to_string(left.n_moved) +
+                              " vertices were moved off the meshes before it");
+    }
+    if (left.cut_back > 0.0) {
+      report_.notes.push_back(path + ": cut back by at most " + readable(left.cut_back) +
+                              " where moving vertices did not part it from the meshes before it");
+    }
   }
 
   /// Reports operands, and how much of each is in a result.

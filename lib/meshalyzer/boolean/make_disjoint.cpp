@@ -1,21 +1,103 @@
 #include "meshalyzer/boolean/make_disjoint.h"
 
+#include "meshalyzer/boolean/internal/padded_operands.h"
 #include "meshalyzer/boolean/part_from.h"
 #include "meshalyzer/mesh/used_box.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace meshalyzer {
+namespace {
+
+/// The thickness of pads, as a share of the maximum deviation: in each round twice as much as in
+/// the one before, until it is 1/16.
+constexpr double kLeastThickness = 1.0 / 256.0;
+constexpr int kRoundsOfPads = 7;
+constexpr int kRoundsOfGrowth = 4;
+/// The largest distance by which vertices are moved at first, as a share of the maximum deviation;
+/// pads do less harm than larger moves, after which thin parts intersect themselves.
+constexpr double kFirstMove = 0x1p-18;
+/// The same with pads, as a share of their thickness.
+constexpr double kMoveOffPads = 1.0 / 16.0;
+
+/// A difference, and how it was moved off the others.
+struct Attempt {
+  CombinedSolid solid;
+  PartedVertices moved;
+  /// The thickness of the pads that were subtracted too.
+  double thickness = 0.0;
+};
+
+/// Subtracts and moves, the first time without pads.
+class DifferenceParting {
+ public:
+  DifferenceParting(const Operands& operands, const Soup& others, const CombineOptions& options)
+      : operands_(operands), others_(others), options_(options) {}
+
+  Attempt run() {
+    Attempt best{combine_solids(operands_, difference_rule(), options_), {}};
+    if (best.solid.outcome != CombineOutcome::Done) return best;
+    best.moved = part(best.solid, kFirstMove * options_.max_deviation);
+    std::vector<Index> blocking = best.moved.blocking;
+    std::vector<Index> padded;
+    for (int round = 0; round < kRoundsOfPads && !blocking.empty(); ++round) {
+      if (options_.max_deviation == 0.0) break;
+      padded = unite(padded, blocking);
+      Attempt attempt = with_pads(padded, thickness_in_round(round));
+      if (attempt.solid.outcome != CombineOutcome::Done) break;
+      attempt.solid.n_pairs = best.solid.n_pairs;
+      blocking = attempt.moved.blocking;
+      if (blocking.size() < best.moved.blocking.size()) best = std::move(attempt);
+    }
+    return best;
+  }
+
+ private:
+  [[nodiscard]] PartedVertices part(const CombinedSolid& solid, double max_move) const {
+    return part_from(solid, operands_, others_, max_move);
+  }
+
+  [[nodiscard]] double thickness_in_round(int round) const {
+    return std::ldexp(kLeastThickness * options_.max_deviation, std::min(round, kRoundsOfGrowth));
+  }
+
+  [[nodiscard]] Attempt with_pads(const std::vector<Index>& faces, double thickness) const {
+    PaddedOperands padded(operands_);
+    padded.add_pad(others_, faces, thickness);
+    Attempt attempt{
+        combine_solids(padded.operands(), PaddedOperands::rule(), options_), {}, thickness};
+    if (attempt.solid.outcome == CombineOutcome::Done) {
+      attempt.moved = part(attempt.solid, kMoveOffPads * thickness);
+    }
+    return attempt;
+  }
+
+  static std::vector<Index> unite(const std::vector<Index>& a, const std::vector<Index>& b) {
+    std::vector<Index> both;
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+    return both;
+  }
+
+  const Operands& operands_;
+  const Soup& others_;
+  const CombineOptions& options_;
+};
+
+}  // namespace
+
 PartedDifference subtract_and_part(const Operands& operands, const Soup& others,
                                    const CombineOptions& options) {
-  PartedDifference result{combine_solids(operands, difference_rule(), options), 0};
-  if (result.solid.outcome != CombineOutcome::Done) return result;
-  const PartedVertices moved = part_from(result.solid, operands, others, options.max_deviation);
-  for (std::size_t i = 0; i < moved.vertices.size(); ++i) {
+  Attempt attempt = DifferenceParting(operands, others, options).run();
+  const PartedVertices& moved = attempt.moved;
+  PartedDifference result{std::move(attempt.solid), moved.vertices.size(),
+                          PaddedOperands::kMostPadding * attempt.thickness};
+  for (std::size_t i = 0; i < result.n_moved; ++i) {
     result.solid.positions[moved.vertices[i]] = moved.positions[i];
   }
-  result.solid.largest_move += moved.largest_move;
-  result.n_moved = moved.vertices.size();
+  result.solid.largest_move += moved.largest_move + result.cut_back;
   return result;
 }
 

@@ -14,12 +14,17 @@ struct PartedDifference {
   CombinedSolid solid;
   /// How many vertices were moved.
   std::size_t n_moved = 0;
+  /// How far at most it was cut back where moving vertices did not part it from the others; 0 where
+  /// that was not needed.
+  double cut_back = 0.0;
 };
 
 /// Takes all other operands away from the first and moves what is left off them, see part_from().
+/// Where that does not part them, as in a gap that is thinner than the steps, or makes faces of the
+/// result intersect, the result is cut back by a small share of the maximum deviation.
 ///
 /// @param others  What the other operands are now: as they were, or moved by little themselves.
-/// @complexity    As combine_solids() and part_from().
+/// @complexity    As combine_solids() and part_from(), up to eight times.
 [[nodiscard]] PartedDifference subtract_and_part(const Operands& operands, const Soup& others,
                                                  const CombineOptions& options = {});
 
@@ -50,8 +55,8 @@ struct DisjointSolid {
 
 /// Makes solids disjoint whose surfaces cross or touch, or of which one lies in another: each loses
 /// what is inside of those before it, and is moved off them by the smallest step after which
-/// check_pair() finds nothing. The first stays as it is, and so does each that meets none before
-/// it.
+/// check_pair() finds nothing, see subtract_and_part(). The first stays as it is, and so does each
+/// that meets none before it.
 ///
 /// To make one solid of all, combine them by union_rule().
 ///

@@ -1,5 +1,7 @@
 #include "meshalyzer/boolean/part_from.h"
 
+#include "meshalyzer/boolean/internal/blocking_faces.h"
+#include "meshalyzer/boolean/internal/direction_off.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/mutual_intersection.h"
@@ -20,29 +22,6 @@ constexpr double kStepGrowth = 4.0;
 constexpr int kMostRounds = 24;
 /// A vertex is on a face if the distance is at most this many first steps.
 constexpr double kNearSteps = 8.0;
-/// The number of iterations towards the direction that leaves several faces best.
-constexpr int kDirectionSteps = 64;
-/// A direction that leaves a face more slowly than this is useless.
-constexpr double kLeastClearance = 1e-3;
-
-/// Returns approximately the point of the convex hull of unit normals that is nearest to the
-/// origin. Its dot product with each of them is at least its squared length.
-Vec3 least_point(const std::vector<Vec3>& normals) {
-  Vec3 point = Vec3::Zero();
-  for (const Vec3& normal : normals) point += normal / static_cast<double>(normals.size());
-  for (int i = 0; i < kDirectionSteps; ++i) {
-    const auto worst =
-        std::min_element(normals.begin(), normals.end(),
-                         [&](const Vec3& a, const Vec3& b) { return a.dot(point) < b.dot(point); });
-    const Vec3 way = *worst - point;
-    const double length = way.squaredNorm();
-    const double gain = -way.dot(point);
-    if (!(gain > 0.0) || !(length > 0.0)) break;
-    point += std::min(gain / length, 1.0) * way;
-  }
-  return point;
-}
-
 /// Moves vertices, round by round, farther away where faces still meet.
 class PartingFrom {
  public:
@@ -62,15 +41,19 @@ class PartingFrom {
   }
 
   PartedVertices run(const CombinedSolid& difference, const Operands& operands) {
-    std::vector<IntersectingPair> pairs = find_pairs();
-    if (pairs.empty()) return {};
+    const std::vector<IntersectingPair> touching = find_pairs();
+    if (touching.empty()) return {};
     for (const CombinedFace& face : difference.faces) add_wall(face, operands);
+    std::vector<IntersectingPair> pairs = touching;
     for (int round = 0; round < kMostRounds && !pairs.empty(); ++round) {
       choose(pairs);
       if (!move()) break;
       pairs = find_pairs();
     }
-    return result(pairs.size());
+    PartedVertices parted = moved_vertices();
+    parted.n_pairs_left = pairs.size();
+    parted.blocking = find_blocking_faces({soup_, start_, others_, touching, pairs, near()});
+    return parted;
   }
 
  private:
@@ -78,7 +61,7 @@ class PartingFrom {
   struct Contact {
     /// The unit normals of common walls, pointing out of the others.
     std::vector<Vec3> walls;
-    /// The unit normals of faces that it touches without a common wall.
+    /// The unit normals of faces that it touches.
     std::vector<Vec3> touched;
     double step = 0.0;
     bool is_to_grow = false;
@@ -91,6 +74,7 @@ class PartingFrom {
 
   /// Records a face that is a part of a face of the others, or lies on one.
   void add_wall(const CombinedFace& face, const Operands& operands) {
+    if (face.origin >= operands.of_face.size()) return;
     const bool is_of_others = operands.of_face[face.origin] != 0;
     if (!is_of_others && !face.is_common) return;
     const auto [a, b, c] = corners_of(operands.soup, face.origin);
@@ -113,6 +97,7 @@ class PartingFrom {
         if (distance(other, v) > std::max(has_no_wall ? 0.0 : nearest, near())) continue;
         Contact& contact = contacts_[v];
         contact.is_to_grow = true;
+        if (!contact.walls.empty() && distance(other, v) > near()) continue;
         add_normal(accurate_normal(other[0], other[1], other[2]), contact.touched);
       }
     }
@@ -144,24 +129,34 @@ class PartingFrom {
     bool is_any = false;
     for (auto& [vertex, contact] : contacts_) {
       if (!std::exchange(contact.is_to_grow, false)) continue;
-      const std::vector<Vec3>& normals = contact.walls.empty() ? contact.touched : contact.walls;
-      if (normals.empty()) continue;
+      const DirectionOff off = way_off(contact);
+      if (!is_way_off(off)) continue;
       contact.step = contact.step == 0.0 ? first_step_ : kStepGrowth * contact.step;
-      const Vec3 point = least_point(normals);
-      const double clearance = std::max(point.squaredNorm(), kLeastClearance * kLeastClearance);
-      Vec3 way = point * (contact.step / clearance);
-      const double length = way.norm();
-      if (length > max_move_) way *= max_move_ / length;
-      const Vec3 to = start_[vertex] + way;
+      const Vec3 to =
+          start_[vertex] + std::min(contact.step / off.clearance, max_move_) * off.direction;
       is_any = is_any || to != soup_.positions[vertex];
       soup_.positions[vertex] = to;
     }
     return is_any;
   }
 
-  [[nodiscard]] PartedVertices result(std::size_t n_left) const {
+  /// Tells whether a direction leads off faces within the largest distance.
+  [[nodiscard]] bool is_way_off(const DirectionOff& off) const {
+    return off.clearance * max_move_ > first_step_;
+  }
+
+  /// Returns the direction that leaves all faces at a vertex or, where none does, the walls.
+  [[nodiscard]] DirectionOff way_off(const Contact& contact) const {
+    std::vector<Vec3> normals = contact.walls;
+    for (const Vec3& normal : contact.touched) add_normal(normal, normals);
+    if (normals.empty()) return {};
+    const DirectionOff off = direction_off(normals);
+    if (contact.walls.empty() || is_way_off(off)) return off;
+    return direction_off(contact.walls);
+  }
+
+  [[nodiscard]] PartedVertices moved_vertices() const {
     PartedVertices parted;
-    parted.n_pairs_left = n_left;
     for (const auto& [vertex, contact] : contacts_) {
       if (soup_.positions[vertex] == start_[vertex]) continue;
       parted.vertices.push_back(vertex);

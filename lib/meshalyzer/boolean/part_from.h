@@ -17,6 +17,9 @@ struct PartedVertices {
   /// The number of pairs of faces, one of the result and one of the others, that still have a point
   /// in common.
   std::size_t n_pairs_left = 0;
+  /// The faces of the others that are in the way, ascending: those that the result still meets, and
+  /// those on which vertices lay whose move makes faces of the result intersect.
+  std::vector<Index> blocking;
 };
 
 /// Moves the result of a difference away from the subtracted solids, which it touches. Each vertex

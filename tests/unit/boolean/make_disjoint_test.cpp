@@ -61,6 +61,78 @@ TEST(MakeDisjoint, SolidInsideOfAnEarlierOneIsGone) {
   EXPECT_EQ(made_disjoint(cubes)[1].soup.n_faces(), 0U);
 }
 
+/// Expects that a solid without others is good, apart from them, and has a volume.
+void expect_parted(const std::vector<Soup>& others, const Soup& solid, double volume) {
+  std::vector<Soup> all = others;
+  all.push_back(solid);
+  const std::vector<DisjointSolid> solids = made_disjoint(all);
+  expect_apart(solids);
+  EXPECT_EQ(verdict_on(solids.back().soup), "good");
+  EXPECT_NEAR(volume_of(solids.back().soup), volume, 0.02);
+  EXPECT_LT(solids.back().largest_move, 1e-3);
+}
+
+/// A block with a notch in its upper face, which is 0.5 deep.
+Soup notched_block(double width) {
+  const double half = width / 2;
+  const std::vector<Vec3> outline{{0, 0, 0},   {2, 0, 0},        {2, 0, 1}, {1 + half, 0, 1},
+                                  {1, 0, 0.5}, {1 - half, 0, 1}, {0, 0, 1}};
+  constexpr Index kCorners = 7;
+  constexpr Index kBottomOfNotch = 4;
+  std::vector<Vec3> positions = outline;
+  for (const Vec3& p : outline) positions.emplace_back(p + Vec3(0, 1, 0));
+  std::vector<Triangle> triangles;
+  for (Index i = 0; i < kCorners; ++i) {
+    const Index j = (i + 1) % kCorners;
+    triangles.push_back({i, i + kCorners, j + kCorners});
+    triangles.push_back({i, j + kCorners, j});
+    if (i == kBottomOfNotch || j == kBottomOfNotch) continue;
+    triangles.push_back({kBottomOfNotch, i, j});
+    triangles.push_back({kBottomOfNotch + kCorners, j + kCorners, i + kCorners});
+  }
+  return shapes::make(positions, triangles);
+}
+
+TEST(MakeDisjoint, SolidIsMovedOutOfANarrowNotch) {
+  const Soup block = notched_block(1e-5);
+  ASSERT_EQ(verdict_on(block), "good");
+  expect_parted({block}, shapes::box({0.5, 0.25, 0.25}, {1.5, 0.75, 1.5}), 0.25);
+}
+
+TEST(MakeDisjoint, FilmInAGapIsDropped) {
+  // Two cubes with a gap of four units in the last place between them, in a block round both.
+  const double gap = 0x1p-50;
+  expect_parted({shapes::cube(), shapes::cube(1, {1 + gap, 0, 0})},
+                shapes::box({-0.5, -0.5, -0.5}, {2.5, 1.5, 1.5}), 12.0 - 2.0);
+}
+
+TEST(MakeDisjoint, FilmOnAWallIsDropped) {
+  // The block reaches above the cube that is taken from it by less than it is moved off that.
+  expect_parted({shapes::cube()}, shapes::box({-1, 0.25, 0.25}, {2, 0.75, 1 + 0x1p-48}),
+                3 * 0.375 - 0.375);
+}
+
+PartedDifference subtracted(const Soup& solid, const Soup& other) {
+  const std::vector<Soup> both{solid, other};
+  const Soup all = concatenate(both);
+  CombineOptions options;
+  options.max_deviation = 1e-3;
+  return subtract_and_part(operands_of(all, both), other, options);
+}
+
+TEST(SubtractAndPart, TellsHowFarItCutBack) {
+  const PartedDifference moved =
+      subtracted(shapes::box({-1, 0.25, 0.25}, {2, 0.75, 0.75}), shapes::cube());
+  EXPECT_GT(moved.n_moved, 0U);
+  EXPECT_EQ(moved.cut_back, 0.0);
+  EXPECT_LT(moved.solid.largest_move, 1e-12);
+  const PartedDifference cut =
+      subtracted(shapes::box({-1, 0.25, 0.25}, {2, 0.75, 1 + 0x1p-48}), shapes::cube());
+  EXPECT_GT(cut.cut_back, 0.0);
+  EXPECT_LE(cut.cut_back, 1e-3 / 2);
+  EXPECT_GE(cut.solid.largest_move, cut.cut_back);
+}
+
 TEST(MakeDisjoint, SolidThatCannotBeCutStays) {
   const std::vector<Soup> cubes{shapes::cube(), shapes::cube(1, {0.5, 0.5, 0.5})};
   CombineOptions options;
