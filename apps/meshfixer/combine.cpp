@@ -52,6 +52,10 @@ struct Result {
   /// edited version of its file.
   std::vector<Source> sources;
   bool edits_first = false;
+  /// What the result must have no point in common with; null if there is nothing.
+  const Soup* others = nullptr;
+  /// Tells whether it has none before it is repaired.
+  bool is_apart = true;
 
   [[nodiscard]] const Soup& edited() const { return edits_first ? sources.front().soup : all; }
 };
@@ -139,7 +143,8 @@ class CombinationRun {
     }
     add_operands({soups.front(), std::vector<Index>(soups.front().n_faces(), 0), 1}, left.solid);
     note_parting(i, left);
-    std::optional<Soup> disk = add_result({left.solid, all, {source(i)}, true}, path);
+    std::optional<Soup> disk =
+        add_result({left.solid, all, {source(i)}, true, &others, left.is_apart}, path);
     if (!disk) return {};
     check_apart(i, *disk, others);
     return std::move(*disk);
@@ -230,11 +235,24 @@ class CombinationRun {
     return disk;
   }
 
-  /// Separates a result where it touches itself, and repairs one that still intersects itself.
+  /// Separates a result where it touches itself, or repairs it, and keeps it off others.
   MendedMesh mend(const Result& result) {
-    TrackedMesh combined = track_combined(result.edited(), result.solid);
     const CombineOptions options = combine_options(result.all);
-    if (result.solid.outcome == CombineOutcome::Unfinished) {
+    MendedMesh mended =
+        part_or_repair(track_combined(result.edited(), result.solid), result.solid, options);
+    if (result.others == nullptr || (result.is_apart && !mended.is_mended)) return mended;
+    const double move = mended.largest_move;
+    MendedMesh kept = keep_off(std::move(mended), *result.others, options);
+    if (kept.largest_move > move) {
+      report_.notes.emplace_back("the meshes before it were subtracted again from the result");
+    }
+    return kept;
+  }
+
+  /// Separates a result where it touches itself, and repairs one that still intersects itself.
+  MendedMesh part_or_repair(TrackedMesh combined, const CombinedSolid& solid,
+                            const CombineOptions& options) {
+    if (solid.outcome == CombineOutcome::Unfinished) {
       report_.notes.emplace_back(
           "rounding makes faces of the result intersect again and again, so it was repaired");
       return mend_combined(combined, options);

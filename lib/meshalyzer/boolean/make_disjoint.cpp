@@ -93,7 +93,7 @@ PartedDifference subtract_and_part(const Operands& operands, const Soup& others,
   Attempt attempt = DifferenceParting(operands, others, options).run();
   const PartedVertices& moved = attempt.moved;
   PartedDifference result{std::move(attempt.solid), moved.vertices.size(),
-                          PaddedOperands::kMostPadding * attempt.thickness};
+                          PaddedOperands::kMostPadding * attempt.thickness, moved.blocking.empty()};
   for (std::size_t i = 0; i < result.n_moved; ++i) {
     result.solid.positions[moved.vertices[i]] = moved.positions[i];
   }

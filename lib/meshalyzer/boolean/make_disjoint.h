@@ -17,6 +17,8 @@ struct PartedDifference {
   /// How far at most it was cut back where moving vertices did not part it from the others; 0 where
   /// that was not needed.
   double cut_back = 0.0;
+  /// Tells whether it meets none of the others, and moving it off has made no faces intersect.
+  bool is_apart = true;
 };
 
 /// Takes all other operands away from the first and moves what is left off them, see part_from().

@@ -22,6 +22,7 @@ constexpr double kStepGrowth = 4.0;
 constexpr int kMostRounds = 24;
 /// A vertex is on a face if the distance is at most this many first steps.
 constexpr double kNearSteps = 8.0;
+
 /// Moves vertices, round by round, farther away where faces still meet.
 class PartingFrom {
  public:
@@ -72,7 +73,8 @@ class PartingFrom {
     return find_intersections(cut, FaceTree(cut), cut_others_, tree_of_others_);
   }
 
-  /// Records a face that is a part of a face of the others, or lies on one.
+  /// Records a face that is a part of a face of the others, or lies on one. The faces of pads,
+  /// which come after those of the operands, are no walls.
   void add_wall(const CombinedFace& face, const Operands& operands) {
     if (face.origin >= operands.of_face.size()) return;
     const bool is_of_others = operands.of_face[face.origin] != 0;

@@ -26,7 +26,8 @@ struct PartedVertices {
 /// of a common wall moves in a direction that leaves all walls there, by the smallest step after
 /// which no faces have a point in common, exactly; steps grow from a few units in the last place.
 ///
-/// @param operands  The operands of the difference: the first without all others.
+/// @param operands  The operands of the difference: the first without all others. The difference
+///   may have faces with higher origins, of pads that were subtracted too.
 /// @param others    The other operands as they are now, possibly moved slightly themselves.
 /// @param max_move  The largest distance by which a vertex may move.
 /// @return          The moved vertices, which are the same for any number of threads.

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace meshalyzer {
@@ -35,29 +36,35 @@ constexpr std::array<Triangle, 4> kFacesOfTetrahedron{{{0, 1, 2}, {0, 2, 3}, {0,
 using Directions = std::map<Index, DirectionOff>;
 
 /// Finds the faces that have at least one of some vertices.
-std::vector<Index> find_padded_faces(const Soup& mesh, const Directions& thick) {
-  std::vector<Index> padded;
+std::vector<Index> find_faces_at(const Soup& mesh, const std::set<Index>& vertices) {
+  std::vector<Index> faces;
   for (Index face = 0; face < mesh.n_faces(); ++face) {
     const Triangle& t = mesh.triangles[face];
-    const bool is_padded =
-        std::any_of(t.begin(), t.end(), [&](Index v) { return thick.contains(v); });
-    if (is_padded) padded.push_back(face);
+    const auto is_one = [&](Index v) { return vertices.contains(v); };
+    if (std::any_of(t.begin(), t.end(), is_one)) faces.push_back(face);
   }
-  return padded;
+  return faces;
 }
 
-/// Finds for each vertex the direction that leaves all of its faces.
-void find_directions(const Soup& mesh, std::span<const Index> faces, Directions& directions) {
+/// Finds the direction that leaves all faces at each vertex.
+///
+/// @param faces  All faces that have one of the vertices.
+Directions find_directions(const Soup& mesh, const std::set<Index>& vertices,
+                           std::span<const Index> faces) {
   std::map<Index, std::vector<Vec3>> normals;
   for (const Index face : faces) {
     const auto [a, b, c] = corners_of(mesh, face);
     const Vec3 normal = accurate_normal(a, b, c);
     if (!(normal.stableNorm() > 0.0)) continue;
     for (const Index v : mesh.triangles[face]) {
-      if (directions.contains(v)) normals[v].push_back(normal.stableNormalized());
+      if (vertices.contains(v)) normals[v].push_back(normal.stableNormalized());
     }
   }
-  for (const auto& [vertex, of_vertex] : normals) directions[vertex] = direction_off(of_vertex);
+  Directions directions;
+  for (const Index v : vertices) {
+    directions[v] = normals.contains(v) ? direction_off(normals[v]) : DirectionOff();
+  }
+  return directions;
 }
 
 }  // namespace
@@ -69,15 +76,14 @@ PaddedOperands::PaddedOperands(const Operands& operands)
 }
 
 void PaddedOperands::add_pad(const Soup& mesh, std::span<const Index> faces, double thickness) {
-  Directions thick;
+  std::set<Index> thick;
   for (const Index face : faces) {
-    for (const Index v : mesh.triangles[face]) thick[v];
+    thick.insert(mesh.triangles[face].begin(), mesh.triangles[face].end());
   }
-  const std::vector<Index> padded = find_padded_faces(mesh, thick);
-  find_directions(mesh, padded, thick);
+  const std::vector<Index> padded = find_faces_at(mesh, thick);
   // By vertex of the mesh: its copies in front of the faces and behind them, one at the rim.
   std::map<Index, std::array<Index, 2>> copies;
-  for (const auto& [vertex, off] : thick) {
+  for (const auto& [vertex, off] : find_directions(mesh, thick, padded)) {
     const Vec3& p = mesh.positions[vertex];
     const Vec3 step = thickness / std::max(off.clearance, 1.0 / kMostPadding) * off.direction;
     copies[vertex] = {add_vertex(p + step), add_vertex(p - kShareBehind * step)};

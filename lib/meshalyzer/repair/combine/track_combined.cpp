@@ -1,9 +1,12 @@
 #include "meshalyzer/repair/combine/track_combined.h"
 
+#include "meshalyzer/boolean/make_disjoint.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/repair/edits/apply_edits.h"
 #include "meshalyzer/repair/edits/edits.h"
 #include "meshalyzer/repair/fix_defects.h"
+#include "meshalyzer/spatial/mutual_intersection.h"
+#include "meshalyzer/spatial/self_intersection.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -12,6 +15,10 @@
 
 namespace meshalyzer {
 namespace {
+
+/// How often a difference is subtracted again where it still meets the others. Most that are parted
+/// at all are so after one or two rounds.
+constexpr int kRoundsOfKeepingOff = 3;
 
 /// Tells whether two faces have the same corners in the same cyclic order.
 bool is_same_cycle(Triangle a, const Triangle& b) {
@@ -188,6 +195,22 @@ MendedMesh mended(const TrackedMesh& combined, double max_deviation, RepairOptio
   return mesh;
 }
 
+/// Subtracts others from a mesh, and parts surfaces of the result that touch.
+/// @return The mesh as it was if the operation comes to no end.
+MendedMesh subtracted_again(const MendedMesh& mended, const Soup& others,
+                            const CombineOptions& options) {
+  const std::vector<Soup> meshes{mended.mesh.soup, others};
+  const Soup all = concatenate(meshes);
+  const PartedDifference left = subtract_and_part(operands_of(all, meshes), others, options);
+  if (left.solid.outcome != CombineOutcome::Done || left.solid.faces.empty()) return mended;
+  TrackedMesh mesh = composed(mended.mesh, track_combined(mended.mesh.soup, left.solid));
+  number_from_one(mesh);
+  MendedMesh parted = part_combined(std::move(mesh), options.max_deviation);
+  parted.is_mended = true;
+  parted.largest_move += mended.largest_move + left.solid.largest_move;
+  return parted;
+}
+
 }  // namespace
 
 TrackedMesh track_combined(const Soup& source, const CombinedSolid& solid) {
@@ -223,6 +246,26 @@ MendedMesh mend_combined(const TrackedMesh& combined, const CombineOptions& opti
   repair.fill.sheets = FillSheets::Yes;
   repair.wants_to_stop = options.wants_to_stop;
   return mended(combined, options.max_deviation, std::move(repair));
+}
+
+MendedMesh keep_off(MendedMesh mended, const Soup& others, const CombineOptions& options) {
+  const CutMesh cut_others = build(others);
+  const FaceTree tree_of_others(cut_others);
+  const auto n_pairs_of = [&](const Soup& soup) {
+    const CutMesh cut = build(soup);
+    const FaceTree tree(cut);
+    return find_intersections(cut, tree, cut_others, tree_of_others).size() +
+           find_self_intersections(cut, tree).size();
+  };
+  std::size_t n_left = n_pairs_of(mended.mesh.soup);
+  for (int round = 0; round < kRoundsOfKeepingOff && n_left > 0; ++round) {
+    MendedMesh next = subtracted_again(mended, others, options);
+    const std::size_t n_next = n_pairs_of(next.mesh.soup);
+    if (n_next >= n_left) break;
+    mended = std::move(next);
+    n_left = n_next;
+  }
+  return mended;
 }
 
 }  // namespace meshalyzer

@@ -42,4 +42,13 @@ struct MendedMesh {
 /// and after, and when to stop.
 [[nodiscard]] MendedMesh mend_combined(const TrackedMesh& combined, const CombineOptions& options);
 
+/// Subtracts others again, as subtract_and_part() does, from a difference that still meets them or
+/// intersects itself: because it could not be moved off them, or because a repair has moved it
+/// back. This is repeated for some rounds, as long as fewer pairs of faces are left.
+///
+/// @param others   What the difference is to have no point in common with.
+/// @param options  As of mend_combined().
+[[nodiscard]] MendedMesh keep_off(MendedMesh mended, const Soup& others,
+                                  const CombineOptions& options);
+
 }  // namespace meshalyzer

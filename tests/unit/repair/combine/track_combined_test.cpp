@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/combine/track_combined.h"
 
+#include "meshalyzer/defects/check.h"
 #include "support/shapes.h"
 #include "unit/repair/repaired_meshes.h"
 
@@ -118,6 +119,33 @@ TEST(MendCombined, StopsWhenItIsTold) {
   const MendedMesh mended = mend_combined(
       track_mesh(cubes), {.max_deviation = 1e-3, .wants_to_stop = [] { return true; }});
   EXPECT_EQ(mended.mesh.soup.triangles, cubes.triangles);
+}
+
+TEST(KeepOff, MeshThatWasMovedIntoAnotherLosesWhatThatHas) {
+  const Soup cube = shapes::cube(2);
+  const Soup other = shapes::cube(1, {1.5, 1.25, 1.75});
+  const MendedMesh apart = keep_off({track_mesh(cube), true, 1e-9}, other, {.max_deviation = 1e-3});
+  const Soup& left = apart.mesh.soup;
+  EXPECT_NEAR(volume_of(left), 8.0 - 0.5 * 0.75 * 0.25, 1e-9);
+  EXPECT_TRUE(check_pair(left, other).empty());
+  EXPECT_GT(apart.largest_move, 1e-9);
+  // The six faces of the sides that the other mesh does not touch are as they were, and so is the
+  // one of the others that does not have the corner which was cut off.
+  std::size_t n_whole = 0;
+  for (Index f = 0; f < left.n_faces(); ++f) {
+    const Index key = apart.mesh.face_keys[f];
+    if (key >= cube.n_faces()) continue;
+    ++n_whole;
+    EXPECT_EQ(corners_of(left, f), corners_of(cube, key));
+  }
+  EXPECT_EQ(n_whole, 7U);
+}
+
+TEST(KeepOff, MeshThatMeetsNoOtherStays) {
+  const Soup cube = shapes::cube(2);
+  const MendedMesh same = keep_off({track_mesh(cube), true, 0.0}, shapes::cube(1, {3, 3, 3}), {});
+  EXPECT_EQ(same.mesh.soup.positions, cube.positions);
+  EXPECT_EQ(same.mesh.soup.triangles, cube.triangles);
 }
 
 }  // namespace
