@@ -237,11 +237,12 @@ class CombinationRun {
 
   /// Separates a result where it touches itself, or repairs it, and keeps it off others.
   MendedMesh mend(const Result& result) {
-    const CombineOptions options = combine_options(result.all);
+    CombineOptions options = combine_options(result.all);
     MendedMesh mended =
         part_or_repair(track_combined(result.edited(), result.solid), result.solid, options);
     if (result.others == nullptr || (result.is_apart && !mended.is_mended)) return mended;
     const double move = mended.largest_move;
+    options.max_deviation = std::max(options.max_deviation - result.solid.largest_move - move, 0.0);
     MendedMesh kept = keep_off(std::move(mended), *result.others, options);
     if (kept.largest_move > move) {
       report_.notes.emplace_back("the meshes before it were subtracted again from the result");

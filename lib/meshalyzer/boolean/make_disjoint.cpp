@@ -27,8 +27,13 @@ constexpr double kMoveOffPads = 1.0 / 16.0;
 struct Attempt {
   CombinedSolid solid;
   PartedVertices moved;
-  /// The thickness of the pads that were subtracted too.
-  double thickness = 0.0;
+  /// How far at most the pads cut the solid back that were subtracted too.
+  double cut_back = 0.0;
+
+  /// An upper bound of how far the surface was moved.
+  [[nodiscard]] double largest_move() const {
+    return solid.largest_move + moved.largest_move + cut_back;
+  }
 };
 
 /// Subtracts and moves, the first time without pads.
@@ -50,7 +55,8 @@ class DifferenceParting {
       if (attempt.solid.outcome != CombineOutcome::Done) break;
       attempt.solid.n_pairs = best.solid.n_pairs;
       blocking = attempt.moved.blocking;
-      if (blocking.size() < best.moved.blocking.size()) best = std::move(attempt);
+      const bool is_better = blocking.size() < best.moved.blocking.size();
+      if (is_better && attempt.largest_move() <= options_.max_deviation) best = std::move(attempt);
     }
     return best;
   }
@@ -67,8 +73,9 @@ class DifferenceParting {
   [[nodiscard]] Attempt with_pads(const std::vector<Index>& faces, double thickness) const {
     PaddedOperands padded(operands_);
     padded.add_pad(others_, faces, thickness);
-    Attempt attempt{
-        combine_solids(padded.operands(), PaddedOperands::rule(), options_), {}, thickness};
+    Attempt attempt{combine_solids(padded.operands(), PaddedOperands::rule(), options_),
+                    {},
+                    PaddedOperands::kMostPadding * thickness};
     if (attempt.solid.outcome == CombineOutcome::Done) {
       attempt.moved = part(attempt.solid, kMoveOffPads * thickness);
     }
@@ -92,12 +99,13 @@ PartedDifference subtract_and_part(const Operands& operands, const Soup& others,
                                    const CombineOptions& options) {
   Attempt attempt = DifferenceParting(operands, others, options).run();
   const PartedVertices& moved = attempt.moved;
-  PartedDifference result{std::move(attempt.solid), moved.vertices.size(),
-                          PaddedOperands::kMostPadding * attempt.thickness, moved.blocking.empty()};
+  const double largest_move = attempt.largest_move();
+  PartedDifference result{std::move(attempt.solid), moved.vertices.size(), attempt.cut_back,
+                          moved.blocking.empty()};
+  result.solid.largest_move = largest_move;
   for (std::size_t i = 0; i < result.n_moved; ++i) {
     result.solid.positions[moved.vertices[i]] = moved.positions[i];
   }
-  result.solid.largest_move += moved.largest_move + result.cut_back;
   return result;
 }
 

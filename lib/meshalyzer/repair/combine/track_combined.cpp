@@ -257,11 +257,12 @@ MendedMesh keep_off(MendedMesh mended, const Soup& others, const CombineOptions&
     return find_intersections(cut, tree, cut_others, tree_of_others).size() +
            find_self_intersections(cut, tree).size();
   };
+  const double most = mended.largest_move + options.max_deviation;
   std::size_t n_left = n_pairs_of(mended.mesh.soup);
   for (int round = 0; round < kRoundsOfKeepingOff && n_left > 0; ++round) {
     MendedMesh next = subtracted_again(mended, others, options);
     const std::size_t n_next = n_pairs_of(next.mesh.soup);
-    if (n_next >= n_left) break;
+    if (n_next >= n_left || next.largest_move > most) break;
     mended = std::move(next);
     n_left = n_next;
   }

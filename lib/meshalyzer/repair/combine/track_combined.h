@@ -47,7 +47,7 @@ struct MendedMesh {
 /// back. This is repeated for some rounds, as long as fewer pairs of faces are left.
 ///
 /// @param others   What the difference is to have no point in common with.
-/// @param options  As of mend_combined().
+/// @param options  As of mend_combined(); the distance is the one that this may add.
 [[nodiscard]] MendedMesh keep_off(MendedMesh mended, const Soup& others,
                                   const CombineOptions& options);
 

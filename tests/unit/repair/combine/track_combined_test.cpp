@@ -141,6 +141,13 @@ TEST(KeepOff, MeshThatWasMovedIntoAnotherLosesWhatThatHas) {
   EXPECT_EQ(n_whole, 7U);
 }
 
+TEST(KeepOff, MeshStaysWhereItWouldMoveTooFar) {
+  const Soup cube = shapes::cube(2);
+  const Soup other = shapes::cube(1, {1.5, 1.25, 1.75});
+  const MendedMesh same = keep_off({track_mesh(cube), true, 0.0}, other, {.max_deviation = 0.0});
+  EXPECT_EQ(same.mesh.soup.triangles, cube.triangles);
+}
+
 TEST(KeepOff, MeshThatMeetsNoOtherStays) {
   const Soup cube = shapes::cube(2);
   const MendedMesh same = keep_off({track_mesh(cube), true, 0.0}, shapes::cube(1, {3, 3, 3}), {});
