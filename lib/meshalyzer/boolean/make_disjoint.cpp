@@ -1,12 +1,12 @@
 #include "meshalyzer/boolean/make_disjoint.h"
 
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/boolean/internal/padded_operands.h"
 #include "meshalyzer/boolean/part_from.h"
 #include "meshalyzer/mesh/used_box.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 namespace meshalyzer {
@@ -50,7 +50,8 @@ class DifferenceParting {
     std::vector<Index> padded;
     for (int round = 0; round < kRoundsOfPads && !blocking.empty(); ++round) {
       if (options_.max_deviation == 0.0) break;
-      padded = unite(padded, blocking);
+      padded.insert(padded.end(), blocking.begin(), blocking.end());
+      sort_unique(padded);
       Attempt attempt = with_pads(padded, thickness_in_round(round));
       if (attempt.solid.outcome != CombineOutcome::Done) break;
       attempt.solid.n_pairs = best.solid.n_pairs;
@@ -80,12 +81,6 @@ class DifferenceParting {
       attempt.moved = part(attempt.solid, kMoveOffPads * thickness);
     }
     return attempt;
-  }
-
-  static std::vector<Index> unite(const std::vector<Index>& a, const std::vector<Index>& b) {
-    std::vector<Index> both;
-    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-    return both;
   }
 
   const Operands& operands_;

@@ -96,10 +96,11 @@ class PartingFrom {
       }
       const bool has_no_wall = std::isinf(nearest);
       for (const Index v : t) {
-        if (distance(other, v) > std::max(has_no_wall ? 0.0 : nearest, near())) continue;
+        const double away = distance(other, v);
+        if (away > std::max(has_no_wall ? 0.0 : nearest, near())) continue;
         Contact& contact = contacts_[v];
         contact.is_to_grow = true;
-        if (!contact.walls.empty() && distance(other, v) > near()) continue;
+        if (!contact.walls.empty() && away > near()) continue;
         add_normal(accurate_normal(other[0], other[1], other[2]), contact.touched);
       }
     }

@@ -43,7 +43,6 @@ TEST(PaddedOperands, PadOfACubeHasItsFacesInTheMiddle) {
 }
 
 TEST(PaddedOperands, PadOfOneFaceEndsAtTheVerticesRoundIt) {
-  // face.
   const Soup sphere = shapes::icosphere(2);
   const Soup block = shapes::cube(4, {-2, -2, -2});
   PaddedOperands padded(only(block));

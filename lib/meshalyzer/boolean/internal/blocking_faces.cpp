@@ -1,5 +1,6 @@
 #include "meshalyzer/boolean/internal/blocking_faces.h"
 
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/self_intersection_of.h"
 #include "meshalyzer/spatial/triangle_distance.h"
@@ -55,8 +56,7 @@ std::vector<Index> find_blocking_faces(const PartedMesh& moved) {
     });
     if (is_in_the_way) blocking.push_back(pair.face_b);
   }
-  std::sort(blocking.begin(), blocking.end());
-  blocking.erase(std::unique(blocking.begin(), blocking.end()), blocking.end());
+  sort_unique(blocking);
   return blocking;
 }
 
