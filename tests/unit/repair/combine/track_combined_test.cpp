@@ -142,10 +142,15 @@ TEST(KeepOff, MeshThatWasMovedIntoAnotherLosesWhatThatHas) {
 }
 
 TEST(KeepOff, MeshStaysWhereItWouldMoveTooFar) {
-  const Soup cube = shapes::cube(2);
-  const Soup other = shapes::cube(1, {1.5, 1.25, 1.75});
-  const MendedMesh same = keep_off({track_mesh(cube), true, 0.0}, other, {.max_deviation = 0.0});
-  EXPECT_EQ(same.mesh.soup.triangles, cube.triangles);
+  // Spheres that intersect: their union has rounded vertices, so no distance at all is too little.
+  const Soup sphere = shapes::icosphere(1);
+  const Soup spheres = shapes::merged(sphere, shapes::translated(sphere, {0.3, 0.2, 0.1}));
+  const Soup other = shapes::cube(1, {3, 3, 3});
+  const MendedMesh same = keep_off({track_mesh(spheres), true, 0.0}, other, {.max_deviation = 0.0});
+  EXPECT_EQ(same.mesh.soup.triangles, spheres.triangles);
+  const MendedMesh cut = keep_off({track_mesh(spheres), true, 0.0}, other, {.max_deviation = 1e-3});
+  EXPECT_TRUE(is_good(cut.mesh.soup));
+  EXPECT_LE(cut.largest_move, 1e-3);
 }
 
 TEST(KeepOff, MeshThatMeetsNoOtherStays) {
