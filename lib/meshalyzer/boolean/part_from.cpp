@@ -1,9 +1,9 @@
 #include "meshalyzer/boolean/part_from.h"
 
 #include "meshalyzer/boolean/internal/blocking_faces.h"
-#include "meshalyzer/boolean/internal/direction_off.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/mesh/build.h"
+#include "meshalyzer/spatial/direction_off.h"
 #include "meshalyzer/spatial/mutual_intersection.h"
 #include "meshalyzer/spatial/triangle_distance.h"
 

@@ -1,7 +1,8 @@
 #include "meshalyzer/boolean/internal/padded_operands.h"
 
-#include "meshalyzer/boolean/internal/direction_off.h"
 #include "meshalyzer/exact/normal.h"
+#include "meshalyzer/spatial/direction_off.h"
+#include "meshalyzer/spatial/oblique_direction.h"
 
 #include <algorithm>
 #include <array>
@@ -21,10 +22,9 @@ constexpr double kLeastClearance = 0.01;
 /// The distance of the corners of the tetrahedron there, in multiples of the thickness.
 constexpr double kSizeOfTetrahedra = 4.0;
 
-/// The corners of a regular tetrahedron round the origin, at a distance of 1. None of its faces is
-/// parallel to an axis or a diagonal, so they are in no plane that models have.
+/// The corners of a regular tetrahedron round the origin, at a distance of 1, askew to the axes.
 std::array<Vec3, 4> regular_tetrahedron() {
-  const Vec3 x = Vec3(0.5257, 0.7693, 0.3626).normalized();
+  const Vec3 x = kObliqueDirection;
   const Vec3 y = x.unitOrthogonal();
   const Vec3 z = x.cross(y);
   const double third = 1.0 / std::sqrt(3.0);

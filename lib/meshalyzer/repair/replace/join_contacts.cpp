@@ -4,6 +4,7 @@
 #include "meshalyzer/repair/replace/internal/combined_surface.h"
 #include "meshalyzer/repair/replace/internal/join_points.h"
 #include "meshalyzer/repair/split/internal/contact_places.h"
+#include "meshalyzer/spatial/oblique_direction.h"
 #include "meshalyzer/topology/border.h"
 
 #include <algorithm>
@@ -26,9 +27,6 @@ constexpr double kRoundingOfRods = 0.01;
 /// Where more pairs of faces touch, or meet a rod, rounding makes faces intersect again and again,
 /// and each thickness would be tried in vain for ten seconds and more.
 constexpr std::size_t kMostPairsJoined = 50'000;
-/// The direction of the rods at single points: along no axis and no diagonal, so that they lie in
-/// no plane that models have.
-const Vec3 kDirectionOfRods(0.5257, 0.7693, 0.3626);
 
 using Segments = std::vector<std::array<Vec3, 2>>;
 
@@ -98,7 +96,7 @@ class JoinedSolid {
   /// Adds a rod with three sides round a segment, and beyond its ends.
   void add_rod(const std::array<Vec3, 2>& segment, double thickness) {
     const Vec3 along = segment[1] == segment[0]
-                           ? kDirectionOfRods
+                           ? kObliqueDirection
                            : Vec3((segment[1] - segment[0]).stableNormalized());
     const Vec3 x = along.unitOrthogonal();
     const Vec3 y = along.cross(x);

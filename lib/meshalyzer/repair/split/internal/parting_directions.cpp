@@ -1,17 +1,18 @@
 #include "meshalyzer/repair/split/internal/parting_directions.h"
 
-#include <algorithm>
+#include "meshalyzer/arrangement/round_vertices.h"
+#include "meshalyzer/spatial/direction_off.h"
+
 #include <cmath>
-#include <cstddef>
 
 namespace meshalyzer {
 namespace {
 
-/// The number of steps of the search for the direction behind all faces: its error decreases like
-/// the inverse of that.
-constexpr std::size_t kSearchSteps = 64;
-/// Below this, no direction is behind all faces.
-constexpr double kMinDepth = 1e-6;
+/// A direction that leaves a face more slowly than this is as good as none.
+constexpr double kLeastClearance = 1e-6;
+/// The spacing of the grid that the direction behind all faces is rounded to: symmetric faces are
+/// moved along a diagonal, and not beside it by some roundings.
+constexpr double kDirectionSpacing = 0x1p-26;
 
 /// Returns the direction from p to q, with a longest coordinate of 1; zero if p and q coincide or
 /// the difference overflows.
@@ -31,27 +32,6 @@ std::vector<Vec3> inward_normals(std::span<const Corners> faces) {
   return result;
 }
 
-/// Returns the direction that maximises the smallest product with unit vectors: that of the point
-/// nearest to the origin in their convex hull (Gilbert 1966, "An iterative procedure for computing
-/// the minimum of a quadratic form on a convex set"). Zero if no direction has only positive
-/// products.
-Vec3 deepest_direction(std::span<const Vec3> vectors) {
-  Vec3 nearest = Vec3::Zero();
-  for (const Vec3& v : vectors) nearest += v / static_cast<double>(vectors.size());
-  for (std::size_t step = 0; step < kSearchSteps; ++step) {
-    const Vec3& lowest = *std::min_element(
-        vectors.begin(), vectors.end(),
-        [&](const Vec3& v, const Vec3& w) { return nearest.dot(v) < nearest.dot(w); });
-    const Vec3 way = lowest - nearest;
-    if (way.squaredNorm() == 0.0) break;
-    nearest += std::clamp(-nearest.dot(way) / way.squaredNorm(), 0.0, 1.0) * way;
-  }
-  const bool is_behind_all = std::all_of(vectors.begin(), vectors.end(), [&](const Vec3& v) {
-    return nearest.dot(v) > kMinDepth * nearest.norm();
-  });
-  return is_behind_all ? nearest : Vec3(Vec3::Zero());
-}
-
 /// Adds a direction and the opposite one.
 void append_both(const Vec3& d, std::vector<Vec3>& directions) {
   const Vec3 unit = direction(Vec3::Zero(), d);
@@ -66,7 +46,10 @@ std::vector<Vec3> parting_directions(std::span<const Corners> faces) {
   std::vector<Vec3> directions;
   const std::vector<Vec3> inward = inward_normals(faces);
   if (!inward.empty()) {
-    append_both(deepest_direction(inward), directions);
+    const DirectionOff behind = direction_off(inward);
+    if (behind.clearance > kLeastClearance) {
+      append_both(nearest_on_grid(behind.direction, kDirectionSpacing), directions);
+    }
     Vec3 mean = Vec3::Zero();
     for (const Vec3& v : inward) mean += v;
     append_both(mean, directions);

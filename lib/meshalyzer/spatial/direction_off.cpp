@@ -1,4 +1,4 @@
-#include "meshalyzer/boolean/internal/direction_off.h"
+#include "meshalyzer/spatial/direction_off.h"
 
 #include "meshalyzer/spatial/triangle_distance.h"
 
