@@ -16,6 +16,7 @@
 #include <map>
 #include <ostream>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 

@@ -17,9 +17,12 @@ import subprocess
 import sys
 import tempfile
 
-# Outside headers that most sources include. So an include of one of these that is missing is not noticed; ours are.
-PRECOMPILED = ['algorithm', 'functional', 'string', 'vector', 'Eigen/Core', 'Eigen/Geometry',
-               'OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh']
+sys.dont_write_bytecode = True
+import standard_headers  # noqa: E402
+
+# Headers that most sources include. So an include of one of these that is missing is not noticed: standard_headers.py looks for those
+# of the standard library.
+PRECOMPILED = [*standard_headers.NAMES, 'Eigen/Core', 'Eigen/Geometry', 'OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh']
 
 
 def options_of_units(build):

@@ -1,6 +1,7 @@
 #include "meshalyzer/arrangement/face_contact.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 

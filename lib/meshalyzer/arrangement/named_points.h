@@ -2,6 +2,7 @@
 
 #include "meshalyzer/arrangement/point_name.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 

@@ -1,6 +1,8 @@
 #include "meshalyzer/arrangement/plane_cover.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace meshalyzer {
 namespace {

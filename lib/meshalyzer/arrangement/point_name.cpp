@@ -3,6 +3,7 @@
 #include "meshalyzer/exact/meet.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace meshalyzer {
 namespace {

@@ -3,6 +3,7 @@
 #include "meshalyzer/spatial/box_tree.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace meshalyzer {
 namespace {

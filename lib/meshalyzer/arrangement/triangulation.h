@@ -2,6 +2,7 @@
 
 #include "meshalyzer/exact/exact_point.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 

@@ -3,6 +3,7 @@
 #include "meshalyzer/base/numbers.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <limits>

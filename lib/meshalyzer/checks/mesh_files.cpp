@@ -7,6 +7,7 @@
 #include <fnmatch.h>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 namespace meshalyzer {
 namespace {

@@ -3,6 +3,7 @@
 #include <CGAL/Mpzf.h>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace meshalyzer {
 namespace {

@@ -1,5 +1,6 @@
 #include "meshalyzer/exact/meet.h"
 
+#include <cstddef>
 #include <utility>
 
 namespace meshalyzer {

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/mesh/side_table.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>

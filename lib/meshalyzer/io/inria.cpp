@@ -6,6 +6,7 @@
 #include "meshalyzer/io/text_scanner.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {

@@ -7,6 +7,7 @@
 #include "meshalyzer/io/text_scanner.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {

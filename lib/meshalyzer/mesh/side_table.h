@@ -3,6 +3,7 @@
 #include "meshalyzer/mesh/tri_mesh.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
 #include <vector>
 

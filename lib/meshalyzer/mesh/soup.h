@@ -3,6 +3,7 @@
 #include "meshalyzer/base/types.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/mesh/tri_mesh.h"
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>

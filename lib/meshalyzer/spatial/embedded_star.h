@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/types.h"
 
+#include <cstddef>
 #include <span>
 
 namespace meshalyzer {

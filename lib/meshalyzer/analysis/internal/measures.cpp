@@ -11,6 +11,7 @@
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 

@@ -9,6 +9,7 @@
 #include "meshalyzer/report/json/name.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace meshalyzer {
 namespace {

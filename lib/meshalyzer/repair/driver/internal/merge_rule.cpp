@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 namespace meshalyzer {
 namespace {

@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/folds/internal/layer_join.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
