@@ -150,8 +150,9 @@ class Combination {
   /// Returns how far rounding moves a vertex of an arrangement.
   [[nodiscard]] static double move_of(Index v, const Arrangement& a,
                                       const RoundedVertices& rounded) {
-    const double move = (rounded.positions[rounded.stands_for[v]] - a.positions[v]).norm();
-    return v < a.n_input_vertices ? move : move + a.exact.made(v - a.n_input_vertices).rest.norm();
+    const double move = (rounded.positions[rounded.stands_for[v]] - a.positions[v]).stableNorm();
+    return v < a.n_input_vertices ? move
+                                  : move + a.exact.made(v - a.n_input_vertices).rest.stableNorm();
   }
 
   const CombineOptions& options_;

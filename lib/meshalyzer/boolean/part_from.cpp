@@ -165,7 +165,7 @@ class PartingFrom {
       parted.vertices.push_back(vertex);
       parted.positions.push_back(soup_.positions[vertex]);
       parted.largest_move =
-          std::max(parted.largest_move, (soup_.positions[vertex] - start_[vertex]).norm());
+          std::max(parted.largest_move, (soup_.positions[vertex] - start_[vertex]).stableNorm());
     }
     return parted;
   }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace meshalyzer {
 namespace {
@@ -47,6 +48,19 @@ TEST(CombineSolids, FacesThatMeetNothingStay) {
   EXPECT_GT(n_same, 1000U);
   EXPECT_GT(solid.n_pairs, 0U);
   EXPECT_LT(solid.largest_move, 1e-15);
+}
+
+TEST(CombineSolids, LargestMoveScalesWithSolidsWhoseSquaresUnderflow) {
+  const auto largest_move = [](double scale) {
+    return combine({shapes::scaled(shapes::icosphere(1), scale),
+                    shapes::scaled(shapes::cube(1, {0.5, -0.5, -0.5}), scale)},
+                   union_rule())
+        .largest_move;
+  };
+  // A power of two changes no rounding.
+  const double scale = std::ldexp(1.0, -600);
+  EXPECT_GT(largest_move(1.0), 0.0);
+  EXPECT_DOUBLE_EQ(largest_move(scale) / scale, largest_move(1.0));
 }
 
 TEST(CombineSolids, WhatIsTakenAwayLeavesItsFacesTurned) {
