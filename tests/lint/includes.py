@@ -17,8 +17,8 @@ import subprocess
 import sys
 import tempfile
 
-sys.dont_write_bytecode = True
-import standard_headers  # noqa: E402
+sys.dont_write_bytecode = True  # so that the import leaves nothing among the sources
+import standard_headers
 
 # Headers that most sources include. So an include of one of these that is missing is not noticed: standard_headers.py looks for those
 # of the standard library.

@@ -116,7 +116,7 @@ Soup spikes_at_the_origin() {
   return soup;
 }
 
-/// Runs a pass that does not see where it has been.
+/// Runs a pass once, which does not see what it has done and would do it again.
 PassRun run_once(const Soup& soup, const PassFunction& pass) {
   bool has_run = false;
   return run_pass(soup, [&](const PassInput& input) {
