@@ -26,4 +26,9 @@ using Triangle = std::array<Index, 3>;
 /// The triangle that means "none": no corners, because the face was removed, or no normals.
 inline constexpr Triangle kNoTriangle = {kNoIndex, kNoIndex, kNoIndex};
 
+/// Tells whether all three corners name a record.
+[[nodiscard]] constexpr bool has_all_corners(const Triangle& t) {
+  return t[0] != kNoIndex && t[1] != kNoIndex && t[2] != kNoIndex;
+}
+
 }  // namespace meshalyzer

@@ -83,7 +83,7 @@ class ThinFacetFinder {
     DefectList found;
     for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
       const Triangle& t = soup_.triangles[f];
-      if (std::find(t.begin(), t.end(), kNoIndex) != t.end()) continue;
+      if (!has_all_corners(t)) continue;
       const Corners p{soup_.positions[t[0]], soup_.positions[t[1]], soup_.positions[t[2]]};
       if (!glance_.is_surely_thick(p)) look_closely(static_cast<Index>(f), p, found);
     }

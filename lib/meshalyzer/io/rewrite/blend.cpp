@@ -44,10 +44,6 @@ std::array<double, 3> nearest_weights(const Vec3& p, const Corners& t) {
   return {a / (a + b + c), b / (a + b + c), c / (a + b + c)};
 }
 
-bool is_whole(const Triangle& triangle) {
-  return std::find(triangle.begin(), triangle.end(), kNoIndex) == triangle.end();
-}
-
 /// Finds the blends of added vertices, first of those that lie on a face of the source.
 class VertexBlender {
  public:
@@ -78,7 +74,7 @@ class VertexBlender {
   void blend_on_faces() {
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
       const Index model = model_of(mesh_.faces[f]);
-      if (model == kNoIndex || !is_whole(mesh_.source.triangles[model])) {
+      if (model == kNoIndex || !has_all_corners(mesh_.source.triangles[model])) {
         continue;
       }
       for (const Index v : mesh_.soup.triangles[f]) {

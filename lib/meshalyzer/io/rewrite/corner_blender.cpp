@@ -1,6 +1,5 @@
 #include "meshalyzer/io/rewrite/corner_blender.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace meshalyzer {
@@ -33,7 +32,7 @@ Blend CornerBlender::blend(FanCorner corner) {
     return single_blend(*found);
   }
   const Triangle& corners = mesh_.source.triangles[model];
-  if (std::find(corners.begin(), corners.end(), kNoIndex) != corners.end()) {
+  if (!has_all_corners(corners)) {
     return {};
   }
   if (const std::optional<Index> found = corner_beside(model, vertex)) {

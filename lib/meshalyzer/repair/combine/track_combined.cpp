@@ -47,7 +47,6 @@ class CombinedEdits {
     }
     move_vertices();
     remove_orphans();
-    turn_normals();
     return std::move(edits_);
   }
 
@@ -75,7 +74,10 @@ class CombinedEdits {
       return;
     }
     stays_[face.origin] = 1;
-    if (face.is_turned) edits_.changed_faces.push_back({op_, face.origin, before});
+    if (face.is_turned) {
+      edits_.changed_faces.push_back(
+          {.op = op_, .face = face.origin, .corners = before, .turns_normals = true});
+    }
   }
 
   void add(const CombinedFace& face) {
@@ -93,7 +95,8 @@ class CombinedEdits {
     edits_.added_faces.push_back({.op = op_,
                                   .corners = corners,
                                   .prototype = is_of_source(face) ? face.origin : model_,
-                                  .fills_hole = !is_of_source(face)});
+                                  .fills_hole = !is_of_source(face),
+                                  .turns_normals = face.is_turned});
   }
 
   void move_vertices() {
@@ -113,27 +116,6 @@ class CombinedEdits {
     }
     for (Index v = 0; v < is_used.size(); ++v) {
       if (is_used[v] == 0) edits_.removed_vertices.push_back({op_, v});
-    }
-  }
-
-  /// Turns the normals of vertices all of whose faces were turned.
-  void turn_normals() {
-    if (soup_.corner_normals.empty()) return;
-    enum : std::uint8_t { Unused, Turned, Other };
-    std::vector<std::uint8_t> state(soup_.n_vertices(), Unused);
-    std::vector<Index> normal(soup_.n_vertices(), kNoIndex);
-    for (const CombinedFace& face : solid_.faces) {
-      if (!is_of_source(face)) continue;
-      const Triangle& t = soup_.triangles[face.origin];
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (!face.is_turned) state[t[k]] = Other;
-        if (state[t[k]] == Unused) state[t[k]] = Turned;
-        normal[t[k]] = soup_.corner_normals[face.origin][k];
-      }
-    }
-    for (Index v = 0; v < state.size(); ++v) {
-      if (state[v] != Turned || normal[v] == kNoIndex) continue;
-      edits_.changed_normals.push_back({op_, v, -soup_.normals[normal[v]]});
     }
   }
 

@@ -55,15 +55,21 @@ struct Edits {
     Index op;
     Index face;
     Triangle corners;
+    /// Tells whether the normals of its corners are turned over. A vertex with one normal gets the
+    /// opposite one if this is told of all of its faces but those of hole patches.
+    bool turns_normals = false;
   };
   struct AddedFace {
     Index op;
     Triangle corners;
-    /// A face of the soup that the new face is modelled on: the new face joins its group, takes its
-    /// normals at common corners, and counts as made of it unless fills_hole is set.
+    /// A face of the soup that the new face is modelled on: the new face joins its group, and
+    /// unless fills_hole is set takes its normals, interpolated at other corners, and counts as
+    /// made of it.
     Index prototype;
     /// Tells whether it fills a hole, so that it replaces nothing of the old surface.
     bool fills_hole = false;
+    /// As in ChangedFace.
+    bool turns_normals = false;
   };
   /// A normal for all corners of faces at a vertex that have one.
   struct ChangedNormal {

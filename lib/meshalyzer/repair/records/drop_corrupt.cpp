@@ -2,7 +2,6 @@
 #include "meshalyzer/repair/edits/internal/fresh_ids.h"
 #include "meshalyzer/repair/passes.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -10,14 +9,10 @@
 namespace meshalyzer {
 namespace {
 
-bool has_missing_corner(const Triangle& t) {
-  return std::find(t.begin(), t.end(), kNoIndex) != t.end();
-}
-
 void drop_incomplete_faces(const Soup& soup, Edits& edits) {
   std::vector<Index> incomplete;
   for (Index f = 0; f < soup.n_faces(); ++f) {
-    if (has_missing_corner(soup.triangles[f])) incomplete.push_back(f);
+    if (!has_all_corners(soup.triangles[f])) incomplete.push_back(f);
   }
   if (incomplete.empty()) return;
   const Index op = edits.begin_operation();
@@ -34,7 +29,7 @@ void drop_repeated_vertices(const Soup& soup, Edits& edits) {
 
 void rename_repeated_faces(const Soup& soup, Edits& edits) {
   std::vector<Index> repeated = find_repeated_ids(soup.face_ids);
-  std::erase_if(repeated, [&](Index f) { return has_missing_corner(soup.triangles[f]); });
+  std::erase_if(repeated, [&](Index f) { return !has_all_corners(soup.triangles[f]); });
   if (repeated.empty()) return;
   const Index op = edits.begin_operation();
   const std::vector<std::int32_t> ids = fresh_ids(soup.face_ids.named, repeated.size());

@@ -12,12 +12,13 @@
 namespace meshalyzer {
 namespace {
 
-/// A first mesh without a second one.
-struct Difference {
-  Difference(const Soup& a, const Soup& b)
+/// Two meshes, and what an operation makes of them: the first one without the second if nothing
+/// else is said.
+struct Combination {
+  Combination(const Soup& a, const Soup& b, const InsideRule& rule = difference_rule())
       : meshes{a, b},
         all(concatenate(meshes)),
-        solid(combine_solids(operands_of(all, meshes), difference_rule())) {}
+        solid(combine_solids(operands_of(all, meshes), rule)) {}
 
   std::vector<Soup> meshes;
   Soup all;
@@ -25,7 +26,7 @@ struct Difference {
 };
 
 TEST(TrackCombined, FaceThatStaysIsThatOfTheInput) {
-  const Difference cut(shapes::cube(3), shapes::cube(1, {1, 1, 1}));
+  const Combination cut(shapes::cube(3), shapes::cube(1, {1, 1, 1}));
   const TrackedMesh tracked = track_combined(cut.all, cut.solid);
   ASSERT_EQ(tracked.soup.n_faces(), 24U);
   for (Index f = 0; f < 24; ++f) EXPECT_EQ(tracked.face_keys[f], f);
@@ -34,7 +35,7 @@ TEST(TrackCombined, FaceThatStaysIsThatOfTheInput) {
 }
 
 TEST(TrackCombined, WallsCountAsPatchesWhereTheFirstMeshAloneIsEdited) {
-  const Difference cut(shapes::cube(3), shapes::cube(1, {1, 1, 1}));
+  const Combination cut(shapes::cube(3), shapes::cube(1, {1, 1, 1}));
   const TrackedMesh tracked = track_combined(cut.meshes.front(), cut.solid);
   ASSERT_EQ(tracked.soup.n_faces(), 24U);
   EXPECT_EQ(tracked.n_input_faces, 12U);
@@ -44,7 +45,7 @@ TEST(TrackCombined, WallsCountAsPatchesWhereTheFirstMeshAloneIsEdited) {
 }
 
 TEST(TrackCombined, PartOfAFaceIsMadeOfIt) {
-  const Difference cut(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
+  const Combination cut(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
   const TrackedMesh tracked = track_combined(cut.all, cut.solid);
   for (Index f = 0; f < tracked.soup.n_faces(); ++f) {
     EXPECT_LT(tracked.origin_of_face(f), cut.all.n_faces());
@@ -58,7 +59,7 @@ TEST(TrackCombined, NormalsOfWhatIsTurnedOverAreTurned) {
   Soup hole = shapes::cube(1, {1, 1, 1});
   for (const Vec3& p : hole.positions) hole.normals.push_back(p - Vec3(1.5, 1.5, 1.5));
   hole.corner_normals = hole.triangles;
-  const Difference cut(shapes::cube(3), hole);
+  const Combination cut(shapes::cube(3), hole);
   const TrackedMesh tracked = track_combined(cut.all, cut.solid);
   for (Index f = 12; f < 24; ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -69,11 +70,46 @@ TEST(TrackCombined, NormalsOfWhatIsTurnedOverAreTurned) {
   }
 }
 
+Vec3 unit_normal(const Soup& soup, Index f) {
+  const auto [a, b, c] = corners_of(soup, f);
+  return (b - a).cross(c - a).normalized();
+}
+
+/// Gives each face of a mesh its own normal at its three corners.
+Soup flat_shaded(Soup soup) {
+  soup.format = Format::Obj;
+  for (Index f = 0; f < soup.n_faces(); ++f) {
+    soup.normals.push_back(unit_normal(soup, f));
+    soup.corner_normals.push_back({f, f, f});
+  }
+  return soup;
+}
+
+void expect_flat_shaded(const Soup& soup) {
+  ASSERT_EQ(soup.corner_normals.size(), soup.n_faces());
+  for (Index f = 0; f < soup.n_faces(); ++f) {
+    for (const Index normal : soup.corner_normals[f]) {
+      ASSERT_NE(normal, kNoIndex);
+      EXPECT_GT(soup.normals[normal].dot(unit_normal(soup, f)), 1 - 1e-12);
+    }
+  }
+}
+
+TEST(TrackCombined, FlatShadingStaysWhereSolidsAreCutTurnedOrMerged) {
+  const Soup cube = flat_shaded(shapes::cube(2));
+  for (const Vec3& at : {Vec3(1, 1, 1), Vec3(2, 0, 0), Vec3(0.5, 0.5, 1.5)}) {
+    const Combination cut(cube, flat_shaded(shapes::cube(1.25, at)));
+    expect_flat_shaded(track_combined(cut.all, cut.solid).soup);
+  }
+  const Combination united(cube, flat_shaded(shapes::cube(2, {2, 0, 0})), union_rule());
+  expect_flat_shaded(track_combined(united.all, united.solid).soup);
+}
+
 TEST(IsUnchanged, OnlyWhereEveryFaceStays) {
-  const Difference apart(shapes::cube(), shapes::cube(1, {5, 0, 0}));
+  const Combination apart(shapes::cube(), shapes::cube(1, {5, 0, 0}));
   EXPECT_TRUE(is_unchanged(apart.meshes.front(), apart.solid));
   EXPECT_FALSE(is_unchanged(apart.all, apart.solid));
-  const Difference cut(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
+  const Combination cut(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
   EXPECT_FALSE(is_unchanged(cut.meshes.front(), cut.solid));
 }
 
@@ -94,7 +130,7 @@ TEST(PartCombined, CubesThatShareAnEdgeArePartedAndTrackedToTheInput) {
 }
 
 TEST(PartCombined, ManifoldMeshStays) {
-  const Difference cut(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
+  const Combination cut(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
   const TrackedMesh tracked = track_combined(cut.all, cut.solid);
   const MendedMesh parted = part_combined(tracked, 1e-3);
   EXPECT_FALSE(parted.is_mended);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -150,14 +151,75 @@ TEST(ApplyEdits, NormalsOfVerticesFollowTheirVertices) {
   Edits edits;
   const Index op = edits.begin_operation();
   edits.added_vertices.push_back({op, Vec3(0, 0, 0), 2});
-  edits.added_vertices.push_back({op, Vec3(5, 0, 0)});
-  edits.added_faces.push_back({op, {0, 4, 5}, 0});
+  edits.added_faces.push_back({op, {0, 1, 4}, 0});
   const TrackedMesh after = apply_edits(track_mesh(soup), edits);
   EXPECT_EQ(after.soup.corner_normals, after.soup.triangles);
-  ASSERT_EQ(after.soup.normals.size(), 6U);
+  ASSERT_EQ(after.soup.normals.size(), 5U);
   EXPECT_EQ(after.soup.normals[4], Vec3(0, 0, 1));
-  // Vertex 0 is the only other old vertex of its faces.
-  EXPECT_EQ(after.soup.normals[5], Vec3(1, 0, 0));
+}
+
+/// A triangle whose first edge is halved by an added vertex, 3, and an operation that adds both
+/// halves.
+struct HalvedTriangle {
+  Soup soup = shapes::make({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}});
+  Edits edits;
+
+  explicit HalvedTriangle(std::vector<Vec3> normals) {
+    soup.normals = std::move(normals);
+    const Index op = edits.begin_operation();
+    edits.added_vertices.push_back({op, Vec3(2, 0, 0)});
+    edits.removed_faces.push_back({op, 0});
+    edits.added_faces.push_back({op, {0, 3, 2}, 0});
+    edits.added_faces.push_back({op, {3, 1, 2}, 0});
+  }
+};
+
+TEST(ApplyEdits, PartsOfAFaceHaveTheNormalsThatItHasThere) {
+  // Half-way from a normal of length 1 to another one, as textbooks of shading interpolate.
+  const Vec3 between = Vec3(0.6, 0, 1.8).normalized();
+  HalvedTriangle halved({{0, 0, 1}, {0.6, 0, 0.8}, {0, 1, 0}});
+  halved.soup.corner_normals = {{0, 1, 2}};
+  halved.soup.format = Format::Ply;
+  const Soup of_vertices = apply_edits(track_mesh(halved.soup), halved.edits).soup;
+  ASSERT_EQ(of_vertices.normals.size(), 4U);
+  EXPECT_NEAR((of_vertices.normals[3] - between).norm(), 0.0, 1e-15);
+
+  // Corners name their normals in another order than their vertices.
+  halved.soup.format = Format::Obj;
+  std::swap(halved.soup.normals[0], halved.soup.normals[2]);
+  halved.soup.corner_normals = {{2, 1, 0}};
+  const Soup of_corners = apply_edits(track_mesh(halved.soup), halved.edits).soup;
+  for (const Triangle& t : of_corners.corner_normals) {
+    for (const Index normal : t) ASSERT_NE(normal, kNoIndex);
+  }
+  EXPECT_NEAR((of_corners.normals[of_corners.corner_normals[0][1]] - between).norm(), 0.0, 1e-15);
+  EXPECT_EQ(of_corners.corner_normals[0][0], 2U);
+  EXPECT_EQ(of_corners.corner_normals[1][1], 1U);
+}
+
+TEST(ApplyEdits, PartsOfAFaceWithOneNormalHaveThatNormal) {
+  HalvedTriangle halved({{0.1, 0.2, 0.3}});
+  halved.soup.format = Format::Obj;
+  halved.soup.corner_normals = {{0, 0, 0}};
+  const Soup after = apply_edits(track_mesh(halved.soup), halved.edits).soup;
+  EXPECT_EQ(after.corner_normals, (std::vector<Triangle>{{0, 0, 0}, {0, 0, 0}}));
+}
+
+TEST(ApplyEdits, PatchHasNoNormalsOfOtherFaces) {
+  HalvedTriangle halved({{1, 0, 0}, {0, 1, 0}, {1, 0, 0}});
+  for (Edits::AddedFace& face : halved.edits.added_faces) face.fills_hole = true;
+  halved.soup.format = Format::Obj;
+  halved.soup.corner_normals = {{0, 0, 0}};
+  const Soup of_corners = apply_edits(track_mesh(halved.soup), halved.edits).soup;
+  EXPECT_EQ(of_corners.corner_normals, (std::vector<Triangle>{kNoTriangle, kNoTriangle}));
+
+  // Where each vertex must have one, it is that of the patch.
+  halved.soup.format = Format::Ply;
+  halved.soup.corner_normals = {{0, 1, 2}};
+  const Soup of_vertices = apply_edits(track_mesh(halved.soup), halved.edits).soup;
+  ASSERT_EQ(of_vertices.normals.size(), 4U);
+  EXPECT_EQ(of_vertices.normals[3], Vec3(0, 0, 1));
+  EXPECT_EQ(of_vertices.normals[1], Vec3(0, 1, 0));
 }
 
 TEST(ApplyEdits, NormalsOfCornersStayWithTheirVertexWhenAFaceIsTurned) {

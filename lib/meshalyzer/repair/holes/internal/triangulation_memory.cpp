@@ -39,7 +39,7 @@ std::uint64_t hash_of(const LoopPolygon& polygon, const LoopRules& rules,
   std::uint64_t sum = 0;
   for (const Triangle& forbidden : rules.forbidden) {
     const Triangle t = corners.of(forbidden);
-    if (std::find(t.begin(), t.end(), kNoIndex) == t.end()) sum += hash_triangle(t);
+    if (has_all_corners(t)) sum += hash_triangle(t);
   }
   return mix_hash(hash, sum);
 }

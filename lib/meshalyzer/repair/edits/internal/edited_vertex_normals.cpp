@@ -1,0 +1,93 @@
+#include "meshalyzer/repair/edits/internal/edited_vertex_normals.h"
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace meshalyzer {
+namespace {
+
+/// What the faces at a vertex say of its normal.
+struct FacesAtVertex {
+  /// The old face that the first of them is, or is modelled on; kNoIndex if there is none.
+  Index model = kNoIndex;
+  bool has_patch = false;
+  bool has_turned = false;
+  bool has_unturned = false;
+};
+
+/// Returns, by vertex numbered as in Edits, what its faces say.
+std::vector<FacesAtVertex> faces_at_vertices(const FaceModels& models) {
+  std::vector<FacesAtVertex> result(models.before().n_vertices() +
+                                    models.edits().added_vertices.size());
+  for (std::size_t f = 0; f < models.triangles().size(); ++f) {
+    for (const Index v : models.triangles()[f]) {
+      if (v == kNoIndex) continue;
+      FacesAtVertex& at = result[v];
+      if (models.is_patch(f)) {
+        at.has_patch = true;
+        continue;
+      }
+      if (at.model == kNoIndex) at.model = models.model_of(f);
+      (models.turns_normals(f) ? at.has_turned : at.has_unturned) = true;
+    }
+  }
+  return result;
+}
+
+/// Returns the unit normal of a face times its angle at the first of its corners; zero if it has no
+/// area.
+Vec3 weighted_normal(const Vec3& at, const Vec3& next, const Vec3& last) {
+  const Vec3 to_next = (next - at).stableNormalized();
+  const Vec3 to_last = (last - at).stableNormalized();
+  const Vec3 across = to_next.cross(to_last);
+  const Vec3 weighted = std::atan2(across.norm(), to_next.dot(to_last)) * across.stableNormalized();
+  return weighted.allFinite() ? weighted : Vec3(Vec3::Zero());
+}
+
+/// Sets the normals of chosen vertices to the mean of those of their faces.
+void set_means(const std::vector<std::uint8_t>& is_chosen, Soup& result) {
+  for (const Triangle& t : result.triangles) {
+    if (!has_all_corners(t)) continue;
+    const auto [a, b, c] = t;
+    const Vec3& p = result.positions[a];
+    const Vec3& q = result.positions[b];
+    const Vec3& r = result.positions[c];
+    if (is_chosen[a] != 0) result.normals[a] += weighted_normal(p, q, r);
+    if (is_chosen[b] != 0) result.normals[b] += weighted_normal(q, r, p);
+    if (is_chosen[c] != 0) result.normals[c] += weighted_normal(r, p, q);
+  }
+  for (std::size_t v = 0; v < is_chosen.size(); ++v) {
+    if (is_chosen[v] != 0) result.normals[v].stableNormalize();
+  }
+}
+
+}  // namespace
+
+void set_vertex_normals(const FaceModels& models, std::span<const Index> vertices, Soup& result) {
+  const std::vector<FacesAtVertex> faces = faces_at_vertices(models);
+  std::vector<std::uint8_t> needs_mean(vertices.size(), 0);
+  bool is_any = false;
+  result.normals.clear();
+  result.normals.reserve(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const FacesAtVertex& at = faces[vertices[i]];
+    const Index old = models.old_vertex(vertices[i]);
+    std::optional<Vec3> normal;
+    if (old != kNoIndex) {
+      normal = models.before().normals[old];
+    } else if (at.model != kNoIndex && !at.has_patch) {
+      normal = models.normal_at(at.model, vertices[i]);
+    }
+    needs_mean[i] = normal ? 0 : 1;
+    is_any = is_any || !normal;
+    // The mean is that of the faces as they are now.
+    if (normal && at.has_turned && !at.has_unturned) normal = -*normal;
+    result.normals.push_back(normal.value_or(Vec3::Zero()));
+  }
+  if (is_any) set_means(needs_mean, result);
+  result.corner_normals = result.triangles;
+}
+
+}  // namespace meshalyzer

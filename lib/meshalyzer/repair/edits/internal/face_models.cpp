@@ -1,0 +1,63 @@
+#include "meshalyzer/repair/edits/internal/face_models.h"
+
+#include "meshalyzer/io/rewrite/blend.h"
+
+#include <algorithm>
+
+namespace meshalyzer {
+FaceModels::FaceModels(const Soup& before, const Edits& edits, const SkippedOperations& skipped,
+                       const EditedFaces& faces)
+    : before_(before), edits_(edits), faces_(faces) {
+  for (const Edits::ChangedFace& face : edits.changed_faces) {
+    if (!face.turns_normals || skipped(face.op)) continue;
+    turns_.resize(before.n_faces(), 0);
+    turns_[face.face] = 1;
+  }
+}
+
+const Edits::AddedFace& FaceModels::added(std::size_t face) const {
+  return edits_.added_faces[faces_.sources[face] - before_.n_faces()];
+}
+
+bool FaceModels::is_old(std::size_t face) const {
+  return faces_.sources[face] < before_.n_faces();
+}
+
+bool FaceModels::is_patch(std::size_t face) const {
+  return !is_old(face) && added(face).fills_hole;
+}
+
+Index FaceModels::model_of(std::size_t face) const {
+  return is_old(face) ? faces_.sources[face] : added(face).prototype;
+}
+
+bool FaceModels::turns_normals(std::size_t face) const {
+  if (!is_old(face)) return added(face).turns_normals;
+  return !turns_.empty() && turns_[faces_.sources[face]] != 0;
+}
+
+Index FaceModels::old_vertex(Index corner) const {
+  const std::size_t n_old = before_.n_vertices();
+  return corner < n_old ? corner : edits_.added_vertices[corner - n_old].copy_of;
+}
+
+std::optional<Vec3> FaceModels::normal_at(Index model, Index corner) const {
+  const Triangle& normals = before_.corner_normals[model];
+  if (!has_all_corners(before_.triangles[model]) || !has_all_corners(normals)) return std::nullopt;
+  const std::size_t n_old = before_.n_vertices();
+  const Vec3& place =
+      corner < n_old ? before_.positions[corner] : edits_.added_vertices[corner - n_old].position;
+  const Blend blend = blend_at(place, corners_of(before_, model), normals);
+  const Vec3& first = before_.normals[blend.items[0]];
+  const bool is_flat = std::all_of(blend.items.begin(), blend.items.end(), [&](Index normal) {
+    return normal == kNoIndex || before_.normals[normal] == first;
+  });
+  if (is_flat) return first;
+  Vec3 mean;
+  for (int axis = 0; axis < 3; ++axis) {
+    mean[axis] = blend.mean([&](Index normal) { return before_.normals[normal][axis]; });
+  }
+  return mean.stableNormalized();
+}
+
+}  // namespace meshalyzer

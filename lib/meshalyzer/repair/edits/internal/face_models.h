@@ -1,0 +1,50 @@
+#pragma once
+
+#include "meshalyzer/repair/edits/edits.h"
+#include "meshalyzer/repair/edits/internal/edited_faces.h"
+#include "meshalyzer/repair/edits/internal/skipped_operations.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace meshalyzer {
+
+/// The old faces from which the faces after edits take their normals. It only refers to its
+/// arguments.
+class FaceModels {
+ public:
+  FaceModels(const Soup& before, const Edits& edits, const SkippedOperations& skipped,
+             const EditedFaces& faces);
+
+  [[nodiscard]] const Soup& before() const { return before_; }
+  [[nodiscard]] const Edits& edits() const { return edits_; }
+  /// The faces after the edits, whose corners are numbered as in Edits.
+  [[nodiscard]] const std::vector<Triangle>& triangles() const { return faces_.triangles; }
+
+  /// Tells whether a face is an old one, with the same or other corners.
+  [[nodiscard]] bool is_old(std::size_t face) const;
+  /// Tells whether a face is part of a hole patch, which takes no normals from others.
+  [[nodiscard]] bool is_patch(std::size_t face) const;
+  /// The old face that a face is or is modelled on.
+  [[nodiscard]] Index model_of(std::size_t face) const;
+  /// Tells whether the normals of the model are turned over.
+  [[nodiscard]] bool turns_normals(std::size_t face) const;
+  /// Returns the old vertex that a corner is, or is a copy of; kNoIndex for a new one.
+  [[nodiscard]] Index old_vertex(Index corner) const;
+
+  /// Returns the normal of an old face at the point of it that is nearest to a corner, numbered as
+  /// in Edits: the weighted mean of the normals at its corners; nothing if one of these has none.
+  [[nodiscard]] std::optional<Vec3> normal_at(Index model, Index corner) const;
+
+ private:
+  [[nodiscard]] const Edits::AddedFace& added(std::size_t face) const;
+
+  const Soup& before_;
+  const Edits& edits_;
+  const EditedFaces& faces_;
+  /// By old face: non-zero if its normals are turned over; empty if no old face's are.
+  std::vector<std::uint8_t> turns_;
+};
+
+}  // namespace meshalyzer
