@@ -9,18 +9,19 @@
 namespace meshalyzer {
 namespace {
 
-/// The faces round the tip of a blade that points along -x: its two sides are nearly parallel, and
-/// one of them is bent along lines at irregular distances.
+/// The faces round the tip of a blade that slopes upwards from the origin: its two sides are nearly
+/// parallel, and one of them is bent along lines at irregular distances.
 std::vector<Corners> tip_of_blade(double thickness) {
-  const std::array<Vec3, 6> ring{Vec3(1, -0.9, 0),
-                                 Vec3(1, -0.5, thickness),
-                                 Vec3(1, 0.1, 1.3 * thickness),
-                                 Vec3(1, 0.2, 1.2 * thickness),
-                                 Vec3(1, 0.8, 0.3 * thickness),
-                                 Vec3(1, 0.85, -0.1 * thickness)};
+  constexpr double kSlope = 0.3;
+  const std::array<std::array<double, 2>, 6> section{
+      {{-0.9, 0}, {-0.5, 1}, {0.1, 1.3}, {0.2, 1.2}, {0.8, 0.3}, {0.85, -0.1}}};
+  const auto corner = [&](std::size_t i) {
+    const auto& [y, height] = section.at(i % section.size());
+    return Vec3(1, y, kSlope + height * thickness);
+  };
   std::vector<Corners> faces;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    faces.push_back({Vec3::Zero(), ring[i], ring[(i + 1) % ring.size()]});
+  for (std::size_t i = 0; i < section.size(); ++i) {
+    faces.push_back({Vec3::Zero(), corner(i), corner(i + 1)});
   }
   return faces;
 }
