@@ -1,9 +1,7 @@
 #include "same_file.h"
 
-#include <filesystem>
 #include <optional>
 #include <sys/stat.h>
-#include <system_error>
 
 namespace meshalyzer {
 namespace {
@@ -15,13 +13,6 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> file_of(const std::string
 }
 
 }  // namespace
-
-bool is_same_file(const std::string& a, const std::string& b) {
-  std::error_code error;
-  if (std::filesystem::equivalent(a, b, error) && !error) return true;
-  const std::filesystem::path whole = std::filesystem::weakly_canonical(a, error);
-  return !error && whole == std::filesystem::weakly_canonical(b, error) && !error;
-}
 
 KnownFiles::KnownFiles(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "file_identity.h"
+
 #include <cstdint>
 #include <set>
 #include <string>
@@ -7,9 +9,6 @@
 #include <vector>
 
 namespace meshalyzer {
-
-/// Tells whether two paths name the same file, which need not exist.
-[[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
 
 /// A set of existing files, identified by device and inode, not by name.
 class KnownFiles {

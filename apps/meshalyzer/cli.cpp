@@ -4,6 +4,7 @@
 #include "check/command.h"
 #include "check/run_check.h"
 #include "exit_code.h"
+#include "files.h"
 #include "guarded.h"
 #include "inputs.h"
 #include "interrupt.h"
@@ -60,6 +61,7 @@ ExitCode merge(const Options& how, Streams streams) {
   const InterruptGuard guard;
   const Inputs inputs{subject.files.paths, subject.files.names, subject.request.is_set, {}};
   const PicturePaths no_pictures;
+  check_files(options, inputs, no_pictures);
   return carry_out({options, inputs, subject.request, no_pictures, &known}, streams);
 }
 
@@ -69,11 +71,12 @@ ExitCode report(const Options& options, Streams streams) {
   const UnpackLimit unpack_limit(options.max_unpack_ratio);
   const InterruptGuard guard;
   const Request request = request_of(options, inputs.is_set);
+  const PicturePaths pictures = picture_paths(options, inputs);
+  check_files(options, inputs, pictures);
   std::optional<Journal> journal;
   if (options.ndjson) {
     journal.emplace(options, inputs, request);
   }
-  const PicturePaths pictures = picture_paths(options, inputs);
   Run run{options, inputs, request, pictures};
   if (journal) {
     journal->open(*options.ndjson, streams.out);

@@ -1,5 +1,7 @@
 #include "journal.h"
 
+#include "file_identity.h"
+
 #include <filesystem>
 #include <ostream>
 
@@ -7,10 +9,11 @@ namespace meshalyzer {
 
 Journal::Journal(const Options& options, const Inputs& inputs, const Request& request)
     : subject_{stamped(inputs.files), request}, known_(subject_) {
-  if (options.resume) {
-    known_.add(*options.resume);
-  } else if (std::filesystem::is_regular_file(options.ndjson->file)) {
-    known_.add(options.ndjson->file);
+  const ReportTarget& target = *options.ndjson;
+  if (options.resume) known_.add(*options.resume);
+  const bool is_resumed = options.resume && is_same_file(*options.resume, target.file);
+  if (!target.is_stdout() && !is_resumed && std::filesystem::is_regular_file(target.file)) {
+    known_.add(target.file);
   }
 }
 

@@ -14,8 +14,8 @@ namespace meshalyzer {
 /// those of this run.
 class Journal {
  public:
-  /// Reads the lines that an earlier run left in the file of the journal, or in the journal to
-  /// resume.
+  /// Reads the lines that earlier runs left in the journal to resume and in the file of the
+  /// journal.
   /// @throws IoError if it cannot be read, or is no journal.
   Journal(const Options& options, const Inputs& inputs, const Request& request);
   Journal(const Journal&) = delete;

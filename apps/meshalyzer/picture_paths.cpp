@@ -1,9 +1,9 @@
 #include "picture_paths.h"
 
 #include "file_ending.h"
+#include "file_identity.h"
 #include "mesh_folder.h"
 #include "meshalyzer/base/error.h"
-#include "same_file.h"
 #include "usage_error.h"
 
 #include <algorithm>
@@ -85,14 +85,6 @@ void refuse_looked_at(const std::vector<std::string>& folders, const Options& op
   }
 }
 
-void refuse_inputs(const std::vector<std::string>& outputs, const KnownFiles& inputs) {
-  for (const std::string& output : outputs) {
-    if (inputs.contain(output)) {
-      throw UsageError(output + " would be written, but it is an input, which never changes");
-    }
-  }
-}
-
 }  // namespace
 
 PicturePaths picture_paths(const Options& options, const Inputs& inputs) {
@@ -110,16 +102,6 @@ PicturePaths picture_paths(const Options& options, const Inputs& inputs) {
     paths.folders.push_back((folder / "x").parent_path().string());
   }
   refuse_looked_at(paths.folders, options);
-  const KnownFiles read(inputs.files);
-  for (const auto* outputs : {&paths.pages, &paths.fields, &paths.separations}) {
-    refuse_inputs(*outputs, read);
-  }
-  if (paths.index) {
-    refuse_inputs({*paths.index}, read);
-  }
-  if (options.json && !options.json->is_stdout()) {
-    refuse_inputs({options.json->file}, read);
-  }
   return paths;
 }
 

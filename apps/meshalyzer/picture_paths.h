@@ -31,8 +31,8 @@ struct PicturePaths {
 /// meshes, with the new ending, if these differ; else the number of the mesh, `_` and the last
 /// part.
 ///
-/// @throws UsageError  if the ending of FILE is wrong, if a picture or the JSON report would
-///     replace an input, or if meshes with a field would be written into a folder that is an input.
+/// @throws UsageError  if the ending of FILE is wrong, or if meshes with a field would be written
+///                     into a folder that is an input.
 [[nodiscard]] PicturePaths picture_paths(const Options& options, const Inputs& inputs);
 
 /// Makes a folder, and all its parents, unless they exist.

@@ -221,6 +221,15 @@ class Changed(Resume):
         said = self.run_program("--resume", JOURNAL, "--ndjson", "nest")
         self.assert_same(said.out, journal, "standard output")
 
+    def test_resumed_into_a_journal_with_lines_of_its_own(self):
+        whole = sorted(self.lines(JOURNAL), key=str)
+        lines = self.read(JOURNAL).splitlines(keepends=True)
+        self.write(JOURNAL, b"".join(lines[1::2]).decode())
+        self.write("other.ndjson", b"".join(lines[0::2]).decode())
+        said = self.run_program("--resume", JOURNAL, "--ndjson=other.ndjson", "nest")
+        self.assert_same(said.out, self.before.out, "report")
+        self.assertEqual(sorted(self.lines("other.ndjson"), key=str), whole)
+
     def test_journal_of_a_part_is_gone_on_with_by_the_whole(self):
         (self.folder / JOURNAL).unlink()
         self.journal("--shard", "2/3", "nest")
@@ -231,13 +240,46 @@ class Changed(Resume):
         self.assert_same(self.run_program("--resume", JOURNAL, "nest").out, self.before.out, "report")
 
 
+class Overwritten(Resume):
+    """No journal is written over a file that the run reads."""
+
+    def setUp(self):
+        super().setUp()
+        shutil.copy(program.MESHES / "cube.mesh", self.folder)
+        self.journal("cube.mesh")
+
+    def check(self, name, *arguments):
+        before = self.read(name)
+        said = self.run_program(*arguments, status=program.USAGE)
+        self.assertIn(f"{name} would be written, but it is an input, which never changes", said.errors)
+        self.assertEqual(self.read(name), before)
+
+    def test_mesh_that_is_to_be_the_journal(self):
+        self.check("cube.mesh", "--resume", JOURNAL, "--ndjson=cube.mesh", "cube.mesh")
+        self.check("cube.mesh", "--ndjson=cube.mesh", "cube.mesh")
+
+    def test_empty_mesh_that_is_to_be_the_journal(self):
+        self.write("empty.mesh", "")
+        self.check("empty.mesh", "--ndjson=empty.mesh", "empty.mesh")
+
+    def test_journal_that_is_to_be_the_report(self):
+        self.check(JOURNAL, "--resume", JOURNAL, "--ndjson=other.ndjson", f"--json={JOURNAL}", "cube.mesh")
+
+    def test_journal_that_is_merged(self):
+        self.check(JOURNAL, "merge", f"--json={JOURNAL}", JOURNAL)
+
+    def test_mesh_of_a_journal_that_is_merged(self):
+        self.check("cube.mesh", "merge", "--json=cube.mesh", JOURNAL)
+
+
 class NoJournal(Resume):
     """A file that is no journal is left alone."""
 
     def check(self, content):
         self.copy("set")
         (self.folder / "precious").write_bytes(content)
-        for arguments in (("--resume", "precious"), ("--ndjson=precious",)):
+        self.write("set/empty", "")
+        for arguments in (("--resume", "precious"), ("--ndjson=precious",), ("--resume", "set/empty", "--ndjson=precious")):
             said = self.run_program(*arguments, "set", status=program.TROUBLE)
             self.assertIn("precious:", said.errors)
             self.assertEqual(said.out, b"")
