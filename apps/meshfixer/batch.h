@@ -10,7 +10,7 @@ namespace meshalyzer::fixer {
 /// in a line as soon as it is done, and all in a table.
 ///
 /// @return The most serious of the exit codes of the files.
-/// @throws UsageError if two outputs, or an output and an input, have the same path.
+/// @throws UsageError if an output is an input or another output.
 /// @throws IoError if a report cannot be written.
 [[nodiscard]] ExitCode run_batch(const Options& options, Streams streams);
 

@@ -17,6 +17,7 @@
 #include "output.h"
 #include "page.h"
 #include "stop_request.h"
+#include "targets.h"
 #include "write_report.h"
 
 #include <algorithm>
@@ -344,7 +345,7 @@ ExitCode combine(const Options& options, Streams streams) {
     streams.err << faults << std::flush;
     return ExitCode::NotGood;
   }
-  make_output_folder(options, operands);
+  make_output_folder(options);
   return CombinationRun(options, operands, streams).run();
 }
 

@@ -21,16 +21,10 @@ struct OperandFiles {
 /// folders.
 ///
 /// @throws Error  for the first file that cannot be read, or a folder without meshes.
-/// @throws UsageError  if OUT, or the file of a report, is one of them.
+/// @throws UsageError  if an output of the run is one of them, or another output.
 [[nodiscard]] OperandFiles read_operands(const Options& options);
 
 /// Says for each file that bounds no solid why, and what to do; empty if all do.
 [[nodiscard]] std::string solid_faults(const OperandFiles& operands);
-
-/// Makes the folder for one file per input, if OUT is a folder.
-///
-/// @throws UsageError  if two outputs, or an output and an input, have the same path.
-/// @throws IoError     if it cannot be made.
-void make_output_folder(const Options& options, const OperandFiles& operands);
 
 }  // namespace meshalyzer::fixer

@@ -9,9 +9,8 @@
 #include "output.h"
 #include "page.h"
 #include "progress_line.h"
-#include "same_file.h"
 #include "stop_request.h"
-#include "usage_error.h"
+#include "targets.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -100,10 +99,12 @@ std::string ending_of(Format format) {
 struct Job {
   const Options& options;
   Source source;
+  RunFiles& files;
   Streams streams;
 };
 
-/// Returns the paths of the meshes of a result, none of which is the input.
+/// Returns the paths of the meshes of a result, and adds those of components to the files of the
+/// run.
 std::vector<std::string> output_paths(const Job& job, const RepairReport& report) {
   const Options& options = job.options;
   // Standard output has the format of the input.
@@ -115,21 +116,14 @@ std::vector<std::string> output_paths(const Job& job, const RepairReport& report
   std::vector<std::string> paths;
   for (std::size_t i = 0; i < report.result.meshes.size(); ++i) {
     paths.push_back(numbered_path(*options.output, i + 1));
-    if (is_same_file(options.input, paths.back())) {
-      throw UsageError(paths.back() +
-                       " would be written, but it is the input, which never changes");
-    }
+    job.files.add_output(paths.back(), "component " + std::to_string(i + 1));
   }
   return paths;
 }
 
-std::string original_of(const std::string& path) {
-  return path + ".orig";
-}
-
 /// Keeps a copy of the input, which will be replaced.
 void keep_original(const std::string& path) {
-  const std::string original = original_of(path);
+  const std::string original = backup_path(path);
   std::error_code error;
   if (!std::filesystem::copy_file(path, original, error)) {
     throw IoError(original, {}, error ? error.message() : "is there already");
@@ -142,7 +136,7 @@ Soup replace_kept(const Output& output, const std::string& path) {
     return write_output(output, path);
   } catch (const Error&) {
     std::error_code ignored;
-    std::filesystem::remove(original_of(path), ignored);
+    std::filesystem::remove(backup_path(path), ignored);
     throw;
   }
 }
@@ -280,8 +274,10 @@ std::string progress_text(const RepairProgress& now) {
 
 }  // namespace
 
-ExitCode repair_mesh(const Options& options, Soup soup, const InputFile& file, Streams streams,
+ExitCode repair_mesh(const RepairTask& task, Soup soup,
                      const std::function<ExitCode(const RepairReport&)>& on_report) {
+  const Options& options = task.options;
+  const Streams streams = task.streams;
   const MeshName input = name_of(soup, options.input);
   ProgressLine progress(streams.err, options.progress == ReportOptions::Progress::Never
                                          ? ProgressLine::State::Off
@@ -309,7 +305,7 @@ ExitCode repair_mesh(const Options& options, Soup soup, const InputFile& file, S
   report.notes = result.notes;
   if (result.is_stopped) report.notes.push_back(StopRequest::note());
   const std::vector<FinalSoup> finals =
-      take_or_write({options, {file, input_soup}, streams}, report);
+      take_or_write({options, {task.file, input_soup}, task.files, streams}, report);
   const bool is_as_guaranteed = !options.repair.guarantee || are_good(finals, report);
   if (options.html) write_page(*options.html, report, std::move(before), finals);
   const ExitCode status = on_report(report);

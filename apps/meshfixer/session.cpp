@@ -12,9 +12,8 @@
 #include "meshalyzer/report/text/repair_report.h"
 #include "page.h"
 #include "repair_mesh.h"
-#include "same_file.h"
 #include "stop_request.h"
-#include "usage_error.h"
+#include "targets.h"
 #include "write_report.h"
 
 #include <optional>
@@ -59,39 +58,16 @@ ExitCode find(const Options& options, Soup soup, Streams streams) {
   return report.count(requested) == 0 ? ExitCode::Done : ExitCode::NotGood;
 }
 
-ExitCode fix(const Options& options, Soup soup, const InputFile& file, Streams streams) {
-  return repair_mesh(options, std::move(soup), file, streams, [&](const RepairReport& report) {
-    // Standard output receives only the mesh.
-    const Streams streams_of_report{options.writes_to_stdout() ? streams.err : streams.out,
-                                    streams.err};
+ExitCode fix(const RepairTask& task, Soup soup) {
+  const Options& options = task.options;
+  // Standard output receives only the mesh.
+  const Streams streams{options.writes_to_stdout() ? task.streams.err : task.streams.out,
+                        task.streams.err};
+  return repair_mesh(task, std::move(soup), [&](const RepairReport& report) {
     return write_report(
-        options, streams_of_report, [&] { return text_report(report, options.lists); },
+        options, streams, [&] { return text_report(report, options.lists); },
         [&] { return json_report(report); });
   });
-}
-
-/// Rejects a report that would overwrite the input or OUT.
-void check_report(const Options& options, const std::string& file, const std::string& option) {
-  if (is_same_file(options.input, file)) {
-    throw UsageError("the FILE of " + option + " is the input itself, which never changes");
-  }
-  if (options.output && is_same_file(*options.output, file)) {
-    throw UsageError("the FILE of " + option + " is OUT");
-  }
-}
-
-/// Rejects outputs that would overwrite the input or each other.
-void check_outputs(const Options& options) {
-  if (options.output && !options.writes_to_stdout() &&
-      is_same_file(options.input, *options.output)) {
-    throw UsageError("OUT is the input itself, which never changes");
-  }
-  const bool has_json_file = options.json && !options.json->is_stdout();
-  if (has_json_file) check_report(options, options.json->file, "--json");
-  if (options.html) check_report(options, *options.html, "--html");
-  if (has_json_file && options.html && is_same_file(options.json->file, *options.html)) {
-    throw UsageError("the FILE of --html is that of --json");
-  }
 }
 
 }  // namespace
@@ -100,11 +76,11 @@ ExitCode work(const Options& options, Streams streams) {
   const UnpackLimit limit(options.max_unpack_ratio);
   if (options.action == Options::Action::Combine) return combine(options, streams);
   if (options.is_batch()) return run_batch(options, streams);
-  check_outputs(options);
+  RunFiles files = files_of_run(options, {options.input});
   const InputFile file(options.input);
   Soup soup = parse_mesh(file.bytes(), options.input);
   if (options.action == Options::Action::Find) return find(options, std::move(soup), streams);
-  return fix(options, std::move(soup), file, streams);
+  return fix({options, file, files, streams}, std::move(soup));
 }
 
 }  // namespace meshalyzer::fixer
