@@ -5,7 +5,6 @@
 #include "interrupt.h"
 #include "mesh_folder.h"
 #include "meshalyzer/base/error.h"
-#include "meshalyzer/io/format_of.h"
 #include "meshalyzer/io/read.h"
 #include "repair_mesh.h"
 #include "targets.h"
@@ -53,10 +52,7 @@ ExitCode repair_one(const BatchRun& run, const std::string& file) {
   options.input = file;
   options.output = result_path(run.options, file);
   try {
-    if (!format_of_name(*options.output)) {
-      throw IoError(*options.output, {},
-                    std::string("has the ending of no known mesh format (") + kMeshEndings + ")");
-    }
+    require_format(*options.output);
     const InputFile input(file);
     Soup soup = parse_mesh(input.bytes(), file);
     const RepairTask task{options, input, run.files, run.streams};

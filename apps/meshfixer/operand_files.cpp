@@ -28,6 +28,9 @@ std::vector<std::string> find_paths(const Options& options) {
 OperandFiles read_operands(const Options& options) {
   const std::vector<std::string> paths = find_paths(options);
   static_cast<void>(files_of_run(options, paths));
+  if (options.target == Options::Target::Folder) {
+    for (const std::string& path : paths) require_format(result_path(options, path));
+  }
   OperandFiles operands;
   for (const std::string& path : paths) {
     operands.files.push_back(std::make_unique<const InputFile>(path));

@@ -20,7 +20,9 @@ struct OperandFiles {
 /// Reads the files that the paths of the options stand for: mesh files, and all mesh files of
 /// folders.
 ///
-/// @throws Error  for the first file that cannot be read, or a folder without meshes.
+/// @throws Error  for the first file that cannot be read, or whose result would have no known
+/// format,
+///                or a folder without meshes.
 /// @throws UsageError  if an output of the run is one of them, or another output.
 [[nodiscard]] OperandFiles read_operands(const Options& options);
 

@@ -1,6 +1,7 @@
 #include "targets.h"
 
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/io/format_of.h"
 #include "usage_error.h"
 
 #include <filesystem>
@@ -33,6 +34,13 @@ std::string result_path(const Options& options, const std::string& input) {
   if (options.target == Options::Target::File) return *options.output;
   const std::filesystem::path name = std::filesystem::path(input).filename();
   return (std::filesystem::path(*options.output) / name).string();
+}
+
+void require_format(const std::string& result) {
+  if (!format_of_name(result)) {
+    throw IoError(result, {},
+                  std::string("has the ending of no known mesh format (") + kMeshEndings + ")");
+  }
 }
 
 std::string backup_path(const std::string& input) {

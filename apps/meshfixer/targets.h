@@ -12,6 +12,10 @@ namespace meshalyzer::fixer {
 /// folder OUT, or the input itself. There must be an OUT, or --in-place.
 [[nodiscard]] std::string result_path(const Options& options, const std::string& input);
 
+/// Rejects the file of a result if its ending does not tell the format.
+/// @throws IoError  if it is that of no known format.
+void require_format(const std::string& result);
+
 /// Returns the file in which --backup keeps an input.
 [[nodiscard]] std::string backup_path(const std::string& input);
 
