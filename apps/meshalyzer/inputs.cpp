@@ -1,6 +1,6 @@
 #include "inputs.h"
 
-#include "mesh_folder.h"
+#include "mesh_paths.h"
 #include "meshalyzer/set/set_files.h"
 #include "request.h"
 #include "usage_error.h"
@@ -12,22 +12,12 @@
 namespace meshalyzer {
 namespace {
 
-void add_folder(Inputs& inputs, const std::string& folder) {
-  MeshFolder listed = list_mesh_folder(folder);
-  if (!listed.error.empty()) inputs.errors.push_back(std::move(listed.error));
-  inputs.files.insert(inputs.files.end(), listed.files.begin(), listed.files.end());
-}
-
 Inputs find_inputs(const std::vector<std::string>& paths) {
+  MeshPaths found = find_meshes(paths);
   Inputs inputs;
-  for (const std::string& path : paths) {
-    if (is_folder(path)) {
-      inputs.is_set = true;
-      add_folder(inputs, path);
-    } else {
-      inputs.files.push_back(path);
-    }
-  }
+  inputs.files = std::move(found.files);
+  inputs.errors = std::move(found.errors);
+  inputs.is_set = found.has_folder;
   return inputs;
 }
 

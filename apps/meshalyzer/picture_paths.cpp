@@ -2,7 +2,7 @@
 
 #include "file_ending.h"
 #include "file_identity.h"
-#include "mesh_folder.h"
+#include "mesh_paths.h"
 #include "meshalyzer/base/error.h"
 #include "usage_error.h"
 

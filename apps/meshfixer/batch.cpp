@@ -3,7 +3,7 @@
 #include "batch_report.h"
 #include "input_file.h"
 #include "interrupt.h"
-#include "mesh_folder.h"
+#include "mesh_paths.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/io/read.h"
 #include "repair_mesh.h"
@@ -17,27 +17,6 @@
 
 namespace meshalyzer::fixer {
 namespace {
-
-/// The files that the paths stand for, in their order.
-struct BatchFiles {
-  std::vector<std::string> files;
-  /// The paths that could not be listed or held no mesh, with the reason.
-  std::vector<std::string> errors;
-};
-
-BatchFiles find_files(const Options& options) {
-  BatchFiles batch;
-  for (const std::string& path : options.paths) {
-    if (!is_folder(path)) {
-      batch.files.push_back(path);
-      continue;
-    }
-    MeshFolder folder = list_mesh_folder(path);
-    batch.files.insert(batch.files.end(), folder.files.begin(), folder.files.end());
-    if (!folder.error.empty()) batch.errors.push_back(std::move(folder.error));
-  }
-  return batch;
-}
 
 /// What the repairs of the files have in common.
 struct BatchRun {
@@ -70,7 +49,7 @@ ExitCode repair_one(const BatchRun& run, const std::string& file) {
 }  // namespace
 
 ExitCode run_batch(const Options& options, Streams streams) {
-  const BatchFiles batch = find_files(options);
+  const MeshPaths batch = find_meshes(options.paths);
   RunFiles files = files_of_run(options, batch.files);
   make_output_folder(options);
   BatchReport report(options, streams);

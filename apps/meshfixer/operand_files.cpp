@@ -1,32 +1,15 @@
 #include "operand_files.h"
 
-#include "mesh_folder.h"
+#include "mesh_paths.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/boolean/solid_fault.h"
 #include "meshalyzer/io/read.h"
 #include "targets.h"
 
 namespace meshalyzer::fixer {
-namespace {
-
-std::vector<std::string> find_paths(const Options& options) {
-  std::vector<std::string> paths;
-  for (const std::string& path : options.paths) {
-    if (!is_folder(path)) {
-      paths.push_back(path);
-      continue;
-    }
-    MeshFolder folder = list_mesh_folder(path);
-    if (!folder.error.empty()) throw Error(folder.error);
-    paths.insert(paths.end(), folder.files.begin(), folder.files.end());
-  }
-  return paths;
-}
-
-}  // namespace
-
 OperandFiles read_operands(const Options& options) {
-  const std::vector<std::string> paths = find_paths(options);
+  const auto [paths, errors, has_folder] = find_meshes(options.paths);
+  if (!errors.empty()) throw Error(errors.front());
   static_cast<void>(files_of_run(options, paths));
   if (options.target == Options::Target::Folder) {
     for (const std::string& path : paths) require_format(result_path(options, path));

@@ -1,63 +1,66 @@
 #include "meshalyzer/checks/mesh_files.h"
 
-#include "meshalyzer/io/format_of.h"
+#include "meshalyzer/io/mesh_folder.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <fnmatch.h>
-#include <iterator>
+#include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Finds the mesh files of one folder.
+/// Finds the mesh files of a folder and of the folders within it.
 class FolderSearch {
  public:
-  FolderSearch(const fs::path& folder, const std::vector<std::string>& excluded)
-      : folder_(folder), excluded_(excluded) {}
-
-  /// @param error  Says why the folder could not be listed.
-  [[nodiscard]] std::vector<std::string> run(std::error_code& error) {
-    constexpr auto kOptions = fs::directory_options::skip_permission_denied;
-    fs::recursive_directory_iterator entry(folder_, kOptions, error);
-    while (!error && entry != fs::recursive_directory_iterator()) {
-      std::error_code ignored;  // an entry that cannot be examined is reported when it is read
-      const fs::file_status status = entry->status(ignored);
-      if (is_left_out(entry->path())) {
-        entry.disable_recursion_pending();
-      } else if (format_of_name(entry->path().string()) && !fs::is_directory(status) &&
-                 !fs::is_other(status)) {
-        files_.push_back(name_of(entry->path()));
-      }
-      entry.increment(error);
-    }
+  FolderSearch(std::string folder, const std::vector<std::string>& excluded)
+      : folder_(std::move(folder)), excluded_(excluded) {
+    search(folder_);
     std::sort(files_.begin(), files_.end());
-    return std::move(files_);
+    if (files_.empty() && errors_.empty()) errors_.push_back(no_mesh_in(folder_));
+  }
+
+  void add_to(MeshFiles& found) const {
+    found.files.insert(found.files.end(), files_.begin(), files_.end());
+    found.errors.insert(found.errors.end(), errors_.begin(), errors_.end());
   }
 
  private:
+  void search(const std::string& folder) {
+    const MeshFolder listed = list_mesh_folder(folder);
+    if (!listed.error.empty()) errors_.push_back(listed.error);
+    for (const std::string& file : listed.files) {
+      if (!is_left_out(file)) files_.push_back(name_of(file));
+    }
+    for (const std::string& inner : listed.folders) {
+      if (!is_left_out(inner)) search(name_of(inner));
+    }
+  }
+
   [[nodiscard]] bool is_left_out(const fs::path& path) const {
-    const std::string name = path.filename().string();
-    const std::string within = path.lexically_relative(folder_).string();
-    return name.front() == '.' ||
+    const fs::path within = path.lexically_relative(folder_);
+    const std::string whole = (fs::path(folder_) / within).string();
+    return path.filename().string().front() == '.' ||
            std::any_of(excluded_.begin(), excluded_.end(), [&](const std::string& pattern) {
-             return matches_glob(pattern, within) || matches_glob(pattern, path.string());
+             return matches_glob(pattern, within.string()) || matches_glob(pattern, whole);
            });
   }
 
-  /// Files in "." are named as a person would name them.
-  [[nodiscard]] std::string name_of(const fs::path& path) const {
-    return folder_ == "." || folder_ == "./" ? path.lexically_relative(folder_).string()
-                                             : path.string();
+  /// Files and folders in "." are named as a person would name them.
+  [[nodiscard]] std::string name_of(const std::string& path) const {
+    return folder_ == "." || folder_ == "./" ? fs::path(path).lexically_relative(folder_).string()
+                                             : path;
   }
 
-  fs::path folder_;
+  std::string folder_;
   const std::vector<std::string>& excluded_;
   std::vector<std::string> files_;
+  std::vector<std::string> errors_;
 };
 
 }  // namespace
@@ -66,19 +69,12 @@ MeshFiles find_mesh_files(const std::vector<std::string>& paths,
                           const std::vector<std::string>& excluded) {
   MeshFiles found;
   for (const std::string& path : paths) {
-    std::error_code error;
-    if (!fs::is_directory(path, error)) {
+    std::error_code ignored;  // a path that is no folder is reported when it is read
+    if (fs::is_directory(path, ignored)) {
+      FolderSearch(path, excluded).add_to(found);
+    } else {
       found.files.push_back(path);
-      continue;
     }
-    std::vector<std::string> files = FolderSearch(path, excluded).run(error);
-    if (error) {
-      found.errors.push_back(path + ": cannot list the folder: " + error.message());
-    } else if (files.empty()) {
-      found.errors.push_back(path + ": no mesh file in the folder (" + kMeshEndings + ")");
-    }
-    found.files.insert(found.files.end(), std::make_move_iterator(files.begin()),
-                       std::make_move_iterator(files.end()));
   }
   return found;
 }

@@ -9,7 +9,8 @@ namespace meshalyzer {
 /// The mesh files that the paths of a user stand for.
 struct MeshFiles {
   std::vector<std::string> files;
-  /// Folders that could not be listed, or hold no mesh file, in a sentence each.
+  /// Folders that could not be listed, subfolders too, or that hold no mesh file, in a sentence
+  /// each.
   std::vector<std::string> errors;
 };
 

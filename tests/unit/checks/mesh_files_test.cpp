@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <unistd.h>
 
 namespace meshalyzer {
 namespace {
@@ -54,6 +55,23 @@ TEST_F(MeshFilesTest, FolderWithoutMeshesIsAnError) {
   const MeshFiles files = find_mesh_files({folder_.file("empty")}, {});
   ASSERT_EQ(files.errors.size(), 1U);
   EXPECT_NE(files.errors[0].find("empty: no mesh file"), std::string::npos);
+}
+
+TEST_F(MeshFilesTest, FoldersWithinThatCannotBeListedAreErrors) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may list every folder";
+  const std::string locked = folder_.file("old/deep");
+  fs::permissions(locked, fs::perms::none);
+  const MeshFiles files = find_mesh_files({folder_.path()}, {});
+  fs::permissions(locked, fs::perms::owner_all);
+  EXPECT_EQ(files.files, (std::vector<std::string>{folder_.file("a.ply"), folder_.file("b.stl"),
+                                                   folder_.file("old/c.OBJ")}));
+  EXPECT_EQ(files.errors,
+            std::vector<std::string>{locked + ": cannot list the folder: Permission denied"});
+}
+
+TEST_F(MeshFilesTest, LinksToFoldersAreNotFollowed) {
+  fs::create_directory_symlink(folder_.path(), folder_.file("old/loop"));
+  EXPECT_EQ(found({}), (std::vector<std::string>{"a.ply", "b.stl", "old/c.OBJ", "old/deep/d.off"}));
 }
 
 TEST(MatchesGlob, PatternWithoutSlashIsForTheName) {

@@ -5,18 +5,20 @@
 
 namespace meshalyzer {
 
-/// The mesh files of a folder.
+/// The mesh files and the folders in a folder.
 struct MeshFolder {
   /// The files with the ending of a known format, whatever its case, in order of the bytes of their
-  /// names; folders within the folder do not count.
+  /// names.
   std::vector<std::string> files;
-  /// The reason why the folder could not be listed, or that it held no mesh; mostly empty.
+  /// The folders, without links to folders, in the same order.
+  std::vector<std::string> folders;
+  /// The reason why the folder could not be listed; mostly empty.
   std::string error;
 };
 
-/// Tells whether a path is a folder.
-[[nodiscard]] bool is_folder(const std::string& path);
-
 [[nodiscard]] MeshFolder list_mesh_folder(const std::string& folder);
+
+/// Returns the error that a folder holds no mesh file.
+[[nodiscard]] std::string no_mesh_in(const std::string& folder);
 
 }  // namespace meshalyzer
