@@ -117,6 +117,7 @@ void OptionTable::option_or(const std::string& otherwise, const std::string& nam
                             const std::string& help) {
   const auto [name, value] = name_and_value(names);
   CLI::Option* option = app_->add_flag(name + "{" + otherwise + "}")->description(help);
+  option->multi_option_policy(CLI::MultiOptionPolicy::Throw);
   declare(option, value, std::move(take));
 }
 

@@ -50,8 +50,8 @@ class OptionTable {
   void option(const std::string& names, Take take, const std::string& help);
   /// Declares an option that may be repeated; each value is taken.
   void repeatable(const std::string& names, Take take, const std::string& help);
-  /// Declares an option whose value is optional: `--json[=FILE]`. The next argument is never its
-  /// value.
+  /// Declares an option whose value is optional: `--json[=FILE]`. It may be given once; the next
+  /// argument is never its value.
   ///
   /// @param otherwise  The value if none is given.
   void option_or(const std::string& otherwise, const std::string& names, Take take,
