@@ -1,13 +1,17 @@
 #include "inputs.h"
 
+#include "file_identity.h"
 #include "mesh_paths.h"
 #include "meshalyzer/set/set_files.h"
 #include "request.h"
 #include "usage_error.h"
 
 #include <algorithm>
-#include <set>
+#include <filesystem>
+#include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -62,10 +66,16 @@ void check_stdin(const Options& options) {
   }
 }
 
-/// Removes repeated files, because a file named twice is one mesh of a set.
+/// Removes files whose path was met before, also in another spelling (`d/a.mesh`, `./d/a.mesh`): a
+/// file named twice is one mesh of a set. Links are meshes of their own.
 void drop_repeated(std::vector<std::string>& files) {
-  std::set<std::string> met;
-  std::erase_if(files, [&](const std::string& file) { return !met.insert(file).second; });
+  std::map<std::filesystem::path, std::string> met;
+  std::erase_if(files, [&](const std::string& file) {
+    const auto normal = std::filesystem::absolute(file).lexically_normal();
+    const auto [first, is_new] = met.emplace(normal, file);
+    // After a link to a folder, ".." leads elsewhere than the text tells.
+    return !is_new && is_same_file(first->second, file);
+  });
 }
 
 }  // namespace

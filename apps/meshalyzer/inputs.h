@@ -21,8 +21,8 @@ struct Inputs {
 };
 
 /// Returns the mesh files that a command line stands for, and whether they are a set: the files of
-/// a folder are, and several files if their relations are requested. A file named twice is one mesh
-/// of a set.
+/// a folder are, and several files if their relations are requested. A file named twice, also in
+/// two spellings, is one mesh of a set.
 /// @throws UsageError if the request does not apply to them.
 [[nodiscard]] Inputs inputs_of(const Options& options);
 
