@@ -6,7 +6,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -45,11 +47,27 @@ void refuse_empty_values(const CLI::App& app) {
   }
 }
 
+/// Rejects `-a=5` if -a is a flag. The parser takes the letters off and leaves `-=5`.
+///
+/// @param rest       What the parser did not recognise.
+/// @param arguments  The arguments of the program.
+void refuse_value_of_flag(std::string_view rest, const std::vector<std::string>& arguments) {
+  if (!rest.starts_with("-=")) return;
+  const std::string_view value = rest.substr(1);
+  for (const std::string& argument : arguments) {
+    if (argument.starts_with('-') && argument.size() > rest.size() && argument.ends_with(value)) {
+      const char letter = argument[argument.size() - value.size() - 1];
+      throw UsageError(std::string("-") + letter + " takes no value: " + argument);
+    }
+  }
+}
+
 /// Rejects the first argument that the parser did not recognise, and suggests the option that was
 /// probably meant.
-[[noreturn]] void refuse_unknown(const CLI::App& app) {
-  const std::vector<std::string> arguments = app.remaining();
-  const std::string& argument = arguments.front();
+[[noreturn]] void refuse_unknown(const CLI::App& app, const std::vector<std::string>& arguments) {
+  const std::vector<std::string> unknown = app.remaining();
+  const std::string& argument = unknown.front();
+  refuse_value_of_flag(argument, arguments);
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& word : option->get_lnames()) names.push_back("--" + word);
@@ -137,7 +155,7 @@ std::optional<std::string> OptionTable::parse(int argc, const char* const* argv)
   } catch (const CLI::CallForHelp&) {
     return app_->help();
   } catch (const CLI::ExtrasError&) {
-    refuse_unknown(*app_);
+    refuse_unknown(*app_, {argv, argv + argc});
   } catch (const CLI::ArgumentMismatch& error) {
     refuse_number(*app_, error.what());
   } catch (const CLI::ParseError& error) {

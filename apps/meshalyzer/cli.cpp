@@ -15,6 +15,7 @@
 #include "meshalyzer/report/journal/known_lines.h"
 #include "meshalyzer/report/journal/parts.h"
 #include "options.h"
+#include "print_answer.h"
 #include "request.h"
 #include "run.h"
 #include "streams.h"
@@ -30,6 +31,8 @@
 
 namespace meshalyzer {
 namespace {
+
+constexpr const char* kProgram = "meshalyzer";
 
 /// Returns the options for the report of the journals: those of this call, and the offenders that
 /// the journals list.
@@ -86,11 +89,6 @@ ExitCode report(const Options& options, Streams streams) {
   return carry_out(run, streams);
 }
 
-ExitCode print_answer(const std::string& answer, Streams streams) {
-  streams.out << answer << std::flush;
-  return streams.out ? ExitCode::Done : ExitCode::Failure;
-}
-
 std::string_view first_word(int argc, const char* const* argv) {
   return argc > 1 ? argv[1] : "";
 }
@@ -115,12 +113,13 @@ ExitCode run_command(int argc, const char* const* argv, Streams streams) {
   check_first_word(word);
   if (word == "check") {
     const CheckCommandLine line = parse_check_command_line(argc - 1, argv + 1);
-    return line.answer ? print_answer(*line.answer, streams) : run_check(line.command, streams);
+    return line.answer ? print_answer(*line.answer, kProgram, streams)
+                       : run_check(line.command, streams);
   }
   const bool is_merge = word == "merge";
   const CommandLine command =
       is_merge ? parse_merge_command_line(argc - 1, argv + 1) : parse_command_line(argc, argv);
-  if (command.answer) return print_answer(*command.answer, streams);
+  if (command.answer) return print_answer(*command.answer, kProgram, streams);
   return is_merge ? merge(command.options, streams) : report(command.options, streams);
 }
 
@@ -130,7 +129,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
   const Streams streams{out, err};
   return_large_blocks(1);
   const std::string_view word = first_word(argc, argv);
-  const std::string name = is_command(word) ? "meshalyzer " + std::string(word) : "meshalyzer";
+  const std::string name = is_command(word) ? kProgram + (' ' + std::string(word)) : kProgram;
   return run_guarded(name, streams, [&] { return run_command(argc, argv, streams); });
 }
 

@@ -72,7 +72,7 @@ void declare_pictures(OptionTable& table, Options& options) {
   table.option("--html FILE", into(options.html),
                "the report as one page that opens in any browser, offline, with a 3D view, every "
                "defect in a list and shown in place; for several meshes an index, and their "
-               "pages in FILE_pages/");
+               "pages in a folder, all_pages/ for all.html");
   table.option("--export FILE", into(wanted.file),
                "write a field as quality and colour of the vertices of a .ply, .obj or .vtp; "
                "several meshes get a file each, in a folder named like FILE without its ending; "

@@ -5,6 +5,7 @@
 #include "large_blocks.h"
 #include "meshalyzer/base/parallel.h"
 #include "options.h"
+#include "print_answer.h"
 #include "session.h"
 
 #include <ostream>
@@ -14,10 +15,7 @@ namespace {
 
 ExitCode run_command(int argc, const char* const* argv, Streams streams) {
   const CommandLine command = parse_command_line(argc, argv);
-  if (command.answer) {
-    streams.out << *command.answer << std::flush;
-    return streams.out ? ExitCode::Done : ExitCode::Failure;
-  }
+  if (command.answer) return print_answer(*command.answer, "meshfixer", streams);
   const ThreadLimit limit(command.options.threads);
   return work(command.options, streams);
 }

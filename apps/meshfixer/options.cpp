@@ -193,8 +193,7 @@ void check_target(const GivenOptions& given, const Options& options) {
   if (is_stdout(options.ndjson) && is_stdout(options.json)) {
     throw UsageError("--json and --ndjson cannot both go to standard output");
   }
-  if (!options.is_batch() && !options.writes_to_stdout()) return;
-  if (given.find || given.dry_run) {
+  if (is_in_place && (given.find || given.dry_run)) {
     throw UsageError("--find and --dry-run write nothing, so --in-place cannot go with them");
   }
   if (options.html && options.is_batch()) {

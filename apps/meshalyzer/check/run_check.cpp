@@ -12,6 +12,7 @@
 #include "usage_error.h"
 
 #include <chrono>
+#include <cstddef>
 #include <cstdlib>
 #include <map>
 #include <ostream>
@@ -106,11 +107,22 @@ ExitCode exit_code_of(const CheckTotals& totals, bool has_errors) {
                                               : ExitCode::Done;
 }
 
+/// Says that there is nothing to check because all mesh files are excluded, by --exclude or by a
+/// settings file.
+void tell_all_excluded(std::size_t n_excluded, std::ostream& err) {
+  err << "meshalyzer check: "
+      << (n_excluded == 1 ? "the only mesh file is excluded"
+                          : "all " + std::to_string(n_excluded) + " mesh files are excluded")
+      << '\n';
+}
+
 ExitCode check_all(const CheckCommand& command, Streams streams) {
   const auto begin = std::chrono::steady_clock::now();
   const MeshFiles found = find_mesh_files(command.paths, command.excluded);
   for (const std::string& error : found.errors) streams.err << error << '\n';
   std::vector<CheckJob> jobs = jobs_of(command, found.files);
+  const std::size_t n_excluded = found.n_excluded + found.files.size() - jobs.size();
+  if (jobs.empty() && n_excluded != 0) tell_all_excluded(n_excluded, streams.err);
   Baseline baseline(command);
   baseline.prepare(jobs);
   const std::unique_ptr<CheckReport> report = make_check_report(

@@ -3,6 +3,7 @@
 #include "meshalyzer/io/mesh_folder.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <fnmatch.h>
 #include <string>
@@ -18,16 +19,19 @@ namespace fs = std::filesystem;
 /// Finds the mesh files of a folder and of the folders within it.
 class FolderSearch {
  public:
-  FolderSearch(std::string folder, const std::vector<std::string>& excluded)
-      : folder_(std::move(folder)), excluded_(excluded) {
+  FolderSearch(std::string folder, std::vector<std::string> excluded)
+      : folder_(std::move(folder)), excluded_(std::move(excluded)) {
     search(folder_);
     std::sort(files_.begin(), files_.end());
-    if (files_.empty() && errors_.empty()) errors_.push_back(no_mesh_in(folder_));
+    if (!files_.empty() || !errors_.empty()) return;
+    if (!excluded_.empty()) n_excluded_ = FolderSearch(folder_, {}).files_.size();
+    if (n_excluded_ == 0) errors_.push_back(no_mesh_in(folder_));
   }
 
   void add_to(MeshFiles& found) const {
     found.files.insert(found.files.end(), files_.begin(), files_.end());
     found.errors.insert(found.errors.end(), errors_.begin(), errors_.end());
+    found.n_excluded += n_excluded_;
   }
 
  private:
@@ -58,9 +62,10 @@ class FolderSearch {
   }
 
   std::string folder_;
-  const std::vector<std::string>& excluded_;
+  std::vector<std::string> excluded_;
   std::vector<std::string> files_;
   std::vector<std::string> errors_;
+  std::size_t n_excluded_ = 0;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,8 @@ struct MeshFiles {
   /// Folders that could not be listed, subfolders too, or that hold no mesh file, in a sentence
   /// each.
   std::vector<std::string> errors;
+  /// The number of mesh files in folders of which all mesh files are excluded.
+  std::size_t n_excluded = 0;
 };
 
 /// Finds the mesh files of paths. A file stands for itself, a folder for all files in it and its

@@ -69,6 +69,16 @@ TEST_F(MeshFilesTest, FoldersWithinThatCannotBeListedAreErrors) {
             std::vector<std::string>{locked + ": cannot list the folder: Permission denied"});
 }
 
+TEST_F(MeshFilesTest, FolderOfWhichAllMeshesAreExcludedIsNoErrorButCounted) {
+  // Without a pattern, a.ply, b.stl, old/c.OBJ and old/deep/d.off are found.
+  const MeshFiles files = find_mesh_files({folder_.path()}, {"*"});
+  EXPECT_TRUE(files.files.empty());
+  EXPECT_TRUE(files.errors.empty());
+  EXPECT_EQ(files.n_excluded, 4U);
+  fs::create_directory(folder_.file("empty"));
+  EXPECT_EQ(find_mesh_files({folder_.file("empty")}, {"*"}).errors.size(), 1U);
+}
+
 TEST_F(MeshFilesTest, LinksToFoldersAreNotFollowed) {
   fs::create_directory_symlink(folder_.path(), folder_.file("old/loop"));
   EXPECT_EQ(found({}), (std::vector<std::string>{"a.ply", "b.stl", "old/c.OBJ", "old/deep/d.off"}));

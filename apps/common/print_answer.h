@@ -1,0 +1,16 @@
+#pragma once
+
+#include "exit_code.h"
+#include "streams.h"
+
+#include <string>
+
+namespace meshalyzer {
+
+/// Prints the text for --help or --version, and reports if it cannot be written.
+///
+/// @param program  The name of the program, with which the message begins.
+[[nodiscard]] ExitCode print_answer(const std::string& answer, const std::string& program,
+                                    Streams streams);
+
+}  // namespace meshalyzer
