@@ -7,6 +7,7 @@
 #include "targets.h"
 
 namespace meshalyzer::fixer {
+
 OperandFiles read_operands(const Options& options) {
   const auto [paths, errors, has_folder] = find_meshes(options.paths);
   if (!errors.empty()) throw Error(errors.front());

@@ -19,6 +19,17 @@ namespace meshalyzer {
   return normal_of(t[0], t[1], t[2]);
 }
 
+/// Returns the unit normal of a triangle times its angle at corner k in radians, which is the share
+/// of the triangle in the normal of that vertex (see NormalWeight::Angle); zero if the triangle has
+/// no area. It is right for any size.
+[[nodiscard]] inline Vec3 angle_weighted_normal(const Corners& t, std::size_t k) {
+  const Vec3 next = (t[(k + 1) % 3] - t[k]).stableNormalized();
+  const Vec3 last = (t[(k + 2) % 3] - t[k]).stableNormalized();
+  const Vec3 across = next.cross(last);
+  const Vec3 result = std::atan2(across.norm(), next.dot(last)) * across.stableNormalized();
+  return result.allFinite() ? result : Vec3(Vec3::Zero());
+}
+
 /// Returns the centroid of a triangle whose coordinates are far from overflow.
 [[nodiscard]] inline Vec3 centroid_of(const Corners& t) {
   return (t[0] + t[1] + t[2]) / 3.0;

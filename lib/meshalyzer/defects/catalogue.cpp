@@ -127,7 +127,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
                 "several normals, one such normal is enough. Faces of zero area do not count.",
      .value = "",
      .elements = "The vertex, and its place.",
-     .fix = "The normals at the vertex are computed anew from its faces.",
+     .fix = "The normal is computed anew from the faces at the vertex that have it.",
      .fix_summary = "meshfixer renews it",
      .passes = "renew normals",
      .fixed_by_default = true},

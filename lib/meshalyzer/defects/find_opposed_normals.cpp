@@ -3,25 +3,16 @@
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/internal/faces_at.h"
+#include "meshalyzer/defects/opposed_normals.h"
 #include "meshalyzer/exact/facing.h"
 
-#include <algorithm>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <utility>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
-
-/// A normal that the file gives at a vertex; both are record indices.
-struct GivenNormal {
-  Index vertex;
-  Index normal;
-
-  friend auto operator<=>(const GivenNormal&, const GivenNormal&) = default;
-};
 
 /// The relation of a face to a normal at one of its vertices.
 enum class Say : std::uint8_t {
@@ -84,32 +75,32 @@ bool is_opposed(const Soup& soup, std::vector<Index>& faces, const Vec3& normal)
   return any;
 }
 
-/// @param suspects  The suspect normals of one vertex.
-bool has_opposed_normal(const PreparedMesh& mesh, std::span<const GivenNormal> suspects) {
-  std::vector<Index> faces = faces_at(mesh.cut(), suspects.front().vertex);
-  return std::any_of(suspects.begin(), suspects.end(), [&](const GivenNormal& given) {
-    return is_opposed(mesh.soup(), faces, mesh.soup().normals[given.normal]);
-  });
-}
-
 }  // namespace
 
-DefectList find_opposed_normals(const PreparedMesh& mesh) {
+std::vector<GivenNormal> opposed_normals(const PreparedMesh& mesh) {
   const Soup& soup = mesh.soup();
-  if (soup.corner_normals.empty()) return {};
-  const std::vector<GivenNormal> suspects = find_suspects(soup);
+  std::vector<GivenNormal> opposed;
+  if (soup.corner_normals.empty()) return opposed;
+  std::vector<Index> faces;
+  Index vertex = kNoIndex;
+  for (const GivenNormal& given : find_suspects(soup)) {
+    if (given.vertex != vertex) faces = faces_at(mesh.cut(), given.vertex);
+    vertex = given.vertex;
+    if (is_opposed(soup, faces, soup.normals[given.normal])) opposed.push_back(given);
+  }
+  return opposed;
+}
+
+DefectList find_opposed_normals(const PreparedMesh& mesh) {
   DefectList defects;
-  for (auto first = suspects.begin(); first != suspects.end();) {
-    const Index vertex = first->vertex;
-    const auto last = std::find_if(
-        first, suspects.end(), [&](const GivenNormal& given) { return given.vertex != vertex; });
-    if (has_opposed_normal(mesh, {first, last})) {
-      Defect defect = make_defect(DefectCode::VertexNormal);
-      defect.vertices = {vertex};
-      defect.positions = {soup.positions[vertex]};
-      defects.push_back(defect);
-    }
-    first = last;
+  Index vertex = kNoIndex;
+  for (const GivenNormal& given : opposed_normals(mesh)) {
+    if (given.vertex == vertex) continue;
+    vertex = given.vertex;
+    Defect defect = make_defect(DefectCode::VertexNormal);
+    defect.vertices = {vertex};
+    defect.positions = {mesh.soup().positions[vertex]};
+    defects.push_back(defect);
   }
   return defects;
 }

@@ -44,8 +44,7 @@ namespace meshalyzer {
 /// are not the end of such an edge. The value is the number of faces, or of fans.
 [[nodiscard]] DefectList find_non_manifold(const PreparedMesh& mesh);
 
-/// Finds the vertices at which the file gives a normal that is opposed to all faces of non-zero
-/// area there, of which there must be at least one. The answer is exact.
+/// Finds the vertices that have opposed normals (see opposed_normals()).
 [[nodiscard]] DefectList find_opposed_normals(const PreparedMesh& mesh);
 
 /// Tells whether all coordinates are finite numbers. Otherwise the mesh must not be built, and only

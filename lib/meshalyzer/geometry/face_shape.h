@@ -40,10 +40,6 @@ struct FaceShape {
   }
 };
 
-/// A sum of weighted unit normals that is shorter than this share of the weights has no correct
-/// digits: the faces cancel each other.
-inline constexpr double kNormalsCancel = 1e-12;
-
 /// Measures the shapes of all faces.
 ///
 /// @return     #mesh faces.

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/geometry/corner_shares.h"
 #include "meshalyzer/geometry/face_shape.h"
+#include "meshalyzer/geometry/vertex_normals.h"
 
 #include <vector>
 

@@ -7,6 +7,10 @@
 
 namespace meshalyzer {
 
+/// A sum of weighted unit normals that is shorter than this share of the weights has no correct
+/// digits: the faces cancel each other.
+inline constexpr double kNormalsCancel = 1e-12;
+
 /// The weight of the normal of a face in that of a vertex.
 enum class NormalWeight : std::uint8_t {
   /// All faces have the same weight (Gouraud 1971).

@@ -86,7 +86,7 @@ namespace meshalyzer {
 /// becomes manifold where neither part_contacts() nor cut_off_tips() finds room between its parts.
 [[nodiscard]] PassResult join_contacts(const PassInput& input);
 
-/// Replaces opposed vertex normals (see find_opposed_normals()) by the mean normal of the faces,
+/// Replaces opposed normals (see opposed_normals()) by the mean normal of the faces that have them,
 /// weighted by angle.
 [[nodiscard]] PassResult renew_normals(const PassInput& input);
 

@@ -71,10 +71,12 @@ struct Edits {
     /// As in ChangedFace.
     bool turns_normals = false;
   };
-  /// A normal for all corners of faces at a vertex that have one.
+  /// A normal for the corners of faces at a vertex that have a certain one of the soup; where each
+  /// vertex has one, that is the vertex's.
   struct ChangedNormal {
     Index op;
     Index vertex;
+    Index replaced;
     Vec3 normal;
   };
   /// The id of a record; used only if the format names ids.

@@ -1,5 +1,5 @@
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/repair/orient/internal/side_votes.h"
+#include "meshalyzer/repair/edits/internal/turned_face.h"
 #include "meshalyzer/repair/passes.h"
 
 namespace meshalyzer {
@@ -18,8 +18,7 @@ PassResult orient_consistently(const PassInput& input) {
     }
     const Index op = result.edits.begin_operation();
     for (const Index face : region.faces) {
-      result.edits.changed_faces.push_back(
-          {op, face, turned_over(input.tracked.soup.triangles[face])});
+      result.edits.changed_faces.push_back(turned_face(input.tracked.soup, op, face));
     }
   }
   return result;

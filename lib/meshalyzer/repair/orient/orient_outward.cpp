@@ -2,6 +2,7 @@
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/prepared/shells.h"
+#include "meshalyzer/repair/edits/internal/turned_face.h"
 #include "meshalyzer/repair/orient/internal/side_votes.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/spatial/box_tree.h"
@@ -295,8 +296,7 @@ PassResult orient_outward(const PassInput& input) {
     if (is_wrong[region] == 0) continue;
     if (operation[region] == kNoIndex) operation[region] = result.edits.begin_operation();
     const Index face = input.mesh.cut().side.faces[f];
-    result.edits.changed_faces.push_back(
-        {operation[region], face, turned_over(input.tracked.soup.triangles[face])});
+    result.edits.changed_faces.push_back(turned_face(input.tracked.soup, operation[region], face));
   }
   return result;
 }

@@ -235,19 +235,19 @@ TEST(ApplyEdits, NormalsOfCornersStayWithTheirVertexWhenAFaceIsTurned) {
   EXPECT_EQ(after.soup.corner_normals[1], (Triangle{kNoIndex, kNoIndex, kNoIndex}));
 }
 
-TEST(ApplyEdits, ChangedNormalReplacesThoseOfAllCornersThatHaveOne) {
+TEST(ApplyEdits, ChangedNormalReplacesThatOfTheCornersThatHaveIt) {
   Soup soup = shapes::tetrahedron();
   soup.normals = {{1, 0, 0}, {0, 1, 0}};
-  soup.corner_normals.assign(4, {0, 1, 0});
+  soup.corner_normals.assign(4, {0, 0, 0});
+  soup.corner_normals[2] = {1, 1, 1};
   soup.corner_normals[3] = {kNoIndex, kNoIndex, kNoIndex};
   Edits edits;
-  edits.changed_normals.push_back({edits.begin_operation(), 0, Vec3(0, 0, -1)});
+  edits.changed_normals.push_back({edits.begin_operation(), 0, 0, Vec3(0, 0, -1)});
   const TrackedMesh after = apply_edits(track_mesh(soup), edits);
   for (std::size_t f = 0; f < 4; ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const Index normal = after.soup.corner_normals[f][k];
-      const bool is_at_vertex = soup.triangles[f][k] == 0;
-      EXPECT_EQ(normal, f == 3 ? kNoIndex : is_at_vertex ? 2U : soup.corner_normals[f][k]);
+      const bool is_replaced = soup.triangles[f][k] == 0 && f < 2;
+      EXPECT_EQ(after.soup.corner_normals[f][k], is_replaced ? 2U : soup.corner_normals[f][k]);
     }
   }
   EXPECT_EQ(after.soup.normals.back(), Vec3(0, 0, -1));

@@ -199,5 +199,28 @@ TEST(OrientOutward, DamagedMeshesAreSettledInOneRound) {
   }
 }
 
+/// Gives each face of a mesh one normal, which agrees with it or is opposed to it.
+Soup with_face_normals(Soup soup, double sign) {
+  soup.format = Format::Obj;
+  for (Index f = 0; f < soup.n_faces(); ++f) {
+    const auto [a, b, c] = corners_of(soup, f);
+    soup.normals.emplace_back(sign * (b - a).cross(c - a));
+    soup.corner_normals.push_back({f, f, f});
+  }
+  return soup;
+}
+
+TEST(OrientOutward, NormalsAreTurnedWithTheFacesIfTheyAgreedWithThem) {
+  for (const double sign : {1.0, -1.0}) {
+    const Soup turned = outward(with_face_normals(shapes::flipped(shapes::cube()), sign));
+    for (Index f = 0; f < turned.n_faces(); ++f) {
+      const auto [a, b, c] = corners_of(turned, f);
+      for (const Index normal : turned.corner_normals[f]) {
+        EXPECT_EQ(turned.normals[normal], (b - a).cross(c - a));
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace meshalyzer

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -55,6 +56,34 @@ TEST(RenewNormals, AllNormalsOfAMeshInsideOutAreRenewed) {
   for (std::size_t v = 0; v < run.tracked.soup.n_vertices(); ++v) {
     const Vec3 inward = Vec3::Constant(0.5) - run.tracked.soup.positions[v];
     EXPECT_LT((run.tracked.soup.normals[v] - inward.normalized()).norm(), 1e-15);
+  }
+}
+
+TEST(RenewNormals, HardEdgesStayHard) {
+  // Each face has its own normal at its corners; one of those at vertex 7 is wrong.
+  Soup soup = shapes::cube();
+  soup.format = Format::Obj;
+  for (Index f = 0; f < soup.n_faces(); ++f) {
+    const auto [a, b, c] = corners_of(soup, f);
+    soup.normals.push_back((b - a).cross(c - a).normalized());
+    soup.corner_normals.push_back({f, f, f});
+  }
+  const std::vector<Vec3> right = soup.normals;
+  soup.normals.emplace_back(-1, -1, -1);
+  const auto wrong =
+      std::find_if(soup.triangles.begin(), soup.triangles.end(),
+                   [](const Triangle& t) { return std::find(t.begin(), t.end(), 7U) != t.end(); });
+  const auto face = static_cast<std::size_t>(wrong - soup.triangles.begin());
+  const auto corner =
+      static_cast<std::size_t>(std::find(wrong->begin(), wrong->end(), 7U) - wrong->begin());
+  soup.corner_normals[face][corner] = 12;
+  ASSERT_EQ(soup.positions[7], Vec3(1, 1, 1));
+  const PassRun run = run_pass(soup, renew_normals);
+  EXPECT_EQ(run.operations, 1U);
+  for (Index f = 0; f < soup.n_faces(); ++f) {
+    for (const Index normal : run.tracked.soup.corner_normals[f]) {
+      EXPECT_EQ(run.tracked.soup.normals[normal], right[f]);
+    }
   }
 }
 

@@ -5,34 +5,39 @@
 #include "meshalyzer/repair/edits/internal/edited_vertex_normals.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace meshalyzer {
 namespace {
 
-/// Replaces all normals of the corners at a vertex by one new normal.
+/// Changes the normals of corners of faces at a vertex. The normals of the soup before the edits
+/// still have their numbers, unless each vertex has one.
 void change_normals(const Edits& edits, const SkippedOperations& skipped,
                     std::span<const Index> vertices, Soup& result) {
   const bool one_a_vertex = has_vertex_normals(result);
-  std::vector<Index> new_normal;
+  // Sorted: the vertex and the normal of it that is replaced, and the new one.
+  std::vector<std::array<Index, 3>> changes;
   for (const Edits::ChangedNormal& change : edits.changed_normals) {
     const auto found = std::lower_bound(vertices.begin(), vertices.end(), change.vertex);
     if (skipped(change.op) || found == vertices.end() || *found != change.vertex) continue;
-    const auto v = static_cast<std::size_t>(found - vertices.begin());
+    const auto v = static_cast<Index>(found - vertices.begin());
     if (one_a_vertex) {
       result.normals[v] = change.normal;
       continue;
     }
-    new_normal.resize(result.n_vertices(), kNoIndex);
-    new_normal[v] = static_cast<Index>(result.normals.size());
+    changes.push_back({v, change.replaced, static_cast<Index>(result.normals.size())});
     result.normals.push_back(change.normal);
   }
-  if (new_normal.empty()) return;
+  if (changes.empty()) return;
+  std::sort(changes.begin(), changes.end());
   for (std::size_t f = 0; f < result.n_faces(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const Index v = result.triangles[f][k];
       Index& normal = result.corner_normals[f][k];
-      if (v != kNoIndex && normal != kNoIndex && new_normal[v] != kNoIndex) normal = new_normal[v];
+      const std::array<Index, 3> first{result.triangles[f][k], normal, 0};
+      const auto found = std::lower_bound(changes.begin(), changes.end(), first);
+      if (found == changes.end() || (*found)[0] != first[0] || (*found)[1] != normal) continue;
+      normal = (*found)[2];
     }
   }
 }

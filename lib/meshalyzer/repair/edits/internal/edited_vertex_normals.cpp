@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/edits/internal/edited_vertex_normals.h"
 
-#include <cmath>
+#include "meshalyzer/base/triangle.h"
+
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -36,27 +37,15 @@ std::vector<FacesAtVertex> faces_at_vertices(const FaceModels& models) {
   return result;
 }
 
-/// Returns the unit normal of a face times its angle at the first of its corners; zero if it has no
-/// area.
-Vec3 weighted_normal(const Vec3& at, const Vec3& next, const Vec3& last) {
-  const Vec3 to_next = (next - at).stableNormalized();
-  const Vec3 to_last = (last - at).stableNormalized();
-  const Vec3 across = to_next.cross(to_last);
-  const Vec3 weighted = std::atan2(across.norm(), to_next.dot(to_last)) * across.stableNormalized();
-  return weighted.allFinite() ? weighted : Vec3(Vec3::Zero());
-}
-
 /// Sets the normals of chosen vertices to the mean of those of their faces.
 void set_means(const std::vector<std::uint8_t>& is_chosen, Soup& result) {
-  for (const Triangle& t : result.triangles) {
+  for (std::size_t f = 0; f < result.n_faces(); ++f) {
+    const Triangle& t = result.triangles[f];
     if (!has_all_corners(t)) continue;
-    const auto [a, b, c] = t;
-    const Vec3& p = result.positions[a];
-    const Vec3& q = result.positions[b];
-    const Vec3& r = result.positions[c];
-    if (is_chosen[a] != 0) result.normals[a] += weighted_normal(p, q, r);
-    if (is_chosen[b] != 0) result.normals[b] += weighted_normal(q, r, p);
-    if (is_chosen[c] != 0) result.normals[c] += weighted_normal(r, p, q);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (is_chosen[t[k]] == 0) continue;
+      result.normals[t[k]] += angle_weighted_normal(corners_of(result, static_cast<Index>(f)), k);
+    }
   }
   for (std::size_t v = 0; v < is_chosen.size(); ++v) {
     if (is_chosen[v] != 0) result.normals[v].stableNormalize();

@@ -26,11 +26,6 @@ class FacesByPart {
   std::vector<Index> faces_;
 };
 
-/// Returns the corners of a face in reverse orientation.
-[[nodiscard]] constexpr Triangle turned_over(const Triangle& t) {
-  return {t[0], t[2], t[1]};
-}
-
 /// A sample point of a surface and the share of the area that it represents, in a unit of the
 /// surface's own.
 struct SurfaceSample {
