@@ -1,6 +1,7 @@
 #include "run.h"
 
 #include "interrupt.h"
+#include "meshalyzer/report/set_verdict.h"
 #include "meshalyzer/set/analyze_files.h"
 #include "meshalyzer/set/set_run.h"
 #include "outputs.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -26,6 +28,8 @@ class Outcome : public RunListener {
   void on_mesh(Index number, const Analysis& mesh) override;
   void on_unreadable(Index number, const std::string& why) override;
   void report_error(const std::string& message);
+  /// Takes the verdict on a set, which may be not good although all its meshes are.
+  void on_verdict(const Goodness& set);
 
   [[nodiscard]] std::size_t n_files_done() const { return n_files_done_; }
   [[nodiscard]] ExitCode exit_code() const;
@@ -45,6 +49,10 @@ void Outcome::on_mesh(Index, const Analysis& mesh) {
 void Outcome::on_unreadable(Index, const std::string& why) {
   ++n_files_done_;
   report_error(why);
+}
+
+void Outcome::on_verdict(const Goodness& set) {
+  all_good_ = all_good_ && set.good;
 }
 
 void Outcome::report_error(const std::string& message) {
@@ -133,6 +141,10 @@ ExitCode carry_out(const Run& run, Streams streams) {
   listeners.add(outcome);
   const Findings found = analyze(run, listeners);
   progress.clear();
+  const std::optional<Goodness> verdict = found.set ? set_verdict(*found.set) : std::nullopt;
+  if (verdict && run.request.mesh.goodness) {
+    outcome.on_verdict(*verdict);
+  }
   const bool is_interrupted = !found.is_whole && InterruptGuard::is_interrupted();
   if (is_interrupted) {
     report_interruption(run, outcome, streams.err);

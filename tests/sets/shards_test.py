@@ -76,6 +76,10 @@ class Shards(Parts):
         self.check("-g", "100,0,0", "-p", "gap")
         self.check("-g=8,0,0", "-p", "-i", "-s", "gap", status=program.NOT_GOOD)
 
+    def test_goodness_of_meshes_that_cut_each_other(self):
+        self.copy("clash")
+        self.check("-g", "100,0,0", "-i", "clash", status=program.NOT_GOOD)
+
     def test_named_elements(self):
         self.copy("gap")
         self.check("-b", "1.5", "-c=8", "-d", "181", "-f", "3", "--exact-coincidence", "gap")

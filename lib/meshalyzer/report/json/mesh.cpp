@@ -14,6 +14,7 @@
 #include "meshalyzer/report/json/schema_writer.h"
 #include "meshalyzer/report/json/statistics.h"
 #include "meshalyzer/report/json/tree.h"
+#include "meshalyzer/report/json/verdict.h"
 #include "meshalyzer/report/json/writer.h"
 
 namespace meshalyzer {
@@ -104,9 +105,6 @@ void write_integrity(JsonWriter& json, const Analysis& analysis) {
 }
 
 void define_integrity(SchemaDefinitions& schema) {
-  schema.define("verdict", {.description = "",
-                            .members = {{"good", "", std::string(schema_type::kTruthOrNull)},
-                                        {"reasons", "", std::string(schema_type::kTexts)}}});
   constexpr auto kSometimes = SchemaMember::Presence::Sometimes;
   SchemaObject object{.description = "whether the records of the file are complete and consistent"};
   append_members(object.members, Integrity(), kIntegrityFields);
@@ -203,36 +201,12 @@ void define_characteristics(SchemaDefinitions& schema) {
   schema.define("characteristics", object);
 }
 
-void write_verdict(JsonWriter& json, const std::optional<Goodness>& verdict) {
-  json.member("good", verdict ? std::optional(verdict->good) : std::nullopt);
-  json.key("reasons");
-  json.begin_array();
-  if (verdict) {
-    for (const std::string& reason : verdict->reasons) {
-      json.value(std::string_view(reason));
-    }
-  }
-  json.end_array();
-}
-
-std::optional<Goodness> read_verdict(const JsonNode& object) {
-  const JsonNode good = object.member("good");
-  if (good.is_null()) {
-    return std::nullopt;
-  }
-  Goodness verdict{good.truth(), {}};
-  for (JsonElements reasons = object.member("reasons").elements(); !reasons.at_end();) {
-    verdict.reasons.emplace_back(reasons.next().text());
-  }
-  return verdict;
-}
-
 /// Writes the verdict without thresholds, only if it does not follow from other members.
 void write_fitness(JsonWriter& json, const Analysis& analysis) {
   if (analysis.fitness && !analysis.has_characteristics) {
     json.key("fitness");
     json.begin_object();
-    write_verdict(json, analysis.fitness);
+    write_verdict_members(json, analysis.fitness);
     json.end_object();
   }
 }
@@ -244,7 +218,7 @@ std::optional<Goodness> read_fitness(const JsonNode& mesh, const Analysis& analy
     return judge_fitness(analysis);
   }
   const std::optional<JsonNode> fitness = mesh.find("fitness");
-  return fitness ? read_verdict(*fitness) : std::nullopt;
+  return fitness ? read_verdict_members(*fitness) : std::nullopt;
 }
 
 /// Returns the members from "path" to "polygons".
@@ -277,11 +251,8 @@ void write_mesh_members(JsonWriter& json, const Analysis& analysis, JsonOffender
   write_undefined(json, analysis);
   json.key("per_component");
   write_components(json, analysis);
-  json.key("verdict");
-  json.begin_object();
   write_verdict(json, verdict_of(analysis));
-  json.end_object();
-  write_verdict(json, analysis.goodness);
+  write_verdict_members(json, analysis.goodness);
   write_fitness(json, analysis);
   if (offenders == JsonOffenders::List || has_asked_lists(analysis.offenders)) {
     json.key("offenders");
@@ -303,7 +274,7 @@ Analysis read_mesh_members(std::string_view object_text) {
   read_characteristics(mesh.member("characteristics"), analysis);
   read_undefined(mesh.member("undefined"), analysis);
   read_components(mesh.member("per_component"), analysis);
-  analysis.goodness = read_verdict(mesh);
+  analysis.goodness = read_verdict_members(mesh);
   analysis.fitness = read_fitness(mesh, analysis);
   if (const std::optional<JsonNode> offenders = mesh.find("offenders")) {
     analysis.offenders = read_offenders(*offenders);
@@ -314,6 +285,7 @@ Analysis read_mesh_members(std::string_view object_text) {
 }
 
 void define_mesh(SchemaDefinitions& schema) {
+  define_verdict(schema);
   define_integrity(schema);
   define_attributes(schema);
   define_characteristics(schema);

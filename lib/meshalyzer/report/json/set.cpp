@@ -5,6 +5,7 @@
 #include "meshalyzer/report/json/name.h"
 #include "meshalyzer/report/json/non_finite.h"
 #include "meshalyzer/report/json/statistics.h"
+#include "meshalyzer/report/json/verdict.h"
 #include "meshalyzer/report/set_verdict.h"
 #include "meshalyzer/set/set_counts.h"
 
@@ -157,7 +158,8 @@ Members verdict_members() {
       {"is_good",
        "whether every mesh is good and, where that was asked for, none intersects or is inside "
        "another; null where only the attributes were asked for",
-       std::string(schema_type::kTruthOrNull)}};
+       std::string(schema_type::kTruthOrNull)},
+      {"verdict", "the same, and why the set is not good", schema_reference("verdict")}};
 }
 
 Members total_members() {
@@ -228,6 +230,7 @@ void write_set_members(JsonWriter& json, const SetAnalysis& set,
   write_not_good(json, set);
   const std::optional<Goodness> verdict = set_verdict(set);
   json.member("is_good", verdict ? std::optional(verdict->good) : std::nullopt);
+  write_verdict(json, verdict);
   write_totals(json, set);
   write_measures(json, set.statistics ? &*set.statistics : nullptr);
   write_undefined(json, set);

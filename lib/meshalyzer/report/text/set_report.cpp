@@ -10,19 +10,21 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 namespace meshalyzer {
 namespace {
 
-void append_verdict(TextLines& lines, const SetAnalysis& set) {
-  if (const std::optional<Goodness> verdict = set_verdict(set)) {
-    lines.line("verdict", verdict_text(*verdict));
-  }
+constexpr std::string_view kSetHeading = "MESH SET";
+
+void append_judged_meshes(TextLines& lines, const SetAnalysis& set,
+                          const std::optional<Goodness>& verdict) {
   lines.line("meshes", set.meshes);
   lines.line("unreadable files", set.unreadable);
   if (set.good) {
-    const bool cut_each_other = set.not_good.empty() && !set_verdict(set)->good;
+    const bool cut_each_other = set.not_good.empty() && !verdict->good;
     lines.line("good meshes", fmt::format("{} of {}{}", *set.good, set.meshes,
                                           cut_each_other ? ", each by itself" : ""));
   }
@@ -36,8 +38,10 @@ void append_verdict(TextLines& lines, const SetAnalysis& set) {
 
 std::string text_report(const SetAnalysis& set, OffenderStyle offenders) {
   TextLines lines;
-  lines.heading("MESH SET");
-  append_verdict(lines, set);
+  lines.heading(kSetHeading);
+  const std::optional<Goodness> verdict = set_verdict(set);
+  if (verdict) lines.line("verdict", verdict_text(*verdict));
+  append_judged_meshes(lines, set, verdict);
   append_set_totals(lines, set);
   if (set.statistics) {
     append_measures(lines, *set.statistics);
@@ -49,6 +53,11 @@ std::string text_report(const SetAnalysis& set, OffenderStyle offenders) {
 
 std::string text_report_between(const SetAnalysis& set, OffenderStyle offenders) {
   TextLines lines;
+  const bool is_requested = set.intersections || set.separation || !set.separation_reason.empty();
+  if (const std::optional<Goodness> verdict = set_verdict(set); verdict && is_requested) {
+    lines.heading(kSetHeading);
+    lines.line("verdict", verdict_text(*verdict));
+  }
   append_meetings(lines, set, offenders);
   append_separation(lines, set, offenders);
   return std::move(lines.text());

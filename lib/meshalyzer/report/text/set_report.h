@@ -14,8 +14,8 @@ namespace meshalyzer {
 ///                   named; CustomPoints is the same as Ids.
 [[nodiscard]] std::string text_report(const SetAnalysis& set, OffenderStyle offenders);
 
-/// Returns only the part of the report about the relations between the meshes; it is empty if none
-/// were requested.
+/// Returns only the part of the report about the relations between the meshes, after the verdict on
+/// the set if the meshes were judged; it is empty if no relations were requested.
 [[nodiscard]] std::string text_report_between(const SetAnalysis& set, OffenderStyle offenders);
 
 }  // namespace meshalyzer

@@ -111,6 +111,9 @@ TEST(JsonReportOfSet, TotalsStandUnderTheirKeys) {
   EXPECT_EQ(shown["unreadable"], 1);
   EXPECT_EQ(shown["good"], 2);
   EXPECT_EQ(shown["is_good"], false);
+  EXPECT_EQ(shown["verdict"], json::parse(R"({"good": false, "reasons": [
+      "2 meshes are not good", "5 pairs of faces of different meshes intersect",
+      "1 mesh is inside another one", "2 meshes are partly inside another one"]})"));
   EXPECT_EQ(shown["vertices"], 10);
   EXPECT_EQ(shown["faces"], 11);
   EXPECT_EQ(shown["edges"], 12);
@@ -190,6 +193,7 @@ TEST(JsonReportOfSet, WhatWasNotAskedForIsNullAndKeepsItsKey) {
                           "separation_without_closest_count"}) {
     EXPECT_TRUE(shown[key].is_null()) << key;
   }
+  EXPECT_EQ(shown["verdict"], json::parse(R"({"good": null, "reasons": []})"));
   EXPECT_EQ(shown["undefined"], (json{{"separation", "b.mesh is not good"}}));
 }
 

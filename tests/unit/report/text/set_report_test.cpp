@@ -65,6 +65,27 @@ TEST(SetTextReport, SetWithoutAFaultIsGood) {
   EXPECT_THAT(report_of(set), HasLine("verdict: good"));
 }
 
+TEST(SetTextReport, PartBetweenMeshesBeginsWithTheVerdict) {
+  SetAnalysis set = sample_set();
+  EXPECT_EQ(text_report_between(set, OffenderStyle::None)
+                .find("MESH SET\n"
+                      "verdict: NOT good: 2 meshes are not good; "
+                      "5 pairs of faces of different meshes intersect; "
+                      "1 mesh is inside another one; 2 meshes are partly inside another one\n\n"
+                      "INTERSECTIONS BETWEEN MESHES\n"),
+            0U);
+  set.good.reset();
+  EXPECT_EQ(text_report_between(set, OffenderStyle::None).find("INTERSECTIONS BETWEEN MESHES\n"),
+            0U);
+}
+
+TEST(SetTextReport, PartBetweenMeshesIsEmptyWhereNothingBetweenThemWasAskedFor) {
+  SetAnalysis set = sample_set();
+  set.intersections.reset();
+  set.separation.reset();
+  EXPECT_EQ(text_report_between(set, OffenderStyle::None), "");
+}
+
 TEST(SetTextReport, SetThatWasNotJudgedIsNeitherGoodNorNot) {
   EXPECT_THAT(report_of(SetAnalysis{}), Not(HasSubstr("good")));
 }
