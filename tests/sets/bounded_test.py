@@ -109,7 +109,25 @@ class Bounded(program.SetTest):
             self.write(f"set/{i}.mesh", tangle(20, i))
         of_set = self.between("--time-limit", "0", "set")
         self.assertIs(of_set["intersecting_pairs_at_least"], True)
+        self.assertIs(of_set["contained_at_least"], True)
+        self.assertIs(of_set["intersecting_pairs_within_at_least"], True)
         self.assertIs(of_set["is_good"], False)
+
+    def test_nothing_that_a_time_limit_cut_is_told_as_exact(self):
+        self.copy("nest")
+        self.write("nest/two.mesh", tangle(3))
+        text = self.run_program("-i", "--time-limit", "0", "--html", "all.html", "nest").out.decode().splitlines()
+        for line in ("total intersecting pairs within meshes: at least 0",
+                     "intersecting pairs between meshes: at least 0 (the search ended at its time limit)",
+                     "pairs of meshes that intersect: at least 0", "contained meshes: at least 0",
+                     "partly contained meshes: at least 0"):
+            self.assertIn(line, text)
+        self.assertTrue(any(line.endswith("  intersecting pairs (at least)") for line in text), text)
+        page = self.read("all.html").decode()
+        self.assertGreaterEqual(page.count("<td>at least 0</td>"), 4)
+        whole = self.between("nest")
+        self.assertEqual([key for key in whole if key.endswith("_at_least")], [])
+        self.assertNotEqual(whole["contained"], [])
 
 
 if __name__ == "__main__":

@@ -8,9 +8,11 @@
 namespace meshalyzer {
 namespace {
 
+/// Appends the number of faults that a search has found, unless there are none.
+/// @param is_stopped  Tells whether the search was stopped, so that there are at least so many.
 void append_counted(std::vector<std::string>& reasons, std::size_t n, std::string_view one,
-                    std::string_view many) {
-  if (n != 0) reasons.push_back(counted(n, one, many));
+                    std::string_view many, bool is_stopped = false) {
+  if (n != 0) reasons.push_back((is_stopped ? "at least " : "") + counted(n, one, many));
 }
 
 }  // namespace
@@ -26,9 +28,9 @@ void append_reasons_between(const SetIntersections& found, std::vector<std::stri
                    "pairs of faces of different meshes intersect");
   }
   append_counted(reasons, found.contained.size(), "mesh is inside another one",
-                 "meshes are inside another one");
+                 "meshes are inside another one", found.is_search_stopped);
   append_counted(reasons, found.partly_contained.size(), "mesh is partly inside another one",
-                 "meshes are partly inside another one");
+                 "meshes are partly inside another one", found.is_search_stopped);
 }
 
 std::optional<Goodness> set_verdict(const SetAnalysis& set) {

@@ -127,9 +127,12 @@ struct SetAnalysis {
   std::size_t components = 0;
   std::size_t boundaries = 0;
   /// Tells whether the meshes were measured. With Scope::AttributesOnly they were not, and the next
-  /// two members, the volume and the statistics are empty.
+  /// three members, the volume and the statistics are empty.
   bool is_measured = true;
   std::size_t intersecting_pairs_within = 0;
+  /// Tells whether the search within a mesh ended at its time limit, so that the number of pairs is
+  /// a lower bound.
+  bool is_search_within_stopped = false;
   double area = 0.0;
   /// The total volume of all meshes that have one; the reason names those that have none.
   Measure<double> volume;

@@ -14,6 +14,14 @@ struct SetCount {
   std::size_t SetAnalysis::*total;
   std::size_t Characteristics::*of_mesh;
   Known known = Known::Always;
+  /// The member that tells whether the total is only a lower bound, because a search was stopped;
+  /// null if it always is exact.
+  bool SetAnalysis::*is_at_least = nullptr;
+
+  /// Tells whether the total of a set is only a lower bound.
+  [[nodiscard]] constexpr bool is_at_least_of(const SetAnalysis& set) const {
+    return is_at_least != nullptr && set.*is_at_least;
+  }
 };
 
 /// One row for each count, in the order of reports.
@@ -34,7 +42,8 @@ inline constexpr std::array kSetCounts{
               .definition = "those of each mesh with itself, summed"},
              &SetAnalysis::intersecting_pairs_within,
              &Characteristics::intersecting_pairs,
-             Known::Measured},
+             Known::Measured,
+             &SetAnalysis::is_search_within_stopped},
 };
 
 }  // namespace meshalyzer

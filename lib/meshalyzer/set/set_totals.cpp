@@ -37,6 +37,7 @@ void SetTotals::add_mesh(Index number, const Analysis& mesh) {
   for (const SetCount& count : kSetCounts) {
     set_.*count.total += c.*count.of_mesh;
   }
+  set_.is_search_within_stopped = set_.is_search_within_stopped || c.is_search_stopped;
   area_.add(c.area);
   volume_.add(c.volume.value.value_or(0.0));
   without_volume_ += c.volume.value ? 0 : 1;

@@ -66,5 +66,18 @@ TEST(SetVerdict, ReasonsAreCounted) {
                                       "1 mesh is inside another one"}));
 }
 
+TEST(SetVerdict, SearchThatWasStoppedHasFoundAtLeastSoMuch) {
+  SetAnalysis set = good_set();
+  set.intersections->contained = {{0, 1}};
+  set.intersections->partly_contained = {{2, 1}, {3, 1}};
+  set.intersections->is_search_stopped = true;
+  ASSERT_TRUE(set_verdict(set));
+  EXPECT_EQ(set_verdict(set)->reasons,
+            (std::vector<std::string>{"at least 0 pairs of faces of different meshes intersect, "
+                                      "the search ended at its time limit",
+                                      "at least 1 mesh is inside another one",
+                                      "at least 2 meshes are partly inside another one"}));
+}
+
 }  // namespace
 }  // namespace meshalyzer

@@ -109,6 +109,19 @@ TEST(SetTotals, PairsWithinMeshesAddUp) {
   EXPECT_EQ(totals_of({soup, soup}).finish().intersecting_pairs_within, 6U);
 }
 
+TEST(SetTotals, OneSearchThatWasStoppedMakesTheSumOfPairsALowerBound) {
+  Analysis stopped;
+  stopped.characteristics.is_search_stopped = true;
+  SetTotals exact({"a.mesh"}, {});
+  exact.add_mesh(0, Analysis());
+  EXPECT_FALSE(exact.finish().is_search_within_stopped);
+  SetTotals bounded({"a.mesh", "b.mesh", "c.mesh"}, {});
+  bounded.add_mesh(0, Analysis());
+  bounded.add_mesh(1, stopped);
+  bounded.add_mesh(2, Analysis());
+  EXPECT_TRUE(bounded.finish().is_search_within_stopped);
+}
+
 TEST(SetTotals, StatisticsAreThoseOfAllValuesTogether) {
   const std::vector<Soup> soups{shapes::icosphere(2), shapes::torus(2, 0.5, 20, 11),
                                 shapes::scaled(shapes::open_cube(), 1e5), shapes::grid(3, 2)};

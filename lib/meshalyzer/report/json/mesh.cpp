@@ -193,7 +193,7 @@ void define_characteristics(SchemaDefinitions& schema) {
   object.members.push_back(
       {std::string(kAtLeastKey),
        "only where the search for intersecting pairs ended at its time limit: there are at least "
-       "so many pairs and faces",
+       "so many pairs and faces, in the mesh and in each of its components",
        std::string(schema_type::kTruth), SchemaMember::Presence::Sometimes});
   append_measures(object.members, "statistics", SchemaMember::Presence::Always);
   append_curvature_members(object.members);

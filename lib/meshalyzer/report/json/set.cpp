@@ -37,6 +37,11 @@ void write_not_good(JsonWriter& json, const SetAnalysis& set) {
   json.end_array();
 }
 
+/// Returns the key of the member that tells that a count is only a lower bound.
+std::string at_least_key(const SetCount& count) {
+  return std::string(count.info.key).append("_at_least");
+}
+
 void write_totals(JsonWriter& json, const SetAnalysis& set) {
   const auto measured = [&](auto value) {
     return set.is_measured ? std::optional(value) : std::nullopt;
@@ -44,6 +49,7 @@ void write_totals(JsonWriter& json, const SetAnalysis& set) {
   for (const SetCount& count : kSetCounts) {
     const bool is_known = count.known == Known::Always || set.is_measured;
     json.member(count.info.key, is_known ? std::optional(set.*count.total) : std::nullopt);
+    if (is_known && count.is_at_least_of(set)) json.member(at_least_key(count), true);
   }
   json.member("area", measured(set.area));
   json.member("volume", set.is_measured ? set.volume.value : std::nullopt);
@@ -81,6 +87,7 @@ void write_intersections(JsonWriter& json, const SetAnalysis& set,
   rows.contained(set.intersections->contained);
   json.key("partly_contained");
   rows.contained(set.intersections->partly_contained);
+  if (set.intersections->is_search_stopped) json.member("contained_at_least", true);
   json.key("intersecting_pairs");
   rows.pairs(set.intersections->pairs);
   if (const std::size_t n_listed = set.intersections->pairs.size(); n_listed < n_pairs) {
@@ -168,6 +175,12 @@ Members total_members() {
     members.push_back({.key = std::string(count.info.key),
                        .description = description_of(count.info, count.known),
                        .type = type_of(std::size_t{0}, count.known)});
+    if (count.is_at_least != nullptr) {
+      members.push_back(
+          {at_least_key(count),
+           "only where a search within a mesh ended at its time limit: there are at least so many",
+           std::string(schema_type::kTruth), SchemaMember::Presence::Sometimes});
+    }
   }
   members.push_back(
       {"area", "null where only the attributes were asked for", std::string(schema_type::kReal)});
@@ -191,6 +204,10 @@ Members intersection_members() {
           {"contained", "meshes inside another one", schema_reference("contained")},
           {"partly_contained", "meshes some components of which are inside another one",
            schema_reference("contained")},
+          {"contained_at_least",
+           "only where the search ended at its time limit: more meshes may be inside another one, "
+           "wholly or partly",
+           std::string(schema_type::kTruth), SchemaMember::Presence::Sometimes},
           {"intersecting_pairs", "", schema_reference("set_pairs")},
           {"intersecting_pairs_unlisted", "how many pairs the list leaves out, where it is cut",
            std::string(schema_type::kCount), SchemaMember::Presence::Sometimes}};

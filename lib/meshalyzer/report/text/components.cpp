@@ -36,14 +36,19 @@ std::string cell_of(const std::optional<T>& value) {
 struct ComponentColumn {
   std::string_view title;
   std::string (*cell)(const Analysis& analysis, std::size_t number);
+  /// Tells whether the entries are only lower bounds if the search for intersecting pairs was
+  /// stopped.
+  bool counts_pairs = false;
 };
 
 /// Returns the column of a member of a component.
 template <auto Member>
-constexpr ComponentColumn column(std::string_view title) {
-  return {title, [](const Analysis& analysis, std::size_t number) {
+constexpr ComponentColumn column(std::string_view title, bool counts_pairs = false) {
+  return {title,
+          [](const Analysis& analysis, std::size_t number) {
             return cell_of(analysis.components[number].*Member);
-          }};
+          },
+          counts_pairs};
 }
 
 constexpr std::array kComponentColumns{
@@ -65,7 +70,7 @@ constexpr std::array kComponentColumns{
     column<&ComponentAnalysis::genus>("genus"),
     column<&ComponentAnalysis::area>("area"),
     column<&ComponentAnalysis::volume>("volume"),
-    column<&ComponentAnalysis::intersecting_pairs>("intersecting pairs"),
+    column<&ComponentAnalysis::intersecting_pairs>("intersecting pairs", true),
 };
 
 }  // namespace
@@ -73,7 +78,10 @@ constexpr std::array kComponentColumns{
 TextTable components_table(const Analysis& analysis, std::size_t n) {
   TextTable table;
   std::vector<std::string>& titles = table.rows.emplace_back();
-  for (const ComponentColumn& column : kComponentColumns) titles.emplace_back(column.title);
+  for (const ComponentColumn& column : kComponentColumns) {
+    const bool is_at_least = column.counts_pairs && analysis.characteristics.is_search_stopped;
+    titles.emplace_back(column.title).append(is_at_least ? kAtLeastTitle : "");
+  }
   for (std::size_t i = 0; i < n; ++i) {
     std::vector<std::string>& cells = table.rows.emplace_back();
     for (const ComponentColumn& column : kComponentColumns) {

@@ -37,6 +37,10 @@ class LineSink {
     add(name, std::in_range<std::size_t>(value) ? count_text(static_cast<std::size_t>(value))
                                                 : std::to_string(value));
   }
+  /// Adds a line for a count, with the words "at least" if it is only a lower bound.
+  void count(std::string_view name, std::size_t count, bool is_at_least) {
+    add(name, (is_at_least ? "at least " : "") + count_text(count));
+  }
 
  private:
   virtual void add(std::string_view name, std::string_view value) = 0;

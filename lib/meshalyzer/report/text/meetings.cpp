@@ -31,6 +31,9 @@ TextTable meetings_table(const SetAnalysis& set) {
   if (!set.intersections) {
     return table;
   }
+  if (set.intersections->is_search_stopped) {
+    table.rows.front().back() += kAtLeastTitle;
+  }
   // There is a column for each kind that occurs.
   const std::vector<MeshMeeting> meetings = meetings_of(*set.intersections);
   const ContactCounts all = count_all(meetings);
@@ -62,9 +65,9 @@ void append_meeting_counts(LineSink& lines, const SetAnalysis& set) {
   } else {
     lines.line("intersecting pairs between meshes", found.n_pairs());
   }
-  lines.line("pairs of meshes that intersect", meetings_of(found).size());
-  lines.line("contained meshes", found.contained.size());
-  lines.line("partly contained meshes", found.partly_contained.size());
+  lines.count("pairs of meshes that intersect", meetings_of(found).size(), found.is_search_stopped);
+  lines.count("contained meshes", found.contained.size(), found.is_search_stopped);
+  lines.count("partly contained meshes", found.partly_contained.size(), found.is_search_stopped);
   for (const ContainedMesh& mesh : found.contained) {
     lines.line("contained mesh", set.names[mesh.inner] + " inside " + set.names[mesh.outer]);
   }
@@ -85,11 +88,12 @@ void append_meetings(TextLines& lines, const SetAnalysis& set, OffenderStyle sty
     return;
   }
   lines.line("mended by", "meshfixer --subtract-in-order (makes them disjoint) or --union (one)");
-  lines.line("pairs of meshes that intersect, one a row", "all");
+  lines.line("pairs of meshes that intersect, one a row",
+             found.is_search_stopped ? "those found within the time limit" : "all");
   append_table(lines.text(), meetings_table(set));
   if (style != OffenderStyle::None) {
     lines.line("offending intersecting pairs between meshes",
-               list_head(found.n_pairs(), found.pairs.size()));
+               list_head(found.n_pairs(), found.pairs.size(), found.is_search_stopped));
     append_pairs(lines.text(), set);
   }
 }

@@ -148,8 +148,9 @@ void OffenderLines::list(const Row<std::vector<IntersectingPair>>& row,
   if (pairs.empty()) {
     return;
   }
+  const Characteristics& c = analysis_.characteristics;
   lines_.line(std::string("offending ").append(row.info.label),
-              list_head(analysis_.characteristics.intersecting_pairs, pairs.size()));
+              list_head(c.intersecting_pairs, pairs.size(), c.is_search_stopped));
   for (const IntersectingPair& pair : pairs) {
     if (points_) {
       points_of_face(pair.face_a);
@@ -224,9 +225,10 @@ void append_found(OffenderLines& lines, const Analysis& analysis) {
 
 }  // namespace
 
-std::string list_head(std::size_t n, std::size_t n_listed) {
-  return n > n_listed ? fmt::format("{}, of which the first {} are listed", n, n_listed)
-                      : std::to_string(n_listed);
+std::string list_head(std::size_t n, std::size_t n_listed, bool is_at_least) {
+  const std::string_view bound = is_at_least ? "at least " : "";
+  return n > n_listed ? fmt::format("{}{}, of which the first {} are listed", bound, n, n_listed)
+                      : fmt::format("{}{}", bound, n_listed);
 }
 
 std::string numbering_text(const NumberingBreak& place) {

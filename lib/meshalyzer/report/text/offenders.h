@@ -7,7 +7,9 @@
 namespace meshalyzer {
 
 /// Returns the number of elements and, if a list is incomplete, the number of its entries.
-[[nodiscard]] std::string list_head(std::size_t n, std::size_t n_listed);
+///
+/// @param is_at_least  Tells whether `n` is only a lower bound.
+[[nodiscard]] std::string list_head(std::size_t n, std::size_t n_listed, bool is_at_least);
 
 /// Appends the section OFFENDING ELEMENTS: each list that is not empty, headed by its name and
 /// length.

@@ -60,8 +60,8 @@ void append_count(LineSink& lines, const FieldRow<Characteristics, std::size_t>&
                   const Characteristics& c) {
   if (row.member == &Characteristics::intersecting_pairs) {
     lines.line(row.info.label, pairs_text(c));
-  } else if (row.member == &Characteristics::intersecting_faces && c.is_search_stopped) {
-    lines.line(row.info.label, fmt::format("at least {}", c.intersecting_faces));
+  } else if (row.member == &Characteristics::intersecting_faces) {
+    lines.count(row.info.label, c.intersecting_faces, c.is_search_stopped);
   } else if (!row.info.label.empty()) {
     lines.line(row.info.label, c.*row.member);
   }

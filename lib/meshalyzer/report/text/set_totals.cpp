@@ -22,7 +22,8 @@ std::string volume_text(const Measure<double>& volume) {
 void append_set_totals(LineSink& lines, const SetAnalysis& set) {
   for (const SetCount& count : kSetCounts) {
     if (count.known == Known::Always || set.is_measured) {
-      lines.line(fmt::format("total {}", count.info.label), set.*count.total);
+      lines.count(fmt::format("total {}", count.info.label), set.*count.total,
+                  count.is_at_least_of(set));
     }
   }
   if (set.is_measured) {

@@ -23,6 +23,9 @@ struct TextTable {
   std::vector<std::vector<std::string>> rows;
 };
 
+/// What follows the title of a column whose numbers are only lower bounds.
+inline constexpr std::string_view kAtLeastTitle = " (at least)";
+
 /// Appends the rows, each column as wide as its widest entry.
 void append_table(std::string& text, const TextTable& table);
 

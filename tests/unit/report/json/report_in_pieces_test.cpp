@@ -141,6 +141,27 @@ TEST(JsonReportOfSet, IntersectionsAreRowsOfNamesAndFaceIds) {
             json::parse(R"([["a.mesh", "c.off"], ["b.mesh", "c.off"]])"));
 }
 
+TEST(JsonReportOfSet, LowerBoundsAreToldBesideTheirNumbers) {
+  SetAnalysis set = sample_set();
+  const auto bounds_of = [](const json& shown) {
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : shown.items()) {
+      if (key.ends_with("_at_least") && value == true) keys.push_back(key);
+    }
+    return keys;
+  };
+  EXPECT_EQ(bounds_of(parsed_set(set)), std::vector<std::string>());
+  set.intersections->is_search_stopped = true;
+  EXPECT_EQ(bounds_of(parsed_set(set)),
+            (std::vector<std::string>{"contained_at_least", "intersecting_pairs_at_least"}));
+  set.intersections.reset();
+  set.is_search_within_stopped = true;
+  EXPECT_EQ(bounds_of(parsed_set(set)),
+            std::vector<std::string>{"intersecting_pairs_within_at_least"});
+  set.is_measured = false;
+  EXPECT_EQ(bounds_of(parsed_set(set)), std::vector<std::string>());
+}
+
 TEST(JsonReportOfSet, SeparationIsAStatisticAMeshAndOneOfAll) {
   SetAnalysis set = sample_set();
   set.separation->options.search_radius = 2.5;

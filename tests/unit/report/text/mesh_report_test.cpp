@@ -157,6 +157,14 @@ TEST(TextReport, ComponentsBeyondTheFirstTwentyAreOnlyCounted) {
   EXPECT_THAT(report_of(analysis), Not(HasSubstr("not shown")));
 }
 
+TEST(TextReport, ComponentsHaveAtLeastSoManyPairsWhereTheSearchWasStopped) {
+  Analysis analysis;
+  analysis.components.resize(2);
+  EXPECT_THAT(report_of(analysis), HasSubstr("  volume  intersecting pairs\n"));
+  analysis.characteristics.is_search_stopped = true;
+  EXPECT_THAT(report_of(analysis), HasSubstr("  volume  intersecting pairs (at least)\n"));
+}
+
 TEST(TextReport, LoneComponentHasNoTable) {
   Analysis analysis;
   analysis.components.resize(1);

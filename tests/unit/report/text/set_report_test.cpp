@@ -127,6 +127,29 @@ TEST(SetTextReport, ContainedMeshesAreAlwaysNamed) {
   EXPECT_THAT(report, HasLine("partly contained mesh: components of b.mesh inside c.off"));
 }
 
+TEST(SetTextReport, SearchThatWasStoppedHasFoundAtLeastSoMuch) {
+  SetAnalysis set = sample_set();
+  set.intersections->is_search_stopped = true;
+  const std::string report = text_report(set, OffenderStyle::Ids);
+  EXPECT_THAT(report, HasLine("intersecting pairs between meshes: at least 5 (the search ended at "
+                              "its time limit)"));
+  EXPECT_THAT(report, HasLine("pairs of meshes that intersect: at least 3"));
+  EXPECT_THAT(report, HasLine("contained meshes: at least 1"));
+  EXPECT_THAT(report, HasLine("partly contained meshes: at least 2"));
+  EXPECT_THAT(report, HasSubstr("pairs of meshes that intersect, one a row: those found within the "
+                                "time limit\n  mesh    and mesh  pairs (at least)  "));
+  EXPECT_THAT(report, HasLine("offending intersecting pairs between meshes: at least 5"));
+  EXPECT_THAT(report, HasLine("total intersecting pairs within meshes: 15"));
+}
+
+TEST(SetTextReport, SearchWithinAMeshThatWasStoppedMakesTheTotalALowerBound) {
+  SetAnalysis set = sample_set();
+  set.is_search_within_stopped = true;
+  EXPECT_THAT(report_of(set), HasLine("total intersecting pairs within meshes: at least 15"));
+  EXPECT_THAT(report_of(set), HasLine("total faces: 11"));
+  EXPECT_THAT(report_of(set), HasLine("contained meshes: 1"));
+}
+
 TEST(SetTextReport, PairsOfFacesAreNamedWhenAsked) {
   const std::string pair = "a.mesh face 3, b.mesh face 18: touching";
   EXPECT_THAT(report_of(sample_set()), Not(HasSubstr(" face 18")));
