@@ -33,17 +33,18 @@ std::vector<Index> vertices_of(const Defect& defect) {
   return vertices;
 }
 
-Finding finding_of(const Defect& defect, const Soup& soup) {
+Finding finding_of(const Defect& defect, const Soup& soup, bool is_at_least) {
   const CatalogueEntry& entry = catalogue_entry(defect.code);
   Finding finding{.code = entry.name,
                   .severity = defect.severity,
-                  .message = defect_sentence(defect, soup),
+                  .message = defect_sentence(defect, soup, is_at_least),
                   .fix = defect.fixable ? entry.fix_summary : "",
                   .line = defect_line(defect, soup),
                   .vertices = first_ids(vertices_of(defect), soup.vertex_ids),
                   .faces = first_ids(defect.faces, soup.face_ids),
                   .position = std::nullopt,
                   .value = defect.value,
+                  .is_at_least = is_at_least,
                   .limit = defect.limit};
   if (!defect.positions.empty()) finding.position = defect.positions.front();
   return finding;
@@ -105,7 +106,7 @@ class FileFindingsBuilder {
       found.is_at_least = is_of_pairs(code) && mesh_.was_intersection_search_cut();
       for (std::size_t i = begin; i < end; ++i) found.fixable += defects.is_fixable(i) ? 1 : 0;
       for (std::size_t i = begin; i < begin + n_listed(report.count(code)); ++i) {
-        file_.findings.push_back(finding_of(defects[i], mesh_.soup()));
+        file_.findings.push_back(finding_of(defects[i], mesh_.soup(), found.is_at_least));
       }
     }
   }

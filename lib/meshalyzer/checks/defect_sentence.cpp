@@ -1,8 +1,11 @@
 #include "meshalyzer/checks/defect_sentence.h"
 
+#include "meshalyzer/base/grouped_digits.h"
+
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <string_view>
 #include <utility>
 
 namespace meshalyzer {
@@ -14,7 +17,8 @@ constexpr std::size_t kMaxNamed = 3;
 /// Names the elements of a defect by the ids of the file.
 class Names {
  public:
-  Names(const Defect& defect, const Soup& soup) : defect_(defect), soup_(soup) {}
+  Names(const Defect& defect, const Soup& soup, bool is_at_least)
+      : defect_(defect), soup_(soup), bound_(is_at_least ? "at least " : "") {}
 
   [[nodiscard]] std::string vertex(std::size_t i = 0) const {
     return fmt::format("vertex {}", soup_.vertex_ids.of(defect_.vertices[i]));
@@ -30,7 +34,7 @@ class Names {
   [[nodiscard]] std::string faces() const {
     const std::size_t n = defect_.faces.size();
     if (n == 1) return face();
-    if (n > kMaxNamed) return fmt::format("{} faces from {} on", n, face());
+    if (n > kMaxNamed) return fmt::format("{} faces from {} on", grouped(n), face());
     std::string text = "faces ";
     for (std::size_t i = 0; i < n; ++i) {
       text += fmt::format("{}{}", i == 0 ? "" : i + 1 == n ? " and " : ", ", id_of_face(i));
@@ -40,7 +44,13 @@ class Names {
   /// Returns "a border of 4 edges from edge 1-2 on".
   [[nodiscard]] std::string border() const {
     const std::size_t n = defect_.edges.size();
-    return fmt::format("a border of {} edge{} from {} on", n, n == 1 ? "" : "s", edge());
+    return fmt::format("a border of {} edge{} from {} on", grouped(n), n == 1 ? "" : "s", edge());
+  }
+  /// Returns "at least " if the defect may be larger than it is known to be, else an empty text.
+  [[nodiscard]] std::string_view bound() const { return bound_; }
+  /// Returns a value that counts something.
+  [[nodiscard]] std::string count() const {
+    return grouped(static_cast<std::size_t>(*defect_.value));
   }
   [[nodiscard]] std::string value() const { return fmt::format("{:.6g}", *defect_.value + 0.0); }
   /// Returns ", below 1e-8", or an empty text if the limit is 0 or there is none.
@@ -56,11 +66,12 @@ class Names {
 
   const Defect& defect_;
   const Soup& soup_;
+  std::string_view bound_;
 };
 
 std::string disjoint(const Names& is) {
   return fmt::format("the component of {}, {} face{}, is apart from the largest one", is.face(),
-                     is.value(), is.value() == "1" ? "" : "s");
+                     is.count(), is.count() == "1" ? "" : "s");
 }
 
 std::string foldover(const Names& is) {
@@ -80,19 +91,20 @@ std::string degenerate_facet(const Names& is) {
 
 std::string slit(const Names& is) {
   return fmt::format("{} edges from {} on lie on each other and are not joined, {} apart",
-                     is.defect().edges.size(), is.edge(), is.value());
+                     grouped(is.defect().edges.size()), is.edge(), is.value());
 }
 
 std::string self_intersection(const Names& is) {
   const std::size_t n = is.defect().pairs.size();
-  return n == 1 ? fmt::format("{} intersect", is.faces())
-                : fmt::format("{} intersect in {} pairs", is.faces(), n);
+  return n == 1 ? fmt::format("{}{} intersect", is.bound(), is.faces())
+                : fmt::format("{}{} intersect in {}{} pairs", is.bound(), is.faces(), is.bound(),
+                              grouped(n));
 }
 
 std::string non_manifold(const Names& is) {
   return is.defect().edges.empty()
-             ? fmt::format("{} joins {} fans of faces", is.vertex(), is.value())
-             : fmt::format("{} has {} faces", is.edge(), is.value());
+             ? fmt::format("{} joins {} fans of faces", is.vertex(), is.count())
+             : fmt::format("{} has {} faces", is.edge(), is.count());
 }
 
 std::string vertex_normal(const Names& is) {
@@ -173,8 +185,8 @@ const Sentence& sentence_of(const Defect& defect) {
 
 }  // namespace
 
-std::string defect_sentence(const Defect& defect, const Soup& soup) {
-  return sentence_of(defect).text(Names(defect, soup));
+std::string defect_sentence(const Defect& defect, const Soup& soup, bool is_at_least) {
+  return sentence_of(defect).text(Names(defect, soup, is_at_least));
 }
 
 std::optional<std::size_t> record_line(const std::vector<std::uint32_t>& lines, Index record) {

@@ -11,7 +11,10 @@ namespace meshalyzer {
 
 /// Returns a sentence without full stop that says which elements a defect concerns and what is
 /// wrong with them.
-[[nodiscard]] std::string defect_sentence(const Defect& defect, const Soup& soup);
+///
+/// @param is_at_least  Tells whether the search for such defects ended early, so that the defect
+///                     may be larger.
+[[nodiscard]] std::string defect_sentence(const Defect& defect, const Soup& soup, bool is_at_least);
 
 /// Returns the line of the record that the sentence names first, or nothing if the file has no
 /// lines.

@@ -34,6 +34,8 @@ struct Finding {
   std::optional<Vec3> position;
   /// The measured value, and the limit that it passes.
   std::optional<double> value;
+  /// Tells whether the value is a lower bound, because the search ended early.
+  bool is_at_least = false;
   std::optional<double> limit;
 };
 

@@ -104,6 +104,39 @@ TEST(CheckMesh, SearchForPairsEndsEarlyAndSaysSo) {
   EXPECT_TRUE(found->is_at_least);
 }
 
+/// Returns the first self-intersection that a check finds.
+Finding first_self_intersection(const Soup& soup, const CheckCriteria& criteria) {
+  const std::vector<Finding> findings = check_mesh(soup, "it", criteria).findings;
+  const auto found = std::find_if(findings.begin(), findings.end(), [](const Finding& finding) {
+    return finding.code == "self-intersection";
+  });
+  return found == findings.end() ? Finding() : *found;
+}
+
+TEST(CheckMesh, SelfIntersectionIsOfAtLeastTheFacesAndPairsThatWereFound) {
+  CheckCriteria criteria = solid();
+  const Soup soup = random_faces(60);
+  const Finding whole = first_self_intersection(soup, criteria);
+  EXPECT_FALSE(whole.is_at_least);
+  EXPECT_EQ(whole.message.find("at least"), std::string::npos);
+  // More than a quarter of the 60 * 59 / 2 = 1770 pairs of faces intersect, so more than 300.
+  criteria.max_pairs = 300;
+  const Finding cut = first_self_intersection(soup, criteria);
+  EXPECT_TRUE(cut.is_at_least);
+  EXPECT_EQ(cut.value, 300.0);
+  EXPECT_EQ(cut.message.substr(0, 9), "at least ");
+  EXPECT_NE(cut.message.find(" faces from face "), std::string::npos);
+  EXPECT_NE(cut.message.find(" intersect in at least 300 pairs"), std::string::npos);
+}
+
+TEST(CheckMesh, CountsInSentencesHaveTheirDigitsInGroups) {
+  CheckCriteria criteria = solid();
+  criteria.max_pairs = 12345;
+  const Finding cut = first_self_intersection(random_faces(2000), criteria);
+  EXPECT_NE(cut.message.find(" intersect in at least 12,345 pairs"), std::string::npos);
+  EXPECT_NE(cut.message.find(" on intersect"), std::string::npos);
+}
+
 TEST(CheckMesh, FindingsDoNotDependOnThreads) {
   CheckCriteria criteria = solid();
   criteria.max_pairs = 1000;

@@ -40,6 +40,7 @@ void write_finding(JsonWriter& json, const Finding& finding) {
     json.null();
   }
   json.member("value", finding.value);
+  json.member("at_least", finding.is_at_least);
   json.member("limit", finding.limit);
   json.end_object();
 }
@@ -137,6 +138,8 @@ void define_finding(SchemaDefinitions& schema) {
            {"faces", "ids of the file, the first few", ids},
            {"position", "", R"("type": ["array", "null"], "items": {"type": "number"})"},
            {"value", "the measured value", real},
+           {"at_least", "whether the value may be larger, since the search ended early",
+            std::string(schema_type::kTruth)},
            {"limit", "the limit that the value passes", real}}});
 }
 

@@ -26,6 +26,7 @@ FileFindings bad_file() {
                     .faces = {},
                     .position = Vec3(1, 2, 3),
                     .value = 0.5,
+                    .is_at_least = true,
                     .limit = std::nullopt},
                    {.code = "orphan-vertex",
                     .severity = Severity::Warning,
@@ -101,6 +102,7 @@ TEST(CheckReport, JsonHoldsFindingsCountsAndErrors) {
   EXPECT_FALSE(bad.member("good").truth());
   EXPECT_EQ(bad.member("counts").elements().next().member("count").count(), 36U);
   EXPECT_EQ(bad.member("findings").elements().next().member("line").count(), 628U);
+  EXPECT_TRUE(bad.member("findings").elements().next().member("at_least").truth());
   EXPECT_TRUE(bad.member("error").is_null());
   const JsonNode unreadable = meshes.next();
   EXPECT_EQ(unreadable.member("error").member("message").text(), "no face");
