@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace meshalyzer {
 
@@ -76,6 +77,35 @@ namespace meshalyzer {
 [[nodiscard]] inline Corners times_power_of_two(const Corners& t, int exponent) {
   return {times_power_of_two(t[0], exponent), times_power_of_two(t[1], exponent),
           times_power_of_two(t[2], exponent)};
+}
+
+/// Tells whether an area, or the length of a normal, is so far from overflow and underflow that the
+/// figures that follow from it are the same, digit for digit, at any other such scale.
+[[nodiscard]] inline bool is_of_usual_scale(double area) {
+  return area > 1e-280 && area < 1e280;
+}
+
+/// Returns the exponent of the largest extent of a triangle along an axis, which is at least
+/// 2^exponent and below 2^(exponent + 1).
+///
+/// @param t  Corners that are not all at one place.
+[[nodiscard]] inline int size_exponent(const Corners& t) {
+  const double extent = box_of(t).sizes().maxCoeff();
+  return std::isfinite(extent) ? std::ilogb(extent) : std::numeric_limits<double>::max_exponent;
+}
+
+/// Returns a triangle of the same shape, 2^exponent times smaller.
+///
+/// Where the exponent is its size_exponent(), neither lengths nor their products overflow, or
+/// underflow without need. Axes along which all corners agree do not matter to the shape, so
+/// coordinates are zero there; along other axes no coordinate, being a double, is much larger than
+/// the triangle.
+[[nodiscard]] inline Corners made_smaller(Corners t, int exponent) {
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const bool is_flat = t[0][axis] == t[1][axis] && t[0][axis] == t[2][axis];
+    for (Vec3& corner : t) corner[axis] = is_flat ? 0.0 : std::ldexp(corner[axis], -exponent);
+  }
+  return t;
 }
 
 }  // namespace meshalyzer

@@ -3,9 +3,6 @@
 #include "meshalyzer/base/triangle.h"
 
 #include <CGAL/Mpzf.h>
-#include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace meshalyzer {
 namespace {
@@ -42,12 +39,13 @@ Vec3 accurate_normal(const Corners& t, std::size_t apex) {
   return accurate_normal(t[apex], t[(apex + 1) % 3], t[(apex + 2) % 3]);
 }
 
+Vec3 rescaled_normal(const Corners& t) {
+  if (t[0] == t[1] && t[0] == t[2]) return Vec3::Zero();
+  return accurate_normal(made_smaller(t, size_exponent(t)));
+}
+
 Vec3 unit_normal(const Corners& t) {
-  double largest = 0.0;
-  for (const Vec3& p : t) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  if (!(largest > 0.0)) return Vec3::Zero();
-  // Products of coordinates of about 1 neither overflow nor underflow.
-  return accurate_normal(times_power_of_two(t, -std::ilogb(largest))).stableNormalized();
+  return rescaled_normal(t).stableNormalized();
 }
 
 }  // namespace meshalyzer

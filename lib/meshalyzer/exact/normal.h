@@ -18,6 +18,11 @@ namespace meshalyzer {
 /// opposite to the longest edge loses the least, because the differences are shortest there.
 [[nodiscard]] Vec3 accurate_normal(const Corners& t, std::size_t apex = 0);
 
+/// Returns the accurate normal of a triangle of the same shape that is about as large as 1. It has
+/// the same direction and, whatever the size of the triangle, neither overflows nor underflows
+/// unless the triangle is flatter than doubles can tell; it is zero when the corners are collinear.
+[[nodiscard]] Vec3 rescaled_normal(const Corners& t);
+
 /// Returns the unit vector along the normal, whatever the size of the triangle, or zero when the
 /// corners are collinear.
 [[nodiscard]] Vec3 unit_normal(const Corners& t);

@@ -1,6 +1,7 @@
 #include "meshalyzer/geometry/edge_measures.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/exact/predicates.h"
 
@@ -28,6 +29,20 @@ bool has_angle(const TriMesh& mesh, EdgeHandle e, std::span<const std::uint8_t> 
                mesh.face_handle(mesh.halfedge_handle(e, side)).idx())] != 0;
   };
   return is_thin.empty() || (!thin(0) && !thin(1));
+}
+
+/// Tells whether the direction of a normal is as accurate as its computation.
+bool is_accurate(const Vec3& normal) {
+  return is_of_usual_scale(normal.cwiseAbs().maxCoeff());
+}
+
+/// Returns the angle between the normals of two faces of any size.
+double angle_between_normals(const Corners& first, const Corners& second) {
+  const Vec3 a = accurate_normal(first);
+  const Vec3 b = accurate_normal(second);
+  return is_accurate(a) && is_accurate(b)
+             ? angle_between_degrees(a, b)
+             : angle_between_degrees(rescaled_normal(first), rescaled_normal(second));
 }
 
 }  // namespace
@@ -71,7 +86,7 @@ double edge_angle_degrees(const TriMesh& mesh, HalfedgeHandle halfedge) {
   }
   // The second face lies below the first at a convex edge, where the outer angle exceeds 180
   // degrees.
-  return 180.0 - side * angle_between_degrees(accurate_normal(a, b, c), accurate_normal(b, a, d));
+  return 180.0 - side * angle_between_normals({a, b, c}, {b, a, d});
 }
 
 EdgeAngles measure_edge_angles(const TriMesh& mesh, std::span<const FaceHandle> zero_area) {

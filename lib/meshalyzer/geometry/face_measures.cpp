@@ -22,53 +22,51 @@ struct Figures {
   double corner_angle;
 };
 
-double twice_area_seen_from(const Corners& p, std::size_t apex) {
-  return accurate_normal(p, apex).stableNorm();
-}
-
-double angle_degrees(double sine, double cosine) {
-  return std::atan2(sine, cosine) * (180.0 / std::numbers::pi);
-}
+/// The lengths and products from which the figures follow.
+struct Products {
+  double twice_area;
+  double longest_side;
+  /// The dot product of the two sides at the sharpest corner.
+  double dot_product;
+};
 
 double dot_product_at(const Corners& p, std::size_t corner) {
   return (p[(corner + 1) % 3] - p[corner]).dot(p[(corner + 2) % 3] - p[corner]);
 }
 
-/// Returns the angle at a corner when products of lengths leave the range of doubles, computed at
-/// another scale.
-double rescaled_angle(const Corners& p, std::size_t corner) {
-  double largest = 0.0;
-  for (const Vec3& point : p) {
-    largest = std::max(largest, point.lpNorm<Eigen::Infinity>());
-  }
-  const int exponent = std::ilogb(largest);
-  const Corners scaled = times_power_of_two(p, -exponent);
-  return angle_degrees(twice_area_seen_from(scaled, corner), dot_product_at(scaled, corner));
-}
-
-/// Returns the angle at a corner. Sine and cosine have the same factor, a product of lengths.
-double corner_angle(const Corners& p, std::size_t corner, double twice_area) {
-  const double dot_product = dot_product_at(p, corner);
-  return std::isnormal(twice_area) && std::isfinite(dot_product)
-             ? angle_degrees(twice_area, dot_product)
-             : rescaled_angle(p, corner);
-}
-
 /// @param side  The lengths of the sides from each corner to the next.
-Figures measure(const Corners& p, const std::array<double, 3>& side) {
+Products products_of(const Corners& p, const std::array<double, 3>& side) {
   const std::array<double, 3> opposite{side[1], side[2], side[0]};
   // The differences are shortest from the corner opposite to the longest edge, which loses the
   // least.
   const auto apex = static_cast<std::size_t>(std::max_element(opposite.begin(), opposite.end()) -
                                              opposite.begin());
-  const double twice_area = twice_area_seen_from(p, apex);
-  // The altitude on the longest edge is twice_area / longest; dividing in two steps avoids an early
-  // overflow.
-  const double longest = opposite[apex];
   // The smallest angle is opposite to the shortest edge.
   const auto sharpest = static_cast<std::size_t>(
       std::min_element(opposite.begin(), opposite.end()) - opposite.begin());
-  return {twice_area / 2, longest / (twice_area / longest), corner_angle(p, sharpest, twice_area)};
+  return {accurate_normal(p, apex).stableNorm(), opposite[apex], dot_product_at(p, sharpest)};
+}
+
+Figures figures_of(const Products& of) {
+  // The altitude on the longest edge is twice_area / longest; dividing in two steps avoids an early
+  // overflow. Sine and cosine of the angle have the same factor, a product of lengths.
+  return {of.twice_area / 2, of.longest_side / (of.twice_area / of.longest_side),
+          std::atan2(of.twice_area, of.dot_product) * (180.0 / std::numbers::pi)};
+}
+
+/// @param side  The lengths of the sides from each corner to the next.
+Figures measure(const Corners& p, const std::array<double, 3>& side) {
+  const Products products = products_of(p, side);
+  if (is_of_usual_scale(products.twice_area) && std::isfinite(products.dot_product)) {
+    return figures_of(products);
+  }
+  // The figures of a face that is about as large as 1, but for its area, which alone may overflow
+  // or underflow.
+  const int exponent = size_exponent(p);
+  const Corners smaller = made_smaller(p, exponent);
+  Figures figures = figures_of(products_of(smaller, side_lengths(smaller)));
+  figures.area = std::ldexp(figures.area, 2 * exponent);
+  return figures;
 }
 
 /// Returns the lengths of the sides from each of face_corners() to the next.

@@ -104,5 +104,26 @@ TEST(UnitNormal, TrianglesOfAnySizeHaveOne) {
   }
 }
 
+TEST(UnitNormal, TinyTrianglesFarFromTheOriginHaveOne) {
+  const Corners t{Vec3(1e100, 0, 0), Vec3(1e100, 1e-200, 0), Vec3(1e100, 0, 1e-200)};
+  EXPECT_EQ(unit_normal(t), Vec3(1, 0, 0));
+  EXPECT_EQ(unit_normal({t[0], t[0], t[0]}), Vec3::Zero());
+}
+
+TEST(UnitNormal, LargestTrianglesHaveOne) {
+  const double most = std::numeric_limits<double>::max();
+  EXPECT_EQ(unit_normal({Vec3(-most, -most, 0), Vec3(most, -most, 0), Vec3(-most, most, 0)}),
+            Vec3(0, 0, 1));
+}
+
+TEST(RescaledNormal, PowersOfTwoChangeNoDigit) {
+  const Corners t{Vec3(0.1, 0.7, 0.3), Vec3(0.9, 0.2, 0.4), Vec3(0.6, 0.5, 0.8)};
+  for (const int exponent : {-1000, -500, 500, 1000}) {
+    Corners scaled = t;
+    for (Vec3& corner : scaled) corner *= std::ldexp(1.0, exponent);
+    EXPECT_EQ(rescaled_normal(scaled), rescaled_normal(t));
+  }
+}
+
 }  // namespace
 }  // namespace meshalyzer

@@ -161,6 +161,33 @@ TEST(MeasureEdgeAngles, EdgesOfZeroAreaFacesHaveNone) {
   EXPECT_EQ(angles(soup), std::vector<double>{180.0});
 }
 
+TEST(MeasureEdgeAngles, PowersOfTwoKeepAnglesToTheLastDigit) {
+  const Soup soup = shapes::torus(2, 0.5, 12, 8);
+  const std::vector<double> before = angles(soup);
+  for (const int exponent : {-900, -500, -400, 400, 500, 1000}) {
+    SCOPED_TRACE(exponent);
+    EXPECT_EQ(angles(shapes::scaled(soup, std::ldexp(1.0, exponent))), before);
+  }
+}
+
+TEST(MeasureEdgeAngles, CubeOfTheLargestDoublesHasTheAnglesOfACube) {
+  const std::vector<double> all =
+      angles(shapes::scaled(shapes::cube(2.0, Vec3::Constant(-1.0)), 1.7e308));
+  ASSERT_EQ(all.size(), 18U);
+  EXPECT_EQ(std::count(all.begin(), all.end(), 180.0), 6);
+  expect_all_near({all.begin() + 6, all.end()}, 12, 270.0);
+}
+
+TEST(MeasureEdgeAngles, TinyFacesFarFromTheOriginHaveTheAngleOfTheirPlanes) {
+  // The first face lies in the plane x = 1e100, and its normal points along x. The second one lies
+  // behind it, in the plane z = 0.
+  const Soup soup = shapes::make({{1e100, 0, 0}, {1e100, 1e-200, 0}, {1e100, 0, 1e-200}, {0, 0, 0}},
+                                 {{0, 1, 2}, {1, 0, 3}});
+  const std::vector<double> all = angles(soup);
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_NEAR(all.front(), 270.0, 1e-12);
+}
+
 TEST(MeasureEdgeAngles, ScalingAndRigidMotionKeepAngles) {
   const Soup soup = shapes::icosphere(1);
   const std::vector<double> before = angles(soup);

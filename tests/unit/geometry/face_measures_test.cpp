@@ -169,6 +169,43 @@ TEST(MeasureFaces, ScalingMultipliesAreasAndKeepsRatios) {
   }
 }
 
+TEST(MeasureFaces, PowersOfTwoKeepRatiosAndAnglesToTheLastDigit) {
+  const Soup soup = shapes::torus(2, 0.5, 12, 8);
+  const FaceMeasures before = measure(soup);
+  for (const int exponent : {-900, -500, -400, 400, 500, 1000}) {
+    SCOPED_TRACE(exponent);
+    const FaceMeasures after = measure(shapes::scaled(soup, std::ldexp(1.0, exponent)));
+    EXPECT_EQ(after.aspect_ratio, before.aspect_ratio);
+    EXPECT_EQ(after.corner_angle, before.corner_angle);
+    EXPECT_TRUE(after.zero_area.empty());
+    for (std::size_t f = 0; f < before.area.size(); ++f) {
+      EXPECT_EQ(after.area[f], std::ldexp(before.area[f], 2 * exponent));
+    }
+  }
+}
+
+TEST(MeasureFaces, LargestDoublesHaveTheRatioOfTheirShape) {
+  // Right triangles with legs 2 * 1.7e308, which overflow: the ratio of a half of a square is 2.
+  const FaceMeasures faces = measure(shapes::cube(2.0, Vec3::Constant(-1.0)));
+  const FaceMeasures huge =
+      measure(shapes::scaled(shapes::cube(2.0, Vec3::Constant(-1.0)), 1.7e308));
+  ASSERT_EQ(huge.aspect_ratio.size(), 12U);
+  for (std::size_t f = 0; f < 12; ++f) {
+    EXPECT_NEAR(faces.aspect_ratio[f], 2.0, 1e-12);
+    EXPECT_NEAR(huge.aspect_ratio[f], 2.0, 1e-12);
+    EXPECT_NEAR(huge.corner_angle[f], 45.0, 1e-12);
+    EXPECT_EQ(huge.area[f], kInfinity);
+  }
+}
+
+TEST(MeasureFaces, TinyFaceFarFromTheOriginHasTheRatioOfItsShape) {
+  // Legs 1e-200 in the plane x = 1e100.
+  const FaceMeasures faces =
+      measure(shapes::make({{1e100, 0, 0}, {1e100, 1e-200, 0}, {1e100, 0, 1e-200}}, {{0, 1, 2}}));
+  EXPECT_NEAR(faces.aspect_ratio[0], 2.0, 1e-12);
+  EXPECT_NEAR(faces.corner_angle[0], 45.0, 1e-12);
+}
+
 TEST(MeasureFaces, RigidMotionKeepsAreasAndRatios) {
   const Soup soup = shapes::torus(2, 0.5, 12, 8);
   Soup moved = soup;
