@@ -1,6 +1,5 @@
 #include "arguments.h"
 
-#include "meshalyzer/base/nearest_name.h"
 #include "meshalyzer/base/numbers.h"
 
 #include <cmath>
@@ -57,11 +56,6 @@ std::uint64_t to_ratio(const std::string& text, const std::string& option) {
     throw UsageError(option + " needs a whole number from 1, not '" + text + "'");
   }
   return static_cast<std::uint64_t>(*value);
-}
-
-std::string did_you_mean(std::string_view mistyped, std::span<const std::string_view> names) {
-  const std::string_view nearest = nearest_name(mistyped, names);
-  return nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?";
 }
 
 std::size_t to_thread_count(const std::string& text, const std::string& option) {

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "meshalyzer/base/nearest_name.h"
 #include "usage_error.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -38,11 +38,6 @@ namespace meshalyzer {
 /// Returns a factor, 1 or more.
 /// @throws UsageError if the text is no such number.
 [[nodiscard]] std::uint64_t to_ratio(const std::string& text, const std::string& option);
-
-/// Returns a question for a mistyped name: "; did you mean 'hole'?". It is empty if no name is
-/// close.
-[[nodiscard]] std::string did_you_mean(std::string_view mistyped,
-                                       std::span<const std::string_view> names);
 
 /// Returns the names of some values, "a, b, c".
 template <typename Values, typename Name>

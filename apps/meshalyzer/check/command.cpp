@@ -1,6 +1,7 @@
 #include "check/command.h"
 
 #include "arguments.h"
+#include "meshalyzer/base/nearest_name.h"
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/checks/profile.h"
 #include "meshalyzer/checks/selection.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -27,11 +27,8 @@ namespace {
 }
 
 std::string to_profile_name(const std::string& text, const std::string& option) {
-  if (find_profile(text) == nullptr) {
-    std::vector<std::string_view> names;
-    for (const CheckProfile& profile : check_profiles()) names.push_back(profile.name);
-    throw UsageError(option + " needs " + alternatives_of(names, std::identity()) + ", not '" +
-                     text + "'" + did_you_mean(text, names));
+  if (const std::string why = why_no_profile(text); !why.empty()) {
+    throw UsageError(option + ": " + why);
   }
   return text;
 }
@@ -64,10 +61,8 @@ OptionTable::Take append_codes(std::vector<std::string>& list) {
   return [&list](const std::string& text, const std::string& option) {
     std::istringstream codes(text);
     for (std::string code; std::getline(codes, code, ',');) {
-      if (!is_check_code(code)) {
-        const std::string nearest = nearest_check_code(code);
-        throw UsageError(option + ": no code is called '" + code + "'" +
-                         (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+      if (const std::string why = why_no_check_code(code); !why.empty()) {
+        throw UsageError(option + ": " + why);
       }
       list.push_back(code);
     }

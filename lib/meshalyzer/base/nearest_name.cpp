@@ -39,4 +39,9 @@ std::string_view nearest_name(std::string_view mistyped, std::span<const std::st
   return nearest;
 }
 
+std::string did_you_mean(std::string_view mistyped, std::span<const std::string_view> names) {
+  const std::string_view nearest = nearest_name(mistyped, names);
+  return nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?";
+}
+
 }  // namespace meshalyzer

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace meshalyzer {
@@ -10,5 +11,9 @@ namespace meshalyzer {
 /// that close.
 [[nodiscard]] std::string_view nearest_name(std::string_view mistyped,
                                             std::span<const std::string_view> names);
+
+/// Returns "; did you mean 'name'?" with that name, or an empty text if none is that close.
+[[nodiscard]] std::string did_you_mean(std::string_view mistyped,
+                                       std::span<const std::string_view> names);
 
 }  // namespace meshalyzer

@@ -1,7 +1,12 @@
 #include "meshalyzer/checks/profile.h"
 
+#include "meshalyzer/base/nearest_name.h"
+
 #include <algorithm>
 #include <array>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -96,6 +101,15 @@ const CheckProfile* find_profile(std::string_view name) {
       std::find_if(profiles().begin(), profiles().end(),
                    [&](const CheckProfile& profile) { return profile.name == name; });
   return found == profiles().end() ? nullptr : found;
+}
+
+std::string why_no_profile(std::string_view name) {
+  if (find_profile(name) != nullptr) return "";
+  std::vector<std::string_view> names;
+  for (const CheckProfile& profile : check_profiles()) names.push_back(profile.name);
+  const std::string meant = did_you_mean(name, names);
+  return fmt::format("no profile is called '{}'{}", name,
+                     meant.empty() ? fmt::format("; there are {}", fmt::join(names, ", ")) : meant);
 }
 
 }  // namespace meshalyzer

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace meshalyzer {
@@ -22,5 +23,9 @@ struct CheckProfile {
 
 /// Returns the profile with the given name, or null if no profile has it.
 [[nodiscard]] const CheckProfile* find_profile(std::string_view name);
+
+/// Returns an empty text if a profile has the given name; else a phrase that says that none has it,
+/// with the name that was most likely meant, or all names.
+[[nodiscard]] std::string why_no_profile(std::string_view name);
 
 }  // namespace meshalyzer

@@ -3,6 +3,7 @@
 #include "meshalyzer/base/nearest_name.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace meshalyzer {
 namespace {
@@ -28,13 +29,10 @@ std::vector<std::string_view> all_check_codes() {
   return names;
 }
 
-bool is_check_code(std::string_view name) {
+std::string why_no_check_code(std::string_view name) {
   const std::vector<std::string_view> names = selectable_names();
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-std::string nearest_check_code(std::string_view name) {
-  return std::string(nearest_name(name, selectable_names()));
+  if (std::find(names.begin(), names.end(), name) != names.end()) return "";
+  return fmt::format("no code is called '{}'{}", name, did_you_mean(name, names));
 }
 
 void select_codes(const std::vector<std::string>& selected, const std::vector<std::string>& ignored,

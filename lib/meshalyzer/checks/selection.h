@@ -14,11 +14,9 @@ inline constexpr std::string_view kAllCodes = "all";
 /// Returns the names of all defect codes and limits.
 [[nodiscard]] std::vector<std::string_view> all_check_codes();
 
-/// Tells whether a name is that of a defect code or of a limit, or kAllCodes.
-[[nodiscard]] bool is_check_code(std::string_view name);
-
-/// Returns the code that a mistyped name most likely means; empty if none is close.
-[[nodiscard]] std::string nearest_check_code(std::string_view name);
+/// Returns an empty text if a name is that of a defect code or of a limit, or kAllCodes; else a
+/// phrase that says that it is not, with the code that was most likely meant.
+[[nodiscard]] std::string why_no_check_code(std::string_view name);
 
 /// Restricts or extends criteria by names of codes.
 ///

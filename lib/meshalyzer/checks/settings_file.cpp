@@ -6,7 +6,9 @@
 #include "meshalyzer/io/file.h"
 
 #include <array>
+#include <cmath>
 #include <filesystem>
+#include <fmt/format.h>
 #include <toml++/toml.h>
 #include <utility>
 
@@ -15,17 +17,6 @@ namespace {
 
 /// The keys that a table of a settings file may have in addition to limits.
 constexpr std::array<std::string_view, 4> kCommonKeys{"profile", "select", "ignore", "max"};
-
-std::string in_quotes(std::string_view name) {
-  std::string text("'");
-  return text.append(name).append("'");
-}
-
-/// Appends the name that was most likely meant.
-std::string with_nearest(std::string message, std::string_view nearest) {
-  if (!nearest.empty()) message.append("; did you mean ").append(in_quotes(nearest)).append("?");
-  return message;
-}
 
 /// Reads the values of a settings file, and reports the line of a wrong one.
 class SettingsReader {
@@ -95,21 +86,15 @@ class SettingsReader {
   }
 
   [[nodiscard]] std::string profile(const toml::node& node) const {
-    const std::string name = text(node);
-    if (find_profile(name) != nullptr) return name;
-    std::vector<std::string_view> names;
-    for (const CheckProfile& each : check_profiles()) names.push_back(each.name);
-    refuse(node,
-           with_nearest("no profile is called " + in_quotes(name), nearest_name(name, names)));
+    std::string name = text(node);
+    if (const std::string why = why_no_profile(name); !why.empty()) refuse(node, why);
+    return name;
   }
 
   [[nodiscard]] std::vector<std::string> codes(const toml::node& node) const {
     std::vector<std::string> names = texts(node);
     for (const std::string& name : names) {
-      if (!is_check_code(name)) {
-        refuse(node,
-               with_nearest("no code is called " + in_quotes(name), nearest_check_code(name)));
-      }
+      if (const std::string why = why_no_check_code(name); !why.empty()) refuse(node, why);
     }
     return names;
   }
@@ -130,7 +115,7 @@ class SettingsReader {
 
   [[nodiscard]] double number(const toml::node& node) const {
     const auto value = node.value<double>();
-    if (!value) refuse(node, "a number should stand here");
+    if (!value || std::isnan(*value)) refuse(node, "a number should stand here");
     return *value;
   }
 
@@ -150,9 +135,8 @@ class SettingsReader {
     std::vector<std::string_view> names(more);
     names.insert(names.end(), kCommonKeys.begin(), kCommonKeys.end());
     for (const LimitInfo& info : limit_table()) names.push_back(info.name);
-    throw IoError(
-        path_, {.line = key.source().begin.line},
-        with_nearest("unknown key " + in_quotes(key.str()), nearest_name(key.str(), names)));
+    throw IoError(path_, {.line = key.source().begin.line},
+                  fmt::format("unknown key '{}'{}", key.str(), did_you_mean(key.str(), names)));
   }
 
   std::string path_;

@@ -58,5 +58,12 @@ TEST(CheckProfiles, AllButDegenerateFacesPassOnlyWhereTheyAreSolid) {
   EXPECT_FALSE(passes(plate, "print"));
 }
 
+TEST(WhyNoProfile, MistypedNameIsFoundAndAllAreNamedForNonsense) {
+  EXPECT_EQ(why_no_profile("print"), "");
+  EXPECT_EQ(why_no_profile("prnt"), "no profile is called 'prnt'; did you mean 'print'?");
+  EXPECT_EQ(why_no_profile("unicorn"),
+            "no profile is called 'unicorn'; there are solid, print, simulation, sheet, exchange");
+}
+
 }  // namespace
 }  // namespace meshalyzer

@@ -37,10 +37,15 @@ TEST(SelectCodes, AllButSome) {
   EXPECT_EQ(solid_with({"all"}, {"numbering"}).codes, expected);
 }
 
-TEST(NearestCheckCode, MistypedCodeIsFoundAndNonsenseIsNot) {
-  EXPECT_EQ(nearest_check_code("self-intersections"), "self-intersection");
-  EXPECT_EQ(nearest_check_code("max-aspectratio"), "max-aspect-ratio");
-  EXPECT_EQ(nearest_check_code("unicorn"), "");
+TEST(WhyNoCheckCode, MistypedCodeIsFoundAndNonsenseIsNot) {
+  EXPECT_EQ(why_no_check_code("self-intersection"), "");
+  EXPECT_EQ(why_no_check_code("max-aspect-ratio"), "");
+  EXPECT_EQ(why_no_check_code("all"), "");
+  EXPECT_EQ(why_no_check_code("self-intersections"),
+            "no code is called 'self-intersections'; did you mean 'self-intersection'?");
+  EXPECT_EQ(why_no_check_code("max-aspectratio"),
+            "no code is called 'max-aspectratio'; did you mean 'max-aspect-ratio'?");
+  EXPECT_EQ(why_no_check_code("unicorn"), "no code is called 'unicorn'");
 }
 
 }  // namespace

@@ -58,6 +58,10 @@ TEST(ParseSettings, WrongValuesAreRefused) {
   EXPECT_EQ(fault_of("\nmax = -1"),
             "dir/.meshalyzer.toml:2: a whole number, 0 or more, should stand here");
   EXPECT_EQ(fault_of("max-faces = 'many'"), "dir/.meshalyzer.toml:1: a number should stand here");
+  for (const char* const text : {"\nmax-faces = nan", "\nmax-faces = -nan"}) {
+    EXPECT_EQ(fault_of(text), "dir/.meshalyzer.toml:2: a number should stand here");
+  }
+  EXPECT_EQ(fault_of("max-faces = inf"), "nothing");
   EXPECT_EQ(fault_of("ignore = 'hole'"),
             "dir/.meshalyzer.toml:1: a list of texts should stand here: [\"...\"]");
   EXPECT_EQ(fault_of("[[files]]\nprofile = 'sheet'"),
