@@ -4,19 +4,16 @@
 #include "meshalyzer/base/numbers.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <system_error>
 #include <unistd.h>
 
 namespace meshalyzer {
 namespace {
-
-constexpr std::array<std::string_view, 5> kUnits = {"B", "KB", "MB", "GB", "TB"};
-constexpr std::uint64_t kUnitStep = 1024;
 
 /// Returns the factor that the unit after a number stands for, or nothing when it is no unit.
 std::optional<std::uint64_t> unit_of(std::string_view text) {
@@ -70,18 +67,6 @@ std::optional<std::uint64_t> parse_memory_size(std::string_view text) {
   }
   const std::uint64_t bytes = whole * *unit + fraction_of(*unit, fraction_digits);
   return bytes == 0 ? std::nullopt : std::optional(bytes);
-}
-
-std::string memory_size_text(std::uint64_t bytes) {
-  auto amount = static_cast<double>(bytes);
-  std::size_t unit = 0;
-  const auto tenths = [&] { return std::round(amount * 10); };
-  // The rounded figure decides the unit: 1023.97 KB is "1 MB", not "1024 KB".
-  while (tenths() >= 10 * static_cast<double>(kUnitStep) && unit + 1 < kUnits.size()) {
-    amount /= static_cast<double>(kUnitStep);
-    ++unit;
-  }
-  return shortest(tenths() / 10) + " " + std::string(kUnits[unit]);
 }
 
 std::uint64_t physical_memory() {

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace meshalyzer {
@@ -15,10 +14,6 @@ namespace meshalyzer {
 /// @return The number of bytes, or nothing for any other text, for less than one byte and for a
 ///         number that overflows.
 [[nodiscard]] std::optional<std::uint64_t> parse_memory_size(std::string_view text);
-
-/// Formats an amount of memory for people, with at most one decimal: `812 B`, `1.5 GB`. Units are
-/// powers of 1024.
-[[nodiscard]] std::string memory_size_text(std::uint64_t bytes);
 
 /// Returns the memory in bytes that this process can use: that of the machine, or less where its
 /// control group (a container, a batch job) is limited to less.

@@ -22,6 +22,10 @@ const CheckProfile& profile_of(const std::vector<const CheckSettings*>& layers) 
   return *profile;
 }
 
+/// Combines layers of settings to criteria. The last layer that has a setting decides it; ignored
+/// codes accumulate.
+///
+/// @param layers  The layers from the lowest to the highest.
 CheckCriteria criteria_of(const std::vector<const CheckSettings*>& layers) {
   CheckCriteria criteria = profile_of(layers).criteria;
   std::vector<std::string> selected;
@@ -42,12 +46,6 @@ CheckCriteria criteria_of(const std::vector<const CheckSettings*>& layers) {
 }
 
 }  // namespace
-
-CheckCriteria make_criteria(std::initializer_list<const CheckSettings*> layers) {
-  std::vector<const CheckSettings*> given(layers);
-  std::erase(given, nullptr);
-  return criteria_of(given);
-}
 
 std::string find_settings_file(const std::string& mesh_path) {
   std::error_code error;

@@ -3,7 +3,6 @@
 #include "meshalyzer/checks/criteria.h"
 
 #include <cstddef>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,12 +20,6 @@ struct CheckSettings {
   Limits limits;
   std::optional<std::size_t> max_listed;
 };
-
-/// Combines layers of settings to criteria. The last layer that has a setting decides it; ignored
-/// codes accumulate.
-///
-/// @param layers  The layers from the lowest to the highest; null ones are skipped.
-[[nodiscard]] CheckCriteria make_criteria(std::initializer_list<const CheckSettings*> layers);
 
 /// The settings for the files that match a pattern.
 struct SettingsSection {

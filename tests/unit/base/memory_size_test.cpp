@@ -61,26 +61,6 @@ TEST(ParseMemorySize, TheLargestNumberOfBytesFitsAndNoMore) {
             std::numeric_limits<std::uint64_t>::max());
 }
 
-TEST(MemorySizeText, HasOneDecimalWhereOneIsNeeded) {
-  EXPECT_EQ(memory_size_text(0), "0 B");
-  EXPECT_EQ(memory_size_text(812), "812 B");
-  EXPECT_EQ(memory_size_text(kKilo), "1 KB");
-  EXPECT_EQ(memory_size_text(500 * kMega), "500 MB");
-  EXPECT_EQ(memory_size_text(kGiga + kGiga / 2), "1.5 GB");
-  EXPECT_EQ(memory_size_text(3 * kTera), "3 TB");
-}
-
-TEST(MemorySizeText, WhatRoundsUpToAUnitIsNamedInIt) {
-  EXPECT_EQ(memory_size_text(1023), "1023 B");
-  EXPECT_EQ(memory_size_text(kMega - 1), "1 MB");
-  EXPECT_EQ(memory_size_text(kMega - kKilo / 10), "1023.9 KB");
-}
-
-TEST(MemorySizeText, BeyondTheLastUnitTheNumberGrows) {
-  // 2^64 - 1 bytes are 2^24 TB, rounded.
-  EXPECT_EQ(memory_size_text(std::numeric_limits<std::uint64_t>::max()), "16777216 TB");
-}
-
 TEST(PhysicalMemory, IsThatOfAMachineThatRunsThis) {
   EXPECT_GT(physical_memory(), 16 * kMega);
   EXPECT_LT(physical_memory(), 1024 * kTera);
