@@ -116,5 +116,21 @@ TEST(DistanceFromParts, PartsThatFitTogetherButNearlyNeedASlack) {
   EXPECT_FALSE(distance_from_parts(kFace, parts, 1e-7));
 }
 
+TEST(DistanceFromParts, PartThatIsSmallerThanTheSlackCoversNothingElse) {
+  constexpr double kSlack = 1e-7;
+  const Vec3 centre{1, 1, 0};
+  const Corners crumb{centre, centre + Vec3{kSlack / 4, 0, 0}, centre + Vec3{0, kSlack / 4, 0}};
+  // Round the same point and long, but nowhere as wide as the slack.
+  const Corners thread{Vec3{0, 1 - kSlack / 4, 0}, Vec3{2, 1, 0}, Vec3{1, 1 + kSlack / 4, 0}};
+  EXPECT_FALSE(distance_from_parts(kFace, std::vector{crumb}, kSlack));
+  EXPECT_FALSE(distance_from_parts(kFace, std::vector{thread}, kSlack));
+  // Beside the other parts they are no obstacle.
+  std::vector<Corners> parts = fan_at(kFace, centre);
+  parts.push_back(crumb);
+  const auto bound = distance_from_parts(kFace, parts, kSlack);
+  ASSERT_TRUE(bound);
+  EXPECT_LE(*bound, kSlack / 2 * 4.2);
+}
+
 }  // namespace
 }  // namespace meshalyzer

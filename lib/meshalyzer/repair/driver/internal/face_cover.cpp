@@ -192,14 +192,24 @@ double distance_from_edge(const Segment& segment, const Corners& face) {
   return nearest;
 }
 
-/// Tells whether a point lies in a triangle, seen along a direction.
-bool contains(const Corners& t, const Vec3& point, const Vec3& direction) {
-  const double side = normal_of(t).dot(direction) < 0.0 ? -1.0 : 1.0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 normal = normal_of(t[i], t[(i + 1) % 3], point);
-    if (side * normal.dot(direction) < 0.0) return false;
+/// Returns how many times a cycle of edges that are far from the centre of a face winds round it,
+/// seen along the face's normal.
+int winding_number(const std::vector<Vec3>& points, std::span<const CountedEdge> cycle,
+                   const Corners& face, const Vec3& centre) {
+  const Vec3 right = (face[0] - centre).stableNormalized();
+  const Vec3 up = normal_of(face).stableNormalized().cross(right);
+  int winding = 0;
+  // Each edge that crosses the ray from the centre to the right counts.
+  for (const auto& [ends, count] : cycle) {
+    const Vec3 from = points[ends[0]] - centre;
+    const Vec3 to = points[ends[1]] - centre;
+    const bool goes_up = from.dot(up) < 0.0;
+    if (goes_up == (to.dot(up) < 0.0)) continue;
+    const double area = from.dot(right) * to.dot(up) - to.dot(right) * from.dot(up);
+    if (goes_up && area > 0.0) winding += count;
+    if (!goes_up && area < 0.0) winding -= count;
   }
-  return true;
+  return winding;
 }
 
 }  // namespace
@@ -224,11 +234,8 @@ std::optional<double> distance_from_parts(const Corners& face, std::span<const C
   }
   inaccuracy += moved;
   const Incircle circle = incircle_of(face);
-  const bool is_covered =
-      circle.radius > kMargin * inaccuracy &&
-      std::any_of(merged.triangles.begin(), merged.triangles.end(), [&](const Triangle& t) {
-        return contains(merged.corners(t), circle.centre, normal);
-      });
+  const bool is_covered = circle.radius > kMargin * inaccuracy &&
+                          winding_number(points, border, face, circle.centre) != 0;
   if (!is_covered) return std::nullopt;
   // Shrinking the face towards the incentre makes it that deep; no point moves farther than a
   // corner.

@@ -11,7 +11,8 @@ namespace meshalyzer {
 ///
 /// Each point of the face that is deeper inside than the inaccuracy of the parts lies below as many
 /// parts, by projection along its normal, as its incentre does: the sum of the parts' boundaries is
-/// a cycle near the face's border, and so has the same winding number round all of these points.
+/// a cycle near the face's border, and so has the same winding number round all of these points,
+/// which is the number of parts above or below them.
 ///
 /// @param slack  Corners of parts that are nearer to each other than this count as one, and an edge
 /// counts as passing through corners that are nearer to it; the bound grows by their distances. At
