@@ -109,6 +109,7 @@ bool is_any_sheet_to_cut(const RepairDriver& driver, const RepairOptions& option
 }
 
 /// Drops equal faces where too many pairs of faces intersect: a few thousand of them make millions.
+/// This is not checked, so that faces that are closed by themselves keep one of each direction.
 /// @return Whether all pairs are now known, so that the mesh can be repaired.
 bool drop_equal_faces(RepairDriver& driver, const RepairOptions& options,
                       const DefectReport& before) {
@@ -116,7 +117,7 @@ bool drop_equal_faces(RepairDriver& driver, const RepairOptions& options,
   if (!has_too_many_pairs(driver) || !options.fixes.contains(kCode) || before.count(kCode) == 0) {
     return false;
   }
-  return driver.run_trial({.changes = {{"drop duplicates", kCode, drop_duplicates}},
+  return driver.run_trial({.changes = {{"drop duplicates", kCode, drop_surplus_duplicates}},
                            .plan = {},
                            .is_wanted = [](const RepairState& state) {
                              static_cast<void>(state.mesh().intersecting_pairs());

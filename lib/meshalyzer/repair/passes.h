@@ -26,6 +26,10 @@ namespace meshalyzer {
 /// and a refusal says so: each solid needs its side, which split_edges() gives it.
 [[nodiscard]] PassResult drop_duplicates(const PassInput& input);
 
+/// Drops equal faces as drop_duplicates() does, except that one of each direction stays of those
+/// that are closed by themselves. So no point of the surface moves farther than the deviation.
+[[nodiscard]] PassResult drop_surplus_duplicates(const PassInput& input);
+
 /// Drops copies: components each face of which has its corners at the positions of those of a face
 /// of another component, whatever its direction. Of equal components the first one stays.
 [[nodiscard]] PassResult drop_copies(const PassInput& input);

@@ -124,11 +124,16 @@ EqualFaces look_at(const Soup& soup, const Defect& defect) {
   return set;
 }
 
+/// What is dropped of faces that are closed by themselves.
+enum class PillowFaces : std::uint8_t { All, AllButOneOfEachDirection };
+
 /// Decides which of equal faces are dropped, set by set or wall by wall.
 class DuplicateDropper {
  public:
-  DuplicateDropper(const PassInput& input, const DefectList& defects)
-      : max_deviation_(input.limits.max_deviation), mesh_(input.tracked.soup, {}, 0.0) {
+  DuplicateDropper(const PassInput& input, const DefectList& defects, PillowFaces dropped)
+      : max_deviation_(input.limits.max_deviation),
+        dropped_(dropped),
+        mesh_(input.tracked.soup, {}, 0.0) {
     is_in_set_.resize(input.tracked.soup.n_faces(), 0);
     for (const Defect& defect : defects) {
       sets_.push_back(look_at(input.tracked.soup, defect));
@@ -141,7 +146,7 @@ class DuplicateDropper {
     std::map<Index, std::vector<Index>> walls;
     for (Index s = 0; s < sets_.size(); ++s) {
       if (is_pillow(sets_[s])) {
-        keep({}, sets_[s]);
+        keep(dropped_ == PillowFaces::All ? std::vector<Index>() : one_of_each(sets_[s]), sets_[s]);
       } else if (wall_of[s] == kNoIndex) {
         keep({best_of(sets_[s])}, sets_[s]);
       } else {
@@ -190,6 +195,13 @@ class DuplicateDropper {
     return score;
   }
 
+  /// Returns the first face of each direction of a set that has both.
+  [[nodiscard]] static std::vector<Index> one_of_each(const EqualFaces& set) {
+    const auto opposed = std::find(set.is_like_first.begin(), set.is_like_first.end(), 0);
+    return {set.faces.front(),
+            set.faces[static_cast<std::size_t>(opposed - set.is_like_first.begin())]};
+  }
+
   /// Drops all faces of a set but these.
   void keep(const std::vector<Index>& kept, const EqualFaces& set) {
     if (set.faces.size() == kept.size()) return;
@@ -213,10 +225,7 @@ class DuplicateDropper {
     }
     for (const Index s : wall) {
       const EqualFaces& set = sets_[s];
-      const auto opposed = std::find(set.is_like_first.begin(), set.is_like_first.end(), 0);
-      keep({set.faces.front(),
-            set.faces[static_cast<std::size_t>(opposed - set.is_like_first.begin())]},
-           set);
+      keep(one_of_each(set), set);
       result_.refused.push_back({DefectCode::DuplicateFacet, kNoIndex, set.faces.front(),
                                  "it is the wall of two solids that touch, and each needs it"});
     }
@@ -238,18 +247,27 @@ class DuplicateDropper {
   }
 
   double max_deviation_;
+  PillowFaces dropped_;
   WorkingMesh mesh_;
   std::vector<EqualFaces> sets_;
   std::vector<std::uint8_t> is_in_set_;
   PassResult result_;
 };
 
+PassResult drop_equal_faces(const PassInput& input, PillowFaces dropped) {
+  const DefectList defects = find_duplicate_facets(input.mesh);
+  if (defects.empty()) return {};
+  return DuplicateDropper(input, defects, dropped).run();
+}
+
 }  // namespace
 
 PassResult drop_duplicates(const PassInput& input) {
-  const DefectList defects = find_duplicate_facets(input.mesh);
-  if (defects.empty()) return {};
-  return DuplicateDropper(input, defects).run();
+  return drop_equal_faces(input, PillowFaces::All);
+}
+
+PassResult drop_surplus_duplicates(const PassInput& input) {
+  return drop_equal_faces(input, PillowFaces::AllButOneOfEachDirection);
 }
 
 }  // namespace meshalyzer

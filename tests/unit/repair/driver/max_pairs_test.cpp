@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 
@@ -60,6 +61,21 @@ TEST(MaxPairs, EqualFacesAreDroppedBeforeTheirPairsAreCounted) {
   EXPECT_TRUE(same_soup(only_mesh(left), crossing));
   EXPECT_TRUE(left.log.steps.empty());
   EXPECT_FALSE(reason_left(left).empty());
+}
+
+TEST(MaxPairs, FarFacesThatAreClosedByThemselvesAreNotLost) {
+  Soup soup = shapes::merged(shapes::cube(), shapes::translated(shapes::pillow(), {5, 0, 0}));
+  const std::array<Triangle, 2> pillow{soup.triangles[12], soup.triangles[13]};
+  for (int i = 0; i < 100; ++i) {
+    soup.triangles.insert(soup.triangles.end(), pillow.begin(), pillow.end());
+  }
+  RepairOptions options;
+  options.max_pairs = 100;
+  const RepairResult result = fix_defects(soup, options);
+  // The cube, and both sides of the triangle 4 units away.
+  EXPECT_EQ(only_mesh(result).n_faces(), 14U);
+  EXPECT_EQ(count_after(result, DefectCode::DuplicateFacet), 1U);
+  EXPECT_TRUE(is_refused(result, DefectCode::DuplicateFacet, "farther than the maximum deviation"));
 }
 
 TEST(MaxPairs, RepairThatIsStoppedInTheFirstSearchLeavesTheMesh) {

@@ -81,6 +81,16 @@ TEST(DropDuplicates, PillowGoesAsAWhole) {
   EXPECT_EQ(run.operations, 1U);
 }
 
+TEST(DropDuplicates, PillowKeepsAFaceOfEachDirectionWhereOnlySurplusIsDropped) {
+  const Soup pillow = shapes::merged(shapes::cube(), shapes::pillow());
+  EXPECT_TRUE(same_soup(run_pass(pillow, drop_surplus_duplicates).tracked.soup, pillow));
+
+  Soup soup = pillow;
+  for (const std::size_t face : {12U, 13U, 13U, 12U})
+    soup.triangles.push_back(soup.triangles[face]);
+  EXPECT_TRUE(same_soup(run_pass(soup, drop_surplus_duplicates).tracked.soup, pillow));
+}
+
 TEST(DropDuplicates, WallOfTwoSolidsIsRefusedWhereItsMiddleIsFarFromAllElse) {
   const Soup soup = shapes::two_tetrahedra_sharing_face();
   const PassRun run = run_pass(soup, drop_duplicates);
