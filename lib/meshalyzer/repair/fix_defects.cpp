@@ -4,6 +4,7 @@
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/repair/driver/internal/dropped_parts.h"
+#include "meshalyzer/repair/driver/internal/final_check.h"
 #include "meshalyzer/repair/driver/internal/fixed_vertices.h"
 #include "meshalyzer/repair/driver/internal/patch_outcomes.h"
 #include "meshalyzer/repair/driver/internal/plan.h"
@@ -197,6 +198,7 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   limits.groups = options.groups;
 
   const PairLimits pairs = pair_limits(options, soup.n_faces());
+  const FinalCheck check = final_check_for(options, soup.format);
 
   RepairResult result;
   result.max_deviation = limits.max_deviation;
@@ -205,7 +207,7 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
       [&](const TrackedMesh& tracked, const CutMesh& cut) {
         return find_fixed_vertices(tracked, cut, options);
       },
-      pairs);
+      pairs, check);
   DefectOptions find;
   find.tolerances = options.tolerances;
   find.max_defects = options.max_defects;

@@ -78,6 +78,20 @@ TEST(MaxPairs, FarFacesThatAreClosedByThemselvesAreNotLost) {
   EXPECT_TRUE(is_refused(result, DefectCode::DuplicateFacet, "farther than the maximum deviation"));
 }
 
+TEST(MaxPairs, BorderThatDroppingEqualFacesLeavesIsNamed) {
+  // One triangle so often that each edge has 100 faces.
+  Soup soup = shapes::make({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+  soup.triangles.resize(100, soup.triangles.front());
+  RepairOptions options;
+  options.max_pairs = 100;
+  const RepairResult result = fix_defects(soup, options);
+  EXPECT_EQ(only_mesh(result).n_faces(), 1U);
+  ASSERT_EQ(result.rises.size(), 1U);
+  EXPECT_EQ(result.rises[0].kind, CountedDefect::BorderEdges);
+  EXPECT_EQ(result.rises[0].before, 0U);
+  EXPECT_EQ(result.rises[0].after, 3U);
+}
+
 TEST(MaxPairs, RepairThatIsStoppedInTheFirstSearchLeavesTheMesh) {
   RepairOptions options;
   options.wants_to_stop = [] { return true; };

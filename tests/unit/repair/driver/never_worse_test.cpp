@@ -2,6 +2,7 @@
 #include "meshalyzer/repair/fix_defects.h"
 #include "support/same_soup.h"
 #include "support/shapes.h"
+#include "unit/repair/repaired_meshes.h"
 
 #include <gtest/gtest.h>
 
@@ -79,6 +80,20 @@ TEST(NeverWorse, BorderEdgeThatAThirdFaceLeavesIsNamed) {
   EXPECT_EQ(result.rises[0].kind, CountedDefect::BorderEdges);
   EXPECT_EQ(result.rises[0].before, 6U);
   EXPECT_EQ(result.rises[0].after, 7U);
+}
+
+TEST(NeverWorse, BorderEdgeThatIsClosedInTheEndIsNotNamed) {
+  // As above, with two of the faces in one plane: the passes leave the border edge, and then the
+  // sheets become thin solids.
+  const Soup soup = shapes::make({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}},
+                                 {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
+  RepairOptions options;
+  options.solid = true;
+  options.guarantee = true;
+  options.fill.sheets = FillSheets::Yes;
+  const RepairResult result = fix_defects(soup, options);
+  EXPECT_TRUE(is_good(result.meshes.front().tracked.soup));
+  EXPECT_TRUE(result.rises.empty());
 }
 
 TEST(NeverWorse, VertexWhoseCopiesCannotBePartedIsNotSplit) {

@@ -80,37 +80,49 @@ bool have_multiplied(std::size_t n_pairs, std::size_t n_before) {
 }  // namespace
 
 RepairDriver::RepairDriver(Soup input, const Tolerances& tolerances, RepairLimits limits,
-                           FixedVertices fixed, const PairLimits& pairs)
+                           FixedVertices fixed, const PairLimits& pairs, const FinalCheck& check)
     : mesh_(std::move(input), tolerances, limits.max_deviation, pairs),
       limits_(std::move(limits)),
       fixed_(std::move(fixed)),
+      check_(check),
       wants_to_stop_(pairs.wants_to_stop) {}
 
 void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOptions& options,
                             OnWorse on_worse) {
   on_progress_ = options.on_progress;
-  const FinalCheck check = final_check_for(options, mesh_.input().format);
-  DefectInventory before = list_defective_in_file(mesh_.state(), mesh_.tolerances(), check);
+  DefectInventory before = inventory();
+  if (input_counts_) {
+    set_checkpoint();
+  } else {
+    note_input(before);
+  }
   const bool turns_over = std::any_of(plan.begin(), plan.end(), [](const PlannedPass& pass) {
     return pass.may_create.contains(DefectCode::Inward);
   });
   if (turns_over) before.is_yes[static_cast<std::size_t>(Attribute::Outward)] = false;
-  if (input_counts_ || checkpoint_) {
-    set_checkpoint();
-  } else {
-    mesh_.note_input_pairs();
-  }
-  if (!input_counts_) input_counts_ = {{}, before.counts, before.is_yes};
   for (std::size_t stage = 0; stage < kMaxStages; ++stage) {
     const std::size_t max_attempts =
         stage == 0 ? std::numeric_limits<std::size_t>::max() : kAttemptsOfLaterStages;
-    std::optional<DefectInventory> after = run_stage(plan, {check, before, on_worse, max_attempts});
+    std::optional<DefectInventory> after = run_stage(plan, {before, on_worse, max_attempts});
     if (!after) break;
     before = std::move(*after);
     if (!is_worth_trying_banned()) break;
     set_checkpoint();
   }
-  rises_ = find_rises(*input_counts_, before);
+}
+
+DefectInventory RepairDriver::inventory() const {
+  return list_defective_in_file(mesh_.state(), mesh_.tolerances(), check_);
+}
+
+void RepairDriver::note_input(const DefectInventory& inventory) {
+  mesh_.note_input_pairs();
+  input_counts_ = {{}, inventory.counts, inventory.is_yes};
+}
+
+std::vector<CountRise> RepairDriver::rises() const {
+  if (!input_counts_ || log_.steps.empty()) return {};
+  return find_rises(*input_counts_, inventory());
 }
 
 /// Operations that were banned because of others may be possible now. In a heap of faces most are
@@ -128,6 +140,7 @@ void RepairDriver::set_checkpoint() {
 }
 
 bool RepairDriver::run_trial(const Trial& trial) {
+  if (!input_counts_) note_input(inventory());
   set_checkpoint();
   costly_idle_runs_.clear();
   if (!trial.from_input.empty()) start_from_input(trial.from_input);
@@ -166,14 +179,14 @@ std::optional<DefectInventory> RepairDriver::run_stage(const std::vector<Planned
   for (std::size_t attempt = 0;; ++attempt) {
     // Copies that keep their contact are pairs, too.
     const bool may_be_given_up =
-        gate.on_worse == OnWorse::Leave && gate.check.unwelded == UnweldedPairs::Count;
+        gate.on_worse == OnWorse::Leave && check_.unwelded == UnweldedPairs::Count;
     const bool is_given_up = !run_rounds(plan, may_be_given_up);
     if (applied_.empty()) return std::nullopt;
     if (is_given_up) {
       restart();
       return std::nullopt;
     }
-    DefectInventory after = list_defective_in_file(mesh_.state(), mesh_.tolerances(), gate.check);
+    DefectInventory after = inventory();
     const Worsening worsening = find_worsening(gate.before, after);
     if (worsening.empty()) return after;
     const bool is_last = attempt + 1 >= gate.max_attempts;

@@ -42,8 +42,9 @@ class RepairDriver {
   /// @param limits  The limits without fixed vertices.
   /// @param fixed   Called before each round, because a border may have been closed since.
   /// @param pairs   As MeasuredMesh takes them; their function stops the repair too.
+  /// @param check   The file that will hold the mesh, and the contact that counts.
   RepairDriver(Soup input, const Tolerances& tolerances, RepairLimits limits, FixedVertices fixed,
-               const PairLimits& pairs = {});
+               const PairLimits& pairs = {}, const FinalCheck& check = {});
 
   [[nodiscard]] const MeasuredMesh& mesh() const { return mesh_; }
   [[nodiscard]] MeasuredMesh& mesh() { return mesh_; }
@@ -57,13 +58,15 @@ class RepairDriver {
   /// to the mesh that it had before. If a plan was run before, the mesh that it has left takes the
   /// place of the input.
   ///
-  /// @param options   The receiver of the progress, and the format that is written.
+  /// @param options   The receiver of the progress.
   /// @param on_worse  What happens if the mesh becomes worse.
   void run_plan(const std::vector<PlannedPass>& plan, const RepairOptions& options,
                 OnWorse on_worse = OnWorse::TryAgain);
 
-  /// Returns the counts that all plans have increased, all of which find_worsening() excepts.
-  [[nodiscard]] const std::vector<CountRise>& rises() const { return rises_; }
+  /// Returns the counts that are larger than in the input.
+  ///
+  /// @complexity As list_defective(), if anything was changed.
+  [[nodiscard]] std::vector<CountRise> rises() const;
 
   /// Runs a pass once and applies all its operations without checking them, because the user asks
   /// for it by name. If one of them would make coordinates overflow, it applies none.
@@ -128,7 +131,6 @@ class RepairDriver {
 
   /// The state that the result of a stage must not be worse than. This holds references only.
   struct StageGate {
-    const FinalCheck& check;
     const DefectInventory& before;
     OnWorse on_worse;
     /// If so many attempts end worse, the stage is given up.
@@ -166,6 +168,10 @@ class RepairDriver {
     std::vector<std::uint8_t> fixed_vertices;
   };
 
+  /// Lists the defective elements of the mesh as its file will hold it.
+  [[nodiscard]] DefectInventory inventory() const;
+  /// Notes what rises() compares with, before the first change.
+  void note_input(const DefectInventory& inventory);
   void set_checkpoint();
   /// Runs passes on the input, or returns to what they have made of it last.
   void start_from_input(const std::vector<PlannedPass>& plan);
@@ -230,6 +236,7 @@ class RepairDriver {
   MeasuredMesh mesh_;
   RepairLimits limits_;
   FixedVertices fixed_;
+  FinalCheck check_;
   HoleMemory hole_memory_;
   RepairListener on_progress_;
   StopQuery wants_to_stop_;
@@ -247,9 +254,8 @@ class RepairDriver {
   /// The state from which the present stage has started; nothing if that is the input.
   std::optional<Checkpoint> checkpoint_;
   std::optional<StartFromInput> start_;
-  /// The counts of the input, once a plan was run.
+  /// The inventory of the input without its elements, once a plan or trial was run.
   std::optional<DefectInventory> input_counts_;
-  std::vector<CountRise> rises_;
 };
 
 }  // namespace meshalyzer
