@@ -24,6 +24,7 @@ class RememberedPass : public testing::Test {
   }
 
   std::size_t n_runs_ = 0;
+  RepairLimits limits_;
   PassFunction pass_ = remembered_pass([this](const PassInput&) {
     ++n_runs_;
     PassResult result;
@@ -36,7 +37,6 @@ class RememberedPass : public testing::Test {
   TrackedMesh tracked_ = track_mesh(soup_);
   PreparedMesh mesh_{soup_};
   Tolerances tolerances_;
-  RepairLimits limits_;
 };
 
 TEST_F(RememberedPass, AnswersTwiceForTheSameMesh) {
@@ -54,6 +54,14 @@ TEST_F(RememberedPass, ForgetsWhatItHasAnsweredTwice) {
 TEST_F(RememberedPass, ComputesAnewForAnotherMesh) {
   ask(pass_, 1);
   ask(pass_, 2);
+  EXPECT_EQ(n_runs_, 2U);
+}
+
+TEST_F(RememberedPass, ComputesAnewForOtherFixedVertices) {
+  limits_.fixed_vertices = {1, 1, 1};
+  ask(pass_, 1);
+  limits_.fixed_vertices = {1, 0, 0};
+  ask(pass_, 1);
   EXPECT_EQ(n_runs_, 2U);
 }
 

@@ -62,6 +62,19 @@ TEST(RepairOptions, ShortEdgeOfABorderThatIsMeantStays) {
   EXPECT_EQ(only_mesh(fix_defects(soup)).positions.size(), 4U);
 }
 
+TEST(RepairOptions, WhatMeetsABorderThatIsClosedIsCutAfterAll) {
+  // Two cubes that touch; a face of the first has copies of its corners. Once they are welded,
+  // there is no border any more at which cutting would have to stop.
+  Soup soup = shapes::merged(shapes::cube(), shapes::cube(0.5, {1, 0, 0}));
+  for (Index& corner : soup.triangles.front()) {
+    soup.positions.push_back(soup.positions[corner]);
+    corner = static_cast<Index>(soup.n_vertices() - 1);
+  }
+  RepairOptions options;
+  options.borders = Borders::Intended;
+  EXPECT_TRUE(is_good(only_mesh(fix_defects(soup, options))));
+}
+
 TEST(RepairOptions, WhatWouldMoveIsRefusedWhereNothingMay) {
   RepairOptions options;
   options.max_deviation = {0.0, Deviation::Unit::Length};
