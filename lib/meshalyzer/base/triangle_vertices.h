@@ -17,4 +17,13 @@ namespace meshalyzer {
   return t;
 }
 
+/// Tells whether two faces have the same corners in the same cyclic order.
+[[nodiscard]] inline bool has_same_cycle(Triangle a, const Triangle& b) {
+  for (int i = 0; i < 3; ++i) {
+    if (a == b) return true;
+    std::rotate(a.begin(), a.begin() + 1, a.end());
+  }
+  return false;
+}
+
 }  // namespace meshalyzer

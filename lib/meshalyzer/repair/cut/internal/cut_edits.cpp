@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/triangle.h"
+#include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/repair/cut/internal/face_edges.h"
 #include "meshalyzer/repair/edits/internal/turned_face.h"
 #include "meshalyzer/repair/orient/bounds_solid.h"
@@ -35,15 +36,6 @@ std::string reason_of(Obstacle obstacle) {
       return "a component that may be a cavity would be dropped as a whole";
   }
   return "";
-}
-
-/// Tells whether two faces have the same corners in the same cyclic order.
-bool are_same(Triangle a, const Triangle& b) {
-  for (int i = 0; i < 3; ++i) {
-    if (a == b) return true;
-    std::rotate(a.begin(), a.begin() + 1, a.end());
-  }
-  return false;
 }
 
 class CutEdits {
@@ -104,7 +96,7 @@ class CutEdits {
     for (std::size_t i = 0; i < surface_.triangles.size(); ++i) {
       const Index face = surface_.origins[i];
       const bool is_same =
-          face < soup_.n_faces() && are_same(surface_.triangles[i], soup_.triangles[face]);
+          face < soup_.n_faces() && has_same_cycle(surface_.triangles[i], soup_.triangles[face]);
       if (!is_same) continue;
       is_same_[i] = 1;
       stays[face] = 1;

@@ -32,7 +32,6 @@ class BannedOperations {
   void add(std::string_view pass);
 
   [[nodiscard]] bool contains(std::string_view pass, const OperationSite& site) const;
-  [[nodiscard]] bool contains(std::string_view pass) const { return passes_.contains(pass); }
   /// Returns the number of different bans.
   [[nodiscard]] std::size_t size() const;
 

@@ -100,7 +100,7 @@ std::vector<Index> MovedMesh::faces_near(const Box3& box) const {
 
 Move::Move(const MovedMesh& mesh, std::span<const Index> vertices, std::span<const Index> faces,
            double reach)
-    : mesh_(mesh), vertices_(vertices), faces_(faces), reach_(reach) {
+    : mesh_(mesh), vertices_(vertices), faces_(faces) {
   const std::size_t max_pairs = kFreePairs + faces.size() * faces.size();
   std::size_t n_meeting = 0;
   const auto box = [&](Index face) { return box_of(mesh_.corners(mesh_.triangle(face))); };

@@ -46,8 +46,6 @@ class Move {
   Move(const MovedMesh& mesh, std::span<const Index> vertices, std::span<const Index> faces,
        double reach);
 
-  [[nodiscard]] double reach() const { return reach_; }
-
   /// Returns the time that it took to find the faces nearby, as a number of pairs checked.
   [[nodiscard]] std::size_t n_checks_to_find() const { return n_checks_to_find_; }
 
@@ -81,7 +79,6 @@ class Move {
   const MovedMesh& mesh_;
   std::span<const Index> vertices_;
   std::span<const Index> faces_;
-  double reach_;
   bool is_crowded_ = false;
   std::size_t n_checks_to_find_ = 0;
   /// The pairs that may come into contact, the most likely first.
