@@ -21,7 +21,6 @@
 #include "write_report.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -137,42 +136,42 @@ class CombinationRun {
     const Operands operands = operands_of(all, soups);
     const PartedDifference left = subtract_and_part(operands, others, combine_options(all));
     report_.n_pairs += left.solid.n_pairs;
+    subject_ = operands_.files[i]->path() + ": ";
     std::optional<std::string> path;
-    if (options_.output) {
-      const auto name = std::filesystem::path(operands_.files[i]->path()).filename();
-      path = (std::filesystem::path(*options_.output) / name).string();
-    }
+    if (options_.output) path = result_path(options_, operands_.files[i]->path());
     add_operands({soups.front(), std::vector<Index>(soups.front().n_faces(), 0), 1}, left.solid);
-    note_parting(i, left);
+    note_parting(left);
     std::optional<Soup> disk =
         add_result({left.solid, all, {source(i)}, true, &others, left.is_apart}, path);
     if (!disk) return {};
-    check_apart(i, *disk, others);
+    check_apart(*disk, others);
     return std::move(*disk);
   }
 
   /// Reports if a mesh, as it is on disk, intersects one before it.
-  void check_apart(std::size_t i, const Soup& disk, const Soup& others) {
+  void check_apart(const Soup& disk, const Soup& others) {
     const CutMesh mesh = build(disk);
     const CutMesh before = build(others);
     const std::size_t n = find_intersections(mesh, FaceTree(mesh), before, FaceTree(before)).size();
     if (n == 0) return;
-    report_.notes.push_back(operands_.files[i]->path() + ": " + std::to_string(n) +
-                            " pairs of faces still meet a mesh before it: neither moving vertices "
-                            "nor cutting back parts them within the maximum deviation");
+    note(std::to_string(n) + " pairs of faces still meet a mesh before it" +
+         (stop_.is_made() ? ", since it was stopped before it was done"
+                          : ": neither moving vertices nor cutting back parts them within the "
+                            "maximum deviation"));
     be_at_least(ExitCode::NotGood);
   }
 
-  /// Notes how file i was parted from the meshes before it.
-  void note_parting(std::size_t i, const PartedDifference& left) {
-    const std::string& path = operands_.files[i]->path();
+  /// Adds a sentence on the operation, or on the file whose result is being made.
+  void note(const std::string& text) { report_.notes.push_back(subject_ + text); }
+
+  /// Notes how a file was parted from the meshes before it.
+  void note_parting(const PartedDifference& left) {
     if (left.n_moved > 0) {
-      report_.notes.push_back(path + ": " + std::to_string(left.n_moved) +
-                              " vertices were moved off the meshes before it");
+      note(std::to_string(left.n_moved) + " vertices were moved off the meshes before it");
     }
     if (left.cut_back > 0.0) {
-      report_.notes.push_back(path + ": cut back by at most " + readable(left.cut_back) +
-                              " where moving vertices did not part it from the meshes before it");
+      note("cut back by at most " + readable(left.cut_back) +
+           " where moving vertices did not part it from the meshes before it");
     }
   }
 
@@ -188,10 +187,8 @@ class CombinationRun {
     enum : std::uint8_t { Gone, Cut, Whole };
     std::vector<std::uint8_t> outcomes(operands.soup.n_faces(), Gone);
     for (const CombinedFace& face : solid.faces) {
-      if (face.origin >= outcomes.size()) continue;
-      Triangle before = operands.soup.triangles[face.origin];
-      if (face.is_turned) std::swap(before[1], before[2]);
-      outcomes[face.origin] = face.corners == before ? Whole : Cut;
+      if (is_given_up(solid) || face.origin >= outcomes.size()) continue;
+      outcomes[face.origin] = whole_face(solid, operands.soup, face) ? Whole : Cut;
     }
     for (std::size_t f = 0; f < outcomes.size(); ++f) {
       BooleanOperand& operand = report_.operands[first + operands.of_face[f]];
@@ -213,15 +210,8 @@ class CombinationRun {
   /// Writes a result, if it is to be written, and reports it.
   /// @return The mesh as it is on disk; nothing if there is none.
   std::optional<Soup> add_result(const Result& result, const std::optional<std::string>& path) {
-    const bool is_left = result.solid.outcome == CombineOutcome::TooManyPairs ||
-                         result.solid.outcome == CombineOutcome::Stopped;
-    if (is_left) {
-      report_.notes.push_back(result.solid.outcome == CombineOutcome::Stopped
-                                  ? "nothing is written: it was stopped before it was done"
-                                  : "nothing is written: more than " +
-                                        std::to_string(kMostPairsCombined) +
-                                        " pairs of faces intersect, and no more are cut");
-      be_at_least(ExitCode::NotGood);
+    if (is_given_up(result.solid)) {
+      add_given_up(result.solid);
       return std::nullopt;
     }
     if (result.solid.faces.empty()) {
@@ -246,7 +236,7 @@ class CombinationRun {
     options.max_deviation = std::max(options.max_deviation - result.solid.largest_move - move, 0.0);
     MendedMesh kept = keep_off(std::move(mended), *result.others, options);
     if (kept.largest_move > move) {
-      report_.notes.emplace_back("the meshes before it were subtracted again from the result");
+      note("the meshes before it were subtracted again from the result");
     }
     return kept;
   }
@@ -255,15 +245,30 @@ class CombinationRun {
   MendedMesh part_or_repair(TrackedMesh combined, const CombinedSolid& solid,
                             const CombineOptions& options) {
     if (solid.outcome == CombineOutcome::Unfinished) {
-      report_.notes.emplace_back(
-          "rounding makes faces of the result intersect again and again, so it was repaired");
+      note("rounding makes faces of the result intersect again and again, so it was repaired");
       return mend_combined(combined, options);
     }
     MendedMesh parted = part_combined(std::move(combined), options.max_deviation);
     if (parted.is_mended) {
-      report_.notes.emplace_back("parts that touched along an edge or at a vertex were parted");
+      note("parts that touched along an edge or at a vertex were parted");
     }
     return parted;
+  }
+
+  /// Tells whether there is no result.
+  [[nodiscard]] static bool is_given_up(const CombinedSolid& solid) {
+    return solid.outcome == CombineOutcome::TooManyPairs ||
+           solid.outcome == CombineOutcome::Stopped;
+  }
+
+  void add_given_up(const CombinedSolid& solid) {
+    const bool is_stopped = solid.outcome == CombineOutcome::Stopped;
+    note(is_stopped ? "nothing is written: it was stopped before it was done"
+                    : "nothing is written: more than " + std::to_string(kMostPairsCombined) +
+                          " pairs of faces intersect, and no more are cut");
+    report_.outputs.push_back({});
+    report_.outputs.back().verdict = is_stopped ? "stopped" : "too many intersecting pairs";
+    be_at_least(ExitCode::NotGood);
   }
 
   void add_empty(const std::optional<std::string>& path) {
@@ -291,9 +296,9 @@ class CombinationRun {
     const std::string name = is_stdout ? name_of_stdout() : *path;
     const Output output = output_of(result, mesh, is_changed, name);
     report_.lost.insert(report_.lost.end(), output.loss.lost.begin(), output.loss.lost.end());
-    if (!output.note.empty()) report_.notes.push_back(output.note);
+    if (!output.note.empty()) note(output.note);
     if (options_.loss == Options::Loss::Refuse && !output.loss.lost.empty()) {
-      report_.notes.emplace_back("nothing is written, because attributes would be lost");
+      note("nothing is written, because attributes would be lost");
       be_at_least(ExitCode::NotGood);
       return mesh.soup;
     }
@@ -333,6 +338,8 @@ class CombinationRun {
   Streams streams_;
   StopRequest stop_;
   BooleanReport report_;
+  /// What begins notes: the file that others are subtracted from, if each is in turn.
+  std::string subject_;
   ExitCode worst_ = ExitCode::Done;
 };
 

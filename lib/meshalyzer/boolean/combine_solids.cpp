@@ -176,6 +176,22 @@ CombinedSolid combine_solids(const Operands& operands, const InsideRule& rule,
   return Combination(operands, options).run(rule);
 }
 
+std::optional<Triangle> whole_face(const CombinedSolid& solid, const Soup& source,
+                                   const CombinedFace& face) {
+  if (face.origin >= source.n_faces()) return std::nullopt;
+  Triangle before = source.triangles[face.origin];
+  if (face.is_turned) std::swap(before[1], before[2]);
+  Triangle corners = face.corners;
+  for (int i = 0; i < 3; ++i) {
+    const auto is_there = [&](Index now, Index then) {
+      return now == then || solid.positions[now] == source.positions[then];
+    };
+    if (std::equal(corners.begin(), corners.end(), before.begin(), is_there)) return corners;
+    std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+  }
+  return std::nullopt;
+}
+
 Soup as_soup(const CombinedSolid& solid) {
   std::vector<Triangle> triangles(solid.faces.size());
   std::transform(solid.faces.begin(), solid.faces.end(), triangles.begin(),

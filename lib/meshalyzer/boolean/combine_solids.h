@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace meshalyzer {
@@ -78,6 +79,15 @@ struct CombinedSolid {
 ///                  #operands).
 [[nodiscard]] CombinedSolid combine_solids(const Operands& operands, const InsideRule& rule,
                                            const CombineOptions& options = {});
+
+/// Returns the corners of a face of a result in the order of the face of the input that it is as a
+/// whole: each at the place of that one's corner or, if the face is turned over, of the corner of
+/// {0, 2, 1}. The vertices may be others, where some at one place became one.
+///
+/// @param source  The mesh that the face's origin counts in.
+/// @return        Nothing if the face is a part of its origin, or of none.
+[[nodiscard]] std::optional<Triangle> whole_face(const CombinedSolid& solid, const Soup& source,
+                                                 const CombinedFace& face);
 
 /// Returns the result of a boolean operation as a mesh, without unused vertices.
 [[nodiscard]] Soup as_soup(const CombinedSolid& solid);

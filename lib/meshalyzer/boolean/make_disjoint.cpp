@@ -128,11 +128,13 @@ std::vector<DisjointSolid> make_disjoint(std::span<const Soup> solids,
       solids, [&](std::size_t i, const std::vector<Soup>& operands, const Soup& others) {
         if (operands.size() == 1) return operands.front();
         const Soup all = concatenate(operands);
-        const CombinedSolid solid =
-            subtract_and_part(operands_of(all, operands), others, options).solid;
+        const PartedDifference left =
+            subtract_and_part(operands_of(all, operands), others, options);
+        const CombinedSolid& solid = left.solid;
         made[i].outcome = solid.outcome;
         if (solid.outcome != CombineOutcome::Done) return operands.front();
         made[i].largest_move = solid.largest_move;
+        made[i].is_apart = left.is_apart;
         return as_soup(solid);
       });
   for (std::size_t i = 0; i < made.size(); ++i) made[i].soup = std::move(soups[i]);

@@ -53,12 +53,14 @@ struct DisjointSolid {
   CombineOutcome outcome = CombineOutcome::Done;
   /// An upper bound of how far any vertex was moved.
   double largest_move = 0.0;
+  /// As in PartedDifference.
+  bool is_apart = true;
 };
 
 /// Makes solids disjoint whose surfaces cross or touch, or of which one lies in another: each loses
 /// what is inside of those before it, and is moved off them by the smallest step after which
-/// check_pair() finds nothing, see subtract_and_part(). The first stays as it is, and so does each
-/// that meets none before it.
+/// check_pair() finds nothing, see subtract_and_part(); where none does, the result says so. The
+/// first stays as it is, and so does each that meets none before it.
 ///
 /// To make one solid of all, combine them by union_rule().
 ///

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace meshalyzer {
 namespace {
@@ -32,6 +33,37 @@ TEST(CombineSolids, CubesThatOverlapInACornerAreUnitedCutAndSubtracted) {
   EXPECT_EQ(volume(combine(cubes, union_rule())), 15.0);
   EXPECT_EQ(volume(combine(cubes, intersection_rule())), 1.0);
   EXPECT_EQ(volume(combine(cubes, difference_rule())), 7.0);
+}
+
+TEST(WholeFace, IsFoundWhateverVerticesAreAtItsCornersAndWhicheverIsFirst) {
+  // The second box stands on the first, so that its lower vertices become those of the first.
+  const std::vector<Soup> boxes{shapes::cube(2), shapes::cube(2, {0, 0, 2})};
+  const Soup all = concatenate(boxes);
+  CombinedSolid solid = combine_solids(operands_of(all, boxes), union_rule());
+  // Of each box the wall between them goes.
+  ASSERT_EQ(solid.faces.size(), 20U);
+  for (CombinedFace& face : solid.faces) {
+    std::rotate(face.corners.begin(), face.corners.begin() + 1, face.corners.end());
+    const std::optional<Triangle> corners = whole_face(solid, all, face);
+    ASSERT_TRUE(corners.has_value());
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(solid.positions[(*corners)[k]], all.positions[all.triangles[face.origin][k]]);
+    }
+  }
+}
+
+TEST(WholeFace, PartOfAFaceIsNone) {
+  const std::vector<Soup> cubes{shapes::cube(2), shapes::cube(2, {1, 1, 1})};
+  const Soup all = concatenate(cubes);
+  const CombinedSolid solid = combine_solids(operands_of(all, cubes), difference_rule());
+  double whole = 0.0;
+  for (const CombinedFace& face : solid.faces) {
+    if (!whole_face(solid, all, face)) continue;
+    const auto [a, b, c] = corners_of(all, face.origin);
+    whole += (b - a).cross(c - a).norm() / 2.0;
+  }
+  // Of each cube three sides are not cut; those of the second one are outside.
+  EXPECT_EQ(whole, 12.0);
 }
 
 TEST(CombineSolids, FacesThatMeetNothingStay) {

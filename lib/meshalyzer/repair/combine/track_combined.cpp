@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -19,15 +20,6 @@ namespace {
 /// How often a difference is subtracted again where it still meets the others. Most that are parted
 /// at all are so after one or two rounds.
 constexpr int kRoundsOfKeepingOff = 3;
-
-/// Tells whether two faces have the same corners in the same cyclic order.
-bool is_same_cycle(Triangle a, const Triangle& b) {
-  for (int i = 0; i < 3; ++i) {
-    if (a == b) return true;
-    std::rotate(a.begin(), a.begin() + 1, a.end());
-  }
-  return false;
-}
 
 /// Makes edits of one operation that turns a mesh into the result.
 class CombinedEdits {
@@ -63,40 +55,40 @@ class CombinedEdits {
   }
 
   void take(const CombinedFace& face) {
-    if (!is_of_source(face)) {
-      add(face);
-      return;
-    }
-    Triangle before = soup_.triangles[face.origin];
-    if (face.is_turned) std::swap(before[1], before[2]);
-    if (!is_same_cycle(face.corners, before)) {
+    const std::optional<Triangle> corners = whole_face(solid_, soup_, face);
+    if (!corners) {
       add(face);
       return;
     }
     stays_[face.origin] = 1;
-    if (face.is_turned) {
-      edits_.changed_faces.push_back(
-          {.op = op_, .face = face.origin, .corners = before, .turns_normals = true});
+    if (!face.is_turned && *corners == soup_.triangles[face.origin]) return;
+    edits_.changed_faces.push_back(
+        {.op = op_, .face = face.origin, .corners = {}, .turns_normals = face.is_turned});
+    for (std::size_t k = 0; k < 3; ++k) {
+      edits_.changed_faces.back().corners[k] = named((*corners)[k]);
     }
   }
 
   void add(const CombinedFace& face) {
-    const auto n_vertices = static_cast<Index>(soup_.n_vertices());
     Triangle corners = face.corners;
-    for (Index& v : corners) {
-      if (v < n_vertices) continue;
-      Index& number = added_[v - n_vertices];
-      if (number == kNoIndex) {
-        number = n_vertices + static_cast<Index>(edits_.added_vertices.size());
-        edits_.added_vertices.push_back({.op = op_, .position = solid_.positions[v]});
-      }
-      v = number;
-    }
+    for (Index& v : corners) v = named(v);
     edits_.added_faces.push_back({.op = op_,
                                   .corners = corners,
                                   .prototype = is_of_source(face) ? face.origin : model_,
                                   .fills_hole = !is_of_source(face),
                                   .turns_normals = face.is_turned});
+  }
+
+  /// Returns how the edits name a vertex of the result, and adds it if it is new.
+  Index named(Index v) {
+    const auto n_vertices = static_cast<Index>(soup_.n_vertices());
+    if (v < n_vertices) return v;
+    Index& number = added_[v - n_vertices];
+    if (number == kNoIndex) {
+      number = n_vertices + static_cast<Index>(edits_.added_vertices.size());
+      edits_.added_vertices.push_back({.op = op_, .position = solid_.positions[v]});
+    }
+    return number;
   }
 
   void move_vertices() {

@@ -27,8 +27,8 @@ class CornerNormals {
   }
 
  private:
-  /// Returns the normals of an old face: a vertex that stays keeps its normal, any other gets that
-  /// of the corner that it replaces.
+  /// Returns the normals of an old face: a vertex that stays keeps its normal, as does one that
+  /// became another at the same place; any other gets that of the corner that it replaces.
   [[nodiscard]] Triangle carried_over(std::size_t f) const {
     const Index model = models_.model_of(f);
     Triangle result = models_.before().corner_normals[model];
@@ -46,7 +46,7 @@ class CornerNormals {
     Triangle result = kNoTriangle;
     for (std::size_t k = 0; k < 3; ++k) {
       const Index corner = models_.triangles()[f][k];
-      result[k] = normal_of(model, models_.old_vertex(corner));
+      result[k] = normal_of(model, corner);
       if (result[k] != kNoIndex) continue;
       const std::optional<Vec3> normal = models_.normal_at(model, corner);
       if (!normal) return kNoTriangle;
@@ -55,13 +55,21 @@ class CornerNormals {
     return result;
   }
 
-  /// Returns the normal of an old face at a vertex; kNoIndex if it has none there.
+  /// Returns the normal of an old face at the corner that is, or was copied from, a certain vertex,
+  /// or else is at its place; kNoIndex if there is none.
   [[nodiscard]] Index normal_of(Index face, Index vertex) const {
-    const Triangle& t = models_.before().triangles[face];
-    const auto* const found = std::find(t.begin(), t.end(), vertex);
-    return found == t.end() || vertex == kNoIndex
+    const Soup& before = models_.before();
+    const Triangle& t = before.triangles[face];
+    const Index old = models_.old_vertex(vertex);
+    const auto* found = std::find(t.begin(), t.end(), old);
+    if (old == kNoIndex || found == t.end()) {
+      found = std::find_if(t.begin(), t.end(), [&](Index v) {
+        return v != kNoIndex && before.positions[v] == models_.place_of(vertex);
+      });
+    }
+    return found == t.end()
                ? kNoIndex
-               : models_.before().corner_normals[face][static_cast<std::size_t>(found - t.begin())];
+               : before.corner_normals[face][static_cast<std::size_t>(found - t.begin())];
   }
 
   /// Returns the number of a normal on a face, which is most often one of its corners'.

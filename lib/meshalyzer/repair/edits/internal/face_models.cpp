@@ -41,13 +41,16 @@ Index FaceModels::old_vertex(Index corner) const {
   return corner < n_old ? corner : edits_.added_vertices[corner - n_old].copy_of;
 }
 
+const Vec3& FaceModels::place_of(Index corner) const {
+  const std::size_t n_old = before_.n_vertices();
+  return corner < n_old ? before_.positions[corner]
+                        : edits_.added_vertices[corner - n_old].position;
+}
+
 std::optional<Vec3> FaceModels::normal_at(Index model, Index corner) const {
   const Triangle& normals = before_.corner_normals[model];
   if (!has_all_corners(before_.triangles[model]) || !has_all_corners(normals)) return std::nullopt;
-  const std::size_t n_old = before_.n_vertices();
-  const Vec3& place =
-      corner < n_old ? before_.positions[corner] : edits_.added_vertices[corner - n_old].position;
-  const Blend blend = blend_at(place, corners_of(before_, model), normals);
+  const Blend blend = blend_at(place_of(corner), corners_of(before_, model), normals);
   const Vec3& first = before_.normals[blend.items[0]];
   const bool is_flat = std::all_of(blend.items.begin(), blend.items.end(), [&](Index normal) {
     return normal == kNoIndex || before_.normals[normal] == first;

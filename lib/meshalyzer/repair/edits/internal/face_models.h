@@ -32,6 +32,8 @@ class FaceModels {
   [[nodiscard]] bool turns_normals(std::size_t face) const;
   /// Returns the old vertex that a corner is, or is a copy of; kNoIndex for a new one.
   [[nodiscard]] Index old_vertex(Index corner) const;
+  /// Returns the place of a vertex, that of an old one before the edits.
+  [[nodiscard]] const Vec3& place_of(Index corner) const;
 
   /// Returns the normal of an old face at the point of it that is nearest to a corner, numbered as
   /// in Edits: the weighted mean of the normals at its corners; nothing if one of these has none.
