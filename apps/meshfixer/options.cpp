@@ -221,6 +221,7 @@ std::string repair_option(const GivenOptions& given, const Options& options) {
       {repair.keep_largest != 0, "--keep-largest"},
       {repair.borders == Borders::Intended, "--keep-borders"},
       {repair.groups == Groups::Faces, "--by-group"},
+      {repair.contact == Contact::Keep, "--keep-contact"},
       {given.names_holes, "--fill-holes, --fill-at or --fill-shape"},
       {options.ndjson.has_value(), "--ndjson"}};
   for (const auto& [is_given, name] : options_of_repair) {
