@@ -75,8 +75,7 @@ class CombinedEdits {
     edits_.added_faces.push_back({.op = op_,
                                   .corners = corners,
                                   .prototype = is_of_source(face) ? face.origin : model_,
-                                  .fills_hole = !is_of_source(face),
-                                  .turns_normals = face.is_turned});
+                                  .fills_hole = !is_of_source(face)});
   }
 
   /// Returns how the edits name a vertex of the result, and adds it if it is new.

@@ -63,13 +63,11 @@ struct Edits {
     Index op;
     Triangle corners;
     /// A face of the soup that the new face is modelled on: the new face joins its group, and
-    /// unless fills_hole is set takes its normals, interpolated at other corners, and counts as
-    /// made of it.
+    /// unless fills_hole is set counts as made of it and takes its normals, interpolated at other
+    /// corners, and turned over where it faces the other way.
     Index prototype;
     /// Tells whether it fills a hole, so that it replaces nothing of the old surface.
     bool fills_hole = false;
-    /// As in ChangedFace.
-    bool turns_normals = false;
   };
   /// A normal for the corners of faces at a vertex that have a certain one of the soup; where each
   /// vertex has one, that is the vertex's.

@@ -197,6 +197,24 @@ TEST(ApplyEdits, PartsOfAFaceHaveTheNormalsThatItHasThere) {
   EXPECT_EQ(of_corners.corner_normals[1][1], 1U);
 }
 
+TEST(ApplyEdits, PartsThatFaceTheOtherWayHaveTheOppositeNormals) {
+  HalvedTriangle halved({{0.6, 0, 0.8}, {0.6, 0, -0.8}});
+  halved.soup.format = Format::Obj;
+  for (Edits::AddedFace& face : halved.edits.added_faces) {
+    std::swap(face.corners[1], face.corners[2]);
+  }
+  // A normal that agreed with the face is turned; one that did not agrees now.
+  for (const Index given : {0U, 1U}) {
+    halved.soup.corner_normals = {{given, given, given}};
+    const Soup after = apply_edits(track_mesh(halved.soup), halved.edits).soup;
+    for (const Triangle& t : after.corner_normals) {
+      for (const Index normal : t) {
+        EXPECT_EQ(after.normals[normal], given == 0 ? Vec3(-0.6, 0, -0.8) : Vec3(0.6, 0, -0.8));
+      }
+    }
+  }
+}
+
 TEST(ApplyEdits, PartsOfAFaceWithOneNormalHaveThatNormal) {
   HalvedTriangle halved({{0.1, 0.2, 0.3}});
   halved.soup.format = Format::Obj;

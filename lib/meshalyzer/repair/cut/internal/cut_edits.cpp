@@ -1,10 +1,8 @@
 #include "meshalyzer/repair/cut/internal/cut_edits.h"
 
 #include "meshalyzer/base/disjoint_sets.h"
-#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/repair/cut/internal/face_edges.h"
-#include "meshalyzer/repair/edits/internal/turned_face.h"
 #include "meshalyzer/repair/orient/bounds_solid.h"
 #include "meshalyzer/topology/components.h"
 
@@ -271,17 +269,8 @@ class CutEdits {
           {.op = op,
            .corners = corners,
            .prototype = fills_hole ? patches_[origin - soup_.n_faces()].prototype : origin,
-           .fills_hole = fills_hole,
-           .turns_normals = !fills_hole && is_turned(i) && normals_agree(soup_, origin)});
+           .fills_hole = fills_hole});
     }
-  }
-
-  /// Tells whether a part of a face was turned over.
-  [[nodiscard]] bool is_turned(std::size_t triangle) const {
-    const auto& [a, b, c] = surface_.triangles[triangle];
-    const std::vector<Vec3>& at = surface_.positions;
-    return normal_of(at[a], at[b], at[c])
-               .dot(normal_of(corners_of(soup_, surface_.origins[triangle]))) < 0.0;
   }
 
   void add_walls() {

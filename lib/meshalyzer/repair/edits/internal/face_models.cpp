@@ -1,6 +1,8 @@
 #include "meshalyzer/repair/edits/internal/face_models.h"
 
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/io/rewrite/blend.h"
+#include "meshalyzer/repair/edits/internal/turned_face.h"
 
 #include <algorithm>
 
@@ -32,8 +34,16 @@ Index FaceModels::model_of(std::size_t face) const {
 }
 
 bool FaceModels::turns_normals(std::size_t face) const {
-  if (!is_old(face)) return added(face).turns_normals;
+  if (!is_old(face)) return is_reversed(face) && normals_agree(before_, model_of(face));
   return !turns_.empty() && turns_[faces_.sources[face]] != 0;
+}
+
+bool FaceModels::is_reversed(std::size_t face) const {
+  const auto& [a, b, c] = triangles()[face];
+  const Triangle& model = before_.triangles[model_of(face)];
+  if (!has_all_corners(triangles()[face]) || !has_all_corners(model)) return false;
+  const Vec3 now = angle_weighted_normal({place_of(a), place_of(b), place_of(c)}, 0);
+  return now.dot(angle_weighted_normal(corners_of(before_, model_of(face)), 0)) < 0.0;
 }
 
 Index FaceModels::old_vertex(Index corner) const {

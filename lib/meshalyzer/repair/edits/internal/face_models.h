@@ -41,6 +41,8 @@ class FaceModels {
 
  private:
   [[nodiscard]] const Edits::AddedFace& added(std::size_t face) const;
+  /// Tells whether a face faces the other way than its model.
+  [[nodiscard]] bool is_reversed(std::size_t face) const;
 
   const Soup& before_;
   const Edits& edits_;
