@@ -215,6 +215,20 @@ TEST(ApplyEdits, PartsThatFaceTheOtherWayHaveTheOppositeNormals) {
   }
 }
 
+TEST(ApplyEdits, InterpolatedNormalsAreNotOpposedToTheirFace) {
+  // Half-way between the first two normals it points down.
+  HalvedTriangle halved({{0.6, 0, 0.8}, {0, 0, -1}, {0, 0.6, 0.8}});
+  halved.soup.corner_normals = {{0, 1, 2}};
+  halved.soup.format = Format::Ply;
+  EXPECT_EQ(apply_edits(track_mesh(halved.soup), halved.edits).soup.normals[3], Vec3(0, 0, 1));
+
+  halved.soup.format = Format::Obj;
+  halved.soup.normals.emplace_back(1, 0, 0);
+  const Soup after = apply_edits(track_mesh(halved.soup), halved.edits).soup;
+  EXPECT_EQ(after.normals[after.corner_normals[0][1]], Vec3(0, 0, 1));
+  EXPECT_EQ(after.corner_normals[1][1], 1U);
+}
+
 TEST(ApplyEdits, PartsOfAFaceWithOneNormalHaveThatNormal) {
   HalvedTriangle halved({{0.1, 0.2, 0.3}});
   halved.soup.format = Format::Obj;

@@ -48,7 +48,7 @@ class CornerNormals {
       const Index corner = models_.triangles()[f][k];
       result[k] = normal_of(model, corner);
       if (result[k] != kNoIndex) continue;
-      const std::optional<Vec3> normal = models_.normal_at(model, corner);
+      const std::optional<Vec3> normal = models_.normal_at(f, corner);
       if (!normal) return kNoTriangle;
       result[k] = listed(model, *normal);
     }

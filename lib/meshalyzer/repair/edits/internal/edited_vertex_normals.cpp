@@ -11,8 +11,8 @@ namespace {
 
 /// What the faces at a vertex say of its normal.
 struct FacesAtVertex {
-  /// The old face that the first of them is, or is modelled on; kNoIndex if there is none.
-  Index model = kNoIndex;
+  /// The first of them that is part of no hole patch; kNoIndex if there is none.
+  Index face = kNoIndex;
   bool has_patch = false;
   bool has_turned = false;
   bool has_unturned = false;
@@ -30,7 +30,7 @@ std::vector<FacesAtVertex> faces_at_vertices(const FaceModels& models) {
         at.has_patch = true;
         continue;
       }
-      if (at.model == kNoIndex) at.model = models.model_of(f);
+      if (at.face == kNoIndex) at.face = static_cast<Index>(f);
       (models.turns_normals(f) ? at.has_turned : at.has_unturned) = true;
     }
   }
@@ -66,8 +66,8 @@ void set_vertex_normals(const FaceModels& models, std::span<const Index> vertice
     std::optional<Vec3> normal;
     if (old != kNoIndex) {
       normal = models.before().normals[old];
-    } else if (at.model != kNoIndex && !at.has_patch) {
-      normal = models.normal_at(at.model, vertices[i]);
+    } else if (at.face != kNoIndex && !at.has_patch) {
+      normal = models.normal_at(at.face, vertices[i]);
     }
     needs_mean[i] = normal ? 0 : 1;
     is_any = is_any || !normal;

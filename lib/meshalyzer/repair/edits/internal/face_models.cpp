@@ -1,7 +1,6 @@
 #include "meshalyzer/repair/edits/internal/face_models.h"
 
 #include "meshalyzer/base/triangle.h"
-#include "meshalyzer/io/rewrite/blend.h"
 #include "meshalyzer/repair/edits/internal/turned_face.h"
 
 #include <algorithm>
@@ -39,11 +38,14 @@ bool FaceModels::turns_normals(std::size_t face) const {
 }
 
 bool FaceModels::is_reversed(std::size_t face) const {
+  const Index model = model_of(face);
+  if (!has_all_corners(before_.triangles[model])) return false;
+  return direction_of(face).dot(angle_weighted_normal(corners_of(before_, model), 0)) < 0.0;
+}
+
+Vec3 FaceModels::direction_of(std::size_t face) const {
   const auto& [a, b, c] = triangles()[face];
-  const Triangle& model = before_.triangles[model_of(face)];
-  if (!has_all_corners(triangles()[face]) || !has_all_corners(model)) return false;
-  const Vec3 now = angle_weighted_normal({place_of(a), place_of(b), place_of(c)}, 0);
-  return now.dot(angle_weighted_normal(corners_of(before_, model_of(face)), 0)) < 0.0;
+  return angle_weighted_normal({place_of(a), place_of(b), place_of(c)}, 0).stableNormalized();
 }
 
 Index FaceModels::old_vertex(Index corner) const {
@@ -57,10 +59,16 @@ const Vec3& FaceModels::place_of(Index corner) const {
                         : edits_.added_vertices[corner - n_old].position;
 }
 
-std::optional<Vec3> FaceModels::normal_at(Index model, Index corner) const {
+std::optional<Vec3> FaceModels::normal_at(std::size_t face, Index corner) const {
+  const Index model = model_of(face);
   const Triangle& normals = before_.corner_normals[model];
   if (!has_all_corners(before_.triangles[model]) || !has_all_corners(normals)) return std::nullopt;
-  const Blend blend = blend_at(place_of(corner), corners_of(before_, model), normals);
+  const Vec3 normal = blended(blend_at(place_of(corner), corners_of(before_, model), normals));
+  const Vec3 direction = (turns_normals(face) ? -1.0 : 1.0) * direction_of(face);
+  return normal.dot(direction) < 0.0 ? direction : normal;
+}
+
+Vec3 FaceModels::blended(const Blend& blend) const {
   const Vec3& first = before_.normals[blend.items[0]];
   const bool is_flat = std::all_of(blend.items.begin(), blend.items.end(), [&](Index normal) {
     return normal == kNoIndex || before_.normals[normal] == first;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/io/rewrite/blend.h"
 #include "meshalyzer/repair/edits/edits.h"
 #include "meshalyzer/repair/edits/internal/edited_faces.h"
 #include "meshalyzer/repair/edits/internal/skipped_operations.h"
@@ -35,14 +36,19 @@ class FaceModels {
   /// Returns the place of a vertex, that of an old one before the edits.
   [[nodiscard]] const Vec3& place_of(Index corner) const;
 
-  /// Returns the normal of an old face at the point of it that is nearest to a corner, numbered as
-  /// in Edits: the weighted mean of the normals at its corners; nothing if one of these has none.
-  [[nodiscard]] std::optional<Vec3> normal_at(Index model, Index corner) const;
+  /// Returns the normal that a new corner of a face, numbered as in Edits, takes from the model, in
+  /// the orientation of that: the weighted mean of its normals, at the point that is nearest to the
+  /// corner, or the direction of the face if that is opposed to it. Nothing if the model lacks
+  /// normals.
+  [[nodiscard]] std::optional<Vec3> normal_at(std::size_t face, Index corner) const;
 
  private:
   [[nodiscard]] const Edits::AddedFace& added(std::size_t face) const;
   /// Tells whether a face faces the other way than its model.
   [[nodiscard]] bool is_reversed(std::size_t face) const;
+  /// Returns the unit normal of a face, before the edits move its vertices.
+  [[nodiscard]] Vec3 direction_of(std::size_t face) const;
+  [[nodiscard]] Vec3 blended(const Blend& blend) const;
 
   const Soup& before_;
   const Edits& edits_;
