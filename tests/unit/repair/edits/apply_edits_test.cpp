@@ -237,6 +237,28 @@ TEST(ApplyEdits, PartsOfAFaceWithOneNormalHaveThatNormal) {
   EXPECT_EQ(after.corner_normals, (std::vector<Triangle>{{0, 0, 0}, {0, 0, 0}}));
 }
 
+TEST(ApplyEdits, NewVertexBetweenFacesHasTheMeanOfTheirNormals) {
+  // Two faces at a right angle are cut where they meet, each with the same normal at all corners.
+  Soup soup = shapes::make({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 0}, {4, 0, 0}, {0, 0, -4}},
+                           {{0, 1, 2}, {3, 4, 5}});
+  soup.format = Format::Ply;
+  soup.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}};
+  soup.corner_normals = soup.triangles;
+  Edits edits;
+  const Index op = edits.begin_operation();
+  edits.added_vertices.push_back({op, Vec3(2, 0, 0)});
+  for (Index f = 0; f < 2; ++f) edits.removed_faces.push_back({op, f});
+  for (const Triangle& part : {Triangle{0, 6, 2}, Triangle{6, 1, 2}}) {
+    edits.added_faces.push_back({op, part, 0});
+  }
+  for (const Triangle& part : {Triangle{3, 6, 5}, Triangle{6, 4, 5}}) {
+    edits.added_faces.push_back({op, part, 1});
+  }
+  const Soup after = apply_edits(track_mesh(soup), edits).soup;
+  EXPECT_LT((after.normals[6] - Vec3(0, 1, 1).normalized()).norm(), 1e-15);
+  EXPECT_EQ(after.normals[0], Vec3(0, 0, 1));
+}
+
 TEST(ApplyEdits, PatchHasNoNormalsOfOtherFaces) {
   HalvedTriangle halved({{1, 0, 0}, {0, 1, 0}, {1, 0, 0}});
   for (Edits::AddedFace& face : halved.edits.added_faces) face.fills_hole = true;

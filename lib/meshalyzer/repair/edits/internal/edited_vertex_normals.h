@@ -6,9 +6,9 @@
 
 namespace meshalyzer {
 
-/// Gives the vertices of an edited soup their normals, where each has one. A new vertex on faces
-/// that are parts of old ones has their normal there; one of a hole patch, or on its rim, the mean
-/// of the normals of its faces, weighted by the angle there.
+/// Gives the vertices of an edited soup their normals, where each has one. A new vertex has the
+/// mean of the normals there of the faces of which its faces are parts, and of those of hole
+/// patches, weighted by the angles at the vertex.
 ///
 /// @param vertices  By new vertex: the old vertex that it is, or #old vertices + the number of the
 ///                  added one.

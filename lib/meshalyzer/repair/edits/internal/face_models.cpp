@@ -44,8 +44,12 @@ bool FaceModels::is_reversed(std::size_t face) const {
 }
 
 Vec3 FaceModels::direction_of(std::size_t face) const {
+  return angle_weighted_normal(places_of(face), 0).stableNormalized();
+}
+
+Corners FaceModels::places_of(std::size_t face) const {
   const auto& [a, b, c] = triangles()[face];
-  return angle_weighted_normal({place_of(a), place_of(b), place_of(c)}, 0).stableNormalized();
+  return {place_of(a), place_of(b), place_of(c)};
 }
 
 Index FaceModels::old_vertex(Index corner) const {

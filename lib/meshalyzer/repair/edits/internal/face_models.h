@@ -35,6 +35,8 @@ class FaceModels {
   [[nodiscard]] Index old_vertex(Index corner) const;
   /// Returns the place of a vertex, that of an old one before the edits.
   [[nodiscard]] const Vec3& place_of(Index corner) const;
+  /// Returns the places of the corners of a face, none of which may be missing.
+  [[nodiscard]] Corners places_of(std::size_t face) const;
 
   /// Returns the normal that a new corner of a face, numbered as in Edits, takes from the model, in
   /// the orientation of that: the weighted mean of its normals, at the point that is nearest to the
