@@ -49,8 +49,9 @@ struct RepairResult {
 /// Repairs a mesh as far as possible within a maximum deviation, and reports the remaining defects
 /// (doc/repair.md).
 ///
-/// Sound parts of the mesh stay bit for bit. Repairing the result again changes nothing. The result
-/// is never worse than the input, see RepairResult::rises.
+/// Sound parts of the mesh stay bit for bit. Repairing the result again changes nothing, but in the
+/// cases that doc/repair.md names, where work is limited. The result is never worse than the input,
+/// see RepairResult::rises.
 ///
 /// @throws InvalidArgument  as resolve_tolerances(); if the deviation is negative or not finite;
 /// and if a position is not finite.
