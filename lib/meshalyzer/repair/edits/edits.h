@@ -49,8 +49,8 @@ struct Edits {
     Index face;
   };
   /// The new corners of a face that keeps its id and its place in the file. Corners that stay the
-  /// same vertex keep their normal, even at another position; others get that of the corner they
-  /// replace.
+  /// same vertex keep their normal, even at another position; others get that of the corner at
+  /// their place, or else of the one they replace.
   struct ChangedFace {
     Index op;
     Index face;

@@ -289,6 +289,16 @@ TEST(ApplyEdits, NormalsOfCornersStayWithTheirVertexWhenAFaceIsTurned) {
   EXPECT_EQ(after.soup.corner_normals[1], (Triangle{kNoIndex, kNoIndex, kNoIndex}));
 }
 
+TEST(ApplyEdits, FaceThatLacksACornerKeepsItsNormals) {
+  Soup soup = shapes::tetrahedron();
+  soup.format = Format::Obj;
+  soup.normals = {{1, 0, 0}, {0, 1, 0}};
+  soup.corner_normals.assign(4, {0, 1, 0});
+  soup.triangles[1][2] = kNoIndex;
+  const TrackedMesh after = apply_edits(track_mesh(soup), removal({0}));
+  EXPECT_EQ(after.soup.corner_normals, (std::vector<Triangle>(3, {0, 1, 0})));
+}
+
 TEST(ApplyEdits, ChangedNormalReplacesThatOfTheCornersThatHaveIt) {
   Soup soup = shapes::tetrahedron();
   soup.normals = {{1, 0, 0}, {0, 1, 0}};

@@ -8,6 +8,7 @@
 namespace meshalyzer {
 namespace {
 
+/// Finds the normals of the corners of faces, and the list that these refer to.
 class CornerNormals {
  public:
   explicit CornerNormals(const FaceModels& models)
@@ -56,8 +57,9 @@ class CornerNormals {
   }
 
   /// Returns the normal of an old face at the corner that is, or was copied from, a certain vertex,
-  /// or else is at its place; kNoIndex if there is none.
+  /// or else is at its place; kNoIndex if there is none, as for a corner that is missing.
   [[nodiscard]] Index normal_of(Index face, Index vertex) const {
+    if (vertex == kNoIndex) return kNoIndex;
     const Soup& before = models_.before();
     const Triangle& t = before.triangles[face];
     const Index old = models_.old_vertex(vertex);

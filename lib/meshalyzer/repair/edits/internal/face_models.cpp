@@ -6,6 +6,7 @@
 #include <algorithm>
 
 namespace meshalyzer {
+
 FaceModels::FaceModels(const Soup& before, const Edits& edits, const SkippedOperations& skipped,
                        const EditedFaces& faces)
     : before_(before), edits_(edits), faces_(faces) {
