@@ -78,12 +78,13 @@ struct Difference {
 };
 
 // The bound covers two roundings of the parts and one of their sum; a rest is off by less than
-// 2^-50 of itself.
+// 2^-50 of itself, or by a few of the smallest doubles, of which the bound of a tiny rest would
+// keep nothing.
 Difference difference(const ExactPoint& p, const ExactPoint& q, Eigen::Index k) {
   const double coarse = p.rounded[k] - q.rounded[k];
   const double fine = p.rest[k] - q.rest[k];
   return {coarse + fine, 0x1.1p-52 * (std::abs(coarse) + std::abs(fine)) +
-                             0x1.1p-50 * (std::abs(p.rest[k]) + std::abs(q.rest[k]))};
+                             0x1.1p-50 * (std::abs(p.rest[k]) + std::abs(q.rest[k])) + 0x1p-1068};
 }
 
 Sign compare_coordinate(const ExactPoint& a, const ExactPoint& b, Eigen::Index k) {

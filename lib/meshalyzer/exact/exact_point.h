@@ -17,8 +17,9 @@ struct ExactPoint {
   /// The doubles nearest to the coordinates; ties go to even. They depend on the point alone, not
   /// on how it was computed.
   Vec3 rounded = Vec3::Zero();
-  /// The difference between the exact point and `rounded`, with a relative error below 2^-50; it is
-  /// zero exactly when rounding changed nothing.
+  /// The difference between the exact point and `rounded`, with a relative error below 2^-50 or an
+  /// absolute one of a few of the smallest doubles; it is zero exactly when rounding changed
+  /// nothing.
   Vec3 rest = Vec3::Zero();
 
   /// Tells whether the coordinates are doubles.

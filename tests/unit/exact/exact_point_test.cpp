@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -195,6 +196,18 @@ TEST(Orient3dOfExactPoints, PointMadeInAPlaneIsInIt) {
       if (!line) continue;
       EXPECT_EQ(orient3d(plane[0], plane[1], plane[2], meet(*line, plane)), 0);
     }
+  }
+}
+
+TEST(ExactPoint, PointOnALineToAPointFarOutIsOnItThoughItsRestIsTiny) {
+  // The line falls by some 1e-310 where the plane cuts it, which has fewer digits than a double.
+  const Vec3 near(-3.455246, 3.800894, 0.732667);
+  const Vec3 far(1e308, 3.784864, 0.661381);
+  for (const double x : {-3.06, -2.0, 0.5, 7.0}) {
+    const ExactPoint point = meet(LinePoints{near, far}, {Vec3(x, 0, 0), {x, 1, 0}, {x, 0, 1}});
+    EXPECT_LT(std::abs(point.rest.y()), 1e-307);
+    EXPECT_EQ(orient2d(Axis::Y, exact_point(near), exact_point(far), point), 0);
+    EXPECT_EQ(orient2d(Axis::Z, exact_point(near), exact_point(far), point), 0);
   }
 }
 
