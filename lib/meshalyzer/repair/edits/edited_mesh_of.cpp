@@ -102,7 +102,7 @@ class FacesBelow {
     Index below = origin;
     for (const Index v : tracked_.soup.triangles[face]) {
       const Index key = v == kNoIndex ? kNoIndex : tracked_.vertex_keys[v];
-      if (key >= tracked_.n_input_vertices || contains(before, key) || contains(before, kNoIndex)) {
+      if (key >= tracked_.n_input_vertices || contains(before, key) || !has_all_corners(before)) {
         continue;
       }
       if (!faces_) faces_ = std::make_unique<VertexFaces>(input_);
@@ -121,7 +121,7 @@ class FacesBelow {
   /// Tells whether the middle of a face is nearer to one face of the input than to another, beyond
   /// rounding.
   [[nodiscard]] bool is_nearer(Index face, Index candidate, Index other) const {
-    if (contains(input_.triangles[candidate], kNoIndex)) return false;
+    if (!has_all_corners(input_.triangles[candidate])) return false;
     const Corners corners = corners_of(tracked_.soup, face);
     const Vec3 middle = centroid_of(corners);
     constexpr double kBeyondRounding = 1e-9;

@@ -9,11 +9,13 @@ namespace meshalyzer {
 
 FaceModels::FaceModels(const Soup& before, const Edits& edits, const SkippedOperations& skipped,
                        const EditedFaces& faces)
-    : before_(before), edits_(edits), faces_(faces) {
+    : before_(before), edits_(edits), faces_(faces), turns_(faces.sources.size(), 0) {
   for (const Edits::ChangedFace& face : edits.changed_faces) {
-    if (!face.turns_normals || skipped(face.op)) continue;
-    turns_.resize(before.n_faces(), 0);
-    turns_[face.face] = 1;
+    const Index now = faces.new_index[face.face];
+    if (face.turns_normals && !skipped(face.op) && now != kNoIndex) turns_[now] = 1;
+  }
+  for (std::size_t f = 0; f < turns_.size(); ++f) {
+    if (!is_old(f) && is_reversed(f) && normals_agree(before_, model_of(f))) turns_[f] = 1;
   }
 }
 
@@ -31,11 +33,6 @@ bool FaceModels::is_patch(std::size_t face) const {
 
 Index FaceModels::model_of(std::size_t face) const {
   return is_old(face) ? faces_.sources[face] : added(face).prototype;
-}
-
-bool FaceModels::turns_normals(std::size_t face) const {
-  if (!is_old(face)) return is_reversed(face) && normals_agree(before_, model_of(face));
-  return !turns_.empty() && turns_[faces_.sources[face]] != 0;
 }
 
 bool FaceModels::is_reversed(std::size_t face) const {

@@ -30,7 +30,7 @@ class FaceModels {
   /// The old face that a face is or is modelled on.
   [[nodiscard]] Index model_of(std::size_t face) const;
   /// Tells whether the normals of the model are turned over.
-  [[nodiscard]] bool turns_normals(std::size_t face) const;
+  [[nodiscard]] bool turns_normals(std::size_t face) const { return turns_[face] != 0; }
   /// Returns the old vertex that a corner is, or is a copy of; kNoIndex for a new one.
   [[nodiscard]] Index old_vertex(Index corner) const;
   /// Returns the place of a vertex, that of an old one before the edits.
@@ -55,7 +55,7 @@ class FaceModels {
   const Soup& before_;
   const Edits& edits_;
   const EditedFaces& faces_;
-  /// By old face: non-zero if its normals are turned over; empty if no old face's are.
+  /// By face: non-zero if the normals of its model are turned over.
   std::vector<std::uint8_t> turns_;
 };
 
