@@ -1,6 +1,7 @@
 #include "meshalyzer/exact/exact_point.h"
 
-#include <CGAL/Gmpq.h>
+#include "meshalyzer/exact/balanced_matrix.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -23,15 +24,35 @@ bool is_safe(double x) {
   return std::abs(x) > kSmallestSafe && std::abs(x) < kLargestSafe;
 }
 
+/// Returns a number that may be beyond the range of doubles, not zero, with the relative error of
+/// its conversion into a double.
+WideNumber to_wide(Exact x) {
+  int exponent = 0;
+  const auto rescale = [&](int by) {
+    x = x * Exact(std::ldexp(1.0, -by));
+    exponent += by;
+  };
+  while (!std::isfinite(x.to_double())) rescale(1000);
+  while (std::abs(x.to_double()) < kSmallestSafe) rescale(-1000);
+  WideNumber result = wide(x.to_double());
+  result.exponent += exponent;
+  return result;
+}
+
 /// Divides a by b with a relative error below 2^-50, or an absolute one of a few of the smallest
-/// doubles. The result is zero only where a is.
+/// doubles. The result is zero only where a is, and finite.
 double quotient(const Exact& a, const Exact& b) {
   if (a.is_zero()) return 0.0;
   const double x = a.to_double();
   const double y = b.to_double();
   if (is_safe(x) && is_safe(y)) return x / y;
-  const double q = CGAL::to_double(CGAL::Gmpq(a) / CGAL::Gmpq(b));
-  return q != 0.0 ? q : std::copysign(std::numeric_limits<double>::denorm_min(), a.sign());
+  const WideNumber p = to_wide(a);
+  const WideNumber q = to_wide(b);
+  const double size =
+      std::ldexp(std::abs(p.mantissa) / std::abs(q.mantissa), p.exponent - q.exponent);
+  using Limits = std::numeric_limits<double>;
+  return std::copysign(std::clamp(size, Limits::denorm_min(), Limits::max()),
+                       static_cast<double>(a.sign() * b.sign()));
 }
 
 /// A rounded number and the distance to the exact one.

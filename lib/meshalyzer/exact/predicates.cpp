@@ -1,6 +1,7 @@
 #include "meshalyzer/exact/predicates.h"
 
 #include "meshalyzer/base/triangle.h"
+#include "meshalyzer/exact/balanced_matrix.h"
 #include "meshalyzer/exact/plane_view.h"
 
 #include <CGAL/Mpzf.h>
@@ -62,36 +63,81 @@ bool is_usual(double entry) {
   return entry == 0.0 || (std::abs(entry) > kSmall && std::abs(entry) < kLarge);
 }
 
-double magnitude(const Vec3& point) {
-  return largest(point.x(), point.y(), point.z());
-}
+template <std::size_t N>
+using Matrix = std::array<std::array<double, N>, N>;
 
-/// Does the same as orient3d_if_sure(), with more work, for points of very different magnitudes:
-/// the differences are to the point with the smallest coordinates, of which nothing would be left
-/// in differences from a point that is far out, and the bound is the sum of the products, of each
-/// of which the error is at most 8u.
-std::optional<Sign> orient3d_if_sure_of_products(std::array<const Vec3*, 4> points) {
-  const auto smallest =
-      std::min_element(points.begin(), points.end(),
-                       [](const Vec3* p, const Vec3* q) { return magnitude(*p) < magnitude(*q); });
-  const Sign sign = smallest == points.begin() ? 1 : -1;
-  std::iter_swap(points.begin(), smallest);
-  std::array<Vec3, 3> rows;
-  for (std::size_t i = 0; i < 3; ++i) rows[i] = *points[i + 1] - *points[0];
+// Covers what is lost where small entries of a balanced matrix, or products of them, underflow.
+constexpr double kLostInBalance = 0x1p-1060;
+
+/// Returns the sign of a determinant of differences where it is certain. The bound is the sum of
+/// the products, of each of which the error is at most 8u.
+std::optional<Sign> sign_of_products(const Matrix<3>& rows) {
   double determinant = 0.0;
   double sum = 0.0;
-  for (Eigen::Index k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < 3; ++k) {
     const auto [i, j] = std::pair{(k + 1) % 3, (k + 2) % 3};
     const double plus = rows[0][i] * rows[1][j];
     const double minus = rows[0][j] * rows[1][i];
     determinant += rows[2][k] * (plus - minus);
     sum += std::abs(rows[2][k]) * (std::abs(plus) + std::abs(minus));
   }
-  const bool is_safe = std::all_of(rows.begin(), rows.end(), [](const Vec3& row) {
-    return is_usual(row.x()) && is_usual(row.y()) && is_usual(row.z());
-  });
-  if (!is_safe || std::abs(determinant) <= kBoundOfProduct * sum) return std::nullopt;
-  return determinant > 0.0 ? sign : -sign;
+  if (std::abs(determinant) <= kBoundOfProduct * sum + kLostInBalance) return std::nullopt;
+  return determinant > 0.0 ? 1 : -1;
+}
+
+std::optional<Sign> sign_of_products(const Matrix<2>& rows) {
+  const double plus = rows[0][0] * rows[1][1];
+  const double minus = rows[0][1] * rows[1][0];
+  const double sum = std::abs(plus) + std::abs(minus);
+  if (std::abs(plus - minus) <= kBoundOfProduct * sum + kLostInBalance) return std::nullopt;
+  return plus > minus ? 1 : -1;
+}
+
+/// Returns the sign of the determinant of the differences between some points and the first one,
+/// where it is certain; for points of any and of very different magnitudes, with more work than a
+/// filter of known magnitudes.
+///
+/// The differences are to the point with the smallest coordinates, as nothing would be left of the
+/// others in differences from a point that is far out.
+template <std::size_t N>
+std::optional<Sign> sure_of_products(std::array<const Vec3*, N + 1> points,
+                                     const std::array<Eigen::Index, N>& coordinates) {
+  const auto magnitude = [&](const Vec3* point) {
+    double largest = 0.0;
+    for (const Eigen::Index k : coordinates) largest = std::max(largest, std::abs((*point)[k]));
+    return largest;
+  };
+  const auto smallest =
+      std::min_element(points.begin(), points.end(),
+                       [&](const Vec3* p, const Vec3* q) { return magnitude(p) < magnitude(q); });
+  const Sign exchanged = smallest == points.begin() ? 1 : -1;
+  std::iter_swap(points.begin(), smallest);
+
+  Matrix<N> rows;
+  bool is_safe = true;
+  for (std::size_t i = 0; i < N; ++i) {
+    bool is_same = true;
+    for (std::size_t j = 0; j < N; ++j) {
+      const Eigen::Index k = coordinates[j];
+      rows[i][j] = (*points[i + 1])[k] - (*points[0])[k];
+      is_safe = is_safe && is_usual(rows[i][j]);
+      is_same = is_same && rows[i][j] == 0.0;
+    }
+    if (is_same) return 0;  // a difference that is zero is exactly zero
+  }
+  if (!is_safe) {
+    WideMatrix<N> differences;
+    for (std::size_t i = 0; i < N; ++i) {
+      for (std::size_t j = 0; j < N; ++j) {
+        const Eigen::Index k = coordinates[j];
+        differences[i][j] = wide_difference((*points[i + 1])[k], (*points[0])[k]);
+      }
+    }
+    rows = balance(differences).entries;
+  }
+  const std::optional<Sign> sure = sign_of_products(rows);
+  if (!sure) return std::nullopt;
+  return exchanged * *sure;
 }
 
 using Exact = CGAL::Mpzf;
@@ -140,7 +186,7 @@ std::optional<Sign> orient3d_if_sure(const Vec3& a, const Vec3& b, const Vec3& c
 
 Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   if (const std::optional<Sign> sure = orient3d_if_sure(a, b, c, d)) return *sure;
-  if (const std::optional<Sign> sure = orient3d_if_sure_of_products({&a, &b, &c, &d})) return *sure;
+  if (const auto sure = sure_of_products<3>({&a, &b, &c, &d}, {0, 1, 2})) return *sure;
   return exact_orient3d(a, b, c, d);
 }
 
@@ -160,6 +206,7 @@ Sign orient2d(Axis dropped, const Vec3& a, const Vec3& b, const Vec3& c) {
     return *sure;
   }
   const auto [i, j] = kept(dropped);
+  if (const auto sure = sure_of_products<2>({&a, &b, &c}, {i, j})) return *sure;
   const Exact ux = Exact(b[i]) - Exact(a[i]);
   const Exact uy = Exact(b[j]) - Exact(a[j]);
   const Exact vx = Exact(c[i]) - Exact(a[i]);

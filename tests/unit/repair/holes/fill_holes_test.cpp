@@ -352,6 +352,38 @@ TEST(FillHoles, GoesRoundWhatIsInTheWay) {
   }
 }
 
+/// A tent of 24 sides over an open rim, of which two vertices lie far out.
+Soup tent_with_far_rim() {
+  constexpr Index kSides = 24;
+  Soup tent;
+  for (Index i = 0; i < kSides; ++i) {
+    const double a = 2.0 * std::numbers::pi * i / kSides;
+    tent.positions.emplace_back(std::cos(a), std::sin(a), 0.2 * std::cos(2.0 * a));
+  }
+  for (Index i = 0; i < kSides; ++i) {
+    const Vec3& p = tent.positions[i];
+    tent.positions.emplace_back(0.9 * p.x(), 0.9 * p.y(), p.z() + 0.5);
+  }
+  tent.positions.emplace_back(0.0, 0.0, 1.0);
+  for (Index a = 0; a < kSides; ++a) {
+    const Index b = (a + 1) % kSides;
+    const Index c = a + kSides;
+    const Index d = b + kSides;
+    for (const Triangle& t : {Triangle{a, b, d}, Triangle{a, d, c}, Triangle{c, d, 2 * kSides}}) {
+      tent.triangles.push_back(t);
+    }
+  }
+  tent.positions[4].x() = -1e155;
+  tent.positions[14].y() = -1e155;
+  return tent;
+}
+
+// The patch has vertices with thousands of edges, for which fairing would take a minute.
+TEST(FillHoles, PatchOfARimThatReachesFarOutIsNotFaired) {
+  const Soup open = tent_with_far_rim();
+  EXPECT_EQ(fill(open, kSmooth).tracked.soup.n_vertices(), open.n_vertices());
+}
+
 TEST(FillHoles, CopesWithHugeAndTinyCoordinates) {
   for (const double scale : {1e-300, 1e-150, 1e150, 1e300}) {
     SCOPED_TRACE(scale);

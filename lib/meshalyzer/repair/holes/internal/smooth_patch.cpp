@@ -22,6 +22,9 @@ constexpr std::size_t kReweightings = 4;
 /// Cotangents of the angles of needles are clamped to this range.
 constexpr double kLeastWeight = 1e-3;
 constexpr double kGreatestWeight = 1e3;
+/// The multiplications that a factorisation may take at least; a patch of 20,000 new vertices with
+/// six edges each takes a twentieth of them.
+constexpr double kMaxMultiplications = 2e8;
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using Solver = Eigen::SimplicialLDLT<SparseMatrix>;
@@ -153,12 +156,27 @@ SparseMatrix make_laplacian(const Surroundings& all) {
   return scale.asDiagonal() * laplacian;
 }
 
+/// Returns a number of multiplications that the factorisation of the system takes about, or fewer:
+/// the new vertices beside one with d of them form a dense block of d columns. Where a loop reaches
+/// far out, its patch may have vertices with thousands of edges.
+double multiplications_of(const SparseMatrix& movable) {
+  std::vector<double> n_beside(static_cast<std::size_t>(movable.rows()), 0.0);
+  for (Eigen::Index column = 0; column < movable.outerSize(); ++column) {
+    for (SparseMatrix::InnerIterator it(movable, column); it; ++it) {
+      n_beside[static_cast<std::size_t>(it.row())] += 1.0;
+    }
+  }
+  double sum = 0.0;
+  for (const double d : n_beside) sum += d * d * d;
+  return sum;
+}
+
 /// Moves the new vertices to the minimum of the energy, for the weights of the present surface.
 ///
 /// @param solver  Has analysed the pattern of the system in the first round: no weight is 0, so
 /// that
 ///                it is the same in all.
-/// @return        Whether there is a minimum.
+/// @return        Whether there is a minimum, and it takes no more than the work allowed.
 bool relax(Surroundings& all, std::size_t round, Solver& solver) {
   const SparseMatrix laplacian = make_laplacian(all);
   const auto n_new = static_cast<Eigen::Index>(all.n_new);
@@ -168,6 +186,7 @@ bool relax(Surroundings& all, std::size_t round, Solver& solver) {
     fixed.row(i) = all.points[static_cast<std::size_t>(n_new + i)].transpose();
   }
   const SparseMatrix movable = laplacian.leftCols(n_new);
+  if (multiplications_of(movable) > kMaxMultiplications) return false;
   const SparseMatrix transposed = movable.transpose();
   const SparseMatrix system = transposed * movable;
   const Places held = laplacian.rightCols(n_fixed) * fixed;
@@ -186,7 +205,8 @@ bool relax(Surroundings& all, std::size_t round, Solver& solver) {
 /// the bi-Laplacian energy with cotangent weights, while the loop and the faces beyond it stay
 /// unchanged (Botsch et al. 2010, "Polygon Mesh Processing", section 4.3; Liepa 2003).
 ///
-/// @return      Whether there is a minimum, and the task is not to stop; if not, all vertices stay.
+/// @return      Whether there is a minimum that is found with limited work, and the task is not to
+///              stop; if not, all vertices stay.
 /// @complexity  That of a sparse factorisation of n rows, about O(n^1.5).
 bool fair_patch(const FillTask& task, const HoleLoop& loop, WorkingPatch& patch) {
   Surroundings all = SurroundingsMaker(task.mesh, patch).run(loop);
