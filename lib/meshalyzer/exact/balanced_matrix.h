@@ -35,6 +35,10 @@ struct BalancedMatrix {
   std::array<int, N> column{};
 };
 
+/// Covers what a determinant of a balanced matrix loses where small entries, or products of them,
+/// underflow.
+inline constexpr double kLostInBalance = 0x1p-1060;
+
 /// Balances a matrix of two or three rows. A row or a column of zeros stays as it is.
 template <std::size_t N>
 [[nodiscard]] BalancedMatrix<N> balance(const WideMatrix<N>& matrix);

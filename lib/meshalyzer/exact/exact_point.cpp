@@ -92,8 +92,8 @@ Rounded nearest(const Exact& a, const Exact& b) {
   }
 }
 
-/// The difference of a coordinate of two exact points, and a bound of its error.
-struct Difference {
+/// A number, and a bound of the error in it.
+struct Approximation {
   double value = 0.0;
   double error = 0.0;
 };
@@ -101,7 +101,7 @@ struct Difference {
 // The bound covers two roundings of the parts and one of their sum; a rest is off by less than
 // 2^-50 of itself, or by a few of the smallest doubles, of which the bound of a tiny rest would
 // keep nothing.
-Difference difference(const ExactPoint& p, const ExactPoint& q, Eigen::Index k) {
+Approximation difference(const ExactPoint& p, const ExactPoint& q, Eigen::Index k) {
   const double coarse = p.rounded[k] - q.rounded[k];
   const double fine = p.rest[k] - q.rest[k];
   return {coarse + fine, 0x1.1p-52 * (std::abs(coarse) + std::abs(fine)) +
@@ -129,25 +129,54 @@ Sign exact_orient2d(std::size_t i, std::size_t j, const std::array<const ExactPo
       .sign();
 }
 
-/// Returns the sign of (b - a) x (c - a) in the coordinates i and j, where floating point is sure
-/// of it.
-std::optional<Sign> filtered(Eigen::Index i, Eigen::Index j,
-                             const std::array<const ExactPoint*, 3>& p) {
-  const Difference ux = difference(*p[1], *p[0], i);
-  const Difference uy = difference(*p[1], *p[0], j);
-  const Difference vx = difference(*p[2], *p[0], i);
-  const Difference vy = difference(*p[2], *p[0], j);
+/// Rows and columns of differences of exact points.
+using Differences = std::array<std::array<Approximation, 2>, 2>;
+
+/// A determinant, and a bound of its error.
+Approximation determinant(const Differences& m) {
+  const auto& [ux, uy] = m[0];
+  const auto& [vx, vy] = m[1];
   const double first = std::abs(ux.value * vy.value);
   const double second = std::abs(uy.value * vx.value);
   const double bound =
       1.01 * (ux.error * (std::abs(vy.value) + vy.error) + std::abs(ux.value) * vy.error +
               uy.error * (std::abs(vx.value) + vx.error) + std::abs(uy.value) * vx.error +
               0x1p-52 * (first + second));
-  const double determinant = ux.value * vy.value - uy.value * vx.value;
-  if (std::abs(determinant) > bound && bound > kSmallestSafe && bound < kLargestSafe) {
-    return determinant > 0.0 ? 1 : -1;
+  return {ux.value * vy.value - uy.value * vx.value, bound};
+}
+
+/// Multiplies rows and columns with powers of two so that the determinant neither overflows nor
+/// loses more than kLostInBalance, and keeps its sign.
+Differences balanced(Differences m) {
+  WideMatrix<2> sizes;
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t j = 0; j < 2; ++j) sizes[i][j] = wide(std::abs(m[i][j].value) + m[i][j].error);
   }
-  return std::nullopt;
+  const BalancedMatrix<2> balance_of_sizes = balance(sizes);
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t j = 0; j < 2; ++j) {
+      const int power = -(balance_of_sizes.row[i] + balance_of_sizes.column[j]);
+      m[i][j].value = std::ldexp(m[i][j].value, power);
+      m[i][j].error = std::ldexp(m[i][j].error, power);
+    }
+  }
+  return m;
+}
+
+/// Returns the sign of (b - a) x (c - a) in the coordinates i and j, where floating point is sure
+/// of it.
+std::optional<Sign> filtered(Eigen::Index i, Eigen::Index j,
+                             const std::array<const ExactPoint*, 3>& p) {
+  const Differences m{{{difference(*p[1], *p[0], i), difference(*p[1], *p[0], j)},
+                       {difference(*p[2], *p[0], i), difference(*p[2], *p[0], j)}}};
+  Approximation d = determinant(m);
+  if (!(d.error > kSmallestSafe && d.error < kLargestSafe)) {
+    d = determinant(balanced(m));
+    d.error += kLostInBalance;
+  }
+  // Where a difference overflows, the bound is not a number.
+  if (!(std::abs(d.value) > d.error)) return std::nullopt;
+  return d.value > 0.0 ? 1 : -1;
 }
 
 /// Returns the sign of (b - a) x (c - a) . (d - a), where floating point is sure of it.

@@ -66,9 +66,6 @@ bool is_usual(double entry) {
 template <std::size_t N>
 using Matrix = std::array<std::array<double, N>, N>;
 
-// Covers what is lost where small entries of a balanced matrix, or products of them, underflow.
-constexpr double kLostInBalance = 0x1p-1060;
-
 /// Returns the sign of a determinant of differences where it is certain. The bound is the sum of
 /// the products, of each of which the error is at most 8u.
 std::optional<Sign> sign_of_products(const Matrix<3>& rows) {
