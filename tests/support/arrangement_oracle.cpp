@@ -17,7 +17,7 @@ namespace meshalyzer::test {
 namespace {
 
 using Point = RationalPoint;
-using Vector = RationalKernel::Vector_3;
+using Vector = RationalVector;
 
 /// Judges one arrangement.
 class Judge {

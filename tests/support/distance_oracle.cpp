@@ -1,20 +1,16 @@
 #include "support/distance_oracle.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Simple_cartesian.h>
+#include "support/rational_figures.h"
+
 #include <algorithm>
 
 namespace meshalyzer::test {
 namespace {
 
-using Rational = CGAL::Exact_rational;
-using Vector = CGAL::Simple_cartesian<Rational>::Vector_3;
+using Vector = RationalVector;
 
 Vector between(const Vec3& from, const Vec3& to) {
-  const auto vector = [](const Vec3& v) {
-    return Vector(Rational(v.x()), Rational(v.y()), Rational(v.z()));
-  };
-  return vector(to) - vector(from);
+  return rational_point(to) - rational_point(from);
 }
 
 /// From the origin to the segment a b.
@@ -23,7 +19,7 @@ Rational squared_to_segment(const Vector& a, const Vector& b) {
   const Rational at = -(a * along);
   if (at <= 0) return a.squared_length();
   if (at >= along.squared_length()) return b.squared_length();
-  return (a + along * Rational(at / along.squared_length())).squared_length();
+  return (a + along * (at / along.squared_length())).squared_length();
 }
 
 /// Tells whether the origin is inside the prism on the triangle.
@@ -50,7 +46,7 @@ bool is_rational_distance(double distance, const std::array<Vec3, 3>& corners, c
                           double error) {
   const Rational truth = squared_distance(
       {between(point, corners[0]), between(point, corners[1]), between(point, corners[2])});
-  const Rational low = std::max(Rational(0), Rational(Rational(distance) - Rational(error)));
+  const Rational low = std::max(Rational(0), Rational(distance) - Rational(error));
   const Rational high = Rational(distance) + Rational(error);
   return low * low <= truth && truth <= high * high;
 }

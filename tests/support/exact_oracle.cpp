@@ -11,7 +11,6 @@ namespace {
 
 using Point = RationalPoint;
 using Segment = RationalSegment;
-using Triangle3 = RationalTriangle;
 
 RationalFigure figure(const Corners& t) {
   return hull_of({rational_point(t[0]), rational_point(t[1]), rational_point(t[2])});
@@ -34,7 +33,7 @@ bool is_in_common_part(const Point& x, const Corners& p, Common common) {
 }
 
 bool is_inside(const RationalFigure& figure, const Point& x) {
-  if (const auto* t = std::get_if<Triangle3>(&figure)) {
+  if (const auto* t = std::get_if<RationalTriangle>(&figure)) {
     const bool on_border = Segment((*t)[0], (*t)[1]).has_on(x) ||
                            Segment((*t)[1], (*t)[2]).has_on(x) ||
                            Segment((*t)[2], (*t)[0]).has_on(x);
@@ -80,11 +79,12 @@ std::optional<ContactKind> oracle_contact(const Corners& p, const Corners& q, Co
     return ContactKind::FoldOver;
   }
   const Point middle = centre(shared);
-  const bool flat = std::holds_alternative<Triangle3>(a) && are_coplanar(p, q);
-  if (flat || (std::holds_alternative<Triangle3>(b) && are_coplanar(q, p))) {
+  const bool flat = std::holds_alternative<RationalTriangle>(a) && are_coplanar(p, q);
+  if (flat || (std::holds_alternative<RationalTriangle>(b) && are_coplanar(q, p))) {
     return shared.size() > 2 ? ContactKind::CoplanarOverlap : ContactKind::Touching;
   }
-  const bool thin = !std::holds_alternative<Triangle3>(a) && !std::holds_alternative<Triangle3>(b);
+  const bool thin =
+      !std::holds_alternative<RationalTriangle>(a) && !std::holds_alternative<RationalTriangle>(b);
   return !thin && is_inside(a, middle) && is_inside(b, middle) ? ContactKind::Crossing
                                                                : ContactKind::Touching;
 }

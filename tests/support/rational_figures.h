@@ -14,6 +14,7 @@ namespace meshalyzer::test {
 using Rational = CGAL::Gmpq;
 using RationalKernel = CGAL::Simple_cartesian<Rational>;
 using RationalPoint = RationalKernel::Point_3;
+using RationalVector = RationalKernel::Vector_3;
 using RationalSegment = RationalKernel::Segment_3;
 using RationalTriangle = RationalKernel::Triangle_3;
 using RationalFigure = std::variant<RationalPoint, RationalSegment, RationalTriangle>;

@@ -1,15 +1,13 @@
 #include "support/rational_oracle.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Simple_cartesian.h>
+#include "support/rational_figures.h"
+
 #include <algorithm>
 
 namespace meshalyzer::test {
 namespace {
 
-using Rational = CGAL::Exact_rational;
-using Kernel = CGAL::Simple_cartesian<Rational>;
-using Vector = Kernel::Vector_3;
+using Vector = RationalVector;
 
 Vector vector(const Vec3& v) {
   return {Rational(v.x()), Rational(v.y()), Rational(v.z())};
@@ -41,8 +39,8 @@ bool is_rational_normal(const Vec3& normal, const Triangle3& corners, double err
 
 bool is_rational_normal_within(const Triangle3& corners, double low, double high) {
   const Vector truth = normal_of(corners[0], corners[1], corners[2]);
-  const Rational largest = std::max({Rational(CGAL::abs(truth.x())), Rational(CGAL::abs(truth.y())),
-                                     Rational(CGAL::abs(truth.z()))});
+  const Rational largest =
+      std::max({CGAL::abs(truth.x()), CGAL::abs(truth.y()), CGAL::abs(truth.z())});
   return largest >= Rational(low) && largest <= Rational(high);
 }
 

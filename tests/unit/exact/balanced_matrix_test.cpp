@@ -18,10 +18,14 @@ using test::Rational;
 
 constexpr int kRounds = 300;
 
+/// Multiplies powers that doubles can hold.
 Rational power_of_two(int exponent) {
-  const Rational factor(exponent < 0 ? 0.5 : 2.0);
   Rational result(1);
-  for (int i = 0; i < std::abs(exponent); ++i) result = result * factor;
+  while (exponent != 0) {
+    const int step = std::clamp(exponent, -1000, 1000);
+    result = result * Rational(std::ldexp(1.0, step));
+    exponent -= step;
+  }
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/spatial/closing_triangles.h"
 #include "meshalyzer/spatial/winding_number.h"
+#include "support/effort.h"
 #include "support/random_soups.h"
 #include "support/shapes.h"
 #include "support/triangles_of.h"
@@ -48,6 +49,7 @@ TEST(RayWindings, AgreeWithTheSumOfShares) {
   std::mt19937 random(9);
   std::size_t n_answers = 0;
   std::size_t n_asked = 0;
+  test::Effort effort;
   for (const Soup& soup :
        {shapes::icosphere(3), damaged(shapes::torus(0.5, 0.3, 40, 20), 8, random),
         damaged(shapes::icosphere(4), 20, random), damaged(shapes::icosphere(2), 60, random)}) {
@@ -55,8 +57,10 @@ TEST(RayWindings, AgreeWithTheSumOfShares) {
     const std::vector<Corners> closing = closing_triangles(triangles);
     triangles.insert(triangles.end(), closing.begin(), closing.end());
     const RayWindings rays(triangles, kNear);
-    for (int i = 0; i < 300; ++i, ++n_asked) {
+    for (int i = 0; i < 300; ++i) {
       const Vec3 point = point_in_cube(random, 1.2);
+      if (!effort.runs_next()) continue;
+      ++n_asked;
       const auto found = rays.at(point);
       if (!found) continue;
       ++n_answers;

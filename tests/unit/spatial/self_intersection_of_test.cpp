@@ -165,7 +165,7 @@ TEST(FindSelfIntersectionsOf, SearchEndsAfterSoManyTests) {
   // All pairs of these faces are tested one by one, because they cross near the origin.
   Random random(18);
   Soup soup;
-  for (Index f = 0; f < 3000; ++f) {
+  for (Index f = 0; f < 1500; ++f) {
     const auto first = static_cast<Index>(soup.n_vertices());
     for (int corner = 0; corner < 3; ++corner) {
       const auto any = [&] { return uniform(random, -1.0, 1.0); };
