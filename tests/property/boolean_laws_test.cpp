@@ -1,5 +1,7 @@
+#include "meshalyzer/arrangement/arrange.h"
+#include "meshalyzer/arrangement/cells.h"
 #include "meshalyzer/boolean/combine_solids.h"
-#include "meshalyzer/boolean/internal/exact_solid.h"
+#include "meshalyzer/boolean/internal/boundary_pieces.h"
 #include "meshalyzer/exact/exact_point.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/mesh/build.h"
@@ -19,6 +21,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -32,6 +35,12 @@ using test::rotated;
 using test::verdict_on;
 using test::volume_of;
 
+/// The result of a boolean operation before anything is rounded.
+struct ExactSolid {
+  Arrangement arrangement;
+  std::vector<BoundaryPiece> boundary;
+};
+
 /// Several meshes, and what any rule makes of them before anything is rounded.
 class ExactOperands {
  public:
@@ -43,7 +52,11 @@ class ExactOperands {
         pairs_(find_self_intersections(cut_, tree_)) {}
 
   [[nodiscard]] ExactSolid combine(const InsideRule& rule) const {
-    return find_exact_solid({soup_, cut_, tree_, pairs_}, operands_.of_face, operands_.count, rule);
+    Arrangement arrangement = arrange(soup_, pairs_);
+    const Cells cells = find_cells(soup_, arrangement);
+    std::vector<BoundaryPiece> boundary = find_boundary_pieces(
+        {soup_, cut_, tree_, arrangement, cells}, operands_.of_face, operands_.count, rule);
+    return {std::move(arrangement), std::move(boundary)};
   }
 
   /// The volume of what a rule makes of them.

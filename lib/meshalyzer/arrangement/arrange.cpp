@@ -9,7 +9,6 @@
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/self_intersection.h"
 
-#include <limits>
 #include <utility>
 
 namespace meshalyzer {
@@ -28,10 +27,13 @@ void require_faces(const Soup& soup, std::span<const IntersectingPair> pairs) {
   }
 }
 
+/// Once it is to stop, the results of these steps mean nothing.
 FaceContacts find_contacts(const Soup& soup, std::span<const FaceSimplex> simplices,
-                           std::span<const IntersectingPair> pairs) {
+                           std::span<const IntersectingPair> pairs,
+                           const StopQuery& wants_to_stop) {
   std::vector<FaceContacts> parts(n_chunks(pairs.size(), kItemsAtOnce));
   parallel_chunks(pairs.size(), kItemsAtOnce, [&](Chunk chunk) {
+    if (wants_to_stop()) return;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       const FaceSimplex& a = simplices[simplex_number(simplices, pairs[i].face_a)];
       const FaceSimplex& b = simplices[simplex_number(simplices, pairs[i].face_b)];
@@ -60,11 +62,13 @@ NamedPoints name_contacts(const Soup& soup, std::span<const FaceSimplex> simplic
 /// Returns the crossings in each cluster.
 std::vector<std::vector<PointName>> find_crossings(std::span<const FaceSimplex> simplices,
                                                    std::span<const FaceCluster> clusters,
-                                                   const NamedPoints& points) {
+                                                   const NamedPoints& points,
+                                                   const StopQuery& wants_to_stop) {
   std::vector<std::vector<PointName>> crossings(clusters.size());
   parallel_chunks(clusters.size(), kItemsAtOnce, [&](Chunk chunk) {
+    if (wants_to_stop()) return;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      crossings[i] = find_segment_crossings(simplices, clusters[i], points);
+      crossings[i] = find_segment_crossings(simplices, clusters[i], points, wants_to_stop);
     }
   });
   return crossings;
@@ -106,9 +110,11 @@ std::size_t least_pieces(std::span<const std::vector<Index>> nodes_of_clusters) 
 
 std::vector<ClusterPieces> cut_clusters(const CuttingScene& scene,
                                         std::span<const FaceCluster> clusters,
-                                        std::span<const std::vector<Index>> nodes_of_clusters) {
+                                        std::span<const std::vector<Index>> nodes_of_clusters,
+                                        const StopQuery& wants_to_stop) {
   std::vector<ClusterPieces> pieces(clusters.size());
   parallel_chunks(clusters.size(), kItemsAtOnce, [&](Chunk chunk) {
+    if (wants_to_stop()) return;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       pieces[i] = cut_cluster(scene, clusters[i], nodes_of_clusters[i]);
     }
@@ -130,31 +136,35 @@ std::vector<EdgeNode> collect_edge_nodes(std::vector<EdgeNode> own,
 }  // namespace
 
 Arrangement arrange(const Soup& soup, std::span<const IntersectingPair> pairs) {
-  return *arrange_within(soup, pairs, std::numeric_limits<std::size_t>::max());
+  return *arrange_within(soup, pairs, ArrangeLimits{});
 }
 
 std::optional<Arrangement> arrange_within(const Soup& soup, std::span<const IntersectingPair> pairs,
-                                          std::size_t max_pieces) {
+                                          const ArrangeLimits& limits) {
+  const StopQuery& wants_to_stop = limits.wants_to_stop;
   require_faces(soup, pairs);
   const std::vector<FaceSimplex> simplices = simplices_of(soup, pairs);
-  const FaceContacts contacts = find_contacts(soup, simplices, pairs);
+  const FaceContacts contacts = find_contacts(soup, simplices, pairs, wants_to_stop);
+  if (wants_to_stop()) return std::nullopt;
   const NamedPoints points = name_contacts(soup, simplices, contacts);
   const std::vector<FaceCluster> clusters = make_clusters(simplices, pairs, contacts, points);
-  const auto crossings = find_crossings(simplices, clusters, points);
+  const auto crossings = find_crossings(simplices, clusters, points, wants_to_stop);
+  if (wants_to_stop()) return std::nullopt;
   const NamedPoints crossing_points = name_crossings(soup, crossings);
   Nodes nodes = unite_points(points, crossing_points);
   if (nodes.points.size() > soup.n_vertices() &&
-      nodes.points.size() - soup.n_vertices() > max_pieces) {
+      nodes.points.size() - soup.n_vertices() > limits.max_pieces) {
     return std::nullopt;
   }
   const auto nodes_of_clusters = find_nodes(clusters, crossings, crossing_points, nodes);
-  if (least_pieces(nodes_of_clusters) > max_pieces) return std::nullopt;
+  if (least_pieces(nodes_of_clusters) > limits.max_pieces) return std::nullopt;
 
   const std::vector<Index> flat_faces = find_flat_faces(soup);
   const std::vector<VertexPair> flat_edges = edges_of_faces(soup, flat_faces);
   const std::vector<ClusterPieces> pieces = cut_clusters(
       {.simplices = simplices, .points = points, .nodes = nodes, .flat_edges = flat_edges},
-      clusters, nodes_of_clusters);
+      clusters, nodes_of_clusters, wants_to_stop);
+  if (wants_to_stop()) return std::nullopt;
   const std::vector<EdgeNode> edge_nodes =
       collect_edge_nodes(find_edge_nodes(simplices, contacts, points, nodes), pieces);
   Arrangement arrangement = assemble({.soup = soup,
@@ -164,7 +174,7 @@ std::optional<Arrangement> arrange_within(const Soup& soup, std::span<const Inte
                                       .flat_faces = flat_faces,
                                       .edge_nodes = edge_nodes},
                                      std::move(nodes));
-  if (arrangement.pieces.size() > max_pieces) return std::nullopt;
+  if (arrangement.pieces.size() > limits.max_pieces) return std::nullopt;
   return arrangement;
 }
 

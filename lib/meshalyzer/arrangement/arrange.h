@@ -1,10 +1,12 @@
 #pragma once
 
 #include "meshalyzer/arrangement/arrangement.h"
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/mesh/soup.h"
 #include "meshalyzer/spatial/intersecting_pair.h"
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -25,15 +27,21 @@ namespace meshalyzer {
 ///               boxes meet.
 [[nodiscard]] Arrangement arrange(const Soup& soup, std::span<const IntersectingPair> pairs);
 
-/// Cuts a soup along its self-intersections, unless that makes too many pieces. Faces are not even
-/// cut if there are too many points to cut them at: each adds a piece to every face that it lies
-/// on.
+/// What ends the cutting of a soup early.
+struct ArrangeLimits {
+  /// The maximum number of pieces, and of nodes beside the vertices.
+  std::size_t max_pieces = std::numeric_limits<std::size_t>::max();
+  /// Called now and then, from any thread; once it returns true, cutting ends.
+  StopQuery wants_to_stop = {};
+};
+
+/// Cuts a soup along its self-intersections, within limits. Faces are not even cut if there are too
+/// many points to cut them at: each adds a piece to every face that it lies on.
 ///
-/// @param max_pieces  The maximum number of pieces, and of nodes beside the vertices.
-/// @return            The same as arrange(), or nothing if there would be more.
+/// @return  The same as arrange(), or nothing if there would be more, or if it was told to stop.
 [[nodiscard]] std::optional<Arrangement> arrange_within(const Soup& soup,
                                                         std::span<const IntersectingPair> pairs,
-                                                        std::size_t max_pieces);
+                                                        const ArrangeLimits& limits);
 
 /// Finds the intersecting pairs of a soup and cuts it along them.
 [[nodiscard]] Arrangement arrange(const Soup& soup);

@@ -3,11 +3,19 @@
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/exact/exact_point.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
+
+/// Among fewer segments equal ones are not looked for.
+constexpr std::size_t kManySegments = 32;
+constexpr std::size_t kClustersAtOnce = 64;
 
 /// Tells whether the triangles of a pair of this kind overlap in an area.
 bool overlap(ContactKind kind) {
@@ -25,6 +33,53 @@ DisjointSets overlapping(std::span<const FaceSimplex> simplices,
     if (simplices[a].is_triangle() && simplices[b].is_triangle()) sets.unite(a, b);
   }
   return sets;
+}
+
+/// Returns for each point of a cluster the same rank as for all points at its position.
+std::vector<Index> ranks_of(const FaceCluster& cluster, const NamedPoints& points) {
+  const auto compare = [&](Index a, Index b) {
+    return compare_lexicographically(points[cluster.points[a]], points[cluster.points[b]]);
+  };
+  std::vector<Index> order(cluster.points.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return compare(a, b) < 0; });
+  std::vector<Index> ranks(order.size(), 0);
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    ranks[order[i]] = ranks[order[i - 1]] + (compare(order[i - 1], order[i]) == 0 ? 0 : 1);
+  }
+  return ranks;
+}
+
+/// Keeps the first of equal segments, so that the order of the others stays, and none whose ends
+/// are at one place. Those on edges are told from others, as no crossings are sought on them.
+void drop_repeated_segments(FaceCluster& cluster, const NamedPoints& points) {
+  if (cluster.segments.size() < kManySegments) return;
+  const std::vector<Index> ranks = ranks_of(cluster, points);
+  const auto rank_of = [&](Index point) {
+    const auto found = std::lower_bound(cluster.points.begin(), cluster.points.end(), point);
+    return ranks[static_cast<std::size_t>(found - cluster.points.begin())];
+  };
+  // The ranks of the ends, whether it is on an edge, and the number of a segment.
+  std::vector<std::array<Index, 4>> keys;
+  keys.reserve(cluster.segments.size());
+  for (std::size_t i = 0; i < cluster.segments.size(); ++i) {
+    const ClusterSegment& s = cluster.segments[i];
+    const auto [low, high] = std::minmax({rank_of(s.from), rank_of(s.to)});
+    if (low == high) continue;
+    const Index is_on_edge = s.line == SegmentLine::Edge ? 1 : 0;
+    keys.push_back({low, high, is_on_edge, static_cast<Index>(i)});
+  }
+  std::sort(keys.begin(), keys.end());
+  const auto repeated = std::unique(keys.begin(), keys.end(), [](const auto& a, const auto& b) {
+    return std::equal(a.begin(), a.end() - 1, b.begin());
+  });
+  keys.erase(repeated, keys.end());
+  std::sort(keys.begin(), keys.end(),
+            [](const auto& a, const auto& b) { return a.back() < b.back(); });
+  std::vector<ClusterSegment> kept;
+  kept.reserve(keys.size());
+  for (const auto& key : keys) kept.push_back(cluster.segments[key.back()]);
+  cluster.segments = std::move(kept);
 }
 
 }  // namespace
@@ -80,9 +135,12 @@ std::vector<FaceCluster> make_clusters(std::span<const FaceSimplex> simplices,
     clusters[cluster_of[simplex_number(simplices, s.face)]].segments.push_back(
         {points.find(s.from), points.find(s.to), s.line, s.face, s.other});
   }
-  for (FaceCluster& cluster : clusters) {
-    sort_unique(cluster.points);
-  }
+  parallel_chunks(clusters.size(), kClustersAtOnce, [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      sort_unique(clusters[i].points);
+      drop_repeated_segments(clusters[i], points);
+    }
+  });
   return clusters;
 }
 

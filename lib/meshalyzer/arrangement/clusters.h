@@ -28,6 +28,8 @@ struct FaceCluster {
   std::vector<Index> faces;
   /// The numbers of the points in the faces, including their corners, ascending, each once.
   std::vector<Index> points;
+  /// The segments in the faces. Where they are many, each is there once by the positions of its
+  /// ends, which differ: hundreds of faces on each other have thousands of equal ones.
   std::vector<ClusterSegment> segments;
 };
 

@@ -10,6 +10,8 @@ namespace {
 
 /// Up to this number of segments, all pairs are tested.
 constexpr std::size_t kFewSegments = 16;
+/// After so many segments the search asks whether to stop.
+constexpr std::size_t kSegmentsBetweenQuestions = 64;
 
 /// Searches the crossings among the segments of one cluster.
 class Crossings {
@@ -27,7 +29,7 @@ class Crossings {
     }
   }
 
-  std::vector<PointName> find() {
+  std::vector<PointName> find(const StopQuery& wants_to_stop) {
     if (segments_.size() <= kFewSegments) {
       for (std::size_t i = 0; i < segments_.size(); ++i) {
         for (std::size_t j = i + 1; j < segments_.size(); ++j) {
@@ -38,6 +40,7 @@ class Crossings {
     }
     const BoxTree tree(boxes_);
     for (std::size_t i = 0; i < segments_.size(); ++i) {
+      if (i % kSegmentsBetweenQuestions == 0 && wants_to_stop()) break;
       for (const Index j : tree.meeting(boxes_[i])) {
         if (j > i) look_at(segments_[i], segments_[j]);
       }
@@ -84,9 +87,9 @@ class Crossings {
 }  // namespace
 
 std::vector<PointName> find_segment_crossings(std::span<const FaceSimplex> simplices,
-                                              const FaceCluster& cluster,
-                                              const NamedPoints& points) {
-  return Crossings(simplices, cluster, points).find();
+                                              const FaceCluster& cluster, const NamedPoints& points,
+                                              const StopQuery& wants_to_stop) {
+  return Crossings(simplices, cluster, points).find(wants_to_stop);
 }
 
 }  // namespace meshalyzer

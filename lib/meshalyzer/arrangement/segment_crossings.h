@@ -1,6 +1,10 @@
 #pragma once
 
 #include "meshalyzer/arrangement/clusters.h"
+#include "meshalyzer/base/stop_query.h"
+
+#include <span>
+#include <vector>
 
 namespace meshalyzer {
 
@@ -8,9 +12,11 @@ namespace meshalyzer {
 ///
 /// Segments on edges of faces are skipped: their crossings are already known from pairs of faces.
 ///
+/// @param wants_to_stop  Called now and then; once it returns true, the result means nothing.
 /// @complexity  O(n log n + pairs whose boxes meet).
 [[nodiscard]] std::vector<PointName> find_segment_crossings(std::span<const FaceSimplex> simplices,
                                                             const FaceCluster& cluster,
-                                                            const NamedPoints& points);
+                                                            const NamedPoints& points,
+                                                            const StopQuery& wants_to_stop);
 
 }  // namespace meshalyzer

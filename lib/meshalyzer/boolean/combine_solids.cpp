@@ -1,8 +1,10 @@
 #include "meshalyzer/boolean/combine_solids.h"
 
+#include "meshalyzer/arrangement/arrange.h"
+#include "meshalyzer/arrangement/cells.h"
 #include "meshalyzer/arrangement/round_vertices.h"
 #include "meshalyzer/base/error.h"
-#include "meshalyzer/boolean/internal/exact_solid.h"
+#include "meshalyzer/boolean/internal/boundary_pieces.h"
 #include "meshalyzer/exact/exact_point.h"
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/mesh/build.h"
@@ -11,6 +13,7 @@
 #include "meshalyzer/spatial/self_intersection_of.h"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -79,47 +82,68 @@ class Combination {
     {
       const CutMesh cut = build(soup_);
       const FaceTree tree(cut);
-      const Pairs pairs = find_self_intersections(cut, tree, options_.max_pairs + 1);
+      const Pairs pairs =
+          find_self_intersections(cut, tree, limits_of_search(options_.max_pairs)).listed;
+      if (options_.wants_to_stop()) return CombineOutcome::Stopped;
       if (pairs.size() > options_.max_pairs) return CombineOutcome::TooManyPairs;
       result_.n_pairs = pairs.size();
-      take(find_exact_solid({soup_, cut, tree, pairs}, operand_of_, n_operands_, rule), 0);
+      if (!cut_pairs(cut, tree, pairs, rule)) return CombineOutcome::Stopped;
     }
+    n_operands_ = 1;
     return mend_rounding();
+  }
+
+  /// Returns the limits of a search that ends where there are more pairs than a number.
+  [[nodiscard]] PairLimits limits_of_search(std::size_t max_pairs) const {
+    return {.max_found = max_pairs + 1, .wants_to_stop = options_.wants_to_stop};
   }
 
   /// Cuts the rounded result, now one solid that may intersect itself, until no faces intersect.
   CombineOutcome mend_rounding() {
     std::size_t n_pairs_left = kMorePairsInRounds + kTimesFirstRound * result_.n_pairs;
-    for (std::size_t round = 1;; ++round) {
+    for (;;) {
       const CutMesh cut = build(soup_);
       const FaceTree tree(cut);
       // Rounding that makes things worse may leave millions of pairs, none of which is cut.
-      const Pairs pairs = find_self_intersections_of(cut, tree, new_faces_,
-                                                     {.max_found = n_pairs_left + 1,
-                                                      .wants_to_stop = options_.wants_to_stop})
-                              .listed;
+      const Pairs pairs =
+          find_self_intersections_of(cut, tree, new_faces_, limits_of_search(n_pairs_left)).listed;
       if (options_.wants_to_stop()) return CombineOutcome::Stopped;
       if (pairs.empty()) return CombineOutcome::Done;
-      if (round == kRoundingRounds || pairs.size() > n_pairs_left) {
+      if (round_ == kRoundingRounds || pairs.size() > n_pairs_left) {
         return CombineOutcome::Unfinished;
       }
       n_pairs_left -= pairs.size();
       operand_of_.assign(soup_.n_faces(), 0);
-      take(find_exact_solid({soup_, cut, tree, pairs}, operand_of_, 1, union_rule()), round);
+      if (!cut_pairs(cut, tree, pairs, union_rule())) return CombineOutcome::Stopped;
     }
   }
 
+  /// Cuts the soup along its intersecting pairs, and replaces it by the rounded boundary of what is
+  /// inside.
+  /// @return  Whether it was not told to stop before.
+  bool cut_pairs(const CutMesh& cut, const FaceTree& tree, const Pairs& pairs,
+                 const InsideRule& rule) {
+    const std::optional<Arrangement> arrangement =
+        arrange_within(soup_, pairs, {.wants_to_stop = options_.wants_to_stop});
+    if (!arrangement) return false;
+    const Cells cells = find_cells(soup_, *arrangement);
+    if (options_.wants_to_stop()) return false;
+    take(*arrangement, find_boundary_pieces({soup_, cut, tree, *arrangement, cells}, operand_of_,
+                                            n_operands_, rule));
+    ++round_;
+    return true;
+  }
+
   /// Replaces the soup by the rounded boundary of a solid.
-  void take(const ExactSolid& solid, std::size_t round) {
-    const Arrangement& a = solid.arrangement;
+  void take(const Arrangement& a, const std::vector<BoundaryPiece>& boundary) {
     std::vector<std::uint8_t> was_cut(soup_.n_faces(), 0);
     for (const Index face : a.cut_faces) was_cut[face] = 1;
-    RoundedVertices rounded = round_vertices(a, rounding_of_round(round, limits_));
+    RoundedVertices rounded = round_vertices(a, rounding_of_round(round_, limits_));
     std::vector<Triangle> triangles;
     std::vector<CombinedFace> origins;
     new_faces_.clear();
     double largest = 0.0;
-    for (const BoundaryPiece& part : solid.boundary) {
+    for (const BoundaryPiece& part : boundary) {
       Triangle t = a.pieces[part.piece];
       for (const Index v : t) largest = std::max(largest, move_of(v, a, rounded));
       for (Index& v : t) v = rounded.stands_for[v];
@@ -156,7 +180,9 @@ class Combination {
   }
 
   const CombineOptions& options_;
+  /// The number of operands in this round; after the first, there is one solid.
   std::size_t n_operands_;
+  std::size_t round_ = 0;
   RoundingLimits limits_;
   /// The soup that this round cuts, with positions and faces only.
   Soup soup_;

@@ -20,7 +20,7 @@ struct CombineOptions {
   double max_deviation = 0.0;
   /// The largest number of intersecting pairs of faces that are cut.
   std::size_t max_pairs = kMostPairsCombined;
-  /// Called before each round; the operation stops once it returns true.
+  /// Called now and then, from any thread; the operation stops once it returns true.
   StopQuery wants_to_stop = {};
 };
 

@@ -6,16 +6,23 @@
 #include "meshalyzer/spatial/self_intersection_search.h"
 #include "meshalyzer/spatial/shared_vertices.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
 namespace meshalyzer {
 
-std::vector<IntersectingPair> find_self_intersections(const CutMesh& cut, const FaceTree& tree,
-                                                      std::size_t max_pairs) {
-  PairCollector collector(max_pairs);
-  visit_self_intersections(cut, tree, {.max_found = max_pairs, .wants_to_stop = {}}, collector);
-  return collector.take().listed;
+std::vector<IntersectingPair> find_self_intersections(const CutMesh& cut, const FaceTree& tree) {
+  return find_self_intersections(cut, tree, PairLimits{}).listed;
+}
+
+FoundPairs find_self_intersections(const CutMesh& cut, const FaceTree& tree,
+                                   const PairLimits& limits) {
+  PairCollector collector(std::min(limits.max_listed, limits.max_found));
+  const bool is_complete = visit_self_intersections(cut, tree, limits, collector);
+  FoundPairs found = collector.take();
+  found.is_complete = is_complete;
+  return found;
 }
 
 bool visit_self_intersections(const CutMesh& cut, const FaceTree& tree, const PairLimits& limits,

@@ -17,13 +17,15 @@ namespace meshalyzer {
 /// which both have by file id. The answer is exact for every pair; a face of zero area counts as
 /// the segment or point it is.
 ///
-/// @param tree       The tree over the faces of `cut`.
-/// @param max_pairs  The search ends when it has found this many.
-/// @return           The pairs, ascending by file face, at most max_pairs; the same for any number
-///                   of threads. They are complete if they are fewer than max_pairs.
+/// @param tree  The tree over the faces of `cut`.
+/// @return      The pairs, ascending by file face; the same for any number of threads.
 /// @complexity  O(#F log #F + candidates), where a candidate is a pair of faces whose boxes meet.
-[[nodiscard]] std::vector<IntersectingPair> find_self_intersections(
-    const CutMesh& cut, const FaceTree& tree, std::size_t max_pairs = kAllPairs);
+[[nodiscard]] std::vector<IntersectingPair> find_self_intersections(const CutMesh& cut,
+                                                                    const FaceTree& tree);
+
+/// Finds those that a search within limits finds.
+[[nodiscard]] FoundPairs find_self_intersections(const CutMesh& cut, const FaceTree& tree,
+                                                 const PairLimits& limits);
 
 /// Passes the pairs that find_self_intersections() finds to a listener, and keeps none.
 ///

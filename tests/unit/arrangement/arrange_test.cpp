@@ -1,6 +1,8 @@
 #include "meshalyzer/arrangement/arrange.h"
 
+#include "meshalyzer/arrangement/clusters.h"
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/self_intersection.h"
 #include "support/arrangement_oracle.h"
@@ -9,9 +11,13 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -242,6 +248,73 @@ TEST(Arrange, ManySegmentsInOneFaceHaveNoFault) {
   EXPECT_EQ(test::arrangement_fault(soup, arrange(soup)), "");
 }
 
+/// Copies of two triangles through each other, each with vertices of its own.
+Soup copies_of_crossing_triangles(int n) {
+  Soup soup;
+  for (int i = 0; i < n; ++i) {
+    soup = shapes::merged(
+        soup, shapes::make({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 2, -1}, {1.5, 1, 3}},
+                           {{0, 1, 2}, {3, 4, 5}}));
+  }
+  return soup;
+}
+
+TEST(Arrange, CopiesOfFacesAreCutAsOneOfEach) {
+  const std::size_t n_pieces = arrange(copies_of_crossing_triangles(1)).pieces.size();
+  const Soup copies = copies_of_crossing_triangles(12);
+  const Arrangement arrangement = arrange(copies);
+  EXPECT_EQ(test::arrangement_fault(copies, arrangement), "");
+  EXPECT_EQ(arrangement.pieces.size(), n_pieces);
+  for (std::size_t piece = 0; piece < n_pieces; ++piece) {
+    EXPECT_EQ(arrangement.multiplicity(piece), 12) << piece;
+  }
+}
+
+TEST(Clusters, KeepEachSegmentOnce) {
+  const Soup copies = copies_of_crossing_triangles(12);
+  const CutMesh cut = build(copies);
+  const std::vector<IntersectingPair> pairs = find_self_intersections(cut, FaceTree(cut));
+  const std::vector<FaceSimplex> simplices = simplices_of(copies, pairs);
+  FaceContacts contacts;
+  std::vector<PointName> names;
+  for (Index v = 0; v < copies.n_vertices(); ++v) names.push_back(vertex_name(v));
+  for (const IntersectingPair& pair : pairs) {
+    find_face_contact(copies, simplices[pair.face_a], simplices[pair.face_b], contacts);
+  }
+  for (const ContactPoint& point : contacts.points) names.push_back(point.point);
+  const NamedPoints points(copies, std::move(names));
+  const std::vector<FaceCluster> clusters = make_clusters(simplices, pairs, contacts, points);
+  ASSERT_EQ(clusters.size(), 2U);
+  for (const FaceCluster& cluster : clusters) {
+    EXPECT_EQ(cluster.faces.size(), 12U);
+    // Three edges, and the segment along which the triangles meet.
+    EXPECT_EQ(cluster.segments.size(), 4U);
+  }
+}
+
+TEST(Arrange, CuttingEndsSoonAfterItIsToStop) {
+  const Soup soup = shapes::merged(shapes::uv_sphere(20, 40),
+                                   shapes::translated(shapes::uv_sphere(20, 40), {0.1, 0.2, 0.3}));
+  const CutMesh cut = build(soup);
+  const std::vector<IntersectingPair> pairs = find_self_intersections(cut, FaceTree(cut));
+  std::atomic<std::size_t> n_asked = 0;
+  const auto stopped_after = [&](std::size_t n_allowed) {
+    n_asked = 0;
+    return arrange_within(soup, pairs,
+                          {.wants_to_stop = [&, n_allowed] { return ++n_asked > n_allowed; }});
+  };
+  const ThreadLimit one(1);
+  ASSERT_TRUE(stopped_after(pairs.size()));
+  const std::size_t n_in_all = n_asked;
+  // For every 64 pairs and clusters.
+  EXPECT_GE(n_in_all, pairs.size() / 64);
+  for (std::size_t n_allowed = 0; n_allowed < n_in_all; ++n_allowed) {
+    EXPECT_FALSE(stopped_after(n_allowed)) << n_allowed;
+    // Loops that have begun ask once for each of their tasks.
+    EXPECT_LE(n_asked, n_in_all) << n_allowed;
+  }
+}
+
 TEST(Arrange, WindingNumbersStay) {
   const Soup soup = shapes::merged(
       shapes::merged(shapes::uv_sphere(3, 4), shapes::translated(shapes::cube(), {0.1, 0.2, 0.3})),
@@ -258,10 +331,10 @@ TEST(Arrange, NothingIsReturnedBeyondTheMaximumNumberOfPieces) {
     const CutMesh cut = build(soup);
     const std::vector<IntersectingPair> pairs = find_self_intersections(cut, FaceTree(cut));
     const std::vector<Triangle> pieces = arrange(soup, pairs).pieces;
-    EXPECT_EQ(arrange_within(soup, pairs, pieces.size())->pieces, pieces);
+    EXPECT_EQ(arrange_within(soup, pairs, {.max_pieces = pieces.size()})->pieces, pieces);
     // None of the maxima below is enough, whether it is noticed before the faces are cut or after.
     for (std::size_t max = 0; max < pieces.size(); ++max) {
-      EXPECT_FALSE(arrange_within(soup, pairs, max)) << max;
+      EXPECT_FALSE(arrange_within(soup, pairs, {.max_pieces = max})) << max;
     }
   }
 }
@@ -278,7 +351,8 @@ TEST(Arrange, SoupsWithFewPiecesForTheirNodesAreNotRefused) {
     const std::vector<IntersectingPair> pairs = find_self_intersections(cut, FaceTree(cut));
     const Arrangement all = arrange(soup, pairs);
     const std::size_t n_nodes = all.positions.size() - soup.n_vertices();
-    EXPECT_TRUE(arrange_within(soup, pairs, std::max(all.pieces.size(), n_nodes))) << round;
+    EXPECT_TRUE(arrange_within(soup, pairs, {.max_pieces = std::max(all.pieces.size(), n_nodes)}))
+        << round;
   }
 }
 

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
 namespace meshalyzer {
@@ -193,6 +195,25 @@ TEST(CombineSolids, StopsWhenAsked) {
   const CombineOptions options{.wants_to_stop = [] { return true; }};
   EXPECT_EQ(combine_solids(operands_of(all, meshes), union_rule(), options).outcome,
             CombineOutcome::Stopped);
+}
+
+TEST(CombineSolids, EndsWithinARoundWhenItIsToStop) {
+  const std::vector<Soup> meshes{shapes::uv_sphere(20, 40),
+                                 shapes::translated(shapes::uv_sphere(20, 40), {0.1, 0.2, 0.3})};
+  const Soup all = concatenate(meshes);
+  std::atomic<std::size_t> n_asked = 0;
+  const auto outcome_after = [&](std::size_t n_allowed) {
+    n_asked = 0;
+    CombineOptions options;
+    options.wants_to_stop = [&, n_allowed] { return ++n_asked > n_allowed; };
+    return combine_solids(operands_of(all, meshes), union_rule(), options).outcome;
+  };
+  ASSERT_EQ(outcome_after(1'000'000), CombineOutcome::Done);
+  const std::size_t n_in_all = n_asked;
+  EXPECT_GE(n_in_all, 20U);
+  for (std::size_t n_allowed = 0; n_allowed < n_in_all; ++n_allowed) {
+    EXPECT_EQ(outcome_after(n_allowed), CombineOutcome::Stopped) << n_allowed;
+  }
 }
 
 TEST(CombineSolids, FaceOfNoOperandIsRefused) {

@@ -321,12 +321,15 @@ TEST(FindSelfIntersections, SearchThatEndsEarlyFindsTheSameForAnyNumberOfThreads
   ASSERT_GT(all.size(), 100U);
   const auto some_with = [&](std::size_t n_threads) {
     const ThreadLimit limit(n_threads);
-    return find_self_intersections(cut, tree, 20);
+    return find_self_intersections(cut, tree, {.max_found = 20, .wants_to_stop = {}}).listed;
   };
   const Pairs some = some_with(1);
   EXPECT_EQ(some.size(), 20U);
   EXPECT_EQ(listed(some), listed(some_with(4)));
-  EXPECT_EQ(listed(find_self_intersections(cut, tree, all.size() + 1)), listed(all));
+  const FoundPairs complete =
+      find_self_intersections(cut, tree, {.max_found = all.size() + 1, .wants_to_stop = {}});
+  EXPECT_TRUE(complete.is_complete);
+  EXPECT_EQ(listed(complete.listed), listed(all));
 }
 
 /// Adds faces at the places of a triangle: with its three vertices, or each with vertices of its

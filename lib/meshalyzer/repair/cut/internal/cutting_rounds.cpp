@@ -213,8 +213,9 @@ bool CuttingRounds::is_growing(std::size_t n_pairs) {
 
 void CuttingRounds::cut_once(const CutMesh& cut, const FaceTree& tree, const Pairs& pairs) {
   const std::shared_ptr<const ArrangedPieces> arranged = arranged_pieces(pairs);
+  if (input_.wants_to_stop()) return give_up(pairs);
   result_.has_too_many_pieces = arranged == nullptr;
-  if (arranged == nullptr || input_.wants_to_stop()) return give_up(pairs);
+  if (arranged == nullptr) return give_up(pairs);
   const auto& [arrangement, cells] = *arranged;
   const std::vector<PieceClass> classes =
       select_pieces({soup_, cut, tree, arrangement, cells},
@@ -230,7 +231,8 @@ void CuttingRounds::cut_once(const CutMesh& cut, const FaceTree& tree, const Pai
 std::shared_ptr<const ArrangedPieces> CuttingRounds::arranged_pieces(const Pairs& pairs) {
   FirstCut* const first = round_ == 0 ? first_cut_ : nullptr;
   if (first != nullptr && *first != nullptr) return *first;
-  std::optional<Arrangement> arrangement = arrange_within(soup_, pairs, max_pieces_);
+  std::optional<Arrangement> arrangement = arrange_within(
+      soup_, pairs, {.max_pieces = max_pieces_, .wants_to_stop = input_.wants_to_stop});
   if (!arrangement) return nullptr;
   const auto pieces = std::make_shared<ArrangedPieces>();
   pieces->arrangement = std::move(*arrangement);

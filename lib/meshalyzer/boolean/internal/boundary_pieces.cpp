@@ -1,7 +1,5 @@
-#include "meshalyzer/boolean/internal/exact_solid.h"
+#include "meshalyzer/boolean/internal/boundary_pieces.h"
 
-#include "meshalyzer/arrangement/arrange.h"
-#include "meshalyzer/arrangement/cells.h"
 #include "meshalyzer/boolean/internal/inside_cells.h"
 
 #include <cstdint>
@@ -21,21 +19,22 @@ Index face_that_faces(std::span<const PieceSource> sources, bool is_turned) {
 
 }  // namespace
 
-ExactSolid find_exact_solid(const IntersectingSoup& input, std::span<const Index> operand_of,
-                            std::size_t n_operands, const InsideRule& rule) {
-  ExactSolid solid{arrange(input.soup, input.pairs), {}};
-  const Arrangement& a = solid.arrangement;
-  const Cells cells = find_cells(input.soup, a);
-  const std::vector<std::uint8_t> is_inside = find_inside_cells(
-      {input.soup, input.cut, input.tree, a, cells}, operand_of, n_operands, rule);
+std::vector<BoundaryPiece> find_boundary_pieces(const ArrangedSoup& arranged,
+                                                std::span<const Index> operand_of,
+                                                std::size_t n_operands, const InsideRule& rule) {
+  const Arrangement& a = arranged.arrangement;
+  const Cells& cells = arranged.cells;
+  const std::vector<std::uint8_t> is_inside =
+      find_inside_cells(arranged, operand_of, n_operands, rule);
+  std::vector<BoundaryPiece> boundary;
   for (Index piece = 0; piece < a.pieces.size(); ++piece) {
     const bool is_front_inside = is_inside[cells.front(piece)] != 0;
     if (is_front_inside == (is_inside[cells.behind(piece)] != 0)) continue;
     // The faces of a reversed operand have the opposite orientation in the result.
     const auto sources = a.sources_of(piece);
-    solid.boundary.push_back({piece, face_that_faces(sources, is_front_inside), is_front_inside});
+    boundary.push_back({piece, face_that_faces(sources, is_front_inside), is_front_inside});
   }
-  return solid;
+  return boundary;
 }
 
 }  // namespace meshalyzer
