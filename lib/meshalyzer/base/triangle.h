@@ -85,13 +85,17 @@ namespace meshalyzer {
   return area > 1e-280 && area < 1e280;
 }
 
-/// Returns the exponent of the largest extent of a triangle along an axis, which is at least
-/// 2^exponent and below 2^(exponent + 1).
+/// Returns the exponent of a length that is not 0, which is at least 2^exponent and below
+/// 2^(exponent + 1). If the length has overflowed, it is the largest exponent of a double.
+[[nodiscard]] inline int length_exponent(double length) {
+  return std::isfinite(length) ? std::ilogb(length) : std::numeric_limits<double>::max_exponent - 1;
+}
+
+/// Returns the exponent of the largest extent of a triangle along an axis.
 ///
 /// @param t  Corners that are not all at one place.
 [[nodiscard]] inline int size_exponent(const Corners& t) {
-  const double extent = box_of(t).sizes().maxCoeff();
-  return std::isfinite(extent) ? std::ilogb(extent) : std::numeric_limits<double>::max_exponent;
+  return length_exponent(box_of(t).sizes().maxCoeff());
 }
 
 /// Returns a triangle of the same shape, 2^exponent times smaller.

@@ -1,6 +1,7 @@
 #include "meshalyzer/boolean/solid_fault.h"
 
 #include "meshalyzer/geometry/volume.h"
+#include "meshalyzer/mesh/edge_key.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 
 #include <algorithm>
@@ -20,14 +21,15 @@ struct UnevenEdges {
 };
 
 UnevenEdges count_uneven_edges(const Soup& soup) {
-  // Each entry has the lower vertex, the higher one, and the direction.
+  // Each entry has the key of the edge, and the direction.
   std::vector<std::pair<std::uint64_t, int>> sides;
   sides.reserve(3 * soup.n_faces());
   for (const Triangle& t : soup.triangles) {
     if (!is_in_complex(t)) continue;
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
-      sides.emplace_back(std::uint64_t{low} << 32U | high, low == t[k] ? 1 : -1);
+      const Index from = t[k];
+      const Index to = t[(k + 1) % 3];
+      sides.emplace_back(edge_key(from, to), from <= to ? 1 : -1);
     }
   }
   std::sort(sides.begin(), sides.end());

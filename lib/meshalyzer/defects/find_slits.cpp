@@ -4,6 +4,7 @@
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/internal/items_by_group.h"
 #include "meshalyzer/defects/internal/places.h"
+#include "meshalyzer/mesh/edge_key.h"
 #include "meshalyzer/spatial/segment_grid.h"
 #include "meshalyzer/topology/border.h"
 #include "meshalyzer/topology/edges.h"
@@ -167,7 +168,7 @@ std::vector<NamedEdge> by_place(const Soup& soup, std::span<const BorderEdge> ed
     const auto begin = static_cast<std::ptrdiff_t>(named.size());
     for (const Index e : by_low_name[group]) {
       const auto [low, high] = ends_of(e);
-      named.push_back({std::uint64_t{low} << 32 | high, e});
+      named.push_back({edge_key(low, high), e});
     }
     std::sort(named.begin() + begin, named.end());
   }

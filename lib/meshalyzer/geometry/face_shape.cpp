@@ -67,7 +67,7 @@ ScaledFace scaled_face(const TriMesh& mesh, FaceHandle handle) {
       std::max((p[1] - p[0]).cwiseAbs().maxCoeff(), (p[2] - p[0]).cwiseAbs().maxCoeff());
   const bool is_usual = size > 0x1p-200 && size < 0x1p200;
   if (!is_usual && size != 0.0) {
-    face.exponent = std::isfinite(size) ? std::ilogb(size) : 1023;
+    face.exponent = length_exponent(size);
     p = times_power_of_two(p, -face.exponent);
   }
   return face;

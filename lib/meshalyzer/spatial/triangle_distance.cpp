@@ -1,5 +1,7 @@
 #include "meshalyzer/spatial/triangle_distance.h"
 
+#include "meshalyzer/base/triangle.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -295,8 +297,7 @@ struct Rescaled {
     for (const Vec3& corner : corners) {
       size = std::max(size, (corner - point).cwiseAbs().maxCoeff());
     }
-    // If even the difference overflows, no exponent is too large.
-    exponent = size == 0.0 ? 0 : std::isfinite(size) ? std::ilogb(size) : 1023;
+    exponent = size == 0.0 ? 0 : length_exponent(size);
     const auto scale = [this](const Vec3& v) {
       return Vec3(v.unaryExpr([this](double x) { return std::ldexp(x, -exponent); }));
     };

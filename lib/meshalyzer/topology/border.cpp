@@ -1,6 +1,7 @@
 #include "meshalyzer/topology/border.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/mesh/edge_key.h"
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ std::vector<HalfedgeHandle> find_border_edges(const CutMesh& cut) {
     const HalfedgeHandle inner =
         mesh.is_boundary(first) ? mesh.opposite_halfedge_handle(first) : first;
     const auto [a, b] = file_ends(cut, inner);
-    borders.push_back({std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), inner});
+    borders.push_back({edge_key(a, b), inner});
   }
   std::sort(borders.begin(), borders.end(),
             [](const BorderEdge& a, const BorderEdge& b) { return a.ends < b.ends; });

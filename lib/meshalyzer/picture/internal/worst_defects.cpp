@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/defects/catalogue.h"
+#include "meshalyzer/mesh/edge_key.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -63,10 +64,6 @@ class ListedElements {
     }
   };
 
-  static std::uint64_t key(Index a, Index b) {
-    return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b);
-  }
-
   void add(const Defect& defect) {
     const Rank rank = rank_of(defect.code);
     for (const Index v : defect.vertices) {
@@ -76,7 +73,7 @@ class ListedElements {
       faces_[f] = std::min(faces_[f], rank);
     }
     for (const auto& [a, b] : defect.edges) {
-      edges_.push_back({key(a, b), rank});
+      edges_.push_back({edge_key(a, b), rank});
       has_edge_[a] = 1;
       has_edge_[b] = 1;
     }
@@ -87,8 +84,8 @@ class ListedElements {
     if (has_edge_[a] == 0) {
       return kNoDefect;
     }
-    const auto found = std::lower_bound(edges_.begin(), edges_.end(), Edge{key(a, b), 0});
-    return found != edges_.end() && found->ends == key(a, b) ? found->rank : kNoDefect;
+    const auto found = std::lower_bound(edges_.begin(), edges_.end(), Edge{edge_key(a, b), 0});
+    return found != edges_.end() && found->ends == edge_key(a, b) ? found->rank : kNoDefect;
   }
 
   std::vector<Rank> vertices_;

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/triangle.h"
+#include "meshalyzer/mesh/edge_key.h"
 #include "meshalyzer/mesh/vertex_faces.h"
 #include "meshalyzer/spatial/triangle_distance.h"
 
@@ -47,9 +48,7 @@ class PatchNeighbours {
 
  private:
   static std::uint64_t edge(const Triangle& t, std::size_t k) {
-    const Index a = t[k];
-    const Index b = t[(k + 1) % 3];
-    return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b);
+    return edge_key(t[k], t[(k + 1) % 3]);
   }
 
   void join_patches() {

@@ -41,7 +41,7 @@ FacetShape measure_facet(const Corners& p) {
   if ((longest > 1e-100 && longest < 1e100) || longest == 0.0) return measure_of_usual_size(p);
   // Scaling by a power of two does not round here: no relevant coordinate is much smaller than the
   // longest edge, nor, being a double, much larger than it.
-  const int exponent = std::isfinite(longest) ? std::ilogb(longest) : 1023;
+  const int exponent = length_exponent(longest);
   FacetShape shape = measure_of_usual_size(times_power_of_two(p, -exponent));
   for (double& length : shape.lengths) length = std::ldexp(length, exponent);
   shape.altitude = std::ldexp(shape.altitude, exponent);

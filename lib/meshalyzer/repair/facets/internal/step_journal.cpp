@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/facets/internal/step_journal.h"
 
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/mesh/edge_key.h"
 
 #include <algorithm>
 #include <iterator>
@@ -11,10 +12,6 @@ namespace {
 
 /// Stands for several groups.
 constexpr Index kMany = kNoIndex - 1;
-
-std::uint64_t edge_key(Index a, Index b) {
-  return (std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b);
-}
 
 void append_edges(const Triangle& t, std::vector<std::uint64_t>& keys) {
   if (t[0] == kNoIndex) return;

@@ -1,17 +1,11 @@
 #include "meshalyzer/repair/holes/internal/existing_edges.h"
 
+#include "meshalyzer/mesh/edge_key.h"
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>
 
 namespace meshalyzer {
-namespace {
-
-std::uint64_t key_of(Index a, Index b) {
-  return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b);
-}
-
-}  // namespace
 
 ExistingEdges::ExistingEdges(const PreparedMesh& mesh, std::span<const HoleLoop> loops) {
   const CutMesh& cut = mesh.cut();
@@ -21,13 +15,13 @@ ExistingEdges::ExistingEdges(const PreparedMesh& mesh, std::span<const HoleLoop>
   }
   for (const EdgeHandle e : cut.mesh.edges()) {
     const auto [a, b] = file_ends(cut, cut.mesh.halfedge_handle(e, 0));
-    if (is_on_loop[a] != 0 && is_on_loop[b] != 0) edges_.push_back(key_of(a, b));
+    if (is_on_loop[a] != 0 && is_on_loop[b] != 0) edges_.push_back(edge_key(a, b));
   }
   std::sort(edges_.begin(), edges_.end());
 }
 
 bool ExistingEdges::contains(Index a, Index b) const {
-  return std::binary_search(edges_.begin(), edges_.end(), key_of(a, b));
+  return std::binary_search(edges_.begin(), edges_.end(), edge_key(a, b));
 }
 
 }  // namespace meshalyzer
