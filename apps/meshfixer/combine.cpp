@@ -60,6 +60,9 @@ struct Result {
   [[nodiscard]] const Soup& edited() const { return edits_first ? sources.front().soup : all; }
 };
 
+/// What a result is called that is not written.
+constexpr const char* kUnwrittenResult = "the result";
+
 /// Runs a boolean operation and keeps its report.
 class CombinationRun {
  public:
@@ -116,7 +119,8 @@ class CombinationRun {
   /// Writes the page of the defects of the result.
   void write_page_of(const Soup& disk) const {
     const PreparedMesh mesh(disk);
-    const MeshName name = name_of(disk, report_.outputs.back().path);
+    const std::string& path = report_.outputs.back().path;
+    const MeshName name = name_of(disk, path.empty() ? kUnwrittenResult : path);
     const DefectReport found = find_defects(mesh, {.codes = DefectCodes::all()});
     write_page(*options_.html, {name, found, options_.repair.fixes, scene_of(mesh, found)});
   }
@@ -272,7 +276,7 @@ class CombinationRun {
   }
 
   void add_empty(const std::optional<std::string>& path) {
-    const std::string where = path.value_or("the result");
+    const std::string where = path.value_or(kUnwrittenResult);
     report_.notes.push_back(where + " is empty: nothing is inside");
     report_.outputs.push_back({});
     report_.outputs.back().verdict = "empty";

@@ -55,6 +55,10 @@ class Page(PageCase):
         self.assertGreater(min(self.ground()), 200, "the switch is remembered")
         self.session.run("localStorage.clear()")
 
+    def test_a_union_that_is_not_written_is_called_the_result(self):
+        self.open(self.pages.union("cube.mesh", "torus.mesh"))
+        self.assertEqual(self.session.text("h1"), "the result")
+
     def test_a_repair_is_seen_before_and_after(self):
         self.open(self.pages.repair("cube_with_hole.mesh"))
         before, after = self.data["scenes"]

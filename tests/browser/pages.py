@@ -40,6 +40,13 @@ class Pages:
             self._run(self.meshfixer, "--html", page, self.meshes / name, "-o", self.folder / f"fixed_{name}")
         return page
 
+    def union(self, *names):
+        """The page of the union of meshes, which is not written."""
+        page = self.folder / f"union_{'_'.join(names)}.html"
+        if not page.exists():
+            self._run(self.meshfixer, "--union", *(self.meshes / name for name in names), "--dry-run", "--html", page)
+        return page
+
     def index(self, name, *options):
         """The index page of a folder."""
         page = self.folder / f"index_{name}.html"
