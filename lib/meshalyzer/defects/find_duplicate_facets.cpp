@@ -1,8 +1,8 @@
+#include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/defects/internal/items_by_group.h"
 #include "meshalyzer/defects/internal/places.h"
 #include "meshalyzer/topology/duplicate_faces.h"
 

@@ -1,7 +1,7 @@
 #include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
-#include "meshalyzer/defects/internal/items_by_group.h"
 #include "meshalyzer/defects/internal/places.h"
 
 #include <cstddef>

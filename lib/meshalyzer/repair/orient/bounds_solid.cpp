@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/orient/bounds_solid.h"
 
+#include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/defects/finders.h"
@@ -43,12 +44,12 @@ std::vector<std::uint8_t> bounds_solid(const PreparedMesh& mesh, const Component
   std::vector<std::uint8_t> is_solid = which_are_closed(mesh.cut(), components);
   if (std::find(is_solid.begin(), is_solid.end(), 0) == is_solid.end()) return is_solid;
   const std::vector<std::uint8_t> is_flipped = which_are_flipped(mesh);
-  const FacesByPart faces(components.of_face, components.count);
+  const ItemsByGroup faces(components.of_face, components.count);
   parallel_chunks(components.count, 1, [&](Chunk chunk) {
     if (is_solid[chunk.begin] != 0 || wants_to_stop()) return;
     std::vector<Corners> triangles;
-    triangles.reserve(faces.of(chunk.begin).size());
-    for (const Index f : faces.of(chunk.begin)) {
+    triangles.reserve(faces[chunk.begin].size());
+    for (const Index f : faces[chunk.begin]) {
       const Index face = mesh.cut().side.faces[f];
       triangles.push_back(corners_of(mesh.soup(), face));
       if (is_flipped[face] != 0) std::swap(triangles.back()[1], triangles.back()[2]);

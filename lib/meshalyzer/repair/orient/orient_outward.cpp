@@ -1,3 +1,4 @@
+#include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
@@ -73,13 +74,13 @@ std::vector<Voter> collect_voters(const OutwardQuery& query) {
       voters.push_back({.region = region, .votes = {}, .samples = {}, .surface = {}, .box = {}});
     }
   }
-  const FacesByPart faces(query.regions.of_face, query.regions.count);
+  const ItemsByGroup faces(query.regions.of_face, query.regions.count);
   parallel_chunks(voters.size(), 1, [&](Chunk chunk) {
     if (query.input.wants_to_stop()) return;
     Voter& voter = voters[chunk.begin];
     std::vector<Corners> triangles;
-    triangles.reserve(faces.of(voter.region).size());
-    for (const Index f : faces.of(voter.region)) {
+    triangles.reserve(faces[voter.region].size());
+    for (const Index f : faces[voter.region]) {
       triangles.push_back(
           corners_of(query.input.mesh.soup(), query.input.mesh.cut().side.faces[f]));
     }

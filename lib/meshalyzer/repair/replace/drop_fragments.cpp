@@ -1,7 +1,7 @@
+#include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/repair/orient/bounds_solid.h"
-#include "meshalyzer/repair/orient/internal/side_votes.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/topology/components.h"
 
@@ -122,11 +122,11 @@ PassResult drop_fragments(const PassInput& input, Fragments which) {
       which == Fragments::Debris ? find_debris(input, parts) : find_sheets(parts, which);
   const std::size_t n = parts.components.count;
   PassResult result;
-  const FacesByPart faces(parts.components.of_face, n);
+  const ItemsByGroup faces(parts.components.of_face, n);
   for (std::size_t i = 0; i < n; ++i) {
     if (is_dropped[i] == 0) continue;
     const Index op = result.edits.begin_operation();
-    for (const Index f : faces.of(i)) {
+    for (const Index f : faces[i]) {
       const Index face = input.mesh.cut().side.faces[f];
       result.edits.removed_faces.push_back({op, face});
       result.edits.interior_walls.push_back({op, {corners_of(input.tracked.soup, face)}});

@@ -1,7 +1,7 @@
+#include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/exact/plane_view.h"
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/repair/orient/bounds_solid.h"
-#include "meshalyzer/repair/orient/internal/side_votes.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/replace/internal/thick_surface.h"
 #include "meshalyzer/topology/components.h"
@@ -104,11 +104,11 @@ void propose(const PassInput& input, std::span<const Index> faces, std::span<con
 PassResult thicken_sheets(const PassInput& input, double thickness) {
   const Components components = find_edge_components(input.mesh.cut());
   const std::vector<std::uint8_t> is_sheet = which_are_sheets(input.mesh, components);
-  const FacesByPart faces(components.of_face, components.count);
+  const ItemsByGroup faces(components.of_face, components.count);
   PassResult result;
   for (std::size_t i = 0; i < components.count; ++i) {
     std::vector<Index> part;
-    for (const Index f : faces.of(i)) part.push_back(input.mesh.cut().side.faces[f]);
+    for (const Index f : faces[i]) part.push_back(input.mesh.cut().side.faces[f]);
     const std::vector<Index> sheet = faces_of_sheet(input.tracked.soup, part, is_sheet[i] == 0);
     if (!sheet.empty()) propose(input, part, sheet, thickness, result.edits);
   }
@@ -118,14 +118,14 @@ PassResult thicken_sheets(const PassInput& input, double thickness) {
 PassResult thicken_parts(const PassInput& input, std::span<const Index> face_keys,
                          double thickness) {
   const Components components = find_edge_components(input.mesh.cut());
-  const FacesByPart faces(components.of_face, components.count);
+  const ItemsByGroup faces(components.of_face, components.count);
   const auto is_named = [&](Index face) {
     return std::binary_search(face_keys.begin(), face_keys.end(), input.tracked.face_keys[face]);
   };
   PassResult result;
   for (std::size_t i = 0; i < components.count; ++i) {
     std::vector<Index> part;
-    for (const Index f : faces.of(i)) part.push_back(input.mesh.cut().side.faces[f]);
+    for (const Index f : faces[i]) part.push_back(input.mesh.cut().side.faces[f]);
     if (std::none_of(part.begin(), part.end(), is_named)) continue;
     propose(input, part, distinct_faces(input.tracked.soup, part), thickness, result.edits);
   }

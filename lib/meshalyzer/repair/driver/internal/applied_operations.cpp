@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/driver/internal/applied_operations.h"
 
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/mesh/vertex_faces.h"
 
 #include <algorithm>
 #include <iterator>
@@ -76,16 +77,6 @@ void keep_likeliest(const std::vector<AppliedOperation>& operations, CountedDefe
   suspects = {likeliest == suspects.rend() ? suspects.back() : *likeliest};
 }
 
-std::vector<std::vector<Index>> faces_at_vertices(const Soup& soup) {
-  std::vector<std::vector<Index>> faces_at(soup.n_vertices());
-  for (Index f = 0; f < soup.n_faces(); ++f) {
-    for (const Index v : soup.triangles[f]) {
-      if (v != kNoIndex) faces_at[v].push_back(f);
-    }
-  }
-  return faces_at;
-}
-
 /// Bans operations place by place. In a heap of faces each face is in hundreds of intersecting
 /// pairs, so what is known of a face is kept.
 class Banning {
@@ -95,7 +86,7 @@ class Banning {
       : operations_(operations),
         suspects_(operations),
         input_(input),
-        faces_at_(faces_at_vertices(input)),
+        faces_at_(input),
         is_wholly_banned_(operations.size(), 0),
         banned_(banned) {}
 
@@ -140,7 +131,7 @@ class Banning {
     for (const Index v : corners) {
       if (v >= input_.n_vertices()) continue;
       site.push_back(2 * std::uint64_t{v} + 1);
-      for (const Index f : faces_at_[v]) site.push_back(2 * std::uint64_t{f});
+      for (const Index f : faces_at_.at(v)) site.push_back(2 * std::uint64_t{f});
     }
     sort_unique(site);
     return site;
@@ -167,7 +158,7 @@ class Banning {
   const std::vector<AppliedOperation>& operations_;
   Suspects suspects_;
   const Soup& input_;
-  std::vector<std::vector<Index>> faces_at_;
+  VertexFaces faces_at_;
   std::map<Triangle, KnownPart> known_;
   std::vector<std::uint8_t> is_wholly_banned_;
   BannedOperations& banned_;

@@ -59,16 +59,6 @@ std::vector<SurfaceSample> sample_some(std::span<const Corners> triangles,
 
 }  // namespace
 
-FacesByPart::FacesByPart(std::span<const Index> of_face, std::size_t n_parts)
-    : begin_(n_parts + 1, 0), faces_(of_face.size()) {
-  for (const Index part : of_face) ++begin_[part + 1];
-  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-  std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-  for (std::size_t f = 0; f < of_face.size(); ++f) {
-    faces_[next[of_face[f]]++] = static_cast<Index>(f);
-  }
-}
-
 std::vector<SurfaceSample> sample_surface(std::span<const Corners> triangles) {
   const std::vector<double> areas = areas_of(triangles);
   return triangles.size() <= kMaxSamples ? sample_all(triangles, areas)

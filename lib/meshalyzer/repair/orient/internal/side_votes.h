@@ -11,21 +11,6 @@ namespace meshalyzer {
 
 // Private to the repair module: estimates from samples which side of a surface is inside.
 
-/// The mesh faces of each part, ascending.
-class FacesByPart {
- public:
-  /// @param of_face  #mesh faces, the part of each.
-  FacesByPart(std::span<const Index> of_face, std::size_t n_parts);
-
-  [[nodiscard]] std::span<const Index> of(std::size_t part) const {
-    return std::span(faces_).subspan(begin_[part], begin_[part + 1] - begin_[part]);
-  }
-
- private:
-  std::vector<std::size_t> begin_;
-  std::vector<Index> faces_;
-};
-
 /// A sample point of a surface and the share of the area that it represents, in a unit of the
 /// surface's own.
 struct SurfaceSample {

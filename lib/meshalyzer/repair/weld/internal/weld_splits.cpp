@@ -3,6 +3,7 @@
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/exact/predicates.h"
+#include "meshalyzer/mesh/vertex_faces.h"
 #include "meshalyzer/repair/driver/internal/merge_rule.h"
 #include "meshalyzer/repair/driver/internal/orientation_rule.h"
 
@@ -16,35 +17,6 @@
 
 namespace meshalyzer {
 namespace {
-
-/// The faces at each vertex, in one list.
-class FacesAtVertices {
- public:
-  explicit FacesAtVertices(const Soup& soup) : begin_(soup.n_vertices() + 1, 0) {
-    for_each_corner(soup, [&](Index, Index v) { ++begin_[v]; });
-    Index sum = 0;
-    for (Index& begin : begin_) begin = sum += begin;
-    faces_.resize(sum);
-    for_each_corner(soup, [&](Index f, Index v) { faces_[--begin_[v]] = f; });
-  }
-
-  [[nodiscard]] std::span<const Index> operator[](Index v) const {
-    return std::span(faces_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
-  }
-
- private:
-  template <typename Visit>
-  static void for_each_corner(const Soup& soup, Visit&& visit) {
-    for (Index f = 0; f < soup.n_faces(); ++f) {
-      for (const Index v : soup.triangles[f]) {
-        if (v != kNoIndex) visit(f, v);
-      }
-    }
-  }
-
-  std::vector<Index> begin_;
-  std::vector<Index> faces_;
-};
 
 /// Two vertices that become one, the one that stays first; equal if they already are one.
 struct JoinedPair {
@@ -197,7 +169,7 @@ class Splitter {
   }
 
   [[nodiscard]] bool are_neighbours(Index v, Index w) const {
-    const auto faces = faces_at_[v];
+    const std::span<const Index> faces = faces_at_.at(v);
     return std::any_of(faces.begin(), faces.end(),
                        [&](Index f) { return has_corner(soup_.triangles[f], w); });
   }
@@ -208,7 +180,7 @@ class Splitter {
     for (const JoinedPair& end : closing.ends) {
       if (end.stays == end.goes) continue;
       for (const Index v : {end.stays, end.goes}) {
-        faces.insert(faces.end(), faces_at_[v].begin(), faces_at_[v].end());
+        faces.insert(faces.end(), faces_at_.at(v).begin(), faces_at_.at(v).end());
       }
     }
     sort_unique(faces);
@@ -281,7 +253,7 @@ class Splitter {
 
   WeldState& state_;
   const Soup& soup_;
-  FacesAtVertices faces_at_;
+  VertexFaces faces_at_;
 };
 
 }  // namespace

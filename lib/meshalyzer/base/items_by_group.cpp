@@ -1,4 +1,4 @@
-#include "meshalyzer/defects/internal/items_by_group.h"
+#include "meshalyzer/base/items_by_group.h"
 
 #include <numeric>
 
