@@ -1,5 +1,6 @@
 #include "combine.h"
 
+#include "mesh_paths.h"
 #include "meshalyzer/analysis/analyze.h"
 #include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/base/error.h"
@@ -350,14 +351,18 @@ class CombinationRun {
 }  // namespace
 
 ExitCode combine(const Options& options, Streams streams) {
-  const OperandFiles operands = read_operands(options);
-  const std::string faults = solid_faults(operands);
-  if (!faults.empty()) {
-    streams.err << faults << std::flush;
-    return ExitCode::NotGood;
-  }
-  make_output_folder(options);
-  return CombinationRun(options, operands, streams).run();
+  const MeshPaths paths = find_meshes(options.paths);
+  static_cast<void>(files_of_run(options, paths.files));
+  return report_or_reason(options, streams, [&] {
+    const OperandFiles operands = read_operands(options, paths);
+    if (const std::string faults = solid_faults(operands); !faults.empty()) {
+      streams.err << faults << std::endl;
+      write_reason_of_no_report(options, streams, faults);
+      return ExitCode::NotGood;
+    }
+    make_output_folder(options);
+    return CombinationRun(options, operands, streams).run();
+  });
 }
 
 }  // namespace meshalyzer::fixer

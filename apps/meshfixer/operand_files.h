@@ -1,6 +1,7 @@
 #pragma once
 
 #include "input_file.h"
+#include "mesh_paths.h"
 #include "meshalyzer/boolean/operands.h"
 #include "options.h"
 
@@ -17,16 +18,13 @@ struct OperandFiles {
   std::vector<Soup> soups;
 };
 
-/// Reads the files that the paths of the options stand for: mesh files, and all mesh files of
-/// folders.
+/// Reads the files of a boolean operation.
 ///
-/// @throws Error  for the first file that cannot be read, or whose result would have no known
-/// format,
-///                or a folder without meshes.
-/// @throws UsageError  if an output of the run is one of them, or another output.
-[[nodiscard]] OperandFiles read_operands(const Options& options);
+/// @throws Error  for a folder that cannot be listed or holds no mesh, or for the first file that
+///                cannot be read, or whose result would have no known format.
+[[nodiscard]] OperandFiles read_operands(const Options& options, const MeshPaths& paths);
 
-/// Says for each file that bounds no solid why, and what to do; empty if all do.
+/// Says for each file that bounds no solid why, and what to do, a line each; empty if all do.
 [[nodiscard]] std::string solid_faults(const OperandFiles& operands);
 
 }  // namespace meshalyzer::fixer

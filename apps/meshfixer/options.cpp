@@ -17,10 +17,15 @@ struct GivenOptions {
   bool find = false, dry_run = false;
   std::optional<CodeList> fix, no_fix;
   bool renumber = false, drop_orphans = false, separate = false;
-  /// Tells whether an option for holes, other than --fix, is present.
-  bool names_holes = false;
+  /// The last option for holes, other than --fix, and the last one for tolerances; empty if there
+  /// is none.
+  std::string hole_option, tolerance_option;
   std::vector<BooleanOperation> operations;
 };
+
+bool names_holes(const GivenOptions& given) {
+  return !given.hole_option.empty();
+}
 
 bool names_operation(const GivenOptions& given, const RepairOptions& repair) {
   return repair.weld_within || repair.turn == Turn::Everything || given.renumber ||
@@ -94,10 +99,10 @@ void declare_booleans(OptionTable& table, GivenOptions& given) {
           "moved apart where they would touch");
 }
 
-/// Returns a function that takes a value of an option for holes.
-OptionTable::Take of_holes(GivenOptions& given, OptionTable::Take take) {
-  return [&given, take = std::move(take)](const std::string& text, const std::string& option) {
-    given.names_holes = true;
+/// Returns a function that takes a value of an option and keeps the name of the option.
+OptionTable::Take noting(std::string& name, OptionTable::Take take) {
+  return [&name, take = std::move(take)](const std::string& text, const std::string& option) {
+    name = option;
     take(text, option);
   };
 }
@@ -112,12 +117,12 @@ void declare_holes(OptionTable& table, Options& options, GivenOptions& given) {
       "--by-group", [&repair] { repair.groups = Groups::Faces; },
       "the groups of the file are faces of a body: their common borders keep every vertex and "
       "edge");
-  table.option("--fill-holes N", of_holes(given, into(fill.max_edges, to_count)),
+  table.option("--fill-holes N", noting(given.hole_option, into(fill.max_edges, to_count)),
                "fill loops of at most N edges");
-  table.option("--fill-at X,Y,Z", of_holes(given, into(fill.at, to_point)),
+  table.option("--fill-at X,Y,Z", noting(given.hole_option, into(fill.at, to_point)),
                "fill only the loop that is nearest to this point");
   table.option(
-      "--fill-shape SHAPE", of_holes(given, into(fill.shape, to_fill_shape)),
+      "--fill-shape SHAPE", noting(given.hole_option, into(fill.shape, to_fill_shape)),
       "linear (no new vertices), smooth (refined and faired), or auto (the default): smooth "
       "where the surface bends towards the hole. With any of these three options, or --fix, "
       "holes of sheets (surfaces that bound no solid) are filled too");
@@ -135,8 +140,9 @@ std::string default_text(double value) {
   return text;
 }
 
-void declare_limits(OptionTable& table, Options& options) {
+void declare_limits(OptionTable& table, Options& options, GivenOptions& given) {
   RepairOptions& repair = options.repair;
+  std::string& named = given.tolerance_option;
   ToleranceOptions& tolerances = repair.tolerances;
   table.group("Limits");
   table.option("--max-deviation D", into(repair.max_deviation, to_deviation),
@@ -144,17 +150,18 @@ void declare_limits(OptionTable& table, Options& options) {
                "of hole patches none of the new one from the old; D is a length, or a share of "
                "the diagonal as in " +
                    default_text(repair.max_deviation.value * 100.0) + "%, the default");
-  table.option("--tolerance T", into(tolerances.tolerance, to_length),
+  table.option("--tolerance T", noting(named, into(tolerances.tolerance, to_length)),
                "all three tolerances below; default " + default_text(kDefaultTolerance) +
                    " of the diagonal");
-  table.option("--degen-tolerance T", into(tolerances.degeneracy, to_length),
+  table.option("--degen-tolerance T", noting(named, into(tolerances.degeneracy, to_length)),
                "edges and altitudes below it are degenerate");
-  table.option("--slit-tolerance T", into(tolerances.slit, to_length),
+  table.option("--slit-tolerance T", noting(named, into(tolerances.slit, to_length)),
                "border edges within it are at one place");
-  table.option("--height-tolerance T", into(tolerances.height, to_length),
+  table.option("--height-tolerance T", noting(named, into(tolerances.height, to_length)),
                "a foldover is within it of the surface that it lies on");
   table.option(
-      "--max-foldover-angle DEG", into(tolerances.max_foldover_angle, to_foldover_angle),
+      "--max-foldover-angle DEG",
+      noting(named, into(tolerances.max_foldover_angle, to_foldover_angle)),
       "the largest angle of a fold; default " + default_text(tolerances.max_foldover_angle));
   table.option("--time-limit S", into(options.time_limit, to_seconds),
                "after S seconds write the mesh as repaired so far, checked, and report the "
@@ -222,7 +229,10 @@ std::string repair_option(const GivenOptions& given, const Options& options) {
       {repair.borders == Borders::Intended, "--keep-borders"},
       {repair.groups == Groups::Faces, "--by-group"},
       {repair.contact == Contact::Keep, "--keep-contact"},
-      {given.names_holes, "--fill-holes, --fill-at or --fill-shape"},
+      {names_holes(given), given.hole_option.c_str()},
+      {!given.tolerance_option.empty(), given.tolerance_option.c_str()},
+      {options.lists == ListLength::Full, "-p"},
+      {repair.max_defects != 0, "--max-defects"},
       {options.ndjson.has_value(), "--ndjson"}};
   for (const auto& [is_given, name] : options_of_repair) {
     if (is_given) return name;
@@ -233,7 +243,8 @@ std::string repair_option(const GivenOptions& given, const Options& options) {
 void check_combination(const GivenOptions& given, const Options& options) {
   if (given.operations.size() > 1) throw UsageError("one boolean operation at a time");
   if (const std::string option = repair_option(given, options); !option.empty()) {
-    throw UsageError(option + " repairs one mesh, so no boolean operation can go with it");
+    throw UsageError(option +
+                     " is for the repair of one mesh, so no boolean operation can go with it");
   }
   const bool is_dry = given.dry_run;
   if (is_dry && options.output) {
@@ -274,7 +285,7 @@ void check_consistent(const GivenOptions& given, const Options& options) {
   if (options.repair.borders == Borders::Intended && options.repair.solid) {
     throw UsageError("--keep-borders fills no hole, so --solid cannot go with it");
   }
-  if (options.repair.borders == Borders::Intended && given.names_holes) {
+  if (options.repair.borders == Borders::Intended && names_holes(given)) {
     throw UsageError("--keep-borders fills no hole, so no --fill- option can go with it");
   }
 }
@@ -294,7 +305,7 @@ DefectCodes fixes_of(const GivenOptions& given, const RepairOptions& repair) {
       if (given.no_fix->codes.contains(code)) fixes.erase(code);
     }
   }
-  if (given.names_holes) fixes.insert(DefectCode::Hole);
+  if (names_holes(given)) fixes.insert(DefectCode::Hole);
   if (given.renumber) fixes.insert(DefectCode::Numbering);
   if (given.drop_orphans) fixes.insert(DefectCode::OrphanVertex);
   if (given.separate) fixes.insert(DefectCode::Disjoint);
@@ -312,7 +323,7 @@ void complete(const GivenOptions& given, Options& options) {
   }
   options.action = given.find ? Options::Action::Find : Options::Action::Fix;
   options.repair.fixes = fixes_of(given, options.repair);
-  const bool is_named = given.names_holes || (given.fix && given.fix->names_holes);
+  const bool is_named = names_holes(given) || (given.fix && given.fix->names_holes);
   RepairOptions& repair = options.repair;
   repair.fill.sheets = is_named || repair.solid ? FillSheets::Yes : FillSheets::No;
   // With any of these a mesh is not good, so that they are fixed unless --no-fix names them.
@@ -358,7 +369,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   declare_operations(table, options, given);
   declare_holes(table, options, given);
   declare_booleans(table, given);
-  declare_limits(table, options);
+  declare_limits(table, options, given);
   declare_reports(table, options);
   command.answer = table.parse(argc, argv);
   if (!command.answer) {

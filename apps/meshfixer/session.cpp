@@ -77,10 +77,12 @@ ExitCode work(const Options& options, Streams streams) {
   if (options.action == Options::Action::Combine) return combine(options, streams);
   if (options.is_batch()) return run_batch(options, streams);
   RunFiles files = files_of_run(options, {options.input});
-  const InputFile file(options.input);
-  Soup soup = parse_mesh(file.bytes(), options.input);
-  if (options.action == Options::Action::Find) return find(options, std::move(soup), streams);
-  return fix({options, file, files, streams}, std::move(soup));
+  return report_or_reason(options, streams, [&] {
+    const InputFile file(options.input);
+    Soup soup = parse_mesh(file.bytes(), options.input);
+    if (options.action == Options::Action::Find) return find(options, std::move(soup), streams);
+    return fix({options, file, files, streams}, std::move(soup));
+  });
 }
 
 }  // namespace meshalyzer::fixer

@@ -1,0 +1,25 @@
+#include "write_report.h"
+
+#include "meshalyzer/report/json/bytes.h"
+#include "meshalyzer/report/json/writer.h"
+
+#include <string_view>
+
+namespace meshalyzer::fixer {
+
+void write_reason_of_no_report(const Options& options, Streams streams, const std::string& reason) {
+  if (!options.json) return;
+  JsonWriter json;
+  json.begin_object();
+  json.member("schema", std::string_view("meshfixer-error/1"));
+  json.member("version", std::string_view(MESHALYZER_VERSION));
+  write_bytes(json, "error", reason);
+  json.end_object();
+  if (options.json->is_stdout()) {
+    streams.out << json.take() << std::flush;
+  } else {
+    replace_file(options.json->file, json.take());
+  }
+}
+
+}  // namespace meshalyzer::fixer
