@@ -2,6 +2,7 @@
 
 #include "meshalyzer/arrangement/assemble.h"
 #include "meshalyzer/arrangement/flat_faces.h"
+#include "meshalyzer/arrangement/point_digits.h"
 #include "meshalyzer/arrangement/segment_crossings.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/parallel.h"
@@ -49,14 +50,15 @@ FaceContacts find_contacts(const Soup& soup, std::span<const FaceSimplex> simpli
   return all;
 }
 
-NamedPoints name_contacts(const Soup& soup, std::span<const FaceSimplex> simplices,
-                          const FaceContacts& contacts) {
+std::vector<PointName> names_of_contacts(std::span<const FaceSimplex> simplices,
+                                         const FaceContacts& contacts) {
   std::vector<PointName> names;
   for (const FaceSimplex& simplex : simplices) {
     for (const Index v : simplex.vertices) names.push_back(vertex_name(v));
   }
   for (const ContactPoint& point : contacts.points) names.push_back(point.point);
-  return {soup, std::move(names)};
+  sort_unique(names);
+  return names;
 }
 
 /// Returns the crossings in each cluster.
@@ -74,10 +76,11 @@ std::vector<std::vector<PointName>> find_crossings(std::span<const FaceSimplex> 
   return crossings;
 }
 
-NamedPoints name_crossings(const Soup& soup, std::span<const std::vector<PointName>> crossings) {
+std::vector<PointName> names_of_crossings(std::span<const std::vector<PointName>> crossings) {
   std::vector<PointName> names;
   for (const auto& some : crossings) names.insert(names.end(), some.begin(), some.end());
-  return {soup, std::move(names)};
+  sort_unique(names);
+  return names;
 }
 
 /// Returns the nodes in each cluster, ascending.
@@ -146,11 +149,15 @@ std::optional<Arrangement> arrange_within(const Soup& soup, std::span<const Inte
   const std::vector<FaceSimplex> simplices = simplices_of(soup, pairs);
   const FaceContacts contacts = find_contacts(soup, simplices, pairs, wants_to_stop);
   if (wants_to_stop()) return std::nullopt;
-  const NamedPoints points = name_contacts(soup, simplices, contacts);
+  std::vector<PointName> names = names_of_contacts(simplices, contacts);
+  if (most_digit_bytes(soup, names) > limits.max_digit_bytes) return std::nullopt;
+  const NamedPoints points(soup, std::move(names));
   const std::vector<FaceCluster> clusters = make_clusters(simplices, pairs, contacts, points);
   const auto crossings = find_crossings(simplices, clusters, points, wants_to_stop);
   if (wants_to_stop()) return std::nullopt;
-  const NamedPoints crossing_points = name_crossings(soup, crossings);
+  names = names_of_crossings(crossings);
+  if (most_digit_bytes(soup, names) > limits.max_digit_bytes) return std::nullopt;
+  const NamedPoints crossing_points(soup, std::move(names));
   Nodes nodes = unite_points(points, crossing_points);
   if (nodes.points.size() > soup.n_vertices() &&
       nodes.points.size() - soup.n_vertices() > limits.max_pieces) {

@@ -31,6 +31,10 @@ namespace meshalyzer {
 struct ArrangeLimits {
   /// The maximum number of pieces, and of nodes beside the vertices.
   std::size_t max_pieces = std::numeric_limits<std::size_t>::max();
+  /// The maximum memory for the digits of the exact coordinates of points on edges of faces, and
+  /// again of those inside faces, in bytes: points have thousands of digits if some coordinates of
+  /// the soup are 1e150 and others 1.
+  std::size_t max_digit_bytes = std::numeric_limits<std::size_t>::max();
   /// Called now and then, from any thread; once it returns true, cutting ends.
   StopQuery wants_to_stop = {};
 };

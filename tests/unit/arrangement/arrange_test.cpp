@@ -341,6 +341,24 @@ TEST(Arrange, NothingIsReturnedBeyondTheMaximumNumberOfPieces) {
   }
 }
 
+TEST(Arrange, NothingIsReturnedBeyondTheMaximumMemoryForDigits) {
+  const auto cubes_and_far_face = [](double distance) {
+    Soup soup =
+        shapes::merged(shapes::cube(), shapes::translated(shapes::cube(), {0.125, 0.25, 0.375}));
+    return shapes::merged(
+        std::move(soup),
+        shapes::make({{distance, 0.5, 0.5}, {-distance, 0.5, 0.25}, {0.3, distance, 0.625}},
+                     {{0, 1, 2}}));
+  };
+  for (const auto& [distance, needs_digits] : {std::pair(8.0, false), std::pair(1e150, true)}) {
+    const Soup soup = cubes_and_far_face(distance);
+    const CutMesh cut = build(soup);
+    const std::vector<IntersectingPair> pairs = find_self_intersections(cut, FaceTree(cut));
+    EXPECT_EQ(arrange_within(soup, pairs, {.max_digit_bytes = 1000}).has_value(), !needs_digits);
+    EXPECT_TRUE(arrange_within(soup, pairs, {.max_digit_bytes = 1'000'000}));
+  }
+}
+
 TEST(Arrange, SoupsWithFewPiecesForTheirNodesAreNotRefused) {
   // Faces that overlap in a plane have the fewest pieces, beside the nodes of all of them.
   Random random(kSeed);

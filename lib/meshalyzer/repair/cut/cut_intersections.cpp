@@ -50,8 +50,9 @@ PassResult refuse_all(const IntersectingPair& first, const std::string& reason) 
 
 PassResult refuse_pieces(const PassInput& input, const CutSurface& surface) {
   const Index face = surface.unfinished.front();
-  return refuse_at(face < input.mesh.soup().n_faces() ? face : kNoIndex,
-                   "the faces would be cut into too many pieces");
+  return refuse_at(
+      face < input.mesh.soup().n_faces() ? face : kNoIndex,
+      "the faces would be cut into too many pieces, or at points with too many digits");
 }
 
 /// Returns an upper bound of the number of times that cuts meet: the cut between two faces is met

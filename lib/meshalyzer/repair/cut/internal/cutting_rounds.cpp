@@ -27,6 +27,9 @@ constexpr std::size_t kMoreTests = 2'000'000;
 constexpr std::size_t kTestsAFace = 500;
 /// The maximum number of pieces for each face of the input, beside those that the caller allows.
 constexpr std::size_t kPiecesAFace = 10;
+/// The maximum memory for the digits of exact points, see ArrangeLimits. A million pieces of a mesh
+/// whose coordinates have a common scale need a tenth of it, if anything.
+constexpr std::size_t kMaxDigitBytes = std::size_t{1} << 29;
 /// Slivers are new faces thinner than this multiple of the spacing of the grid. If they widen, each
 /// round multiplies their width by a factor, up to a share of the maximum deviation.
 constexpr double kSliverWidth = 2.0;
@@ -231,8 +234,10 @@ void CuttingRounds::cut_once(const CutMesh& cut, const FaceTree& tree, const Pai
 std::shared_ptr<const ArrangedPieces> CuttingRounds::arranged_pieces(const Pairs& pairs) {
   FirstCut* const first = round_ == 0 ? first_cut_ : nullptr;
   if (first != nullptr && *first != nullptr) return *first;
-  std::optional<Arrangement> arrangement = arrange_within(
-      soup_, pairs, {.max_pieces = max_pieces_, .wants_to_stop = input_.wants_to_stop});
+  std::optional<Arrangement> arrangement = arrange_within(soup_, pairs,
+                                                          {.max_pieces = max_pieces_,
+                                                           .max_digit_bytes = kMaxDigitBytes,
+                                                           .wants_to_stop = input_.wants_to_stop});
   if (!arrangement) return nullptr;
   const auto pieces = std::make_shared<ArrangedPieces>();
   pieces->arrangement = std::move(*arrangement);
