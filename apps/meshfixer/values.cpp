@@ -5,6 +5,7 @@
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/format_of.h"
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -72,11 +73,11 @@ Vec3 to_point(const std::string& text, const std::string& option) {
   bool is_point = true;
   for_each_item(text, [&](std::string_view item) {
     const std::optional<double> value = parse_real(item);
-    is_point = is_point && value.has_value();
+    is_point = is_point && value.has_value() && std::isfinite(*value);
     numbers.push_back(value.value_or(0.0));
   });
   if (!is_point || numbers.size() != 3) {
-    throw UsageError(option + " needs a point X,Y,Z, not '" + text + "'");
+    throw UsageError(option + " needs a point X,Y,Z of finite numbers, not '" + text + "'");
   }
   return {numbers[0], numbers[1], numbers[2]};
 }
