@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/base/corners.h"
+#include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/exact/predicates.h"
 
 #include <array>
@@ -57,9 +58,8 @@ struct Arrangement {
   /// #pieces + 1: where the sources of each begin in `sources`, ascending by face.
   std::vector<Index> source_begin{0};
   std::vector<PieceSource> sources;
-  /// #faces + 1: where the pieces of each face begin in `piece_of`, ascending.
-  std::vector<Index> piece_begin{0};
-  std::vector<Index> piece_of;
+  /// #faces: the pieces of each, ascending.
+  ItemsByGroup pieces_of_faces;
 
   /// The faces that intersect others, whether they had to be cut or not, ascending.
   std::vector<Index> cut_faces;
@@ -71,10 +71,7 @@ struct Arrangement {
     return std::span(sources).subspan(source_begin[piece],
                                       source_begin[piece + 1] - source_begin[piece]);
   }
-  [[nodiscard]] std::span<const Index> pieces_of(Index face) const {
-    return std::span(piece_of).subspan(piece_begin[face],
-                                       piece_begin[face + 1] - piece_begin[face]);
-  }
+  [[nodiscard]] std::span<const Index> pieces_of(Index face) const { return pieces_of_faces[face]; }
   /// Returns the nearest doubles of the corners of a piece.
   [[nodiscard]] Corners corners_of(std::size_t piece) const {
     const auto& [a, b, c] = pieces[piece];

@@ -182,17 +182,11 @@ class Assembly {
   }
 
   void index_faces() {
-    std::vector<Index>& begin = result_.piece_begin;
-    begin.assign(soup_.n_faces() + 1, 0);
-    for (const PieceSource& source : result_.sources) ++begin[source.face + 1];
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    result_.piece_of.resize(result_.sources.size());
-    std::vector<Index> next(begin.begin(), begin.end() - 1);
-    for (Index piece = 0; piece < result_.pieces.size(); ++piece) {
-      for (const PieceSource& source : result_.sources_of(piece)) {
-        result_.piece_of[next[source.face]++] = piece;
+    result_.pieces_of_faces = ItemsByGroup(soup_.n_faces(), [&](const auto& use) {
+      for (Index piece = 0; piece < result_.pieces.size(); ++piece) {
+        for (const PieceSource& source : result_.sources_of(piece)) use(source.face, piece);
       }
-    }
+    });
   }
 
   void collect_curves() {

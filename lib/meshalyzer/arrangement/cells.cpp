@@ -135,14 +135,12 @@ Index side_before(const EdgeUse& use) {
 
 }  // namespace
 
-CellPieces::CellPieces(const Cells& cells) : pieces_(cells.of_side.size()) {
-  begin_.assign(cells.count + 1, 0);
-  for (const Index cell : cells.of_side) ++begin_[cell + 1];
-  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-  std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-  for (std::size_t side = 0; side < cells.of_side.size(); ++side) {
-    pieces_[next[cells.of_side[side]]++] = static_cast<Index>(side / 2);
-  }
+ItemsByGroup pieces_by_cell(const Cells& cells) {
+  return ItemsByGroup(cells.count, [&](const auto& use) {
+    for (std::size_t side = 0; side < cells.of_side.size(); ++side) {
+      use(cells.of_side[side], static_cast<Index>(side / 2));
+    }
+  });
 }
 
 Cells find_cells(const Soup& soup, const Arrangement& arrangement) {

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "meshalyzer/arrangement/arrangement.h"
+#include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/mesh/soup.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace meshalyzer {
@@ -32,21 +32,11 @@ struct Cells {
   [[nodiscard]] Index behind(std::size_t piece) const { return of_side[2 * piece + 1]; }
 };
 
-/// The pieces that bound each cell.
-class CellPieces {
- public:
-  /// @complexity O(#pieces).
-  explicit CellPieces(const Cells& cells);
-
-  /// Returns the pieces at a cell, ascending; a piece with the cell on both sides occurs twice.
-  [[nodiscard]] std::span<const Index> of(Index cell) const {
-    return std::span(pieces_).subspan(begin_[cell], begin_[cell + 1] - begin_[cell]);
-  }
-
- private:
-  std::vector<std::size_t> begin_;
-  std::vector<Index> pieces_;
-};
+/// Returns the pieces that bound each cell, ascending; a piece with the cell on both sides occurs
+/// twice.
+///
+/// @complexity O(#pieces).
+[[nodiscard]] ItemsByGroup pieces_by_cell(const Cells& cells);
 
 /// Finds the cells of an arrangement, exactly. No piece may have zero area.
 ///

@@ -11,7 +11,7 @@ namespace {
 class WindingSearch {
  public:
   WindingSearch(const ArrangedSoup& arranged, std::span<const std::uint8_t> wanted)
-      : a_(arranged), wanted_(wanted), pieces_(arranged.cells) {
+      : a_(arranged), wanted_(wanted), pieces_(pieces_by_cell(arranged.cells)) {
     windings_.own.assign(a_.cells.count, 0);
     windings_.others.assign(a_.cells.n_components, 0);
     is_known_.assign(a_.cells.count, 0);
@@ -51,7 +51,7 @@ class WindingSearch {
     while (!pending_.empty()) {
       const Index cell = pending_.back();
       pending_.pop_back();
-      for (const Index piece : pieces_.of(cell)) {
+      for (const Index piece : pieces_[cell]) {
         const int step = a_.arrangement.multiplicity(piece);
         if (a_.cells.front(piece) == cell) set(a_.cells.behind(piece), windings_.own[cell] + step);
         if (a_.cells.behind(piece) == cell) set(a_.cells.front(piece), windings_.own[cell] - step);
@@ -61,7 +61,7 @@ class WindingSearch {
 
   const ArrangedSoup& a_;
   std::span<const std::uint8_t> wanted_;
-  CellPieces pieces_;
+  ItemsByGroup pieces_;
   Windings windings_;
   std::vector<std::uint8_t> is_known_;
   std::vector<Index> pending_;

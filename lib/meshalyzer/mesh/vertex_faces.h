@@ -1,11 +1,11 @@
 #pragma once
 
+#include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/mesh/soup.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 namespace meshalyzer {
 
@@ -14,33 +14,20 @@ class VertexFaces {
  public:
   /// @complexity O(#V + #F).
   explicit VertexFaces(const Soup& soup)
-      : begins_(soup.n_vertices() + 2, 0), faces_(3 * soup.n_faces()) {
-    const auto for_each_corner = [&](auto use) {
-      for (std::size_t f = 0; f < soup.n_faces(); ++f) {
-        for (const Index vertex : soup.triangles[f]) {
-          if (vertex != kNoIndex) {
-            use(vertex, static_cast<Index>(f));
+      : by_vertex_(soup.n_vertices(), [&](const auto& use) {
+          for (std::size_t f = 0; f < soup.n_faces(); ++f) {
+            for (const Index vertex : soup.triangles[f]) {
+              if (vertex != kNoIndex) use(vertex, static_cast<Index>(f));
+            }
           }
-        }
-      }
-    };
-    for_each_corner([&](Index vertex, Index) { ++begins_[vertex + 2]; });
-    for (std::size_t v = 2; v < begins_.size(); ++v) {
-      begins_[v] += begins_[v - 1];
-    }
-    for_each_corner([&](Index vertex, Index face) { faces_[begins_[vertex + 1]++] = face; });
-  }
+        }) {}
 
   /// Returns the faces at a vertex, ascending; a face occurs once for each of its corners at the
   /// vertex.
-  [[nodiscard]] std::span<const Index> at(Index vertex) const {
-    return std::span(faces_).subspan(begins_[vertex], begins_[vertex + 1] - begins_[vertex]);
-  }
+  [[nodiscard]] std::span<const Index> at(Index vertex) const { return by_vertex_[vertex]; }
 
  private:
-  /// The position where the faces of each vertex begin.
-  std::vector<Index> begins_;
-  std::vector<Index> faces_;
+  ItemsByGroup by_vertex_;
 };
 
 /// Calls `use` with the faces of a soup that name `vertex` and at least two vertices of `triangle`;

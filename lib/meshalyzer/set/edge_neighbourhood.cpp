@@ -1,7 +1,6 @@
 #include "meshalyzer/set/edge_neighbourhood.h"
 
 #include <limits>
-#include <numeric>
 
 namespace meshalyzer {
 namespace {
@@ -10,26 +9,18 @@ constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-FacesAtVertices::FacesAtVertices(const FaceTree& tree, std::size_t n_file_vertices)
-    : begin_(n_file_vertices + 1, 0), slots_(3 * tree.n_faces()) {
-  for (std::size_t slot = 0; slot < tree.n_faces(); ++slot) {
-    for (const Index v : tree.triangle(slot)) {
-      ++begin_[v + 1];
+ItemsByGroup slots_by_vertex(const FaceTree& tree, std::size_t n_file_vertices) {
+  return ItemsByGroup(n_file_vertices, [&](const auto& use) {
+    for (std::size_t slot = 0; slot < tree.n_faces(); ++slot) {
+      for (const Index v : tree.triangle(slot)) use(v, static_cast<Index>(slot));
     }
-  }
-  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-  std::vector<Index> next(begin_.begin(), begin_.end() - 1);
-  for (std::size_t slot = 0; slot < tree.n_faces(); ++slot) {
-    for (const Index v : tree.triangle(slot)) {
-      slots_[next[v]++] = static_cast<Index>(slot);
-    }
-  }
+  });
 }
 
-EdgeNeighbourhood::EdgeNeighbourhood(const FaceTree& tree, const FacesAtVertices& faces)
+EdgeNeighbourhood::EdgeNeighbourhood(const FaceTree& tree, const ItemsByGroup& slots)
     : tree_(tree),
-      faces_(faces),
-      length_to_(faces.n_vertices(), kUnreached),
+      slots_(slots),
+      length_to_(slots.size(), kUnreached),
       is_marked_(tree.n_faces(), 0) {}
 
 std::span<const std::uint8_t> EdgeNeighbourhood::mark_within(Index file_vertex, double length) {
@@ -47,7 +38,7 @@ std::span<const std::uint8_t> EdgeNeighbourhood::mark_within(Index file_vertex, 
 }
 
 void EdgeNeighbourhood::go_on_from(Index vertex, double length_limit) {
-  for (const Index slot : faces_.slots(vertex)) {
+  for (const Index slot : slots_[vertex]) {
     is_marked_[tree_.mesh_face(slot)] = 1;
     for (const Index other : tree_.triangle(slot)) {
       const double length = length_to_[vertex] + (tree_.point(other) - tree_.point(vertex)).norm();
@@ -61,7 +52,7 @@ void EdgeNeighbourhood::go_on_from(Index vertex, double length_limit) {
 void EdgeNeighbourhood::reset() {
   for (const Index vertex : reached_) {
     length_to_[vertex] = kUnreached;
-    for (const Index slot : faces_.slots(vertex)) {
+    for (const Index slot : slots_[vertex]) {
       is_marked_[tree_.mesh_face(slot)] = 0;
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/spatial/face_tree.h"
 
 #include <cstdint>
@@ -11,29 +12,17 @@
 
 namespace meshalyzer {
 
-/// The faces at each file vertex, in one flat list.
-class FacesAtVertices {
- public:
-  /// @complexity O(#V + #F).
-  FacesAtVertices(const FaceTree& tree, std::size_t n_file_vertices);
-
-  [[nodiscard]] std::size_t n_vertices() const { return begin_.size() - 1; }
-  /// Returns the slots in the tree of the faces at a vertex, ascending.
-  [[nodiscard]] std::span<const Index> slots(Index file_vertex) const {
-    return std::span(slots_).subspan(begin_[file_vertex],
-                                     begin_[file_vertex + 1] - begin_[file_vertex]);
-  }
-
- private:
-  std::vector<Index> begin_;
-  std::vector<Index> slots_;
-};
+/// Returns the slots in the tree of the faces at each file vertex, ascending.
+///
+/// @complexity O(#V + #F).
+[[nodiscard]] ItemsByGroup slots_by_vertex(const FaceTree& tree, std::size_t n_file_vertices);
 
 /// Finds the faces round a vertex within a length along edges. It reuses its memory for the next
 /// vertex, and only one thread may use it.
 class EdgeNeighbourhood {
  public:
-  EdgeNeighbourhood(const FaceTree& tree, const FacesAtVertices& faces);
+  /// @param slots  The result of slots_by_vertex().
+  EdgeNeighbourhood(const FaceTree& tree, const ItemsByGroup& slots);
 
   /// Marks the mesh faces with a vertex within `length` of the given one along edges, always
   /// including the faces at the vertex itself.
@@ -49,7 +38,7 @@ class EdgeNeighbourhood {
   void reset();
 
   const FaceTree& tree_;
-  const FacesAtVertices& faces_;
+  const ItemsByGroup& slots_;
   /// #V: the length of the shortest path; infinite if not reached.
   std::vector<double> length_to_;
   std::vector<Index> reached_;

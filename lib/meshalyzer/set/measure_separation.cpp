@@ -226,11 +226,11 @@ class Separator {
 
   void look_at_self() {
     const FaceTree& tree = object_->tree();
-    const FacesAtVertices faces(tree, object_->cut().side.n_file_vertices);
+    const ItemsByGroup slots = slots_by_vertex(tree, object_->cut().side.n_file_vertices);
     // There are few chunks, because each begins with a table of all vertices.
     const std::size_t length = std::max(kVerticesPerChunk, vertices_.size() / kSelfChunks + 1);
     parallel_chunks(vertices_.size(), length, [&](Chunk chunk) {
-      EdgeNeighbourhood neighbourhood(tree, faces);
+      EdgeNeighbourhood neighbourhood(tree, slots);
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
         ClosestQuery closest_query = query(i);
         closest_query.excluded = neighbourhood.mark_within(vertices_[i], *options_.include_self);

@@ -1,5 +1,6 @@
 #include "meshalyzer/spatial/nesting.h"
 
+#include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/spatial/box_tree.h"
@@ -7,28 +8,17 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace meshalyzer {
 namespace {
 
-/// The slots of the tree, grouped by part.
-struct SlotsByPart {
-  std::vector<Index> begin;
-  std::vector<Index> slots;
-};
-
-SlotsByPart group_slots(const FaceTree& tree, const FaceParts& parts) {
-  SlotsByPart groups{std::vector<Index>(parts.count + 1, 0), std::vector<Index>(tree.n_faces())};
-  for (std::size_t slot = 0; slot < tree.n_faces(); ++slot) {
-    ++groups.begin[parts.of_face[tree.mesh_face(slot)] + 1];
-  }
-  std::partial_sum(groups.begin.begin(), groups.begin.end(), groups.begin.begin());
-  std::vector<Index> next(groups.begin.begin(), groups.begin.end() - 1);
-  for (std::size_t slot = 0; slot < tree.n_faces(); ++slot) {
-    groups.slots[next[parts.of_face[tree.mesh_face(slot)]]++] = static_cast<Index>(slot);
-  }
-  return groups;
+/// Returns the slots of the tree by part.
+ItemsByGroup group_slots(const FaceTree& tree, const FaceParts& parts) {
+  return ItemsByGroup(parts.count, [&](const auto& use) {
+    for (std::size_t slot = 0; slot < tree.n_faces(); ++slot) {
+      use(parts.of_face[tree.mesh_face(slot)], static_cast<Index>(slot));
+    }
+  });
 }
 
 std::vector<Box3> boxes_of_parts(const FaceTree& tree, const FaceParts& parts) {
@@ -78,7 +68,7 @@ class Nester {
 
   /// Returns the closed parts that enclose a part, ascending.
   [[nodiscard]] std::vector<Index> enclosers(Index part) const {
-    const Vec3& first = tree_.point(tree_.triangle(slots_.slots[slots_.begin[part]])[0]);
+    const Vec3& first = tree_.point(tree_.triangle(slots_[part].front())[0]);
     std::vector<Index> near = box_tree_.meeting(Box3(first));
     std::erase_if(
         near, [&](Index other) { return other == part || !boxes_[other].contains(boxes_[part]); });
@@ -148,8 +138,8 @@ class Nester {
 
   [[nodiscard]] std::vector<Index> vertices_of(Index part) const {
     std::vector<Index> vertices;
-    for (Index i = slots_.begin[part]; i < slots_.begin[part + 1]; ++i) {
-      const Triangle& t = tree_.triangle(slots_.slots[i]);
+    for (const Index slot : slots_[part]) {
+      const Triangle& t = tree_.triangle(slot);
       vertices.insert(vertices.end(), t.begin(), t.end());
     }
     sort_unique(vertices);
@@ -158,7 +148,7 @@ class Nester {
 
   const FaceTree& tree_;
   const NestingInput& input_;
-  SlotsByPart slots_;
+  ItemsByGroup slots_;
   std::vector<Box3> boxes_;
   BoxTree box_tree_;
   /// The contacts of each part, ascending because NestingInput::contacts is.

@@ -105,7 +105,7 @@ TEST(Arrange, FacesThatMeetNothingStayAsTheyAre) {
 TEST(Arrange, EmptySoupGivesNothing) {
   const Arrangement arrangement = arrange(Soup{});
   EXPECT_TRUE(arrangement.pieces.empty());
-  EXPECT_EQ(arrangement.piece_begin.size(), 1U);
+  EXPECT_EQ(arrangement.pieces_of_faces.size(), 0U);
 }
 
 TEST(Arrange, FacesInNoComplexHaveNoPieces) {

@@ -26,8 +26,8 @@ struct Mesh {
 
   CutMesh cut;
   FaceTree tree{cut};
-  FacesAtVertices faces{tree, cut.side.n_file_vertices};
-  EdgeNeighbourhood neighbourhood{tree, faces};
+  ItemsByGroup slots = slots_by_vertex(tree, cut.side.n_file_vertices);
+  EdgeNeighbourhood neighbourhood{tree, slots};
 };
 
 /// The faces of the complex with a vertex within the length.
@@ -110,11 +110,11 @@ TEST(MarkWithin, OtherComponentIsNeverReached) {
   EXPECT_EQ(std::count(marks.begin(), marks.end(), 1), 12);
 }
 
-TEST(FacesAtVertices, AreAllThatUseTheVertexAscending) {
+TEST(SlotsByVertex, AreAllThatUseTheVertexAscending) {
   std::mt19937 random(2);
   const Soup soup = damaged(shapes::torus(1, 0.4, 12, 8), 4, random);
   const Mesh mesh(soup);
-  ASSERT_EQ(mesh.faces.n_vertices(), soup.n_vertices());
+  ASSERT_EQ(mesh.slots.size(), soup.n_vertices());
   for (Index v = 0; v < soup.n_vertices(); ++v) {
     std::vector<Index> expected;
     for (std::size_t slot = 0; slot < mesh.tree.n_faces(); ++slot) {
@@ -123,7 +123,7 @@ TEST(FacesAtVertices, AreAllThatUseTheVertexAscending) {
         expected.push_back(static_cast<Index>(slot));
       }
     }
-    const auto slots = mesh.faces.slots(v);
+    const auto slots = mesh.slots[v];
     EXPECT_EQ(std::vector<Index>(slots.begin(), slots.end()), expected);
   }
 }

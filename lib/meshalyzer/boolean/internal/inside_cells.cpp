@@ -15,7 +15,7 @@ class InsideSearch {
       : a_(arranged),
         operand_of_(operand_of),
         rule_(rule),
-        pieces_(arranged.cells),
+        pieces_(pieces_by_cell(arranged.cells)),
         windings_(n_operands, 0),
         is_known_(arranged.cells.count, 0),
         is_inside_(arranged.cells.count, 0) {}
@@ -57,7 +57,7 @@ class InsideSearch {
     way_.push_back({.cell = first});
     while (!way_.empty()) {
       Step& step = way_.back();
-      const std::span<const Index> pieces = pieces_.of(step.cell);
+      const std::span<const Index> pieces = pieces_[step.cell];
       if (step.next == pieces.size()) {
         if (step.piece != kNoIndex) cross(step.piece, -step.direction);
         way_.pop_back();
@@ -85,7 +85,7 @@ class InsideSearch {
   const ArrangedSoup& a_;
   std::span<const Index> operand_of_;
   const InsideRule& rule_;
-  CellPieces pieces_;
+  ItemsByGroup pieces_;
   /// The winding numbers of the last cell on the path.
   std::vector<int> windings_;
   std::vector<std::uint8_t> is_known_;

@@ -1,5 +1,7 @@
 #include "meshalyzer/picture/internal/neighbourhoods.h"
 
+#include "meshalyzer/base/items_by_group.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <utility>
@@ -7,30 +9,14 @@
 namespace meshalyzer {
 namespace {
 
-/// The faces at each vertex, in one flat list.
-class DrawnFacesAtVertices {
- public:
-  DrawnFacesAtVertices(const Soup& soup, std::span<const Index> faces)
-      : begin_(soup.n_vertices() + 1, 0), faces_(3 * faces.size()) {
+/// Returns those of some faces that are at each vertex, in the order given.
+ItemsByGroup faces_by_vertex(const Soup& soup, std::span<const Index> faces) {
+  return ItemsByGroup(soup.n_vertices(), [&](const auto& use) {
     for (const Index f : faces) {
-      for (const Index v : soup.triangles[f]) ++begin_[v];
+      for (const Index v : soup.triangles[f]) use(v, f);
     }
-    // The lists are filled from their ends, so that begin_ ends up at their beginnings.
-    std::size_t end = 0;
-    for (std::size_t& begin : begin_) begin = end += begin;
-    for (auto f = faces.rbegin(); f != faces.rend(); ++f) {
-      for (const Index v : soup.triangles[*f]) faces_[--begin_[v]] = *f;
-    }
-  }
-
-  [[nodiscard]] std::span<const Index> operator[](Index vertex) const {
-    return std::span(faces_).subspan(begin_[vertex], begin_[vertex + 1] - begin_[vertex]);
-  }
-
- private:
-  std::vector<std::size_t> begin_;
-  std::vector<Index> faces_;
-};
+  });
+}
 
 /// A breadth-first walk that visits each face and each vertex once.
 class Walk {
@@ -58,7 +44,7 @@ class Walk {
 
   /// Continues from the vertices in the order in which they were visited, so that faces come ring
   /// by ring.
-  void go_on(const DrawnFacesAtVertices& faces) {
+  void go_on(const ItemsByGroup& faces) {
     for (std::size_t i = 0; i < queue_.size() && !is_full(); ++i) {
       for (const Index f : faces[queue_[i]]) take_face(f);
     }
@@ -86,7 +72,7 @@ std::vector<Index> faces_round(const Soup& soup, std::span<const Index> drawable
   Walk walk(soup, max_faces);
   for (const Index f : seeds.faces) walk.take_face(f);
   for (const Index v : seeds.vertices) walk.take_vertex(v);
-  walk.go_on(DrawnFacesAtVertices(soup, drawable));
+  walk.go_on(faces_by_vertex(soup, drawable));
   return walk.taken_in_order();
 }
 

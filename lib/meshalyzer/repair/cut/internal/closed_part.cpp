@@ -61,7 +61,10 @@ std::vector<EdgeCounts> count_edges(const ArrangedSoup& arranged,
 class ClosedPartSearch {
  public:
   ClosedPartSearch(const ArrangedSoup& arranged, std::span<const std::uint8_t> wanted)
-      : a_(arranged), wanted_(wanted), pieces_(arranged.cells), is_known_(arranged.cells.count, 0) {
+      : a_(arranged),
+        wanted_(wanted),
+        pieces_(pieces_by_cell(arranged.cells)),
+        is_known_(arranged.cells.count, 0) {
     const std::vector<FaceEdge> edges = sorted_edges(a_.soup.triangles);
     is_closed_face_ = faces_of_closed_chains(a_.soup, edges);
     for (const EdgeCounts& count : count_edges(a_, edges)) {
@@ -138,7 +141,7 @@ class ClosedPartSearch {
   void spread(const std::vector<Index>& cells) {
     for (const Index cell : cells) {
       const int winding = result_.windings[cell];
-      for (const Index piece : pieces_.of(cell)) {
+      for (const Index piece : pieces_[cell]) {
         const int step = multiplicity(piece);
         if (a_.cells.front(piece) == cell) set(a_.cells.behind(piece), winding + step);
         if (a_.cells.behind(piece) == cell) set(a_.cells.front(piece), winding - step);
@@ -150,7 +153,7 @@ class ClosedPartSearch {
   std::span<const std::uint8_t> wanted_;
   /// #faces: 1 for those of closed chains.
   std::vector<std::uint8_t> is_closed_face_;
-  CellPieces pieces_;
+  ItemsByGroup pieces_;
   /// #components: 1 for those with an edge that has one face only.
   std::vector<std::uint8_t> has_border_;
   ClosedPart result_;

@@ -14,21 +14,17 @@ WorkingMesh::WorkingMesh(const Soup& soup, std::span<const Index> thin_faces, do
       positions_(soup.positions),
       is_thin_(soup.n_faces(), 0),
       n_original_faces_(soup.n_faces()),
-      tolerance_(tolerance),
-      begin_(soup.n_vertices() + 1, 0) {
+      tolerance_(tolerance) {
   for (const Index f : thin_faces) is_thin_[f] = 1;
   for (Triangle& t : triangles_) {
     if (!is_in_complex(t)) t = kNoTriangle;
-    if (t[0] == kNoIndex) continue;
-    for (const Index v : t) ++begin_[v + 1];
   }
-  for (std::size_t v = 0; v < positions_.size(); ++v) begin_[v + 1] += begin_[v];
-  faces_.resize(begin_.back());
-  std::vector<Index> next(begin_.begin(), begin_.end() - 1);
-  for (std::size_t f = 0; f < triangles_.size(); ++f) {
-    if (triangles_[f][0] == kNoIndex) continue;
-    for (const Index v : triangles_[f]) faces_[next[v]++] = static_cast<Index>(f);
-  }
+  faces_ = ItemsByGroup(positions_.size(), [&](const auto& use) {
+    for (Index f = 0; f < triangles_.size(); ++f) {
+      if (!has(f)) continue;
+      for (const Index v : triangles_[f]) use(v, f);
+    }
+  });
 }
 
 Corners WorkingMesh::corners_after(const MendStep& step, const Triangle& t) const {
@@ -47,7 +43,7 @@ std::span<const Index> WorkingMesh::faces_at(Index vertex) const {
   const auto changed = changed_.find(vertex);
   if (changed != changed_.end()) return changed->second;
   if (is_added(vertex)) return {};
-  return std::span(faces_).subspan(begin_[vertex], begin_[vertex + 1] - begin_[vertex]);
+  return faces_[vertex];
 }
 
 std::vector<Index> WorkingMesh::faces_at(Index a, Index b) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/mesh/soup.h"
 #include "meshalyzer/repair/facets/internal/mend_step.h"
 #include "meshalyzer/spatial/triangle_contact.h"
@@ -39,11 +40,9 @@ class WorkingMesh {
   }
 
   /// Tells whether a step has added a vertex.
-  [[nodiscard]] bool is_added(Index vertex) const { return vertex + 1 >= begin_.size(); }
+  [[nodiscard]] bool is_added(Index vertex) const { return vertex >= faces_.size(); }
   /// Returns the vertex of the soup that an added one is a copy of.
-  [[nodiscard]] Index copied_from(Index added) const {
-    return copied_from_[added + 1 - begin_.size()];
-  }
+  [[nodiscard]] Index copied_from(Index added) const { return copied_from_[added - faces_.size()]; }
 
   /// Returns the faces at a vertex, in no particular but a reproducible order. The result is valid
   /// until the next step.
@@ -69,9 +68,8 @@ class WorkingMesh {
   std::size_t n_original_faces_;
   std::vector<Index> prototypes_;
   double tolerance_;
-  /// #V + 1: where the initial faces of each vertex begin.
-  std::vector<Index> begin_;
-  std::vector<Index> faces_;
+  /// #V: the initial faces of each vertex.
+  ItemsByGroup faces_;
   /// #added vertices.
   std::vector<Index> copied_from_;
   /// The faces of those vertices where they have changed.

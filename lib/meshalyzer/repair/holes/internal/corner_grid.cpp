@@ -29,16 +29,12 @@ CornerGrid::CornerGrid(const std::vector<Point>& points, const std::vector<Index
     n_columns_ = index_below(size.x() * per_length_, listed.size()) + 1;
     n_rows_ = index_below(size.y() * per_length_, listed.size()) + 1;
   }
-  begin_.assign(n_columns_ * n_rows_ + 1, 0);
-  const auto cell_index = [&](Index i) {
-    const auto [x, y] = cell_of(points[i]);
-    return y * n_columns_ + x;
-  };
-  for (const Index i : listed) ++begin_[cell_index(i) + 1];
-  for (std::size_t c = 1; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
-  points_.resize(listed.size());
-  std::vector<Index> place(begin_.begin(), begin_.end() - 1);
-  for (const Index i : listed) points_[place[cell_index(i)]++] = i;
+  points_ = ItemsByGroup(n_columns_ * n_rows_, [&](const auto& use) {
+    for (const Index i : listed) {
+      const auto [x, y] = cell_of(points[i]);
+      use(y * n_columns_ + x, i);
+    }
+  });
 }
 
 std::array<std::size_t, 2> CornerGrid::cell_of(const Point& p) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/base/types.h"
 
 #include <Eigen/Core>
@@ -30,8 +31,8 @@ class CornerGrid {
       const auto [first_column, last_column] = columns_of(triangle, row);
       const std::size_t end = row * n_columns_ + last_column;
       for (std::size_t cell = row * n_columns_ + first_column; cell <= end; ++cell) {
-        for (std::size_t i = begin_[cell]; i < begin_[cell + 1]; ++i) {
-          if (visit(points_[i])) return true;
+        for (const Index point : points_[cell]) {
+          if (visit(point)) return true;
         }
       }
     }
@@ -52,9 +53,8 @@ class CornerGrid {
   double per_length_ = 0.0;
   std::size_t n_columns_ = 1;
   std::size_t n_rows_ = 1;
-  /// #cells + 1: where each cell's points begin.
-  std::vector<Index> begin_;
-  std::vector<Index> points_;
+  /// #cells: the points in each.
+  ItemsByGroup points_;
 };
 
 }  // namespace meshalyzer
