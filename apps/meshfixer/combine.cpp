@@ -191,9 +191,11 @@ class CombinationRun {
     }
     enum : std::uint8_t { Gone, Cut, Whole };
     std::vector<std::uint8_t> outcomes(operands.soup.n_faces(), Gone);
-    for (const CombinedFace& face : solid.faces) {
-      if (is_given_up(solid) || face.origin >= outcomes.size()) continue;
-      outcomes[face.origin] = whole_face(solid, operands.soup, face) ? Whole : Cut;
+    if (!is_given_up(solid)) {
+      for (const CombinedFace& face : solid.faces) {
+        if (face.origin >= outcomes.size()) continue;
+        outcomes[face.origin] = whole_face(solid, operands.soup, face) ? Whole : Cut;
+      }
     }
     for (std::size_t f = 0; f < outcomes.size(); ++f) {
       BooleanOperand& operand = report_.operands[first + operands.of_face[f]];
