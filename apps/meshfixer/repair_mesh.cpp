@@ -77,7 +77,8 @@ DefectReport remaining_on_disk(const RepairedMesh& mesh, const std::vector<Index
   }
   const auto prepared = std::make_shared<PreparedMesh>(final_soup.soup, search.pairs);
   // The positions are the same, so that no faces intersect in the file either.
-  if (is_in_other_order && mesh.remaining.count(DefectCode::SelfIntersection) == 0) {
+  if (is_in_other_order && mesh.remaining.count(DefectCode::SelfIntersection) == 0 &&
+      !mesh.remaining.may_have_more({DefectCode::SelfIntersection})) {
     prepared->set_intersecting_pairs({});
   }
   final_soup.prepared = prepared;
@@ -264,7 +265,7 @@ ExitCode verdict(const Options& options, const RepairReport& report, Streams str
     streams.err << *options.output << ": not written: " << kNothingLeft << '\n';
     return ExitCode::Failure;
   }
-  return n_remaining(report) == 0 ? ExitCode::Done : ExitCode::NotGood;
+  return n_remaining(report) == 0 && !may_have_more(report) ? ExitCode::Done : ExitCode::NotGood;
 }
 
 std::string progress_text(const RepairProgress& now) {

@@ -55,7 +55,8 @@ ExitCode find(const Options& options, Soup soup, Streams streams) {
       options, streams, [&] { return text_report(found, options.lists); },
       [&] { return json_report(found); });
   if (status != ExitCode::Done) return status;
-  return report.count(requested) == 0 ? ExitCode::Done : ExitCode::NotGood;
+  const bool is_clean = report.count(requested) == 0 && !report.may_have_more(requested);
+  return is_clean ? ExitCode::Done : ExitCode::NotGood;
 }
 
 ExitCode fix(const RepairTask& task, Soup soup) {

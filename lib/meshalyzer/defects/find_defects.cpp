@@ -129,11 +129,14 @@ DefectReport find_in(const Soup& soup, const PreparedMesh* mesh, const DefectOpt
   if (mesh != nullptr) search.search_mesh(*mesh);
   DefectReport report = make_report(search.take(), tolerances, options.max_defects);
   if (mesh != nullptr && mesh->was_intersection_search_cut()) {
+    report.unfinished.insert(DefectCode::SelfIntersection);
+    report.unfinished.insert(DefectCode::Inward);
     report.warnings.emplace_back(
         "the search for intersecting faces ended early: there may be more self-intersections, and "
         "inward components, than are listed");
   }
   if (search.was_stopped()) {
+    report.unfinished.insert(DefectCode::Foldover);
     report.warnings.emplace_back(
         "the search for foldovers ended early: there may be more than are listed");
   }
@@ -148,6 +151,13 @@ std::size_t DefectReport::count(const DefectCodes& codes) const {
     if (codes.contains(code)) n += count(code);
   }
   return n;
+}
+
+bool DefectReport::may_have_more(const DefectCodes& codes) const {
+  const auto& all = all_defect_codes();
+  return std::any_of(all.begin(), all.end(), [&](DefectCode code) {
+    return codes.contains(code) && unfinished.contains(code);
+  });
 }
 
 std::size_t DefectReport::total() const {

@@ -37,12 +37,16 @@ struct DefectReport {
   /// Sentences that say which tolerances contradict each other, and which searches ended before
   /// they had found all (PairLimits, DefectOptions::wants_to_stop).
   std::vector<std::string> warnings;
+  /// The codes of which there may be more defects, because a search ended early.
+  DefectCodes unfinished;
 
   [[nodiscard]] std::size_t count(DefectCode code) const {
     return counts[static_cast<std::size_t>(code)];
   }
   /// Returns the number of defects of some codes.
   [[nodiscard]] std::size_t count(const DefectCodes& codes) const;
+  /// Tells whether there may be more defects of some codes than were found.
+  [[nodiscard]] bool may_have_more(const DefectCodes& codes) const;
   /// Returns the number of all defects, whether they are listed or not.
   [[nodiscard]] std::size_t total() const;
   /// Tells whether there are more defects than are listed.

@@ -66,4 +66,7 @@ struct PatchReport {
 /// Returns the number of remaining defects that were to be fixed.
 [[nodiscard]] std::size_t n_remaining(const RepairReport& report);
 
+/// Tells whether more of them may remain, because a search ended early.
+[[nodiscard]] bool may_have_more(const RepairReport& report);
+
 }  // namespace meshalyzer

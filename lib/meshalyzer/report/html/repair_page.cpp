@@ -30,6 +30,9 @@ Verdict verdict_of(const RepairReport& report) {
     return {Verdict::Kind::Bad, text,
             counts_of_codes([&](DefectCode code) { return n_left(report, code); }, report.fixes)};
   }
+  if (may_have_more(report)) {
+    return {Verdict::Kind::Bad, "Defects may remain: a search ended early"};
+  }
   return {Verdict::Kind::Good,
           report.result.log.steps.empty() ? "Nothing was to be done" : "Repaired"};
 }

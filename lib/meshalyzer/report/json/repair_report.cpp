@@ -299,6 +299,11 @@ void write_input(JsonWriter& json, const MeshName& mesh, const DefectReport& fou
   json.end_object();
 }
 
+void write_remaining(JsonWriter& json, std::size_t n, bool may_have_more) {
+  json.member("remaining", n);
+  if (may_have_more) json.member("remaining_at_least", true);
+}
+
 }  // namespace
 
 std::string json_report(const FoundDefects& found) {
@@ -306,7 +311,8 @@ std::string json_report(const FoundDefects& found) {
   begin_report(json);
   write_input(json, found.mesh, found.defects);
   write_fixes(json, found.requested);
-  json.member("remaining", found.defects.count(found.requested));
+  write_remaining(json, found.defects.count(found.requested),
+                  found.defects.may_have_more(found.requested));
   write_patches(json, {found.mesh, found.defects.defects, found.patches});
   json.end_object();
   return json.take();
@@ -319,7 +325,7 @@ std::string json_report(const RepairReport& report) {
   write_fixes(json, report.fixes);
   json.member("max_deviation", report.result.max_deviation);
   json.member("deviation", report.result.deviation);
-  json.member("remaining", n_remaining(report));
+  write_remaining(json, n_remaining(report), may_have_more(report));
   write_rises(json, report.result.rises);
   write_patches(json, {report.input, report.result.before.defects, report.result.patches});
   json.key("notes");

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -75,7 +76,8 @@ void append_counts(TextLines& lines, const RepairReport& report) {
     after += left;
   }
   lines.line("defects", arrow(before, after));
-  lines.line("asked for and left", n_remaining(report));
+  lines.line("asked for and left",
+             (may_have_more(report) ? "at least " : "") + std::to_string(n_remaining(report)));
   for (const CountRise& rise : report.result.rises) {
     std::string text(name_of(rise.kind));
     text += ' ';
