@@ -14,7 +14,6 @@
 #include <numbers>
 #include <numeric>
 #include <span>
-#include <utility>
 
 namespace meshalyzer {
 namespace {

@@ -5,7 +5,6 @@
 #include "meshalyzer/repair/facets/internal/facet_shape.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace meshalyzer {
 
