@@ -5,7 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <CGAL/Gmpq.h>
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <random>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -55,6 +59,23 @@ TEST(MostDigitBytes, PointsHaveNoMore) {
     }
   }
   EXPECT_GT(n_with_digits, 250U);
+}
+
+TEST(MostDigitBytes, EachVertexOfAPointCounts) {
+  std::mt19937 random(kSeedOfPoints);
+  const Soup soup = faces_of_exponents(0, random);
+  const std::vector<std::pair<PointName, std::vector<Index>>> points{
+      {line_and_plane_name({0, 1}, 1), {0, 1, 3, 4, 5}},
+      {two_lines_name({0, 1}, {3, 4}, Axis::X), {0, 1, 3, 4}},
+      {three_planes_name({0, 1, 2}), {0, 1, 2, 3, 4, 5, 6, 7, 8}}};
+  for (const auto& [name, vertices] : points) {
+    for (Index v = 0; v < soup.n_vertices(); ++v) {
+      Soup far = soup;
+      far.positions[v][v % 3] = 1e300;
+      const bool counts = std::find(vertices.begin(), vertices.end(), v) != vertices.end();
+      EXPECT_EQ(most_digit_bytes(far, std::vector{name}) > 0, counts) << v;
+    }
+  }
 }
 
 TEST(MostDigitBytes, OfOneScaleAreNone) {
