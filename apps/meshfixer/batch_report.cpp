@@ -60,7 +60,7 @@ BatchReport::BatchReport(const Options& options, Streams streams)
 
 void BatchReport::add(const std::string& path, const RepairReport& report) {
   n_changed_ += report.result.log.steps.empty() ? 0 : 1;
-  n_with_rest_ += n_remaining(report) == 0 && !may_have_more(report) ? 0 : 1;
+  n_with_rest_ += nothing_remains(report) ? 0 : 1;
   for (std::size_t code = 0; code < kDefectCodes; ++code) {
     before_[code] += report.result.before.counts[code];
     for (const FinalMesh& mesh : report.meshes) after_[code] += mesh.remaining.counts[code];

@@ -265,7 +265,7 @@ ExitCode verdict(const Options& options, const RepairReport& report, Streams str
     streams.err << *options.output << ": not written: " << kNothingLeft << '\n';
     return ExitCode::Failure;
   }
-  return n_remaining(report) == 0 && !may_have_more(report) ? ExitCode::Done : ExitCode::NotGood;
+  return nothing_remains(report) ? ExitCode::Done : ExitCode::NotGood;
 }
 
 std::string progress_text(const RepairProgress& now) {

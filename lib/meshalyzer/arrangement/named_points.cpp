@@ -1,7 +1,6 @@
 #include "meshalyzer/arrangement/named_points.h"
 
 #include "meshalyzer/base/parallel.h"
-#include "meshalyzer/base/sort_unique.h"
 
 #include <algorithm>
 #include <utility>
@@ -16,7 +15,6 @@ constexpr std::size_t kPointsAtOnce = 256;
 
 NamedPoints::NamedPoints(const Soup& soup, std::vector<PointName> names)
     : names_(std::move(names)) {
-  sort_unique(names_);
   points_.resize(names_.size());
   parallel_chunks(names_.size(), kPointsAtOnce, [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {

@@ -11,8 +11,8 @@ namespace meshalyzer {
 /// A table of points and their names. One point may occur several times, under different names.
 class NamedPoints {
  public:
-  /// Constructs the points, each name once, in parallel.
-  /// @param names  The names, in any order.
+  /// Constructs the points in parallel.
+  /// @param names  The names, ascending, each once.
   NamedPoints(const Soup& soup, std::vector<PointName> names);
 
   [[nodiscard]] std::size_t size() const { return names_.size(); }

@@ -16,4 +16,8 @@ bool may_have_more(const RepairReport& report) {
   });
 }
 
+bool nothing_remains(const RepairReport& report) {
+  return n_remaining(report) == 0 && !may_have_more(report);
+}
+
 }  // namespace meshalyzer

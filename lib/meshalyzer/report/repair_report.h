@@ -69,4 +69,7 @@ struct PatchReport {
 /// Tells whether more of them may remain, because a search ended early.
 [[nodiscard]] bool may_have_more(const RepairReport& report);
 
+/// Tells whether it is certain that none of them remains.
+[[nodiscard]] bool nothing_remains(const RepairReport& report);
+
 }  // namespace meshalyzer

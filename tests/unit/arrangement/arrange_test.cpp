@@ -3,6 +3,7 @@
 #include "meshalyzer/arrangement/clusters.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/self_intersection.h"
 #include "support/arrangement_oracle.h"
@@ -283,6 +284,7 @@ TEST(Clusters, KeepEachSegmentOnce) {
     find_face_contact(copies, simplices[pair.face_a], simplices[pair.face_b], contacts);
   }
   for (const ContactPoint& point : contacts.points) names.push_back(point.point);
+  sort_unique(names);
   const NamedPoints points(copies, std::move(names));
   const std::vector<FaceCluster> clusters = make_clusters(simplices, pairs, contacts, points);
   ASSERT_EQ(clusters.size(), 2U);

@@ -18,8 +18,7 @@ void append_counts(TextLines& lines, const DefectReport& report, const DefectCod
     lines.line(defect_name(code), count);
   }
   lines.line("defects", report.total());
-  lines.line("asked for", (report.may_have_more(requested) ? "at least " : "") +
-                              std::to_string(report.count(requested)));
+  lines.count("asked for", report.count(requested), report.may_have_more(requested));
 }
 
 /// Appends the passes that treat the defects found, if there are any.

@@ -76,8 +76,7 @@ void append_counts(TextLines& lines, const RepairReport& report) {
     after += left;
   }
   lines.line("defects", arrow(before, after));
-  lines.line("asked for and left",
-             (may_have_more(report) ? "at least " : "") + std::to_string(n_remaining(report)));
+  lines.count("asked for and left", n_remaining(report), may_have_more(report));
   for (const CountRise& rise : report.result.rises) {
     std::string text(name_of(rise.kind));
     text += ' ';
