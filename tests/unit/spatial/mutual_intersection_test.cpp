@@ -56,6 +56,7 @@ Pairs brute_force(const Soup& a, const Soup& b,
       }
       const Corners p = corners_of(a, f);
       const Corners q = corners_of(b, g);
+      if (test::are_boxes_apart(p, q)) continue;
       if (const auto kind = judge(p, q, Common::Nothing)) {
         const bool same = std::is_permutation(p.begin(), p.end(), q.begin());
         pairs.push_back({f, g, same ? ContactKind::Duplicate : *kind});

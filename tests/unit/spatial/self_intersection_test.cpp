@@ -66,11 +66,13 @@ Aligned aligned(const Triangle& p, const Triangle& q,
   return best;
 }
 
+Corners corners_of(const Soup& soup, const Triangle& t) {
+  return {soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]};
+}
+
 std::optional<ContactKind> oracle(const Soup& soup, const Aligned& pair) {
-  const auto corners = [&](const Triangle& t) {
-    return Corners{soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]};
-  };
-  return test::oracle_contact(corners(pair.p), corners(pair.q), static_cast<Common>(pair.n_common));
+  return test::oracle_contact(corners_of(soup, pair.p), corners_of(soup, pair.q),
+                              static_cast<Common>(pair.n_common));
 }
 
 /// All pairs, straight from "Intersecting faces" in doc/definitions.md, evaluated over the
@@ -79,18 +81,19 @@ Pairs brute_force(const Soup& soup) {
   Pairs pairs;
   for (Index f = 0; f < soup.n_faces(); ++f) {
     for (Index g = f + 1; g < soup.n_faces(); ++g) {
-      if (!is_in_complex(soup.triangles[f]) || !is_in_complex(soup.triangles[g])) {
+      const Triangle& p = soup.triangles[f];
+      const Triangle& q = soup.triangles[g];
+      if (!is_in_complex(p) || !is_in_complex(q) ||
+          test::are_boxes_apart(corners_of(soup, p), corners_of(soup, q))) {
         continue;
       }
-      const Aligned by_id =
-          aligned(soup.triangles[f], soup.triangles[g], [](Index a, Index b) { return a == b; });
+      const Aligned by_id = aligned(p, q, [](Index a, Index b) { return a == b; });
       const auto kind = oracle(soup, by_id);
       if (!kind) {
         continue;
       }
-      const Aligned by_place = aligned(soup.triangles[f], soup.triangles[g], [&](Index a, Index b) {
-        return soup.positions[a] == soup.positions[b];
-      });
+      const Aligned by_place =
+          aligned(p, q, [&](Index a, Index b) { return soup.positions[a] == soup.positions[b]; });
       const bool unwelded = by_place.n_common > by_id.n_common && !oracle(soup, by_place);
       pairs.push_back({f, g, unwelded ? ContactKind::Unwelded : *kind});
     }
