@@ -135,10 +135,12 @@ def faults_of_json(text, schema):
 
 
 def write_odd_files(folder):
-    """Files whose names and contents are hard to write: not to be read, wrongly named, with signs of XML and of URIs."""
+    """Files whose names and contents are hard to write: not to be read, wrongly named, with signs of XML and of URIs, with the
+    end of a line."""
     (folder / "no mesh <&>.obj").write_text("hello\n")
     (folder / "wrong ending.stl").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
     (folder / "100% \"ü\".off").write_text("OFF\n1 0 0\n0 0 0\n")
+    (folder / "two\nlines\tof.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
     (folder / "damaged.ply.gz").write_bytes(b"\x1f\x8b\x08\x00")
 
 
@@ -158,7 +160,8 @@ def main(program, meshes, schema_path):
 
         sarif = report("sarif")
         faults += [f"sarif: {fault}" for fault in faults_of_sarif(sarif)]
-        faults += [f"junit: {fault}" for fault in faults_of_junit(report("junit"))]
+        junit = report("junit")
+        faults += [f"junit: {fault}" for fault in faults_of_junit(junit)]
         schema = json.loads(pathlib.Path(schema_path).read_text())
         text = report("json")
         faults += [f"json: {fault}" for fault in faults_of_json(text, schema)]
@@ -167,6 +170,9 @@ def main(program, meshes, schema_path):
             full = json.loads(pathlib.Path(os.environ["SARIF_SCHEMA"]).read_text())
             faults += [f"sarif: {fault.message}" for fault in jsonschema.Draft7Validator(full).iter_errors(json.loads(sarif))]
         meshes_told = json.loads(text)["meshes"]
+        cases = xml.etree.ElementTree.fromstring(junit.encode()).iter("testcase")
+        if [case.get("name") for case in cases] != [mesh["path"] for mesh in meshes_told]:
+            faults.append("junit: the cases do not have the names of the files")
     unreadable = sum(mesh["error"] is not None for mesh in meshes_told)
     named = sum("named_format" in mesh for mesh in meshes_told)
     print("\n".join(faults) or f"{len(meshes_told)} files, {unreadable} unreadable, {named} wrongly named: all as asked for")

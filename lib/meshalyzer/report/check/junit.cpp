@@ -16,6 +16,20 @@ std::string escaped(std::string_view text) {
   return xml;
 }
 
+/// Returns a text for the value of an attribute; readers of XML make spaces of line ends and
+/// tabulators that are written as such.
+std::string escaped_value(std::string_view text) {
+  std::string value;
+  for (const char c : escaped(text)) {
+    if (c == '\n' || c == '\t') {
+      value += c == '\n' ? "&#10;" : "&#9;";
+    } else {
+      value += c;
+    }
+  }
+  return value;
+}
+
 /// Returns a summary such as "self-intersection: at least 85, hole: 2".
 std::string summary_of(const FileFindings& file) {
   std::string text;
@@ -46,7 +60,7 @@ class CheckJunit : public CheckReport {
 
 void CheckJunit::add(const FileFindings& file) {
   cases_ += fmt::format("    <testcase classname=\"meshalyzer.check\" name=\"{}\" time=\"0\"",
-                        escaped(file.path));
+                        escaped_value(file.path));
   const std::string note = note_of(file);
   const std::string output =
       note.empty() ? "" : fmt::format("      <system-out>{}</system-out>\n", escaped(note));
@@ -55,10 +69,11 @@ void CheckJunit::add(const FileFindings& file) {
     return;
   }
   const std::string_view tag = file.is_readable() ? "failure" : "error";
-  cases_ += fmt::format(
-      ">\n      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n{4}    </testcase>\n", tag,
-      file.is_readable() ? "not good" : kUnreadable,
-      escaped(file.is_readable() ? summary_of(file) : file.error), escaped(lines_of(file)), output);
+  cases_ +=
+      fmt::format(">\n      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n{4}    </testcase>\n", tag,
+                  file.is_readable() ? "not good" : kUnreadable,
+                  escaped_value(file.is_readable() ? summary_of(file) : file.error),
+                  escaped(lines_of(file)), output);
 }
 
 void CheckJunit::finish(const CheckTotals& totals, std::chrono::duration<double> /*elapsed*/) {
