@@ -5,6 +5,7 @@
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/repair/driver/internal/changed_faces.h"
+#include "meshalyzer/repair/driver/internal/covered_segments.h"
 #include "meshalyzer/repair/driver/internal/face_cover.h"
 #include "meshalyzer/repair/driver/internal/face_distance.h"
 #include "meshalyzer/repair/driver/internal/searched_surface.h"
@@ -371,6 +372,7 @@ ChangedFaces DeviationMeter::find_measured_faces(const Repaired& repaired) const
     return std::binary_search(repaired.lost.begin(), repaired.lost.end(), face.face);
   });
   drop_walls(input_, repaired.walls, changed.of_input);
+  drop_covered_segments(input_, changed.of_input);
   return changed;
 }
 
