@@ -89,13 +89,4 @@ std::optional<ContactKind> oracle_contact(const Corners& p, const Corners& q, Co
                                                                : ContactKind::Touching;
 }
 
-bool are_boxes_apart(const Corners& p, const Corners& q) {
-  const auto box_of = [](const Corners& corners) {
-    Box3 box;
-    for (const Vec3& corner : corners) box.extend(corner);
-    return box;
-  };
-  return !box_of(p).intersects(box_of(q));
-}
-
 }  // namespace meshalyzer::test

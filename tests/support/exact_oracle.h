@@ -13,8 +13,4 @@ namespace meshalyzer::test {
 [[nodiscard]] std::optional<ContactKind> oracle_contact(const Corners& p, const Corners& q,
                                                         Common common);
 
-/// Tells whether the boxes of two triangles, with sides along the axes, have no point in common.
-/// Then the triangles have none, and a brute force over all pairs need not construct it.
-[[nodiscard]] bool are_boxes_apart(const Corners& p, const Corners& q);
-
 }  // namespace meshalyzer::test

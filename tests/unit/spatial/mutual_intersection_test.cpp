@@ -1,6 +1,7 @@
 #include "meshalyzer/spatial/mutual_intersection.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/spatial/triangle_contact.h"
@@ -56,7 +57,7 @@ Pairs brute_force(const Soup& a, const Soup& b,
       }
       const Corners p = corners_of(a, f);
       const Corners q = corners_of(b, g);
-      if (test::are_boxes_apart(p, q)) continue;
+      if (!box_of(p).intersects(box_of(q))) continue;
       if (const auto kind = judge(p, q, Common::Nothing)) {
         const bool same = std::is_permutation(p.begin(), p.end(), q.begin());
         pairs.push_back({f, g, same ? ContactKind::Duplicate : *kind});

@@ -1,6 +1,7 @@
 #include "meshalyzer/spatial/self_intersection.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/face_groups.h"
 #include "meshalyzer/spatial/pair_collector.h"
@@ -84,7 +85,7 @@ Pairs brute_force(const Soup& soup) {
       const Triangle& p = soup.triangles[f];
       const Triangle& q = soup.triangles[g];
       if (!is_in_complex(p) || !is_in_complex(q) ||
-          test::are_boxes_apart(corners_of(soup, p), corners_of(soup, q))) {
+          !box_of(corners_of(soup, p)).intersects(box_of(corners_of(soup, q)))) {
         continue;
       }
       const Aligned by_id = aligned(p, q, [](Index a, Index b) { return a == b; });
