@@ -67,13 +67,11 @@ Aligned aligned(const Triangle& p, const Triangle& q,
   return best;
 }
 
-Corners corners_of(const Soup& soup, const Triangle& t) {
-  return {soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]};
-}
-
 std::optional<ContactKind> oracle(const Soup& soup, const Aligned& pair) {
-  return test::oracle_contact(corners_of(soup, pair.p), corners_of(soup, pair.q),
-                              static_cast<Common>(pair.n_common));
+  const auto corners = [&](const Triangle& t) {
+    return Corners{soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]};
+  };
+  return test::oracle_contact(corners(pair.p), corners(pair.q), static_cast<Common>(pair.n_common));
 }
 
 /// All pairs, straight from "Intersecting faces" in doc/definitions.md, evaluated over the
@@ -85,7 +83,7 @@ Pairs brute_force(const Soup& soup) {
       const Triangle& p = soup.triangles[f];
       const Triangle& q = soup.triangles[g];
       if (!is_in_complex(p) || !is_in_complex(q) ||
-          !box_of(corners_of(soup, p)).intersects(box_of(corners_of(soup, q)))) {
+          !box_of(corners_of(soup, f)).intersects(box_of(corners_of(soup, g)))) {
         continue;
       }
       const Aligned by_id = aligned(p, q, [](Index a, Index b) { return a == b; });

@@ -1,8 +1,6 @@
 #include "meshalyzer/repair/driver/internal/covered_segments.h"
 
 #include "meshalyzer/arrangement/face_simplex.h"
-#include "meshalyzer/base/corners.h"
-#include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/mesh/edge_key.h"
 
 #include <algorithm>
@@ -36,8 +34,6 @@ std::vector<CollinearFace> find_collinear_faces(const Soup& soup,
                                                 const std::vector<ChangedFace>& faces) {
   std::vector<CollinearFace> found;
   for (const ChangedFace& changed : faces) {
-    const Corners t = corners_of(soup, changed.face);
-    if (!are_collinear(t[0], t[1], t[2])) continue;
     const FaceSimplex simplex = face_simplex(soup, changed.face);
     if (simplex.dimension != 1) continue;
     found.push_back({changed.face, edge_key(simplex.ends[0], simplex.ends[1]), simplex.ends});
