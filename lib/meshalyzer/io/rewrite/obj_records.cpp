@@ -3,9 +3,21 @@
 #include "meshalyzer/io/text_scanner.h"
 
 #include <algorithm>
+#include <array>
 
 namespace meshalyzer {
 namespace {
+
+/// The keyword of statements that name vertices, and the number of words before the first one.
+struct NamingKeyword {
+  std::string_view word;
+  std::size_t n_before;
+};
+
+constexpr std::array<NamingKeyword, 8> kNamingKeywords = {
+    {{"l", 1}, {"p", 1}, {"curv", 3}, {"surf", 5}, {"bsp", 1}, {"bzp", 1}, {"cdc", 1}, {"cdp", 1}}};
+constexpr std::array<std::string_view, 6> kBodyKeywords = {"parm", "trim", "hole",
+                                                           "scrv", "sp",   "end"};
 
 class ObjRecordFinder {
  public:
@@ -34,15 +46,33 @@ class ObjRecordFinder {
       records_.texture_points.push_back(begin);
     } else if (keyword == "vn") {
       records_.normals.push_back(begin);
-    } else if (keyword == "l" || keyword == "p") {
-      records_.lines_and_points.push_back(begin);
-    } else if (keyword != "vp") {
+    } else if (keyword != "vp" && keyword != "l" && keyword != "p") {
       // Materials, groups and similar statements apply to the faces after them.
       end_run();
     }
+    note_naming(keyword, begin);
     if (keyword == "g" || keyword == "o") {
       // In a name, # does not begin a comment.
       static_cast<void>(in_.rest_of_record());
+    }
+  }
+
+  /// Notes statements that name vertices or surfaces, and the bodies of curves and surfaces.
+  void note_naming(std::string_view keyword, std::size_t begin) {
+    const bool continues_body = is_in_body_ && std::find(kBodyKeywords.begin(), kBodyKeywords.end(),
+                                                         keyword) != kBodyKeywords.end();
+    if (continues_body) records_.naming.back().body.push_back(begin);
+    is_in_body_ = (continues_body && keyword != "end") || keyword == "curv" || keyword == "surf";
+    if (keyword == "con") records_.connections.push_back(begin);
+    for (const NamingKeyword& known : kNamingKeywords) {
+      if (keyword == known.word) {
+        const bool is_line = keyword == "l" || keyword == "p";
+        records_.naming.push_back(
+            {begin,
+             known.n_before,
+             is_line ? AttributeKind::LinesAndPoints : AttributeKind::OtherStatements,
+             {}});
+      }
     }
   }
 
@@ -64,6 +94,7 @@ class ObjRecordFinder {
   std::string_view text_;
   TextScanner in_;
   ObjRecords records_;
+  bool is_in_body_ = false;
 };
 
 std::size_t count_before(const std::vector<std::size_t>& begins, std::size_t statement) {

@@ -52,9 +52,7 @@ class ObjRewriter {
     for (Index r = 0; r < plan_.changes.size(); ++r) {
       edit_face(r);
     }
-    for (const std::size_t statement : records_.lines_and_points) {
-      edit_line_or_point(statement);
-    }
+    edit_naming();
     insert_behind(records_.vertices, added_vertices());
     insert_behind(records_.texture_points, lines_of("vt", attributes_.new_texture_points()));
     insert_behind(records_.normals, lines_of("vn", attributes_.new_normals()));
@@ -291,35 +289,58 @@ class ObjRewriter {
     return counts;
   }
 
-  /// Drops a line that has lost a vertex.
-  void edit_line_or_point(std::size_t statement) {
-    const std::vector<std::string_view> old = words(statement);
-    const ObjCounts counts = records_.counts_before(statement);
-    for (std::size_t i = 1; i < old.size(); ++i) {
-      const std::optional<ObjCorner> named = corner_of(old[i], counts);
-      if (!named || named->vertex >= numbers_.size()) {
-        return;
-      }
-      if (numbers_[named->vertex] == kNoIndex) {
-        edits_.replace_lines(span_of(old), {});
-        edits_.note_loss(AttributeKind::LinesAndPoints, span_of(old));
-        return;
+  /// Moves the numbers of vertices in lines, points, curves and surfaces, and drops those that have
+  /// lost a vertex.
+  void edit_naming() {
+    bool has_lost_surface = false;
+    for (const ObjNaming& statement : records_.naming) {
+      const bool is_kept = rename(statement);
+      if (!is_kept) {
+        drop(statement.begin, statement.kind);
+        for (const std::size_t part : statement.body) drop(part, statement.kind);
+        has_lost_surface = has_lost_surface || words(statement.begin)[0] == "surf";
       }
     }
-    for (std::size_t i = 1; i < old.size(); ++i) {
-      ObjCorner named = *corner_of(old[i], counts);
-      named.vertex = numbers_[named.vertex];
-      edits_.replace(old[i], corner_text(old[i], named, counts));
+    // The numbers of the surfaces behind it are others now.
+    for (std::size_t i = 0; has_lost_surface && i < records_.connections.size(); ++i) {
+      drop(records_.connections[i], AttributeKind::OtherStatements);
     }
   }
 
-  /// Returns the corner of a line or point, or nothing if it is malformed, since the reader skips
-  /// these statements.
+  void drop(std::size_t statement, AttributeKind kind) {
+    const std::vector<std::string_view> all = words(statement);
+    edits_.replace_lines(span_of(all), {});
+    edits_.note_loss(kind, span_of(all));
+  }
+
+  /// Returns false if a vertex that the statement names was dropped.
+  bool rename(const ObjNaming& statement) {
+    const std::vector<std::string_view> old = words(statement.begin);
+    const ObjCounts counts = records_.counts_before(statement.begin);
+    std::vector<ObjCorner> all;
+    for (std::size_t i = statement.n_before; i < old.size(); ++i) {
+      const std::optional<ObjCorner> named = corner_of(old[i], counts);
+      if (!named || named->vertex >= numbers_.size()) {
+        return true;
+      }
+      if (numbers_[named->vertex] == kNoIndex) {
+        return false;
+      }
+      all.push_back({numbers_[named->vertex], named->texture_point, named->normal});
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const std::string_view word = old[statement.n_before + i];
+      edits_.replace(word, corner_text(word, all[i], counts));
+    }
+    return true;
+  }
+
+  /// Returns the corner of a statement other than a face, or nothing if it is malformed, since the
+  /// reader skips these statements.
   [[nodiscard]] static std::optional<ObjCorner> corner_of(std::string_view word,
                                                           const ObjCounts& counts) {
     try {
-      const ObjCorner corner = parse_obj_corner(word, counts, TextScanner(word));
-      return corner.normal == kNoIndex ? std::optional(corner) : std::nullopt;
+      return parse_obj_corner(word, counts, TextScanner(word));
     } catch (const TextFault&) {
       return std::nullopt;
     }

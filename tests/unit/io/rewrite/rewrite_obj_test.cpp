@@ -180,6 +180,31 @@ TEST(RewriteObj, LineThatLosesAVertexIsCountedAsLost) {
   EXPECT_EQ(attribute_text(file.rewritten()->lost[0]), "1 line or point");
 }
 
+TEST(RewriteObj, CurvesAndSurfacesNameTheSameVerticesWhereOneBeforeThemIsDropped) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+  EditedFile file = edited("v 9 9 9\n" + vertices +
+                           "vt 0 0\nvn 0 0 1\nf 2 3 4\ncstype bezier\ndeg 1 1\n"
+                           "curv 0 1 2 -1\nparm u 0 1\nend\nsurf 0 1 0 1 2/1/1 3//1 4/1 -1\n"
+                           "bzp 5 4 3 2\n");
+  file.drop_vertex(0);
+  EXPECT_EQ(file.rewritten_bytes(), vertices +
+                                        "vt 0 0\nvn 0 0 1\nf 1 2 3\ncstype bezier\ndeg 1 1\n"
+                                        "curv 0 1 1 -1\nparm u 0 1\nend\n"
+                                        "surf 0 1 0 1 1/1/1 2//1 3/1 -1\nbzp 4 3 2 1\n");
+  EXPECT_TRUE(file.rewritten()->lost.empty());
+}
+
+TEST(RewriteObj, SurfaceThatLosesAVertexIsLostWithItsBodyAndTheConnections) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const std::string kept = "f 1 2 3\ncurv 0 1 1 2\nparm u 0 1\nend\nsurf 0 1 0 1 1 2 3 1\nend\n";
+  EditedFile file = edited(vertices + "v 9 9 9\n" + kept +
+                           "surf 0 1 0 1 1 2 3 4\nparm u 0 1\ntrim 0 1 1\n\nend\n"
+                           "con 1 0 1 1 2 0 1 1\n");
+  file.drop_vertex(3);
+  EXPECT_EQ(file.rewritten_bytes(), vertices + kept + "\n");
+  EXPECT_EQ(attribute_text(file.rewritten()->lost.at(0)), "5 other statements");
+}
+
 TEST(RewriteObj, IntegersStayInTheWordsOfTheFile) {
   EditedFile file = edited("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf -03/-01 -2/01 03/1\n");
   EXPECT_EQ(file.rewritten_bytes(), file.bytes());
