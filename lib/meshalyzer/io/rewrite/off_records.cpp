@@ -1,8 +1,11 @@
 #include "meshalyzer/io/rewrite/off_records.h"
 
+#include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/text_scanner.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace meshalyzer {
@@ -54,6 +57,16 @@ class OffRecordFinder {
 
 OffRecords find_off_records(std::string_view text, std::size_t n_vertices) {
   return OffRecordFinder(text, n_vertices).find();
+}
+
+bool is_byte_colour(std::span<const std::string_view> colour) {
+  bool is_above_1 = false;
+  for (const std::string_view word : colour) {
+    const std::optional<std::int64_t> number = parse_integer(word);
+    if (!number) return false;
+    is_above_1 = is_above_1 || *number > 1;
+  }
+  return is_above_1;
 }
 
 }  // namespace meshalyzer

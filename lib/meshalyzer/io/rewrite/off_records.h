@@ -4,6 +4,7 @@
 #include "meshalyzer/io/rewrite/face_plan.h"
 
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -24,5 +25,10 @@ struct OffRecords {
 ///
 /// @complexity O(bytes) time.
 [[nodiscard]] OffRecords find_off_records(std::string_view text, std::size_t n_vertices);
+
+/// Tells whether the numbers of a colour can only be bytes: all are whole, and one is above 1.
+/// Colours of whole numbers up to 1 are bytes if another colour of the file is; else they are
+/// intensities, since many programs write 1.0 as 1.
+[[nodiscard]] bool is_byte_colour(std::span<const std::string_view> colour);
 
 }  // namespace meshalyzer

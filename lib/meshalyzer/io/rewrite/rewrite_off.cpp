@@ -9,7 +9,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -79,12 +83,13 @@ class OffRewriter {
     std::string lines;
     const std::vector<Blend> blends = added_vertex_blends(mesh_);
     const std::size_t n_old = mesh_.vertices.size() - blends.size();
+    const bool has_bytes = !blends.empty() && has_byte_colours();
     for (std::size_t i = 0; i < blends.size(); ++i) {
       for (const double number : numbers_of(mesh_.soup, n_old + i)) {
         append_shortest(lines, number);
         lines += ' ';
       }
-      append_extra(lines, blends[i]);
+      append_extra(lines, blends[i], has_bytes);
       lines.pop_back();
       lines += edits_.line_end();
     }
@@ -98,32 +103,43 @@ class OffRewriter {
     return all;
   }
 
+  /// Returns the colour, without the texture coordinates that follow it.
+  [[nodiscard]] std::span<const std::string_view> colour_in(const Words& extra) const {
+    return std::span(extra).first(extra.size() - (records_.layout.texture ? 2 : 0));
+  }
+
+  [[nodiscard]] bool has_byte_colours() const {
+    for (Index v = 0; v < records_.vertices.size(); ++v) {
+      if (is_byte_colour(colour_in(extra_of(v)))) return true;
+    }
+    return false;
+  }
+
   /// Appends what each vertex must have, for one that has nothing of the source: white, and a point
   /// of the texture.
-  void append_required(std::string& line) const {
-    const Words first = records_.vertices.empty() ? Words() : extra_of(0);
-    const bool is_whole = first.empty() || parse_integer(first[0]).has_value();
-    if (records_.layout.colour) line += is_whole ? "255 255 255 255 " : "1.0 1.0 1.0 1.0 ";
+  void append_required(std::string& line, bool has_bytes) const {
+    if (records_.layout.colour) line += has_bytes ? "255 255 255 255 " : "1.0 1.0 1.0 1.0 ";
     if (records_.layout.texture) line += "0 0 ";
   }
 
-  /// Appends colours and texture coordinates, each number followed by a blank. Whole colours stay
+  /// Appends colours and texture coordinates, each number followed by a blank. Means of bytes are
   /// whole.
-  void append_extra(std::string& line, const Blend& blend) const {
+  void append_extra(std::string& line, const Blend& blend, bool has_bytes) const {
     if (blend.is_empty()) {
-      append_required(line);
+      append_required(line, has_bytes);
       return;
     }
     const Words first = extra_of(blend.items[0]);
+    const std::size_t n_colour = colour_in(first).size();
     for (std::size_t i = 0; i < first.size(); ++i) {
       const auto number = [&](Index item) {
         const Words all = extra_of(item);
         return i < all.size() ? parse_real(all[i]).value_or(0.0) : 0.0;
       };
-      const bool is_whole = parse_integer(first[i]).has_value();
+      const bool is_byte = has_bytes && i < n_colour && parse_integer(first[i]).has_value();
       const double mean = blend.mean(number);
       line +=
-          blend.is_single() ? std::string(first[i]) : shortest(is_whole ? std::round(mean) : mean);
+          blend.is_single() ? std::string(first[i]) : shortest(is_byte ? std::round(mean) : mean);
       line += ' ';
     }
   }

@@ -99,6 +99,20 @@ TEST(RewriteAs, ColoursOfFacesGoBetweenPlyAndOff) {
             std::string::npos);
 }
 
+TEST(RewriteAs, IntensitiesThatArePrintedAsWholeNumbersAreNoBytes) {
+  const auto first_colour = [](const std::string& others) {
+    EditedFile file(
+        "COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 " + others + "\n0 1 0 " + others + "\n3 0 1 2 1 0 1\n",
+        "a.off");
+    const std::string bytes = file.rewritten_as(Format::Ply).bytes;
+    const std::size_t begin = bytes.find("\n0 0 0 ") + 7;
+    return bytes.substr(begin, bytes.find('\n', begin) - begin);
+  };
+  EXPECT_EQ(first_colour("0.2 0.4 0 1"), "255 0 0");
+  EXPECT_EQ(first_colour("0 1 1 1"), "255 0 0");
+  EXPECT_EQ(first_colour("0 2 255 255"), "1 0 0 1");
+}
+
 TEST(RewriteAs, ColoursThatAreNoBytesStayWhatTheyAre) {
   EditedFile file("v 0 0 0 0.1 0.5 1\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nf 1 2 3\n", "a.obj");
   EXPECT_NE(file.rewritten_as(Format::Ply).bytes.find("property float red\n"), std::string::npos);

@@ -57,6 +57,25 @@ TEST(RewriteOff, VertexOnAnEdgeHasAMeanColour) {
   EXPECT_NE(file.rewritten_bytes().find("\n0.5 0 0 100 0 0 255\n"), std::string::npos);
 }
 
+TEST(RewriteOff, VertexOnAnEdgeHasMeansOfIntensitiesAndTextureThatArePrintedAsWholeNumbers) {
+  EditedFile file(
+      "STCOFF\n3 1 0\n0 0 0 1 0 0 1 0 0\n1 0 0 0 0 1 1 1 0\n0 1 0 1 0.5 0 1 0 1\n3 0 1 2\n",
+      "a.off");
+  file.add_vertex({0.5, 0, 0});
+  file.add_face({3, 1, 2}, made_of(0));
+  EXPECT_NE(file.rewritten_bytes().find("\n0.5 0 0 0.5 0 0.5 1 0.5 0\n"), std::string::npos)
+      << file.rewritten_bytes();
+}
+
+TEST(RewriteOff, VertexOnAnEdgeHasAMeanTextureBesideBytes) {
+  EditedFile file("STCOFF\n3 1 0\n0 0 0 1 0 0 0 0\n1 0 0 0 0 200 1 0\n0 1 0 1 1 0 0 1\n3 0 1 2\n",
+                  "a.off");
+  file.add_vertex({0.5, 0, 0});
+  file.add_face({3, 1, 2}, made_of(0));
+  EXPECT_NE(file.rewritten_bytes().find("\n0.5 0 0 1 0 100 0.5 0\n"), std::string::npos)
+      << file.rewritten_bytes();
+}
+
 TEST(RewriteOff, VertexOfNothingHasWhatTheKeywordDeclares) {
   const auto added = [](const std::string& keyword, const std::string& extra) {
     const std::string end = extra + "\n";
