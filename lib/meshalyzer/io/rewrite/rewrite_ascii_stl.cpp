@@ -5,10 +5,14 @@
 #include "meshalyzer/io/rewrite/text_lines.h"
 #include "meshalyzer/io/stl.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -75,20 +79,15 @@ class AsciiStlRewriter {
     }
     auto next = plan_.written.begin();
     for (Index r = 0; r < faces.size(); ++r) {
-      std::vector<std::string> added;
+      std::vector<Index> added;
       for (; next != plan_.written.end() && next->record == r; ++next) {
         if (next->face != faces[r]) {
-          added.push_back(facet_like(r, next->face));
+          added.push_back(next->face);
         }
       }
       edit_record(r, faces[r], added);
     }
-    RewrittenFile file;
-    file.bytes = edits_.apply();
-    if (!keeps_order(plan_)) {
-      file.file_faces = plan_.file_faces;
-    }
-    return file;
+    return rewritten_file(edits_, plan_);
   }
 
  private:
@@ -115,23 +114,29 @@ class AsciiStlRewriter {
   }
 
   /// @param face   The current face of the facet; kNoIndex if it is dropped.
-  /// @param added  The facets that follow it, or replace it.
-  void edit_record(Index record, Index face, const std::vector<std::string>& added) {
+  /// @param added  The faces that follow it, or replace it.
+  void edit_record(Index record, Index face, const std::vector<Index>& added) {
+    const std::size_t begin = records_.facets[record];
+    const std::size_t end = end_of(words(record));
     if (face == kNoIndex && added.empty()) {
-      const std::size_t begin = records_.facets[record];
-      edits_.erase_with_lines(edits_.source().substr(begin, end_of(words(record)) - begin));
+      edits_.erase_with_lines(edits_.source().substr(begin, end - begin));
       return;
     }
+    // The comments in a facet stay in the first of those that are made of it.
+    const bool keeps_comments =
+        face == kNoIndex && mesh_.faces[added.front()].relation == ElementOrigin::Relation::MadeOf;
     std::string behind;
-    for (const std::string& facet : added) {
+    for (const Index f : added) {
       behind += edits_.line_end();
       behind += indentation(record);
-      behind += facet;
+      behind += facet_like(record, f, keeps_comments && f == added.front());
     }
-    const std::size_t end = end_of(words(record));
     if (face == kNoIndex) {
       const std::size_t blanks = edits_.line_end().size() + indentation(record).size();
-      edits_.replace(records_.facets[record], end, behind.substr(blanks));
+      if (!keeps_comments) {
+        edits_.note_lost_comments(edits_.source().substr(begin, end - begin));
+      }
+      edits_.replace(begin, end, behind.substr(blanks));
       return;
     }
     edits_.insert(end, std::move(behind));
@@ -155,19 +160,35 @@ class AsciiStlRewriter {
   }
 
   /// Returns the text of a facet with the numbers of another face.
-  [[nodiscard]] std::string facet_like(Index record, Index face) const {
-    const std::string_view text = edits_.source();
+  [[nodiscard]] std::string facet_like(Index record, Index face, bool with_comments) const {
     const FacetWords model = words(record);
     const std::vector<std::string> numbers = numbers_of(face);
-    std::string facet;
-    std::size_t copied = records_.facets[record];
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const std::string_view old = model[kNumberWords[i]];
-      facet += text.substr(copied, edits_.offset_of(old) - copied);
-      facet += numbers[i];
-      copied = edits_.offset_of(old) + old.size();
+    std::string facet(model.front());
+    auto number = numbers.begin();
+    for (std::size_t i = 1; i < model.size(); ++i) {
+      facet += between(model[i - 1], model[i], with_comments);
+      const bool is_number =
+          std::find(kNumberWords.begin(), kNumberWords.end(), i) != kNumberWords.end();
+      facet += is_number ? std::string_view(*number++) : model[i];
     }
-    return facet += text.substr(copied, end_of(model) - copied);
+    return facet;
+  }
+
+  /// Returns what stands between two words.
+  [[nodiscard]] std::string between(std::string_view word, std::string_view next,
+                                    bool with_comments) const {
+    const std::size_t begin = edits_.offset_of(word) + word.size();
+    std::string text(edits_.source().substr(begin, edits_.offset_of(next) - begin));
+    if (with_comments) {
+      return text;
+    }
+    for (std::size_t mark = text.find('#'); mark != std::string::npos; mark = text.find('#')) {
+      std::size_t end = text.find('\n', mark);
+      end -= text[end - 1] == '\r' ? 1 : 0;
+      const std::size_t first = text.find_last_not_of(" \t", mark - 1) + 1;
+      text.erase(first, end - first);
+    }
+    return text;
   }
 
   const EditedMesh& mesh_;

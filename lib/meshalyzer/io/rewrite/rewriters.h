@@ -31,7 +31,7 @@ namespace meshalyzer {
 
 /// Applies edits to an ASCII STL file: solids, their names, and facets that no edit touches stay
 /// the same. Other facets are formatted like the one from which they were made, or beside which
-/// they lie; their normals are computed from their corners.
+/// they lie, without its comments; their normals are computed from their corners.
 [[nodiscard]] RewrittenFile rewrite_ascii_stl(const EditedMesh& mesh, std::string_view text);
 
 /// Applies edits to a binary STL file: the header stays, and so does the attribute word of a facet;

@@ -73,7 +73,15 @@ void LineEdits::replace_integer(std::string_view part, std::int64_t number) {
   }
 }
 
+void LineEdits::note_lost_comments(std::string_view part) {
+  for (std::size_t mark = part.find('#'); mark != std::string_view::npos;
+       mark = part.find('#', std::min(part.find('\n', mark), part.size()))) {
+    note_loss(AttributeKind::Comments, part.substr(mark));
+  }
+}
+
 void LineEdits::erase_with_lines(std::string_view part) {
+  note_lost_comments(part);
   constexpr std::string_view kBlanks = " \t\r";
   std::size_t begin = offset_of(part);
   std::size_t end = begin + part.size();

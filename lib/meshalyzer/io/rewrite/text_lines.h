@@ -34,7 +34,9 @@ class LineEdits : public ByteEdits {
   void insert_lines_behind(std::string_view record, std::string lines);
   /// Replaces an integer, unless it already has that value in any notation.
   void replace_integer(std::string_view part, std::int64_t number);
-  /// Drops a part of the text, and its lines if they hold nothing else.
+  /// Records that the comments in a part of the text are lost.
+  void note_lost_comments(std::string_view part);
+  /// Drops a part of the text, and its lines if they hold nothing else. Comments in it are lost.
   void erase_with_lines(std::string_view part);
 
  private:

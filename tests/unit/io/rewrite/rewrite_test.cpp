@@ -221,6 +221,12 @@ TEST(RewriteInria, RecordThatNamesADroppedVertexIsLost) {
   EXPECT_EQ(attribute_text(file.rewritten()->lost.at(0)), "1 other record");
 }
 
+TEST(RewriteInria, CommentInADroppedRecordIsCountedAsLost) {
+  EditedFile file(with(medit(), "9 9 9 5\n", "9 9 # far away\n9 5\n"), "a.mesh");
+  file.drop_vertex(4);
+  EXPECT_EQ(attribute_text(file.rewritten()->lost.at(1)), "1 comment");
+}
+
 TEST(RewriteStl, FacetsStayInTheirSolids) {
   const std::string facet =
       " facet normal 0 0 1\n  outer loop\n   vertex 0.0 0 0\n   vertex 1 0 0\n   vertex 0 1 0\n"
@@ -236,6 +242,43 @@ TEST(RewriteStl, FacetsStayInTheirSolids) {
             with(text, "endsolid a", with(added, "0.0 0 0", "0 0 0") + "endsolid a"));
   file.drop_face(0);
   EXPECT_EQ(file.read_back().n_faces(), 2u);
+}
+
+/// Two facets with comments in them and behind them.
+std::string commented_stl() {
+  const std::string first =
+      "facet normal 0 0 1 # a\r\nouter loop\r\n# b\r\nvertex 0 0 0\r\nvertex 1 0 0\r\n"
+      "vertex 0 1 0\r\nendloop\r\nendfacet # c\r\n";
+  return "solid s\r\n" + first + with(with(first, "# a", "# d"), "0 1 0", "0 -1 0") +
+         "endsolid\r\n";
+}
+
+TEST(RewriteStl, CommentsInADroppedFacetAreCountedAsLost) {
+  EditedFile file(commented_stl(), "a.stl");
+  file.drop_face(0);
+  EXPECT_EQ(attribute_text(file.rewritten()->lost.at(0)), "2 comments");
+  EXPECT_EQ(file.rewritten_bytes().find("# a"), std::string::npos);
+}
+
+TEST(RewriteStl, CommentsOfAFacetAreNotCopied) {
+  EditedFile file(commented_stl(), "a.stl");
+  file.add_face({0, 2, 1}, beside(1));
+  EXPECT_EQ(file.rewritten_bytes(),
+            with(commented_stl(), "endfacet # c\r\nendsolid",
+                 "endfacet\r\nfacet normal 0 0 -1\r\nouter loop\r\n\r\nvertex 0 0 0\r\n"
+                 "vertex 0 1 0\r\nvertex 1 0 0\r\nendloop\r\nendfacet # c\r\nendsolid"));
+}
+
+TEST(RewriteStl, CommentsStayInTheFirstFacetThatIsMadeOfAnother) {
+  EditedFile file(commented_stl(), "a.stl");
+  file.add_vertex({0.5, 0, 0});
+  file.add_face({0, 4, 2}, made_of(0));
+  file.add_face({4, 1, 2}, made_of(0));
+  file.drop_face(0);
+  EXPECT_TRUE(file.rewritten()->lost.empty());
+  const std::string bytes = file.rewritten_bytes();
+  EXPECT_NE(bytes.find("# a"), std::string::npos);
+  EXPECT_EQ(bytes.find("# a"), bytes.rfind("# a"));
 }
 
 TEST(RewriteStl, BinaryKeepsHeaderAndAttributeWords) {
