@@ -12,12 +12,17 @@ SIZES = {"char": "b", "int8": "b", "uchar": "B", "uint8": "B", "short": "h", "in
 TRIANGLE_SECTIONS = {"MeshVersionFormatted", "Dimension", "Vertices", "Triangles", "Quadrilaterals", "End"}
 
 
+def has_comment(line):
+    """Inside a word, # does not begin a comment."""
+    return any(word.startswith("#") for word in line.split())
+
+
 def count_obj(content):
     text = re.sub(r"\\\r?\n", " ", content.decode(errors="replace"))
     counts = collections.Counter()
     names = collections.defaultdict(set)
     for line in text.splitlines():
-        counts["comments"] += "#" in line
+        counts["comments"] += has_comment(line)
         words = line.split("#")[0].split()
         if not words:
             continue
@@ -98,7 +103,7 @@ def count_ply(content):
 
 def count_off(content):
     lines = content.decode(errors="replace").splitlines()
-    counts = collections.Counter(comments=sum("#" in line for line in lines))
+    counts = collections.Counter(comments=sum(map(has_comment, lines)))
     records = [words for words in (line.split("#")[0].split() for line in lines) if words]
     keyword = records.pop(0)[0] if records[0][0].endswith("OFF") else ""
     n_vertices = int(records.pop(0)[0])
@@ -117,14 +122,14 @@ def count_stl(content):
         words = [struct.unpack_from("<H", content, at)[0] for at in range(84 + 48, len(content), 50)]
         return collections.Counter(headers=bool(content[:80].strip(b" \0")), attribute_words=sum(word != 0 for word in words))
     lines = content.decode(errors="replace").splitlines()
-    return collections.Counter(comments=sum("#" in line for line in lines),
+    return collections.Counter(comments=sum(map(has_comment, lines)),
                                groups=sum(len(line.split()) > 1 for line in lines if line.lower().split()[:1] == ["solid"]))
 
 
 def count_inria(content):
     text = content.decode(errors="replace")
     text = text[:re.search(r"^\s*End\s*$|\Z", text, re.MULTILINE).start()]
-    counts = collections.Counter(comments=text.count("#"))
+    counts = collections.Counter(comments=sum(map(has_comment, text.splitlines())))
     words = iter(re.sub("#.*", "", text).split())
     sizes = {"Vertices": 4, "Triangles": 4, "Quadrilaterals": 5, "Edges": 3, "Corners": 1, "Ridges": 1, "RequiredTriangles": 1}
     for section in words:
@@ -140,5 +145,5 @@ def count_inria(content):
 def count_records(name, content):
     ending = name.rsplit(".", 1)[-1].lower()
     if ending == "mesh" and content.split()[:1] != [b"MeshVersionFormatted"]:
-        return collections.Counter(comments=sum(b"#" in line for line in content.splitlines()))
+        return collections.Counter(comments=sum(map(has_comment, content.decode(errors="replace").splitlines())))
     return {"obj": count_obj, "ply": count_ply, "off": count_off, "stl": count_stl, "mesh": count_inria}[ending](content)

@@ -15,17 +15,22 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
 
 using Counts = std::vector<AttributeCount>;
 
-std::size_t count_lines_with(std::string_view text, char mark) {
+/// Counts the lines with a comment; inside a word, `#` does not begin one.
+std::size_t count_comments(std::string_view text) {
+  constexpr std::string_view kBefore = " \t\r\n";
   std::size_t n = 0;
-  for (std::size_t at = text.find(mark); at != std::string_view::npos; at = text.find(mark, at)) {
-    ++n;
-    at = std::min(text.find('\n', at), text.size());
+  for (std::size_t at = text.find('#'); at != std::string_view::npos; at = text.find('#', at)) {
+    const bool begins = at == 0 || kBefore.find(text[at - 1]) != std::string_view::npos;
+    n += begins ? 1 : 0;
+    at = begins ? std::min(text.find('\n', at), text.size()) : at + 1;
   }
   return n;
 }
@@ -53,6 +58,7 @@ class ObjCounter {
             {AttributeKind::Materials, materials_.size()},
             {AttributeKind::Groups, groups_.size()},
             {AttributeKind::SmoothingGroups, smoothing_groups_.size()},
+            {AttributeKind::VertexProperties, has_weights_ ? 1U : 0U},
             {AttributeKind::LinesAndPoints, n_lines_},
             {AttributeKind::OtherStatements, n_others_}};
   }
@@ -60,7 +66,7 @@ class ObjCounter {
  private:
   void count_statement(std::string_view keyword) {
     if (keyword == "v") {
-      n_colours_ += count_words(in_) >= 6 ? 1 : 0;
+      count_vertex();
     } else if (keyword == "vt") {
       ++n_texture_points_;
     } else if (keyword == "usemtl") {
@@ -76,7 +82,17 @@ class ObjCounter {
     }
   }
 
+  /// Counts the colour of a vertex, and notes a weight, which is 1 where there is none.
+  void count_vertex() {
+    std::vector<std::string_view> words;
+    while (!in_.at_record_end()) words.push_back(in_.word());
+    n_colours_ += words.size() >= 6 ? 1 : 0;
+    const bool has_weight = words.size() == 4 || words.size() == 7;
+    has_weights_ = has_weights_ || (has_weight && parse_real(words[3]) != 1.0);
+  }
+
   TextScanner in_;
+  bool has_weights_ = false;
   std::size_t n_texture_points_ = 0;
   std::size_t n_colours_ = 0;
   std::size_t n_lines_ = 0;
@@ -86,7 +102,16 @@ class ObjCounter {
   std::set<std::string> smoothing_groups_;
 };
 
-constexpr std::array<std::string_view, 6> kPlyRead = {"x", "y", "z", "nx", "ny", "nz"};
+/// Tells whether the reader takes a number of a vertex: a position, or a normal that is whole.
+bool is_read_of_vertex(const PlyElement& element, const PlyProperty& property) {
+  constexpr std::array<std::string_view, 3> kPosition = {"x", "y", "z"};
+  constexpr std::array<std::string_view, 3> kNormal = {"nx", "ny", "nz"};
+  const auto n_of_normal = std::count_if(
+      element.properties.begin(), element.properties.end(),
+      [&](const PlyProperty& p) { return is_one_of(p.name, kNormal) && !p.list_size_type; });
+  return is_one_of(property.name, kPosition) ||
+         (is_one_of(property.name, kNormal) && n_of_normal == 3);
+}
 
 Counts count_ply_element(const PlyElement& element) {
   const bool is_vertex = element.name == "vertex";
@@ -94,7 +119,8 @@ Counts count_ply_element(const PlyElement& element) {
   bool has_colour = false;
   bool has_texture = false;
   for (const PlyProperty& property : element.properties) {
-    const bool is_read = is_vertex ? is_one_of(property.name, kPlyRead) : is_corner_list(property);
+    const bool is_read =
+        is_vertex ? is_read_of_vertex(element, property) : is_corner_list(property);
     if (is_ply_colour(property.name)) {
       has_colour = true;
     } else if (is_ply_texture(property.name)) {
@@ -113,10 +139,10 @@ Counts count_ply(std::string_view content) {
   const PlyHeader header = parse_ply_header(content);
   Counts counts;
   for (const PlyElement& element : header.elements) {
-    if (element.name == "vertex" || element.name == "face") {
+    if (element.name == "vertex" || has_corners(element)) {
       const Counts of_element = count_ply_element(element);
       counts.insert(counts.end(), of_element.begin(), of_element.end());
-    } else if (element.name != "tristrips") {
+    } else {
       counts.push_back({AttributeKind::OtherRecords, element.count});
     }
   }
@@ -202,9 +228,18 @@ Counts count_ascii_stl(std::string_view text) {
   return {{AttributeKind::Groups, n_names}};
 }
 
-/// Counts the references of records in INRIA's format, and the records of sections that do not
+/// Tells whether a statement of INRIA's format has numbers or a name behind it, but no count.
+bool is_single_statement(std::string_view keyword) {
+  constexpr std::array<std::string_view, 4> kStatements = {"AngleOfCornerBound", "BoundingBox",
+                                                           "Geometry", "Identifier"};
+  return is_one_of(keyword, kStatements);
+}
+
+/// Counts the references of records in INRIA's format, and the statements and records that do not
 /// concern triangles.
 Counts count_inria(std::string_view text) {
+  constexpr std::array<std::string_view, 5> kRead = {"MeshVersionFormatted", "Dimension",
+                                                     "Vertices", "Triangles", "Quadrilaterals"};
   TextScanner in(text);
   Counts counts;
   std::string section;
@@ -213,11 +248,13 @@ Counts count_inria(std::string_view text) {
     const std::string_view word = in.word();
     const bool is_keyword =
         (word[0] >= 'A' && word[0] <= 'Z') || (word[0] >= 'a' && word[0] <= 'z');
+    if (word == "End") break;
     if (is_keyword) {
       section = std::string(word);
       n_numbers = 0;
-    } else if (++n_numbers == 1 && section != "MeshVersionFormatted" && section != "Dimension" &&
-               section != "Vertices" && section != "Triangles" && section != "Quadrilaterals") {
+      if (word == "Geometry" || word == "Identifier") in.skip_record();
+      counts.push_back({AttributeKind::OtherRecords, is_single_statement(word) ? 1U : 0U});
+    } else if (++n_numbers == 1 && !is_one_of(section, kRead) && !is_single_statement(section)) {
       // The first number is the count of a section.
       counts.push_back(
           {AttributeKind::OtherRecords,
@@ -257,7 +294,7 @@ std::vector<AttributeCount> count_attributes(const Soup& soup, std::string_view 
   counts.push_back({AttributeKind::Polygons, soup.n_polygons});
   counts.push_back({AttributeKind::Normals, soup.normals.size()});
   if (soup.format != Format::Ply && !is_binary(bytes, soup.format)) {
-    counts.push_back({AttributeKind::Comments, count_lines_with(bytes, '#')});
+    counts.push_back({AttributeKind::Comments, count_comments(bytes)});
   }
   return summed(std::move(counts));
 }

@@ -36,6 +36,31 @@ TEST(CountAttributes, PlyCountsPropertiesAndOtherElements) {
             "3 texture coordinates, 3 vertex colours, 1 face property, 2 other records, 1 comment");
 }
 
+TEST(CountAttributes, ObjCountsWeightsThatAreNot1AsAProperty) {
+  const std::string rest = "v 1 0 0 1 0 0 0\nv 0 1 0 1.0\nf 1 2 3\n";
+  EXPECT_EQ(counted("v 0 0 0 0.5\n" + rest, "a.obj"), "1 vertex colour, 1 vertex property");
+  EXPECT_EQ(counted("v 0 0 0 1\n" + rest, "a.obj"), "1 vertex colour");
+}
+
+TEST(CountAttributes, MarkOfACommentInsideANameBeginsNone) {
+  EXPECT_EQ(counted("v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a#1\ng b#2 # c\nf 1 2 3\n#\n", "a.obj"),
+            "1 material, 1 group, 2 comments");
+  EXPECT_EQ(counted("solid part#3\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0\n"
+                    "vertex 0 1 0 endloop endfacet\nendsolid part#3\n",
+                    "a.stl"),
+            "1 group");
+}
+
+TEST(CountAttributes, PlyCountsPartsOfNormalsAndPropertiesOfStrips) {
+  EXPECT_EQ(counted("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                    "property float y\nproperty float z\nproperty float nx\nproperty float ny\n"
+                    "element tristrips 1\nproperty list int int vertex_indices\n"
+                    "property int label\nend_header\n0 0 0 1 0\n1 0 0 1 0\n0 1 0 1 0\n"
+                    "3 0 1 2 9\n",
+                    "a.ply"),
+            "2 vertex properties, 1 face property");
+}
+
 TEST(CountAttributes, OffCountsRecordsWithAColour) {
   EXPECT_EQ(
       counted("OFF\n4 2 0\n0 0 0 1 1 1\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2 255 0 0\n3 1 3 2\n", "a.off"),
@@ -47,6 +72,14 @@ TEST(CountAttributes, InriaCountsReferencesAndOtherSections) {
                     "Triangles 1\n1 2 3 8\nEdges 1\n1 2 0\nEnd\n",
                     "a.mesh"),
             "2 references, 1 other record");
+}
+
+TEST(CountAttributes, InriaCountsStatementsWithoutACountOnce) {
+  EXPECT_EQ(counted("MeshVersionFormatted 2\nDimension 3\nAngleOfCornerBound 45\n"
+                    "BoundingBox 100 0 0 1 1 1\nGeometry \"a.geom\"\nVertices 3\n0 0 0 0\n1 0 0 0\n"
+                    "0 1 0 0\nTriangles 1\n1 2 3 0\nEnd\nEdges 7\n",
+                    "a.mesh"),
+            "3 other records");
 }
 
 }  // namespace
