@@ -191,7 +191,8 @@ class PlyRewriter {
   void widen_indices() {
     const PlyProperty& corners = properties(face_)[corners_];
     index_type_ = corners.type;
-    if (!records_.fits(static_cast<double>(mesh_.soup.n_vertices()), index_type_)) {
+    // The largest index is one less than the number of vertices.
+    if (!records_.fits(static_cast<double>(mesh_.soup.n_vertices()) - 1.0, index_type_)) {
       declare(face_, corners, "int");
       index_type_ = PlyType::Int32;
     }

@@ -132,6 +132,15 @@ TEST(RewritePly, IndexTypeGrowsWhereItHasTo) {
             std::string::npos);
 }
 
+TEST(RewritePly, IndexTypeStaysWhereItHoldsTheLargestIndex) {
+  EditedFile file(textured_ply(), "a.ply");
+  constexpr int kByteIndices = 256;
+  for (int i = 4; i < kByteIndices; ++i) file.add_vertex({1.0 * i, 0, 1});
+  file.add_face({0, kByteIndices - 2, kByteIndices - 1}, beside(0));
+  EXPECT_NE(file.rewritten_bytes().find("property list uchar uchar vertex_indices"),
+            std::string::npos);
+}
+
 TEST(RewritePly, RecordThatNamesADroppedVertexIsLost) {
   EditedFile file(textured_ply(), "a.ply");
   file.drop_face(1);
