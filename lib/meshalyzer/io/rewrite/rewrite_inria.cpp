@@ -3,6 +3,7 @@
 #include "meshalyzer/io/rewrite/blend.h"
 #include "meshalyzer/io/rewrite/face_plan.h"
 #include "meshalyzer/io/rewrite/inria_records.h"
+#include "meshalyzer/io/rewrite/merged_vertices.h"
 #include "meshalyzer/io/rewrite/rewriters.h"
 #include "meshalyzer/io/rewrite/text_lines.h"
 
@@ -42,9 +43,11 @@ class InriaRewriter {
   }
 
   RewrittenFile rewrite() {
+    std::size_t n_merged = 0;
     for (const Section& section : records_.sections) {
       if (section.keyword == "Vertices") {
         edit_vertices(section);
+        n_merged += count_merged(section);
       }
     }
     edit_faces();
@@ -55,7 +58,8 @@ class InriaRewriter {
     RewrittenFile file;
     file.bytes = edits_.apply();
     file.file_faces = file_faces();
-    file.lost = {{AttributeKind::Polygons, plan_.n_split_polygons}};
+    file.lost = {{AttributeKind::Polygons, plan_.n_split_polygons},
+                 {AttributeKind::References, n_merged}};
     file.lost_records = edits_.lost();
     return file;
   }
@@ -109,6 +113,19 @@ class InriaRewriter {
     if (!section.records.empty()) {
       append(section.records.back(), std::move(added));
     }
+  }
+
+  /// Counts the references of vertices that were merged into others.
+  [[nodiscard]] std::size_t count_merged(const Section& section) const {
+    std::size_t n = 0;
+    for (const MergedVertex& merged : merged_vertices(mesh_)) {
+      const auto reference = [&](Index record) {
+        return parse_integer(inria_numbers(section.records[record]).back());
+      };
+      const auto gone = reference(merged.gone);
+      n += gone != 0 && gone != reference(merged.kept) ? 1 : 0;
+    }
+    return n;
   }
 
   void edit_faces() {

@@ -1,6 +1,7 @@
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/rewrite/blend.h"
+#include "meshalyzer/io/rewrite/merged_vertices.h"
 #include "meshalyzer/io/rewrite/obj_attributes.h"
 #include "meshalyzer/io/rewrite/rewriters.h"
 #include "meshalyzer/io/rewrite/text_lines.h"
@@ -8,7 +9,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -56,7 +61,9 @@ class ObjRewriter {
     insert_behind(records_.vertices, added_vertices());
     insert_behind(records_.texture_points, lines_of("vt", attributes_.new_texture_points()));
     insert_behind(records_.normals, lines_of("vn", attributes_.new_normals()));
-    return rewritten_file(edits_, plan_);
+    RewrittenFile file = rewritten_file(edits_, plan_);
+    note_merged(file.lost);
+    return file;
   }
 
  private:
@@ -97,17 +104,40 @@ class ObjRewriter {
     return lines;
   }
 
+  /// Returns the numbers after a position: weight, colour, both, or none.
+  [[nodiscard]] std::vector<std::string_view> extra(Index vertex) const {
+    std::vector<std::string_view> all = words(records_.vertices[vertex]);
+    all.erase(all.begin(), all.begin() + 4);
+    return all;
+  }
+
+  /// Counts what vertices had that were merged into others.
+  void note_merged(std::vector<AttributeCount>& lost) const {
+    bool has_lost_weight = false;
+    for (const MergedVertex& merged : merged_vertices(mesh_)) {
+      const std::vector<std::string_view> before = extra(merged.gone);
+      const std::vector<std::string_view> after = extra(merged.kept);
+      const std::size_t n_before = before.size() < 3 ? 0 : 3;
+      const std::size_t n_after = after.size() < 3 ? 0 : 3;
+      if (are_lost_in(std::span(before).last(n_before), std::span(after).last(n_after))) {
+        lost.push_back({AttributeKind::VertexColours, 1});
+      }
+      has_lost_weight = has_lost_weight || weight_of(before) != weight_of(after);
+    }
+    lost.push_back({AttributeKind::VertexProperties, has_lost_weight ? 1U : 0U});
+  }
+
+  /// Returns the weight among the numbers after a position, which is 1 if there is none.
+  [[nodiscard]] static double weight_of(const std::vector<std::string_view>& extra) {
+    return extra.size() % 3 == 1 ? parse_real(extra.front()).value_or(1.0) : 1.0;
+  }
+
   /// Appends the numbers after a position: weight and colour, if all vertices of the blend have
   /// them.
   void append_extra(std::string& line, const Blend& blend) const {
     if (blend.is_empty()) {
       return;
     }
-    const auto extra = [&](Index vertex) {
-      std::vector<std::string_view> all = words(records_.vertices[vertex]);
-      all.erase(all.begin(), all.begin() + 4);
-      return all;
-    };
     const std::vector<std::string_view> first = extra(blend.items[0]);
     for (const Index item : blend.items) {
       if (item != kNoIndex && extra(item).size() != first.size()) {

@@ -2,6 +2,7 @@
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/rewrite/blend.h"
 #include "meshalyzer/io/rewrite/face_plan.h"
+#include "meshalyzer/io/rewrite/merged_vertices.h"
 #include "meshalyzer/io/rewrite/off_records.h"
 #include "meshalyzer/io/rewrite/rewriters.h"
 #include "meshalyzer/io/rewrite/text_lines.h"
@@ -36,7 +37,9 @@ class OffRewriter {
     }
     edits_.insert_lines_behind(last_of(records_.vertices), added_vertices());
     write_faces();
-    return rewritten_file(edits_, plan_);
+    RewrittenFile file = rewritten_file(edits_, plan_);
+    note_merged(file.lost);
+    return file;
   }
 
  private:
@@ -141,6 +144,24 @@ class OffRewriter {
       line +=
           blend.is_single() ? std::string(first[i]) : shortest(is_byte ? std::round(mean) : mean);
       line += ' ';
+    }
+  }
+
+  /// Counts what vertices had that were merged into others.
+  void note_merged(std::vector<AttributeCount>& lost) const {
+    const std::size_t n_texture = records_.layout.texture ? 2 : 0;
+    for (const auto& [gone, now, kept] : merged_vertices(mesh_)) {
+      const Words before = extra_of(gone);
+      const Words after = extra_of(kept);
+      if (are_lost_in(colour_in(before), colour_in(after))) {
+        lost.push_back({AttributeKind::VertexColours, 1});
+      }
+      if (are_lost_in(std::span(before).last(n_texture), std::span(after).last(n_texture))) {
+        lost.push_back({AttributeKind::TextureCoordinates, 1});
+      }
+      if (n_vertex_numbers_ == 6 && mesh_.source.normals[gone] != mesh_.soup.normals[now]) {
+        lost.push_back({AttributeKind::Normals, 1});
+      }
     }
   }
 

@@ -1,6 +1,7 @@
 #include "meshalyzer/io/ply_names.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/rewrite/blend.h"
+#include "meshalyzer/io/rewrite/merged_vertices.h"
 #include "meshalyzer/io/rewrite/ply_corner_lists.h"
 #include "meshalyzer/io/rewrite/ply_edits.h"
 #include "meshalyzer/io/rewrite/ply_records.h"
@@ -10,7 +11,11 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <set>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -60,7 +65,9 @@ class PlyRewriter {
         edit_element(e);
       }
     }
-    return rewritten_file(edits_, plan_);
+    RewrittenFile file = rewritten_file(edits_, plan_);
+    note_merged(file.lost);
+    return file;
   }
 
  private:
@@ -186,6 +193,45 @@ class PlyRewriter {
   /// Appends an empty list or 0.
   void append_nothing(const PlyProperty& property, PlyFields& fields) const {
     fields.push_back(records_.text(0.0, property.list_size_type.value_or(property.type)));
+  }
+
+  /// Counts what vertices had that were merged into others: colours and texture coordinates a
+  /// vertex, and every other property in which any of them differ.
+  void note_merged(std::vector<AttributeCount>& lost) const {
+    std::set<std::size_t> other_properties;
+    for (const MergedVertex& merged : merged_vertices(mesh_)) {
+      const PlyRecord before = records_.read(vertex_, merged.gone);
+      const PlyRecord after = records_.read(vertex_, merged.kept);
+      bool has_lost_colour = false;
+      bool has_lost_texture = false;
+      for (std::size_t p = 0; p < before.fields.size(); ++p) {
+        const PlyProperty& property = properties(vertex_)[p];
+        if (own_number(mesh_.source, merged.gone, property) ||
+            has_same_numbers(before.fields[p], after.fields[p], property.type)) {
+          continue;
+        }
+        if (is_ply_colour(property.name)) {
+          has_lost_colour = true;
+        } else if (is_ply_texture(property.name)) {
+          has_lost_texture = true;
+        } else {
+          other_properties.insert(p);
+        }
+      }
+      const bool has_lost_normal =
+          has_normals_ && mesh_.source.normals[merged.gone] != mesh_.soup.normals[merged.now];
+      lost.push_back({AttributeKind::VertexColours, has_lost_colour ? 1U : 0U});
+      lost.push_back({AttributeKind::TextureCoordinates, has_lost_texture ? 1U : 0U});
+      lost.push_back({AttributeKind::Normals, has_lost_normal ? 1U : 0U});
+    }
+    lost.push_back({AttributeKind::VertexProperties, other_properties.size()});
+  }
+
+  [[nodiscard]] bool has_same_numbers(const PlyField& a, const PlyField& b, PlyType type) const {
+    return std::equal(a.items.begin(), a.items.end(), b.items.begin(), b.items.end(),
+                      [&](std::string_view x, std::string_view y) {
+                        return x == y || records_.number(x, type) == records_.number(y, type);
+                      });
   }
 
   void widen_indices() {

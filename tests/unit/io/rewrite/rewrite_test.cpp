@@ -92,6 +92,72 @@ TEST(RewriteOff, VertexOfNothingHasWhatTheKeywordDeclares) {
             std::string::npos);
 }
 
+/// Returns what is lost where the first corner of the second of two triangles, the fourth vertex,
+/// is merged into the first vertex.
+std::string lost_by_merge(const std::string& text, const std::string& name) {
+  EditedFile file(text, name);
+  file.soup().triangles[1][0] = 0;
+  file.drop_vertex(3);
+  std::string lost;
+  const RewrittenFile rewritten = file.rewritten().value();
+  for (const AttributeCount& count : rewritten.lost) {
+    lost += (lost.empty() ? "" : ", ") + attribute_text(count);
+  }
+  return lost;
+}
+
+TEST(RewriteMerged, WhatTheDroppedVertexHadIsLostWhereTheOtherHasSomethingElse) {
+  const auto off = [](const std::string& dropped) {
+    return "STCNOFF\n5 2 0\n0 0 0 0 0 1 255 0 0 0.5 0\n1 0 0 0 0 1 9 9 9 0 0\n"
+           "0 1 0 0 0 1 9 9 9 0 0\n" +
+           dropped + "\n1 1 0 0 0 1 9 9 9 0 0\n3 0 1 2\n3 3 2 4\n";
+  };
+  EXPECT_EQ(lost_by_merge(off("0 0 0 0 0 1 255 0 0 .50 0"), "a.off"), "");
+  EXPECT_EQ(lost_by_merge(off("0 0 0 0 0 1 254 0 0 0.5 1"), "a.off"),
+            "1 texture coordinate, 1 vertex colour");
+  const auto obj = [](const std::string& dropped) {
+    return "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\n" + dropped + "\nv 1 1 0\nf 1 2 3\nf 4 3 5\n";
+  };
+  EXPECT_EQ(lost_by_merge(obj("v 0 0 0"), "a.obj"), "");
+  EXPECT_EQ(lost_by_merge(obj("v 0 0 0 1 0 0"), "a.obj"), "");
+  EXPECT_EQ(lost_by_merge(obj("v 0 0 0 0.5 1 0 1"), "a.obj"), "1 vertex colour, 1 vertex property");
+  const auto ply = [](const std::string& dropped) {
+    return "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+           "property float z\nproperty float s\nproperty float t\nproperty uchar red\n"
+           "property int label\nproperty list uchar int parts\nelement face 2\n"
+           "property list uchar int vertex_indices\nend_header\n0 0 0 0.5 0 7 1 1 4\n"
+           "1 0 0 0 0 0 0 0\n0 1 0 0 0 0 0 0\n" +
+           dropped + "\n1 1 0 0 0 0 0 0\n3 0 1 2\n3 3 2 4\n";
+  };
+  EXPECT_EQ(lost_by_merge(ply("0 0 0 0.50 0 7 1 1 4"), "a.ply"), "");
+  EXPECT_EQ(lost_by_merge(ply("0 0 0 1 1 8 2 0"), "a.ply"),
+            "1 texture coordinate, 1 vertex colour, 2 vertex properties");
+  const auto medit_of = [](const std::string& reference) {
+    return "MeshVersionFormatted 2\nDimension 3\nVertices 5\n0 0 0 1\n1 0 0 0\n0 1 0 0\n0 0 0 " +
+           reference + "\n1 1 0 0\nTriangles 2\n1 2 3 0\n4 3 5 0\nEnd\n";
+  };
+  EXPECT_EQ(lost_by_merge(medit_of("01"), "a.mesh"), "");
+  EXPECT_EQ(lost_by_merge(medit_of("2"), "a.mesh"), "1 reference");
+}
+
+TEST(RewriteMerged, NormalOfTheDroppedVertexIsLostWhereTheOtherHasAnotherOne) {
+  EditedFile file(
+      "NOFF\n4 2 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n0 0 0 0 1 0\n3 0 1 2\n3 3 2 1\n",
+      "a.off");
+  file.soup().triangles[1][0] = 0;
+  file.drop_vertex(3);
+  EXPECT_EQ(attribute_text(file.rewritten()->lost.at(0)), "1 normal");
+}
+
+TEST(RewriteMerged, VertexOfAFaceThatStaysNowhereIsNotMerged) {
+  EditedFile file(
+      "COFF\n4 2 0\n0 0 0 1 0 0\n1 0 0 0 1 0\n0 1 0 0 0 1\n0 0 0 0 0 9\n3 0 1 2\n3 3 2 1\n",
+      "a.off");
+  file.drop_face(1);
+  file.drop_vertex(3);
+  EXPECT_TRUE(file.rewritten()->lost.empty());
+}
+
 std::string textured_ply() {
   return "ply\nformat ascii 1.0\ncomment a wall\nelement vertex 4\nproperty float x\n"
          "property float y\nproperty float z\nproperty uchar red\nelement face 1\n"

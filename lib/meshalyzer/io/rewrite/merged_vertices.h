@@ -1,0 +1,33 @@
+#pragma once
+
+#include "meshalyzer/base/types.h"
+#include "meshalyzer/io/rewrite/edited_mesh.h"
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace meshalyzer {
+
+/// A vertex of the source that was dropped although faces at it stay, as where two borders are
+/// welded: these name another vertex now, which has attributes of its own.
+struct MergedVertex {
+  /// The record of the vertex that was dropped.
+  Index gone;
+  /// The vertex of the edited mesh in its place.
+  Index now;
+  /// The record that gives this vertex its attributes.
+  Index kept;
+};
+
+/// Returns the vertices that were merged into others, ascending.
+///
+/// @complexity O(#V + #F) time and space.
+[[nodiscard]] std::vector<MergedVertex> merged_vertices(const EditedMesh& mesh);
+
+/// Tells whether numbers are lost where others stand in their place: there are any, and the others
+/// have not the same values.
+[[nodiscard]] bool are_lost_in(std::span<const std::string_view> gone,
+                               std::span<const std::string_view> kept);
+
+}  // namespace meshalyzer
