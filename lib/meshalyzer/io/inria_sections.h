@@ -8,7 +8,14 @@
 namespace meshalyzer {
 
 /// The elements that the records of a section name by number, from 1.
-enum class InriaNames : std::uint8_t { Nothing, Vertices, Edges, Triangles, Quadrilaterals };
+enum class InriaNames : std::uint8_t {
+  Nothing,
+  Vertices,
+  Edges,
+  Triangles,
+  Quadrilaterals,
+  Tetrahedra
+};
 
 /// A section that does not concern the triangles: a count, then records with a fixed number of
 /// numbers.
@@ -37,7 +44,7 @@ inline constexpr std::array<InriaSection, 38> kInriaSections = {{
     {"RequiredEdges", 1, InriaNames::Edges, 1},
     {"RequiredTriangles", 1, InriaNames::Triangles, 1},
     {"RequiredQuadrilaterals", 1, InriaNames::Quadrilaterals, 1},
-    {"RequiredTetrahedra", 1, InriaNames::Nothing, 0},
+    {"RequiredTetrahedra", 1, InriaNames::Tetrahedra, 1},
     {"ParallelTriangles", 1, InriaNames::Triangles, 1},
     {"ParallelEdges", 1, InriaNames::Edges, 1},
     {"SharedVertices", 1, InriaNames::Vertices, 1},

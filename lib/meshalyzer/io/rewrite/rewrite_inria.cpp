@@ -52,7 +52,7 @@ class InriaRewriter {
     }
     edit_faces();
     for (const InriaNames names : {InriaNames::Vertices, InriaNames::Edges, InriaNames::Triangles,
-                                   InriaNames::Quadrilaterals}) {
+                                   InriaNames::Quadrilaterals, InriaNames::Tetrahedra}) {
       edit_sections_that_name(names);
     }
     RewrittenFile file;
@@ -212,6 +212,8 @@ class InriaRewriter {
         return triangles_;
       case InriaNames::Quadrilaterals:
         return quadrilaterals_;
+      case InriaNames::Tetrahedra:
+        return tetrahedra_;
       default:
         return vertices_;
     }
@@ -225,8 +227,11 @@ class InriaRewriter {
       Index n_kept = 0;
       for (const std::string_view record : section.records) {
         const bool is_kept = rename(record, *section.kind);
+        const Index number = is_kept ? n_kept : kNoIndex;
         if (section.keyword == "Edges") {
-          edges_.push_back(is_kept ? n_kept : kNoIndex);
+          edges_.push_back(number);
+        } else if (section.keyword == "Tetrahedra") {
+          tetrahedra_.push_back(number);
         }
         n_kept += is_kept ? 1 : 0;
       }
@@ -311,6 +316,7 @@ class InriaRewriter {
   NewNumbers edges_;
   NewNumbers triangles_;
   NewNumbers quadrilaterals_;
+  NewNumbers tetrahedra_;
   /// The numbers of triangles and quadrilaterals that have been numbered.
   std::array<Index, 2> n_faces_of_{};
   std::size_t n_added_ = 0;

@@ -296,6 +296,16 @@ TEST(RewriteInria, RecordThatNamesADroppedVertexIsLost) {
   EXPECT_EQ(attribute_text(file.rewritten()->lost.at(0)), "1 other record");
 }
 
+TEST(RewriteInria, RequiredTetrahedraMoveWithTheTetrahedraBeforeThem) {
+  EditedFile file(with(medit(), "Corners 2\n1\n5\n",
+                       "Tetrahedra 2\n1 2 3 5 0\n1 2 3 4 0\nRequiredTetrahedra 2\n1\n2\n"),
+                  "a.mesh");
+  file.drop_vertex(4);
+  EXPECT_NE(file.rewritten_bytes().find("Tetrahedra 1\n1 2 3 4 0\nRequiredTetrahedra 1\n1\nEnd\n"),
+            std::string::npos)
+      << file.rewritten_bytes();
+}
+
 TEST(RewriteInria, CommentInADroppedRecordIsCountedAsLost) {
   EditedFile file(with(medit(), "9 9 9 5\n", "9 9 # far away\n9 5\n"), "a.mesh");
   file.drop_vertex(4);
