@@ -4,7 +4,11 @@
 #include "meshalyzer/io/rewrite/text_lines.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -66,36 +70,47 @@ class ObjAttributeReader {
     for (const std::size_t statement : records_.texture_points) {
       points.push_back(read_texture_point(statement));
     }
-    std::vector<bool> is_used(points.size(), false);
+    std::vector<Use> uses(points.size(), Use::None);
+    bool has_texture = false;
     for (Index r = 0; r < faces.size(); ++r) {
-      read_texture_of_face(r, points, is_used);
+      has_texture = read_texture_of_face(r, points, uses) || has_texture;
     }
     attributes_.n_texture_points =
-        static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), true));
-    if (attributes_.n_texture_points == 0) {
+        static_cast<std::size_t>(std::count(uses.begin(), uses.end(), Use::Held));
+    if (!has_texture) {
       attributes_.texture.clear();
     }
   }
 
-  /// Reads the texture coordinates of a face, which has them at all corners or at none.
-  void read_texture_of_face(Index record, const std::vector<std::optional<TexturePoint>>& points,
-                            std::vector<bool>& is_used) {
+  /// What becomes of a texture point: no face names it, all that do keep it, or one does not.
+  enum class Use : std::uint8_t { None, Held, Lost };
+
+  /// Reads the texture coordinates of a face, which has them at all corners or at none. Returns
+  /// true if it has them.
+  bool read_texture_of_face(Index record, const std::vector<std::optional<TexturePoint>>& points,
+                            std::vector<Use>& uses) {
     const Words all = words(records_.faces[record]);
     const ObjCounts counts = records_.counts_before(records_.faces[record]);
     std::vector<Index> named;
+    bool is_whole = true;
     for (std::size_t i = 1; i < all.size(); ++i) {
       named.push_back(parse_obj_corner(all[i], counts, TextScanner(all[i])).texture_point);
-      if (named.back() >= points.size() || !points[named.back()]) {
-        return;
+      is_whole = is_whole && named.back() < points.size() && points[named.back()];
+    }
+    for (const Index point : named) {
+      if (point < points.size() && uses[point] != Use::Lost) {
+        uses[point] = is_whole ? Use::Held : Use::Lost;
       }
+    }
+    if (!is_whole) {
+      return false;
     }
     const std::size_t first = first_corner(attributes_.faces, record);
     const std::size_t n = attributes_.faces.n_triangles(record) + 2;
     for (std::size_t i = 0; i < n; ++i) {
-      const Index point = named[std::min(i, named.size() - 1)];
-      is_used[point] = true;
-      attributes_.texture[first + i] = points[point];
+      attributes_.texture[first + i] = points[named[std::min(i, named.size() - 1)]];
     }
+    return true;
   }
 
   /// Returns a texture point, or nothing if it has three numbers, which no other format can hold.

@@ -99,6 +99,16 @@ TEST(RewriteAs, ColoursOfFacesGoBetweenPlyAndOff) {
             std::string::npos);
 }
 
+TEST(RewriteAs, TextureAtSomeCornersOfAFaceIsCountedAsLost) {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n";
+  EditedFile file(points + "f 1/1 2/2 3/3\nf 4/2 3 2\n", "a.obj");
+  const RewrittenFile ply = file.rewritten_as(Format::Ply);
+  EXPECT_NE(ply.bytes.find("\n3 0 1 2 6 0 0 1 0 0 1\n3 3 2 1 0\n"), std::string::npos);
+  EXPECT_EQ(lost(ply), "1 texture coordinate");
+  EditedFile only_some(points + "f 1/1 2/2 3\n", "a.obj");
+  EXPECT_EQ(lost(only_some.rewritten_as(Format::Ply)), "3 texture coordinates");
+}
+
 TEST(RewriteAs, IntensitiesThatArePrintedAsWholeNumbersAreNoBytes) {
   const auto first_colour = [](const std::string& others) {
     EditedFile file(
