@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <tuple>
 
 namespace meshalyzer {
 namespace {
@@ -69,6 +70,24 @@ class MergeFinder {
 
 std::vector<MergedVertex> merged_vertices(const EditedMesh& mesh) {
   return MergeFinder(mesh).find();
+}
+
+std::vector<Index> numbers_by_name(const EditedMesh& mesh) {
+  std::vector<Index> numbers = new_vertices(mesh);
+  for (const MergedVertex& merged : merged_vertices(mesh)) {
+    numbers[merged.gone] = merged.now;
+  }
+  return numbers;
+}
+
+bool are_joined(std::vector<Index> names, const std::vector<Index>& numbers) {
+  const auto by_number = [&](Index a, Index b) {
+    return std::tie(numbers[a], a) < std::tie(numbers[b], b);
+  };
+  std::sort(names.begin(), names.end(), by_number);
+  return std::adjacent_find(names.begin(), names.end(), [&](Index a, Index b) {
+           return a != b && numbers[a] == numbers[b];
+         }) != names.end();
 }
 
 bool are_lost_in(std::span<const std::string_view> gone, std::span<const std::string_view> kept) {

@@ -25,6 +25,16 @@ struct MergedVertex {
 /// @complexity O(#V + #F) time and space.
 [[nodiscard]] std::vector<MergedVertex> merged_vertices(const EditedMesh& mesh);
 
+/// Returns the new number of each vertex record, by which lines and other records name it: that of
+/// the vertex in its place if it was merged, and kNoIndex if it was dropped.
+///
+/// @complexity O(#V + #F) time and space.
+[[nodiscard]] std::vector<Index> numbers_by_name(const EditedMesh& mesh);
+
+/// Tells whether vertices that one record names are the same vertex now.
+/// @param names  The vertex records that it names.
+[[nodiscard]] bool are_joined(std::vector<Index> names, const std::vector<Index>& numbers);
+
 /// Tells whether numbers are lost where others stand in their place: there are any, and the others
 /// have not the same values.
 [[nodiscard]] bool are_lost_in(std::span<const std::string_view> gone,

@@ -26,6 +26,7 @@ class InriaRewriter {
       : mesh_(mesh),
         records_(find_inria_records(text)),
         vertices_(new_vertices(mesh)),
+        names_(numbers_by_name(mesh)),
         edits_(text) {
     face_records_.first_triangle.push_back(0);
     for (const Section& section : records_.sections) {
@@ -215,7 +216,7 @@ class InriaRewriter {
       case InriaNames::Tetrahedra:
         return tetrahedra_;
       default:
-        return vertices_;
+        return names_;
     }
   }
 
@@ -239,20 +240,26 @@ class InriaRewriter {
     }
   }
 
-  /// Updates the numbers by which a record names others. If one of those was dropped, drops the
-  /// record and returns false.
+  /// Updates the numbers by which a record names others. If one of those was dropped, or merged
+  /// into another that it names, drops the record and returns false.
   bool rename(std::string_view record, const InriaSection& kind) {
     const NewNumbers& numbers = numbers_of(kind.names);
     const std::vector<std::string_view> old = inria_numbers(record);
     const auto index_of = [&](std::size_t i) {
       return static_cast<std::size_t>(parse_integer(old[i]).value_or(0) - 1);
     };
+    std::vector<Index> named;
+    bool is_kept = true;
     for (std::size_t i = 0; i < kind.n_names; ++i) {
-      if (index_of(i) < numbers.size() && numbers[index_of(i)] == kNoIndex) {
-        edits_.erase_with_lines(record);
-        edits_.note_loss(AttributeKind::OtherRecords, record);
-        return false;
+      if (index_of(i) < numbers.size()) {
+        named.push_back(static_cast<Index>(index_of(i)));
+        is_kept = is_kept && numbers[named.back()] != kNoIndex;
       }
+    }
+    if (!is_kept || are_joined(named, numbers)) {
+      edits_.erase_with_lines(record);
+      edits_.note_loss(AttributeKind::OtherRecords, record);
+      return false;
     }
     for (std::size_t i = 0; i < kind.n_names; ++i) {
       if (index_of(i) < numbers.size()) {
@@ -313,6 +320,8 @@ class InriaRewriter {
   FaceRecords face_records_;
   FacePlan plan_;
   NewNumbers vertices_;
+  /// The numbers by which other sections name the vertices.
+  NewNumbers names_;
   NewNumbers edges_;
   NewNumbers triangles_;
   NewNumbers quadrilaterals_;

@@ -46,6 +46,7 @@ class ObjRewriter {
         records_(find_obj_records(text)),
         plan_(plan_faces(mesh, records_.face_records)),
         numbers_(new_vertices(mesh)),
+        names_(numbers_by_name(mesh)),
         n_kept_before_(count_kept(numbers_)),
         attributes_(mesh, text, records_),
         edits_(text) {}
@@ -343,20 +344,26 @@ class ObjRewriter {
     edits_.note_loss(kind, span_of(all));
   }
 
-  /// Returns false if a vertex that the statement names was dropped.
+  /// Returns false if a vertex that the statement names was dropped, or merged into another one
+  /// that it names.
   bool rename(const ObjNaming& statement) {
     const std::vector<std::string_view> old = words(statement.begin);
     const ObjCounts counts = records_.counts_before(statement.begin);
     std::vector<ObjCorner> all;
+    std::vector<Index> names;
     for (std::size_t i = statement.n_before; i < old.size(); ++i) {
       const std::optional<ObjCorner> named = corner_of(old[i], counts);
-      if (!named || named->vertex >= numbers_.size()) {
+      if (!named || named->vertex >= names_.size()) {
         return true;
       }
-      if (numbers_[named->vertex] == kNoIndex) {
+      if (names_[named->vertex] == kNoIndex) {
         return false;
       }
-      all.push_back({numbers_[named->vertex], named->texture_point, named->normal});
+      names.push_back(named->vertex);
+      all.push_back({names_[named->vertex], named->texture_point, named->normal});
+    }
+    if (are_joined(names, names_)) {
+      return false;
     }
     for (std::size_t i = 0; i < all.size(); ++i) {
       const std::string_view word = old[statement.n_before + i];
@@ -401,6 +408,8 @@ class ObjRewriter {
   FacePlan plan_;
   /// The new number of each vertex record; kNoIndex if it was dropped.
   std::vector<Index> numbers_;
+  /// The number by which lines, curves and surfaces name each vertex record.
+  std::vector<Index> names_;
   /// #old vertices + 1: how many of those before each are kept.
   std::vector<Index> n_kept_before_;
   ObjAttributes attributes_;

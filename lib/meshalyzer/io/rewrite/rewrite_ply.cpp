@@ -41,6 +41,7 @@ class PlyRewriter {
         vertex_(find_element(header, "vertex")),
         face_(find_element(header, "face")),
         numbers_(new_vertices(mesh)),
+        names_(numbers_by_name(mesh)),
         has_normals_(has_vertex_normals(mesh.source)),
         edits_(content, records_.is_ascii()) {
     find_face_records();
@@ -373,28 +374,32 @@ class PlyRewriter {
     }
   }
 
-  /// Renumbers the vertices that a record names. If one was dropped, drops the record and returns
-  /// false.
+  /// Renumbers the vertices that a record names. If one was dropped, or merged into another that it
+  /// names, drops the record and returns false.
   bool edit_references(std::size_t element, const PlyRecord& record,
                        const std::vector<std::size_t>& references) {
     std::vector<std::pair<std::string_view, std::string>> renumbered;
+    std::vector<Index> named;
+    bool is_kept = true;
     for (const std::size_t p : references) {
       const PlyType type = properties(element)[p].type;
       for (const std::string_view item : record.fields[p].items) {
         const double old = records_.number(item, type);
-        if (!(old >= 0.0 && old < static_cast<double>(numbers_.size()))) {
+        if (!(old >= 0.0 && old < static_cast<double>(names_.size()))) {
           continue;
         }
-        const Index now = numbers_[static_cast<std::size_t>(old)];
-        if (now == kNoIndex) {
-          edits_.replace_record(record.bytes, {});
-          edits_.note_loss(AttributeKind::OtherRecords, record.bytes);
-          return false;
-        }
-        if (now != static_cast<Index>(old)) {
+        named.push_back(static_cast<Index>(old));
+        const Index now = names_[named.back()];
+        is_kept = is_kept && now != kNoIndex;
+        if (is_kept && now != named.back()) {
           renumbered.emplace_back(item, records_.text(now, type));
         }
       }
+    }
+    if (!is_kept || are_joined(named, names_)) {
+      edits_.replace_record(record.bytes, {});
+      edits_.note_loss(AttributeKind::OtherRecords, record.bytes);
+      return false;
     }
     for (auto& [item, text] : renumbered) {
       edits_.replace(item, std::move(text));
@@ -416,6 +421,8 @@ class PlyRewriter {
   std::optional<PlyCornerLists> lists_;
   /// The new number of each vertex record; kNoIndex if it was dropped.
   std::vector<Index> numbers_;
+  /// The number by which records of other elements name each vertex record.
+  std::vector<Index> names_;
   bool has_normals_;
   bool is_widened_ = false;
   /// The properties of vertices as they are written.

@@ -140,6 +140,35 @@ TEST(RewriteMerged, WhatTheDroppedVertexHadIsLostWhereTheOtherHasSomethingElse) 
   EXPECT_EQ(lost_by_merge(medit_of("2"), "a.mesh"), "1 reference");
 }
 
+/// Returns the file in which the fourth vertex is merged into the first one.
+std::string merged_text(const std::string& text, const std::string& name) {
+  EditedFile file(text, name);
+  file.soup().triangles[1][0] = 0;
+  file.drop_vertex(3);
+  return file.rewritten_bytes();
+}
+
+TEST(RewriteMerged, RecordsThatNameTheDroppedVertexNameTheOther) {
+  const std::string obj = merged_text(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 1 1 0\nf 1 2 3\nf 4 3 5\nl 4 5\nl 4 2 3 4\nl 1 4\n",
+      "a.obj");
+  EXPECT_NE(obj.find("\nl 1 4\nl 1 2 3 1\n"), std::string::npos) << obj;
+  EXPECT_TRUE(obj.ends_with("l 1 2 3 1\n"));
+  const std::string ply = merged_text(
+      "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 2\nproperty list uchar int vertex_indices\n"
+      "element edge 2\nproperty int vertex1\nproperty int vertex2\nend_header\n0 0 0\n1 0 0\n"
+      "0 1 0\n0 0 0\n1 1 0\n3 0 1 2\n3 3 2 4\n3 4\n0 3\n",
+      "a.ply");
+  EXPECT_NE(ply.find("element edge 1\n"), std::string::npos);
+  EXPECT_TRUE(ply.ends_with("\n3 0 2 3\n0 3\n")) << ply;
+  const std::string inria = merged_text(
+      "MeshVersionFormatted 2\nDimension 3\nVertices 5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 0 0\n"
+      "1 1 0 0\nTriangles 2\n1 2 3 0\n4 3 5 0\nEdges 2\n4 5 7\n1 4 8\nCorners 1\n4\nEnd\n",
+      "a.mesh");
+  EXPECT_TRUE(inria.ends_with("\nEdges 1\n1 4 7\nCorners 1\n1\nEnd\n")) << inria;
+}
+
 TEST(RewriteMerged, NormalOfTheDroppedVertexIsLostWhereTheOtherHasAnotherOne) {
   EditedFile file(
       "NOFF\n4 2 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n0 0 0 0 1 0\n3 0 1 2\n3 3 2 1\n",
