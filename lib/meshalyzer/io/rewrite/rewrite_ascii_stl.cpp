@@ -99,15 +99,25 @@ class AsciiStlRewriter {
     return edits_.offset_of(words.back()) + words.back().size();
   }
 
-  /// Returns the numbers of a facet as text, in the order of kNumberWords.
-  [[nodiscard]] std::vector<std::string> numbers_of(Index face) const {
+  /// Returns the numbers of a face as text, in the order of kNumberWords. Coordinates that the
+  /// facet of a record has too keep its words.
+  [[nodiscard]] std::vector<std::string> numbers_of(Index record, Index face) const {
     std::vector<std::string> numbers;
     for (const double number : unit_normal(mesh_.soup, mesh_.soup.triangles[face])) {
       numbers.push_back(shortest(number));
     }
-    for (const Vec3& corner : corners_of(mesh_.soup, face)) {
-      for (const double number : corner) {
-        numbers.push_back(shortest(number));
+    const FacetWords old = words(record);
+    const Corners before = corners_of(mesh_.source, record);
+    const Corners now = corners_of(mesh_.soup, face);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto* const same = std::find(before.begin(), before.end(), now[k]);
+      const std::size_t model =
+          same == before.end() ? k : static_cast<std::size_t>(same - before.begin());
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto axis = static_cast<Eigen::Index>(i);
+        const bool stays = before[model][axis] == now[k][axis];
+        numbers.push_back(stays ? std::string(old[kNumberWords[3 + 3 * model + i]])
+                                : shortest(now[k][axis]));
       }
     }
     return numbers;
@@ -147,7 +157,7 @@ class AsciiStlRewriter {
 
   void edit_numbers(Index record, Index face) {
     const FacetWords old = words(record);
-    const std::vector<std::string> numbers = numbers_of(face);
+    const std::vector<std::string> numbers = numbers_of(record, face);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       edits_.replace(old[kNumberWords[i]], numbers[i]);
     }
@@ -162,7 +172,7 @@ class AsciiStlRewriter {
   /// Returns the text of a facet with the numbers of another face.
   [[nodiscard]] std::string facet_like(Index record, Index face, bool with_comments) const {
     const FacetWords model = words(record);
-    const std::vector<std::string> numbers = numbers_of(face);
+    const std::vector<std::string> numbers = numbers_of(record, face);
     std::string facet(model.front());
     auto number = numbers.begin();
     for (std::size_t i = 1; i < model.size(); ++i) {

@@ -352,10 +352,24 @@ TEST(RewriteStl, FacetsStayInTheirSolids) {
   file.add_face({0, 2, 1}, beside(0));
   const std::string added = with(with(with(facet, "0 0 1", "0 0 -1"), "1 0 0", "0 1 0"),
                                  "   vertex 0 1 0\n  endloop", "   vertex 1 0 0\n  endloop");
-  EXPECT_EQ(file.rewritten_bytes(),
-            with(text, "endsolid a", with(added, "0.0 0 0", "0 0 0") + "endsolid a"));
+  EXPECT_EQ(file.rewritten_bytes(), with(text, "endsolid a", added + "endsolid a"));
   file.drop_face(0);
   EXPECT_EQ(file.read_back().n_faces(), 2u);
+}
+
+TEST(RewriteStl, CoordinatesThatStayKeepTheirWords) {
+  const std::string text =
+      "solid\nfacet normal 0 0 1\nouter loop\nvertex 0.0 +0 0e0\nvertex 1.0 0.0 0\nvertex 0 1.00 "
+      "0\n"
+      "endloop\nendfacet\nendsolid\n";
+  EditedFile moved(text, "a.stl");
+  moved.soup().positions[2] = {0, 2, 0};
+  EXPECT_EQ(moved.rewritten_bytes(), with(text, "vertex 0 1.00 0", "vertex 0 2 0"));
+  EditedFile turned(text, "a.stl");
+  turned.soup().triangles[0] = {1, 0, 2};
+  EXPECT_EQ(turned.rewritten_bytes(),
+            with(with(text, "normal 0 0 1", "normal 0 0 -1"), "vertex 0.0 +0 0e0\nvertex 1.0 0.0 0",
+                 "vertex 1.0 0.0 0\nvertex 0.0 +0 0e0"));
 }
 
 /// Two facets with comments in them and behind them.
