@@ -4,6 +4,7 @@
 #include "meshalyzer/io/rewrite/text_lines.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -37,7 +38,7 @@ class ObjAttributeReader {
   void read_colours() {
     constexpr std::size_t kShortest = 7;
     auto& colours = attributes_.vertex_colours;
-    double largest = 0.0;
+    bool has_bytes = false;
     for (std::size_t v = 0; v < records_.vertices.size(); ++v) {
       const Words all = words(records_.vertices[v]);
       if (all.size() < kShortest) {
@@ -45,13 +46,15 @@ class ObjAttributeReader {
       }
       colours.resize(records_.vertices.size());
       Rgba& colour = colours[v].emplace(Rgba{0.0, 0.0, 0.0, 1.0});
+      bool is_whole = true;
       for (std::size_t i = 0; i < 3; ++i) {
         colour[i] = parse_real(all[all.size() - 3 + i]).value_or(0.0);
-        largest = std::max(largest, colour[i]);
+        is_whole = is_whole && colour[i] == std::round(colour[i]);
       }
+      has_bytes = has_bytes || (is_whole && *std::max_element(colour.begin(), colour.end()) > 1.0);
     }
-    // Some programs write colours as bytes.
-    const double scale = largest > 1.0 ? 255.0 : 1.0;
+    // Some programs write colours as bytes; a number slightly above 1 is none.
+    const double scale = has_bytes ? 255.0 : 1.0;
     for (std::optional<Rgba>& colour : colours) {
       for (std::size_t i = 0; colour && i < 3; ++i) {
         (*colour)[i] /= scale;

@@ -123,6 +123,17 @@ TEST(RewriteAs, IntensitiesThatArePrintedAsWholeNumbersAreNoBytes) {
   EXPECT_EQ(first_colour("0 2 255 255"), "1 0 0 1");
 }
 
+TEST(RewriteAs, IntensitiesAbove1AreNoBytes) {
+  const auto first_vertex = [](const std::string& colour) {
+    EditedFile file("v 0 0 0 " + colour + "\nv 1 0 0 0.5 0 0\nv 0 1 0 1 1 1\nf 1 2 3\n", "a.obj");
+    const std::string bytes = file.rewritten_as(Format::Off).bytes;
+    const std::size_t begin = bytes.find("\n0 0 0 ") + 1;
+    return bytes.substr(begin, bytes.find('\n', begin) - begin);
+  };
+  EXPECT_EQ(first_vertex("1.5 0.25 0"), "0 0 0 1.5 0.25 0.0 1.0");
+  EXPECT_EQ(first_vertex("255.0 51 0"), "0 0 0 1.0 0.2 0.0 1.0");
+}
+
 TEST(RewriteAs, ColoursThatAreNoBytesStayWhatTheyAre) {
   EditedFile file("v 0 0 0 0.1 0.5 1\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nf 1 2 3\n", "a.obj");
   EXPECT_NE(file.rewritten_as(Format::Ply).bytes.find("property float red\n"), std::string::npos);
