@@ -69,12 +69,25 @@ class MergeFinder {
 }  // namespace
 
 std::vector<MergedVertex> merged_vertices(const EditedMesh& mesh) {
-  return MergeFinder(mesh).find();
+  std::vector<MergedVertex> merged = MergeFinder(mesh).find();
+  std::vector<Index> kept(mesh.source.n_vertices(), kNoIndex);
+  for (const MergedVertex& m : merged) kept[m.gone] = m.kept;
+  std::vector<bool> is_collapsed(kept.size(), false);
+  for (const Triangle& t : mesh.source.triangles) {
+    for (const Index v : t) {
+      if (v != kNoIndex && kept[v] != kNoIndex &&
+          std::find(t.begin(), t.end(), kept[v]) != t.end()) {
+        is_collapsed[v] = true;
+      }
+    }
+  }
+  std::erase_if(merged, [&](const MergedVertex& m) { return is_collapsed[m.gone]; });
+  return merged;
 }
 
 std::vector<Index> numbers_by_name(const EditedMesh& mesh) {
   std::vector<Index> numbers = new_vertices(mesh);
-  for (const MergedVertex& merged : merged_vertices(mesh)) {
+  for (const MergedVertex& merged : MergeFinder(mesh).find()) {
     numbers[merged.gone] = merged.now;
   }
   return numbers;

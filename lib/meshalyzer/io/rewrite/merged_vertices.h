@@ -20,7 +20,8 @@ struct MergedVertex {
   Index kept;
 };
 
-/// Returns the vertices that were merged into others, ascending.
+/// Returns the vertices that were merged into others with which they had no face in common,
+/// ascending. Where an edge was collapsed to one of its ends, nothing is in the place of the other.
 ///
 /// @complexity O(#V + #F) time and space.
 [[nodiscard]] std::vector<MergedVertex> merged_vertices(const EditedMesh& mesh);

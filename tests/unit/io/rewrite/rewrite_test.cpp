@@ -178,6 +178,18 @@ TEST(RewriteMerged, NormalOfTheDroppedVertexIsLostWhereTheOtherHasAnotherOne) {
   EXPECT_EQ(attribute_text(file.rewritten()->lost.at(0)), "1 normal");
 }
 
+TEST(RewriteMerged, EndOfACollapsedEdgeIsNotMerged) {
+  EditedFile file(
+      "COFF\n5 3 0\n0 0 0 1 0 0\n1 0 0 0 1 0\n0 1 0 0 0 1\n0 0 0 0 0 9\n1 1 0 0 0 0\n3 0 1 2\n3 3 "
+      "2 4\n"
+      "3 0 2 3\n",
+      "a.off");
+  file.soup().triangles[1][0] = 0;
+  file.drop_face(2);
+  file.drop_vertex(3);
+  EXPECT_TRUE(file.rewritten()->lost.empty());
+}
+
 TEST(RewriteMerged, VertexOfAFaceThatStaysNowhereIsNotMerged) {
   EditedFile file(
       "COFF\n4 2 0\n0 0 0 1 0 0\n1 0 0 0 1 0\n0 1 0 0 0 1\n0 0 0 0 0 9\n3 0 1 2\n3 3 2 1\n",
