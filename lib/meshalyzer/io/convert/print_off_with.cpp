@@ -1,18 +1,13 @@
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/convert/print_attributes.h"
 #include "meshalyzer/io/references.h"
+#include "meshalyzer/io/rewrite/off_records.h"
 
 #include <cmath>
 #include <utility>
 
 namespace meshalyzer {
 namespace {
-
-/// Returns a number that readers take as an intensity from 0 to 1, not from 0 to 255.
-std::string with_point(double number) {
-  const std::string text = shortest(number);
-  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-}
 
 class OffPrinter {
  public:
@@ -49,7 +44,7 @@ class OffPrinter {
 
   void append_colour(const Rgba& colour) {
     for (const double part : colour) {
-      text_ += in_bytes_ ? shortest(std::round(part * 255.0)) : with_point(part);
+      text_ += in_bytes_ ? shortest(std::round(part * 255.0)) : off_intensity(part);
       text_ += ' ';
     }
   }

@@ -69,4 +69,10 @@ bool is_byte_colour(std::span<const std::string_view> colour) {
   return is_above_1;
 }
 
+std::string off_intensity(double intensity) {
+  const std::string text = shortest(intensity);
+  const bool is_whole = text.find_first_not_of("-0123456789") == std::string::npos;
+  return is_whole ? text + ".0" : text;
+}
+
 }  // namespace meshalyzer

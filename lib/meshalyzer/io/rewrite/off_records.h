@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,5 +31,8 @@ struct OffRecords {
 /// Colours of whole numbers up to 1 are bytes if another colour of the file is; else they are
 /// intensities, since many programs write 1.0 as 1.
 [[nodiscard]] bool is_byte_colour(std::span<const std::string_view> colour);
+
+/// Returns an intensity as text with a point, so that no reader takes it for a byte.
+[[nodiscard]] std::string off_intensity(double intensity);
 
 }  // namespace meshalyzer

@@ -139,10 +139,15 @@ class OffRewriter {
         const Words all = extra_of(item);
         return i < all.size() ? parse_real(all[i]).value_or(0.0) : 0.0;
       };
-      const bool is_byte = has_bytes && i < n_colour && parse_integer(first[i]).has_value();
-      const double mean = blend.mean(number);
-      line +=
-          blend.is_single() ? std::string(first[i]) : shortest(is_byte ? std::round(mean) : mean);
+      if (blend.is_single()) {
+        line += first[i];
+      } else if (i >= n_colour) {
+        line += shortest(blend.mean(number));
+      } else if (has_bytes && parse_integer(first[i])) {
+        line += shortest(std::round(blend.mean(number)));
+      } else {
+        line += off_intensity(blend.mean(number));
+      }
       line += ' ';
     }
   }

@@ -63,8 +63,16 @@ TEST(RewriteOff, VertexOnAnEdgeHasMeansOfIntensitiesAndTextureThatArePrintedAsWh
       "a.off");
   file.add_vertex({0.5, 0, 0});
   file.add_face({3, 1, 2}, made_of(0));
-  EXPECT_NE(file.rewritten_bytes().find("\n0.5 0 0 0.5 0 0.5 1 0.5 0\n"), std::string::npos)
+  EXPECT_NE(file.rewritten_bytes().find("\n0.5 0 0 0.5 0.0 0.5 1.0 0.5 0\n"), std::string::npos)
       << file.rewritten_bytes();
+}
+
+TEST(RewriteOff, MeanOfColoursThatAreNoNumbersCanBeRead) {
+  EditedFile file("COFF\n3 1 0\n0 0 0 nan 0.5 0 1\n1 0 0 1 0 inf 1\n0 1 0 1 1 0 1\n3 0 1 2\n",
+                  "a.off");
+  file.add_vertex({0.5, 0, 0});
+  file.add_face({3, 1, 2}, made_of(0));
+  EXPECT_EQ(file.read_back().n_vertices(), 4U);
 }
 
 TEST(RewriteOff, VertexOnAnEdgeHasAMeanTextureBesideBytes) {
