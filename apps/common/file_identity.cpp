@@ -1,5 +1,7 @@
 #include "file_identity.h"
 
+#include "meshalyzer/io/file_replacement.h"
+
 #include <filesystem>
 #include <sys/stat.h>
 #include <system_error>
@@ -10,7 +12,7 @@ namespace {
 /// Returns the path of a file that does not exist, without links, "." and "..".
 std::string location_of(const std::string& path) {
   std::error_code error;
-  const std::filesystem::path absolute = std::filesystem::absolute(path, error);
+  const std::filesystem::path absolute = std::filesystem::absolute(link_target(path), error);
   const std::filesystem::path canonical = std::filesystem::weakly_canonical(absolute, error);
   return (error ? absolute.lexically_normal() : canonical).string();
 }

@@ -23,18 +23,17 @@ std::optional<struct stat> status_of(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 ? std::optional(status) : std::nullopt;
 }
 
-/// Returns the file that a path names after following symbolic links.
-std::string target_of(const std::string& path) {
-  std::error_code unresolvable;
-  const std::filesystem::path resolved = std::filesystem::weakly_canonical(path, unresolvable);
-  return unresolvable ? path : resolved.string();
+bool is_link(const std::filesystem::path& path) {
+  std::error_code ignored;  // a path that cannot be examined is reported when it is opened
+  return std::filesystem::is_symlink(path, ignored);
 }
 
-/// A file beside its target, which it can replace; it is removed unless it has.
+/// A file beside the one that a path names, which it can replace; it is removed unless it has.
 class NewFile {
  public:
   /// The umask applies to the new file as it would to the target.
-  explicit NewFile(const std::string& target) : target_(target), descriptor_(create()) {}
+  explicit NewFile(const std::string& path)
+      : name_(path), target_(link_target(path)), descriptor_(create()) {}
   ~NewFile() {
     if (!path_.empty()) {
       ::unlink(path_.c_str());
@@ -47,10 +46,10 @@ class NewFile {
 
   void replace_target() {
     if (::fsync(descriptor_.get()) != 0 || !descriptor_.close()) {
-      throw_errno(target_, "cannot be written");
+      throw_errno(name_, "cannot be written");
     }
     if (::rename(path_.c_str(), target_.c_str()) != 0) {
-      throw_errno(target_, "cannot be replaced");
+      throw_errno(name_, "cannot be replaced");
     }
     path_.clear();
     flush_folder();
@@ -58,6 +57,10 @@ class NewFile {
 
  private:
   Descriptor create() {
+    if (is_link(target_)) {
+      errno = ELOOP;
+      throw_errno(name_, "cannot be written");
+    }
     // It is not named after the target, whose name may already have the maximum length.
     const std::filesystem::path folder = std::filesystem::path(target_).parent_path();
     const std::string stem = ".meshalyzer-" + std::to_string(::getpid());
@@ -73,7 +76,7 @@ class NewFile {
       }
     }
     path_.clear();
-    throw_errno(target_, "cannot be written");
+    throw_errno(name_, "cannot be written");
   }
 
   /// Flushes the folder, so that the renaming survives a power failure too. Some file systems
@@ -86,12 +89,23 @@ class NewFile {
     }
   }
 
+  std::string name_;
   std::string target_;
   std::string path_;
   Descriptor descriptor_;
 };
 
 }  // namespace
+
+std::string link_target(const std::string& path) {
+  constexpr int kMaxLinks = 40;  // that the kernel follows
+  std::filesystem::path target = path;
+  for (int i = 0; i < kMaxLinks && is_link(target); ++i) {
+    std::error_code ignored;  // the link was there a moment ago
+    target = target.parent_path() / std::filesystem::read_symlink(target, ignored);
+  }
+  return target.string();
+}
 
 /// One of the two ways to write: into a new file, or directly into a file that is not regular.
 class FileReplacement::Output {
@@ -111,7 +125,7 @@ class FileReplacement::Output {
     if (old && ::access(path.c_str(), W_OK) != 0) {
       throw_errno(path, "cannot be written");
     }
-    new_file_.emplace(target_of(path));
+    new_file_.emplace(path);
     if (old && ::fchmod(new_file_->descriptor().get(), old->st_mode & 07777U) != 0) {
       throw_errno(path, "cannot be given its permissions");
     }

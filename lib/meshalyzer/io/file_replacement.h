@@ -6,12 +6,16 @@
 
 namespace meshalyzer {
 
+/// Returns the path of the file that a path names, which need not exist: symbolic links are
+/// followed. Where they lead in a circle it is the path of one of them.
+[[nodiscard]] std::string link_target(const std::string& path);
+
 /// Replaces the content of a file atomically, written piece by piece.
 ///
 /// The bytes go to a new file in the same folder, which commit() flushes to the disk and renames;
 /// without commit() it is removed and the old file stays. An existing file keeps its permissions,
-/// and a symbolic link keeps pointing to its file. A file that is not regular (a pipe, a device) is
-/// written directly, which cannot be undone.
+/// and a symbolic link keeps pointing to its file, which need not exist. A file that is not regular
+/// (a pipe, a device) is written directly, which cannot be undone.
 class FileReplacement {
  public:
   /// @throws IoError if `path` is a directory or cannot be written.

@@ -83,6 +83,27 @@ TEST(ReplaceFile, ReplacesWhatASymbolicLinkPointsTo) {
   EXPECT_EQ(read_bytes(folder.file("a")), "new");
 }
 
+TEST(ReplaceFile, MakesTheFileThatADanglingLinkPointsTo) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.file("sub"));
+  std::filesystem::create_symlink("sub/link", folder.file("link"));
+  std::filesystem::create_symlink("../a", folder.file("sub/link"));
+  replace_file(folder.file("link"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link")));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("sub/link")));
+  EXPECT_EQ(read_bytes(folder.file("a")), "new");
+}
+
+TEST(ReplaceFile, LinksThatLeadInACircleStay) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("b", folder.file("a"));
+  std::filesystem::create_symlink("a", folder.file("b"));
+  EXPECT_EQ(replace_error(folder.file("a"), "new"),
+            folder.file("a") + ": cannot be written: Too many levels of symbolic links");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("a")));
+  EXPECT_EQ(folder.n_entries(), 2);
+}
+
 TEST(ReplaceFile, AFailureLeavesTheOldFileAndNothingBeside) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a");
