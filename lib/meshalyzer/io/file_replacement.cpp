@@ -23,6 +23,19 @@ std::optional<struct stat> status_of(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 ? std::optional(status) : std::nullopt;
 }
 
+/// Gives a file the owner, the group and the permissions of another one. Only the superuser can set
+/// any owner; where the group cannot be set, another group gets what all others may do.
+/// @return false with errno set if the permissions cannot be set.
+bool keep_access(const Descriptor& file, const struct stat& old) {
+  mode_t mode = old.st_mode & 07777U;
+  constexpr auto kSameOwner = static_cast<uid_t>(-1);
+  if (::fchown(file.get(), old.st_uid, old.st_gid) != 0 &&
+      ::fchown(file.get(), kSameOwner, old.st_gid) != 0) {
+    mode = (mode & ~static_cast<mode_t>(S_IRWXG)) | (mode & S_IRWXO) << 3U;
+  }
+  return ::fchmod(file.get(), mode) == 0;
+}
+
 bool is_link(const std::filesystem::path& path) {
   std::error_code ignored;  // a path that cannot be examined is reported when it is opened
   return std::filesystem::is_symlink(path, ignored);
@@ -126,7 +139,7 @@ class FileReplacement::Output {
       throw_errno(path, "cannot be written");
     }
     new_file_.emplace(path);
-    if (old && ::fchmod(new_file_->descriptor().get(), old->st_mode & 07777U) != 0) {
+    if (old && !keep_access(new_file_->descriptor(), *old)) {
       throw_errno(path, "cannot be given its permissions");
     }
   }

@@ -14,8 +14,9 @@ namespace meshalyzer {
 ///
 /// The bytes go to a new file in the same folder, which commit() flushes to the disk and renames;
 /// without commit() it is removed and the old file stays. An existing file keeps its permissions,
-/// and a symbolic link keeps pointing to its file, which need not exist. A file that is not regular
-/// (a pipe, a device) is written directly, which cannot be undone.
+/// and its owner and group where the user may set them; a symbolic link keeps pointing to its file,
+/// which need not exist. A file that is not regular (a pipe, a device) is written directly, which
+/// cannot be undone.
 class FileReplacement {
  public:
   /// @throws IoError if `path` is a directory or cannot be written.

@@ -10,6 +10,7 @@
 #include <string>
 #include <sys/stat.h>
 #include <thread>
+#include <unistd.h>
 
 namespace meshalyzer {
 namespace {
@@ -23,6 +24,12 @@ std::string replace_error(const std::string& path, const std::string& bytes) {
     replace_file(path, bytes);
     return 0;
   });
+}
+
+struct stat status_of_file(const std::string& path) {
+  struct stat status {};
+  EXPECT_EQ(::stat(path.c_str(), &status), 0);
+  return status;
 }
 
 TEST(FileContent, HoldsTheBytesOfAFile) {
@@ -72,6 +79,33 @@ TEST(ReplaceFile, KeepsThePermissionsOfTheOldFile) {
   replace_file(folder.file("a"), "new");
   EXPECT_EQ(read_bytes(folder.file("a")), "new");
   EXPECT_EQ(std::filesystem::status(folder.file("a")).permissions(), std::filesystem::perms(0640));
+}
+
+TEST(ReplaceFile, KeepsTheOwnerAndTheGroupOfTheOldFile) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only the superuser can give a file away";
+  const TemporaryFolder folder;
+  write_bytes(folder.file("a"), "old");
+  ASSERT_EQ(::chown(folder.file("a").c_str(), 1234, 5678), 0);
+  replace_file(folder.file("a"), "new");
+  const struct stat status = status_of_file(folder.file("a"));
+  EXPECT_EQ(read_bytes(folder.file("a")), "new");
+  EXPECT_EQ(status.st_uid, 1234U);
+  EXPECT_EQ(status.st_gid, 5678U);
+}
+
+TEST(ReplaceFile, GivesNoOtherGroupWhatOnlyTheOldOneMayDo) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only the superuser can give a file away";
+  const TemporaryFolder folder;
+  write_bytes(folder.file("a"), "old");
+  ASSERT_EQ(::chmod(folder.path().c_str(), 0777), 0);
+  ASSERT_EQ(::chown(folder.file("a").c_str(), 1234, 5678), 0);
+  ASSERT_EQ(::chmod(folder.file("a").c_str(), 0664), 0);
+  ASSERT_EQ(::seteuid(1234), 0);
+  replace_file(folder.file("a"), "new");
+  ASSERT_EQ(::seteuid(0), 0);
+  const struct stat status = status_of_file(folder.file("a"));
+  EXPECT_EQ(status.st_uid, 1234U);
+  EXPECT_EQ(status.st_mode & 0777U, 0644U);
 }
 
 TEST(ReplaceFile, ReplacesWhatASymbolicLinkPointsTo) {
