@@ -1,19 +1,23 @@
 #include "output.h"
 
+#include "meshalyzer/base/error.h"
 #include "meshalyzer/io/convert/rewrite_as.h"
 #include "meshalyzer/io/convert/rewrite_together.h"
 #include "meshalyzer/io/file.h"
+#include "meshalyzer/io/file_replacement.h"
 #include "meshalyzer/io/format_of.h"
 #include "meshalyzer/io/gzip.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/io/rewrite/rewrite.h"
 #include "meshalyzer/io/write.h"
 #include "meshalyzer/repair/edits/edited_mesh_of.h"
+#include "targets.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 namespace meshalyzer::fixer {
@@ -88,6 +92,19 @@ std::map<AttributeKind, std::size_t> lost_in_part(const Loss& part) {
   for (const AttributeCount& count : part.lost) counts[count.kind] += count.count;
   for (const LostRecord& record : part.records) --counts[record.kind];
   return counts;
+}
+
+/// Replaces the content of a file, of which a copy is kept; if that fails, the copy is removed.
+void replace_kept(const std::string& path, const std::string& bytes) {
+  const std::string original = backup_path(path);
+  copy_to_new_file(path, original);
+  try {
+    replace_file(path, bytes);
+  } catch (const IoError&) {
+    std::error_code ignored;
+    std::filesystem::remove(original, ignored);
+    throw;
+  }
 }
 
 }  // namespace
@@ -166,10 +183,14 @@ std::vector<AttributeCount> lost_by_all(const std::vector<Loss>& parts, const So
   return summed(std::move(lost));
 }
 
-Soup write_output(const Output& output, const std::string& path) {
+Soup write_output(const Output& output, const std::string& path, Options::Backup backup) {
   // A file that cannot be read back must not replace an older one.
   Soup soup = parse_mesh(output.bytes, path);
-  replace_file(path, output.bytes);
+  if (backup == Options::Backup::Original) {
+    replace_kept(path, output.bytes);
+  } else {
+    replace_file(path, output.bytes);
+  }
   const FileContent written(path);
   if (written.bytes() != output.bytes) soup = parse_mesh(written.bytes(), path);
   return soup;

@@ -5,6 +5,7 @@
 #include "meshalyzer/io/rewrite/rewritten_file.h"
 #include "meshalyzer/mesh/soup.h"
 #include "meshalyzer/repair/edits/tracked_mesh.h"
+#include "options.h"
 
 #include <cstddef>
 #include <span>
@@ -65,8 +66,10 @@ struct Output {
 /// Writes a file and reads it back. An old file stays until the new one is complete; a file that
 /// cannot be read back does not replace it.
 ///
+/// @param backup  Whether the old file is kept as backup_path(); if it stays, there is no backup.
 /// @throws IoError  if it cannot be written or read back.
-[[nodiscard]] Soup write_output(const Output& output, const std::string& path);
+[[nodiscard]] Soup write_output(const Output& output, const std::string& path,
+                                Options::Backup backup = Options::Backup::None);
 
 /// Tells whether there is anything to write: a format may hold only faces (STL).
 [[nodiscard]] bool has_content(const Soup& soup, const std::string& path);

@@ -3,21 +3,17 @@
 #include "meshalyzer/analysis/analyze.h"
 #include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/base/error.h"
-#include "meshalyzer/io/file.h"
 #include "meshalyzer/io/format_of.h"
 #include "meshalyzer/io/read.h"
 #include "output.h"
 #include "page.h"
 #include "progress_line.h"
 #include "stop_request.h"
-#include "targets.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <ostream>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -122,26 +118,6 @@ std::vector<std::string> output_paths(const Job& job, const RepairReport& report
   return paths;
 }
 
-/// Keeps a copy of the input, which will be replaced.
-void keep_original(const std::string& path) {
-  const std::string original = backup_path(path);
-  std::error_code error;
-  if (!std::filesystem::copy_file(path, original, error)) {
-    throw IoError(original, {}, error ? error.message() : "is there already");
-  }
-}
-
-/// Overwrites an input whose copy is kept; if that fails, the copy is removed.
-Soup replace_kept(const Output& output, const std::string& path) {
-  try {
-    return write_output(output, path);
-  } catch (const Error&) {
-    std::error_code ignored;
-    std::filesystem::remove(backup_path(path), ignored);
-    throw;
-  }
-}
-
 /// Writes one mesh to its destination.
 /// @return The mesh as read back.
 Soup put(const Job& job, const Output& output, bool is_changed, const std::string& path) {
@@ -151,15 +127,8 @@ Soup put(const Job& job, const Output& output, bool is_changed, const std::strin
     if (!job.streams.out) throw IoError("standard output", {}, "takes no more");
     return soup;
   }
-  if (job.options.target == Options::Target::InPlace) {
-    if (!is_changed) return job.source.soup;
-    if (job.options.backup == Options::Backup::Original) {
-      static_cast<void>(parse_mesh(output.bytes, path));
-      keep_original(path);
-      return replace_kept(output, path);
-    }
-  }
-  return write_output(output, path);
+  if (job.options.target == Options::Target::InPlace && !is_changed) return job.source.soup;
+  return write_output(output, path, job.options.backup);
 }
 
 /// Returns a mesh that is not written to disk.

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import resource
 import struct
 import subprocess
 import tempfile
@@ -118,6 +119,18 @@ class RepairFiles(unittest.TestCase):
         self.assertIn(b"box.obj: 0 -> 0 defects, unchanged\n", result.stdout)
         after = os.stat(self.folder / "box.obj")
         self.assertEqual((before.st_ino, before.st_mtime_ns), (after.st_ino, after.st_mtime_ns))
+
+    def test_a_full_disk_leaves_the_input_and_no_part_of_its_copy(self):
+        self.write("box.obj", obj())
+        limit = len(obj()) // 2  # of the size of files, in place of the disk
+        # Without signals restored the limit is an error of the system call, and does not end the program.
+        result = subprocess.run([PROGRAM, "--in-place", "--backup", "box.obj"], cwd=self.folder, capture_output=True,
+                                check=False, timeout=60, restore_signals=False,
+                                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+        self.assertEqual(result.returncode, 3)
+        self.assertEqual(result.stderr, b"box.obj.orig: cannot be written: File too large\n")
+        self.assertEqual(os.listdir(self.folder), ["box.obj"])
+        self.assertEqual((self.folder / "box.obj").read_text(), obj())
 
     def test_an_older_original_is_not_written_over(self):
         self.write("box.obj", obj())

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/descriptor.h"
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/io/file.h"
 
 #include <cerrno>
 #include <cstddef>
@@ -118,6 +119,21 @@ std::string link_target(const std::string& path) {
     target = target.parent_path() / std::filesystem::read_symlink(target, ignored);
   }
   return target.string();
+}
+
+void copy_to_new_file(const std::string& from, const std::string& to) {
+  const FileContent content(from);
+  const std::optional<struct stat> old = status_of(from);
+  constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC;
+  Descriptor copy(::open(to.c_str(), kFlags, S_IRUSR | S_IWUSR));
+  if (!copy.is_open()) throw_errno(to, "cannot be written");
+  if (!old || !keep_access(copy, *old) || !write_all(copy, content.bytes()) ||
+      ::fsync(copy.get()) != 0 || !copy.close()) {
+    const int reason = errno;
+    ::unlink(to.c_str());
+    errno = reason;
+    throw_errno(to, "cannot be written");
+  }
 }
 
 /// One of the two ways to write: into a new file, or directly into a file that is not regular.

@@ -10,6 +10,12 @@ namespace meshalyzer {
 /// followed. Where they lead in a circle it is the path of one of them.
 [[nodiscard]] std::string link_target(const std::string& path);
 
+/// Copies a file, with its owner, group and permissions as FileReplacement keeps them, to a path at
+/// which there must be nothing. There is no copy unless it is whole.
+///
+/// @throws IoError if that fails.
+void copy_to_new_file(const std::string& from, const std::string& to);
+
 /// Replaces the content of a file atomically, written piece by piece.
 ///
 /// The bytes go to a new file in the same folder, which commit() flushes to the disk and renames;

@@ -10,6 +10,7 @@
 #include <string>
 #include <sys/stat.h>
 #include <thread>
+#include <unistd.h>
 #include <utility>
 
 namespace meshalyzer {
@@ -122,6 +123,49 @@ TEST(FileReplacement, WhatIsBufferedFailsAtTheCommit) {
   FileReplacement file("/dev/full");
   file.write("a few");
   EXPECT_THROW(file.commit(), IoError);
+}
+
+std::string copy_error(const std::string& from, const std::string& to) {
+  return error_of([&] {
+    copy_to_new_file(from, to);
+    return 0;
+  });
+}
+
+TEST(CopyToNewFile, HasTheContentAndThePermissions) {
+  const TemporaryFolder folder;
+  write_bytes(folder.file("a"), kLong);
+  ASSERT_EQ(::chmod(folder.file("a").c_str(), 0640), 0);
+  copy_to_new_file(folder.file("a"), folder.file("copy"));
+  EXPECT_EQ(read_bytes(folder.file("copy")), kLong);
+  struct stat status {};
+  ASSERT_EQ(::stat(folder.file("copy").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 07777U, 0640U);
+}
+
+TEST(CopyToNewFile, LeavesNoPartOfACopy) {
+  const TemporaryFolder folder;
+  write_bytes(folder.file("a"), kLong);
+  std::string message;
+  {
+    const FileSizeLimit limit(1000);
+    message = copy_error(folder.file("a"), folder.file("copy"));
+  }
+  EXPECT_EQ(message, folder.file("copy") + ": cannot be written: File too large");
+  EXPECT_EQ(folder.n_entries(), 1);
+}
+
+TEST(CopyToNewFile, ReplacesNothing) {
+  const TemporaryFolder folder;
+  write_bytes(folder.file("a"), "of a");
+  write_bytes(folder.file("b"), "of b");
+  ASSERT_EQ(::symlink("nothing", folder.file("link").c_str()), 0);
+  for (const char* name : {"b", "link"}) {
+    EXPECT_EQ(copy_error(folder.file("a"), folder.file(name)),
+              folder.file(name) + ": cannot be written: File exists");
+  }
+  EXPECT_EQ(read_bytes(folder.file("b")), "of b");
+  EXPECT_EQ(folder.n_entries(), 3);
 }
 
 TEST(FileReplacement, EndsWithTheCommit) {
