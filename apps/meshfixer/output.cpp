@@ -191,6 +191,7 @@ Soup write_output(const Output& output, const std::string& path, Options::Backup
   } else {
     replace_file(path, output.bytes);
   }
+  if (!std::filesystem::is_regular_file(path)) return soup;  // a pipe gives nothing back
   const FileContent written(path);
   if (written.bytes() != output.bytes) soup = parse_mesh(written.bytes(), path);
   return soup;

@@ -63,8 +63,8 @@ struct Output {
 [[nodiscard]] std::vector<AttributeCount> lost_by_all(const std::vector<Loss>& parts,
                                                       const Source& source);
 
-/// Writes a file and reads it back. An old file stays until the new one is complete; a file that
-/// cannot be read back does not replace it.
+/// Writes a file and reads it back, unless it is a pipe or a device. An old file stays until the
+/// new one is complete; a file that cannot be read back does not replace it.
 ///
 /// @param backup  Whether the old file is kept as backup_path(); if it stays, there is no backup.
 /// @throws IoError  if it cannot be written or read back.

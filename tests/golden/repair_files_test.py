@@ -132,6 +132,23 @@ class RepairFiles(unittest.TestCase):
         self.assertEqual(os.listdir(self.folder), ["box.obj"])
         self.assertEqual((self.folder / "box.obj").read_text(), obj())
 
+    def test_a_pipe_is_written_and_not_read_back(self):
+        self.write("box.obj", obj())
+        os.mkfifo(self.folder / "pipe.obj")
+        with subprocess.Popen(["cat", "pipe.obj"], cwd=self.folder, stdout=subprocess.PIPE) as reader:
+            result = subprocess.run([PROGRAM, "box.obj", "-o", "pipe.obj"], cwd=self.folder, capture_output=True,
+                                    check=False, timeout=10)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn(b"\nwritten: pipe.obj\n", result.stdout)
+            self.assertEqual(reader.stdout.read().decode(), self.fixed("box.obj", obj()).decode())
+
+    def test_a_device_is_written_and_not_read_back(self):
+        self.write("box.obj", obj())
+        os.symlink("/dev/null", self.folder / "null.obj")
+        result = run("box.obj", "-o", "null.obj", cwd=self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn(b"\nhole: 1 -> 0\n", result.stdout)
+
     def test_an_older_original_is_not_written_over(self):
         self.write("box.obj", obj())
         self.write("box.obj.orig", "older")
