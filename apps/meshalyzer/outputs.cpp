@@ -1,5 +1,6 @@
 #include "outputs.h"
 
+#include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/file_replacement.h"
 #include "meshalyzer/report/json/report.h"
@@ -104,11 +105,12 @@ class TextOutput : public Output {
 
 void TextOutput::on_mesh(Index, const Analysis& mesh) {
   const bool is_among_others = run_.inputs.is_set || run_.inputs.files.size() > 1;
+  const std::string name = without_controls(mesh.path);
   const bool is_verdict = mesh.goodness && run_.options.offenders == OffenderStyle::None;
   if (is_among_others && is_verdict) {
-    out_ << mesh.path << ": ";
+    out_ << name << ": ";
   } else if (is_among_others) {
-    out_ << (n_written_ == 0 ? "" : "\n") << "==== " << mesh.path << " ====\n";
+    out_ << (n_written_ == 0 ? "" : "\n") << "==== " << name << " ====\n";
   }
   out_ << text_report(mesh, run_.options.offenders);
   ++n_written_;

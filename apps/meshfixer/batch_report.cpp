@@ -1,5 +1,6 @@
 #include "batch_report.h"
 
+#include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/report/json/bytes.h"
 #include "meshalyzer/report/json/repair_report.h"
 #include "meshalyzer/report/json/writer.h"
@@ -43,7 +44,7 @@ std::string file_line(const std::string& path, const RepairReport& report) {
   }
   if (!report.lost.empty()) line += ", lost: " + lost_text(report.lost);
   for (const std::string& note : report.notes) line += ", " + note;
-  return line + '\n';
+  return without_controls(line) + '\n';
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 #include "meshalyzer/base/error.h"
 
+#include "meshalyzer/base/control_characters.h"
+
 namespace meshalyzer {
 namespace {
 
-std::string located(const std::string& file, FilePlace place, const std::string& what) {
+std::string located(const std::string& path, FilePlace place, const std::string& what) {
+  const std::string file = without_controls(path);
   if (place.line != 0) {
     return file + ":" + std::to_string(place.line) + ": " + what;
   }

@@ -31,7 +31,7 @@ struct FilePlace {
 /// A file could not be opened or written, or its content is not of its format.
 ///
 /// what() reads `FILE:LINE: what is wrong`, or `FILE:byte OFFSET: ...` for binary content, or
-/// `FILE: ...`.
+/// `FILE: ...`, on one line: control characters in the name of the file are "?".
 class IoError : public Error {
  public:
   IoError(const std::string& file, FilePlace place, const std::string& what);

@@ -20,6 +20,12 @@ TEST(IoError, WithoutAPlaceNamesTheFileAlone) {
   EXPECT_STREQ(IoError("a.stl", {}, "no such file").what(), "a.stl: no such file");
 }
 
+TEST(IoError, IsOnOneLine) {
+  const IoError error("a\nb\x1B[2J\x7F.stl", {.line = 1}, "no face");
+  EXPECT_STREQ(error.what(), "a?b?[2J?.stl:1: no face");
+  EXPECT_EQ(error.file(), "a\nb\x1B[2J\x7F.stl");
+}
+
 TEST(Error, IsTheBaseOfAllThatIsThrown) {
   EXPECT_THROW(throw IoError("a", {}, "b"), Error);
   EXPECT_THROW(throw InvalidArgument("b"), Error);

@@ -1,5 +1,6 @@
 #include "meshalyzer/report/check/lines.h"
 
+#include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/report/format_text.h"
 
 #include <algorithm>
@@ -7,15 +8,21 @@
 
 namespace meshalyzer {
 
+std::string shown_path(const FileFindings& file) {
+  return without_controls(file.path);
+}
+
 std::string place_of(const FileFindings& file, const Finding& finding) {
-  return finding.line ? fmt::format("{}:{}", file.path, *finding.line) : file.path;
+  const std::string name = shown_path(file);
+  return finding.line ? fmt::format("{}:{}", name, *finding.line) : name;
 }
 
 std::string place_of_error(const FileFindings& file) {
   const FilePlace place = file.error_place;
-  if (place.line != 0) return fmt::format("{}:{}", file.path, place.line);
-  if (place.byte != FilePlace::kNoByte) return fmt::format("{}:byte {}", file.path, place.byte);
-  return file.path;
+  const std::string name = shown_path(file);
+  if (place.line != 0) return fmt::format("{}:{}", name, place.line);
+  if (place.byte != FilePlace::kNoByte) return fmt::format("{}:byte {}", name, place.byte);
+  return name;
 }
 
 std::string message_of(const Finding& finding) {

@@ -8,6 +8,9 @@
 
 namespace meshalyzer {
 
+/// Returns the path of a file on one line.
+[[nodiscard]] std::string shown_path(const FileFindings& file);
+
 /// Returns the place of a finding: "cow.obj:628", or only the path if the format has no lines.
 [[nodiscard]] std::string place_of(const FileFindings& file, const Finding& finding);
 

@@ -39,7 +39,7 @@ void CheckText::add(const FileFindings& file) {
     return;
   }
   if (const std::string note = note_of(file); !note.empty()) {
-    sink_(fmt::format("{}: note: {}\n", file.path, note));
+    sink_(fmt::format("{}: note: {}\n", shown_path(file), note));
   }
   auto finding = file.findings.begin();
   for (const FindingCount& found : file.counts) {
@@ -49,7 +49,7 @@ void CheckText::add(const FileFindings& file) {
                         message_of(*finding)));
     }
     if (n_left_out(file, found) != 0 || found.is_at_least) {
-      sink_(fmt::format("{}: {} {}\n", file.path, left_out_of(file, found), found.code));
+      sink_(fmt::format("{}: {} {}\n", shown_path(file), left_out_of(file, found), found.code));
     }
   }
 }

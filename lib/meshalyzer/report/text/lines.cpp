@@ -1,5 +1,6 @@
 #include "meshalyzer/report/text/lines.h"
 
+#include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/base/grouped_digits.h"
 
 #include <fmt/format.h>
@@ -19,9 +20,9 @@ void TextLines::heading(std::string_view title) {
 }
 
 void TextLines::add(std::string_view name, std::string_view value) {
-  text_ += name;
+  text_ += without_controls(name);
   text_ += ": ";
-  text_ += value;
+  text_ += without_controls(value);
   text_ += '\n';
 }
 

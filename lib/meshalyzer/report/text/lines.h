@@ -50,7 +50,7 @@ class LineSink {
   }
 };
 
-/// Collects the lines of a text report.
+/// Collects the lines of a text report; control characters in names and values become "?".
 class TextLines : public LineSink {
  public:
   /// Begins a section; a blank line precedes each but the first.

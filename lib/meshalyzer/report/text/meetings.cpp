@@ -1,5 +1,6 @@
 #include "meshalyzer/report/text/meetings.h"
 
+#include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/report/text/offenders.h"
 
 #include <algorithm>
@@ -19,8 +20,9 @@ ContactCounts count_all(const std::vector<MeshMeeting>& meetings) {
 
 void append_pairs(std::string& text, const SetAnalysis& set) {
   for (const SetPair& pair : set.intersections->pairs) {
-    fmt::format_to(std::back_inserter(text), "{} face {}, {} face {}: {}\n", set.names[pair.mesh_a],
-                   pair.face_a, set.names[pair.mesh_b], pair.face_b, contact_name(pair.kind));
+    fmt::format_to(std::back_inserter(text), "{} face {}, {} face {}: {}\n",
+                   without_controls(set.names[pair.mesh_a]), pair.face_a,
+                   without_controls(set.names[pair.mesh_b]), pair.face_b, contact_name(pair.kind));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "meshalyzer/report/text/summary_table.h"
 
 #include "meshalyzer/analysis/goodness.h"
+#include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/report/text/table.h"
 #include "meshalyzer/report/utf8.h"
 
@@ -16,13 +17,12 @@ constexpr std::size_t kMinWidth = 8;
 constexpr std::size_t kMaxWidth = 40;
 constexpr std::string_view kNone = "-";
 
-/// Returns the characters of a name; control characters, which would break the line, are replaced.
+/// Returns the characters of a text.
 std::vector<std::string> characters_of(std::string_view name) {
   std::vector<std::string> characters;
   for (std::size_t i = 0; i < name.size();) {
     const std::size_t length = std::max<std::size_t>(1, utf8_sequence_length(name, i));
-    const auto code = static_cast<unsigned char>(name[i]);
-    characters.emplace_back(code < 0x20U || code == 0x7FU ? "?" : name.substr(i, length));
+    characters.emplace_back(name.substr(i, length));
     i += length;
   }
   return characters;
@@ -31,7 +31,7 @@ std::vector<std::string> characters_of(std::string_view name) {
 /// Shortens a name to a width. It keeps more of the end, since that is where names in one folder
 /// mostly differ.
 std::string fitted_name(std::string_view name, std::size_t width) {
-  std::vector<std::string> characters = characters_of(name);
+  std::vector<std::string> characters = characters_of(without_controls(name));
   if (characters.size() > width) {
     constexpr std::string_view kEllipsis = "...";
     const std::size_t kept = width - kEllipsis.size();

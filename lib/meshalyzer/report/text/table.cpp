@@ -1,5 +1,6 @@
 #include "meshalyzer/report/text/table.h"
 
+#include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/report/utf8.h"
 
 #include <algorithm>
@@ -31,7 +32,8 @@ void append_table(std::string& text, const TextTable& table) {
       const std::string padding(widths[column] - n_characters(row[column]), ' ');
       const bool is_name = column < table.n_name_columns;
       text += "  ";
-      text += is_name ? row[column] + padding : padding + row[column];
+      const std::string cell = without_controls(row[column]);
+      text += is_name ? cell + padding : padding + cell;
     }
     text += '\n';
   }

@@ -26,7 +26,7 @@ struct TextTable {
 /// What follows the title of a column whose numbers are only lower bounds.
 inline constexpr std::string_view kAtLeastTitle = " (at least)";
 
-/// Appends the rows, each column as wide as its widest entry.
+/// Appends the rows, each column as wide as its widest entry; control characters become "?".
 void append_table(std::string& text, const TextTable& table);
 
 }  // namespace meshalyzer

@@ -88,6 +88,22 @@ TEST(CheckReport, TextTellsThatThereMayBeMoreThanIsListed) {
   EXPECT_EQ(text.find("at least 0"), std::string::npos);
 }
 
+TEST(CheckReport, TextNamesAFileOnOneLine) {
+  FileFindings bad = bad_file();
+  FileFindings unreadable = unreadable_file();
+  for (FileFindings* file : {&bad, &unreadable}) file->path = "a\nb.obj";
+  std::string text;
+  const auto report = make_check_report(
+      CheckFormat::Text, [&](std::string_view piece) { text += piece; }, TextColour::Never);
+  report->add(bad);
+  report->add(unreadable);
+  EXPECT_EQ(text,
+            "a?b.obj:628: error[hole]: a border, 50% <long> (meshfixer fills it)\n"
+            "a?b.obj: ... and 35 more hole\n"
+            "a?b.obj: warning[orphan-vertex]: no face uses vertex 9\n"
+            "a?b.obj:7: error[unreadable]: no face\n");
+}
+
 TEST(CheckReport, TextOnATerminalColoursSeverities) {
   const std::string text = report_as(CheckFormat::Text, TextColour::Always);
   EXPECT_NE(text.find("\x1b[1;31merror\x1b[0m[hole]"), std::string::npos);
