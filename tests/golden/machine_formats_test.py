@@ -82,6 +82,9 @@ def faults_of_sarif(text):
         rules = [rule["id"] for rule in run["tool"]["driver"]["rules"]]
         if len(set(rules)) != len(rules):
             yield "a rule is defined twice"
+        artifacts = [artifact["location"]["uri"] for artifact in run["artifacts"]]
+        if len(set(artifacts)) != len(artifacts):
+            yield "an artifact is listed twice"
         for result in run["results"]:
             if result["ruleId"] not in rules:
                 yield f"no rule {result['ruleId']}"
@@ -149,7 +152,7 @@ def main(program, meshes, schema_path):
     with tempfile.TemporaryDirectory() as folder:
         odd = pathlib.Path(folder)
         write_odd_files(odd)
-        paths = [meshes, folder, str(odd / "missing.mesh")]
+        paths = [meshes, folder, str(odd / "missing.mesh"), str(odd / "missing.mesh")]
 
         def report(name):
             result = subprocess.run([program, "check", "--format", name, *paths], capture_output=True, text=True,

@@ -5,7 +5,9 @@
 #include "meshalyzer/report/html/writer.h"
 #include "meshalyzer/report/json/writer.h"
 
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -78,11 +80,12 @@ class CheckSarif : public CheckReport {
   void finish(const CheckTotals& totals, std::chrono::duration<double> elapsed) override;
 
  private:
+  void write_artifacts();
   void write_notes();
 
   TextSink sink_;
   JsonWriter json_;
-  /// The addresses of all files, for "artifacts".
+  /// The addresses of all files, for "artifacts"; a file may be named more than once.
   std::vector<std::string> addresses_;
   struct Note {
     std::string address;
@@ -140,6 +143,22 @@ void CheckSarif::add(const FileFindings& file) {
   sink_(json_.drain());
 }
 
+void CheckSarif::write_artifacts() {
+  json_.key("artifacts");
+  json_.begin_array();
+  std::set<std::string_view> written;
+  for (const std::string& address : addresses_) {
+    if (!written.insert(address).second) continue;
+    json_.begin_object(JsonLayout::Row);
+    json_.key("location");
+    json_.begin_object();
+    json_.member("uri", std::string_view(address));
+    json_.end_object();
+    json_.end_object();
+  }
+  json_.end_array();
+}
+
 void CheckSarif::write_notes() {
   json_.key("toolExecutionNotifications");
   json_.begin_array();
@@ -155,17 +174,7 @@ void CheckSarif::write_notes() {
 
 void CheckSarif::finish(const CheckTotals& totals, std::chrono::duration<double> /*elapsed*/) {
   json_.end_array();
-  json_.key("artifacts");
-  json_.begin_array();
-  for (const std::string& address : addresses_) {
-    json_.begin_object(JsonLayout::Row);
-    json_.key("location");
-    json_.begin_object();
-    json_.member("uri", std::string_view(address));
-    json_.end_object();
-    json_.end_object();
-  }
-  json_.end_array();
+  write_artifacts();
   json_.key("invocations");
   json_.begin_array();
   json_.begin_object(JsonLayout::Row);
