@@ -31,8 +31,8 @@ ExitCode repair_one(const BatchRun& run, const std::string& file) {
   options.input = file;
   options.output = result_path(run.options, file);
   try {
-    require_format(*options.output);
     const InputFile input(file);
+    require_format(*options.output);
     Soup soup = parse_mesh(input.bytes(), file);
     const RepairTask task{options, input, run.files, run.streams};
     return repair_mesh(task, std::move(soup), [&](const RepairReport& repair) {
