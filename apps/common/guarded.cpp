@@ -1,5 +1,6 @@
 #include "guarded.h"
 
+#include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/base/error.h"
 #include "usage_error.h"
 
@@ -14,7 +15,8 @@ int run_guarded(const std::string& name, Streams streams,
   try {
     return static_cast<int>(program());
   } catch (const UsageError& error) {
-    streams.err << name << ": " << error.what() << "\nTry '" << name << " --help'.\n";
+    streams.err << name << ": " << without_controls(error.what()) << "\nTry '" << name
+                << " --help'.\n";
     return static_cast<int>(ExitCode::Usage);
   } catch (const IoError& error) {
     streams.err << error.what() << '\n';

@@ -3,6 +3,7 @@
 #include "mesh_paths.h"
 #include "meshalyzer/analysis/analyze.h"
 #include "meshalyzer/analysis/goodness.h"
+#include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/boolean/combine_solids.h"
@@ -284,7 +285,7 @@ class CombinationRun {
     report_.outputs.push_back({});
     report_.outputs.back().verdict = "empty";
     if (!path) return;
-    streams_.err << where << ": not written: the result is empty\n";
+    streams_.err << without_controls(where) << ": not written: the result is empty\n";
     be_at_least(ExitCode::Failure);
   }
 

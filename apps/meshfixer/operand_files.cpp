@@ -1,5 +1,6 @@
 #include "operand_files.h"
 
+#include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/boolean/solid_fault.h"
 #include "meshalyzer/io/read.h"
@@ -26,7 +27,8 @@ std::string solid_faults(const OperandFiles& operands) {
     const std::string fault = find_solid_fault(operands.soups[i]);
     if (fault.empty()) continue;
     if (!text.empty()) text += '\n';
-    text += operands.files[i]->path() + ": bounds no solid: " + fault + "; repair it first";
+    text += without_controls(operands.files[i]->path()) + ": bounds no solid: " + fault +
+            "; repair it first";
   }
   return text;
 }

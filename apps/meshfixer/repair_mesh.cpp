@@ -2,6 +2,7 @@
 
 #include "meshalyzer/analysis/analyze.h"
 #include "meshalyzer/analysis/goodness.h"
+#include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/io/format_of.h"
 #include "meshalyzer/io/read.h"
@@ -231,7 +232,7 @@ ExitCode verdict(const Options& options, const RepairReport& report, Streams str
                                            [](const FinalMesh& m) { return m.name.path.empty(); });
   if (options.loss == Options::Loss::Refuse && !report.lost.empty()) return ExitCode::NotGood;
   if (options.output && is_missing) {
-    streams.err << *options.output << ": not written: " << kNothingLeft << '\n';
+    streams.err << without_controls(*options.output) << ": not written: " << kNothingLeft << '\n';
     return ExitCode::Failure;
   }
   return nothing_remains(report) ? ExitCode::Done : ExitCode::NotGood;

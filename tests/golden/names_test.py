@@ -20,7 +20,9 @@ MESHALYZER = [(["."], {1, 2, 3, 4, 5}), (["-p", "-i", "."], {1, 2, 3, 4, 5}), ([
               (["check", "--diff", "good\n1.mesh", "bad\r2.mesh"], {2})]
 MESHFIXER = [(["--find", "bad\r2.mesh"], {2}), (["bad\r2.mesh", "-o", "two\t3.mesh"], {2, 3}),
              (["--union", "good\n1.mesh", "two\t3.mesh", "-o", "bad\r2.mesh"], {1, 2, 3}),
-             (["--in-place", "."], {1, 2, 3, 4, 5}), (["none\n4.mesh", "-o", "new.mesh"], {4})]
+             (["--in-place", "."], {1, 2, 3, 4, 5}), (["bad\r2.mesh", "-o", "bad\r2.mesh"], {2}),
+             (["--intersection", "bad\r2.mesh", "good\n1.mesh", "-o", "new.mesh"], {2}),
+             (["none\n4.mesh", "-o", "new.mesh"], {4})]
 
 
 def faults_of(program, options, numbers, meshes):

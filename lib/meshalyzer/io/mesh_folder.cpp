@@ -1,5 +1,6 @@
 #include "meshalyzer/io/mesh_folder.h"
 
+#include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/io/format_of.h"
 
 #include <algorithm>
@@ -31,14 +32,16 @@ MeshFolder list_mesh_folder(const std::string& folder) {
        entry.increment(error)) {
     add_entry(*entry, listed);
   }
-  if (error) listed.error = folder + ": cannot list the folder: " + error.message();
+  if (error) {
+    listed.error = without_controls(folder) + ": cannot list the folder: " + error.message();
+  }
   std::sort(listed.files.begin(), listed.files.end());
   std::sort(listed.folders.begin(), listed.folders.end());
   return listed;
 }
 
 std::string no_mesh_in(const std::string& folder) {
-  return folder + ": no mesh file in the folder (" + kMeshEndings + ")";
+  return without_controls(folder) + ": no mesh file in the folder (" + kMeshEndings + ")";
 }
 
 }  // namespace meshalyzer
