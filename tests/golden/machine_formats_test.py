@@ -86,6 +86,9 @@ def faults_of_sarif(text):
         if len(set(artifacts)) != len(artifacts):
             yield "an artifact is listed twice"
         for result in run["results"]:
+            message = result["message"]["text"]
+            if set("{}") & set(message.replace("{{", "").replace("}}", "")):
+                yield f"a place for an argument that is not there: {message}"
             if result["ruleId"] not in rules:
                 yield f"no rule {result['ruleId']}"
             region = result["locations"][0]["physicalLocation"].get("region")
@@ -139,8 +142,9 @@ def faults_of_json(text, schema):
 
 def write_odd_files(folder):
     """Files whose names and contents are hard to write: not to be read, wrongly named, with signs of XML and of URIs, with the
-    end of a line."""
+    end of a line, with what stands for an argument in messages of SARIF."""
     (folder / "no mesh <&>.obj").write_text("hello\n")
+    (folder / "no mesh either.mesh").write_text("{0}}{\n")
     (folder / "wrong ending.stl").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
     (folder / "100% \"ü\".off").write_text("OFF\n1 0 0\n0 0 0\n")
     (folder / "two\nlines\tof.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")

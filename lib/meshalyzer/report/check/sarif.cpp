@@ -14,11 +14,14 @@
 namespace meshalyzer {
 namespace {
 
-/// Writes an object with only a text, as which SARIF writes messages and descriptions.
+/// Writes an object with only a text, as which SARIF writes messages and descriptions. Braces are
+/// doubled: single ones would enclose the number of an argument.
 void write_text(JsonWriter& json, std::string_view name, std::string_view text) {
+  std::string escaped;
+  for (const char c : text) escaped.append(c == '{' || c == '}' ? 2 : 1, c);
   json.key(name);
   json.begin_object(JsonLayout::Row);
-  json.member("text", text);
+  json.member("text", std::string_view(escaped));
   json.end_object();
 }
 
