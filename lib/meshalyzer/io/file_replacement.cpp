@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/descriptor.h"
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/file.h"
 
 #include <cerrno>
@@ -18,6 +19,7 @@ namespace meshalyzer {
 namespace {
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 18U;
+constexpr int kMaxLinks = 40;  // that the kernel follows
 
 std::optional<struct stat> status_of(const std::string& path) {
   struct stat status {};
@@ -40,6 +42,28 @@ bool keep_access(const Descriptor& file, const struct stat& old) {
 bool is_link(const std::filesystem::path& path) {
   std::error_code ignored;  // a path that cannot be examined is reported when it is opened
   return std::filesystem::is_symlink(path, ignored);
+}
+
+/// Returns what a link names.
+std::filesystem::path next_target(const std::filesystem::path& link) {
+  std::error_code ignored;  // the link was there a moment ago
+  return link.parent_path() / std::filesystem::read_symlink(link, ignored);
+}
+
+/// Returns the descriptor that a path such as /dev/stdout names, of a file that this process has
+/// open.
+std::optional<int> open_descriptor(const std::string& path) {
+  std::error_code ignored;  // without /proc no path names a descriptor
+  const std::filesystem::path all = std::filesystem::canonical("/proc/self/fd", ignored);
+  std::filesystem::path named = path;
+  for (int i = 0; i < kMaxLinks && is_link(named) && !all.empty(); ++i) {
+    if (std::filesystem::weakly_canonical(named.parent_path(), ignored) == all) {
+      const auto number = parse_integer(named.filename().string());
+      if (number) return static_cast<int>(*number);
+    }
+    named = next_target(named);
+  }
+  return std::nullopt;
 }
 
 /// A file beside the one that a path names, which it can replace; it is removed unless it has.
@@ -112,12 +136,8 @@ class NewFile {
 }  // namespace
 
 std::string link_target(const std::string& path) {
-  constexpr int kMaxLinks = 40;  // that the kernel follows
   std::filesystem::path target = path;
-  for (int i = 0; i < kMaxLinks && is_link(target); ++i) {
-    std::error_code ignored;  // the link was there a moment ago
-    target = target.parent_path() / std::filesystem::read_symlink(target, ignored);
-  }
+  for (int i = 0; i < kMaxLinks && is_link(target); ++i) target = next_target(target);
   return target.string();
 }
 
@@ -136,10 +156,16 @@ void copy_to_new_file(const std::string& from, const std::string& to) {
   }
 }
 
-/// One of the two ways to write: into a new file, or directly into a file that is not regular.
+/// One of the two ways to write: into a new file, or directly into a file that is open or not
+/// regular.
 class FileReplacement::Output {
  public:
   explicit Output(const std::string& path) : path_(path) {
+    if (const std::optional<int> open = open_descriptor(path)) {
+      direct_.emplace(::fcntl(*open, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+      if (!direct_->is_open()) throw_errno(path, "cannot be opened");
+      return;
+    }
     const std::optional<struct stat> old = status_of(path);
     if (old && S_ISDIR(old->st_mode)) {
       throw IoError(path, {}, "is a directory");

@@ -22,7 +22,8 @@ void copy_to_new_file(const std::string& from, const std::string& to);
 /// without commit() it is removed and the old file stays. An existing file keeps its permissions,
 /// and its owner and group where the user may set them; a symbolic link keeps pointing to its file,
 /// which need not exist. A file that is not regular (a pipe, a device) is written directly, which
-/// cannot be undone.
+/// cannot be undone; so is one that the process has open already, if it is named as such
+/// (/dev/stdout): it goes on where it is.
 class FileReplacement {
  public:
   /// @throws IoError if `path` is a directory or cannot be written.

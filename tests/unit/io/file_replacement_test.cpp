@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
 #include <string>
 #include <sys/stat.h>
 #include <thread>
@@ -123,6 +124,26 @@ TEST(FileReplacement, WhatIsBufferedFailsAtTheCommit) {
   FileReplacement file("/dev/full");
   file.write("a few");
   EXPECT_THROW(file.commit(), IoError);
+}
+
+TEST(FileReplacement, AnOpenFileIsWrittenOnFromItsPosition) {
+  for (const int flag : {0, O_APPEND}) {
+    const TemporaryFolder folder;
+    write_bytes(folder.file("a"), "a log");
+    const int log = ::open(folder.file("a").c_str(), O_WRONLY | flag);
+    const std::string name = "/dev/fd/" + std::to_string(log);
+    ASSERT_EQ(::symlink(name.c_str(), folder.file("link").c_str()), 0);
+    ASSERT_EQ(::lseek(log, 5, SEEK_SET), 5);
+    for (const std::string& path : {name, folder.file("link")}) {
+      FileReplacement file(path);
+      file.write(", more");
+      file.commit();
+    }
+    ASSERT_EQ(::write(log, ".", 1), 1);
+    ::close(log);
+    EXPECT_EQ(read_bytes(folder.file("a")), "a log, more, more.");
+    EXPECT_EQ(folder.n_entries(), 2);
+  }
 }
 
 std::string copy_error(const std::string& from, const std::string& to) {
