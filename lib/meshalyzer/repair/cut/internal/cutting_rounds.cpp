@@ -28,8 +28,8 @@ constexpr std::size_t kTestsAFace = 500;
 /// The maximum number of pieces for each face of the input, beside those that the caller allows.
 constexpr std::size_t kPiecesAFace = 10;
 /// The maximum memory for the digits of exact points, see ArrangeLimits. A million pieces of a mesh
-/// whose coordinates have a common scale need a tenth of it, if anything.
-constexpr std::size_t kMaxDigitBytes = std::size_t{1} << 29;
+/// whose coordinates have a common scale need two fifths of it, if anything.
+constexpr std::size_t kMaxDigitBytes = std::size_t{1} << 27;
 /// Slivers are new faces thinner than this multiple of the spacing of the grid. If they widen, each
 /// round multiplies their width by a factor, up to a share of the maximum deviation.
 constexpr double kSliverWidth = 2.0;
