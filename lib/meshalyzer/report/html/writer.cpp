@@ -1,5 +1,6 @@
 #include "meshalyzer/report/html/writer.h"
 
+#include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/report/utf8.h"
 
 #include <algorithm>
@@ -21,16 +22,6 @@ bool is_on_own_line(std::string_view tag) {
   return std::find(kOnOwnLine.begin(), kOnOwnLine.end(), tag) != kOnOwnLine.end();
 }
 
-bool is_control(unsigned char c) {
-  return (c < 0x20U && c != '\n' && c != '\t') || c == 0x7FU;
-}
-
-/// Tells whether a sequence is one of the controls U+0080 ... U+009F.
-bool is_c1_control(std::string_view sequence) {
-  return sequence.size() == 2 && sequence[0] == '\xC2' &&
-         static_cast<unsigned char>(sequence[1]) < 0xA0U;
-}
-
 void append_ascii(std::string& html, char c) {
   switch (c) {
     case '&':
@@ -46,12 +37,7 @@ void append_ascii(std::string& html, char c) {
       html += "&quot;";
       return;
     default:
-      break;
-  }
-  if (is_control(static_cast<unsigned char>(c))) {
-    html += kReplacementCharacter;
-  } else {
-    html += c;
+      html += c;
   }
 }
 
@@ -72,11 +58,13 @@ bool is_plain_in_address(char c) {
 void append_escaped_html(std::string& html, std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = utf8_sequence_length(text, i);
-    if (length == 1) {
+    const bool is_space = text[i] == '\n' || text[i] == '\t';
+    if (length == 0 || (control_length(text, i) > 0 && !is_space)) {
+      html += kReplacementCharacter;
+    } else if (length == 1) {
       append_ascii(html, text[i]);
     } else {
-      const std::string_view sequence = text.substr(i, length);
-      html += length == 0 || is_c1_control(sequence) ? kReplacementCharacter : sequence;
+      html += text.substr(i, length);
     }
     i += std::max<std::size_t>(1, length);
   }

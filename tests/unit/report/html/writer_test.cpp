@@ -31,6 +31,15 @@ TEST(AppendEscapedHtml, WhatNoDocumentMayHaveIsReplaced) {
             "a�b");
 }
 
+TEST(AppendEscapedHtml, WhatTurnsTheTextAfterItRoundIsReplaced) {
+  // The embeddings and overrides U+202A ... U+202E and the isolates U+2066 ... U+2069.
+  EXPECT_EQ(escaped("a\u202Abo.x, \u202Eb\u202C.obj"), "a�bo.x, �b�.obj");
+  EXPECT_EQ(escaped("a\u2066b\u2069"), "a�b�");
+  // What stands beside them in the table of characters stays, and so do words written from right
+  // to left.
+  EXPECT_EQ(escaped("\u2029\u202F\u2065\u206A שלום"), "\u2029\u202F\u2065\u206A שלום");
+}
+
 TEST(AppendEscapedHtml, BytesThatAreNoTextAreReplacedOneByOne) {
   EXPECT_EQ(escaped("a\xFF\xC3(\xE2\x82"), "a��(��");
 }
