@@ -126,6 +126,15 @@ class Choosing(PageCase):
                     self.assertTrue(all(far(pixel, colour) > 40 for pixel in before))
                     self.assertTrue(any(far(pixel, colour) <= 25 for pixel in lit), (lit, colour))
 
+    def test_a_defect_of_faces_without_a_place_is_not_called_too_large(self):
+        self.open(self.pages.mesh("missing_vertex.mesh"))
+        highlights = self.data["scenes"][0]["highlights"]
+        corrupt = next(index for index, highlight in enumerate(highlights) if highlight["code"] == "corrupt")
+        self.session.run("meshView.select(0, arguments[0])", corrupt)
+        text = self.session.text("#chosen-text")
+        self.assertIn("not all of it can be lit up", text)
+        self.assertNotIn("too large", text)
+
     def test_a_click_on_the_list_chooses_and_flies(self):
         self.open(self.pages.mesh("cube_with_hole.mesh"))
         button = "button.defect[data-highlight='0']"

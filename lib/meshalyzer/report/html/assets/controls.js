@@ -65,7 +65,7 @@
     const highlight = viewer.highlight;
     element("chosen").hidden = !highlight;
     if (highlight) {
-      const rest = highlight.isCut ? " (too large to be lit up in full)" : "";
+      const rest = highlight.isCut ? " (not all of it can be lit up)" : "";
       element("chosen-text").textContent = highlight.code + ": " + highlight.text + rest;
     }
   };
