@@ -9,6 +9,7 @@
 #include "meshalyzer/analysis/internal/measures.h"
 #include "meshalyzer/analysis/internal/volume.h"
 #include "meshalyzer/base/stop_query.h"
+#include "meshalyzer/mesh/require_corners.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 
 #include <algorithm>
@@ -95,6 +96,7 @@ PairLimits pair_limits(const MeshRequest& request, StopQuery wants_to_stop) {
 }
 
 Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options) {
+  require_corners(soup);
   const auto phase = [&](std::string_view name) {
     if (options.on_phase) {
       options.on_phase(name);

@@ -91,9 +91,9 @@ struct AnalysisOptions : MeshRequest {
 /// The result is the same for any number of threads and, apart from numbering, for any order of the
 /// records.
 ///
-/// @param soup     The file, taken by value: its arrays are freed as soon as they are no longer
-///                 needed.
+/// @param soup     The file, by value: its arrays are freed as soon as they are no longer needed.
 /// @param path     The name of the file in the report.
+/// @throws InvalidArgument  as build().
 /// @complexity     O(n log n) in the number of faces for meshes whose faces meet few others.
 [[nodiscard]] Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options = {});
 

@@ -73,8 +73,8 @@ struct CombinedSolid {
 ///
 /// @param operands  The operands, for none of which find_solid_fault() finds a fault.
 /// @return          The result, which is the same for any number of threads.
-/// @throws InvalidArgument  if there are no operands, or a face has none, or a position is not
-/// finite.
+/// @throws InvalidArgument  as build(); if there are no operands, or a face has none; and if a
+/// position is not finite.
 /// @complexity      That of find_self_intersections(), plus O(#F) for the cells and O(#cells
 ///                  #operands).
 [[nodiscard]] CombinedSolid combine_solids(const Operands& operands, const InsideRule& rule,

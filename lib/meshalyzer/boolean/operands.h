@@ -17,9 +17,9 @@ struct Operands {
   std::size_t count = 0;
 };
 
-/// Concatenates several meshes to one soup: records, missing references, groups and normals. Ids
-/// become 1, 2, ..., n. If several meshes have groups, faces without a group are put into one
-/// without a name.
+/// Concatenates meshes: records, missing references, groups and normals. Ids become 1, 2, ..., n.
+/// If several meshes have groups, faces without one are put into a group without a name.
+/// @throws InvalidArgument  as build() for each mesh.
 [[nodiscard]] Soup concatenate(std::span<const Soup> meshes);
 
 /// Returns the meshes that concatenate() has joined, each as an operand.

@@ -58,7 +58,7 @@ struct DefectReport {
 /// The result does not depend on the number of threads. A mesh with a position that is not finite
 /// is only searched for corrupt records, orphan vertices and breaks of the numbering.
 ///
-/// @throws InvalidArgument  if resolve_tolerances() does.
+/// @throws InvalidArgument  as resolve_tolerances() and build().
 /// @complexity  O(#F log #F) for meshes whose faces meet few others.
 [[nodiscard]] DefectReport find_defects(const Soup& soup, const DefectOptions& options = {});
 

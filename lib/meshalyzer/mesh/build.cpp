@@ -6,6 +6,7 @@
 #include "meshalyzer/mesh/edge_pairs.h"
 #include "meshalyzer/mesh/fans.h"
 #include "meshalyzer/mesh/link.h"
+#include "meshalyzer/mesh/require_corners.h"
 
 #include <algorithm>
 #include <functional>
@@ -17,19 +18,6 @@ namespace {
 
 constexpr std::size_t kMaxVertices = std::size_t{1} << 31U;
 constexpr std::size_t kMaxFaces = std::size_t{1} << 30U;
-
-void check_corners(const Soup& soup) {
-  const std::size_t n_vertices = soup.n_vertices();
-  const auto is_outside = [&](Index v) { return v >= n_vertices && v != kNoIndex; };
-  const std::vector<Index> wrong = parallel_filter(soup.n_faces(), [&](Index face) {
-    return std::ranges::any_of(soup.triangles[face], is_outside);
-  });
-  if (wrong.empty()) return;
-  const Triangle& t = soup.triangles[wrong.front()];
-  throw InvalidArgument("build: face " + std::to_string(wrong.front()) + " names vertex " +
-                        std::to_string(*std::ranges::find_if(t, is_outside)) + " of " +
-                        std::to_string(n_vertices));
-}
 
 /// Returns a side table that holds nothing yet but which faces the mesh will hold.
 SideTable sort_out_faces(const Soup& soup) {
@@ -57,7 +45,7 @@ CutEdges cut_edges(CornerLists sides, const EdgeNumbers& edges) {
 
 CutMesh build(const Soup& soup) {
   if (soup.n_vertices() > kMaxVertices) throw InvalidArgument("build: more than 2^31 vertices");
-  check_corners(soup);
+  require_corners(soup);
   SideTable side = sort_out_faces(soup);
   if (side.faces.size() > kMaxFaces) throw InvalidArgument("build: more than 2^30 faces");
 

@@ -241,6 +241,16 @@ TEST(Analyze, BordersHaveNoCurvature) {
   EXPECT_EQ(analysis.curvature->mean.count, n(CurvatureState::Defined));
 }
 
+TEST(Analyze, FaceOfAVertexThatTheSoupDoesNotHaveIsRefused) {
+  Soup soup = shapes::cube();
+  soup.triangles[3][1] = 1'000'000'000;
+  for (const Scope scope : {Scope::Everything, Scope::AttributesOnly}) {
+    AnalysisOptions options;
+    options.scope = scope;
+    EXPECT_THROW(static_cast<void>(analyze(soup, "soup", options)), InvalidArgument);
+  }
+}
+
 TEST(Analyze, ListenerHearsThePhasesInOrder) {
   std::vector<std::string> heard;
   AnalysisOptions options;

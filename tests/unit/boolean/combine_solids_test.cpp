@@ -229,5 +229,13 @@ TEST(CombineSolids, FaceOfNoOperandIsRefused) {
   EXPECT_THROW(static_cast<void>(combine_as(std::vector<Index>(12, 0), 0)), InvalidArgument);
 }
 
+TEST(CombineSolids, FaceOfAVertexThatTheSoupDoesNotHaveIsRefused) {
+  Soup soup = shapes::cube();
+  soup.triangles[3][1] = 1'000'000'000;
+  EXPECT_THROW(
+      static_cast<void>(combine_solids({soup, std::vector<Index>(12, 0), 1}, union_rule())),
+      InvalidArgument);
+}
+
 }  // namespace
 }  // namespace meshalyzer

@@ -1,5 +1,6 @@
 #include "meshalyzer/boolean/operands.h"
 
+#include "meshalyzer/base/error.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -18,6 +19,12 @@ TEST(Concatenate, RecordsComeOneBehindTheOther) {
     EXPECT_EQ(corners_of(all, static_cast<Index>(4 + f)),
               corners_of(meshes[1], static_cast<Index>(f)));
   }
+}
+
+TEST(Concatenate, FaceOfAVertexOfTheNextMeshIsRefused) {
+  std::vector<Soup> meshes{shapes::tetrahedron(), shapes::tetrahedron()};
+  meshes[0].triangles[2][1] = 5;
+  EXPECT_THROW(static_cast<void>(concatenate(meshes)), InvalidArgument);
 }
 
 TEST(Concatenate, FacesWithoutAGroupStayWithoutOne) {
