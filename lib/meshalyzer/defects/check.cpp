@@ -12,8 +12,8 @@ namespace meshalyzer {
 namespace {
 
 DefectCodes codes_of(const CheckOptions& options) {
-  DefectCodes codes{DefectCode::NonManifold, DefectCode::DegenerateFacet, DefectCode::FlatFacet,
-                    DefectCode::VertexNormal};
+  DefectCodes codes{DefectCode::Corrupt, DefectCode::NonManifold, DefectCode::DegenerateFacet,
+                    DefectCode::FlatFacet, DefectCode::VertexNormal};
   if (options.is_single_face) codes.insert(DefectCode::Disjoint);
   if (options.level == CheckLevel::Full) {
     codes.insert(DefectCode::Slit);

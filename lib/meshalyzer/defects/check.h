@@ -12,9 +12,9 @@ namespace meshalyzer {
 enum class CheckLevel : std::uint8_t {
   /// Every mesh is valid.
   None,
-  /// The mesh must be manifold and have no degenerate or flat facet and no opposed vertex normal.
-  /// The mesh of a single face of a body must also be in one piece, and its border must match the
-  /// polylines that are given.
+  /// The data must make a mesh, which is manifold and has no degenerate or flat facet and no
+  /// opposed vertex normal. That of a single face of a body must also be in one piece, and its
+  /// border must match the polylines that are given.
   Basic,
   /// The mesh must also have no slit and no self-intersection.
   Full,
@@ -48,6 +48,8 @@ struct CheckResult {
 };
 
 /// Checks a mesh.
+///
+/// @throws InvalidArgument  as find_defects().
 [[nodiscard]] CheckResult check(const Soup& soup, const CheckOptions& options = {});
 
 /// Finds the clashes between two meshes: all pairs of faces, one of each, that share a point.

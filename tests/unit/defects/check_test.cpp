@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace meshalyzer {
@@ -34,6 +35,22 @@ TEST(Check, BordersAndOrphansAreNotInvalid) {
   Soup soup = shapes::open_cube();
   soup.positions.emplace_back(5, 5, 5);
   EXPECT_TRUE(check(soup).is_valid());
+}
+
+TEST(Check, DataThatMakeNoMeshAreInvalidFromBasicOn) {
+  Soup not_finite = shapes::cube();
+  not_finite.positions[3].y() = std::numeric_limits<double>::quiet_NaN();
+  Soup missing = shapes::cube();
+  missing.triangles[5][2] = kNoIndex;
+  missing.missing = {{5, 2, 99}};
+  for (const Soup& soup : {not_finite, missing}) {
+    EXPECT_TRUE(check(soup, {.level = CheckLevel::None}).is_valid());
+    for (const CheckLevel level : {CheckLevel::Basic, CheckLevel::Full}) {
+      const CheckResult result = check(soup, {.level = level});
+      EXPECT_FALSE(result.is_valid());
+      EXPECT_EQ(result.report.count(DefectCode::Corrupt), 1U);
+    }
+  }
 }
 
 TEST(Check, DegenerateFacetIsInvalidFromBasicOn) {

@@ -48,7 +48,7 @@ its ends are at one place, and so are two ends of border edges that belong toget
 | level | the mesh must have no |
 |---|---|
 | `none` | anything is valid |
-| `basic` | `non-manifold`, `degenerate-facet`, `flat-facet`, `vertex-normal`. The mesh of a single face of a body must have no `disjoint` either, and its border must match the given polylines |
+| `basic` | `corrupt`, `non-manifold`, `degenerate-facet`, `flat-facet`, `vertex-normal`. The mesh of a single face of a body must have no `disjoint` either, and its border must match the given polylines |
 | `full` | all of `basic`, and also no `slit` and no `self-intersection` |
 )";
 
