@@ -31,6 +31,7 @@ class JsonReport::Pieces {
   }
 
   void add_unreadable(std::string path, std::string why) {
+    require(stage_ == Stage::Meshes);
     unreadable_.push_back({std::move(path), std::move(why)});
   }
 

@@ -22,9 +22,9 @@ using TextSink = std::function<void(std::string_view)>;
 /// Writes the JSON report (doc/report.schema.json) piece by piece, so that a set of any size needs
 /// no more memory than one mesh.
 ///
-/// First all meshes are added, then all findings between them, then the report is finished: any
-/// other order throws InvalidArgument. Exceptions of the sink pass through; the report is then
-/// lost.
+/// First all meshes and unreadable files are added, then all findings between the meshes, then the
+/// report is finished: any other order throws InvalidArgument. Exceptions of the sink pass through;
+/// the report is then lost.
 class JsonReport {
  public:
   JsonReport(TextSink sink, JsonOffenders offenders);
@@ -35,7 +35,7 @@ class JsonReport {
   /// Adds an element of "meshes".
   void add(const Analysis& mesh);
 
-  /// Adds an element of "unreadable", before the report is finished.
+  /// Adds an element of "unreadable".
   /// @param why  The reason in words.
   void add_unreadable(std::string path, std::string why);
 

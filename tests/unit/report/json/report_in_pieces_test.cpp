@@ -99,6 +99,7 @@ TEST(JsonReportPieces, OrderOfThePiecesIsHeldTo) {
   Written written;
   written.report.add(sample_findings(), set.names);
   EXPECT_THROW(written.report.add(sample_analysis()), InvalidArgument);
+  EXPECT_THROW(written.report.add_unreadable("a.mesh", "away"), InvalidArgument);
   EXPECT_THROW(written.report.finish(nullptr), InvalidArgument);
   written.report.finish(&set);
   EXPECT_THROW(written.report.finish(&set), InvalidArgument);
