@@ -124,8 +124,8 @@ void declare_holes(OptionTable& table, Options& options, GivenOptions& given) {
   table.option(
       "--fill-shape SHAPE", noting(given.hole_option, into(fill.shape, to_fill_shape)),
       "linear (no new vertices), smooth (refined and faired), or auto (the default): smooth "
-      "where the surface bends towards the hole. With any of these three options, or --fix, "
-      "holes of sheets (surfaces that bound no solid) are filled too");
+      "where the surface bends towards the hole. With any of these three options, or where --fix "
+      "names hole, holes of sheets (surfaces that bound no solid) are filled too");
   table.flag(
       "--keep-contact", [&repair] { repair.contact = Contact::Keep; },
       "copies of a vertex that was split stay in one place");

@@ -55,8 +55,10 @@ void add_codes(std::string_view item, const std::string& option, DefectCodes& co
 
 CodeList to_codes(const std::string& text, const std::string& option) {
   CodeList list;
-  for_each_item(text, [&](std::string_view item) { add_codes(item, option, list.codes); });
-  list.names_holes = list.codes.contains(DefectCode::Hole) && text != "all" && text != "default";
+  for_each_item(text, [&](std::string_view item) {
+    add_codes(item, option, list.codes);
+    list.names_holes = list.names_holes || item == defect_name(DefectCode::Hole);
+  });
   return list;
 }
 
