@@ -3,6 +3,7 @@
 #include "usage_error.h"
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 
 namespace meshalyzer {
@@ -42,26 +43,15 @@ void check_meshes(const Options& options) {
 
 /// Tells whether the distances between the meshes of a set are requested.
 bool measures_separation(const Options& options) {
-  return options.questions.separation ||
-         (!options.questions.any() && !attributes_only(options) && !options.mesh.goodness);
-}
-
-/// Returns an option that has no effect unless distances are measured, or an empty text.
-std::string_view needs_separation(const Options& options) {
-  return options.separation.search_radius                      ? "--search-radius"
-         : options.separation.search_cone_degrees              ? "--search-cone"
-         : options.separation.include_self                     ? "--include-self"
-         : options.separation_ply                              ? "--separation-ply"
-         : options.field_export.field == FieldName::Separation ? "--field separation"
-         : options.force                                       ? "--force"
-                                                               : "";
+  return options.questions.separation || (!options.questions.any() && !options.total_volume &&
+                                          !attributes_only(options) && !options.mesh.goodness);
 }
 
 void check_set(const Options& options) {
   if (options.total_volume && options.questions.any()) {
     throw UsageError("-v prints only the total volume: -i and -s cannot go with it");
   }
-  if (const std::string_view option = needs_separation(options);
+  if (const std::string_view option = option_of_separation(options);
       !option.empty() && !measures_separation(options)) {
     throw UsageError(std::string(option) + " needs -s");
   }
@@ -71,9 +61,6 @@ void check_journal(const Options& options) {
   const bool has_journal = options.ndjson || options.resume;
   if (has_journal && options.offenders == OffenderStyle::CustomPoints) {
     throw UsageError("-q prints positions, which the lines of --ndjson do not hold: use -p");
-  }
-  if (is_stdout(options.ndjson) && is_stdout(options.json)) {
-    throw UsageError("--json and --ndjson cannot both go to standard output");
   }
   if (options.shard && (!has_journal || is_stdout(options.ndjson))) {
     throw UsageError("--shard needs --ndjson=FILE, for `meshalyzer merge` to make the report of");
@@ -115,9 +102,33 @@ void check_pictures(const Options& options) {
 
 }  // namespace
 
+std::string_view option_of_separation(const Options& options) {
+  return options.separation.search_radius                      ? "--search-radius"
+         : options.separation.search_cone_degrees              ? "--search-cone"
+         : options.separation.include_self                     ? "--include-self"
+         : options.separation_ply                              ? "--separation-ply"
+         : options.field_export.field == FieldName::Separation ? "--field separation"
+         : options.force                                       ? "--force"
+                                                               : "";
+}
+
+void check_reports(const Options& options) {
+  const std::string_view in_place_of_text = is_stdout(options.json)     ? "--json"
+                                            : is_stdout(options.ndjson) ? "--ndjson"
+                                                                        : "";
+  if (is_stdout(options.ndjson) && is_stdout(options.json)) {
+    throw UsageError("--json and --ndjson cannot both go to standard output");
+  }
+  if (options.summary && !in_place_of_text.empty()) {
+    throw UsageError("--summary and " + std::string(in_place_of_text) +
+                     " cannot both go to standard output");
+  }
+}
+
 void check_options(const Options& options) {
   check_meshes(options);
   check_set(options);
+  check_reports(options);
   check_journal(options);
   check_pictures(options);
 }

@@ -1,5 +1,6 @@
 #include "inputs.h"
 
+#include "check_options.h"
 #include "file_identity.h"
 #include "mesh_paths.h"
 #include "meshalyzer/set/set_files.h"
@@ -10,6 +11,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -49,9 +51,9 @@ void decide_set(const Options& options, Inputs& inputs) {
   if (options.questions.any() && !inputs.is_set) {
     throw UsageError("-i and -s need a folder, or several files");
   }
-  const bool shows_separation = options.field_export.field == FieldName::Separation;
-  if (shows_separation && !inputs.is_set) {
-    throw UsageError("--field separation needs a folder, or several files with -s");
+  const std::string_view option = option_of_separation(options);
+  if (!option.empty() && !inputs.is_set) {
+    throw UsageError(std::string(option) + " needs a folder, or several files with -s");
   }
   if (has_stdin(inputs.files) && inputs.is_set && request_of(options, true).between.is_between()) {
     throw UsageError("standard input can be read only once, so it cannot be part of a set");

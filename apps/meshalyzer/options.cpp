@@ -197,6 +197,7 @@ CommandLine parse_merge_command_line(int argc, const char* const* argv) {
   if (!command.answer && command.options.paths.empty()) {
     throw UsageError("no FILE: name the journals of all parts");
   }
+  if (!command.answer) check_reports(command.options);
   return command;
 }
 
