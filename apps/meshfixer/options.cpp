@@ -5,6 +5,8 @@
 #include "values.h"
 
 #include <optional>
+#include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -25,6 +27,11 @@ struct GivenOptions {
 
 bool names_holes(const GivenOptions& given) {
   return !given.hole_option.empty();
+}
+
+/// Returns the codes that a list names; none if it is not given.
+DefectCodes named_by(const std::optional<CodeList>& list) {
+  return list ? list->named : DefectCodes{};
 }
 
 bool names_operation(const GivenOptions& given, const RepairOptions& repair) {
@@ -261,6 +268,41 @@ void check_combination(const GivenOptions& given, const Options& options) {
   }
 }
 
+void check_borders(const GivenOptions& given, const RepairOptions& repair) {
+  if (repair.borders != Borders::Intended) return;
+  if (repair.solid) {
+    throw UsageError("--keep-borders fills no hole, so --solid cannot go with it");
+  }
+  if (names_holes(given)) {
+    throw UsageError("--keep-borders fills no hole, so no --fill- option can go with it");
+  }
+  if (named_by(given.fix).contains(DefectCode::Hole)) {
+    throw UsageError("--keep-borders fills no hole, so --fix cannot name hole");
+  }
+}
+
+/// Checks that no defect is both to be fixed and to be left, by name.
+void check_codes(const GivenOptions& given, const RepairOptions& repair) {
+  const DefectCodes left = named_by(given.no_fix);
+  for (const DefectCode code : all_defect_codes()) {
+    if (left.contains(code) && named_by(given.fix).contains(code)) {
+      throw UsageError("--fix and --no-fix both name " + std::string(defect_name(code)));
+    }
+  }
+  const std::tuple<bool, std::string, DefectCode> fixing_options[] = {
+      {names_holes(given), given.hole_option, DefectCode::Hole},
+      {repair.weld_within.has_value(), "--weld", DefectCode::Slit},
+      {given.renumber, "--renumber", DefectCode::Numbering},
+      {given.drop_orphans, "--drop-orphans", DefectCode::OrphanVertex},
+      {given.separate, "--separate", DefectCode::Disjoint}};
+  for (const auto& [is_given, option, code] : fixing_options) {
+    if (is_given && left.contains(code)) {
+      throw UsageError("--no-fix " + std::string(defect_name(code)) + " and " + option +
+                       " exclude each other");
+    }
+  }
+}
+
 void check_consistent(const GivenOptions& given, const Options& options) {
   if (given.paths.empty()) throw UsageError("no IN: name a mesh file, or - for standard input");
   if (!given.operations.empty()) {
@@ -282,12 +324,8 @@ void check_consistent(const GivenOptions& given, const Options& options) {
   if (!given.find && !given.dry_run && !options.output && !options.is_batch()) {
     throw UsageError("no OUT: name it with -o, or ask for --find or --dry-run");
   }
-  if (options.repair.borders == Borders::Intended && options.repair.solid) {
-    throw UsageError("--keep-borders fills no hole, so --solid cannot go with it");
-  }
-  if (options.repair.borders == Borders::Intended && names_holes(given)) {
-    throw UsageError("--keep-borders fills no hole, so no --fill- option can go with it");
-  }
+  check_borders(given, options.repair);
+  check_codes(given, options.repair);
 }
 
 /// Returns the defects to fix: those of --fix, else none if only single operations are named, else
@@ -323,7 +361,7 @@ void complete(const GivenOptions& given, Options& options) {
   }
   options.action = given.find ? Options::Action::Find : Options::Action::Fix;
   options.repair.fixes = fixes_of(given, options.repair);
-  const bool is_named = names_holes(given) || (given.fix && given.fix->names_holes);
+  const bool is_named = names_holes(given) || named_by(given.fix).contains(DefectCode::Hole);
   RepairOptions& repair = options.repair;
   repair.fill.sheets = is_named || repair.solid ? FillSheets::Yes : FillSheets::No;
   // With any of these a mesh is not good, so that they are fixed unless --no-fix names them.
@@ -333,7 +371,8 @@ void complete(const GivenOptions& given, Options& options) {
   }
   const bool has_one_file_each = options.is_batch() || options.writes_to_stdout();
   if (has_one_file_each && options.repair.fixes.contains(DefectCode::Disjoint)) {
-    throw UsageError("disjoint makes several files of one mesh: name OUT as one mesh file");
+    throw UsageError(std::string(given.separate ? "--separate" : "--fix disjoint") +
+                     " makes several files of one mesh: it needs one mesh file as OUT");
   }
 }
 

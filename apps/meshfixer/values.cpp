@@ -35,13 +35,14 @@ std::size_t to_count(const std::string& text, const std::string& option, std::in
   return static_cast<std::size_t>(*value);
 }
 
-void add_codes(std::string_view item, const std::string& option, DefectCodes& codes) {
+void add_codes(std::string_view item, const std::string& option, CodeList& list) {
   if (const std::optional<DefectCode> one = defect_code(item)) {
-    codes.insert(*one);
+    list.codes.insert(*one);
+    list.named.insert(*one);
   } else if (item == "all" || item == "default") {
     const DefectCodes more = item == "all" ? DefectCodes::all() : default_fixes();
     for (const DefectCode code : all_defect_codes()) {
-      if (more.contains(code)) codes.insert(code);
+      if (more.contains(code)) list.codes.insert(code);
     }
   } else {
     std::vector<std::string_view> names{"all", "default"};
@@ -55,10 +56,7 @@ void add_codes(std::string_view item, const std::string& option, DefectCodes& co
 
 CodeList to_codes(const std::string& text, const std::string& option) {
   CodeList list;
-  for_each_item(text, [&](std::string_view item) {
-    add_codes(item, option, list.codes);
-    list.names_holes = list.names_holes || item == defect_name(DefectCode::Hole);
-  });
+  for_each_item(text, [&](std::string_view item) { add_codes(item, option, list); });
   return list;
 }
 

@@ -12,8 +12,8 @@ namespace meshalyzer::fixer {
 /// The codes of a list with commas.
 struct CodeList {
   DefectCodes codes;
-  /// Tells whether the code of holes is named explicitly, not only included in all or the default.
-  bool names_holes = false;
+  /// Those that the list names, not only includes in `all` or `default`.
+  DefectCodes named;
 };
 
 [[nodiscard]] CodeList to_codes(const std::string& text, const std::string& option);
