@@ -16,9 +16,9 @@ namespace {
 class PartHeads {
  public:
   void add(const LineHead& head);
-  /// @param journal  The first journal, for errors.
+  /// @param journals  The journals, at least one; errors are told of the first.
   /// @throws IoError if a part is missing.
-  [[nodiscard]] JournalSubject subject(const std::string& journal) const;
+  [[nodiscard]] JournalSubject subject(const std::vector<std::string>& journals) const;
 
  private:
   std::optional<LineHead> first_;
@@ -41,15 +41,17 @@ void PartHeads::add(const LineHead& head) {
   }
 }
 
-JournalSubject PartHeads::subject(const std::string& journal) const {
+JournalSubject PartHeads::subject(const std::vector<std::string>& journals) const {
+  const std::string& journal = journals.front();
   if (files_.empty()) {
     throw IoError(journal, {}, "holds no line of a file");
   }
   if (files_.size() != first_->of || files_.rbegin()->first >= first_->of) {
     throw IoError(journal, {},
-                  "and the other journals hold lines of " + std::to_string(files_.size()) +
-                      " files, and the set has " + std::to_string(first_->of) +
-                      ": a part is missing, or not complete");
+                  (journals.size() == 1 ? "holds" : "this and the other journals hold") +
+                      (" lines of " + std::to_string(files_.size())) + " of the " +
+                      std::to_string(first_->of) +
+                      " files of the set: a part is missing, or not complete");
   }
   JournalSubject subject;
   for (const auto& [number, head] : files_) {
@@ -71,7 +73,7 @@ JournalSubject read_subject(const std::vector<std::string>& journals) {
     for_each_line(content.bytes(), journal,
                   [&](std::string_view line) { heads.add(read_head(line)); });
   }
-  return heads.subject(journals.front());
+  return heads.subject(journals);
 }
 
 }  // namespace meshalyzer

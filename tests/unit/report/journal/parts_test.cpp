@@ -57,7 +57,9 @@ TEST(ReadSubject, MissingPartIsAnError) {
   const TwoParts parts;
   for (const std::string& file : parts.files()) {
     EXPECT_THAT([&] { static_cast<void>(read_subject({file})); },
-                ThrowsMessage<IoError>(HasSubstr("a part is missing, or not complete")));
+                ThrowsMessage<IoError>(testing::AllOf(
+                    HasSubstr(": holds lines of "),
+                    HasSubstr(" of the 3 files of the set: a part is missing, or not complete"))));
   }
 }
 
