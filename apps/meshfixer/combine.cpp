@@ -208,7 +208,8 @@ class CombinationRun {
   }
 
   [[nodiscard]] std::string name_of_operand(std::size_t number) const {
-    if (n_files() > 1) return operands_.files[number]->path();
+    const bool is_in_order = options_.operation == BooleanOperation::SubtractInOrder;
+    if (is_in_order || n_files() > 1) return operands_.files[number]->path();
     const std::string path = operands_.files.front()->path();
     return "component " + std::to_string(number + 1) + " of " + path;
   }
