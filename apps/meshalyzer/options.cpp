@@ -12,11 +12,12 @@ void declare_questions(OptionTable& table, Options& options) {
   table.group("Tasks");
   table.flag(
       "-a,--attributes", [&mesh] { mesh.scope = Scope::AttributesOnly; }, "only the attributes");
-  table.option("-g,--good AR,ANGLE,LEN", into(mesh.goodness, to_thresholds),
-               "is the mesh good? Prints 1 or 0, with -p every reason. Good: closed, manifold, "
-               "outward, no intersecting faces, no orphan, missing vertex or degenerate face, "
-               "contiguous numbering, largest aspect ratio < AR, smallest edge angle > ANGLE "
-               "degrees, shortest edge > LEN; not with -a");
+  table.option(
+      "-g,--good AR,ANGLE,LEN", into(mesh.goodness, to_thresholds),
+      "is the mesh good? Prints 1 or 0, with -p every reason. Good: closed, manifold, "
+      "outward, no intersecting faces, no orphan, missing vertex, degenerate face or torn line, "
+      "contiguous numbering, largest aspect ratio < AR, smallest edge angle > ANGLE "
+      "degrees, shortest edge > LEN; not with -a");
   table.flag("-i,--intersections", options.questions.intersections,
              "set: faces of different meshes that share a point, and meshes inside others");
   table.flag("-s,--separation", options.questions.separation,
