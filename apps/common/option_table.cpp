@@ -37,13 +37,22 @@ std::string called(const CLI::Option& option) {
                    " must be given once, with one value");
 }
 
-void refuse_empty_values(const CLI::App& app) {
+[[noreturn]] void refuse_empty_value(const CLI::Option& option) {
+  throw UsageError(called(option) + " needs a value, not an empty text");
+}
+
+/// Rejects empty values, also `--json=`, which the parser takes for `--json`.
+void refuse_empty_values(const CLI::App& app, const std::vector<std::string>& arguments) {
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& value : option->results()) {
-      if (value.empty()) {
-        throw UsageError(called(*option) + " needs a value, not an empty text");
-      }
+      if (value.empty()) refuse_empty_value(*option);
     }
+  }
+  for (const std::string& argument : arguments) {
+    if (argument == "--") return;
+    if (!argument.starts_with("--") || !argument.ends_with('=')) continue;
+    const CLI::Option* option = app.get_option_no_throw(argument.substr(0, argument.size() - 1));
+    if (option != nullptr) refuse_empty_value(*option);
   }
 }
 
@@ -106,10 +115,11 @@ void OptionTable::arguments(const std::string& name, std::vector<std::string>& t
 void OptionTable::flag(const std::string& name, std::function<void()> set,
                        const std::string& help) {
   CLI::Option* option = app_->add_flag(name)->description(help);
-  declare(option, "", [option, set = std::move(set)](const std::string&, const std::string&) {
-    if (option->as<bool>()) {
-      set();
+  declare(option, "", [set = std::move(set)](const std::string& value, const std::string& called) {
+    if (value != "true") {
+      throw UsageError(called + " takes no value: " + called + '=' + value);
     }
+    set();
   });
 }
 
@@ -147,7 +157,7 @@ std::optional<std::string> OptionTable::parse(int argc, const char* const* argv)
   app_->set_help_flag("-h,--help", "print this help")->group(group_);
   try {
     app_->parse(argc, argv);
-    refuse_empty_values(*app_);
+    refuse_empty_values(*app_, {argv, argv + argc});
     if (version != nullptr && version->as<bool>()) {
       return texts_.version;
     }
