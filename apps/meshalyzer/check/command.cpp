@@ -3,6 +3,7 @@
 #include "arguments.h"
 #include "meshalyzer/base/nearest_name.h"
 #include "meshalyzer/base/numbers.h"
+#include "meshalyzer/checks/limits.h"
 #include "meshalyzer/checks/profile.h"
 #include "meshalyzer/checks/selection.h"
 #include "option_table.h"
@@ -11,8 +12,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -144,8 +148,44 @@ void check_paths(const CheckCommand& command) {
   }
 }
 
+bool contains(const std::vector<std::string>& codes, std::string_view code) {
+  return std::find(codes.begin(), codes.end(), code) != codes.end();
+}
+
+std::string option_of(const LimitInfo& limit) {
+  return "--" + std::string(limit.name);
+}
+
+/// Rejects criteria of the command line that contradict each other.
+void check_criteria(const CheckSettings& settings) {
+  for (const std::string& code : settings.selected) {
+    if (contains(settings.ignored, code)) {
+      throw UsageError("--select and --ignore both name " + code);
+    }
+  }
+  for (const LimitInfo& limit : limit_table()) {
+    if (settings.limits[limit.kind] && contains(settings.ignored, limit.name)) {
+      throw UsageError(option_of(limit) + " and --ignore " + std::string(limit.name) +
+                       " exclude each other");
+    }
+  }
+  constexpr std::pair<LimitKind, LimitKind> kRanges[] = {
+      {LimitKind::MinEdgeAngle, LimitKind::MaxEdgeAngle},
+      {LimitKind::MinEdgeLength, LimitKind::MaxEdgeLength},
+      {LimitKind::MinFaces, LimitKind::MaxFaces}};
+  for (const auto& [low, high] : kRanges) {
+    const std::optional<double> least = settings.limits[low];
+    const std::optional<double> most = settings.limits[high];
+    if (least && most && *least > *most) {
+      throw UsageError(option_of(limit_info(low)) + " is above " + option_of(limit_info(high)) +
+                       ": no mesh meets both");
+    }
+  }
+}
+
 void check_command(const CheckCommand& command) {
   check_paths(command);
+  check_criteria(command.settings);
   if (command.settings_file && command.is_isolated) {
     throw UsageError("--config and --isolated exclude each other");
   }
