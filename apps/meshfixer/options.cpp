@@ -291,6 +291,8 @@ void check_codes(const GivenOptions& given, const RepairOptions& repair) {
   }
   const std::tuple<bool, std::string, DefectCode> fixing_options[] = {
       {names_holes(given), given.hole_option, DefectCode::Hole},
+      {repair.solid, "--solid", DefectCode::Hole},
+      {repair.guarantee, "--guarantee", DefectCode::Hole},
       {repair.weld_within.has_value(), "--weld", DefectCode::Slit},
       {given.renumber, "--renumber", DefectCode::Numbering},
       {given.drop_orphans, "--drop-orphans", DefectCode::OrphanVertex},
