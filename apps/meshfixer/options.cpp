@@ -4,6 +4,7 @@
 #include "meshalyzer/base/numbers.h"
 #include "values.h"
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -215,36 +216,61 @@ void check_target(const GivenOptions& given, const Options& options) {
   }
 }
 
+/// Returns the name of the first option that is given; empty if none is.
+std::string first_given(std::initializer_list<std::pair<bool, const char*>> options) {
+  for (const auto& [is_given, name] : options) {
+    if (is_given) return name;
+  }
+  return {};
+}
+
 /// Names the first option that requests a repair, or a report that only a repair has; empty if
 /// there is none.
 std::string repair_option(const GivenOptions& given, const Options& options) {
   const RepairOptions& repair = options.repair;
-  const std::pair<bool, const char*> options_of_repair[] = {
-      {given.find, "--find"},
-      {given.fix.has_value(), "--fix"},
-      {given.no_fix.has_value(), "--no-fix"},
-      {repair.solid, "--solid"},
-      {repair.guarantee, "--guarantee"},
-      {options.target == Options::Target::InPlace, "--in-place"},
-      {options.backup == Options::Backup::Original, "--backup"},
-      {repair.weld_within.has_value(), "--weld"},
-      {repair.turn == Turn::Everything, "--flip"},
-      {given.renumber, "--renumber"},
-      {given.drop_orphans, "--drop-orphans"},
-      {given.separate, "--separate"},
-      {repair.keep_largest != 0, "--keep-largest"},
-      {repair.borders == Borders::Intended, "--keep-borders"},
-      {repair.groups == Groups::Faces, "--by-group"},
-      {repair.contact == Contact::Keep, "--keep-contact"},
-      {names_holes(given), given.hole_option.c_str()},
-      {!given.tolerance_option.empty(), given.tolerance_option.c_str()},
-      {options.lists == ListLength::Full, "-p"},
-      {repair.max_defects != 0, "--max-defects"},
-      {options.ndjson.has_value(), "--ndjson"}};
-  for (const auto& [is_given, name] : options_of_repair) {
-    if (is_given) return name;
+  return first_given({{given.find, "--find"},
+                      {given.fix.has_value(), "--fix"},
+                      {given.no_fix.has_value(), "--no-fix"},
+                      {repair.solid, "--solid"},
+                      {repair.guarantee, "--guarantee"},
+                      {options.target == Options::Target::InPlace, "--in-place"},
+                      {options.backup == Options::Backup::Original, "--backup"},
+                      {repair.weld_within.has_value(), "--weld"},
+                      {repair.turn == Turn::Everything, "--flip"},
+                      {given.renumber, "--renumber"},
+                      {given.drop_orphans, "--drop-orphans"},
+                      {given.separate, "--separate"},
+                      {repair.keep_largest != 0, "--keep-largest"},
+                      {repair.borders == Borders::Intended, "--keep-borders"},
+                      {repair.groups == Groups::Faces, "--by-group"},
+                      {repair.contact == Contact::Keep, "--keep-contact"},
+                      {names_holes(given), given.hole_option.c_str()},
+                      {!given.tolerance_option.empty(), given.tolerance_option.c_str()},
+                      {options.lists == ListLength::Full, "-p"},
+                      {repair.max_defects != 0, "--max-defects"},
+                      {options.ndjson.has_value(), "--ndjson"}});
+}
+
+/// Names the first option that changes or writes a mesh by itself; empty if there is none.
+std::string writing_option(const GivenOptions& given, const Options& options) {
+  return first_given({{options.output.has_value(), "-o"},
+                      {given.dry_run, "--dry-run"},
+                      {options.repair.weld_within.has_value(), "--weld"},
+                      {options.repair.turn == Turn::Everything, "--flip"},
+                      {given.renumber, "--renumber"},
+                      {given.drop_orphans, "--drop-orphans"},
+                      {given.separate, "--separate"},
+                      {options.repair.keep_largest != 0, "--keep-largest"},
+                      {options.loss == Options::Loss::Refuse, "--strict-attributes"}});
+}
+
+void check_dry_run(const GivenOptions& given, const Options& options) {
+  const std::string option =
+      first_given({{options.output.has_value(), "-o"},
+                   {options.loss == Options::Loss::Refuse, "--strict-attributes"}});
+  if (given.dry_run && !option.empty()) {
+    throw UsageError("--dry-run writes nothing, so " + option + " cannot go with it");
   }
-  return {};
 }
 
 void check_combination(const GivenOptions& given, const Options& options) {
@@ -253,11 +279,10 @@ void check_combination(const GivenOptions& given, const Options& options) {
     throw UsageError(option +
                      " is for the repair of one mesh, so no boolean operation can go with it");
   }
-  const bool is_dry = given.dry_run;
-  if (is_dry && options.output) {
-    throw UsageError("--dry-run writes nothing, so -o cannot go with it");
+  check_dry_run(given, options);
+  if (!given.dry_run && !options.output) {
+    throw UsageError("no OUT: name it with -o, or ask for --dry-run");
   }
-  if (!is_dry && !options.output) throw UsageError("no OUT: name it with -o, or ask for --dry-run");
   const bool is_in_order = given.operations.front() == BooleanOperation::SubtractInOrder;
   if (is_in_order && options.output && options.target != Options::Target::Folder) {
     throw UsageError("--subtract-in-order writes a file for each input: name a folder as OUT");
@@ -315,14 +340,10 @@ void check_consistent(const GivenOptions& given, const Options& options) {
   if (given.paths.size() > 1 && !options.is_batch()) {
     throw UsageError("one mesh at a time: " + given.paths[1] + " is one too many");
   }
-  const bool changes =
-      names_operation(given, options.repair) || given.separate || options.repair.keep_largest != 0;
-  if (given.find && (options.output || given.dry_run || changes)) {
-    throw UsageError("--find only reports: no option that changes or writes a mesh can go with it");
+  if (const std::string option = writing_option(given, options); given.find && !option.empty()) {
+    throw UsageError("--find only reports, so " + option + " cannot go with it");
   }
-  if (given.dry_run && options.output) {
-    throw UsageError("--dry-run writes nothing, so -o cannot go with it");
-  }
+  check_dry_run(given, options);
   if (!given.find && !given.dry_run && !options.output && !options.is_batch()) {
     throw UsageError("no OUT: name it with -o, or ask for --find or --dry-run");
   }
