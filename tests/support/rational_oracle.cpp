@@ -21,6 +21,14 @@ Sign sign_of(const Rational& value) {
   return static_cast<Sign>(CGAL::sign(value));
 }
 
+Rational six_volumes(std::span<const Vec3> corners) {
+  Rational sum = 0;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+    sum += vector(corners[i]) * CGAL::cross_product(vector(corners[i + 1]), vector(corners[i + 2]));
+  }
+  return sum;
+}
+
 }  // namespace
 
 Sign rational_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -45,11 +53,11 @@ bool is_rational_normal_within(const Triangle3& corners, double low, double high
 }
 
 Sign rational_volume_sign(std::span<const Vec3> corners) {
-  Rational sum = 0;
-  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-    sum += vector(corners[i]) * CGAL::cross_product(vector(corners[i + 1]), vector(corners[i + 2]));
-  }
-  return sign_of(sum);
+  return sign_of(six_volumes(corners));
+}
+
+double rational_volume(std::span<const Vec3> corners) {
+  return CGAL::to_double(six_volumes(corners) / 6);
 }
 
 }  // namespace meshalyzer::test

@@ -28,4 +28,7 @@ using Triangle3 = std::array<Vec3, 3>;
 /// Returns the sign of the sum of det(a, b, c) over triangles, given as three corners each.
 [[nodiscard]] Sign rational_volume_sign(std::span<const Vec3> corners);
 
+/// Returns a sixth of the sum of det(a, b, c) over triangles, given as three corners each.
+[[nodiscard]] double rational_volume(std::span<const Vec3> corners);
+
 }  // namespace meshalyzer::test

@@ -2,12 +2,12 @@
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/sum.h"
-#include "meshalyzer/exact/volume_sign.h"
+#include "meshalyzer/exact/exact_volume.h"
 #include "meshalyzer/geometry/face_measures.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <optional>
 
 namespace meshalyzer {
 namespace {
@@ -73,30 +73,30 @@ std::vector<PartSum> sum_terms(const TriMesh& mesh, const FaceParts& parts,
   return sums;
 }
 
-/// Returns the sign of a sum if rounding errors cannot change it: the error of each term is below
-/// 16 u times its magnitude.
-Sign sign_if_sure(const PartSum& sum) {
-  const double bound = 0x1p-48 * sum.magnitude;
-  const bool sure =
-      std::isfinite(bound) && sum.magnitude > 1e-280 && std::abs(sum.value.value()) > bound;
-  return sure ? (sum.value.value() > 0 ? 1 : -1) : 0;
+/// Returns the volume of a sum if rounding errors change neither its sign nor its first six digits:
+/// the error of each term is below 16 u times its magnitude, 2^-24 of the smallest sum that is
+/// sure.
+std::optional<SignedVolume> volume_if_sure(const PartSum& sum) {
+  const double six_volumes = sum.value.value();
+  const double bound = 0x1p-24 * sum.magnitude;
+  const bool sure = std::isfinite(bound) && sum.magnitude > 1e-280 && std::abs(six_volumes) > bound;
+  if (!sure) return std::nullopt;
+  return SignedVolume{.value = six_volumes / 6, .sign = six_volumes > 0 ? 1 : -1};
 }
 
-/// Decides the parts that sign_if_sure() left open, exactly.
+/// Computes the volumes that volume_if_sure() left open, exactly.
 void settle_exactly(const TriMesh& mesh, const FaceParts& parts,
-                    std::vector<SignedVolume>& volumes) {
+                    std::vector<std::optional<SignedVolume>>& volumes) {
   std::vector<ExactVolume> exact(parts.count);
   for (const FaceHandle f : mesh.faces()) {
     const Index part = parts.of_face[static_cast<std::size_t>(f.idx())];
-    if (part != kNoIndex && volumes[part].sign == 0) {
+    if (part != kNoIndex && !volumes[part]) {
       const Corners p = face_corners(mesh, f);
       exact[part].add(p[0], p[1], p[2]);
     }
   }
   for (std::size_t i = 0; i < parts.count; ++i) {
-    if (volumes[i].sign == 0) {
-      volumes[i].sign = exact[i].sign();
-    }
+    if (!volumes[i]) volumes[i] = {.value = exact[i].value(), .sign = exact[i].sign()};
   }
 }
 
@@ -119,16 +119,15 @@ std::vector<Box3> bounding_boxes(const TriMesh& mesh, const FaceParts& parts) {
 std::vector<SignedVolume> signed_volumes(const TriMesh& mesh, const FaceParts& parts,
                                          std::span<const Box3> boxes) {
   const std::vector<PartSum> sums = sum_terms(mesh, parts, boxes);
-  std::vector<SignedVolume> volumes(parts.count);
-  bool all_sure = true;
-  for (std::size_t i = 0; i < parts.count; ++i) {
-    volumes[i] = {sums[i].value.value() / 6, sign_if_sure(sums[i])};
-    all_sure = all_sure && volumes[i].sign != 0;
-  }
-  if (!all_sure) {
+  std::vector<std::optional<SignedVolume>> volumes(parts.count);
+  std::transform(sums.begin(), sums.end(), volumes.begin(), volume_if_sure);
+  if (std::find(volumes.begin(), volumes.end(), std::nullopt) != volumes.end()) {
     settle_exactly(mesh, parts, volumes);
   }
-  return volumes;
+  std::vector<SignedVolume> settled(parts.count);
+  std::transform(volumes.begin(), volumes.end(), settled.begin(),
+                 [](const std::optional<SignedVolume>& volume) { return *volume; });
+  return settled;
 }
 
 }  // namespace meshalyzer

@@ -16,10 +16,10 @@ namespace meshalyzer {
 
 /// A volume computed by the divergence theorem.
 struct SignedVolume {
-  /// The volume in the mesh's unit cubed; positive when the normals point outward.
+  /// The volume in the mesh's unit cubed; positive when the normals point outward. It is accurate
+  /// for any input, even where the terms of the sum cancel.
   double value = 0.0;
-  /// The sign of the true value, which is exact for any input, even where `value` is only rounding
-  /// noise.
+  /// The sign of the true value, which is exact even where `value` underflows to 0.
   Sign sign = 0;
 };
 
@@ -31,8 +31,8 @@ struct SignedVolume {
 /// keeps its digits.
 ///
 /// @param boxes  The result of bounding_boxes().
-/// @complexity   O(#F); exact arithmetic is needed only for parts whose sign floating point cannot
-///               decide.
+/// @complexity   O(#F); exact arithmetic is needed only for parts that are so thin that in floating
+///               point the terms cancel.
 [[nodiscard]] std::vector<SignedVolume> signed_volumes(const TriMesh& mesh, const FaceParts& parts,
                                                        std::span<const Box3> boxes);
 

@@ -1,6 +1,7 @@
 #include "meshalyzer/geometry/volume.h"
 
 #include "meshalyzer/mesh/build.h"
+#include "support/rational_oracle.h"
 #include "support/shape_figures.h"
 #include "support/shapes.h"
 
@@ -114,6 +115,31 @@ TEST(SignedVolumes, NearlyFlatTetrahedronHasTheSignOfItsOrientation) {
     n_positive += truth > 0 ? 1 : 0;
   }
   EXPECT_GT(n_positive, 100);
+}
+
+TEST(SignedVolumes, SliverHasTheVolumeOfItsRationals) {
+  // Tilted and thinner than the rounding errors of products of its coordinates.
+  std::mt19937 random(20261128);
+  std::normal_distribution<double> coordinate;
+  for (int round = 0; round < 200; ++round) {
+    std::array<Vec3, 4> p;
+    for (Vec3& corner : p)
+      corner = Vec3(coordinate(random), coordinate(random), coordinate(random));
+    p[3] = (p[0] + p[1] + p[2]) / 3 + 1e-15 * p[3];
+    const Soup sliver = tetrahedron_of(p);
+    std::vector<Vec3> corners;
+    for (const Triangle& t : sliver.triangles) {
+      for (const Index v : t) corners.push_back(sliver.positions[v]);
+    }
+    const double truth = test::rational_volume(corners);
+    EXPECT_NEAR(volume(sliver).value, truth, 1e-12 * std::abs(truth));
+  }
+}
+
+TEST(SignedVolumes, WideAndThinHasAVolumeWhoseTermsWouldOverflow) {
+  Soup soup = shapes::cube();
+  for (Vec3& p : soup.positions) p = p.cwiseProduct(Vec3(1e160, 1e160, 1e-100));
+  EXPECT_NEAR(volume(soup).value / 1e220, 1.0, 1e-12);
 }
 
 TEST(SignedVolumes, ShellOneBitThickHasASign) {

@@ -1,4 +1,4 @@
-#include "meshalyzer/exact/volume_sign.h"
+#include "meshalyzer/exact/exact_volume.h"
 
 #include "random_points.h"
 #include "support/rational_oracle.h"

@@ -6,7 +6,7 @@
 
 namespace meshalyzer {
 
-/// Adds up det(a, b, c) over triangles without any rounding, for the sign of the volume they
+/// Adds up det(a, b, c) over triangles without any rounding: six times the volume that they
 /// enclose.
 class ExactVolume {
  public:
@@ -17,6 +17,8 @@ class ExactVolume {
 
   void add(const Vec3& a, const Vec3& b, const Vec3& c);
   [[nodiscard]] Sign sign() const;
+  /// Returns the volume, rounded only once it is known; infinite if too large for a double.
+  [[nodiscard]] double value() const;
 
  private:
   struct Sum;

@@ -1,4 +1,4 @@
-#include "meshalyzer/exact/volume_sign.h"
+#include "meshalyzer/exact/exact_volume.h"
 
 #include <CGAL/Mpzf.h>
 
@@ -29,6 +29,10 @@ void ExactVolume::add(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 Sign ExactVolume::sign() const {
   return static_cast<Sign>(sum_->value.sign());
+}
+
+double ExactVolume::value() const {
+  return CGAL::to_double(sum_->value) / 6;
 }
 
 }  // namespace meshalyzer
