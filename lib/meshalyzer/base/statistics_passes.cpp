@@ -49,18 +49,23 @@ class BinSearch {
   double per_half_width_ = 0.0;
 };
 
+/// The sum of fewer than 2^64 values of this share of any double is finite.
+constexpr double kSmallShare = 0x1p-64;
+
 struct ExtentPart {
   double min = 0.0;
   double max = 0.0;
   CompensatedSum total;
+  CompensatedSum small_total;
 };
 
 ExtentPart extent_of(std::span<const double> values) {
-  ExtentPart part{values.front(), values.front(), {}};
+  ExtentPart part{values.front(), values.front(), {}, {}};
   for (const double value : values) {
     part.min = std::min(part.min, value);
     part.max = std::max(part.max, value);
     part.total.add(value);
+    part.small_total.add(value * kSmallShare);
   }
   return part;
 }
@@ -93,12 +98,16 @@ void ExtentPass::add(std::span<const double> values) {
     min_ = std::min(min_, part.min);
     max_ = std::max(max_, part.max);
     total_.add(part.total);
+    small_total_.add(part.small_total);
   }
   count_ += values.size();
 }
 
 double ExtentPass::mean() const {
-  return std::clamp(total() / static_cast<double>(count_), min_, max_);
+  const auto count = static_cast<double>(count_);
+  const double mean =
+      std::isfinite(total()) ? total() / count : small_total_.value() / count / kSmallShare;
+  return std::clamp(mean, min_, max_);
 }
 
 SpreadPass::SpreadPass(const ExtentPass& extent) : extent_(extent), mean_(extent.mean()) {

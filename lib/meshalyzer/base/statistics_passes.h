@@ -22,6 +22,7 @@ class ExtentPass {
   [[nodiscard]] double min() const { return min_; }
   [[nodiscard]] double max() const { return max_; }
   [[nodiscard]] double total() const { return total_.value(); }
+  /// Returns the mean, also where the total is too large for a double.
   [[nodiscard]] double mean() const;
 
  private:
@@ -29,6 +30,8 @@ class ExtentPass {
   double min_ = std::numeric_limits<double>::infinity();
   double max_ = -std::numeric_limits<double>::infinity();
   CompensatedSum total_;
+  /// The sum of a small share of each value, from which the mean follows where the total overflows.
+  CompensatedSum small_total_;
 };
 
 /// The second pass over the same values, which finds their variance and histogram.

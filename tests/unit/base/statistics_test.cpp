@@ -150,6 +150,15 @@ TEST(Summarize, TheWidestRangeOfDoublesDoesNotOverflow) {
   EXPECT_EQ(counted(s.histogram), 3U);
 }
 
+TEST(Summarize, MeanIsRightWhereTheTotalOverflows) {
+  std::vector<double> values = {1e308, 1.5e308, 0.5e308, 0.0};
+  const Statistics s = summarize(values);
+  EXPECT_TRUE(std::isinf(s.total));
+  EXPECT_NEAR(s.mean / 1e308, 0.75, 1e-15);
+  for (double& value : values) value = -value;
+  EXPECT_NEAR(summarize(values).mean / 1e308, -0.75, 1e-15);
+}
+
 TEST(Summarize, SmallValuesBesideHugeOnesAreNotLost) {
   // Plain summation in this order gives 0: each 1 is lost beside 1e100.
   std::vector<double> values = {1.0, 1e100, 1.0, -1e100};
