@@ -25,7 +25,7 @@ struct Figures {
 /// The lengths and products from which the figures follow.
 struct Products {
   double twice_area;
-  double longest_side;
+  double longest_side_squared;
   /// The dot product of the two sides at the sharpest corner.
   double dot_product;
 };
@@ -44,20 +44,23 @@ Products products_of(const Corners& p, const std::array<double, 3>& side) {
   // The smallest angle is opposite to the shortest edge.
   const auto sharpest = static_cast<std::size_t>(
       std::min_element(opposite.begin(), opposite.end()) - opposite.begin());
-  return {accurate_normal(p, apex).stableNorm(), opposite[apex], dot_product_at(p, sharpest)};
+  return {accurate_normal(p, apex).stableNorm(),
+          (p[(apex + 2) % 3] - p[(apex + 1) % 3]).squaredNorm(), dot_product_at(p, sharpest)};
 }
 
 Figures figures_of(const Products& of) {
-  // The altitude on the longest edge is twice_area / longest; dividing in two steps avoids an early
-  // overflow. Sine and cosine of the angle have the same factor, a product of lengths.
-  return {of.twice_area / 2, of.longest_side / (of.twice_area / of.longest_side),
+  // The altitude on the longest edge is twice_area / longest. No root is taken, so that half a
+  // square has a ratio of 2 exactly. Sine and cosine of the angle have the same factor, a product
+  // of lengths.
+  return {of.twice_area / 2, of.longest_side_squared / of.twice_area,
           std::atan2(of.twice_area, of.dot_product) * (180.0 / std::numbers::pi)};
 }
 
 /// @param side  The lengths of the sides from each corner to the next.
 Figures measure(const Corners& p, const std::array<double, 3>& side) {
   const Products products = products_of(p, side);
-  if (is_of_usual_scale(products.twice_area) && std::isfinite(products.dot_product)) {
+  if (is_of_usual_scale(products.twice_area) && std::isfinite(products.dot_product) &&
+      std::isfinite(products.longest_side_squared)) {
     return figures_of(products);
   }
   // The figures of a face that is about as large as 1, but for its area, which alone may overflow

@@ -60,6 +60,14 @@ TEST(MeasureFaces, EquilateralTriangleHasTheSmallestAspectRatio) {
   expect_triangle({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, sqrt3 / 2, 2 / sqrt3);
 }
 
+TEST(MeasureFaces, HalfASquareHasARatioOfTwoExactly) {
+  // So that no threshold of 2 is exceeded.
+  for (const double side : {1.0, 3.0, 0.1, 1e200, 1e-200}) {
+    const Soup half = shapes::make({{0, 0, 0}, {side, 0, 0}, {0, side, 0}}, {{0, 1, 2}});
+    EXPECT_EQ(measure(half).aspect_ratio, std::vector<double>{2.0});
+  }
+}
+
 TEST(MeasureFaces, SmallestCornerAngleOfAnEquilateralTriangleIs60) {
   expect_corner_angle({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 60);
 }
