@@ -1,3 +1,4 @@
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/rewrite/face_plan.h"
