@@ -84,11 +84,15 @@ class ObjCounter {
 
   /// Counts the colour of a vertex, and notes a weight, which is 1 where there is none.
   void count_vertex() {
-    std::vector<std::string_view> words;
-    while (!in_.at_record_end()) words.push_back(in_.word());
-    n_colours_ += words.size() >= 6 ? 1 : 0;
-    const bool has_weight = words.size() == 4 || words.size() == 7;
-    has_weights_ = has_weights_ || (has_weight && parse_real(words[3]) != 1.0);
+    std::size_t n_words = 0;
+    std::string_view weight;
+    for (; !in_.at_record_end(); ++n_words) {
+      const std::string_view word = in_.word();
+      if (n_words == 3) weight = word;
+    }
+    n_colours_ += n_words >= 6 ? 1 : 0;
+    const bool has_weight = n_words == 4 || n_words == 7;
+    has_weights_ = has_weights_ || (has_weight && parse_real(weight) != 1.0);
   }
 
   TextScanner in_;

@@ -14,8 +14,8 @@ namespace {
 
 class MergeFinder {
  public:
-  explicit MergeFinder(const EditedMesh& mesh)
-      : mesh_(mesh), numbers_(new_vertices(mesh)), merged_into_(numbers_.size(), kNoIndex) {}
+  MergeFinder(const EditedMesh& mesh, const std::vector<Index>& numbers)
+      : mesh_(mesh), numbers_(numbers), merged_into_(numbers.size(), kNoIndex) {}
 
   std::vector<MergedVertex> find() {
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
@@ -61,19 +61,17 @@ class MergeFinder {
 
   const EditedMesh& mesh_;
   /// The new number of each vertex record; kNoIndex if it was dropped.
-  std::vector<Index> numbers_;
+  const std::vector<Index>& numbers_;
   /// The vertex of the edited mesh in the place of each dropped one.
   std::vector<Index> merged_into_;
 };
 
-}  // namespace
-
-std::vector<MergedVertex> merged_vertices(const EditedMesh& mesh) {
-  std::vector<MergedVertex> merged = MergeFinder(mesh).find();
-  std::vector<Index> kept(mesh.source.n_vertices(), kNoIndex);
+/// #vertices: true for those that had a face in common with the vertex that took their place.
+std::vector<bool> which_collapsed(const Soup& source, const std::vector<MergedVertex>& merged) {
+  std::vector<Index> kept(source.n_vertices(), kNoIndex);
   for (const MergedVertex& m : merged) kept[m.gone] = m.kept;
   std::vector<bool> is_collapsed(kept.size(), false);
-  for (const Triangle& t : mesh.source.triangles) {
+  for (const Triangle& t : source.triangles) {
     for (const Index v : t) {
       if (v != kNoIndex && kept[v] != kNoIndex &&
           std::find(t.begin(), t.end(), kept[v]) != t.end()) {
@@ -81,16 +79,17 @@ std::vector<MergedVertex> merged_vertices(const EditedMesh& mesh) {
       }
     }
   }
-  std::erase_if(merged, [&](const MergedVertex& m) { return is_collapsed[m.gone]; });
-  return merged;
+  return is_collapsed;
 }
 
-std::vector<Index> numbers_by_name(const EditedMesh& mesh) {
-  std::vector<Index> numbers = new_vertices(mesh);
-  for (const MergedVertex& merged : MergeFinder(mesh).find()) {
-    numbers[merged.gone] = merged.now;
-  }
-  return numbers;
+}  // namespace
+
+VertexMerges find_vertex_merges(const EditedMesh& mesh, const std::vector<Index>& numbers) {
+  VertexMerges merges{.merged = MergeFinder(mesh, numbers).find(), .names = numbers};
+  for (const MergedVertex& m : merges.merged) merges.names[m.gone] = m.now;
+  const std::vector<bool> is_collapsed = which_collapsed(mesh.source, merges.merged);
+  std::erase_if(merges.merged, [&](const MergedVertex& m) { return is_collapsed[m.gone]; });
+  return merges;
 }
 
 bool are_joined(std::vector<Index> names, const std::vector<Index>& numbers) {

@@ -20,17 +20,22 @@ struct MergedVertex {
   Index kept;
 };
 
-/// Returns the vertices that were merged into others with which they had no face in common,
-/// ascending. Where an edge was collapsed to one of its ends, nothing is in the place of the other.
-///
-/// @complexity O(#V + #F) time and space.
-[[nodiscard]] std::vector<MergedVertex> merged_vertices(const EditedMesh& mesh);
+/// What became of the vertices of the source that were dropped.
+struct VertexMerges {
+  /// Those that were merged into others with which they had no face in common, ascending. Where an
+  /// edge was collapsed to one of its ends, nothing is in the place of the other.
+  std::vector<MergedVertex> merged;
+  /// The new number of each vertex record, by which lines and other records name it: that of the
+  /// vertex in its place if it was merged or collapsed, and kNoIndex if it was dropped.
+  std::vector<Index> names;
+};
 
-/// Returns the new number of each vertex record, by which lines and other records name it: that of
-/// the vertex in its place if it was merged, and kNoIndex if it was dropped.
+/// Finds the vertices in the place of dropped ones.
 ///
+/// @param numbers  The result of new_vertices().
 /// @complexity O(#V + #F) time and space.
-[[nodiscard]] std::vector<Index> numbers_by_name(const EditedMesh& mesh);
+[[nodiscard]] VertexMerges find_vertex_merges(const EditedMesh& mesh,
+                                              const std::vector<Index>& numbers);
 
 /// Tells whether vertices that one record names are the same vertex now.
 /// @param names  The vertex records that it names.

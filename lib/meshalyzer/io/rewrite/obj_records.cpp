@@ -8,14 +8,21 @@
 namespace meshalyzer {
 namespace {
 
-/// The keyword of statements that name vertices, and the number of words before the first one.
+/// The keyword of statements that name vertices; see ObjNaming.
 struct NamingKeyword {
   std::string_view word;
   std::size_t n_before;
+  AttributeKind kind = AttributeKind::OtherStatements;
 };
 
-constexpr std::array<NamingKeyword, 8> kNamingKeywords = {
-    {{"l", 1}, {"p", 1}, {"curv", 3}, {"surf", 5}, {"bsp", 1}, {"bzp", 1}, {"cdc", 1}, {"cdp", 1}}};
+constexpr std::array<NamingKeyword, 8> kNamingKeywords = {{{"l", 1, AttributeKind::LinesAndPoints},
+                                                           {"p", 1, AttributeKind::LinesAndPoints},
+                                                           {"curv", 3},
+                                                           {"surf", 5},
+                                                           {"bsp", 1},
+                                                           {"bzp", 1},
+                                                           {"cdc", 1},
+                                                           {"cdp", 1}}};
 constexpr std::array<std::string_view, 6> kBodyKeywords = {"parm", "trim", "hole",
                                                            "scrv", "sp",   "end"};
 
@@ -66,12 +73,7 @@ class ObjRecordFinder {
     if (keyword == "con") records_.connections.push_back(begin);
     for (const NamingKeyword& known : kNamingKeywords) {
       if (keyword == known.word) {
-        const bool is_line = keyword == "l" || keyword == "p";
-        records_.naming.push_back(
-            {begin,
-             known.n_before,
-             is_line ? AttributeKind::LinesAndPoints : AttributeKind::OtherStatements,
-             {}});
+        records_.naming.push_back({begin, known.n_before, known.kind, {}});
       }
     }
   }

@@ -26,7 +26,7 @@ class InriaRewriter {
       : mesh_(mesh),
         records_(find_inria_records(text)),
         vertices_(new_vertices(mesh)),
-        names_(numbers_by_name(mesh)),
+        merges_(find_vertex_merges(mesh, vertices_)),
         edits_(text) {
     face_records_.first_triangle.push_back(0);
     for (const Section& section : records_.sections) {
@@ -119,7 +119,7 @@ class InriaRewriter {
   /// Counts the references of vertices that were merged into others.
   [[nodiscard]] std::size_t count_merged(const Section& section) const {
     std::size_t n = 0;
-    for (const MergedVertex& merged : merged_vertices(mesh_)) {
+    for (const MergedVertex& merged : merges_.merged) {
       const auto reference = [&](Index record) {
         return parse_integer(inria_numbers(section.records[record]).back());
       };
@@ -216,7 +216,7 @@ class InriaRewriter {
       case InriaNames::Tetrahedra:
         return tetrahedra_;
       default:
-        return names_;
+        return merges_.names;
     }
   }
 
@@ -320,8 +320,7 @@ class InriaRewriter {
   FaceRecords face_records_;
   FacePlan plan_;
   NewNumbers vertices_;
-  /// The numbers by which other sections name the vertices.
-  NewNumbers names_;
+  VertexMerges merges_;
   NewNumbers edges_;
   NewNumbers triangles_;
   NewNumbers quadrilaterals_;

@@ -46,7 +46,7 @@ class ObjRewriter {
         records_(find_obj_records(text)),
         plan_(plan_faces(mesh, records_.face_records)),
         numbers_(new_vertices(mesh)),
-        names_(numbers_by_name(mesh)),
+        merges_(find_vertex_merges(mesh, numbers_)),
         n_kept_before_(count_kept(numbers_)),
         attributes_(mesh, text, records_),
         edits_(text) {}
@@ -115,7 +115,7 @@ class ObjRewriter {
   /// Counts what vertices had that were merged into others.
   void note_merged(std::vector<AttributeCount>& lost) const {
     bool has_lost_weight = false;
-    for (const MergedVertex& merged : merged_vertices(mesh_)) {
+    for (const MergedVertex& merged : merges_.merged) {
       const std::vector<std::string_view> before = extra(merged.gone);
       const std::vector<std::string_view> after = extra(merged.kept);
       const std::size_t n_before = before.size() < 3 ? 0 : 3;
@@ -353,16 +353,16 @@ class ObjRewriter {
     std::vector<Index> names;
     for (std::size_t i = statement.n_before; i < old.size(); ++i) {
       const std::optional<ObjCorner> named = corner_of(old[i], counts);
-      if (!named || named->vertex >= names_.size()) {
+      if (!named || named->vertex >= merges_.names.size()) {
         return true;
       }
-      if (names_[named->vertex] == kNoIndex) {
+      if (merges_.names[named->vertex] == kNoIndex) {
         return false;
       }
       names.push_back(named->vertex);
-      all.push_back({names_[named->vertex], named->texture_point, named->normal});
+      all.push_back({merges_.names[named->vertex], named->texture_point, named->normal});
     }
-    if (are_joined(names, names_)) {
+    if (are_joined(names, merges_.names)) {
       return false;
     }
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -408,8 +408,7 @@ class ObjRewriter {
   FacePlan plan_;
   /// The new number of each vertex record; kNoIndex if it was dropped.
   std::vector<Index> numbers_;
-  /// The number by which lines, curves and surfaces name each vertex record.
-  std::vector<Index> names_;
+  VertexMerges merges_;
   /// #old vertices + 1: how many of those before each are kept.
   std::vector<Index> n_kept_before_;
   ObjAttributes attributes_;

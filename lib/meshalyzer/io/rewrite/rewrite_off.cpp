@@ -155,7 +155,8 @@ class OffRewriter {
   /// Counts what vertices had that were merged into others.
   void note_merged(std::vector<AttributeCount>& lost) const {
     const std::size_t n_texture = records_.layout.texture ? 2 : 0;
-    for (const auto& [gone, now, kept] : merged_vertices(mesh_)) {
+    const VertexMerges merges = find_vertex_merges(mesh_, numbers_);
+    for (const auto& [gone, now, kept] : merges.merged) {
       const Words before = extra_of(gone);
       const Words after = extra_of(kept);
       if (are_lost_in(colour_in(before), colour_in(after))) {

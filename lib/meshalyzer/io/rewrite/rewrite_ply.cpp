@@ -41,7 +41,7 @@ class PlyRewriter {
         vertex_(find_element(header, "vertex")),
         face_(find_element(header, "face")),
         numbers_(new_vertices(mesh)),
-        names_(numbers_by_name(mesh)),
+        merges_(find_vertex_merges(mesh, numbers_)),
         has_normals_(has_vertex_normals(mesh.source)),
         edits_(content, records_.is_ascii()) {
     find_face_records();
@@ -200,7 +200,7 @@ class PlyRewriter {
   /// vertex, and every other property in which any of them differ.
   void note_merged(std::vector<AttributeCount>& lost) const {
     std::set<std::size_t> other_properties;
-    for (const MergedVertex& merged : merged_vertices(mesh_)) {
+    for (const MergedVertex& merged : merges_.merged) {
       const PlyRecord before = records_.read(vertex_, merged.gone);
       const PlyRecord after = records_.read(vertex_, merged.kept);
       bool has_lost_colour = false;
@@ -385,18 +385,18 @@ class PlyRewriter {
       const PlyType type = properties(element)[p].type;
       for (const std::string_view item : record.fields[p].items) {
         const double old = records_.number(item, type);
-        if (!(old >= 0.0 && old < static_cast<double>(names_.size()))) {
+        if (!(old >= 0.0 && old < static_cast<double>(merges_.names.size()))) {
           continue;
         }
         named.push_back(static_cast<Index>(old));
-        const Index now = names_[named.back()];
+        const Index now = merges_.names[named.back()];
         is_kept = is_kept && now != kNoIndex;
         if (is_kept && now != named.back()) {
           renumbered.emplace_back(item, records_.text(now, type));
         }
       }
     }
-    if (!is_kept || are_joined(named, names_)) {
+    if (!is_kept || are_joined(named, merges_.names)) {
       edits_.replace_record(record.bytes, {});
       edits_.note_loss(AttributeKind::OtherRecords, record.bytes);
       return false;
@@ -421,8 +421,7 @@ class PlyRewriter {
   std::optional<PlyCornerLists> lists_;
   /// The new number of each vertex record; kNoIndex if it was dropped.
   std::vector<Index> numbers_;
-  /// The number by which records of other elements name each vertex record.
-  std::vector<Index> names_;
+  VertexMerges merges_;
   bool has_normals_;
   bool is_widened_ = false;
   /// The properties of vertices as they are written.
