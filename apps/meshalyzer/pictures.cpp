@@ -171,9 +171,10 @@ void Pictures::draw(Index number, const Analysis& analysis, const PreparedMesh& 
   const DefectReport defects = find_defects(mesh);
   const FieldSource source{mesh, &defects, separation,
                            run_.request.mesh.curvature.value_or(VertexArea::Mixed)};
-  if (run_.options.field_export.file) {
+  const FieldExport& wanted = run_.options.field_export;
+  if (wanted.file && (wanted.field != FieldName::Separation || separation != nullptr)) {
     prepare(paths_.fields[number], paths_);
-    write_field(paths_.fields[number], source, run_.options.field_export);
+    write_field(paths_.fields[number], source, wanted);
   }
   if (run_.options.html) {
     write_page(number, analysis, source);

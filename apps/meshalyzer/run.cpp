@@ -1,6 +1,7 @@
 #include "run.h"
 
 #include "interrupt.h"
+#include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/report/set_verdict.h"
 #include "meshalyzer/set/analyze_files.h"
 #include "meshalyzer/set/set_run.h"
@@ -121,6 +122,20 @@ void report_interruption(const Run& run, const Outcome& outcome, std::ostream& e
   err << '\n';
 }
 
+/// Reports the options whose files were not written because no separation was measured.
+void report_missing_files(const Options& options, const SetAnalysis& set, Outcome& outcome) {
+  if (set.separation_reason.empty()) {
+    return;
+  }
+  const std::string why = " has written nothing: " + without_controls(set.separation_reason);
+  if (options.separation_ply) {
+    outcome.report_error("meshalyzer: --separation-ply" + why);
+  }
+  if (options.field_export.field == FieldName::Separation) {
+    outcome.report_error("meshalyzer: --field separation" + why);
+  }
+}
+
 }  // namespace
 
 ExitCode carry_out(const Run& run, Streams streams) {
@@ -153,6 +168,9 @@ ExitCode carry_out(const Run& run, Streams streams) {
     // The output for a person comes first.
     std::for_each(outputs.rbegin(), outputs.rend(),
                   [&](const auto& output) { output->finish(found.set ? &*found.set : nullptr); });
+    if (found.set) {
+      report_missing_files(run.options, *found.set, outcome);
+    }
   }
   if (!streams.out.flush()) {
     outcome.report_error("meshalyzer: standard output: cannot be written");

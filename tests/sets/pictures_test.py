@@ -150,7 +150,8 @@ class Pictures(program.SetTest):
     def test_bad_set_has_no_pictures(self):
         self.copy("gap")
         self.write("gap/sheet.mesh", program.SHEET)
-        self.run_program("-a", "-s", "--separation-ply=pictures", "gap")
+        said = self.run_program("-a", "-s", "--separation-ply=pictures", "gap", status=program.TROUBLE)
+        self.assertIn("--separation-ply has written nothing: every mesh must be good", said.errors)
         self.assertFalse((self.folder / "pictures").exists())
 
     def test_folder_that_cannot_be_made(self):
