@@ -3,6 +3,7 @@
 #include "batch.h"
 #include "combine.h"
 #include "input_file.h"
+#include "mesh_paths.h"
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/io/gzip.h"
 #include "meshalyzer/io/read.h"
@@ -14,6 +15,7 @@
 #include "repair_mesh.h"
 #include "stop_request.h"
 #include "targets.h"
+#include "usage_error.h"
 #include "write_report.h"
 
 #include <optional>
@@ -71,12 +73,24 @@ ExitCode fix(const RepairTask& task, Soup soup) {
   });
 }
 
+/// Refuses a folder where one mesh is repaired or examined.
+void require_no_folder(const Options& options) {
+  if (!is_folder(options.input)) return;
+  const bool is_find = options.action == Options::Action::Find;
+  throw UsageError(options.input + " is a folder: " +
+                   (options.output ? "name a folder as OUT too, or give --in-place in place of -o"
+                    : is_find
+                        ? "--find takes one mesh file; 'meshalyzer check' judges those of a folder"
+                        : "--dry-run takes one mesh file"));
+}
+
 }  // namespace
 
 ExitCode work(const Options& options, Streams streams) {
   const UnpackLimit limit(options.max_unpack_ratio);
   if (options.action == Options::Action::Combine) return combine(options, streams);
   if (options.is_batch()) return run_batch(options, streams);
+  require_no_folder(options);
   RunFiles files = files_of_run(options, {options.input});
   return report_or_reason(options, streams, [&] {
     const InputFile file(options.input);
