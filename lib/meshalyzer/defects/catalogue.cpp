@@ -162,7 +162,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .elements = "The border edges in walking order, and a point of the border.",
      .fix = "The hole is filled by a patch that intersects nothing. A sheet, which bounds no "
             "solid, is left open unless filling is asked for by name.",
-     .fix_summary = "meshfixer fills it",
+     .fix_summary = "meshfixer fills it; in a sheet, with --fix hole",
      .passes = "fill holes",
      .fixed_by_default = true},
     {.code = DefectCode::Flipped,
