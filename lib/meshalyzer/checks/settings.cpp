@@ -51,9 +51,8 @@ std::string find_settings_file(const std::string& mesh_path) {
   std::error_code error;
   for (fs::path folder = fs::absolute(mesh_path, error).lexically_normal().parent_path();;
        folder = folder.parent_path()) {
-    if (const fs::path file = folder / kSettingsFileName; fs::is_regular_file(file, error)) {
-      return file.string();
-    }
+    const fs::path file = folder / kSettingsFileName;
+    if (fs::exists(fs::symlink_status(file, error))) return file.string();
     if (folder == folder.parent_path()) return {};
   }
 }

@@ -49,8 +49,9 @@ inline constexpr std::string_view kSettingsFileName = ".meshalyzer.toml";
 /// Parses the text of a settings file; `path` appears in messages and determines the folder.
 [[nodiscard]] SettingsFile parse_settings(std::string_view text, const std::string& path);
 
-/// Finds the settings file nearest to a file: in its folder or in one above. The result is empty if
-/// there is none.
+/// Finds the settings file nearest to a file: in its folder or in one above. What has that name but
+/// cannot be read, such as a broken link, is found too, so that reading it says why. The result is
+/// empty if there is none.
 [[nodiscard]] std::string find_settings_file(const std::string& mesh_path);
 
 /// Returns a path relative to the folder of a settings file.

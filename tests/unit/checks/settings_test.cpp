@@ -111,5 +111,15 @@ TEST(FindSettingsFile, NearestFolderAboveCounts) {
   EXPECT_EQ(find_settings_file(folder.file("a/b/c.ply")), folder.file("a/.meshalyzer.toml"));
 }
 
+TEST(FindSettingsFile, WhatCannotBeReadIsFoundAndRefusedByTheReader) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.file("a"));
+  std::ofstream(folder.file(".meshalyzer.toml")).flush();
+  const std::string loop = folder.file("a/.meshalyzer.toml");
+  std::filesystem::create_symlink(loop, loop);
+  EXPECT_EQ(find_settings_file(folder.file("a/c.ply")), loop);
+  EXPECT_THROW(static_cast<void>(read_settings_file(loop)), IoError);
+}
+
 }  // namespace
 }  // namespace meshalyzer
