@@ -12,12 +12,13 @@ struct KindNames {
   std::string_view key;
 };
 
-constexpr std::array<KindNames, 17> kKindNames = {{
+constexpr std::array<KindNames, 18> kKindNames = {{
     {"polygon", "polygons", "polygons"},
     {"normal", "normals", "normals"},
     {"texture coordinate", "texture coordinates", "texture_coordinates"},
     {"vertex colour", "vertex colours", "vertex_colours"},
     {"face colour", "face colours", "face_colours"},
+    {"absent colour", "absent colours", "absent_colours"},
     {"material", "materials", "materials"},
     {"group", "groups", "groups"},
     {"smoothing group", "smoothing groups", "smoothing_groups"},

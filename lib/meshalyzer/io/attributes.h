@@ -15,6 +15,8 @@ enum class AttributeKind : std::uint8_t {
   TextureCoordinates,
   VertexColours,
   FaceColours,
+  /// The lack of a colour, of vertices and faces that become white because others have a colour.
+  AbsentColours,
   Materials,
   Groups,
   SmoothingGroups,

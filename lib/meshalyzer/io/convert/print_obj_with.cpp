@@ -39,12 +39,11 @@ class ObjPrinter {
  private:
   void print_vertex(std::size_t v) {
     print_record(text_, "v", soup_.positions[v]);
-    if (!attributes_.vertex_colours.empty()) {
+    if (!attributes_.vertex_colours.empty() && attributes_.vertex_colours[v]) {
       text_.pop_back();
-      const Rgba colour = attributes_.vertex_colours[v].value_or(Rgba{1.0, 1.0, 1.0, 1.0});
       for (std::size_t i = 0; i < 3; ++i) {
         text_ += ' ';
-        append_shortest(text_, colour[i]);
+        append_shortest(text_, (*attributes_.vertex_colours[v])[i]);
       }
       text_ += '\n';
     }

@@ -99,6 +99,27 @@ TEST(RewriteAs, ColoursOfFacesGoBetweenPlyAndOff) {
             std::string::npos);
 }
 
+TEST(RewriteAs, ElementsWithoutAColourBecomeWhiteWhereOthersHaveOneAndAreCounted) {
+  EditedFile file("v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj");
+  EXPECT_NE(file.rewritten_as(Format::Ply).bytes.find("\n0 0 0 255 0 0\n1 0 0 255 255 255\n"),
+            std::string::npos);
+  EXPECT_EQ(lost(file.rewritten_as(Format::Ply)), "2 absent colours");
+  EXPECT_EQ(lost(file.rewritten_as(Format::Off)), "2 absent colours");
+  EXPECT_EQ(lost(file.rewritten_as(Format::Mesh)), "1 vertex colour");
+  // OFF holds faces without a colour beside others, PLY does not.
+  EditedFile faces("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 51\n3 0 2 1\n", "a.off");
+  EXPECT_EQ(lost(faces.rewritten_as(Format::Ply)), "1 absent colour");
+  EditedFile none("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj");
+  EXPECT_EQ(lost(none.rewritten_as(Format::Ply)), "");
+}
+
+TEST(RewriteAs, ObjHoldsVerticesWithoutAColourBesideOthers) {
+  EditedFile file("OFF\n3 1 0\n0 0 0 255 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "a.off");
+  const RewrittenFile obj = file.rewritten_as(Format::Obj);
+  EXPECT_EQ(obj.bytes, "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(lost(obj), "");
+}
+
 TEST(RewriteAs, TextureAtSomeCornersOfAFaceIsCountedAsLost) {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n";
   EditedFile file(points + "f 1/1 2/2 3/3\nf 4/2 3 2\n", "a.obj");

@@ -45,8 +45,8 @@ TEST(RewriteTogether, EachFileSaysWhatIsOfItsOwnElements) {
                  "g quad\nf 1/1 2/2 3/3 4/4\n"}},
                Format::Obj);
   EXPECT_EQ(file.bytes,
-            "# first\n# second\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nv 5 0 0 1 1 1\n"
-            "v 6 0 0 1 1 1\nv 6 1 0 1 1 1\nv 5 1 0 1 1 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+            "# first\n# second\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nv 5 0 0\n"
+            "v 6 0 0\nv 6 1 0\nv 5 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
             "f 1 2 3\ng quad\nf 4/1 5/2 6/3 7/4\n");
   EXPECT_EQ(text_of(file.lost), "");
 }
