@@ -23,8 +23,10 @@ struct InriaSection {
   std::string_view keyword;
   std::size_t numbers_a_record;
   InriaNames names;
-  /// The number of names at the beginning of a record.
+  /// The number of names in a record.
   std::size_t n_names;
+  /// The number of other numbers before them.
+  std::size_t n_before = 0;
 };
 
 inline constexpr std::array<InriaSection, 38> kInriaSections = {{
@@ -56,8 +58,8 @@ inline constexpr std::array<InriaSection, 38> kInriaSections = {{
     {"TangentAtVertices", 2, InriaNames::Vertices, 1},
     {"TangentAtEdges", 3, InriaNames::Edges, 1},
     {"TangentAtEdgeVertices", 3, InriaNames::Edges, 1},
-    {"SubDomain", 4, InriaNames::Nothing, 0},
-    {"SubDomainFromMesh", 4, InriaNames::Nothing, 0},
+    {"SubDomain", 4, InriaNames::Triangles, 1, 1},
+    {"SubDomainFromMesh", 4, InriaNames::Triangles, 1, 1},
     {"SubDomainFromGeom", 4, InriaNames::Nothing, 0},
     {"VertexOnGeometricVertex", 2, InriaNames::Vertices, 1},
     {"VertexOnGeometricEdge", 3, InriaNames::Vertices, 1},

@@ -245,12 +245,13 @@ class InriaRewriter {
   bool rename(std::string_view record, const InriaSection& kind) {
     const NewNumbers& numbers = numbers_of(kind.names);
     const std::vector<std::string_view> old = inria_numbers(record);
+    const std::size_t end = kind.n_before + kind.n_names;
     const auto index_of = [&](std::size_t i) {
       return static_cast<std::size_t>(parse_integer(old[i]).value_or(0) - 1);
     };
     std::vector<Index> named;
     bool is_kept = true;
-    for (std::size_t i = 0; i < kind.n_names; ++i) {
+    for (std::size_t i = kind.n_before; i < end; ++i) {
       if (index_of(i) < numbers.size()) {
         named.push_back(static_cast<Index>(index_of(i)));
         is_kept = is_kept && numbers[named.back()] != kNoIndex;
@@ -261,7 +262,7 @@ class InriaRewriter {
       edits_.note_loss(AttributeKind::OtherRecords, record);
       return false;
     }
-    for (std::size_t i = 0; i < kind.n_names; ++i) {
+    for (std::size_t i = kind.n_before; i < end; ++i) {
       if (index_of(i) < numbers.size()) {
         edits_.replace_integer(old[i], std::int64_t{numbers[index_of(i)]} + 1);
       }

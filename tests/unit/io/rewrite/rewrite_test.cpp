@@ -355,6 +355,20 @@ TEST(RewriteInria, RequiredTetrahedraMoveWithTheTetrahedraBeforeThem) {
       << file.rewritten_bytes();
 }
 
+TEST(RewriteInria, SubdomainsFollowTheTriangleThatTheyName) {
+  const std::string subdomains = "SubDomainFromMesh 2\n3 1 1 7\n3 2 -1 8\n";
+  EditedFile file(with(with(medit(), "Triangles 1\n", "Triangles 2\n2 3 4 6\n"),
+                       "Corners 2\n1\n5\n", subdomains + "SubDomain 1\n3 2 1 9\n"),
+                  "a.mesh");
+  file.drop_face(0);
+  EXPECT_NE(
+      file.rewritten_bytes().find("SubDomainFromMesh 1\n3 1 -1 8\nSubDomain 1\n3 1 1 9\nEnd\n"),
+      std::string::npos)
+      << file.rewritten_bytes();
+  EXPECT_EQ(attribute_text({AttributeKind::OtherRecords, file.rewritten()->lost_records.size()}),
+            "1 other record");
+}
+
 TEST(RewriteInria, CommentInADroppedRecordIsCountedAsLost) {
   EditedFile file(with(medit(), "9 9 9 5\n", "9 9 # far away\n9 5\n"), "a.mesh");
   file.drop_vertex(4);
