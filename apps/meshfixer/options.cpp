@@ -60,7 +60,7 @@ void declare_actions(OptionTable& table, Options& options, GivenOptions& given) 
   table.flag(
       "--strict-attributes", [&options] { options.loss = Options::Loss::Refuse; },
       "write nothing, with exit status 1, if OUT cannot hold all attributes of IN, such as "
-      "texture coordinates");
+      "texture coordinates; of several files the others are written");
   table.option("--fix LIST", into(given.fix, to_codes),
                "fix only these defects, by code: " + names_of(all_defect_codes(), defect_name) +
                    "; or default (all but disjoint and numbering), or all");
