@@ -17,6 +17,12 @@ void append_counted(std::vector<std::string>& reasons, std::size_t n, std::strin
 
 }  // namespace
 
+void append_reasons_within(std::size_t n_not_good, std::size_t n_unreadable,
+                           std::vector<std::string>& reasons) {
+  append_counted(reasons, n_not_good, "mesh is not good", "meshes are not good");
+  append_counted(reasons, n_unreadable, "file cannot be read", "files cannot be read");
+}
+
 void append_reasons_between(const SetIntersections& found, std::vector<std::string>& reasons) {
   if (found.is_search_stopped) {
     reasons.push_back("at least " +
@@ -36,7 +42,7 @@ void append_reasons_between(const SetIntersections& found, std::vector<std::stri
 std::optional<Goodness> set_verdict(const SetAnalysis& set) {
   if (!set.good) return std::nullopt;
   Goodness verdict;
-  append_counted(verdict.reasons, set.not_good.size(), "mesh is not good", "meshes are not good");
+  append_reasons_within(set.not_good.size() - set.unreadable, set.unreadable, verdict.reasons);
   if (set.intersections) append_reasons_between(*set.intersections, verdict.reasons);
   verdict.good = verdict.reasons.empty();
   return verdict;

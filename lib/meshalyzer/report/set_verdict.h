@@ -3,6 +3,7 @@
 #include "meshalyzer/analysis/analysis.h"
 #include "meshalyzer/set/set_analysis.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,11 @@ namespace meshalyzer {
 ///
 /// @return Nothing if the meshes were not judged.
 [[nodiscard]] std::optional<Goodness> set_verdict(const SetAnalysis& set);
+
+/// Appends a phrase each on the meshes of a set that are not good and the files that cannot be
+/// read.
+void append_reasons_within(std::size_t n_not_good, std::size_t n_unreadable,
+                           std::vector<std::string>& reasons);
 
 /// Appends a phrase for each fault between the meshes of a set.
 void append_reasons_between(const SetIntersections& found, std::vector<std::string>& reasons);

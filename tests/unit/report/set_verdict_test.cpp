@@ -29,7 +29,10 @@ TEST(SetIsGood, NothingIsSaidWhereMeshesWereNotJudged) {
 
 TEST(SetIsGood, OneMeshThatIsNotGoodOrUnreadableIsEnough) {
   SetAnalysis set = good_set();
+  set.not_good = {{1, {"not closed"}}};
+  EXPECT_EQ(is_good(set), false);
   set.not_good = {{1, {"cannot be read"}}};
+  set.unreadable = 1;
   EXPECT_EQ(is_good(set), false);
 }
 
@@ -56,12 +59,13 @@ TEST(SetIsGood, WhatWasNotAskedForDoesNotMatter) {
 
 TEST(SetVerdict, ReasonsAreCounted) {
   SetAnalysis set = good_set();
-  set.not_good = {{1, {"cannot be read"}}};
+  set.not_good = {{1, {"cannot be read"}}, {2, {"not closed"}}, {3, {"cannot be read"}}};
+  set.unreadable = 2;
   set.intersections->pairs = {{}, {}};
   set.intersections->contained = {{0, 1}};
   ASSERT_TRUE(set_verdict(set));
   EXPECT_EQ(set_verdict(set)->reasons,
-            (std::vector<std::string>{"1 mesh is not good",
+            (std::vector<std::string>{"1 mesh is not good", "2 files cannot be read",
                                       "2 pairs of faces of different meshes intersect",
                                       "1 mesh is inside another one"}));
 }

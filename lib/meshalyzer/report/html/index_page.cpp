@@ -73,15 +73,9 @@ std::size_t count_if_row(const std::vector<IndexRow>& rows, RowState state) {
 }
 
 Verdict verdict_of_all(const std::vector<IndexRow>& rows, const SetAnalysis* set) {
-  const std::size_t not_good = count_if_row(rows, RowState::NotGood);
-  const std::size_t unreadable = count_if_row(rows, RowState::Unreadable);
   Verdict verdict{Verdict::Kind::Bad, "Not good"};
-  if (not_good != 0) {
-    verdict.reasons.push_back(counted(not_good, "mesh is not good", "meshes are not good"));
-  }
-  if (unreadable != 0) {
-    verdict.reasons.push_back(counted(unreadable, "file cannot be read", "files cannot be read"));
-  }
+  append_reasons_within(count_if_row(rows, RowState::NotGood),
+                        count_if_row(rows, RowState::Unreadable), verdict.reasons);
   if (set != nullptr && set->intersections) {
     append_reasons_between(*set->intersections, verdict.reasons);
   }
@@ -97,7 +91,8 @@ std::string facts_of(const std::vector<IndexRow>& rows) {
     vertices += row.vertices;
     faces += row.faces;
   }
-  std::string facts = counted(rows.size(), "mesh", "meshes");
+  const std::size_t n_meshes = rows.size() - count_if_row(rows, RowState::Unreadable);
+  std::string facts = counted(n_meshes, "mesh", "meshes");
   facts += ", ";
   facts += counted(faces, "face", "faces");
   facts += ", ";

@@ -113,7 +113,7 @@ TEST(JsonReportOfSet, TotalsStandUnderTheirKeys) {
   EXPECT_EQ(shown["good"], 2);
   EXPECT_EQ(shown["is_good"], false);
   EXPECT_EQ(shown["verdict"], json::parse(R"({"good": false, "reasons": [
-      "2 meshes are not good", "5 pairs of faces of different meshes intersect",
+      "1 mesh is not good", "1 file cannot be read", "5 pairs of faces of different meshes intersect",
       "1 mesh is inside another one", "2 meshes are partly inside another one"]})"));
   EXPECT_EQ(shown["vertices"], 10);
   EXPECT_EQ(shown["faces"], 11);

@@ -55,7 +55,8 @@ TEST(SetTextReport, MeshesThatAreNotGoodAreNamedWithEveryReason) {
   EXPECT_THAT(report, HasLine("good meshes: 2 of 3"));
   EXPECT_THAT(report, HasLine("not good: b.mesh: not closed; 2 orphan vertices"));
   EXPECT_THAT(report, HasLine("not good: torn.mesh: cannot be read: torn"));
-  EXPECT_THAT(report, testing::HasSubstr("\nverdict: NOT good: 2 meshes are not good"));
+  EXPECT_THAT(report,
+              testing::HasSubstr("\nverdict: NOT good: 1 mesh is not good; 1 file cannot be read"));
 }
 
 TEST(SetTextReport, SetWithoutAFaultIsGood) {
@@ -69,7 +70,7 @@ TEST(SetTextReport, PartBetweenMeshesBeginsWithTheVerdict) {
   SetAnalysis set = sample_set();
   EXPECT_EQ(text_report_between(set, OffenderStyle::None)
                 .find("MESH SET\n"
-                      "verdict: NOT good: 2 meshes are not good; "
+                      "verdict: NOT good: 1 mesh is not good; 1 file cannot be read; "
                       "5 pairs of faces of different meshes intersect; "
                       "1 mesh is inside another one; 2 meshes are partly inside another one\n\n"
                       "INTERSECTIONS BETWEEN MESHES\n"),
