@@ -5,6 +5,7 @@
 #include "meshalyzer/report/json/repair_report.h"
 #include "meshalyzer/report/json/writer.h"
 #include "meshalyzer/report/text/repair_lines.h"
+#include "meshalyzer/report/text/repair_report.h"
 
 #include <ostream>
 #include <string_view>
@@ -51,6 +52,7 @@ std::string file_line(const std::string& path, const RepairReport& report) {
 
 BatchReport::BatchReport(const Options& options, Streams streams)
     : streams_(streams),
+      lists_(options.lists),
       has_text_(!is_stdout(options.json) && !is_stdout(options.ndjson)),
       has_json_(options.json.has_value()),
       json_is_stdout_(is_stdout(options.json)),
@@ -69,7 +71,11 @@ void BatchReport::add(const std::string& path, const RepairReport& report) {
   lost_.insert(lost_.end(), report.lost.begin(), report.lost.end());
   lost_ = summed(std::move(lost_));
   if (has_json_ || ndjson_ || ndjson_is_stdout_) add_json(on_one_line(json_report(report)));
-  say(file_line(path, report));
+  if (lists_ == ListLength::Full) {
+    say((n_files_ == 0 ? "" : "\n") + text_report(report, lists_));
+  } else {
+    say(file_line(path, report));
+  }
   ++n_files_;
 }
 

@@ -36,6 +36,8 @@ class BatchReport {
   [[nodiscard]] std::string table() const;
 
   Streams streams_;
+  /// Full lists need the whole report of each file in place of a line.
+  ListLength lists_;
   /// False if standard output is for JSON.
   bool has_text_;
   std::optional<FileReplacement> json_;
