@@ -113,7 +113,7 @@ std::string to_page(const std::string& text, const std::string& option) {
 std::string to_output(const std::string& text, const std::string& /*option*/) {
   if (text != "-" && !is_folder_name(text) && !format_of_name(text)) {
     throw UsageError("'" + text + "' has the ending of no known mesh format (" + kMeshEndings +
-                     ")");
+                     "); if it is a folder, end its name with /");
   }
   return text;
 }
