@@ -89,7 +89,8 @@ void append_meetings(TextLines& lines, const SetAnalysis& set, OffenderStyle sty
   if (found.n_pairs() == 0) {
     return;
   }
-  lines.line("mended by", "meshfixer --subtract-in-order (makes them disjoint) or --union (one)");
+  lines.line("mended by",
+             "meshfixer --subtract-in-order (makes solids disjoint) or --union (makes them one)");
   lines.line("pairs of meshes that intersect, one a row",
              found.is_search_stopped ? "those found within the time limit" : "all");
   append_table(lines.text(), meetings_table(set));
