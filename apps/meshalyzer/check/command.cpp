@@ -85,8 +85,8 @@ void declare_files(OptionTable& table, CheckCommand& command) {
   table.group("Files");
   table.repeatable(
       "--exclude GLOB", append_to(command.excluded),
-      "leave out files in folders that fit: a name (*_old.stl) or a path within the folder "
-      "(scans/*.ply); once for each GLOB");
+      "leave out what fits in folders: a name (*_old.stl), a folder (old/), or a path within the "
+      "folder (scans/*.ply); once for each GLOB");
   table.option("--stdin-filename NAME", into(command.stdin_name),
                "the name of standard input (-); its ending determines the format");
 }

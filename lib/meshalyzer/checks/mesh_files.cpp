@@ -85,6 +85,7 @@ MeshFiles find_mesh_files(const std::vector<std::string>& paths,
 }
 
 bool matches_glob(std::string_view pattern, std::string_view path) {
+  if (pattern.ends_with('/')) pattern.remove_suffix(1);
   const bool is_for_name = pattern.find('/') == std::string_view::npos;
   const std::string subject(is_for_name ? path.substr(path.find_last_of('/') + 1) : path);
   return ::fnmatch(std::string(pattern).c_str(), subject.c_str(), FNM_PATHNAME) == 0;

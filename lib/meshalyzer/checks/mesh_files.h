@@ -26,7 +26,8 @@ struct MeshFiles {
                                         const std::vector<std::string>& excluded);
 
 /// Tells whether a path matches a shell pattern. A pattern without a slash is compared with the
-/// last part of the path, one with a slash with all of it; `*` and `?` do not match a slash.
+/// last part of the path, one with a slash with all of it; `*` and `?` do not match a slash. A
+/// slash at the end of a pattern, as of a folder, counts for nothing.
 [[nodiscard]] bool matches_glob(std::string_view pattern, std::string_view path);
 
 }  // namespace meshalyzer

@@ -66,9 +66,14 @@ std::string path_within(const SettingsFile& file, const std::string& path) {
 }
 
 bool is_excluded(const SettingsFile& file, const std::string& path) {
-  const std::string within = path_within(file, path);
-  return std::any_of(file.excluded.begin(), file.excluded.end(),
-                     [&](const std::string& pattern) { return matches_glob(pattern, within); });
+  for (fs::path within = path_within(file, path); !within.empty(); within = within.parent_path()) {
+    const std::string part = within.string();
+    if (std::any_of(file.excluded.begin(), file.excluded.end(),
+                    [&](const std::string& pattern) { return matches_glob(pattern, part); })) {
+      return true;
+    }
+  }
+  return false;
 }
 
 CheckCriteria criteria_for(const std::string& path, const SettingsFile* file,

@@ -57,7 +57,7 @@ inline constexpr std::string_view kSettingsFileName = ".meshalyzer.toml";
 /// Returns a path relative to the folder of a settings file.
 [[nodiscard]] std::string path_within(const SettingsFile& file, const std::string& path);
 
-/// Tells whether a settings file excludes a file.
+/// Tells whether a settings file excludes a file, or a folder that it is in.
 [[nodiscard]] bool is_excluded(const SettingsFile& file, const std::string& path);
 
 /// Returns the criteria for one file, from the settings file, its sections that match the file, and

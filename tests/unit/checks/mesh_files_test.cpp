@@ -42,6 +42,7 @@ TEST_F(MeshFilesTest, FolderIsSearchedAsDeepAsItGoesButForWhatIsHidden) {
 
 TEST_F(MeshFilesTest, ExcludedFilesAndFoldersAreLeftOut) {
   EXPECT_EQ(found({"*.stl", "deep"}), (std::vector<std::string>{"a.ply", "old/c.OBJ"}));
+  EXPECT_EQ(found({"old/deep/"}), (std::vector<std::string>{"a.ply", "b.stl", "old/c.OBJ"}));
   EXPECT_EQ(found({"old/*.OBJ"}), (std::vector<std::string>{"a.ply", "b.stl", "old/deep/d.off"}));
 }
 
@@ -89,6 +90,12 @@ TEST(MatchesGlob, PatternWithoutSlashIsForTheName) {
   EXPECT_FALSE(matches_glob("in", "deep/in/a.ply"));
   EXPECT_TRUE(matches_glob("deep/*/a.ply", "deep/in/a.ply"));
   EXPECT_FALSE(matches_glob("deep/*.ply", "deep/in/a.ply"));
+}
+
+TEST(MatchesGlob, SlashAtTheEndCountsForNothing) {
+  EXPECT_TRUE(matches_glob("in/", "deep/in"));
+  EXPECT_TRUE(matches_glob("deep/in/", "deep/in"));
+  EXPECT_FALSE(matches_glob("in/", "deep/in/a.ply"));
 }
 
 }  // namespace

@@ -102,6 +102,16 @@ TEST(IsExcluded, PatternsAreRelativeToTheSettingsFile) {
   EXPECT_FALSE(is_excluded(file, "dir/a.ply"));
 }
 
+TEST(IsExcluded, PatternThatFitsAFolderIsForAllFilesInIt) {
+  const SettingsFile file =
+      parse_settings("exclude = ['old', 'scans/raw/', 'a/*']", "dir/.meshalyzer.toml");
+  EXPECT_TRUE(is_excluded(file, "dir/new/old/deep/a.ply"));
+  EXPECT_TRUE(is_excluded(file, "dir/scans/raw/a.ply"));
+  EXPECT_TRUE(is_excluded(file, "dir/a/b/c.ply"));
+  EXPECT_FALSE(is_excluded(file, "dir/scans/a.ply"));
+  EXPECT_FALSE(is_excluded(file, "dir/older/a.ply"));
+}
+
 TEST(FindSettingsFile, NearestFolderAboveCounts) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.file("a/b"));
