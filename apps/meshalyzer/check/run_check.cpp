@@ -2,6 +2,7 @@
 
 #include "check/command.h"
 #include "interrupt.h"
+#include "mesh_paths.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/checks/check_files.h"
 #include "meshalyzer/checks/known_findings.h"
@@ -167,6 +168,11 @@ std::size_t n_findings(const FileFindings& file) {
 }
 
 ExitCode compare_meshes(const CheckCommand& command, Streams streams) {
+  for (const std::string& path : command.paths) {
+    if (is_folder(path)) {
+      throw UsageError("--diff needs two mesh files, and " + path + " is a folder");
+    }
+  }
   std::vector<CheckJob> jobs = jobs_of(command, command.paths);
   for (CheckJob& job : jobs) job.criteria.max_listed = 0;
   std::vector<FileFindings> files;
