@@ -30,41 +30,40 @@ TrackedMesh renumbered(const TrackedMesh& tracked, const Tolerances& tolerances)
 }
 
 /// Tells whether all records have the numbers that they are to have.
-bool is_numbered(RepairDriver& driver, const Tolerances& tolerances) {
-  const MeasuredMesh& mesh = driver.mesh();
+bool is_numbered(const MeasuredMesh& mesh) {
   const RepairLimits limits;
-  return renumber({mesh.input(), mesh.tracked(), mesh.prepared(), tolerances, limits})
+  return renumber({mesh.input(), mesh.tracked(), mesh.prepared(), mesh.tolerances(), limits})
       .edits.empty();
 }
 
 /// @param before  The defects of the input.
-std::vector<RepairedMesh> finished_meshes(RepairDriver& driver, const RepairOptions& options,
-                                          const Tolerances& tolerances,
+std::vector<RepairedMesh> finished_meshes(const RepairDriver& driver, const RepairOptions& options,
                                           const DefectReport& before) {
+  const MeasuredMesh& repaired = driver.mesh();
   const DefectOptions find{.codes = DefectCodes::all(),
-                           .tolerances = as_options(tolerances),
+                           .tolerances = as_options(repaired.tolerances()),
                            .max_defects = options.max_defects,
-                           .pairs = {.max_found = driver.mesh().max_pairs(), .wants_to_stop = {}}};
+                           .pairs = {.max_found = repaired.max_pairs(), .wants_to_stop = {}}};
   const bool is_separated = options.fixes.contains(DefectCode::Disjoint);
   // Separation leaves gaps in the numbers.
-  const bool is_renumbered = options.fixes.contains(DefectCode::Numbering) &&
-                             (is_separated || !is_numbered(driver, tolerances));
+  const bool is_renumbered =
+      options.fixes.contains(DefectCode::Numbering) && (is_separated || !is_numbered(repaired));
   if (!is_separated && !is_renumbered) {
-    return {{.tracked = driver.mesh().tracked(),
-             .remaining =
-                 driver.log().steps.empty() ? before : find_defects(driver.mesh().prepared(), find),
-             .prepared = options.keep_prepared ? driver.mesh().shared_prepared() : nullptr}};
+    return {
+        {.tracked = repaired.tracked(),
+         .remaining = driver.log().steps.empty() ? before : find_defects(repaired.prepared(), find),
+         .prepared = options.keep_prepared ? repaired.shared_prepared() : nullptr}};
   }
   std::vector<TrackedMesh> tracked_meshes;
   if (is_separated) {
-    tracked_meshes = separate(driver.mesh().tracked());
+    tracked_meshes = separate(repaired.tracked());
   } else {
-    tracked_meshes.push_back(driver.mesh().tracked());
+    tracked_meshes.push_back(repaired.tracked());
   }
   std::vector<RepairedMesh> meshes;
   for (TrackedMesh& tracked : tracked_meshes) {
     RepairedMesh& mesh = meshes.emplace_back();
-    mesh.tracked = is_renumbered ? renumbered(tracked, tolerances) : std::move(tracked);
+    mesh.tracked = is_renumbered ? renumbered(tracked, repaired.tolerances()) : std::move(tracked);
     mesh.remaining = find_defects(mesh.tracked.soup, find);
   }
   return meshes;
@@ -134,13 +133,12 @@ constexpr std::size_t kMostPairsBesideFacets = 100;
 /// repair besides stays refused.
 ///
 /// @return Whether it has changed the mesh.
-bool mend_facets_left(RepairDriver& driver, const RepairOptions& options,
-                      const Tolerances& tolerances) {
+bool mend_facets_left(RepairDriver& driver, const RepairOptions& options) {
   const std::vector<PlannedPass> plan = plan_for_remaining_facets(options);
   const PreparedMesh& mesh = driver.mesh().prepared();
   if (plan.empty() || driver.is_stopped() ||
       mesh.intersecting_pairs().size() > kMostPairsBesideFacets ||
-      find_thin_facets(mesh, tolerances).empty()) {
+      find_thin_facets(mesh, driver.mesh().tolerances()).empty()) {
     return false;
   }
   std::vector<LoggedRefusal> others = driver.log().refusals;
@@ -149,15 +147,16 @@ bool mend_facets_left(RepairDriver& driver, const RepairOptions& options,
         .contains(refusal.code);
   });
   const std::size_t n_operations = driver.log().operations.size();
-  driver.run_plan(plan, options);
+  driver.run_plan(plan);
   driver.add_refusals(others);
   return driver.log().operations.size() != n_operations;
 }
 
-void run_passes(RepairDriver& driver, const RepairOptions& options, const Tolerances& tolerances) {
-  driver.run_plan(plan_passes(options, tolerances), options);
+void run_passes(RepairDriver& driver, const RepairOptions& options) {
+  const Tolerances& tolerances = driver.mesh().tolerances();
+  driver.run_plan(plan_passes(options, tolerances));
   if (is_any_sheet_to_cut(driver, options)) {
-    driver.run_plan(plan_with_sheets_cut(options, tolerances), options, OnWorse::Leave);
+    driver.run_plan(plan_with_sheets_cut(options, tolerances), OnWorse::Leave);
   }
 }
 
@@ -166,13 +165,12 @@ void run_passes(RepairDriver& driver, const RepairOptions& options, const Tolera
 constexpr int kMostRepeats = 10;
 
 /// Runs all passes, and replaces what they leave if that is asked for.
-void repair(RepairDriver& driver, const RepairOptions& options, const Tolerances& tolerances,
-            RepairResult& result) {
-  run_passes(driver, options, tolerances);
-  if (options.guarantee) result.notes = guarantee_goodness(driver, options, tolerances);
-  for (int i = 0; i < kMostRepeats && mend_facets_left(driver, options, tolerances); ++i) {
+void repair(RepairDriver& driver, const RepairOptions& options, RepairResult& result) {
+  run_passes(driver, options);
+  if (options.guarantee) result.notes = guarantee_goodness(driver, options);
+  for (int i = 0; i < kMostRepeats && mend_facets_left(driver, options); ++i) {
     // A repair of the result would run them, too.
-    run_passes(driver, options, tolerances);
+    run_passes(driver, options);
   }
   if (options.reports_patches) result.patches = find_patch_outcomes(driver, result.before);
   if (options.keep_largest != 0) {
@@ -197,8 +195,9 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   limits.max_deviation = length_of(options.max_deviation, box);
   limits.groups = options.groups;
 
-  const PairLimits pairs = pair_limits(options, soup.n_faces());
-  const FinalCheck check = final_check_for(options, soup.format);
+  const DriverSettings settings{.pairs = pair_limits(options, soup.n_faces()),
+                                .check = final_check_for(options, soup.format),
+                                .on_progress = options.on_progress};
 
   RepairResult result;
   result.max_deviation = limits.max_deviation;
@@ -207,7 +206,7 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
       [&](const TrackedMesh& tracked, const CutMesh& cut) {
         return find_fixed_vertices(tracked, cut, options);
       },
-      pairs, check);
+      settings);
   DefectOptions find;
   find.tolerances = options.tolerances;
   find.max_defects = options.max_defects;
@@ -215,12 +214,12 @@ RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   result.before = find_defects(driver.mesh().prepared(), find);
   if (options.on_input) options.on_input(driver.mesh().shared_prepared(), result.before);
   if (reason_against_repair(driver).empty() || drop_equal_faces(driver, options, result.before)) {
-    repair(driver, options, tolerances, result);
+    repair(driver, options, result);
   } else {
     result.is_stopped = options.wants_to_stop();
     if (options.reports_patches) result.patches = find_patch_outcomes(driver, result.before);
   }
-  result.meshes = finished_meshes(driver, options, tolerances, result.before);
+  result.meshes = finished_meshes(driver, options, result.before);
   result.log = driver.take_log();
   append_dropped_parts(driver.mesh().input(), driver.mesh().tracked(), result.log, result.notes);
   name_what_has_no_reason(options, reason_of_defects_left(driver), result);

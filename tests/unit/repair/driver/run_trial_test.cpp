@@ -69,7 +69,7 @@ TEST_F(RunTrial, WhatWasMadeOfTheInputIsMadeOnce) {
   EXPECT_EQ(position_after_start("move", by), at + by);
   const std::size_t n_runs = n_runs_;
   // A plan that does nothing still finds out what must stay in place in the mesh at hand.
-  driver_.run_plan({}, {});
+  driver_.run_plan({});
   EXPECT_EQ(position_after_start("move", by), at + by);
   EXPECT_EQ(n_runs_, n_runs);
   ASSERT_EQ(seen_.size(), 2U);

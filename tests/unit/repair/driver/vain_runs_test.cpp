@@ -62,8 +62,7 @@ std::size_t count_runs(Index n_crossing, bool takes_time_for_pairs) {
     return PassResult();
   };
   driver.run_plan({{.name = "move", .run = move_once_a_round},
-                   {.name = "count", .run = count, .takes_time_for_pairs = takes_time_for_pairs}},
-                  {});
+                   {.name = "count", .run = count, .takes_time_for_pairs = takes_time_for_pairs}});
   return n_runs;
 }
 
@@ -92,7 +91,7 @@ TEST(RepairDriver, EachPassThatTakesTimeForVeryManyPairsIsRunOnce) {
                            },
                        .takes_time_for_pairs = true};
   };
-  driver.run_plan({pass("first"), pass("second")}, {});
+  driver.run_plan({pass("first"), pass("second")});
   EXPECT_EQ(runs, (std::vector<std::string>{"first", "second"}));
 }
 
@@ -108,7 +107,7 @@ std::size_t count_moves(Index n_crossing, std::size_t n_moves, PlannedPass pass)
   pass.run = [&](const PassInput& input) {
     return ++n_proposals > n_moves ? PassResult() : move_last_vertex(input);
   };
-  driver.run_plan({pass}, {});
+  driver.run_plan({pass});
   return n_proposals;
 }
 
@@ -146,7 +145,7 @@ TEST(RepairDriver, RoundsGoOnWhileOneInThreeLeavesFewerPairs) {
     result.edits.removed_faces.push_back({result.edits.begin_operation(), 0});
     return result;
   };
-  driver.run_plan({{.name = "drop", .run = drop_now_and_then, .repeat = Repeat::OncePerRound}}, {});
+  driver.run_plan({{.name = "drop", .run = drop_now_and_then, .repeat = Repeat::OncePerRound}});
   EXPECT_EQ(n_proposals, 13U);
   EXPECT_EQ(driver.mesh().tracked().soup.n_faces(), soup.n_faces() - 4);
 }
@@ -167,7 +166,7 @@ std::size_t count_proposals(bool has_smaller_operations) {
     result.edits.moved_vertices.push_back({.op = op, .vertex = 0, .to = to});
     return result;
   };
-  driver.run_plan({{.name = "move", .run = move_too_far}}, {});
+  driver.run_plan({{.name = "move", .run = move_too_far}});
   return n_proposals;
 }
 
@@ -192,7 +191,7 @@ std::size_t count_runs_after_split(Index n_faces, OnWorse on_worse) {
   driver.run_plan(
       {{.name = "split edges", .run = split_edges, .may_create = {Hole, SelfIntersection}},
        {.name = "count", .run = count, .takes_time_for_pairs = true}},
-      {}, on_worse);
+      on_worse);
   return n_runs;
 }
 

@@ -72,7 +72,7 @@ TEST(Guarantee, InputIsReplacedWhereRepairsHaveUsedUpTheDeviation) {
       cubes, tolerances, RepairLimits{.max_deviation = kMaxDeviation, .fixed_vertices = {}},
       [](const TrackedMesh&, const CutMesh&) { return std::vector<std::uint8_t>(); });
   driver.mesh().raise_deviation(kMaxDeviation);
-  EXPECT_EQ(guarantee_goodness(driver, options, tolerances).size(), 1U);
+  EXPECT_EQ(guarantee_goodness(driver, options).size(), 1U);
   EXPECT_TRUE(is_good(driver.mesh().tracked().soup));
   EXPECT_NEAR(volume_of(driver.mesh().tracked().soup), 15, 0.5);
   EXPECT_LE(driver.mesh().deviation(), kMaxDeviation);
@@ -89,7 +89,7 @@ TEST(Guarantee, CubesThatTouchAndCannotBePartedAreJoined) {
   RepairDriver driver(
       cubes, tolerances, RepairLimits{.max_deviation = kMaxDeviation, .fixed_vertices = {}},
       [](const TrackedMesh&, const CutMesh&) { return std::vector<std::uint8_t>(); });
-  EXPECT_EQ(guarantee_goodness(driver, options, tolerances),
+  EXPECT_EQ(guarantee_goodness(driver, options),
             std::vector<std::string>{"what touched, and could not be parted, was joined there"});
   EXPECT_TRUE(is_good(driver.mesh().tracked().soup));
   // Twice the volume of a cube, and a rod a sixteenth of the deviation thick.

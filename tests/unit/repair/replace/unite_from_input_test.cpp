@@ -25,7 +25,7 @@ class UniteFromInput : public ::testing::Test {
     driver_.emplace(soup, tolerances,
                     RepairLimits{.max_deviation = kMaxDeviation, .fixed_vertices = {}},
                     [](const TrackedMesh&, const CutMesh&) { return std::vector<std::uint8_t>(); });
-    return unite_from_input(*driver_, options_, tolerances, choice, memory_);
+    return unite_from_input(*driver_, options_, choice, memory_);
   }
 
   [[nodiscard]] const Soup& mesh() const { return driver_->mesh().tracked().soup; }

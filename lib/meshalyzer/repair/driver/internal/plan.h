@@ -43,8 +43,6 @@ struct PlannedPass {
 /// Returns the passes that a repair needs, in the order in which they help each other: first those
 /// that make the complex complete, then those for facets, borders and topology, then orientation,
 /// which hole filling needs, and last those that depend on the result.
-///
-/// @param tolerances  Must outlive the plan.
 [[nodiscard]] std::vector<PlannedPass> plan_passes(const RepairOptions& options,
                                                    const Tolerances& tolerances);
 
@@ -52,28 +50,20 @@ struct PlannedPass {
 [[nodiscard]] std::vector<PlannedPass> plan_to_join_contacts(const RepairOptions& options);
 
 /// Returns the passes of plan_passes(), and after them that of plan_to_join_contacts().
-///
-/// @param tolerances  Must outlive the plan.
 [[nodiscard]] std::vector<PlannedPass> plan_with_contacts_joined(const RepairOptions& options,
                                                                  const Tolerances& tolerances);
 
 /// Returns those of the passes of plan_passes() that repair defects, with sheets cut too.
-///
-/// @param tolerances  Must outlive the plan.
 [[nodiscard]] std::vector<PlannedPass> plan_with_sheets_cut(const RepairOptions& options,
                                                             const Tolerances& tolerances);
 
 /// Returns those of the passes of plan_passes() that come before intersections are cut and contacts
 /// parted.
-///
-/// @param tolerances  Must outlive the plan.
 [[nodiscard]] std::vector<PlannedPass> plan_before_cutting(const RepairOptions& options,
                                                            const Tolerances& tolerances);
 
 /// Returns those passes that come before a contour of the input: those that join and orient faces.
 /// Others would use up a part of the deviation for facets and holes that the contour has not.
-///
-/// @param tolerances  Must outlive the plan.
 [[nodiscard]] std::vector<PlannedPass> plan_before_contour(const RepairOptions& options,
                                                            const Tolerances& tolerances);
 

@@ -80,16 +80,13 @@ bool have_multiplied(std::size_t n_pairs, std::size_t n_before) {
 }  // namespace
 
 RepairDriver::RepairDriver(Soup input, const Tolerances& tolerances, RepairLimits limits,
-                           FixedVertices fixed, const PairLimits& pairs, const FinalCheck& check)
-    : mesh_(std::move(input), tolerances, limits.max_deviation, pairs),
+                           FixedVertices fixed, DriverSettings settings)
+    : mesh_(std::move(input), tolerances, limits.max_deviation, settings.pairs),
       limits_(std::move(limits)),
       fixed_(std::move(fixed)),
-      check_(check),
-      wants_to_stop_(pairs.wants_to_stop) {}
+      settings_(std::move(settings)) {}
 
-void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOptions& options,
-                            OnWorse on_worse) {
-  on_progress_ = options.on_progress;
+void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, OnWorse on_worse) {
   DefectInventory before = inventory();
   if (input_counts_) {
     set_checkpoint();
@@ -112,7 +109,11 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, const RepairOp
 }
 
 DefectInventory RepairDriver::inventory() const {
-  return list_defective_in_file(mesh_.state(), mesh_.tolerances(), check_);
+  return list_defective_in_file(mesh_.state(), mesh_.tolerances(), settings_.check);
+}
+
+bool RepairDriver::is_good(const RepairState& state) const {
+  return is_good_in_file(state, mesh_.tolerances(), settings_.check);
 }
 
 void RepairDriver::note_input(const DefectInventory& inventory) {
@@ -179,7 +180,7 @@ std::optional<DefectInventory> RepairDriver::run_stage(const std::vector<Planned
   for (std::size_t attempt = 0;; ++attempt) {
     // Copies that keep their contact are pairs, too.
     const bool may_be_given_up =
-        gate.on_worse == OnWorse::Leave && check_.unwelded == UnweldedPairs::Count;
+        gate.on_worse == OnWorse::Leave && settings_.check.unwelded == UnweldedPairs::Count;
     const bool is_given_up = !run_rounds(plan, may_be_given_up);
     if (applied_.empty()) return std::nullopt;
     if (is_given_up) {
@@ -260,10 +261,10 @@ bool RepairDriver::run_rounds(const std::vector<PlannedPass>& plan, bool may_be_
           have_multiplied(n_pairs(), n_pairs_at_first)) {
         return false;
       }
-      if (on_progress_) {
-        on_progress_({.pass = plan[i].name,
-                      .round = round + 1,
-                      .done = static_cast<double>(i) / static_cast<double>(plan.size())});
+      if (settings_.on_progress) {
+        settings_.on_progress({.pass = plan[i].name,
+                               .round = round + 1,
+                               .done = static_cast<double>(i) / static_cast<double>(plan.size())});
       }
       run_unless_idle(plan[i], n_changes, idle_runs[i]);
     }
@@ -329,7 +330,7 @@ void RepairDriver::note_costly_idle_run(const PlannedPass& pass, CostlyIdleRun i
 }
 
 bool RepairDriver::is_to_stop() {
-  is_stopped_ = is_stopped_ || wants_to_stop_();
+  is_stopped_ = is_stopped_ || settings_.pairs.wants_to_stop();
   return is_stopped_;
 }
 
@@ -346,8 +347,16 @@ void RepairDriver::apply_unchecked(const PlannedPass& pass) {
 }
 
 PassInput RepairDriver::input_of_pass(OperationSize size, double length) {
-  return {mesh_.input(), mesh_.tracked(), mesh_.prepared(), mesh_.tolerances(), limits_,
-          size,          wants_to_stop_,  length,           mesh_.number(),     &hole_memory_};
+  return {.original = mesh_.input(),
+          .tracked = mesh_.tracked(),
+          .mesh = mesh_.prepared(),
+          .tolerances = mesh_.tolerances(),
+          .limits = limits_,
+          .operation_size = size,
+          .wants_to_stop = settings_.pairs.wants_to_stop,
+          .length = length,
+          .mesh_number = mesh_.number(),
+          .holes = &hole_memory_};
 }
 
 bool RepairDriver::run(const PlannedPass& pass) {

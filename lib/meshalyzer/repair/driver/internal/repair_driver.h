@@ -31,6 +31,15 @@ enum class OnWorse : std::uint8_t {
   Leave,
 };
 
+/// What the runs of a driver depend on beside the limits of the repair.
+struct DriverSettings {
+  /// As MeasuredMesh takes them; their function stops the repair too.
+  PairLimits pairs = {};
+  /// The file that will hold the mesh, and the contact that counts.
+  FinalCheck check = {};
+  RepairListener on_progress = {};
+};
+
 /// Repairs a mesh: runs passes, and keeps the operations that are accepted.
 class RepairDriver {
  public:
@@ -41,10 +50,8 @@ class RepairDriver {
 
   /// @param limits  The limits without fixed vertices.
   /// @param fixed   Called before each round, because a border may have been closed since.
-  /// @param pairs   As MeasuredMesh takes them; their function stops the repair too.
-  /// @param check   The file that will hold the mesh, and the contact that counts.
   RepairDriver(Soup input, const Tolerances& tolerances, RepairLimits limits, FixedVertices fixed,
-               const PairLimits& pairs = {}, const FinalCheck& check = {});
+               DriverSettings settings = {});
 
   [[nodiscard]] const MeasuredMesh& mesh() const { return mesh_; }
   [[nodiscard]] MeasuredMesh& mesh() { return mesh_; }
@@ -58,10 +65,11 @@ class RepairDriver {
   /// to the mesh that it had before. If a plan was run before, the mesh that it has left takes the
   /// place of the input.
   ///
-  /// @param options   The receiver of the progress.
   /// @param on_worse  What happens if the mesh becomes worse.
-  void run_plan(const std::vector<PlannedPass>& plan, const RepairOptions& options,
-                OnWorse on_worse = OnWorse::TryAgain);
+  void run_plan(const std::vector<PlannedPass>& plan, OnWorse on_worse = OnWorse::TryAgain);
+
+  /// Tells whether a mesh is good as its file will hold it, except for the numbers of its records.
+  [[nodiscard]] bool is_good(const RepairState& state) const;
 
   /// Returns the counts that are larger than in the input.
   ///
@@ -236,10 +244,8 @@ class RepairDriver {
   MeasuredMesh mesh_;
   RepairLimits limits_;
   FixedVertices fixed_;
-  FinalCheck check_;
+  DriverSettings settings_;
   HoleMemory hole_memory_;
-  RepairListener on_progress_;
-  StopQuery wants_to_stop_;
   bool is_stopped_ = false;
   RepairLog log_;
   std::vector<AppliedOperation> applied_;

@@ -3,7 +3,6 @@
 #include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/base/sort_unique.h"
-#include "meshalyzer/repair/driver/internal/final_check.h"
 #include "meshalyzer/repair/driver/internal/fixed_vertices.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/replace/internal/broken_solids.h"
@@ -36,15 +35,14 @@ constexpr std::array<double, 3> kSharesOfThickness{0.5, 0.05, 0.005};
 
 class Guarantee {
  public:
-  Guarantee(RepairDriver& driver, const RepairOptions& options, const Tolerances& tolerances)
+  Guarantee(RepairDriver& driver, const RepairOptions& options)
       : driver_(driver),
         options_(options),
-        tolerances_(tolerances),
-        check_(final_check_for(options, driver.mesh().tracked().soup.format)),
+        tolerances_(driver.mesh().tolerances()),
         max_deviation_(driver.mesh().max_deviation()) {}
 
   std::vector<std::string> run() {
-    if (is_good(driver_.mesh().state())) return {};
+    if (driver_.is_good(driver_.mesh().state())) return {};
     if (driver_.mesh().tracked().soup.n_faces() == 0) {
       return {"no solid: there is no face to make one from"};
     }
@@ -70,10 +68,6 @@ class Guarantee {
   }
 
  private:
-  [[nodiscard]] bool is_good(const RepairState& state) const {
-    return is_good_in_file(state, tolerances_, check_);
-  }
-
   /// Tells whether there are intended borders, or common borders of the faces of a body.
   [[nodiscard]] bool has_borders_to_keep() const {
     const MeasuredMesh& mesh = driver_.mesh();
@@ -100,7 +94,7 @@ class Guarantee {
         {.from_input = std::move(from_input),
          .changes = {pass},
          .plan = std::move(plan),
-         .is_wanted = [&](const RepairState& state) { return is_good(state); }});
+         .is_wanted = [&](const RepairState& state) { return driver_.is_good(state); }});
   }
 
   /// Tells whether a union failed only because parts behind holes were kept.
@@ -136,15 +130,14 @@ class Guarantee {
         {.changes = joining,
          .plan = plan_passes(options_, tolerances_),
          .is_wanted = [&](const RepairState& state) {
-           return is_good(state) && driver_.mesh().measure_deviation() <= max_deviation_;
+           return driver_.is_good(state) && driver_.mesh().measure_deviation() <= max_deviation_;
          }});
     if (is_kept) notes_.emplace_back("what touched, and could not be parted, was joined there");
     return is_kept;
   }
 
   bool unite(const UnionChoice& choice) {
-    UnitedFromInput united =
-        unite_from_input(driver_, options_, tolerances_, choice, union_memory_);
+    UnitedFromInput united = unite_from_input(driver_, options_, choice, union_memory_);
     if (!choice.shells) is_union_too_far_behind_holes_ = united.is_too_far_behind_holes;
     is_union_too_far_ = united.is_too_far;
     lost_ = std::move(united.lost);
@@ -291,7 +284,6 @@ class Guarantee {
   RepairDriver& driver_;
   const RepairOptions& options_;
   const Tolerances& tolerances_;
-  FinalCheck check_;
   double max_deviation_;
   bool is_union_too_far_behind_holes_ = false;
   bool is_union_too_far_ = false;
@@ -305,9 +297,8 @@ class Guarantee {
 
 }  // namespace
 
-std::vector<std::string> guarantee_goodness(RepairDriver& driver, const RepairOptions& options,
-                                            const Tolerances& tolerances) {
-  return Guarantee(driver, options, tolerances).run();
+std::vector<std::string> guarantee_goodness(RepairDriver& driver, const RepairOptions& options) {
+  return Guarantee(driver, options).run();
 }
 
 }  // namespace meshalyzer

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/repair/driver/internal/repair_driver.h"
 #include "meshalyzer/repair/driver/options.h"
 
@@ -16,7 +15,6 @@ namespace meshalyzer {
 ///
 /// @return Sentences that say what was done, or why nothing was; none if the mesh was good.
 [[nodiscard]] std::vector<std::string> guarantee_goodness(RepairDriver& driver,
-                                                          const RepairOptions& options,
-                                                          const Tolerances& tolerances);
+                                                          const RepairOptions& options);
 
 }  // namespace meshalyzer

@@ -60,18 +60,17 @@ bool fills_more_with_sheets(const PassInput& input, FillOptions fill) {
 
 class UnionFromInput {
  public:
-  UnionFromInput(RepairDriver& driver, const RepairOptions& options, const Tolerances& tolerances,
-                 const UnionChoice& choice, UnionMemory& memory)
+  UnionFromInput(RepairDriver& driver, const RepairOptions& options, const UnionChoice& choice,
+                 UnionMemory& memory)
       : driver_(driver),
         options_(options),
-        tolerances_(tolerances),
+        tolerances_(driver.mesh().tolerances()),
         choice_(choice),
-        memory_(memory),
-        check_(final_check_for(options, driver.mesh().input().format)) {}
+        memory_(memory) {}
 
   bool run() {
     if (!may_fix() || driver_.is_stopped() || !(driver_.mesh().max_deviation() > 0.0)) return false;
-    if (is_good_in_file(driver_.mesh().state(), tolerances_, check_)) return false;
+    if (driver_.is_good(driver_.mesh().state())) return false;
     const BrokenSolid whole = whole_mesh_as_solid(driver_.mesh().prepared());
     if (options_.solid ? !whole.any_bounds_solid : !whole.all_bound_solid) return false;
     // A patch over a sheet encloses a region that the sheet does not mean as a solid, so that is
@@ -201,7 +200,7 @@ class UnionFromInput {
   }
 
   bool is_wanted(const RepairState& state) {
-    if (!is_good_in_file(state, tolerances_, check_)) {
+    if (!driver_.is_good(state)) {
       touching_ = contact_points(state.mesh());
       return false;
     }
@@ -267,7 +266,6 @@ class UnionFromInput {
   const Tolerances& tolerances_;
   const UnionChoice& choice_;
   UnionMemory& memory_;
-  FinalCheck check_;
   /// Whether the holes of sheets are filled.
   FillSheets sheets_ = FillSheets::No;
   /// What the last union may have lost: the walls that it has removed, or with shells all faces.
@@ -295,9 +293,8 @@ class UnionFromInput {
 }  // namespace
 
 UnitedFromInput unite_from_input(RepairDriver& driver, const RepairOptions& options,
-                                 const Tolerances& tolerances, const UnionChoice& choice,
-                                 UnionMemory& memory) {
-  UnionFromInput from_input(driver, options, tolerances, choice, memory);
+                                 const UnionChoice& choice, UnionMemory& memory) {
+  UnionFromInput from_input(driver, options, choice, memory);
   if (!from_input.run()) {
     return {.note = "",
             .is_too_far_behind_holes = from_input.is_too_far_behind_holes(),

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "meshalyzer/base/types.h"
-#include "meshalyzer/defects/tolerances.h"
 #include "meshalyzer/repair/driver/internal/repair_driver.h"
 #include "meshalyzer/repair/driver/options.h"
 #include "meshalyzer/repair/replace/internal/boundary_loss.h"
@@ -71,7 +70,6 @@ struct UnitedFromInput {
 ///
 /// @param memory  What the last call has left; empty before the first one.
 [[nodiscard]] UnitedFromInput unite_from_input(RepairDriver& driver, const RepairOptions& options,
-                                               const Tolerances& tolerances,
                                                const UnionChoice& choice, UnionMemory& memory);
 
 }  // namespace meshalyzer
