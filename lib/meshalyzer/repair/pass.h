@@ -109,12 +109,12 @@ using PassFunction = std::function<PassResult(const PassInput&)>;
 
 /// The lengths over which a pass works, one after the other: it begins with 0, and goes on once it
 /// has nothing more to propose for a length.
-struct PassLengths {
-  /// Returns the length after PassInput::length; nothing if that is the last one.
-  std::function<std::optional<double>(const PassInput&)> next;
-  /// Returns the least length for which the pass may propose something else since these vertices
-  /// have changed (by key, ascending); nothing if it is not below PassInput::length.
-  std::function<std::optional<double>(const PassInput&, std::span<const Index> changed)> again;
-};
+///
+/// Returns the length after PassInput::length: a shorter one for which the pass may propose
+/// something else since these vertices have changed (by key, ascending), or else the next longer
+/// one; nothing if there is none. So all shorter lengths are done before it, and the mesh after a
+/// length does not depend on whether longer ones follow.
+using PassLengths =
+    std::function<std::optional<double>(const PassInput&, std::span<const Index> changed)>;
 
 }  // namespace meshalyzer

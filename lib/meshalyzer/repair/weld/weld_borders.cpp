@@ -1,3 +1,4 @@
+#include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/weld/internal/weld_candidates.h"
 #include "meshalyzer/repair/weld/internal/weld_chains.h"
@@ -23,51 +24,29 @@ namespace {
 /// If joins within a length are rejected, others may still be possible within this share of it.
 constexpr double kShorter = 0.5;
 
-/// Edges by the places of their ends.
-class EdgesByPlace {
- public:
-  EdgesByPlace(std::span<const WeldEdge> edges, std::span<const Index> places)
-      : edges_(edges), places_(places), begin_(places.size() + 1, 0), sorted_(edges.size()) {
-    for (const WeldEdge& e : edges) ++begin_[lower(e)];
-    Index sum = 0;
-    for (Index& begin : begin_) begin = sum += begin;
-    for (std::size_t e = edges.size(); e-- > 0;) {
-      sorted_[--begin_[lower(edges[e])]] = static_cast<Index>(e);
+/// Calls `visit` for each set of several edges at one place, ascending by edge.
+template <typename Visit>
+void for_each_coincident(std::span<const WeldEdge> edges, std::span<const Index> places,
+                         Visit&& visit) {
+  const auto upper = [&](Index e) { return std::max(places[edges[e].from], places[edges[e].to]); };
+  const ItemsByGroup by_lower(places.size(), [&](const auto& use) {
+    for (Index e = 0; e < edges.size(); ++e) {
+      use(std::min(places[edges[e].from], places[edges[e].to]), e);
+    }
+  });
+  std::vector<Index> sorted;
+  for (std::size_t place = 0; place < by_lower.size(); ++place) {
+    sorted.assign(by_lower[place].begin(), by_lower[place].end());
+    std::sort(sorted.begin(), sorted.end(),
+              [&](Index a, Index b) { return std::pair(upper(a), a) < std::pair(upper(b), b); });
+    for (auto first = sorted.begin(); first != sorted.end();) {
+      const auto last =
+          std::find_if(first, sorted.end(), [&](Index e) { return upper(e) != upper(*first); });
+      if (last - first > 1) visit(std::span<const Index>(first, last));
+      first = last;
     }
   }
-
-  /// Calls `visit` for each set of several edges at one place, ascending by edge.
-  template <typename Visit>
-  void for_each_group(Visit&& visit) {
-    for (std::size_t i = 0; i + 1 < begin_.size(); ++i) {
-      const auto bucket = std::span(sorted_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
-      std::sort(bucket.begin(), bucket.end(), [&](Index a, Index b) {
-        return std::pair(upper(edges_[a]), a) < std::pair(upper(edges_[b]), b);
-      });
-      for (std::size_t begin = 0; begin < bucket.size();) {
-        std::size_t end = begin + 1;
-        while (end < bucket.size() && upper(edges_[bucket[end]]) == upper(edges_[bucket[begin]])) {
-          ++end;
-        }
-        if (end - begin > 1) visit(bucket.subspan(begin, end - begin));
-        begin = end;
-      }
-    }
-  }
-
- private:
-  [[nodiscard]] Index lower(const WeldEdge& e) const {
-    return std::min(places_[e.from], places_[e.to]);
-  }
-  [[nodiscard]] Index upper(const WeldEdge& e) const {
-    return std::max(places_[e.from], places_[e.to]);
-  }
-
-  std::span<const WeldEdge> edges_;
-  std::span<const Index> places_;
-  std::vector<Index> begin_;
-  std::vector<Index> sorted_;
-};
+}
 
 /// Joins edges at exactly the same place.
 ///
@@ -76,7 +55,7 @@ std::vector<std::uint8_t> zip_coincident(WeldState& state, std::span<const Index
   std::vector<std::uint8_t> is_done(state.edges.size(), 0);
   std::vector<WeldJoin> joins;
   std::vector<EdgeAtPlace> at_place;
-  EdgesByPlace(state.edges, places).for_each_group([&](std::span<const Index> group) {
+  for_each_coincident(state.edges, places, [&](std::span<const Index> group) {
     at_place.clear();
     for (const Index e : group) {
       is_done[e] = 1;
@@ -106,10 +85,10 @@ std::vector<Index> free_edges(const WeldState& state, std::span<const std::uint8
 }
 
 /// Returns the ends of some edges, by place, each once, ascending.
-std::vector<Index> used_places(const EdgesAtPlaces& at_places) {
+std::vector<Index> used_places(const ItemsByGroup& at_places) {
   std::vector<Index> used;
-  for (std::size_t v = 0; v + 1 < at_places.begin.size(); ++v) {
-    if (at_places.begin[v] != at_places.begin[v + 1]) used.push_back(static_cast<Index>(v));
+  for (Index v = 0; v < at_places.size(); ++v) {
+    if (!at_places[v].empty()) used.push_back(v);
   }
   return used;
 }
@@ -129,7 +108,7 @@ void close_junctions(WeldState& state, std::span<const Index> places,
                      std::span<const Index> present, std::span<const Index> wanted) {
   if (wanted.empty()) return;
   const std::vector<Vec3>& positions = state.rules.input.tracked.soup.positions;
-  const EdgesAtPlaces at_places = list_edges_at_places(state.edges, present, places);
+  const ItemsByGroup at_places = list_edges_at_places(state.edges, present, places);
   const NearPoints near(positions, used_places(at_places), state.rules.reach);
   const NearEdges edges{.positions = positions,
                         .edges = state.edges,
@@ -210,21 +189,19 @@ PassResult weld_over_growing_lengths(const PassInput& input, double within) {
   return weld(input, unaffected, input.length);
 }
 
-std::optional<double> next_weld_length(const PassInput& input, double within) {
+std::optional<double> next_weld_length(const PassInput& input, double within,
+                                       std::span<const Index> changed) {
   const double limit = limit_of(input, within);
-  if (input.length >= limit) return std::nullopt;
+  if (changed.empty() && input.length >= limit) return std::nullopt;
   const std::vector<WeldEdge> edges = find_weld_edges(input.mesh);
   if (edges.empty()) return std::nullopt;
-  return WeldDistances(input.tracked.soup.positions, edges)
-      .next_step(steps_of(input), input.length, limit);
-}
-
-std::optional<double> weld_length_again(const PassInput& input, std::span<const Index> changed) {
-  const std::vector<WeldEdge> edges = find_weld_edges(input.mesh);
+  const WeldDistances distances(input.tracked.soup.positions, edges);
+  const WeldSteps steps = steps_of(input);
   const std::vector<Index> changed_edges = edges_at(edges, input.tracked, changed);
-  if (changed_edges.empty()) return std::nullopt;
-  return WeldDistances(input.tracked.soup.positions, edges)
-      .first_step(changed_edges, steps_of(input), input.length);
+  const std::optional<double> earlier = distances.first_step(changed_edges, steps, input.length);
+  if (earlier && *earlier < input.length) return earlier;
+  if (input.length >= limit) return std::nullopt;
+  return distances.next_step(steps, input.length, limit);
 }
 
 }  // namespace meshalyzer

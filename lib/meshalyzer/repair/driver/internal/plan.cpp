@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <optional>
+#include <span>
 #include <utility>
 
 namespace meshalyzer {
@@ -40,9 +42,10 @@ PlannedPass weld(double within) {
       .code = DefectCode::Slit,
       .run = [within](const PassInput& input) { return weld_over_growing_lengths(input, within); },
       .may_create = {DefectCode::Flipped},
-      .lengths = PassLengths{
-          .next = [within](const PassInput& input) { return next_weld_length(input, within); },
-          .again = weld_length_again}};
+      .lengths =
+          [within](const PassInput& input, std::span<const Index> changed) {
+            return next_weld_length(input, within, changed);
+          }};
 }
 
 /// Plans the operations that the user asks for by name, independently of the codes to be fixed.

@@ -4,7 +4,6 @@
 #include "meshalyzer/repair/pass.h"
 
 #include <cstdint>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -36,8 +35,8 @@ struct PlannedPass {
   /// Tells whether its operations are rejected that leave as many intersecting pairs and border
   /// edges as there were.
   bool must_mend = false;
-  /// The lengths over which the pass works, if it has any.
-  std::optional<PassLengths> lengths = std::nullopt;
+  /// The lengths over which the pass works; empty if it has none.
+  PassLengths lengths = {};
 };
 
 /// Returns the passes that a repair needs, in the order in which they help each other: first those

@@ -373,13 +373,8 @@ bool RepairDriver::run(const PlannedPass& pass) {
 
 std::optional<double> RepairDriver::length_after(const PlannedPass& pass, double length) {
   if (!pass.lengths || is_to_stop()) return std::nullopt;
-  const PassInput input = input_of_pass(OperationSize::Normal, length);
-  if (!changed_vertices_.empty()) {
-    sort_unique(changed_vertices_);
-    const std::optional<double> again = pass.lengths->again(input, changed_vertices_);
-    if (again && *again < length) return again;
-  }
-  return pass.lengths->next(input);
+  sort_unique(changed_vertices_);
+  return pass.lengths(input_of_pass(OperationSize::Normal, length), changed_vertices_);
 }
 
 bool RepairDriver::run_at(const PlannedPass& pass, double length, RefusedInState& refused) {

@@ -214,9 +214,7 @@ class RepairDriver {
   /// @param refused  Receives what it has refused last.
   /// @return         Whether it has changed the mesh.
   bool run_at(const PlannedPass& pass, double length, RefusedInState& refused);
-  /// Returns the length that a pass goes on with: a shorter one for which what was changed makes a
-  /// difference, or else the next one. So all shorter lengths are done before it, and the mesh
-  /// after a length does not depend on whether longer ones follow.
+  /// Returns the length that a pass goes on with after another one.
   [[nodiscard]] std::optional<double> length_after(const PlannedPass& pass, double length);
   [[nodiscard]] PassInput input_of_pass(OperationSize size, double length);
   /// Applies the operations that are accepted, and tells whether there were any.

@@ -86,7 +86,7 @@ struct NearEdges {
   /// #V: the places as find_weld_places() returns them.
   std::span<const Index> places;
   /// The edges at each place.
-  const EdgesAtPlaces& at_places;
+  const ItemsByGroup& at_places;
   /// The index that finds the places near a point.
   const NearPoints& near;
 };

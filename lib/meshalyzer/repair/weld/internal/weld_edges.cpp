@@ -59,20 +59,13 @@ std::vector<Index> find_weld_places(std::span<const Vec3> positions,
   return places;
 }
 
-EdgesAtPlaces list_edges_at_places(std::span<const WeldEdge> edges, std::span<const Index> wanted,
-                                   std::span<const Index> places) {
-  EdgesAtPlaces lists{.begin = std::vector<Index>(places.size() + 1, 0), .edges = {}};
-  for (const Index e : wanted) {
-    for (const Index v : {edges[e].from, edges[e].to}) ++lists.begin[places[v]];
-  }
-  Index sum = 0;
-  for (Index& begin : lists.begin) begin = sum += begin;
-  lists.edges.resize(sum);
-  // Filling each list from its end, in descending order, makes it ascending and leaves begin right.
-  for (auto e = wanted.rbegin(); e != wanted.rend(); ++e) {
-    for (const Index v : {edges[*e].from, edges[*e].to}) lists.edges[--lists.begin[places[v]]] = *e;
-  }
-  return lists;
+ItemsByGroup list_edges_at_places(std::span<const WeldEdge> edges, std::span<const Index> wanted,
+                                  std::span<const Index> places) {
+  return ItemsByGroup(places.size(), [&](const auto& use) {
+    for (const Index e : wanted) {
+      for (const Index v : {edges[e].from, edges[e].to}) use(places[v], e);
+    }
+  });
 }
 
 }  // namespace meshalyzer

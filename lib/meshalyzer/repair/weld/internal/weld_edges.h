@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 
 #include <cstdint>
@@ -56,21 +57,12 @@ struct WeldJoin {
 [[nodiscard]] std::vector<Index> find_weld_places(std::span<const Vec3> positions,
                                                   std::span<const WeldEdge> edges);
 
-/// The edges at each place, in one list.
-struct EdgesAtPlaces {
-  /// #V + 1: where the edges of each place begin, by the vertex that names it.
-  std::vector<Index> begin;
-  std::vector<Index> edges;
-
-  [[nodiscard]] std::span<const Index> operator[](Index place) const {
-    return std::span(edges).subspan(begin[place], begin[place + 1] - begin[place]);
-  }
-};
-
+/// Returns the edges at each place, ascending, by the vertex that names it.
+///
 /// @param wanted  The edges to list, by number, ascending.
 /// @param places  The places as find_weld_places() returns them.
-[[nodiscard]] EdgesAtPlaces list_edges_at_places(std::span<const WeldEdge> edges,
-                                                 std::span<const Index> wanted,
-                                                 std::span<const Index> places);
+[[nodiscard]] ItemsByGroup list_edges_at_places(std::span<const WeldEdge> edges,
+                                                std::span<const Index> wanted,
+                                                std::span<const Index> places);
 
 }  // namespace meshalyzer

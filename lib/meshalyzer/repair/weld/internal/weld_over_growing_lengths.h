@@ -17,18 +17,14 @@ namespace meshalyzer {
 /// @param within  The length that the user asks for.
 [[nodiscard]] PassResult weld_over_growing_lengths(const PassInput& input, double within);
 
-/// Returns the length of the next step in which welding may join more than within
-/// PassInput::length; nothing if `within` is reached. The steps depend on the mesh, but not on
-/// `within`. The first one ends at Tolerances::degeneracy.
-///
-/// @complexity O(#F + n log n) for n border edges, unless they are dense.
-[[nodiscard]] std::optional<double> next_weld_length(const PassInput& input, double within);
-
-/// Returns the length of the first step in which an edge at a changed vertex may be joined; nothing
-/// if it is not below PassInput::length.
+/// Returns the length of a step before PassInput::length in which an edge at a changed vertex may
+/// be joined, or else that of the next step in which welding may join more; nothing if `within` is
+/// reached. The steps depend on the mesh, but not on `within`. The first one ends at
+/// Tolerances::degeneracy.
 ///
 /// @param changed  The vertices, by key, ascending.
-[[nodiscard]] std::optional<double> weld_length_again(const PassInput& input,
-                                                      std::span<const Index> changed);
+/// @complexity     O(#F + n log n) for n border edges, unless they are dense.
+[[nodiscard]] std::optional<double> next_weld_length(const PassInput& input, double within,
+                                                     std::span<const Index> changed);
 
 }  // namespace meshalyzer
