@@ -137,16 +137,14 @@ Index outer_key(Index key, const std::vector<Index>& keys, std::size_t n_known) 
 
 /// Makes a mesh track the input of the first one.
 TrackedMesh composed(const TrackedMesh& first, TrackedMesh second) {
-  const std::size_t n_vertices = first.n_input_vertices + first.vertex_origins.size();
-  const std::size_t n_faces = first.n_input_faces + first.face_origins.size();
-  for (Index& key : second.vertex_keys) key = outer_key(key, first.vertex_keys, n_vertices);
-  for (Index& key : second.face_keys) key = outer_key(key, first.face_keys, n_faces);
+  for (Index& key : second.vertex_keys) {
+    key = outer_key(key, first.vertex_keys, first.n_vertex_keys());
+  }
+  for (Index& key : second.face_keys) key = outer_key(key, first.face_keys, first.n_face_keys());
   std::vector<Index> vertex_origins = first.vertex_origins;
   for (const Index origin : second.vertex_origins) {
-    const Index key = origin == kNoIndex ? kNoIndex : first.vertex_keys[origin];
-    const bool is_of_input = key < first.n_input_vertices;
     vertex_origins.push_back(
-        is_of_input || key == kNoIndex ? key : first.vertex_origins[key - first.n_input_vertices]);
+        origin == kNoIndex ? kNoIndex : first.origin_of_vertex_key(first.vertex_keys[origin]));
   }
   std::vector<Index> face_origins = first.face_origins;
   for (const Index origin : second.face_origins) {

@@ -65,26 +65,16 @@ VertexMoves move_vertices(const Work& work) {
 }
 
 std::vector<Vec3> edited_positions(const Work& work, const VertexMoves& moves) {
-  const std::vector<Vec3>& old = work.tracked.soup.positions;
   std::vector<Vec3> positions;
   positions.reserve(moves.sources.size());
   for (const Index v : moves.sources) {
-    positions.push_back(v < old.size() ? old[v]
-                                       : work.edits.added_vertices[v - old.size()].position);
+    positions.push_back(work.edits.position_of(work.tracked.soup, v));
   }
   for (const Edits::MovedVertex& moved : work.edits.moved_vertices) {
     const Index v = moves.new_index[moved.vertex];
     if (!work.skipped(moved.op) && v != kNoIndex) positions[v] = moved.to;
   }
   return positions;
-}
-
-/// Returns the key of the input's vertex that a vertex of the tracked mesh is, or is a copy of.
-Index vertex_origin(const TrackedMesh& tracked, Index vertex) {
-  if (vertex == kNoIndex) return kNoIndex;
-  const Index key = tracked.vertex_keys[vertex];
-  return key < tracked.n_input_vertices ? key
-                                        : tracked.vertex_origins[key - tracked.n_input_vertices];
 }
 
 void set_vertex_keys(const Work& work, const VertexMoves& moves, TrackedMesh& result) {
@@ -101,11 +91,14 @@ void set_vertex_keys(const Work& work, const VertexMoves& moves, TrackedMesh& re
       result.vertex_keys.push_back(work.tracked.vertex_keys[v]);
     } else {
       const Index copy_of = work.edits.added_vertices[v - n_old].copy_of;
-      result.vertex_keys.push_back(
-          static_cast<Index>(result.n_input_vertices + result.vertex_origins.size()));
-      result.vertex_origins.push_back(vertex_origin(work.tracked, copy_of));
-      // A copy of a vertex where a sheet was cut is another one.
-      if (copy_of != kNoIndex && work.tracked.is_where_sheet_was_cut(copy_of)) is_sheet_cut[v] = 1;
+      Index origin = kNoIndex;
+      if (copy_of != kNoIndex) {
+        origin = work.tracked.origin_of_vertex_key(work.tracked.vertex_keys[copy_of]);
+        // A copy of a vertex where a sheet was cut is another one.
+        if (work.tracked.is_where_sheet_was_cut(copy_of)) is_sheet_cut[v] = 1;
+      }
+      result.vertex_keys.push_back(static_cast<Index>(result.n_vertex_keys()));
+      result.vertex_origins.push_back(origin);
     }
     if (is_sheet_cut[v] != 0) result.sheet_cuts.push_back(result.vertex_keys.back());
   }
@@ -120,7 +113,7 @@ void set_face_keys(const Work& work, TrackedMesh& result) {
   for (std::size_t i = 0; i < work.edits.added_faces.size(); ++i) {
     const Edits::AddedFace& face = work.edits.added_faces[i];
     if (work.skipped(face.op)) continue;
-    added_keys[i] = static_cast<Index>(result.n_input_faces + result.face_origins.size());
+    added_keys[i] = static_cast<Index>(result.n_face_keys());
     result.face_origins.push_back(face.fills_hole ? kNoIndex
                                                   : work.tracked.origin_of_face(face.prototype));
   }

@@ -20,8 +20,8 @@ namespace {
 using Relation = ElementOrigin::Relation;
 
 ElementOrigin origin_of_vertex(const TrackedMesh& tracked, Index key) {
-  if (key < tracked.n_input_vertices) return {Relation::Same, key};
-  const Index origin = tracked.vertex_origins[key - tracked.n_input_vertices];
+  const Index origin = tracked.origin_of_vertex_key(key);
+  if (origin == key) return {Relation::Same, key};
   return {origin == kNoIndex ? Relation::New : Relation::MadeOf, origin};
 }
 

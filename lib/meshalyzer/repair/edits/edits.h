@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/base/corners.h"
+#include "meshalyzer/mesh/soup.h"
 
 #include <array>
 #include <cstddef>
@@ -109,6 +110,14 @@ struct Edits {
   std::vector<RemovedWall> interior_walls;
 
   [[nodiscard]] bool empty() const { return n_operations == 0; }
+  /// Returns the position of a vertex, numbered as by the faces of this list, before any moves.
+  ///
+  /// @param soup  The soup before the edits.
+  [[nodiscard]] const Vec3& position_of(const Soup& soup, Index vertex) const {
+    return vertex < soup.n_vertices() ? soup.positions[vertex]
+                                      : added_vertices[vertex - soup.n_vertices()].position;
+  }
+
   /// Begins the next operation, and returns its number.
   [[nodiscard]] Index begin_operation() { return static_cast<Index>(n_operations++); }
 };

@@ -40,6 +40,19 @@ struct TrackedMesh {
   [[nodiscard]] Index origin_of_key(Index key) const {
     return key < n_input_faces ? key : face_origins[key - n_input_faces];
   }
+
+  /// Returns the key of the input's vertex that a vertex, by its key, is or is a copy of; kNoIndex
+  /// where it is new.
+  [[nodiscard]] Index origin_of_vertex_key(Index key) const {
+    return key < n_input_vertices ? key : vertex_origins[key - n_input_vertices];
+  }
+
+  /// Returns the number of keys that vertices have had since the input.
+  [[nodiscard]] std::size_t n_vertex_keys() const {
+    return n_input_vertices + vertex_origins.size();
+  }
+  /// Returns the same for faces.
+  [[nodiscard]] std::size_t n_face_keys() const { return n_input_faces + face_origins.size(); }
 };
 
 /// Starts to track a mesh: the result is the input, with keys.

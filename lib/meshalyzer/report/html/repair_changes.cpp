@@ -62,7 +62,7 @@ class ChangeFinder {
   /// Records the final position of the faces of a mesh, and the faces from which they were made, by
   /// key.
   void take_mesh(const TrackedMesh& tracked, const FinalMesh& mesh, Index n_before) {
-    const std::size_t n_keys = tracked.n_input_faces + tracked.face_origins.size();
+    const std::size_t n_keys = tracked.n_face_keys();
     place_of_.resize(std::max(place_of_.size(), n_keys), kNoIndex);
     origin_of_.resize(place_of_.size(), kNoIndex);
     for (Index face = 0; face < tracked.face_keys.size(); ++face) {

@@ -24,8 +24,7 @@ inline TrackedMesh without_faces(TrackedMesh tracked, const Faces& faces) {
 
 /// @param origin  kNoIndex: it is part of a hole patch.
 inline void add_face(TrackedMesh& tracked, const Triangle& corners, Index origin) {
-  tracked.face_keys.push_back(
-      static_cast<Index>(tracked.n_input_faces + tracked.face_origins.size()));
+  tracked.face_keys.push_back(static_cast<Index>(tracked.n_face_keys()));
   tracked.face_origins.push_back(origin);
   tracked.soup.triangles.push_back(corners);
 }

@@ -170,8 +170,7 @@ class Inventory {
 }  // namespace
 
 Index vertex_identity(const TrackedMesh& tracked, Index key) {
-  if (key < tracked.n_input_vertices) return key;
-  const Index origin = tracked.vertex_origins[key - tracked.n_input_vertices];
+  const Index origin = tracked.origin_of_vertex_key(key);
   return origin == kNoIndex ? key : origin;
 }
 

@@ -47,7 +47,7 @@ std::vector<std::uint8_t> find_fixed_vertices(const TrackedMesh& tracked, const 
   std::vector<std::uint8_t> fixed(soup.n_vertices(), 0);
   if (options.borders == Borders::Intended) fix_borders(cut, fixed);
   if (has_faces) fix_common_borders(soup, cut, fixed);
-  std::vector<std::uint8_t> by_key(tracked.n_input_vertices + tracked.vertex_origins.size(), 0);
+  std::vector<std::uint8_t> by_key(tracked.n_vertex_keys(), 0);
   for (std::size_t v = 0; v < fixed.size(); ++v) by_key[tracked.vertex_keys[v]] = fixed[v];
   return by_key;
 }

@@ -10,7 +10,7 @@ namespace {
 
 /// Tells for each vertex key whether the tracked mesh has it.
 std::vector<std::uint8_t> present_vertices(const TrackedMesh& tracked) {
-  std::vector<std::uint8_t> present(tracked.n_input_vertices + tracked.vertex_origins.size(), 0);
+  std::vector<std::uint8_t> present(tracked.n_vertex_keys(), 0);
   for (const Index key : tracked.vertex_keys) present[key] = 1;
   return present;
 }
@@ -48,7 +48,7 @@ class Operations {
       operation.changed_faces.push_back(before.face_keys[changed.face]);
       log_corner_moves(changed, operation);
     }
-    auto next_key = static_cast<Index>(before.n_input_faces + before.face_origins.size());
+    auto next_key = static_cast<Index>(before.n_face_keys());
     for (const auto& added : made_.edits.added_faces) {
       if (!skipped_(added.op)) operations_[added.op].added_faces.push_back(next_key++);
     }
@@ -60,15 +60,10 @@ class Operations {
     for (std::size_t k = 0; k < 3; ++k) {
       const Index now = changed.corners[k];
       if (old[k] == kNoIndex || is_[made_.before.vertex_keys[old[k]]] != 0) continue;
-      const double distance = (position(now) - made_.before.soup.positions[old[k]]).stableNorm();
+      const Vec3& to = made_.edits.position_of(made_.before.soup, now);
+      const double distance = (to - made_.before.soup.positions[old[k]]).stableNorm();
       operation.distance = std::max(operation.distance, distance);
     }
-  }
-
-  [[nodiscard]] const Vec3& position(Index vertex) const {
-    const std::vector<Vec3>& old = made_.before.soup.positions;
-    return vertex < old.size() ? old[vertex]
-                               : made_.edits.added_vertices[vertex - old.size()].position;
   }
 
   void log_moves() {

@@ -60,10 +60,7 @@ std::vector<OperationHash> hashes_of(const TrackedMesh& tracked, const Edits& ed
     }
   };
   const auto hash_at = [&](Index v) -> std::uint64_t {
-    if (v == kNoIndex) return 0;
-    return hash_position(v < soup.n_vertices()
-                             ? soup.positions[v]
-                             : edits.added_vertices[v - soup.n_vertices()].position);
+    return v == kNoIndex ? 0 : hash_position(edits.position_of(soup, v));
   };
   const auto add_face = [&](Index op, std::uint64_t key, const Triangle& t) {
     add(op, {key, hash_at(t[0]) + hash_at(t[1]) + hash_at(t[2])});

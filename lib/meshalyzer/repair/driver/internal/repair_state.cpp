@@ -12,13 +12,9 @@
 namespace meshalyzer {
 namespace {
 
-std::size_t n_face_keys(const TrackedMesh& tracked) {
-  return tracked.n_input_faces + tracked.face_origins.size();
-}
-
 /// Returns, by face key, where the face stands in the soup.
 std::vector<Index> places_of_keys(const TrackedMesh& tracked) {
-  std::vector<Index> place(n_face_keys(tracked), kNoIndex);
+  std::vector<Index> place(tracked.n_face_keys(), kNoIndex);
   for (std::size_t f = 0; f < tracked.face_keys.size(); ++f) {
     place[tracked.face_keys[f]] = static_cast<Index>(f);
   }
@@ -61,7 +57,7 @@ struct SameFaces {
 SameFaces find_same_faces(const RepairState& known, const AffectedElements& affected,
                           const TrackedMesh& tracked, const std::vector<Index>& place_of_key) {
   SameFaces same{&known, std::vector<Index>(known.tracked().soup.n_faces(), kNoIndex), 0};
-  std::vector<std::uint8_t> is_doubtful(n_face_keys(known.tracked()), 0);
+  std::vector<std::uint8_t> is_doubtful(known.tracked().n_face_keys(), 0);
   for (const Index key : known.affected_faces()) is_doubtful[key] = 1;
   for (const AffectedElement& entry : affected.faces_before) is_doubtful[entry.key] = 1;
   for (Index face = 0; face < same.place.size(); ++face) {

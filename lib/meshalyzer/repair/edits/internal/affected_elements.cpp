@@ -43,7 +43,7 @@ void add_edited_faces(const TrackedMesh& before, const Edits& edits,
     affected.faces_before.push_back(entry);
     affected.faces_after.push_back(entry);
   }
-  auto next_key = static_cast<Index>(before.n_input_faces + before.face_origins.size());
+  auto next_key = static_cast<Index>(before.n_face_keys());
   for (const Edits::AddedFace& added : edits.added_faces) {
     if (!skipped(added.op)) affected.faces_after.push_back({next_key++, added.op});
   }

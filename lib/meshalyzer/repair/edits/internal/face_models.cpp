@@ -56,9 +56,7 @@ Index FaceModels::old_vertex(Index corner) const {
 }
 
 const Vec3& FaceModels::place_of(Index corner) const {
-  const std::size_t n_old = before_.n_vertices();
-  return corner < n_old ? before_.positions[corner]
-                        : edits_.added_vertices[corner - n_old].position;
+  return edits_.position_of(before_, corner);
 }
 
 std::optional<Vec3> FaceModels::normal_at(std::size_t face, Index corner) const {
