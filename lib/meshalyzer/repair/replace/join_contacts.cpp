@@ -1,8 +1,7 @@
-#include "meshalyzer/boolean/combine_solids.h"
 #include "meshalyzer/repair/cut/internal/cut_edits.h"
 #include "meshalyzer/repair/passes.h"
-#include "meshalyzer/repair/replace/internal/combined_surface.h"
 #include "meshalyzer/repair/replace/internal/join_points.h"
+#include "meshalyzer/repair/replace/internal/mesh_operands.h"
 #include "meshalyzer/repair/split/internal/contact_places.h"
 #include "meshalyzer/spatial/oblique_direction.h"
 #include "meshalyzer/topology/border.h"
@@ -83,63 +82,38 @@ Segments contact_segments(const Soup& soup, const ContactPlaces& contacts) {
   return segments;
 }
 
-/// The mesh, and the rods that are united with it.
-class JoinedSolid {
- public:
-  explicit JoinedSolid(const Soup& mesh) {
-    soup_.positions = mesh.positions;
-    for (Index face = 0; face < mesh.n_faces(); ++face) {
-      if (is_in_complex(mesh.triangles[face])) add(mesh.triangles[face], kMesh, face);
-    }
+/// The operand of all rods.
+constexpr Index kRods = 1;
+
+/// Adds a rod with three sides round a segment, and beyond its ends.
+void add_rod(const std::array<Vec3, 2>& segment, double thickness, MeshOperands& operands) {
+  const Vec3 along = segment[1] == segment[0] ? kObliqueDirection
+                                              : Vec3((segment[1] - segment[0]).stableNormalized());
+  const Vec3 x = along.unitOrthogonal();
+  const Vec3 y = along.cross(x);
+  // A triangle round the segment, in multiples of the thickness. Its ends are askew.
+  static constexpr std::array<std::array<double, 3>, 3> kCorners{
+      {{1.0, 0.1, 0.8}, {-0.6, 0.8, 1.0}, {-0.4, -0.9, 0.6}}};
+  std::vector<Vec3> positions;
+  for (const auto& [u, v, w] : kCorners) {
+    const Vec3 across = thickness * (u * x + v * y);
+    positions.emplace_back(segment[0] + across - thickness * w * along);
+    positions.emplace_back(segment[1] + across + thickness * w * along);
   }
+  static constexpr std::array<Triangle, 8> kFaces{
+      {{0, 4, 2}, {1, 3, 5}, {0, 2, 3}, {0, 3, 1}, {2, 4, 5}, {2, 5, 3}, {4, 0, 1}, {4, 1, 5}}};
+  operands.add_solid(positions, kFaces, kRods);
+}
 
-  /// Adds a rod with three sides round a segment, and beyond its ends.
-  void add_rod(const std::array<Vec3, 2>& segment, double thickness) {
-    const Vec3 along = segment[1] == segment[0]
-                           ? kObliqueDirection
-                           : Vec3((segment[1] - segment[0]).stableNormalized());
-    const Vec3 x = along.unitOrthogonal();
-    const Vec3 y = along.cross(x);
-    // A triangle round the segment, in multiples of the thickness. Its ends are askew.
-    static constexpr std::array<std::array<double, 3>, 3> kCorners{
-        {{1.0, 0.1, 0.8}, {-0.6, 0.8, 1.0}, {-0.4, -0.9, 0.6}}};
-    const auto first = static_cast<Index>(soup_.positions.size());
-    for (const auto& [u, v, w] : kCorners) {
-      const Vec3 across = thickness * (u * x + v * y);
-      soup_.positions.emplace_back(segment[0] + across - thickness * w * along);
-      soup_.positions.emplace_back(segment[1] + across + thickness * w * along);
-    }
-    static constexpr std::array<Triangle, 8> kFaces{
-        {{0, 4, 2}, {1, 3, 5}, {0, 2, 3}, {0, 3, 1}, {2, 4, 5}, {2, 5, 3}, {4, 0, 1}, {4, 1, 5}}};
-    for (Triangle t : kFaces) {
-      for (Index& corner : t) corner += first;
-      add(t, kRods, kNoIndex);
-    }
+/// Returns a mesh, and rods along segments.
+MeshOperands mesh_with_rods(const Soup& mesh, const Segments& segments, double thickness) {
+  MeshOperands operands(mesh);
+  for (Index face = 0; face < mesh.n_faces(); ++face) {
+    if (is_in_complex(mesh.triangles[face])) operands.add_face(mesh.triangles[face], face);
   }
-
-  [[nodiscard]] CombinedSolid unite(const CombineOptions& options) const {
-    const InsideRule rule = [](std::span<const int> windings) {
-      return windings[kMesh] != 0 || windings[kRods] >= 1;
-    };
-    return combine_solids({.soup = soup_, .of_face = of_face_, .count = 2}, rule, options);
-  }
-
-  [[nodiscard]] const std::vector<Index>& origins() const { return origins_; }
-
- private:
-  static constexpr Index kMesh = 0;
-  static constexpr Index kRods = 1;
-
-  void add(const Triangle& t, Index operand, Index origin) {
-    soup_.triangles.push_back(t);
-    of_face_.push_back(operand);
-    origins_.push_back(origin);
-  }
-
-  Soup soup_;
-  std::vector<Index> of_face_;
-  std::vector<Index> origins_;
-};
+  for (const auto& segment : segments) add_rod(segment, thickness, operands);
+  return operands;
+}
 
 /// Unites a mesh with rods along segments, the first time with thick ones.
 PassResult unite_with_rods(const PassInput& input, const Segments& segments) {
@@ -147,14 +121,17 @@ PassResult unite_with_rods(const PassInput& input, const Segments& segments) {
   const std::size_t n_skipped = input.operation_size == OperationSize::Normal ? 0 : 1;
   for (std::size_t i = n_skipped; i < kThicknessesOfRods.size() && !input.wants_to_stop(); ++i) {
     const double thickness = kThicknessesOfRods.at(i) * input.limits.max_deviation;
-    JoinedSolid joined(input.tracked.soup);
-    for (const auto& segment : segments) joined.add_rod(segment, thickness);
-    const CombinedSolid solid = joined.unite({.max_deviation = kRoundingOfRods * thickness,
-                                              .max_pairs = kMostPairsJoined,
-                                              .wants_to_stop = input.wants_to_stop});
+    const MeshOperands operands = mesh_with_rods(input.tracked.soup, segments, thickness);
+    const InsideRule rule = [](std::span<const int> windings) {
+      return windings[MeshOperands::kMesh] != 0 || windings[kRods] >= 1;
+    };
+    const CombinedSolid solid = operands.combine(2, rule,
+                                                 {.max_deviation = kRoundingOfRods * thickness,
+                                                  .max_pairs = kMostPairsJoined,
+                                                  .wants_to_stop = input.wants_to_stop});
     if (solid.outcome == CombineOutcome::TooManyPairs) break;
     if (solid.outcome != CombineOutcome::Done) continue;
-    PassResult result = cut_edits(input, {}, surface_of_combined(input, solid, joined.origins()));
+    PassResult result = cut_edits(input, {}, operands.surface_of(solid, input));
     result.has_smaller_operations = n_skipped == 0;
     return result;
   }

@@ -1,9 +1,8 @@
-#include "meshalyzer/boolean/combine_solids.h"
 #include "meshalyzer/contour/contour_mesh.h"
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/repair/cut/internal/cut_edits.h"
 #include "meshalyzer/repair/replace/internal/broken_boxes.h"
-#include "meshalyzer/repair/replace/internal/combined_surface.h"
+#include "meshalyzer/repair/replace/internal/mesh_operands.h"
 #include "meshalyzer/repair/replace/internal/replacements.h"
 
 #include <algorithm>
@@ -42,83 +41,44 @@ std::vector<Index> boxes_of(const std::vector<Vec3>& positions, const std::vecto
   return box_of;
 }
 
-/// The solids that are combined: first the mesh outside the boxes, then each box and the contour
-/// that is put into it.
-class OperandsOfBoxes {
- public:
-  /// The operands of box i.
-  static constexpr Index box(Index i) { return 1 + 2 * i; }
-  static constexpr Index contour(Index i) { return 2 + 2 * i; }
+/// The operands of box i, beside the mesh outside the boxes: the box and the contour that is put
+/// into it.
+constexpr Index operand_of_box(Index i) {
+  return 1 + 2 * i;
+}
+constexpr Index operand_of_contour(Index i) {
+  return 2 + 2 * i;
+}
 
-  explicit OperandsOfBoxes(const Soup& mesh) { soup_.positions = mesh.positions; }
+void add_cuboid(const Box3& box, Index operand, MeshOperands& operands) {
+  // Corner k has the larger coordinate along axis a where bit a of k is set; the faces are oriented
+  // outwards.
+  static constexpr std::array<Triangle, 12> kFaces{{{0, 2, 3},
+                                                    {0, 3, 1},
+                                                    {4, 5, 7},
+                                                    {4, 7, 6},
+                                                    {0, 1, 5},
+                                                    {0, 5, 4},
+                                                    {2, 6, 7},
+                                                    {2, 7, 3},
+                                                    {0, 4, 6},
+                                                    {0, 6, 2},
+                                                    {1, 3, 7},
+                                                    {1, 7, 5}}};
+  std::array<Vec3, 8> corners;
+  for (int k = 0; k < 8; ++k) corners.at(k) = box.corner(static_cast<Box3::CornerType>(k));
+  operands.add_solid(corners, kFaces, operand);
+}
 
-  /// @param origin  The face of the mesh that it is, or kNoIndex.
-  void add(const Triangle& t, Index operand, Index origin = kNoIndex) {
-    soup_.triangles.push_back(t);
-    of_face_.push_back(operand);
-    origins_.push_back(origin);
-  }
-
-  Index add_vertex(const Vec3& p) {
-    soup_.positions.push_back(p);
-    return static_cast<Index>(soup_.positions.size() - 1);
-  }
-
-  void add_contour(Index i, const Soup& contour) {
-    const auto first = static_cast<Index>(soup_.positions.size());
-    soup_.positions.insert(soup_.positions.end(), contour.positions.begin(),
-                           contour.positions.end());
-    for (Triangle t : contour.triangles) {
-      for (Index& v : t) v += first;
-      add(t, OperandsOfBoxes::contour(i));
+/// Returns the rule for the inside: in a box inside the contour, elsewhere inside the mesh.
+InsideRule rule_of_boxes(std::size_t n_boxes) {
+  return [n_boxes](std::span<const int> windings) {
+    for (Index i = 0; i < n_boxes; ++i) {
+      if (windings[operand_of_box(i)] >= 1) return windings[operand_of_contour(i)] >= 1;
     }
-  }
-
-  void add_box(Index i, const Box3& box) {
-    // Corner k has the larger coordinate along axis a where bit a of k is set; the faces are
-    // oriented outwards.
-    static constexpr std::array<Triangle, 12> kFaces{{{0, 2, 3},
-                                                      {0, 3, 1},
-                                                      {4, 5, 7},
-                                                      {4, 7, 6},
-                                                      {0, 1, 5},
-                                                      {0, 5, 4},
-                                                      {2, 6, 7},
-                                                      {2, 7, 3},
-                                                      {0, 4, 6},
-                                                      {0, 6, 2},
-                                                      {1, 3, 7},
-                                                      {1, 7, 5}}};
-    const auto first = static_cast<Index>(soup_.positions.size());
-    for (int k = 0; k < 8; ++k) {
-      soup_.positions.push_back(box.corner(static_cast<Box3::CornerType>(k)));
-    }
-    for (Triangle t : kFaces) {
-      for (Index& v : t) v += first;
-      add(t, OperandsOfBoxes::box(i));
-    }
-  }
-
-  [[nodiscard]] const Soup& soup() const { return soup_; }
-  [[nodiscard]] const std::vector<Index>& origins() const { return origins_; }
-
-  /// Combines them: in a box inside the contour, elsewhere inside the mesh.
-  [[nodiscard]] CombinedSolid combine(std::size_t n_boxes, const CombineOptions& options) const {
-    const InsideRule rule = [n_boxes](std::span<const int> windings) {
-      for (Index i = 0; i < n_boxes; ++i) {
-        if (windings[box(i)] >= 1) return windings[contour(i)] >= 1;
-      }
-      return windings[0] >= 1;
-    };
-    return combine_solids({.soup = soup_, .of_face = of_face_, .count = 1 + 2 * n_boxes}, rule,
-                          options);
-  }
-
- private:
-  Soup soup_;
-  std::vector<Index> of_face_;
-  std::vector<Index> origins_;
-};
+    return windings[MeshOperands::kMesh] >= 1;
+  };
+}
 
 /// Proposes to replace what lies in boxes.
 class ReplacingInBoxes {
@@ -136,10 +96,11 @@ class ReplacingInBoxes {
     if (boxes_.empty()) return refuse("it is broken in too many places");
     if (!add_rest()) return refuse("the boxes round the broken places hold most of the mesh");
     if (!add_contours()) return refuse("no replacement within the maximum deviation was found");
-    const CombinedSolid solid = operands_.combine(
-        boxes_.size(), {.max_deviation = kShareOfRounding * options_.max_deviation,
-                        .max_pairs = kMostPairsAtBoxes,
-                        .wants_to_stop = input_.wants_to_stop});
+    const CombinedSolid solid =
+        operands_.combine(1 + 2 * boxes_.size(), rule_of_boxes(boxes_.size()),
+                          {.max_deviation = kShareOfRounding * options_.max_deviation,
+                           .max_pairs = kMostPairsAtBoxes,
+                           .wants_to_stop = input_.wants_to_stop});
     if (solid.outcome != CombineOutcome::Done) {
       return refuse("the replacement cannot be united with the rest");
     }
@@ -161,7 +122,7 @@ class ReplacingInBoxes {
         ++n_replaced;
         continue;
       }
-      operands_.add(t, 0, face);
+      operands_.add_face(t, face);
       for (std::size_t k = 0; k < 3; ++k) {
         const Index a = t[k];
         const Index b = t[(k + 1) % 3];
@@ -186,7 +147,7 @@ class ReplacingInBoxes {
       }
       const bool runs_forward = count > 0;
       for (int i = 0; i < std::abs(count); ++i) {
-        operands_.add({ends[runs_forward ? 1 : 0], ends[runs_forward ? 0 : 1], apexes[box]}, 0);
+        operands_.add_face({ends[runs_forward ? 1 : 0], ends[runs_forward ? 0 : 1], apexes[box]});
       }
     }
     return true;
@@ -202,14 +163,14 @@ class ReplacingInBoxes {
       if (!made || !made->is_within) return false;
       deviation_ = std::max(deviation_, made->deviation);
       walls_.insert(walls_.end(), made->walls.begin(), made->walls.end());
-      operands_.add_box(i, boxes_[i]);
-      operands_.add_contour(i, made->soup);
+      add_cuboid(boxes_[i], operand_of_box(i), operands_);
+      operands_.add_solid(made->soup.positions, made->soup.triangles, operand_of_contour(i));
     }
     return true;
   }
 
   Replacement replacement_from(const CombinedSolid& solid) const {
-    const CutSurface surface = surface_of_combined(input_, solid, operands_.origins());
+    const CutSurface surface = operands_.surface_of(solid, input_);
     Replacement replacement;
     replacement.result = cut_edits_as_one(input_, {}, surface, options_.lost);
     replacement.deviation = deviation_ + solid.largest_move;
@@ -231,7 +192,7 @@ class ReplacingInBoxes {
   std::vector<Box3> boxes_;
   /// #V: the box that holds each.
   std::vector<Index> box_of_;
-  OperandsOfBoxes operands_;
+  MeshOperands operands_;
   std::vector<Corners> walls_;
   double deviation_ = 0.0;
 };
