@@ -2,6 +2,7 @@
 #include "meshalyzer/contour/contour_mesh.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/repair/replace/internal/broken_solids.h"
+#include "meshalyzer/repair/replace/internal/new_surface.h"
 #include "meshalyzer/repair/replace/internal/replacements.h"
 #include "meshalyzer/spatial/closest_point.h"
 
@@ -37,55 +38,29 @@ double six_volumes(const Soup& soup) {
   return sum;
 }
 
-/// Proposes to put a contour in the place of a broken solid.
-class Replacing {
- public:
-  Replacing(const Soup& all, const BrokenSolid& solid, Edits& edits)
-      : solid_(solid),
-        edits_(edits),
-        old_(soup_of(all, solid)),
-        n_vertices_(static_cast<Index>(all.n_vertices() + edits.added_vertices.size())),
-        cut_(build(old_)),
-        tree_(cut_),
-        closest_(tree_) {}
-
-  [[nodiscard]] std::optional<ContouredMesh> contour(const ContourLimits& limits) const {
-    return contour_mesh(old_, limits);
+/// Returns a contour of a broken solid as what takes its place.
+///
+/// @param old  The faces of the solid alone.
+NewSurface surface_of(const ContouredMesh& made, const Soup& old, const BrokenSolid& solid) {
+  NewSurface surface{
+      .positions = made.soup.positions, .triangles = made.soup.triangles, .origins = {}};
+  // The wall of a cavity points inwards, and so must its replacement.
+  if (six_volumes(old) < 0.0) {
+    for (Triangle& t : surface.triangles) std::swap(t[1], t[2]);
   }
-
-  void propose(const ContouredMesh& made) {
-    const Index op = edits_.begin_operation();
-    for (const Index face : solid_.faces) edits_.removed_faces.push_back({op, face});
-    for (const Vec3& p : made.soup.positions) edits_.added_vertices.push_back({op, p});
-    // The wall of a cavity points inwards, and so must its replacement.
-    const bool is_turned = six_volumes(old_) < 0.0;
-    for (Index face = 0; face < made.soup.n_faces(); ++face) {
-      Triangle t = made.soup.triangles[face];
-      if (is_turned) std::swap(t[1], t[2]);
-      for (Index& corner : t) corner += n_vertices_;
-      edits_.added_faces.push_back({op, t, nearest(corners_of(made.soup, face))});
-    }
-    for (const auto& wall : made.walls) edits_.interior_walls.push_back({op, {wall}});
+  const CutMesh cut = build(old);
+  const FaceTree tree(cut);
+  const ClosestPoints closest(tree);
+  Index hint = kNoIndex;
+  for (Index face = 0; face < made.soup.n_faces(); ++face) {
+    const auto found =
+        closest.find({.point = centroid_of(corners_of(made.soup, face)), .hint = hint});
+    if (found) hint = found->slot;
+    surface.origins.push_back(found ? solid.faces[cut.side.faces[found->mesh_face]]
+                                    : solid.faces.front());
   }
-
- private:
-  /// Returns the face of the whole mesh that is nearest to the middle of a new one.
-  [[nodiscard]] Index nearest(const Corners& t) {
-    const auto found = closest_.find({.point = centroid_of(t), .hint = hint_});
-    if (!found) return solid_.faces.front();
-    hint_ = found->slot;
-    return solid_.faces[cut_.side.faces[found->mesh_face]];
-  }
-
-  const BrokenSolid& solid_;
-  Edits& edits_;
-  Soup old_;
-  Index n_vertices_;
-  CutMesh cut_;
-  FaceTree tree_;
-  ClosestPoints closest_;
-  Index hint_ = kNoIndex;
-};
+  return surface;
+}
 
 std::vector<BrokenSolid> solids_to_replace(const PreparedMesh& mesh, ReplaceOptions::Scope scope) {
   if (scope == ReplaceOptions::Scope::Broken) return find_broken_solids(mesh);
@@ -123,8 +98,8 @@ Replacement replace_broken_solids(const PassInput& input, const ReplaceOptions& 
   Replacement replacement;
   std::size_t n_left = kMaxTetrahedraOfAll;
   for (const BrokenSolid& solid : solids) {
-    Replacing replacing(input.tracked.soup, solid, replacement.result.edits);
-    const auto made = replacing.contour({.max_deviation = options.max_deviation,
+    const Soup old = soup_of(input.tracked.soup, solid);
+    const auto made = contour_mesh(old, {.max_deviation = options.max_deviation,
                                          .max_tetrahedra = std::min(kMaxTetrahedra, n_left),
                                          .wants_to_stop = input.wants_to_stop});
     if (!made || !made->is_within) {
@@ -134,7 +109,10 @@ Replacement replace_broken_solids(const PassInput& input, const ReplaceOptions& 
     if (made->soup.triangles.empty()) {
       return refuse(solid, "it encloses nothing that a replacement could bound");
     }
-    replacing.propose(*made);
+    Edits& edits = replacement.result.edits;
+    const Index op =
+        replace_faces(input.tracked.soup, solid.faces, surface_of(*made, old, solid), edits);
+    for (const Corners& wall : made->walls) edits.interior_walls.push_back({op, {wall}});
     replacement.deviation = std::max(replacement.deviation, made->deviation);
     n_left -= std::min(n_left, made->n_tetrahedra);
   }

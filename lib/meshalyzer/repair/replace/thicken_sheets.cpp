@@ -3,12 +3,16 @@
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/repair/orient/bounds_solid.h"
 #include "meshalyzer/repair/passes.h"
+#include "meshalyzer/repair/replace/internal/new_surface.h"
 #include "meshalyzer/repair/replace/internal/thick_surface.h"
 #include "meshalyzer/topology/components.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,13 +24,9 @@ std::vector<std::uint8_t> which_are_sheets(const PreparedMesh& mesh, const Compo
   std::vector<std::uint8_t> is_sheet = bounds_solid(mesh, components);
   for (std::uint8_t& flag : is_sheet) flag = flag == 0 ? 1 : 0;
   const CutMesh& cut = mesh.cut();
-  const auto mark = [&](const CutEdges& edges) {
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      const FaceHandle f = cut.mesh.face_handle(edges[i].halfedges.front());
-      is_sheet[components.of_face[static_cast<std::size_t>(f.idx())]] = 1;
-    }
-  };
-  mark(cut.side.flipped_edges);
+  for (const HalfedgeHandle h : cut.side.flipped_edges.halfedges) {
+    is_sheet[components.of_face[static_cast<std::size_t>(cut.mesh.face_handle(h).idx())]] = 1;
+  }
   return is_sheet;
 }
 
@@ -82,21 +82,25 @@ std::vector<Index> faces_of_sheet(const Soup& soup, std::vector<Index> faces, bo
   return distinct_faces(soup, faces);
 }
 
-/// @param faces  Those of a component.
-/// @param sheet  Those of them that become the thin solid.
-void propose(const PassInput& input, std::span<const Index> faces, std::span<const Index> sheet,
-             double thickness, Edits& edits) {
-  const ThickSurface made = thicken(input.tracked.soup, sheet, thickness);
-  const Index op = edits.begin_operation();
-  const auto first =
-      static_cast<Index>(input.tracked.soup.n_vertices() + edits.added_vertices.size());
-  for (const Index face : faces) edits.removed_faces.push_back({op, face});
-  for (const Vec3& p : made.positions) edits.added_vertices.push_back({op, p});
-  for (std::size_t i = 0; i < made.triangles.size(); ++i) {
-    Triangle t = made.triangles[i];
-    for (Index& corner : t) corner += first;
-    edits.added_faces.push_back({op, t, made.origins[i]});
+/// Makes a thin solid of each component, in one operation.
+///
+/// @param sheet_of  Returns those faces of a component, by its number and its faces, that become
+/// the
+///                  thin solid; none if it is left.
+template <typename SheetOf>
+PassResult thicken_components(const PassInput& input, const Components& components,
+                              double thickness, const SheetOf& sheet_of) {
+  const Soup& soup = input.tracked.soup;
+  const ItemsByGroup faces(components.of_face, components.count);
+  PassResult result;
+  for (std::size_t i = 0; i < components.count; ++i) {
+    std::vector<Index> part;
+    for (const Index f : faces[i]) part.push_back(input.mesh.cut().side.faces[f]);
+    const std::vector<Index> sheet = sheet_of(i, part);
+    if (sheet.empty()) continue;
+    replace_faces(soup, part, thicken(soup, sheet, thickness), result.edits);
   }
+  return result;
 }
 
 }  // namespace
@@ -104,32 +108,23 @@ void propose(const PassInput& input, std::span<const Index> faces, std::span<con
 PassResult thicken_sheets(const PassInput& input, double thickness) {
   const Components components = find_edge_components(input.mesh.cut());
   const std::vector<std::uint8_t> is_sheet = which_are_sheets(input.mesh, components);
-  const ItemsByGroup faces(components.of_face, components.count);
-  PassResult result;
-  for (std::size_t i = 0; i < components.count; ++i) {
-    std::vector<Index> part;
-    for (const Index f : faces[i]) part.push_back(input.mesh.cut().side.faces[f]);
-    const std::vector<Index> sheet = faces_of_sheet(input.tracked.soup, part, is_sheet[i] == 0);
-    if (!sheet.empty()) propose(input, part, sheet, thickness, result.edits);
-  }
-  return result;
+  return thicken_components(input, components, thickness,
+                            [&](std::size_t i, const std::vector<Index>& part) {
+                              return faces_of_sheet(input.tracked.soup, part, is_sheet[i] == 0);
+                            });
 }
 
 PassResult thicken_parts(const PassInput& input, std::span<const Index> face_keys,
                          double thickness) {
-  const Components components = find_edge_components(input.mesh.cut());
-  const ItemsByGroup faces(components.of_face, components.count);
   const auto is_named = [&](Index face) {
     return std::binary_search(face_keys.begin(), face_keys.end(), input.tracked.face_keys[face]);
   };
-  PassResult result;
-  for (std::size_t i = 0; i < components.count; ++i) {
-    std::vector<Index> part;
-    for (const Index f : faces[i]) part.push_back(input.mesh.cut().side.faces[f]);
-    if (std::none_of(part.begin(), part.end(), is_named)) continue;
-    propose(input, part, distinct_faces(input.tracked.soup, part), thickness, result.edits);
-  }
-  return result;
+  return thicken_components(input, find_edge_components(input.mesh.cut()), thickness,
+                            [&](std::size_t, const std::vector<Index>& part) {
+                              return std::any_of(part.begin(), part.end(), is_named)
+                                         ? distinct_faces(input.tracked.soup, part)
+                                         : std::vector<Index>();
+                            });
 }
 
 }  // namespace meshalyzer

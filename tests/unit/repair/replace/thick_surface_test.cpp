@@ -15,7 +15,7 @@ namespace {
 Soup thick(const Soup& soup, double thickness) {
   std::vector<Index> faces(soup.n_faces());
   std::iota(faces.begin(), faces.end(), Index{0});
-  const ThickSurface made = thicken(soup, faces, thickness);
+  const NewSurface made = thicken(soup, faces, thickness);
   EXPECT_EQ(made.origins.size(), made.triangles.size());
   Soup result = shapes::make(made.positions, made.triangles);
   const PreparedMesh mesh(result);

@@ -41,7 +41,7 @@ class Thickening {
     find_edges();
   }
 
-  ThickSurface run(double thickness) {
+  NewSurface run(double thickness) {
     join_all_sides();
     place_vertices(thickness / 2.0);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
@@ -198,12 +198,12 @@ class Thickening {
   /// The sets of corners of sides that are one vertex, see name().
   DisjointSets sets_;
   std::vector<Index> vertices_;
-  ThickSurface surface_;
+  NewSurface surface_;
 };
 
 }  // namespace
 
-ThickSurface thicken(const Soup& soup, std::span<const Index> faces, double thickness) {
+NewSurface thicken(const Soup& soup, std::span<const Index> faces, double thickness) {
   return Thickening(soup, faces).run(thickness);
 }
 
