@@ -5,72 +5,53 @@
 #include <utility>
 
 namespace meshalyzer {
-namespace {
 
-/// Finds winding numbers component by component.
-class WindingSearch {
- public:
-  WindingSearch(const ArrangedSoup& arranged, std::span<const std::uint8_t> wanted)
-      : a_(arranged), wanted_(wanted), pieces_(pieces_by_cell(arranged.cells)) {
-    windings_.own.assign(a_.cells.count, 0);
-    windings_.others.assign(a_.cells.n_components, 0);
-    is_known_.assign(a_.cells.count, 0);
-  }
+CellWindings::CellWindings(const Cells& cells)
+    : cells_(cells),
+      pieces_(pieces_by_cell(cells)),
+      of_cell_(cells.count, 0),
+      is_known_(cells.count, 0) {}
 
-  Windings run() {
-    std::vector<std::uint8_t> done(a_.cells.n_components, 0);
-    for (Index piece = 0; piece < a_.arrangement.pieces.size(); ++piece) {
-      const Index component = a_.cells.component_of[piece];
-      if (wanted_[component] == 0 || a_.cells.is_closed[component] == 0) continue;
-      if (std::exchange(done[component], 1) != 0) continue;
-      begin_at(piece);
-      spread();
-    }
-    return std::move(windings_);
-  }
-
- private:
-  void begin_at(Index piece) {
-    const PieceRay ray = follow_ray(a_, piece);
-    const Index component = a_.cells.component_of[piece];
-    int own = 0;
-    for (const auto& [face, sign] : ray.crossings) {
-      (a_.component_of_face(face) == component ? own : windings_.others[component]) += sign;
-    }
-    set(ray.cell, own);
-  }
-
-  void set(Index cell, int winding) {
-    if (std::exchange(is_known_[cell], 1) != 0) return;
-    windings_.own[cell] = winding;
-    pending_.push_back(cell);
-  }
-
-  /// Propagates the numbers across pieces: behind each piece they are higher by its multiplicity.
-  void spread() {
-    while (!pending_.empty()) {
-      const Index cell = pending_.back();
-      pending_.pop_back();
-      for (const Index piece : pieces_[cell]) {
-        const int step = a_.arrangement.multiplicity(piece);
-        if (a_.cells.front(piece) == cell) set(a_.cells.behind(piece), windings_.own[cell] + step);
-        if (a_.cells.behind(piece) == cell) set(a_.cells.front(piece), windings_.own[cell] - step);
-      }
+void CellWindings::spread_from(Index cell, int winding,
+                               const std::function<int(Index piece)>& step) {
+  set(cell, winding);
+  while (!pending_.empty()) {
+    const Index from = pending_.back();
+    pending_.pop_back();
+    for (const Index piece : pieces_[from]) {
+      const int higher = step(piece);
+      if (cells_.front(piece) == from) set(cells_.behind(piece), of_cell_[from] + higher);
+      if (cells_.behind(piece) == from) set(cells_.front(piece), of_cell_[from] - higher);
     }
   }
+}
 
-  const ArrangedSoup& a_;
-  std::span<const std::uint8_t> wanted_;
-  ItemsByGroup pieces_;
-  Windings windings_;
-  std::vector<std::uint8_t> is_known_;
-  std::vector<Index> pending_;
-};
-
-}  // namespace
+void CellWindings::set(Index cell, int winding) {
+  if (std::exchange(is_known_[cell], 1) != 0) return;
+  of_cell_[cell] = winding;
+  pending_.push_back(cell);
+}
 
 Windings find_windings(const ArrangedSoup& arranged, std::span<const std::uint8_t> wanted) {
-  return WindingSearch(arranged, wanted).run();
+  const Cells& cells = arranged.cells;
+  CellWindings own(cells);
+  Windings windings{.own = {}, .others = std::vector<int>(cells.n_components, 0)};
+  std::vector<std::uint8_t> is_done(cells.n_components, 0);
+  for (Index piece = 0; piece < arranged.arrangement.pieces.size(); ++piece) {
+    const Index component = cells.component_of[piece];
+    if (wanted[component] == 0 || cells.is_closed[component] == 0) continue;
+    if (std::exchange(is_done[component], 1) != 0) continue;
+    const PieceRay ray = follow_ray(arranged, piece);
+    int winding = 0;
+    for (const auto& [face, sign] : ray.crossings) {
+      const bool is_own = arranged.component_of_face(face) == component;
+      (is_own ? winding : windings.others[component]) += sign;
+    }
+    own.spread_from(ray.cell, winding,
+                    [&](Index p) { return arranged.arrangement.multiplicity(p); });
+  }
+  windings.own = own.of_cell();
+  return windings;
 }
 
 }  // namespace meshalyzer

@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/cut/internal/closed_part.h"
 
 #include "meshalyzer/arrangement/exact_ray.h"
+#include "meshalyzer/arrangement/windings.h"
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/repair/cut/internal/face_edges.h"
 
@@ -61,17 +62,13 @@ std::vector<EdgeCounts> count_edges(const ArrangedSoup& arranged,
 class ClosedPartSearch {
  public:
   ClosedPartSearch(const ArrangedSoup& arranged, std::span<const std::uint8_t> wanted)
-      : a_(arranged),
-        wanted_(wanted),
-        pieces_(pieces_by_cell(arranged.cells)),
-        is_known_(arranged.cells.count, 0) {
+      : a_(arranged), wanted_(wanted), windings_(arranged.cells) {
     const std::vector<FaceEdge> edges = sorted_edges(a_.soup.triangles);
     is_closed_face_ = faces_of_closed_chains(a_.soup, edges);
     for (const EdgeCounts& count : count_edges(a_, edges)) {
       has_border_.push_back(count.border > 0 ? 1 : 0);
       result_.is_loose.push_back(2 * count.border > count.all ? 1 : 0);
     }
-    result_.windings.assign(a_.cells.count, 0);
     result_.tells_inside.assign(a_.cells.n_components, 0);
     for (Index piece = 0; piece < a_.arrangement.pieces.size(); ++piece) {
       result_.is_of_chain.push_back(is_of_closed_chain(piece) ? 1 : 0);
@@ -90,6 +87,7 @@ class ClosedPartSearch {
       if (wanted_[component] == 0 || result_.is_of_chain[piece] == 0) continue;
       if (std::exchange(result_.tells_inside[component], 1) == 0) begin_at(piece, with_rays);
     }
+    result_.windings = windings_.of_cell();
     result_.encloses_rest = result_.tells_inside;
     for (Index piece = 0; piece < a_.arrangement.pieces.size(); ++piece) {
       const bool is_inside = result_.windings[a_.cells.front(piece)] >= 1;
@@ -127,38 +125,18 @@ class ClosedPartSearch {
       if (is_closed_face_[face] == 0) continue;
       (a_.component_of_face(face) == component ? own : others) += sign;
     }
-    set(ray.cell, own + (others > 0 ? 1 : 0));
-    while (!pending_.empty()) spread(std::exchange(pending_, {}));
-  }
-
-  void set(Index cell, int winding) {
-    if (std::exchange(is_known_[cell], 1) != 0) return;
-    result_.windings[cell] = winding;
-    pending_.push_back(cell);
-  }
-
-  /// Propagates the numbers of cells across their pieces.
-  void spread(const std::vector<Index>& cells) {
-    for (const Index cell : cells) {
-      const int winding = result_.windings[cell];
-      for (const Index piece : pieces_[cell]) {
-        const int step = multiplicity(piece);
-        if (a_.cells.front(piece) == cell) set(a_.cells.behind(piece), winding + step);
-        if (a_.cells.behind(piece) == cell) set(a_.cells.front(piece), winding - step);
-      }
-    }
+    windings_.spread_from(ray.cell, own + (others > 0 ? 1 : 0),
+                          [&](Index p) { return multiplicity(p); });
   }
 
   const ArrangedSoup& a_;
   std::span<const std::uint8_t> wanted_;
   /// #faces: 1 for those of closed chains.
   std::vector<std::uint8_t> is_closed_face_;
-  ItemsByGroup pieces_;
   /// #components: 1 for those with an edge that has one face only.
   std::vector<std::uint8_t> has_border_;
+  CellWindings windings_;
   ClosedPart result_;
-  std::vector<std::uint8_t> is_known_;
-  std::vector<Index> pending_;
 };
 
 }  // namespace
