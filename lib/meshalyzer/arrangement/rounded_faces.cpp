@@ -8,11 +8,6 @@
 #include <utility>
 
 namespace meshalyzer {
-namespace {
-
-constexpr Triangle kRemoved{kNoIndex, kNoIndex, kNoIndex};
-
-}  // namespace
 
 RoundedFaceEdits::RoundedFaceEdits(RoundedFaces& faces)
     : faces_(faces), faces_of_(faces.positions.size()) {
@@ -26,7 +21,7 @@ void RoundedFaceEdits::collapse(Index vertex, Index into) {
     Triangle& t = faces_.triangles[face];
     if (!has_corner(t, vertex)) continue;
     if (has_corner(t, into)) {
-      t = kRemoved;
+      t = kNoTriangle;
       continue;
     }
     t = with_corner(t, vertex, into);
@@ -41,7 +36,7 @@ void RoundedFaceEdits::split_edge(Index a, Index b, Index through) {
     const Triangle t = faces_.triangles[face];
     if (!has_corner(t, a) || !has_corner(t, b)) continue;
     if (has_corner(t, through)) {
-      faces_.triangles[face] = kRemoved;
+      faces_.triangles[face] = kNoTriangle;
       continue;
     }
     faces_.triangles[face] = with_corner(t, b, through);

@@ -21,7 +21,8 @@
 namespace meshalyzer {
 namespace {
 
-/// All rounds together may cut this many pairs more than a multiple of those of the first.
+/// The rounds after the first may cut this many pairs together, beside a multiple of those that it
+/// has cut.
 constexpr std::size_t kMorePairsInRounds = 1000;
 constexpr std::size_t kTimesFirstRound = 2;
 

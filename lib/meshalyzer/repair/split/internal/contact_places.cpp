@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/corners.h"
 #include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/lexicographic.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/repair/orient/bounds_solid.h"
 #include "meshalyzer/topology/components.h"
@@ -9,17 +10,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 #include <utility>
 
 namespace meshalyzer {
 namespace {
 
 using Link = std::array<Index, 2>;
-
-bool precedes(const Vec3& a, const Vec3& b) {
-  return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
-}
 
 /// Appends the corners of two faces that are at one position but not one vertex.
 void append_links(const Soup& soup, const IntersectingPair& pair, std::vector<Link>& links) {
@@ -109,16 +105,16 @@ std::vector<std::vector<Vec3>> border_ends(const Soup& soup, const IncidentFaces
                             (i + 1 == spokes.size() || spokes[i + 1].other != spokes[i].other);
       if (is_alone) ends[entry].push_back(soup.positions[spokes[i].other]);
     }
-    std::sort(ends[entry].begin(), ends[entry].end(), precedes);
+    std::sort(ends[entry].begin(), ends[entry].end(), lexicographically_less);
   }
   return ends;
 }
 
 bool have_common(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   for (auto p = a.begin(), q = b.begin(); p != a.end() && q != b.end();) {
-    if (precedes(*p, *q)) {
+    if (lexicographically_less(*p, *q)) {
       ++p;
-    } else if (precedes(*q, *p)) {
+    } else if (lexicographically_less(*q, *p)) {
       ++q;
     } else {
       return true;
