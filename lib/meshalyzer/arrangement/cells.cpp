@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/runs.h"
 #include "meshalyzer/exact/exact_point.h"
 
 #include <algorithm>
@@ -76,12 +77,7 @@ PieceEdges::PieceEdges(const Arrangement& arrangement)
 /// @param uses  The uses of all edges with the same lower vertex.
 template <typename Body>
 void for_each_edge(std::span<EdgeUse> uses, const Body& body) {
-  for (std::size_t first = 0; first < uses.size();) {
-    std::size_t end = first + 1;
-    while (end < uses.size() && uses[end].high == uses[first].high) ++end;
-    body(uses.subspan(first, end - first));
-    first = end;
-  }
+  for_each_run(uses, &EdgeUse::high, body);
 }
 
 /// The order of pieces round an edge.

@@ -1,5 +1,6 @@
 #include "meshalyzer/boolean/solid_fault.h"
 
+#include "meshalyzer/base/runs.h"
 #include "meshalyzer/geometry/volume.h"
 #include "meshalyzer/mesh/edge_key.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -22,7 +24,8 @@ struct UnevenEdges {
 
 UnevenEdges count_uneven_edges(const Soup& soup) {
   // Each entry has the key of the edge, and the direction.
-  std::vector<std::pair<std::uint64_t, int>> sides;
+  using Side = std::pair<std::uint64_t, int>;
+  std::vector<Side> sides;
   sides.reserve(3 * soup.n_faces());
   for (const Triangle& t : soup.triangles) {
     if (!is_in_complex(t)) continue;
@@ -34,13 +37,11 @@ UnevenEdges count_uneven_edges(const Soup& soup) {
   }
   std::sort(sides.begin(), sides.end());
   UnevenEdges edges;
-  for (auto first = sides.begin(); first != sides.end();) {
-    auto last = first;
+  for_each_run(std::span(sides), &Side::first, [&](std::span<const Side> edge) {
     int sum = 0;
-    for (; last != sides.end() && last->first == first->first; ++last) sum += last->second;
-    if (sum != 0) ++(last - first == 1 ? edges.n_borders : edges.n_others);
-    first = last;
-  }
+    for (const Side& side : edge) sum += side.second;
+    if (sum != 0) ++(edge.size() == 1 ? edges.n_borders : edges.n_others);
+  });
   return edges;
 }
 

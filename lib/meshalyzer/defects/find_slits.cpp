@@ -1,6 +1,7 @@
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/runs.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/internal/places.h"
@@ -181,20 +182,19 @@ std::vector<NamedEdge> by_place(const Soup& soup, std::span<const BorderEdge> ed
 std::vector<Index> pair_equal(std::span<const NamedEdge> named, std::span<const BorderEdge> edges,
                               Slits& slits) {
   std::vector<Index> firsts;
-  for (std::size_t begin = 0, end = 0; begin < named.size(); begin = end) {
-    const Index first = named[begin].edge;
+  for_each_run(named, &NamedEdge::places, [&](std::span<const NamedEdge> equal) {
+    const Index first = equal[0].edge;
     firsts.push_back(first);
     Index of_other_face = kNoIndex;
-    for (end = begin; end < named.size() && named[end].places == named[begin].places; ++end) {
-      const Index edge = named[end].edge;
-      if (edges[edge].face != edges[first].face) {
-        slits.pair(first, edge, 0.0);
-        of_other_face = edge;
+    for (const NamedEdge& each : equal) {
+      if (edges[each.edge].face != edges[first].face) {
+        slits.pair(first, each.edge, 0.0);
+        of_other_face = each.edge;
       }
     }
-    if (of_other_face == kNoIndex) continue;
-    for (std::size_t i = begin; i < end; ++i) slits.pair(named[i].edge, of_other_face, 0.0);
-  }
+    if (of_other_face == kNoIndex) return;
+    for (const NamedEdge& each : equal) slits.pair(each.edge, of_other_face, 0.0);
+  });
   std::sort(firsts.begin(), firsts.end());
   return firsts;
 }

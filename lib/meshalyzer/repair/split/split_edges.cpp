@@ -1,4 +1,5 @@
 #include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/runs.h"
 #include "meshalyzer/repair/driver/internal/fixed_vertices.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/split/internal/copy_vertices.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -114,15 +116,12 @@ class EdgeCutter {
     }
     std::sort(by_ends.begin(), by_ends.end());
     bool has_changed = false;
-    for (std::size_t first = 0; first < by_ends.size();) {
-      std::size_t last = first;
-      while (last < by_ends.size() && by_ends[last].first == by_ends[first].first) ++last;
-      if (last - first > 2) {
-        for (std::size_t i = first; i < last; ++i) let_go(by_ends[i].second);
-        has_changed = true;
-      }
-      first = last;
-    }
+    const auto ends_of = [](const auto& incidence) { return incidence.first; };
+    for_each_run(std::span(by_ends), ends_of, [&](const auto& together) {
+      if (together.size() <= 2) return;
+      for (const auto& [ends, incidence] : together) let_go(incidence);
+      has_changed = true;
+    });
     if (!has_changed) return;
     for (const Index v : incidences_.ends[edge]) find_fans(incident_.entry_of(v));
   }

@@ -1,4 +1,5 @@
 #include "meshalyzer/base/items_by_group.h"
+#include "meshalyzer/base/runs.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/weld/internal/weld_candidates.h"
 #include "meshalyzer/repair/weld/internal/weld_chains.h"
@@ -39,12 +40,9 @@ void for_each_coincident(std::span<const WeldEdge> edges, std::span<const Index>
     sorted.assign(by_lower[place].begin(), by_lower[place].end());
     std::sort(sorted.begin(), sorted.end(),
               [&](Index a, Index b) { return std::pair(upper(a), a) < std::pair(upper(b), b); });
-    for (auto first = sorted.begin(); first != sorted.end();) {
-      const auto last =
-          std::find_if(first, sorted.end(), [&](Index e) { return upper(e) != upper(*first); });
-      if (last - first > 1) visit(std::span<const Index>(first, last));
-      first = last;
-    }
+    for_each_run(std::span<const Index>(sorted), upper, [&](std::span<const Index> group) {
+      if (group.size() > 1) visit(group);
+    });
   }
 }
 

@@ -3,11 +3,13 @@
 #include "meshalyzer/arrangement/exact_ray.h"
 #include "meshalyzer/arrangement/windings.h"
 #include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/runs.h"
 #include "meshalyzer/repair/cut/internal/face_edges.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 namespace meshalyzer {
@@ -18,14 +20,14 @@ std::vector<std::uint8_t> faces_of_closed_chains(const Soup& soup,
                                                  const std::vector<FaceEdge>& edges) {
   DisjointSets chains(soup.n_faces());
   std::vector<Index> open_at;
-  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+  for_each_run(std::span(edges), &FaceEdge::ends, [&](std::span<const FaceEdge> edge) {
     int sum = 0;
-    for (end = begin; end < edges.size() && edges[end].ends == edges[begin].ends; ++end) {
-      chains.unite(edges[begin].face, edges[end].face);
-      sum += edges[end].sign;
+    for (const FaceEdge& side : edge) {
+      chains.unite(edge[0].face, side.face);
+      sum += side.sign;
     }
-    if (sum != 0) open_at.push_back(edges[begin].face);
-  }
+    if (sum != 0) open_at.push_back(edge[0].face);
+  });
   std::vector<std::uint8_t> is_open(soup.n_faces(), 0);
   for (const Index face : open_at) is_open[chains.find(face)] = 1;
   std::vector<std::uint8_t> is_closed(soup.n_faces());
@@ -45,16 +47,16 @@ struct EdgeCounts {
 std::vector<EdgeCounts> count_edges(const ArrangedSoup& arranged,
                                     const std::vector<FaceEdge>& edges) {
   std::vector<EdgeCounts> counts(arranged.cells.n_components);
-  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+  for_each_run(std::span(edges), &FaceEdge::ends, [&](std::span<const FaceEdge> edge) {
     Index component = kNoIndex;
-    for (end = begin; end < edges.size() && edges[end].ends == edges[begin].ends; ++end) {
-      if (component == kNoIndex) component = arranged.component_of_face(edges[end].face);
+    for (const FaceEdge& side : edge) {
+      if (component == kNoIndex) component = arranged.component_of_face(side.face);
     }
-    if (component == kNoIndex) continue;
+    if (component == kNoIndex) return;
     EdgeCounts& count = counts[component];
     ++count.all;
-    if (end == begin + 1) ++count.border;
-  }
+    if (edge.size() == 1) ++count.border;
+  });
   return counts;
 }
 

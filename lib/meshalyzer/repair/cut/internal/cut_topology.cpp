@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/cut/internal/cut_topology.h"
 
 #include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/runs.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/repair/cut/internal/face_edges.h"
 
@@ -14,13 +15,11 @@ SurfaceTopology topology_of(std::span<const Triangle> faces) {
   const std::vector<FaceEdge> edges = sorted_edges(faces);
   DisjointSets connected(faces.size());
   std::size_t n_edges = 0;
-  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    for (end = begin; end < edges.size() && edges[end].ends == edges[begin].ends; ++end) {
-      connected.unite(edges[begin].face, edges[end].face);
-    }
+  for_each_run(std::span(edges), &FaceEdge::ends, [&](std::span<const FaceEdge> edge) {
+    for (const FaceEdge& side : edge) connected.unite(edge[0].face, side.face);
     ++n_edges;
-    topology.is_manifold = topology.is_manifold && end - begin <= 2;
-  }
+    topology.is_manifold = topology.is_manifold && edge.size() <= 2;
+  });
   topology.components = connected.number_all().count;
   topology.euler_characteristic = static_cast<std::ptrdiff_t>(vertices.size()) -
                                   static_cast<std::ptrdiff_t>(n_edges) +

@@ -1,11 +1,14 @@
 #include "meshalyzer/repair/driver/internal/merge_rule.h"
 
+#include "meshalyzer/base/items_by_group.h"
+#include "meshalyzer/base/runs.h"
 #include "meshalyzer/repair/driver/internal/orientation_rule.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -74,41 +77,27 @@ class MergeCheck {
 
   /// Sorts the sides into buckets by their lower end, and examines those of each edge together.
   void look_at_edges() {
-    std::vector<Index> begin(representative_.size() + 1, 0);
-    for_each_side([&](Index lower, const JoinedSide&) { ++begin[lower]; });
-    Index sum = 0;
-    for (Index& b : begin) b = sum += b;
-    std::vector<JoinedSide> sides(sum);
-    for_each_side([&](Index lower, const JoinedSide& side) { sides[--begin[lower]] = side; });
-    for (std::size_t lower = 0; lower + 1 < begin.size(); ++lower) {
-      const auto bucket = std::span(sides).subspan(begin[lower], begin[lower + 1] - begin[lower]);
-      std::sort(bucket.begin(), bucket.end());
-      look_at_bucket(static_cast<Index>(lower), bucket);
-    }
-  }
-
-  template <typename Visit>
-  void for_each_side(Visit&& visit) const {
-    for (std::size_t k = 0; k < affected_.size(); ++k) {
-      const Triangle t = joined(soup_.triangles[affected_[k]]);
-      if (!is_in_complex(t)) continue;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Index a = t[i];
-        const Index b = t[(i + 1) % 3];
-        visit(std::min(a, b), JoinedSide{.end = std::max(a, b),
-                                         .third = t[(i + 2) % 3],
-                                         .side = static_cast<Index>(3 * k + i)});
+    const ItemsByGroup sides(representative_.size(), [&](const auto& use) {
+      for (Index k = 0; k < affected_.size(); ++k) {
+        const Triangle t = joined(soup_.triangles[affected_[k]]);
+        if (!is_in_complex(t)) continue;
+        for (Index i = 0; i < 3; ++i) use(std::min(t[i], t[(i + 1) % 3]), 3 * k + i);
       }
+    });
+    std::vector<JoinedSide> bucket;
+    for (Index lower = 0; lower < sides.size(); ++lower) {
+      bucket.clear();
+      for (const Index side : sides[lower]) bucket.push_back(joined_side(side));
+      std::sort(bucket.begin(), bucket.end());
+      for_each_run(std::span<const JoinedSide>(bucket), &JoinedSide::end,
+                   [&](std::span<const JoinedSide> edge) { look_at_edge(lower, edge); });
     }
   }
 
-  void look_at_bucket(Index lower, std::span<const JoinedSide> bucket) {
-    for (std::size_t begin = 0; begin < bucket.size();) {
-      std::size_t end = begin + 1;
-      while (end < bucket.size() && bucket[end].end == bucket[begin].end) ++end;
-      look_at_edge(lower, bucket.subspan(begin, end - begin));
-      begin = end;
-    }
+  [[nodiscard]] JoinedSide joined_side(Index side) const {
+    const Triangle t = joined(soup_.triangles[affected_[side / 3]]);
+    const Index i = side % 3;
+    return {.end = std::max(t[i], t[(i + 1) % 3]), .third = t[(i + 2) % 3], .side = side};
   }
 
   void look_at_edge(Index lower, std::span<const JoinedSide> sides) {

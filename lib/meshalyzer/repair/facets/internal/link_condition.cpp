@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/facets/internal/link_condition.h"
 
 #include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/runs.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -35,16 +36,13 @@ struct FanCount {
 
 FanCount join_fans(std::span<const SideAtVertex> sides, std::size_t n_faces) {
   FanCount result{DisjointSets(n_faces), {}};
-  for (std::size_t begin = 0; begin < sides.size();) {
-    std::size_t end = begin;
-    while (end < sides.size() && sides[end].first == sides[begin].first) ++end;
-    if (end - begin == 2) {
-      result.fan_of.unite(sides[begin].second, sides[begin + 1].second);
+  for_each_run(sides, &SideAtVertex::first, [&](std::span<const SideAtVertex> edge) {
+    if (edge.size() == 2) {
+      result.fan_of.unite(edge[0].second, edge[1].second);
     } else {
-      result.odd_edges.push_back(sides.subspan(begin, end - begin));
+      result.odd_edges.push_back(edge);
     }
-    begin = end;
-  }
+  });
   return result;
 }
 

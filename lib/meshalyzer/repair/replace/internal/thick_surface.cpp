@@ -1,12 +1,14 @@
 #include "meshalyzer/repair/replace/internal/thick_surface.h"
 
 #include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/runs.h"
 #include "meshalyzer/exact/normal.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
 #include <utility>
 
 namespace meshalyzer {
@@ -93,18 +95,14 @@ class Thickening {
   }
 
   void join_all_sides() {
-    for (std::size_t begin = 0; begin < edges_.size();) {
-      std::size_t end = begin + 1;
-      while (end < edges_.size() && edges_[end].ends == edges_[begin].ends) ++end;
-      const auto edge = std::span(edges_).subspan(begin, end - begin);
-      begin = end;
+    for_each_run(std::span(edges_), &FaceRoundEdge::ends, [&](std::span<FaceRoundEdge> edge) {
       if (edge.size() == 1) {
         borders_.emplace_back(edge.front().face, edge.front().corner);
-        continue;
+        return;
       }
       if (edge.size() > 2) sort_round(edge);
       for (std::size_t i = 0; i < edge.size(); ++i) join(edge[i], edge[(i + 1) % edge.size()]);
-    }
+    });
   }
 
   /// Joins the side of a face that faces forward round the edge to the side of the next face that

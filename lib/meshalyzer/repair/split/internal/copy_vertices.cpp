@@ -1,6 +1,9 @@
 #include "meshalyzer/repair/split/internal/copy_vertices.h"
 
+#include "meshalyzer/base/runs.h"
+
 #include <algorithm>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -102,13 +105,8 @@ Edits copy_vertices(const Soup& soup, const IncidentFaces& incident, std::span<c
   }
   VertexCopier cutter(soup, incident);
   cutter.add_copies(fans, together);
-  const std::span<const NewCorner> all(corners);
-  for (std::size_t first = 0; first < all.size();) {
-    std::size_t last = first + 1;
-    while (last < all.size() && all[last].face == all[first].face) ++last;
-    cutter.change_face(all.subspan(first, last - first));
-    first = last;
-  }
+  for_each_run(std::span(corners), &NewCorner::face,
+               [&](std::span<const NewCorner> of_face) { cutter.change_face(of_face); });
   return cutter.take();
 }
 

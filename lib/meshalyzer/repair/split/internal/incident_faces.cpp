@@ -1,8 +1,10 @@
 #include "meshalyzer/repair/split/internal/incident_faces.h"
 
 #include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/runs.h"
 
 #include <algorithm>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -72,12 +74,8 @@ std::vector<Index> find_fans_at(const Soup& soup, const IncidentFaces& incident,
                                 const JoinWideEdge& join) {
   const std::vector<Spoke> spokes = find_spokes(soup, incident, entry);
   DisjointSets joined(incident.faces(entry).size());
-  for (auto first = spokes.begin(); first != spokes.end();) {
-    const auto last = std::find_if(first, spokes.end(),
-                                   [&](const Spoke& spoke) { return spoke.other != first->other; });
-    join_edge({first, last}, join, joined);
-    first = last;
-  }
+  for_each_run(std::span(spokes), &Spoke::other,
+               [&](std::span<const Spoke> edge) { join_edge(edge, join, joined); });
   return joined.number_all().of;
 }
 
