@@ -74,8 +74,7 @@ struct Arrangement {
   [[nodiscard]] std::span<const Index> pieces_of(Index face) const { return pieces_of_faces[face]; }
   /// Returns the nearest doubles of the corners of a piece.
   [[nodiscard]] Corners corners_of(std::size_t piece) const {
-    const auto& [a, b, c] = pieces[piece];
-    return {positions[a], positions[b], positions[c]};
+    return meshalyzer::corners_of(positions, pieces[piece]);
   }
   /// Returns how often the faces cover a piece; faces of opposite orientation count negative.
   [[nodiscard]] int multiplicity(std::size_t piece) const;

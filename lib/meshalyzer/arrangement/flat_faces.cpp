@@ -31,8 +31,8 @@ std::vector<Index> find_flat_faces(const Soup& soup) {
     std::vector<Index> flat;
     for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
       if (!is_in_complex(soup.triangles[f])) continue;
-      const auto corners = corners_of(soup, static_cast<Index>(f));
-      if (are_collinear(corners[0], corners[1], corners[2])) flat.push_back(static_cast<Index>(f));
+      const auto face = static_cast<Index>(f);
+      if (are_collinear(corners_of(soup, face))) flat.push_back(face);
     }
     return flat;
   });

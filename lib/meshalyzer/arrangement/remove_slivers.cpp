@@ -27,8 +27,7 @@ struct ThinPart {
 };
 
 std::optional<ThinPart> thin_part_of(const RoundedFaces& faces, Index face, double width) {
-  const auto& [a, b, c] = faces.triangles[face];
-  const Corners corners{faces.positions[a], faces.positions[b], faces.positions[c]};
+  const Corners corners = corners_of(faces.positions, faces.triangles[face]);
   const auto lengths = side_lengths(corners);
   const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
   if (*shortest < width) {

@@ -80,9 +80,8 @@ void RoundedFaceEdits::add(const Triangle& t, Index like) {
 
 bool RoundedFaceEdits::stays(Index face) const {
   if (is_removed(face)) return false;
-  const auto& [a, b, c] = faces_.triangles[face];
-  const std::vector<Vec3>& at = faces_.positions;
-  return faces_.ages[face] == FaceAge::Old || !are_collinear(at[a], at[b], at[c]);
+  return faces_.ages[face] == FaceAge::Old ||
+         !are_collinear(corners_of(faces_.positions, faces_.triangles[face]));
 }
 
 }  // namespace meshalyzer

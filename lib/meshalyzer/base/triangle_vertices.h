@@ -11,6 +11,11 @@ namespace meshalyzer {
   return std::find(t.begin(), t.end(), vertex) != t.end();
 }
 
+/// Returns the corner of a face that is neither of two others.
+[[nodiscard]] inline Index third_corner(const Triangle& t, Index a, Index b) {
+  return *std::find_if(t.begin(), t.end(), [&](Index v) { return v != a && v != b; });
+}
+
 /// Returns a face with one vertex in the place of another.
 [[nodiscard]] inline Triangle with_corner(Triangle t, Index old, Index vertex) {
   std::replace(t.begin(), t.end(), old, vertex);

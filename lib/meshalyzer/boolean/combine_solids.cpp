@@ -3,6 +3,7 @@
 #include "meshalyzer/arrangement/arrange.h"
 #include "meshalyzer/arrangement/cells.h"
 #include "meshalyzer/arrangement/round_vertices.h"
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/boolean/internal/boundary_pieces.h"
 #include "meshalyzer/exact/exact_point.h"
@@ -44,7 +45,7 @@ void require_operands(const Operands& operands) {
 }
 
 bool has_area(const std::vector<Vec3>& positions, const Triangle& t) {
-  return is_in_complex(t) && !are_collinear(positions[t[0]], positions[t[1]], positions[t[2]]);
+  return is_in_complex(t) && !are_collinear(corners_of(positions, t));
 }
 
 /// Combines operands, round by round: the first round cuts and selects, later ones cut what

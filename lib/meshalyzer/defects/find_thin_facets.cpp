@@ -43,7 +43,7 @@ double altitude_in_units(const Corners& p, double longest) {
 double shortest_altitude(const Corners& p, double longest) {
   // Squares of lengths in this range neither overflow nor underflow.
   const bool is_usual = longest > 1e-100 && longest < 1e100;
-  if (are_collinear(p[0], p[1], p[2])) return 0.0;
+  if (are_collinear(p)) return 0.0;
   const double altitude =
       is_usual ? accurate_normal(p).stableNorm() / longest : altitude_in_units(p, longest);
   return std::max(altitude, std::numeric_limits<double>::denorm_min());
@@ -84,7 +84,7 @@ class ThinFacetFinder {
     for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
       const Triangle& t = soup_.triangles[f];
       if (!has_all_corners(t)) continue;
-      const Corners p{soup_.positions[t[0]], soup_.positions[t[1]], soup_.positions[t[2]]};
+      const Corners p = corners_of(soup_.positions, t);
       if (!glance_.is_surely_thick(p)) look_closely(static_cast<Index>(f), p, found);
     }
     return found;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/base/types.h"
+#include "meshalyzer/base/corners.h"
 
 #include <cstdint>
 #include <optional>
@@ -41,6 +41,11 @@ enum class Axis : std::uint8_t { X = 0, Y = 1, Z = 2 };
 
 /// Tells whether three points lie on one line, exactly: a triangle of zero area.
 [[nodiscard]] bool are_collinear(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// Tells the same of the corners of a triangle.
+[[nodiscard]] inline bool are_collinear(const Corners& t) {
+  return are_collinear(t[0], t[1], t[2]);
+}
 
 /// Returns an axis along which the triangle projects to non-zero area: that of the largest
 /// projection if the filter can tell.

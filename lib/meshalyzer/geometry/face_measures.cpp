@@ -106,7 +106,7 @@ FaceMeasures measure_faces(const TriMesh& mesh, std::span<const double> edge_len
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       const FaceHandle face(static_cast<int>(i));
       const Corners p = face_corners(mesh, face);
-      if (are_collinear(p[0], p[1], p[2])) {
+      if (are_collinear(p)) {
         measures.area[i] = 0.0;
         measures.aspect_ratio[i] = std::numeric_limits<double>::infinity();
         measures.corner_angle[i] = 0.0;

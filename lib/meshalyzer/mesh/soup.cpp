@@ -1,5 +1,7 @@
 #include "meshalyzer/mesh/soup.h"
 
+#include "meshalyzer/base/corners.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -24,8 +26,7 @@ std::string_view format_name(Format format) {
 }
 
 std::array<Vec3, 3> corners_of(const Soup& soup, Index face) {
-  const Triangle& t = soup.triangles[face];
-  return {soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]};
+  return corners_of(soup.positions, soup.triangles[face]);
 }
 
 bool have_equal_corners(const Soup& soup, Index a, Index b) {

@@ -152,7 +152,7 @@ std::vector<Corners> closing_triangles(std::span<const Corners> triangles) {
   result.reserve(closing.size());
   for (Triangle& t : closing) {
     if (is_turned[t[0]] != 0) std::swap(t[1], t[2]);
-    result.push_back({merged.positions[t[0]], merged.positions[t[1]], merged.positions[t[2]]});
+    result.push_back(corners_of(merged.positions, t));
   }
   return result;
 }

@@ -175,8 +175,8 @@ std::optional<ContactKind> found_if(bool contact, ContactKind kind) {
 
 std::optional<ContactKind> find_degenerate_contact(const Corners& p, const Corners& q,
                                                    Common common) {
-  const bool thin_p = are_collinear(p[0], p[1], p[2]);
-  const bool thin_q = are_collinear(q[0], q[1], q[2]);
+  const bool thin_p = are_collinear(p);
+  const bool thin_q = are_collinear(q);
   if (!thin_p) {
     return find_degenerate_contact(q, p, common);
   }

@@ -153,8 +153,7 @@ class FaceOrder {
   }
 
   [[nodiscard]] Corners corners_of(const FaceMiddle& face) const {
-    const Triangle& t = triangles_[face.face];
-    return {points_[t[0]], points_[t[1]], points_[t[2]]};
+    return meshalyzer::corners_of(points_, triangles_[face.face]);
   }
 
   std::span<const Triangle> triangles_;

@@ -326,7 +326,7 @@ std::optional<ContactKind> find_contact(const Corners& p, const Corners& q, Comm
   if (are_clearly_apart(p, q, common)) {
     return std::nullopt;
   }
-  if (are_collinear(p[0], p[1], p[2]) || are_collinear(q[0], q[1], q[2])) {
+  if (are_collinear(p) || are_collinear(q)) {
     return find_degenerate_contact(p, q, common);
   }
   switch (common) {

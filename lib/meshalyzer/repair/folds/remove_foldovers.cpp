@@ -1,3 +1,4 @@
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/defects/finders.h"
@@ -354,7 +355,7 @@ std::vector<PlacedFace> FoldoverRemover::replacement_for(const FaceDisc& disc) c
   for (const Triangle& t : triangles) {
     replacement.push_back({{cut_.side.vertex(vertices[t[0]]), cut_.side.vertex(vertices[t[1]]),
                             cut_.side.vertex(vertices[t[2]])},
-                           {outline[t[0]], outline[t[1]], outline[t[2]]}});
+                           corners_of(outline, t)});
   }
   return replacement;
 }

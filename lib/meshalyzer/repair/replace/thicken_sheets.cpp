@@ -35,8 +35,7 @@ std::vector<Index> distinct_faces(const Soup& soup, std::span<const Index> faces
   std::vector<Index> distinct;
   std::set<Triangle> known;
   for (const Index face : faces) {
-    const auto [a, b, c] = corners_of(soup, face);
-    if (are_collinear(a, b, c)) continue;
+    if (are_collinear(corners_of(soup, face))) continue;
     Triangle sorted = soup.triangles[face];
     std::sort(sorted.begin(), sorted.end());
     if (known.insert(sorted).second) distinct.push_back(face);

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/arrangement/arrange.h"
 #include "meshalyzer/arrangement/remove_slivers.h"
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/mesh/build.h"
@@ -51,7 +52,7 @@ constexpr int kThinFacetRounds = 4;
 constexpr std::size_t kRoundOfThinFacets = 1;
 
 bool is_flat(const std::vector<Vec3>& positions, const Triangle& t) {
-  return are_collinear(positions[t[0]], positions[t[1]], positions[t[2]]);
+  return are_collinear(corners_of(positions, t));
 }
 
 /// Tells whether faces stay as they are in the end.

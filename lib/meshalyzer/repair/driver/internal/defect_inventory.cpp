@@ -50,9 +50,7 @@ class Inventory {
     std::vector<std::uint8_t> is_flat(cut_.side.faces.size());
     parallel_chunks(is_flat.size(), [&](Chunk chunk) {
       for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-        const Triangle& t = soup.triangles[cut_.side.faces[i]];
-        is_flat[i] =
-            are_collinear(soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]) ? 1 : 0;
+        is_flat[i] = are_collinear(corners_of(soup, cut_.side.faces[i])) ? 1 : 0;
       }
     });
     for (std::size_t i = 0; i < is_flat.size(); ++i) {

@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/driver/internal/face_cover.h"
 
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/base/lexicographic.h"
 #include "meshalyzer/base/point_table.h"
 #include "meshalyzer/base/sort_unique.h"
@@ -41,9 +42,7 @@ struct IndexedParts {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
 
-  [[nodiscard]] Corners corners(const Triangle& t) const {
-    return {points[t[0]], points[t[1]], points[t[2]]};
-  }
+  [[nodiscard]] Corners corners(const Triangle& t) const { return corners_of(points, t); }
 };
 
 IndexedParts index_corners(std::span<const Corners> parts) {

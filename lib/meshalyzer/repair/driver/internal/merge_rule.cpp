@@ -63,16 +63,14 @@ class MergeCheck {
     for (std::size_t i = 0; i < 3; ++i) {
       moves[i] = soup_.positions[before[i]] != soup_.positions[after[i]];
     }
-    if (!(moves[0] || moves[1] || moves[2]) || keeps_orientation(corners(before), corners(after))) {
+    const bool moves_any = moves[0] || moves[1] || moves[2];
+    if (!moves_any || keeps_orientation(corners_of(soup_.positions, before),
+                                        corners_of(soup_.positions, after))) {
       return;
     }
     for (std::size_t i = 0; i < 3; ++i) {
       if (moves[i]) reject(after[i], MergeRejection::TurnOver);
     }
-  }
-
-  [[nodiscard]] Corners corners(const Triangle& t) const {
-    return {soup_.positions[t[0]], soup_.positions[t[1]], soup_.positions[t[2]]};
   }
 
   /// Sorts the sides into buckets by their lower end, and examines those of each edge together.

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/runs.h"
+#include "meshalyzer/base/triangle_vertices.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -61,8 +62,7 @@ bool has_twice(const std::vector<Index>& ascending) {
 std::vector<Index> apexes(const WorkingMesh& mesh, Index a, Index b) {
   std::vector<Index> result;
   for (const Index f : mesh.faces_at(a, b)) {
-    const Triangle& t = mesh.triangle(f);
-    result.push_back(*std::find_if(t.begin(), t.end(), [&](Index v) { return v != a && v != b; }));
+    result.push_back(third_corner(mesh.triangle(f), a, b));
   }
   std::sort(result.begin(), result.end());
   return result;

@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/facets/internal/retract_cap.h"
 
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/repair/facets/internal/facet_shape.h"
 #include "meshalyzer/repair/facets/internal/link_condition.h"
 #include "meshalyzer/spatial/triangle_distance.h"
@@ -57,7 +58,7 @@ class Retraction {
   [[nodiscard]] SplitFace split(Index face) const {
     const Triangle& t = mesh_.triangle(face);
     SplitFace result{face, kNoIndex, {t, t}};
-    result.tip = *std::find_if(t.begin(), t.end(), [&](Index v) { return v != a_ && v != b_; });
+    result.tip = third_corner(t, a_, b_);
     std::replace(result.halves[0].begin(), result.halves[0].end(), b_, apex_);
     std::replace(result.halves[1].begin(), result.halves[1].end(), a_, apex_);
     return result;

@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/facets/internal/widen_facet.h"
 
+#include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/repair/facets/internal/face_changes.h"
 #include "meshalyzer/repair/facets/internal/facet_shape.h"
 
@@ -87,9 +88,7 @@ class Widening {
     std::vector<Index> tips;
     for (const Index f : mesh_.faces_at(from, to)) {
       if (f == face_) continue;
-      const Triangle& t = mesh_.triangle(f);
-      tips.push_back(
-          *std::find_if(t.begin(), t.end(), [&](Index v) { return v != from && v != to; }));
+      tips.push_back(third_corner(mesh_.triangle(f), from, to));
     }
     return tips;
   }

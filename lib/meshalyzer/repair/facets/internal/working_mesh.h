@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/mesh/soup.h"
 #include "meshalyzer/repair/facets/internal/mend_step.h"
@@ -28,9 +29,7 @@ class WorkingMesh {
   [[nodiscard]] std::size_t n_faces() const { return triangles_.size(); }
   [[nodiscard]] std::size_t n_vertices() const { return positions_.size(); }
   [[nodiscard]] const Vec3& position(Index vertex) const { return positions_[vertex]; }
-  [[nodiscard]] Corners corners(const Triangle& t) const {
-    return {positions_[t[0]], positions_[t[1]], positions_[t[2]]};
-  }
+  [[nodiscard]] Corners corners(const Triangle& t) const { return corners_of(positions_, t); }
   /// Returns the corners that a face would have after a step.
   [[nodiscard]] Corners corners_after(const MendStep& step, const Triangle& t) const;
   [[nodiscard]] bool is_thin(Index face) const { return is_thin_[face] != 0; }

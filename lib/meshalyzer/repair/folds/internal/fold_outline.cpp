@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/folds/internal/fold_outline.h"
 
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/exact/plane_view.h"
@@ -105,10 +106,7 @@ std::optional<Vec3> middle_of_kernel(std::span<const Vec3> outline) {
 
 std::vector<Triangle> cut_ears(std::span<const Vec3> outline, const MayJoin& may_join) {
   const EarRules best_shaped_first{
-      .cost =
-          [outline](const Triangle& t) {
-            return -shape_quality({outline[t[0]], outline[t[1]], outline[t[2]]});
-          },
+      .cost = [outline](const Triangle& t) { return -shape_quality(corners_of(outline, t)); },
       .allows = [&may_join](const Triangle& t) { return may_join(t[0], t[2]); }};
   EarCutter cutter(outline, {view_of(outline)}, best_shaped_first);
   while (cutter.n_left() > 2) {

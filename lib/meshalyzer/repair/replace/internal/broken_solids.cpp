@@ -43,9 +43,8 @@ class BrokenFaces {
     for (const Index v : cut_.side.non_manifold_vertices) is_pinched[v] = 1;
     for (const Index face : cut_.side.faces) {
       const Triangle& t = soup.triangles[face];
-      const auto [a, b, c] = corners_of(soup, face);
       if (std::any_of(t.begin(), t.end(), [&](Index v) { return is_pinched[v] != 0; }) ||
-          are_collinear(a, b, c)) {
+          are_collinear(corners_of(soup, face))) {
         is_broken_[face] = 1;
       }
     }

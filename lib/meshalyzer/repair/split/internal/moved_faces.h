@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/spatial/triangle_contact.h"
 
@@ -19,9 +20,7 @@ class MovedMesh {
 
   [[nodiscard]] const Vec3& position(Index vertex) const { return positions_[vertex]; }
   [[nodiscard]] const Triangle& triangle(Index face) const { return mesh_.soup().triangles[face]; }
-  [[nodiscard]] Corners corners(const Triangle& t) const {
-    return {positions_[t[0]], positions_[t[1]], positions_[t[2]]};
-  }
+  [[nodiscard]] Corners corners(const Triangle& t) const { return corners_of(positions_, t); }
 
   void move(std::span<const Index> vertices, const Vec3& to);
 

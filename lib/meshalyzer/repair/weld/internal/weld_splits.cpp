@@ -144,17 +144,14 @@ class Splitter {
     return t;
   }
 
-  [[nodiscard]] Corners corners(const Triangle& t) const {
-    return {soup_.positions[t[0]], soup_.positions[t[1]], soup_.positions[t[2]]};
-  }
   /// Tells whether all parts face the same side as the whole faces, and have an area.
   [[nodiscard]] bool parts_face_one_way(const Closing& closing) const {
     return std::all_of(closing.faces.begin(), closing.faces.end(), [&](const FaceSplit& split) {
-      const Corners whole = corners(soup_.triangles[split.face]);
-      return !are_collinear(whole[0], whole[1], whole[2]) &&
+      const Corners whole = corners_of(soup_, split.face);
+      return !are_collinear(whole) &&
              std::all_of(split.parts.begin(), split.parts.end(), [&](const Triangle& part) {
                const Triangle t = joined(part, closing);
-               return is_in_complex(t) && keeps_orientation(whole, corners(t));
+               return is_in_complex(t) && keeps_orientation(whole, corners_of(soup_.positions, t));
              });
     });
   }
