@@ -51,12 +51,26 @@ namespace meshalyzer {
 [[nodiscard]] PassResult widen_facets(const PassInput& input);
 
 /// Joins border edges, only with border edges, and never so that an edge gets a third face: those
-/// at exactly the same position first, then those whose ends are within `within`. If several could
-/// be joined, those are that leave each solid closed. If several short edges lie along a long one,
-/// as at T-junctions, the face of the long one is split at their vertices.
+/// at exactly the same position first, then those whose ends are within PassInput::length. If
+/// several could be joined, those are that leave each solid closed. If several short edges lie
+/// along a long one, as at T-junctions, the face of the long one is split at their vertices. Joined
+/// vertices become the fixed one, that with most faces, or lowest.
 ///
-/// @param within  A length. Joined vertices become the fixed one, that with most faces, or lowest.
+/// If the length is longer than `within`, that of the user, because a step ends behind it, only
+/// those are joined for which it makes no difference: no distance between the two decides about
+/// them, nor about edges that they are connected with. So of the joins that a greater `within`
+/// makes in this step, a smaller one makes none or those that it would make anyway.
 [[nodiscard]] PassResult weld_borders(const PassInput& input, double within);
+
+/// Returns the length of a step before PassInput::length in which weld_borders() may join an edge
+/// at a changed vertex, or else that of the next step in which it may join more; nothing if
+/// `within` is reached. The steps depend on the mesh, but not on `within`. The first one ends at
+/// Tolerances::degeneracy.
+///
+/// @param changed  The vertices, by key, ascending.
+/// @complexity     O(#F + n log n) for n border edges, unless they are dense.
+[[nodiscard]] std::optional<double> next_weld_length(const PassInput& input, double within,
+                                                     std::span<const Index> changed);
 
 /// Cuts the mesh at edges with more than two faces, into sheets that are manifold there: faces are
 /// paired round the edge by angle, so that each solid stays closed.

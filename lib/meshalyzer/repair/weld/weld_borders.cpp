@@ -7,7 +7,6 @@
 #include "meshalyzer/repair/weld/internal/weld_lengths.h"
 #include "meshalyzer/repair/weld/internal/weld_matching.h"
 #include "meshalyzer/repair/weld/internal/weld_operations.h"
-#include "meshalyzer/repair/weld/internal/weld_over_growing_lengths.h"
 #include "meshalyzer/repair/weld/internal/weld_pairing.h"
 #include "meshalyzer/repair/weld/internal/weld_splits.h"
 
@@ -121,10 +120,8 @@ void close_junctions(WeldState& state, std::span<const Index> places,
   add_split_operations(state, find_interleaved_cracks(edges, wanted));
 }
 
-/// Welds these edges.
-///
-/// @param within  The largest distance over which they are joined.
-PassResult weld(const PassInput& input, std::span<const WeldEdge> edges, double within) {
+/// Welds these edges within PassInput::length.
+PassResult weld(const PassInput& input, std::span<const WeldEdge> edges) {
   if (edges.empty()) return {};
   const Soup& soup = input.tracked.soup;
   const std::vector<Index> places = find_weld_places(soup.positions, edges);
@@ -132,7 +129,7 @@ PassResult weld(const PassInput& input, std::span<const WeldEdge> edges, double 
   const bool is_smallest = input.operation_size == OperationSize::Smallest;
   const WeldRules rules{.input = input,
                         .faces_at_vertices = faces_at_vertices,
-                        .reach = is_smallest ? kShorter * within : within};
+                        .reach = is_smallest ? kShorter * input.length : input.length};
   WeldState state{.rules = rules,
                   .edges = edges,
                   .is_busy = std::vector<std::uint8_t>(soup.n_vertices(), 0),
@@ -172,19 +169,15 @@ std::vector<Index> edges_at(std::span<const WeldEdge> edges, const TrackedMesh& 
 }  // namespace
 
 PassResult weld_borders(const PassInput& input, double within) {
-  return weld(input, find_weld_edges(input.mesh), limit_of(input, within));
-}
-
-PassResult weld_over_growing_lengths(const PassInput& input, double within) {
   const std::vector<WeldEdge> edges = find_weld_edges(input.mesh);
   const double limit = limit_of(input, within);
-  if (input.length <= limit) return weld(input, edges, input.length);
+  if (input.length <= limit) return weld(input, edges);
   const WeldDistances distances(input.tracked.soup.positions, edges);
   std::vector<WeldEdge> unaffected;
   for (const Index e : distances.edges_without_distance(limit, input.length)) {
     unaffected.push_back(edges[e]);
   }
-  return weld(input, unaffected, input.length);
+  return weld(input, unaffected);
 }
 
 std::optional<double> next_weld_length(const PassInput& input, double within,

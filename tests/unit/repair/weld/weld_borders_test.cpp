@@ -359,7 +359,7 @@ TEST(WeldBorders, OperationsAreIndependent) {
     for (std::uint32_t round = 0; round < 5; ++round) {
       const PreparedMesh mesh(tracked.soup);
       const RepairLimits limits = any_distance();
-      const Edits edits = weld_borders({tracked.soup, tracked, mesh, {}, limits}, 0.05).edits;
+      const Edits edits = weld(0.05)({tracked.soup, tracked, mesh, {}, limits}).edits;
       if (edits.empty()) break;
       std::set<Index> faces;
       for (const Edits::ChangedFace& face : edits.changed_faces) {

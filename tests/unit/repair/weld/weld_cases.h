@@ -103,7 +103,10 @@ inline Soup slit_open(Soup soup, const std::vector<Index>& chain) {
 }
 
 inline PassFunction weld(double within) {
-  return [within](const PassInput& input) { return weld_borders(input, within); };
+  return [within](PassInput input) {
+    input.length = std::min(within, input.limits.max_deviation);
+    return weld_borders(input, within);
+  };
 }
 
 inline RepairLimits any_distance() {

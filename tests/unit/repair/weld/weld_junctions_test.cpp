@@ -178,7 +178,7 @@ TEST(WeldBorders, SmallerOperationsJoinWithinHalfOfTheLength) {
     const Soup torn = interleaved_crack(0.001, {0.3, 0.7}, {0.5});
     const PassFunction pass = [&](PassInput input) {
       input.operation_size = size;
-      return weld_borders(input, within);
+      return weld(within)(input);
     };
     return run_pass(torn, pass).operations;
   };

@@ -1,7 +1,6 @@
 #include "meshalyzer/repair/driver/internal/plan.h"
 
 #include "meshalyzer/repair/driver/internal/remembered_pass.h"
-#include "meshalyzer/repair/weld/internal/weld_over_growing_lengths.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -37,15 +36,14 @@ class Planner {
 /// Returns the pass that joins borders within a length: over growing lengths, so that near borders
 /// come first and a larger length closes no less than a smaller one.
 PlannedPass weld(double within) {
-  return {
-      .name = "weld borders",
-      .code = DefectCode::Slit,
-      .run = [within](const PassInput& input) { return weld_over_growing_lengths(input, within); },
-      .may_create = {DefectCode::Flipped},
-      .lengths =
-          [within](const PassInput& input, std::span<const Index> changed) {
-            return next_weld_length(input, within, changed);
-          }};
+  return {.name = "weld borders",
+          .code = DefectCode::Slit,
+          .run = [within](const PassInput& input) { return weld_borders(input, within); },
+          .may_create = {DefectCode::Flipped},
+          .lengths =
+              [within](const PassInput& input, std::span<const Index> changed) {
+                return next_weld_length(input, within, changed);
+              }};
 }
 
 /// Plans the operations that the user asks for by name, independently of the codes to be fixed.

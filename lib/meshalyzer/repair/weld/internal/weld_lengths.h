@@ -12,7 +12,7 @@
 
 namespace meshalyzer {
 
-// Private to weld_over_growing_lengths(): the lengths over which borders are welded.
+// Private to weld_borders(): the lengths over which borders are welded.
 
 /// The steps in which lengths grow. Where they end does not depend on how far they go, so that
 /// repairs within different lengths have them in common.
