@@ -1,12 +1,14 @@
 #include "meshalyzer/repair/weld/internal/weld_matching.h"
 
 #include "meshalyzer/base/disjoint_sets.h"
+#include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/repair/weld/internal/weld_pairing.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <numeric>
 #include <queue>
 #include <string_view>
@@ -19,36 +21,18 @@ namespace {
 /// Edges isolated by this multiple of their own distance belong together, whatever else is near.
 constexpr double kIsolation = 8.0;
 
-/// Candidates sorted into groups of edges that are connected by them.
-class CandidateGroups {
- public:
-  /// @param chosen  The candidates to sort, ascending.
-  CandidateGroups(std::span<const WeldJoin> candidates, std::vector<Index> chosen,
-                  std::size_t n_edges)
-      : order_(std::move(chosen)) {
-    DisjointSets sets(n_edges);
-    for (const Index c : order_) sets.unite(candidates[c].first, candidates[c].second);
-    std::vector<std::pair<Index, Index>> by_group;
-    by_group.reserve(order_.size());
-    for (const Index c : order_) by_group.emplace_back(sets.find(candidates[c].first), c);
-    std::sort(by_group.begin(), by_group.end());
-    for (std::size_t i = 0; i < by_group.size(); ++i) {
-      order_[i] = by_group[i].second;
-      if (i == 0 || by_group[i].first != by_group[i - 1].first) begin_.push_back(i);
-    }
-    begin_.push_back(order_.size());
-  }
-
-  [[nodiscard]] std::size_t size() const { return begin_.size() - 1; }
-  /// Candidates of a group, by index, ascending.
-  [[nodiscard]] std::span<const Index> operator[](std::size_t i) const {
-    return std::span(order_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
-  }
-
- private:
-  std::vector<Index> order_;
-  std::vector<std::size_t> begin_;
-};
+/// Groups candidates by the edges that they connect with each other.
+///
+/// @param chosen  The candidates to group, ascending.
+/// @return The groups by their lowest edges; those of other edges are empty.
+ItemsByGroup group_connected(std::span<const WeldJoin> candidates, std::span<const Index> chosen,
+                             std::size_t n_edges) {
+  DisjointSets sets(n_edges);
+  for (const Index c : chosen) sets.unite(candidates[c].first, candidates[c].second);
+  return ItemsByGroup(n_edges, [&](const auto& use) {
+    for (const Index c : chosen) use(sets.find(candidates[c].first), c);
+  });
+}
 
 class Matching {
  public:
@@ -62,7 +46,7 @@ class Matching {
   [[nodiscard]] std::vector<WeldJoin> run() {
     std::vector<Index> all(candidates_.size());
     std::iota(all.begin(), all.end(), Index{0});
-    pair_up_clear(std::move(all));
+    pair_up_clear(all);
     pair_up_isolated();
     refuse_unclear();
     zip(still_free(crowded_));
@@ -71,10 +55,11 @@ class Matching {
 
  private:
   /// Pairs the groups whose edges are all near each other; the others are crowded.
-  void pair_up_clear(std::vector<Index> candidates) {
-    const CandidateGroups groups(candidates_, std::move(candidates), state_.edges.size());
+  void pair_up_clear(std::span<const Index> candidates) {
+    const ItemsByGroup groups = group_connected(candidates_, candidates, state_.edges.size());
     for (std::size_t i = 0; i < groups.size(); ++i) {
       const std::span<const Index> group = groups[i];
+      if (group.empty()) continue;
       if (!are_all_near(group)) {
         crowded_.insert(crowded_.end(), group.begin(), group.end());
         continue;
@@ -105,8 +90,10 @@ class Matching {
       rest = still_free(rest);
       std::erase_if(rest, [&](Index c) { return candidates_[c].distance > longest; });
       if (rest.empty()) return;
-      const CandidateGroups groups(candidates_, rest, state_.edges.size());
-      for (std::size_t i = 0; i < groups.size(); ++i) pair_up_if_isolated(groups[i], longest);
+      const ItemsByGroup groups = group_connected(candidates_, rest, state_.edges.size());
+      for (std::size_t i = 0; i < groups.size(); ++i) {
+        if (!groups[i].empty()) pair_up_if_isolated(groups[i], longest);
+      }
       // The groups stay the same down to the distance of the farthest pair.
       longest = std::min(longest, farthest_of(rest)) / kIsolation;
     }
@@ -134,13 +121,17 @@ class Matching {
     return farthest;
   }
 
+  /// Tells whether neither edge of a candidate is joined yet.
+  [[nodiscard]] bool is_free(Index candidate) const {
+    const WeldJoin& join = candidates_[candidate];
+    return is_taken_[join.first] == 0 && is_taken_[join.second] == 0;
+  }
+
   /// Returns those that may still be joined, in the same order.
   [[nodiscard]] std::vector<Index> still_free(std::span<const Index> candidates) const {
     std::vector<Index> found;
-    for (const Index c : candidates) {
-      const WeldJoin& join = candidates_[c];
-      if (is_taken_[join.first] == 0 && is_taken_[join.second] == 0) found.push_back(c);
-    }
+    std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(found),
+                 [&](Index c) { return is_free(c); });
     return found;
   }
 
@@ -200,8 +191,8 @@ class Matching {
     while (!offers.empty()) {
       const Index best = offers.top().candidate;
       offers.pop();
+      if (!is_free(best)) continue;
       const WeldJoin& join = candidates_[best];
-      if (is_taken_[join.first] != 0 || is_taken_[join.second] != 0) continue;
       if (classes_.are_joined(state_.edges[join.first].third, state_.edges[join.second].third)) {
         continue;
       }
@@ -239,8 +230,7 @@ class Matching {
     std::vector<Index> found;
     auto entry = std::lower_bound(by_ends_.begin(), by_ends_.end(), std::pair(vertex, Index{0}));
     for (; entry != by_ends_.end() && entry->first == vertex; ++entry) {
-      const WeldJoin& join = candidates_[entry->second];
-      if (is_taken_[join.first] == 0 && is_taken_[join.second] == 0) found.push_back(entry->second);
+      if (is_free(entry->second)) found.push_back(entry->second);
     }
     return found;
   }
