@@ -68,25 +68,28 @@ class UnionFromInput {
         choice_(choice),
         memory_(memory) {}
 
-  bool run() {
+  UnitedFromInput run() {
+    if (!may_unite()) return {};
+    // A patch over a sheet encloses a region that the sheet does not mean as a solid, so that is
+    // tried last.
+    if (unite(FillSheets::No) || (options_.solid && !is_too_far_ && unite(FillSheets::Yes))) {
+      return {.note = what_was_done()};
+    }
+    return {.note = "",
+            .is_too_far_behind_holes =
+                is_too_far_ && distance_of_rest_ <= driver_.mesh().max_deviation(),
+            .is_too_far = is_too_far_,
+            .lost = std::move(far_)};
+  }
+
+ private:
+  [[nodiscard]] bool may_unite() const {
     if (!may_fix() || driver_.is_stopped() || !(driver_.mesh().max_deviation() > 0.0)) return false;
     if (driver_.is_good(driver_.mesh().state())) return false;
     const BrokenSolid whole = whole_mesh_as_solid(driver_.mesh().prepared());
-    if (options_.solid ? !whole.any_bounds_solid : !whole.all_bound_solid) return false;
-    // A patch over a sheet encloses a region that the sheet does not mean as a solid, so that is
-    // tried last.
-    return unite(FillSheets::No) || (options_.solid && !is_too_far_ && unite(FillSheets::Yes));
+    return options_.solid ? whole.any_bounds_solid : whole.all_bound_solid;
   }
 
-  [[nodiscard]] bool is_too_far_behind_holes() const {
-    return is_too_far_ && distance_of_rest_ <= driver_.mesh().max_deviation();
-  }
-  [[nodiscard]] bool is_too_far() const { return is_too_far_; }
-  [[nodiscard]] double distance_behind_holes() const { return distance_behind_holes_; }
-  [[nodiscard]] const LostBoundary& far() const { return far_; }
-  [[nodiscard]] bool has_shells() const { return !shells_.face_keys.empty(); }
-
- private:
   /// Tells whether everything that a union changes is to be changed.
   [[nodiscard]] bool may_fix() const {
     return options_.fixes.contains(DefectCode::SelfIntersection) &&
@@ -261,6 +264,22 @@ class UnionFromInput {
     sort_unique(far_.face_keys);
   }
 
+  [[nodiscard]] std::string what_was_done() const {
+    std::string note =
+        "repairs part by part left defects, so the mesh was replaced by its union with itself";
+    const double max_deviation = driver_.mesh().max_deviation();
+    if (distance_behind_holes_ > max_deviation) {
+      note += "; parts that lie inside it, because holes are filled, were dropped, " +
+              readable(distance_behind_holes_) + " from its surface at most";
+    }
+    if (choice_.shells) note += "; parts that bound no solid were dropped";
+    if (!shells_.face_keys.empty()) {
+      note += ", and parts that it would have lost or that hid these made hollow, with walls " +
+              readable(choice_.shells->thickness_share * max_deviation) + " thick";
+    }
+    return note;
+  }
+
   RepairDriver& driver_;
   const RepairOptions& options_;
   const Tolerances& tolerances_;
@@ -294,25 +313,7 @@ class UnionFromInput {
 
 UnitedFromInput unite_from_input(RepairDriver& driver, const RepairOptions& options,
                                  const UnionChoice& choice, UnionMemory& memory) {
-  UnionFromInput from_input(driver, options, choice, memory);
-  if (!from_input.run()) {
-    return {.note = "",
-            .is_too_far_behind_holes = from_input.is_too_far_behind_holes(),
-            .is_too_far = from_input.is_too_far(),
-            .lost = from_input.far()};
-  }
-  std::string note =
-      "repairs part by part left defects, so the mesh was replaced by its union with itself";
-  if (from_input.distance_behind_holes() > driver.mesh().max_deviation()) {
-    note += "; parts that lie inside it, because holes are filled, were dropped, " +
-            readable(from_input.distance_behind_holes()) + " from its surface at most";
-  }
-  if (choice.shells) note += "; parts that bound no solid were dropped";
-  if (from_input.has_shells()) {
-    note += ", and parts that it would have lost or that hid these made hollow, with walls " +
-            readable(choice.shells->thickness_share * driver.mesh().max_deviation()) + " thick";
-  }
-  return {.note = std::move(note)};
+  return UnionFromInput(driver, options, choice, memory).run();
 }
 
 }  // namespace meshalyzer
