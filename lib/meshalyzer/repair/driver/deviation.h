@@ -28,12 +28,12 @@ struct FarFaces {
   [[nodiscard]] bool empty() const { return of_input.empty() && of_repaired.empty(); }
 };
 
-/// The latest step of a repair that was within the bound before. It only refers to its data.
+/// The latest step of a repair that was within the bound before.
 struct SurfaceStep {
   /// #F of the tracked mesh: non-zero for each face that the step has added or changed.
-  std::span<const std::uint8_t> is_new;
+  std::vector<std::uint8_t> is_new;
   /// The triangles of the surface before that are no longer part of it.
-  std::span<const Corners> gone;
+  std::vector<Corners> gone;
 };
 
 /// Measures how far repaired surfaces are from the input that they were made of.

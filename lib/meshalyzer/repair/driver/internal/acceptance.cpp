@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <span>
 
 namespace meshalyzer {
@@ -20,15 +21,10 @@ std::vector<DefectiveElement> difference(const std::vector<DefectiveElement>& a,
   return result;
 }
 
-/// The faces that operations have changed, as DeviationMeter takes them.
-struct StepSurfaces {
-  std::vector<std::uint8_t> is_new;
-  std::vector<Corners> gone;
-};
-
-StepSurfaces surfaces_of_step(const RepairState& before, const RepairState& after,
-                              const AffectedElements& affected) {
-  StepSurfaces step;
+/// Returns the step that operations make.
+SurfaceStep step_between(const RepairState& before, const RepairState& after,
+                         const AffectedElements& affected) {
+  SurfaceStep step;
   for (const Index key : after.tracked().face_keys) {
     step.is_new.push_back(operations_on(affected.faces_after, key).empty() ? 0 : 1);
   }
@@ -202,14 +198,14 @@ Acceptance check_acceptance(const RepairState& before, const RepairState& after,
   check.check_contacts();
   // Distances take longest, and would have to be measured again without the rejected operations.
   if (!acceptance.all_accepted()) return acceptance;
-  const StepSurfaces surfaces = surfaces_of_step(before, after, affected);
-  const SurfaceStep step{surfaces.is_new, surfaces.gone};
+  std::optional<SurfaceStep> step;
+  if (rules.was_within) step = step_between(before, after, affected);
   check.check_deviation(rules.meter.find_far({.tracked = after.tracked(),
                                               .mesh = after.mesh(),
                                               .bound = rules.max_deviation,
                                               .walls = rules.walls,
                                               .lost = rules.lost,
-                                              .step = rules.was_within ? &step : nullptr}));
+                                              .step = step ? &*step : nullptr}));
   return acceptance;
 }
 
