@@ -7,17 +7,12 @@ namespace meshalyzer {
 namespace {
 
 /// Returns the faces of a group, by index in a soup.
-std::pair<Index, Index> range_of(const Soup& soup, std::size_t group) {
+std::vector<Index> faces_of(const Soup& soup, std::size_t group) {
   const std::vector<Group>& groups = soup.groups;
   const auto end =
       group + 1 < groups.size() ? groups[group + 1].first_face : static_cast<Index>(soup.n_faces());
-  return {groups[group].first_face, end};
-}
-
-std::vector<Index> faces_of(const Soup& soup, std::size_t group) {
-  const auto [begin, end] = range_of(soup, group);
   std::vector<Index> faces;
-  for (Index f = begin; f < end; ++f) faces.push_back(f);
+  for (Index f = groups[group].first_face; f < end; ++f) faces.push_back(f);
   return faces;
 }
 

@@ -68,7 +68,7 @@ using Bans = std::set<std::pair<std::string_view, std::uint64_t>>;
 
 /// Bans operations by the definition, place by place.
 Bans ban_by_definition(const Soup& soup, const std::vector<AppliedOperation>& operations,
-                       const std::vector<WorsePlace>& places, Blame blame) {
+                       const std::vector<WorsePlace>& places, Responsible choice) {
   Bans bans;
   for (const WorsePlace& place : places) {
     std::vector<const AppliedOperation*> responsible;
@@ -77,7 +77,7 @@ Bans ban_by_definition(const Soup& soup, const std::vector<AppliedOperation>& op
         responsible.push_back(&operation);
       }
     }
-    if (blame == Blame::Last && !responsible.empty()) {
+    if (choice == Responsible::Last && !responsible.empty()) {
       const AppliedOperation* chosen = responsible.back();
       for (const AppliedOperation* operation : responsible) {
         if (operation->may_create.contains(DefectCode::SelfIntersection)) chosen = operation;
@@ -109,10 +109,10 @@ TEST(BannedOperations, AreThoseOfTheDefinition) {
       places.push_back({CountedDefect::IntersectingPairs,
                         {soup.triangles[any(random)], soup.triangles[any(random)]}});
     }
-    for (const Blame blame : {Blame::Last, Blame::All}) {
-      const Bans expected = ban_by_definition(soup, operations, places, blame);
+    for (const Responsible choice : {Responsible::Last, Responsible::All}) {
+      const Bans expected = ban_by_definition(soup, operations, places, choice);
       BannedOperations banned;
-      ban_responsible(operations, places, blame, soup, banned);
+      ban_responsible(operations, places, choice, soup, banned);
       EXPECT_EQ(banned.size(), expected.size());
       for (const auto& [pass, element] : expected) EXPECT_TRUE(banned.contains(pass, {element}));
       n_bans += expected.size();
@@ -128,7 +128,7 @@ TEST(BannedOperations, AreWholeWhereNoPartIsNearThePlace) {
       {.pass = "first", .may_create = {}, .site = {200, 220, 240}, .vertices = {0, 1, 14}}};
   BannedOperations banned;
   ban_responsible(operations, {{CountedDefect::ZeroAreaFaces, {Triangle{0, 1, 14}, kNoTriangle}}},
-                  Blame::All, soup, banned);
+                  Responsible::All, soup, banned);
   EXPECT_EQ(banned.size(), 3U);
 }
 

@@ -35,9 +35,9 @@ DefectCode code_of(CountedDefect kind) {
 }
 
 /// Finds the operations that affect a place.
-class Suspects {
+class OperationsByVertex {
  public:
-  explicit Suspects(const std::vector<AppliedOperation>& operations) {
+  explicit OperationsByVertex(const std::vector<AppliedOperation>& operations) {
     for (std::size_t op = 0; op < operations.size(); ++op) {
       for (const Index v : operations[op].vertices) at_vertex_[v].push_back(static_cast<Index>(op));
     }
@@ -66,15 +66,15 @@ class Suspects {
   std::map<Index, std::vector<Index>> at_vertex_;
 };
 
-/// Keeps the operation that has most likely created an element.
+/// Keeps, of the operations near an element, the one that has most likely created it.
 void keep_likeliest(const std::vector<AppliedOperation>& operations, CountedDefect kind,
-                    std::vector<Index>& suspects) {
-  if (suspects.empty()) return;
+                    std::vector<Index>& near) {
+  if (near.empty()) return;
   const DefectCode code = code_of(kind);
-  const auto likeliest = std::find_if(suspects.rbegin(), suspects.rend(), [&](Index op) {
+  const auto likeliest = std::find_if(near.rbegin(), near.rend(), [&](Index op) {
     return operations[op].may_create.contains(code);
   });
-  suspects = {likeliest == suspects.rend() ? suspects.back() : *likeliest};
+  near = {likeliest == near.rend() ? near.back() : *likeliest};
 }
 
 /// Bans operations place by place. In a heap of faces each face is in hundreds of intersecting
@@ -84,23 +84,23 @@ class Banning {
   Banning(const std::vector<AppliedOperation>& operations, const Soup& input,
           BannedOperations& banned)
       : operations_(operations),
-        suspects_(operations),
+        by_vertex_(operations),
         input_(input),
         faces_at_(input),
         is_wholly_banned_(operations.size(), 0),
         banned_(banned) {}
 
-  void ban_for(const WorsePlace& place, Blame blame) {
+  void ban_for(const WorsePlace& place, Responsible choice) {
     std::vector<KnownPart*> parts;
     std::vector<Index> responsible;
     for (const Triangle& corners : place.corners) {
       KnownPart& part = known_part(corners);
       parts.push_back(&part);
       const std::vector<Index> before = std::exchange(responsible, {});
-      std::set_union(before.begin(), before.end(), part.suspects.begin(), part.suspects.end(),
+      std::set_union(before.begin(), before.end(), part.operations.begin(), part.operations.end(),
                      std::back_inserter(responsible));
     }
-    if (blame == Blame::Last) keep_likeliest(operations_, place.kind, responsible);
+    if (choice == Responsible::Last) keep_likeliest(operations_, place.kind, responsible);
     for (const Index op : responsible) {
       // Of a large operation only the part round the element is banned.
       bool is_any_part_near = false;
@@ -113,7 +113,7 @@ class Banning {
   /// What is known of an edge, a vertex or a face.
   struct KnownPart {
     /// The operations that affect all its vertices, ascending.
-    std::vector<Index> suspects;
+    std::vector<Index> operations;
     /// Its vertices, and the faces at them, as elements of a site.
     OperationSite near;
     /// The operations that were banned near it, and whether their sites have a part there.
@@ -122,7 +122,7 @@ class Banning {
 
   KnownPart& known_part(const Triangle& corners) {
     const auto [found, is_new] = known_.try_emplace(corners);
-    if (is_new) found->second = {suspects_.at(corners), site_round(corners), {}};
+    if (is_new) found->second = {by_vertex_.at(corners), site_round(corners), {}};
     return found->second;
   }
 
@@ -156,7 +156,7 @@ class Banning {
   }
 
   const std::vector<AppliedOperation>& operations_;
-  Suspects suspects_;
+  OperationsByVertex by_vertex_;
   const Soup& input_;
   VertexFaces faces_at_;
   std::map<Triangle, KnownPart> known_;
@@ -188,10 +188,10 @@ std::size_t BannedOperations::size() const {
 }
 
 void ban_responsible(const std::vector<AppliedOperation>& operations,
-                     const std::vector<WorsePlace>& places, Blame blame, const Soup& input,
+                     const std::vector<WorsePlace>& places, Responsible choice, const Soup& input,
                      BannedOperations& banned) {
   Banning banning(operations, input, banned);
-  for (const WorsePlace& place : places) banning.ban_for(place, blame);
+  for (const WorsePlace& place : places) banning.ban_for(place, choice);
 }
 
 }  // namespace meshalyzer

@@ -40,15 +40,15 @@ class BannedOperations {
   std::set<std::string_view> passes_;
 };
 
-/// The choice of the operations that are held responsible for a defective element near them.
-enum class Blame : std::uint8_t {
-  /// The last operation of a pass that may create such an element, if there is one.
+/// The operations that are held responsible for a defective element: of those near it,
+enum class Responsible : std::uint8_t {
+  /// The last one of a pass that may create such an element, or else the last one.
   Last,
-  /// All operations near the element.
+  /// All of them.
   All,
 };
 
-/// The elements for which a mesh has become worse, and the operations near them.
+/// A defective element by which a mesh has become worse.
 struct WorsePlace {
   CountedDefect kind = CountedDefect::BorderEdges;
   ElementCorners corners;
@@ -59,7 +59,7 @@ struct WorsePlace {
 /// @param input  The soup before all operations.
 /// @complexity   O(n log n) for n corners of operations, and O(#F).
 void ban_responsible(const std::vector<AppliedOperation>& operations,
-                     const std::vector<WorsePlace>& places, Blame blame, const Soup& input,
+                     const std::vector<WorsePlace>& places, Responsible choice, const Soup& input,
                      BannedOperations& banned);
 
 }  // namespace meshalyzer

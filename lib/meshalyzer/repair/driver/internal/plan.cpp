@@ -104,19 +104,18 @@ void plan_fixes_from_cutting(const RepairOptions& options, Sheets sheets, Planne
       remembered_pass([cut = cut_options(options, sheets)](const PassInput& input) {
         return cut_intersections(input, cut);
       });
-  plan.add({"refill tangles",
-            SelfIntersection,
-            [cut](const PassInput& input) { return refill_tangles(input, cut); },
-            {FlatFacet},
-            Repeat::UntilDone,
-            true});
-  plan.add({"cut intersections",
-            SelfIntersection,
-            cut,
-            {NonManifold, FlatFacet, DegenerateFacet, Foldover, Flipped, Hole},
-            Repeat::OncePerRound,
-            true,
-            true});
+  plan.add({.name = "refill tangles",
+            .code = SelfIntersection,
+            .run = [cut](const PassInput& input) { return refill_tangles(input, cut); },
+            .may_create = {FlatFacet},
+            .takes_time_for_pairs = true});
+  plan.add({.name = "cut intersections",
+            .code = SelfIntersection,
+            .run = cut,
+            .may_create = {NonManifold, FlatFacet, DegenerateFacet, Foldover, Flipped, Hole},
+            .repeat = Repeat::OncePerRound,
+            .takes_time_for_pairs = true,
+            .must_mend = true});
   if (options.contact == Contact::Part) plan.add({"cut off tips", NonManifold, cut_off_tips});
   plan.add(drop(options.solid ? Fragments::All : Fragments::Debris));
   plan.add({"renew normals", VertexNormal, renew_normals});

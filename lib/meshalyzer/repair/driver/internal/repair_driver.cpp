@@ -213,13 +213,13 @@ void RepairDriver::ban(const DefectInventory& before, const DefectInventory& aft
     places.push_back({element.kind, corners_of(mesh_.tracked(), element)});
   }
   if (attempt < kAttemptsByLast) {
-    ban_responsible(applied_, places, Blame::Last, mesh_.input(), banned_);
+    ban_responsible(applied_, places, Responsible::Last, mesh_.input(), banned_);
   }
   const auto n_more = static_cast<double>(banned_.size() - n_banned);
   const bool are_few_more =
       n_banned >= kManyBanned && n_more < kFewShare * static_cast<double>(n_banned);
   if ((n_more == 0.0 || are_few_more) && attempt < kAttemptsByAll) {
-    ban_responsible(applied_, places, Blame::All, mesh_.input(), banned_);
+    ban_responsible(applied_, places, Responsible::All, mesh_.input(), banned_);
   }
   if (banned_.size() == n_banned) banned_.add(applied_.back().pass);
 }
