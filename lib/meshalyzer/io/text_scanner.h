@@ -47,11 +47,9 @@ enum class Continuation { None, Backslash };
 /// Walks a text token by token and counts its lines.
 ///
 /// Tokens are separated by blanks; `#` begins a comment that runs to the end of the line; lines end
-/// with "
-/// " or "\r
-/// ". The parser of a line-based format repeatedly calls next_record(), the readers of one line,
-/// and end_record(); that of a token-based format calls next_record() before every token. Only
-/// next_record() crosses the end of a line.
+/// with "\n" or "\r\n". The parser of a line-based format repeatedly calls next_record(), the
+/// readers of one line, and end_record(); that of a token-based format calls next_record() before
+/// every token. Only next_record() crosses the end of a line.
 class TextScanner {
  public:
   /// @param text  The text, which must outlive the scanner.

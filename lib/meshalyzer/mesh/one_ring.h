@@ -11,11 +11,9 @@ namespace meshalyzer {
 // The one-ring of a vertex: everything that touches it. Seen from the side the normals point to:
 //
 //          c -------- b            The outgoing half-edges run v -> a, v -> b, v -> c, ...: each
-//          has
-//         / \        / \           the face of the same number on its left.
+//         / \        / \           has the face of the same number on its left.
 //        /   \  2   /   \          To step counter-clockwise from v -> a: the half-edge before it
-//        in
-//       /  3  \    /  1  \         its face 1 is b -> v, and the opposite of that is v -> b.
+//       /  3  \    /  1  \         in its face 1 is b -> v, and the opposite of that is v -> b.
 //      /       \  /       \        On a border the last outgoing half-edge has no face on its left,
 //     d ------- v -------- a       so nothing follows it; it is the one OpenMesh begins with at v.
 

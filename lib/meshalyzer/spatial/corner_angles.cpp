@@ -23,8 +23,7 @@ constexpr std::uint32_t kHalfTurn = std::uint32_t{1} << 31;
 // - A coordinate of d is a difference, off by u of itself. Each of three products and two sums adds
 //   at most u more of what it is made of: so each coordinate across is off by less than 5 u |d|.
 // - Both together move the arm across by less than 8 u |d|, which turns it by less than 2^13 u if
-// it
-//   is at least 2^-10 |d| long.
+//   it is at least 2^-10 |d| long.
 // - The arctangent and its scaling add less than 2^-49 of a turn.
 //
 // That is less than 2^-39 of a turn altogether. Which two vectors they are, and that they are

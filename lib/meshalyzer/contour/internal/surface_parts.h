@@ -43,10 +43,10 @@ struct FaceHints {
 /// Finds which parts of a mesh separate a region from the rest of space.
 ///
 /// @param wants_to_stop  Called now and then, from any thread; once it returns true, the parts mean
-/// nothing.
-/// @complexity  O(#F + points) with one call of the region for each piece, and for each crease
-/// point
-///              of a face that intersects others; four for a piece that others touch.
+///                       nothing.
+/// @complexity           O(#F + points) with one call of the region for each piece, and for each
+///                       crease point of a face that intersects others; four for a piece that
+///                       others touch.
 [[nodiscard]] SurfaceParts divide_surface(const Soup& soup, const Region& region,
                                           const FaceHints& hints, const PartsResolution& resolution,
                                           const StopQuery& wants_to_stop);

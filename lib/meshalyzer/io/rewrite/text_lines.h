@@ -20,9 +20,7 @@ class LineEdits : public ByteEdits {
  public:
   explicit LineEdits(std::string_view text);
 
-  /// Returns "
-  /// " or "\r
-  /// ", whichever ends the first line of the text.
+  /// Returns "\n" or "\r\n", whichever ends the first line of the text.
   [[nodiscard]] const std::string& line_end() const { return line_end_; }
 
   /// Replaces the lines of a record. A comment after the record then follows the first new line, or

@@ -84,8 +84,7 @@ std::vector<Index> faces_of_sheet(const Soup& soup, std::vector<Index> faces, bo
 /// Makes a thin solid of each component, in one operation.
 ///
 /// @param sheet_of  Returns those faces of a component, by its number and its faces, that become
-/// the
-///                  thin solid; none if it is left.
+///                  the thin solid; none if it is left.
 template <typename SheetOf>
 PassResult thicken_components(const PassInput& input, const Components& components,
                               double thickness, const SheetOf& sheet_of) {

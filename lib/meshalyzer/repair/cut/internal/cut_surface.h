@@ -42,8 +42,8 @@ struct CutSurface {
   bool has_pockets = false;
   /// Tells whether thin facets were removed; if not, ThinFacets makes no difference.
   bool has_removed_facets = false;
-  /// Tells whether cutting was given up because there would be too many pieces, or
-  /// digits of exact points.
+  /// Tells whether cutting was given up because there would be too many pieces, or digits of exact
+  /// points.
   bool has_too_many_pieces = false;
   /// Sets of faces of the input whose parts stay or are dropped together.
   std::vector<std::array<Index, 2>> ties;
@@ -82,7 +82,6 @@ struct PieceRules {
 /// The search ends early, with pairs that still intersect, if it is told to stop, if the pairs that
 /// rounding makes multiply, even if slivers are removed, or moving the vertices has multiplied
 /// them, if it takes too many tests to find them, or if there are too many pieces.
-///
 [[nodiscard]] CutSurface cut_surface(const PassInput& input, const ChangesBefore& changes,
                                      const SelectOptions& options, const PieceRules& rules);
 

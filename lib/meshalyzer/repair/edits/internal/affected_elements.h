@@ -29,7 +29,9 @@ struct AffectedElements {
   std::vector<AffectedElement> vertices;
 };
 
-/// @param after  What apply_edits() made of it.
+/// Finds the elements that edits affect.
+///
+/// @param after  What apply_edits() made of the mesh before.
 /// @complexity   O(#F + edits log edits).
 [[nodiscard]] AffectedElements find_affected_elements(const TrackedMesh& before, const Edits& edits,
                                                       const SkippedOperations& skipped,

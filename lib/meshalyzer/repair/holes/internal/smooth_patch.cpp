@@ -174,8 +174,7 @@ double multiplications_of(const SparseMatrix& movable) {
 /// Moves the new vertices to the minimum of the energy, for the weights of the present surface.
 ///
 /// @param solver  Has analysed the pattern of the system in the first round: no weight is 0, so
-/// that
-///                it is the same in all.
+///                that it is the same in all.
 /// @return        Whether there is a minimum, and it takes no more than the work allowed.
 bool relax(Surroundings& all, std::size_t round, Solver& solver) {
   const SparseMatrix laplacian = make_laplacian(all);

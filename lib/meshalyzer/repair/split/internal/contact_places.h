@@ -8,7 +8,7 @@
 
 namespace meshalyzer {
 
-// Private to part_contacts(): the positions where faces touch that were cut apart.
+// The positions where faces touch that were cut apart.
 
 /// Vertices at one position whose faces touch there, though no border edges could be welded.
 struct ContactPlace {
