@@ -67,4 +67,31 @@ class PointTable {
   std::vector<Index> slots_;
 };
 
+/// Returns for each point the first one of the list that equals it.
+[[nodiscard]] inline std::vector<Index> first_equal_points(std::span<const Vec3> points) {
+  PointTable table(points.size());
+  std::vector<Index> first(points.size());
+  for (Index point = 0; point < points.size(); ++point) first[point] = table.enter(points, point);
+  return first;
+}
+
+/// Does the same among some points of the list.
+///
+/// @param some  Their numbers, in any order, also several times.
+/// @return      #points: kNoIndex for all others.
+[[nodiscard]] inline std::vector<Index> first_equal_points(std::span<const Vec3> points,
+                                                           std::span<const Index> some) {
+  std::vector<Index> first(points.size(), kNoIndex);
+  std::size_t n = 0;
+  for (const Index point : some) {
+    n += first[point] == kNoIndex ? 1 : 0;
+    first[point] = point;
+  }
+  PointTable table(n);
+  for (Index& point : first) {
+    if (point != kNoIndex) point = table.enter(points, point);
+  }
+  return first;
+}
+
 }  // namespace meshalyzer

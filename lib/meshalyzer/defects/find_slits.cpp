@@ -1,6 +1,7 @@
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/point_table.h"
 #include "meshalyzer/base/runs.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -38,40 +38,13 @@ std::vector<BorderEdge> border_edges(const CutMesh& cut) {
   return edges;
 }
 
-std::uint64_t hash_of(const Vec3& p) {
-  std::uint64_t hash = 0;
-  for (const double x : p) {
-    // Adding 0.0 turns -0.0 into 0.0.
-    hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15U;
-    hash ^= hash >> 32U;
-  }
-  return hash;
-}
-
 /// Names each vertex of a border edge by the lowest vertex at exactly the same place. Other
 /// vertices get no name.
 std::vector<Index> names_of_places(const Soup& soup, std::span<const BorderEdge> edges) {
-  std::vector<Index> names(soup.n_vertices(), kNoIndex);
-  std::size_t n_ends = 0;
-  for (const BorderEdge& edge : edges) {
-    for (const Index v : edge.ends) {
-      n_ends += names[v] == kNoIndex ? 1 : 0;
-      names[v] = v;
-    }
-  }
-  // The table uses open addressing; vertices are entered in ascending order.
-  std::vector<Index> slots(std::bit_ceil(2 * n_ends), kNoIndex);
-  for (Index& name : names) {
-    if (name == kNoIndex) continue;
-    const Vec3& place = soup.positions[name];
-    std::size_t slot = hash_of(place) & (slots.size() - 1);
-    while (slots[slot] != kNoIndex && soup.positions[slots[slot]] != place) {
-      slot = (slot + 1) & (slots.size() - 1);
-    }
-    if (slots[slot] == kNoIndex) slots[slot] = name;
-    name = slots[slot];
-  }
-  return names;
+  std::vector<Index> ends;
+  ends.reserve(2 * edges.size());
+  for (const BorderEdge& edge : edges) ends.insert(ends.end(), edge.ends.begin(), edge.ends.end());
+  return first_equal_points(soup.positions, ends);
 }
 
 /// Collects pairs of border edges that lie on each other.

@@ -31,9 +31,7 @@ std::vector<Vec3> positions_on_grid(const Soup& soup, const CutSurface& surface,
   const std::vector<std::uint8_t> is_unfinished =
       which_are_of_unfinished_parts(surface, soup.n_faces());
   std::vector<Vec3> positions = soup.positions;
-  PointTable table(positions.size());
-  std::vector<Index> place_of(positions.size());
-  for (Index v = 0; v < positions.size(); ++v) place_of[v] = table.enter(soup.positions, v);
+  const std::vector<Index> place_of = first_equal_points(soup.positions);
   std::vector<std::uint8_t> is_rounded(positions.size(), 0);
   for (std::size_t face = 0; face < soup.n_faces(); ++face) {
     if (is_unfinished[face] == 0) continue;

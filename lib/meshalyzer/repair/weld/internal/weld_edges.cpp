@@ -44,19 +44,10 @@ std::vector<WeldEdge> find_weld_edges(const PreparedMesh& mesh) {
 
 std::vector<Index> find_weld_places(std::span<const Vec3> positions,
                                     std::span<const WeldEdge> edges) {
-  std::vector<Index> places(positions.size(), kNoIndex);
-  std::size_t n_ends = 0;
-  for (const WeldEdge& edge : edges) {
-    for (const Index v : {edge.from, edge.to}) {
-      n_ends += places[v] == kNoIndex ? 1 : 0;
-      places[v] = v;
-    }
-  }
-  PointTable table(n_ends);
-  for (Index& place : places) {
-    if (place != kNoIndex) place = table.enter(positions, place);
-  }
-  return places;
+  std::vector<Index> ends;
+  ends.reserve(2 * edges.size());
+  for (const WeldEdge& edge : edges) ends.insert(ends.end(), {edge.from, edge.to});
+  return first_equal_points(positions, ends);
 }
 
 ItemsByGroup list_edges_at_places(std::span<const WeldEdge> edges, std::span<const Index> wanted,
