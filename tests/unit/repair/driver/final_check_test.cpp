@@ -13,12 +13,13 @@
 namespace meshalyzer {
 namespace {
 
-/// Gives some faces corners of their own, at the same places.
+/// Gives some faces corners of their own, at the same places, where 0 may be -0.
 Soup with_copied_corners(Soup soup, std::size_t n, std::mt19937& random) {
   for (std::size_t i = 0; i < n; ++i) {
     Triangle& t = soup.triangles[below(random, static_cast<Index>(soup.n_faces()))];
     Index& corner = t[below(random, 3)];
-    soup.positions.push_back(soup.positions[corner]);
+    const Vec3 place = soup.positions[corner];
+    soup.positions.emplace_back((place.array() == 0.0).select(-place, place));
     corner = static_cast<Index>(soup.n_vertices() - 1);
   }
   return soup;

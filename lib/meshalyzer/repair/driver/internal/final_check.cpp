@@ -1,37 +1,14 @@
 #include "meshalyzer/repair/driver/internal/final_check.h"
 
+#include "meshalyzer/base/point_table.h"
 #include "meshalyzer/repair/driver/internal/pairs_of_faces.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <cstdint>
 #include <memory>
-#include <numeric>
 #include <vector>
 
 namespace meshalyzer {
 namespace {
-
-std::array<std::uint64_t, 3> bits_of(const Vec3& p) {
-  return {std::bit_cast<std::uint64_t>(p[0]), std::bit_cast<std::uint64_t>(p[1]),
-          std::bit_cast<std::uint64_t>(p[2])};
-}
-
-/// Returns for each vertex the lowest one with bit-identical coordinates.
-std::vector<Index> find_representatives(const std::vector<Vec3>& positions) {
-  std::vector<Index> order(positions.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-    return std::pair(bits_of(positions[a]), a) < std::pair(bits_of(positions[b]), b);
-  });
-  std::vector<Index> representative(positions.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool repeats = i > 0 && bits_of(positions[order[i]]) == bits_of(positions[order[i - 1]]);
-    representative[order[i]] = repeats ? representative[order[i - 1]] : order[i];
-  }
-  return representative;
-}
 
 /// Prepares a mesh in which vertices at one position are one. Only the pairs of faces that have
 /// other corners than before are searched, unless even the pairs before are not all known.
@@ -65,10 +42,10 @@ DefectInventory list_defective_in_file(const RepairState& state, const Tolerance
                                        const FinalCheck& check) {
   const TrackedMesh& tracked = state.tracked();
   if (check.equal_points == EqualPoints::Merge) {
-    const std::vector<Index> representative = find_representatives(tracked.soup.positions);
+    const std::vector<Index> first = first_equal_points(tracked.soup.positions);
     TrackedMesh merged = tracked;
     for (Triangle& triangle : merged.soup.triangles) {
-      for (Index& v : triangle) v = v == kNoIndex ? kNoIndex : representative[v];
+      for (Index& v : triangle) v = v == kNoIndex ? kNoIndex : first[v];
     }
     if (merged.soup.triangles != tracked.soup.triangles) {
       return list_defective(merged, *prepare_merged(merged.soup, state), tolerances,
