@@ -8,6 +8,7 @@
 #include "meshalyzer/analysis/internal/integrity.h"
 #include "meshalyzer/analysis/internal/measures.h"
 #include "meshalyzer/analysis/internal/volume.h"
+#include "meshalyzer/base/require.h"
 #include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/mesh/require_corners.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
@@ -88,6 +89,19 @@ void conclude(const AnalysisOptions& options, bool is_orientable, Analysis& anal
   }
 }
 
+void require_valid(const MeshRequest& request) {
+  if (request.goodness) {
+    require_number("the threshold of the aspect ratio", request.goodness->aspect_ratio);
+    require_number("the threshold of the edge angle", request.goodness->edge_angle_degrees);
+    require_number("the threshold of the edge length", request.goodness->edge_length);
+  }
+  require_number("the length below which edges are listed", request.shorter_than);
+  require_number("the length above which edges are listed", request.longer_than);
+  require_number("the angle below which edges are listed", request.angle_below_degrees);
+  require_number("the angle above which edges are listed", request.angle_above_degrees);
+  require_number("the aspect ratio above which faces are listed", request.aspect_above);
+}
+
 }  // namespace
 
 PairLimits pair_limits(const MeshRequest& request, StopQuery wants_to_stop) {
@@ -97,6 +111,7 @@ PairLimits pair_limits(const MeshRequest& request, StopQuery wants_to_stop) {
 
 Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options) {
   require_corners(soup);
+  require_valid(options);
   const auto phase = [&](std::string_view name) {
     if (options.on_phase) {
       options.on_phase(name);

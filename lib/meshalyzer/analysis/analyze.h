@@ -12,7 +12,7 @@
 
 namespace meshalyzer {
 
-/// Thresholds of goodness ("Good" in doc/definitions.md).
+/// Thresholds of goodness ("Good" in doc/definitions.md). They may be infinite, but are not NaN.
 struct GoodnessThresholds {
   /// The largest aspect ratio must be below this.
   double aspect_ratio = 0.0;
@@ -33,7 +33,7 @@ enum class Scope {
 };
 
 /// A request: what to find out about a mesh and which elements to name. Nothing else influences the
-/// findings.
+/// findings. Thresholds may be infinite, but are not NaN.
 struct MeshRequest {
   Scope scope = Scope::Everything;
   /// The thresholds against which goodness is judged, if it is.
@@ -93,7 +93,7 @@ struct AnalysisOptions : MeshRequest {
 ///
 /// @param soup     The file, by value: its arrays are freed as soon as they are no longer needed.
 /// @param path     The name of the file in the report.
-/// @throws InvalidArgument  as build().
+/// @throws InvalidArgument  as build(); and if a threshold is NaN.
 /// @complexity     O(n log n) in the number of faces for meshes whose faces meet few others.
 [[nodiscard]] Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options = {});
 

@@ -5,6 +5,7 @@
 #include "meshalyzer/arrangement/round_vertices.h"
 #include "meshalyzer/base/corners.h"
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/base/require.h"
 #include "meshalyzer/boolean/internal/boundary_pieces.h"
 #include "meshalyzer/exact/exact_point.h"
 #include "meshalyzer/exact/predicates.h"
@@ -203,6 +204,8 @@ class Combination {
 CombinedSolid combine_solids(const Operands& operands, const InsideRule& rule,
                              const CombineOptions& options) {
   require_operands(operands);
+  require_function("combine_solids: the rule", rule);
+  require_length("the maximum deviation", options.max_deviation);
   return Combination(operands, options).run(rule);
 }
 

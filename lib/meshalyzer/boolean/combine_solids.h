@@ -17,6 +17,7 @@ inline constexpr std::size_t kMostPairsCombined = 2'000'000;
 
 struct CombineOptions {
   /// Rounding moves vertices by at most a share of this length; with 0 only to the nearest doubles.
+  /// It is finite and not negative.
   double max_deviation = 0.0;
   /// The largest number of intersecting pairs of faces that are cut.
   std::size_t max_pairs = kMostPairsCombined;
@@ -73,8 +74,8 @@ struct CombinedSolid {
 ///
 /// @param operands  The operands, for none of which find_solid_fault() finds a fault.
 /// @return          The result, which is the same for any number of threads.
-/// @throws InvalidArgument  as build(); if there are no operands, or a face has none; and if a
-/// position is not finite.
+/// @throws InvalidArgument  as build(); if there are no operands, or a face has none; if a position
+/// is not finite; if the rule is null; and if the maximum deviation is no length.
 /// @complexity      That of find_self_intersections(), plus O(#F) for the cells and O(#cells
 ///                  #operands).
 [[nodiscard]] CombinedSolid combine_solids(const Operands& operands, const InsideRule& rule,

@@ -1,5 +1,6 @@
 #include "meshalyzer/boolean/make_disjoint.h"
 
+#include "meshalyzer/base/require.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/boolean/internal/padded_operands.h"
 #include "meshalyzer/boolean/part_from.h"
@@ -105,6 +106,7 @@ PartedDifference subtract_and_part(const Operands& operands, const Soup& others,
 }
 
 std::vector<Soup> subtract_in_order(std::span<const Soup> solids, const SubtractStep& subtract) {
+  require_function("subtract_in_order: the step", subtract);
   std::vector<Soup> results;
   std::vector<Box3> boxes;
   for (std::size_t i = 0; i < solids.size(); ++i) {
@@ -123,6 +125,7 @@ std::vector<Soup> subtract_in_order(std::span<const Soup> solids, const Subtract
 
 std::vector<DisjointSolid> make_disjoint(std::span<const Soup> solids,
                                          const CombineOptions& options) {
+  require_length("the maximum deviation", options.max_deviation);
   std::vector<DisjointSolid> made(solids.size());
   std::vector<Soup> soups = subtract_in_order(
       solids, [&](std::size_t i, const std::vector<Soup>& operands, const Soup& others) {

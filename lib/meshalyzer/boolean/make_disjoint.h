@@ -42,6 +42,7 @@ using SubtractStep =
 /// Subtracts from each solid those before it, by one step for each in order, and returns the
 /// results of the steps.
 ///
+/// @throws InvalidArgument  if the step is null.
 /// @complexity  O(n^2) tests of boxes, and the steps.
 std::vector<Soup> subtract_in_order(std::span<const Soup> solids, const SubtractStep& subtract);
 
@@ -68,7 +69,7 @@ struct DisjointSolid {
 /// @param options  Their max_deviation is also how far a vertex is moved at most: with 0 solids
 ///   keep touching where they have a wall in common.
 /// @return         One for each solid; the same for any number of threads.
-/// @throws InvalidArgument  where combine_solids() does.
+/// @throws InvalidArgument  where combine_solids() does, whether the solids meet or not.
 /// @complexity     As subtract_and_part() for each solid, with those before it whose boxes it
 /// meets.
 [[nodiscard]] std::vector<DisjointSolid> make_disjoint(std::span<const Soup> solids,

@@ -1,5 +1,6 @@
 #include "meshalyzer/boolean/part_from.h"
 
+#include "meshalyzer/base/require.h"
 #include "meshalyzer/boolean/internal/blocking_faces.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/mesh/build.h"
@@ -185,6 +186,7 @@ class PartingFrom {
 
 PartedVertices part_from(const CombinedSolid& difference, const Operands& operands,
                          const Soup& others, double max_move) {
+  require_length("the largest distance of a move", max_move);
   return PartingFrom(difference, others, max_move).run(difference, operands);
 }
 

@@ -30,6 +30,7 @@ struct PartedVertices {
 ///   may have faces with higher origins, of pads that were subtracted too.
 /// @param others    The other operands as they are now, possibly moved slightly themselves.
 /// @param max_move  The largest distance by which a vertex may move.
+/// @throws InvalidArgument  if that is no length: negative or not finite.
 /// @return          The moved vertices, which are the same for any number of threads.
 /// @complexity      A few times that of find_intersections().
 [[nodiscard]] PartedVertices part_from(const CombinedSolid& difference, const Operands& operands,

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/parallel_in_order.h"
+#include "meshalyzer/base/require.h"
 #include "meshalyzer/checks/check_mesh.h"
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/io/read.h"
@@ -44,6 +45,7 @@ std::vector<std::string> paths_of(const std::vector<CheckJob>& jobs) {
 
 bool check_files(const std::vector<CheckJob>& jobs, std::uint64_t memory_limit,
                  const std::function<bool(const FileFindings&)>& on_file) {
+  require_function("check_files: on_file", on_file);
   bool is_whole = true;
   parallel_in_order(
       jobs.size(), n_files_at_once(paths_of(jobs), memory_limit),

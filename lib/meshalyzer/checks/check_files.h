@@ -27,6 +27,7 @@ struct CheckJob {
 /// @param on_file       Receives each file in order, as soon as it and all before it are done;
 ///     false ends the work.
 /// @return              True if all files were reported.
+/// @throws InvalidArgument  as check_mesh(); and if on_file is null.
 [[nodiscard]] bool check_files(const std::vector<CheckJob>& jobs, std::uint64_t memory_limit,
                                const std::function<bool(const FileFindings&)>& on_file);
 

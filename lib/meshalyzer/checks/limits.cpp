@@ -1,5 +1,6 @@
 #include "meshalyzer/checks/limits.h"
 
+#include "meshalyzer/base/require.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/geometry/edge_measures.h"
 #include "meshalyzer/geometry/face_measures.h"
@@ -131,6 +132,7 @@ std::optional<LimitKind> limit_kind(std::string_view name) {
 
 std::vector<LimitViolation> find_beyond_limit(const PreparedMesh& mesh, LimitKind kind,
                                               double limit) {
+  require_number(limit_info(kind).name, limit);
   const CutMesh& cut = mesh.cut();
   const Bound bound(kind, limit);
   switch (kind) {

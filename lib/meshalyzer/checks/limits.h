@@ -55,7 +55,7 @@ struct LimitInfo {
 /// Returns the limit with the given name, or nothing if no limit has it.
 [[nodiscard]] std::optional<LimitKind> limit_kind(std::string_view name);
 
-/// The limits against which a mesh is checked.
+/// The limits against which a mesh is checked. They may be infinite, but are not NaN.
 class Limits {
  public:
   [[nodiscard]] std::optional<double>& operator[](LimitKind kind) {
@@ -82,6 +82,8 @@ struct LimitViolation {
 
 /// Finds the elements beyond one limit, in order of the half-edge mesh.
 ///
+/// @param limit  May be infinite.
+/// @throws InvalidArgument  if it is NaN.
 /// @complexity O(#F).
 [[nodiscard]] std::vector<LimitViolation> find_beyond_limit(const PreparedMesh& mesh,
                                                             LimitKind kind, double limit);

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/require.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/contour/bisection_grid.h"
 #include "meshalyzer/contour/internal/surface_parts.h"
@@ -327,9 +328,7 @@ std::optional<BisectionGrid> grid_round(const Box3& box) {
 }  // namespace
 
 std::optional<ContouredMesh> contour_mesh(const Soup& soup, const ContourLimits& limits) {
-  if (!(limits.max_deviation > 0.0)) {
-    throw InvalidArgument("the deviation of a contour is not positive");
-  }
+  require_positive_length("the maximum deviation of a contour", limits.max_deviation);
   Target target(soup);
   const Box3 box = limits.within.value_or(target.mesh.tree.bounds());
   const auto grid = grid_round(box);

@@ -49,6 +49,7 @@ struct ContouredMesh {
 /// the mesh are too far apart, refines the grid there, and repeats. The comparison excludes walls,
 /// and the parts of the contour that span holes.
 ///
+/// @throws InvalidArgument  as build(); and if the maximum deviation is not positive and finite.
 /// @return     Nothing if the mesh has no extent, if its coordinates are too large relative to its
 ///             size for a grid, or if it was to stop.
 /// @complexity O(tetrahedra log tetrahedra) per round; about 400 bytes per tetrahedron.

@@ -1,5 +1,6 @@
 #include "meshalyzer/defects/boundary_chains.h"
 
+#include "meshalyzer/base/require.h"
 #include "meshalyzer/defects/internal/places.h"
 #include "meshalyzer/spatial/triangle_distance.h"
 #include "meshalyzer/topology/boundary.h"
@@ -139,6 +140,7 @@ std::vector<BoundaryChain> nearest_chains(const Soup& soup,
 
 std::vector<BoundaryChain> find_boundary_chains(const PreparedMesh& mesh,
                                                 const ChainOptions& options) {
+  for (const Vec3& near : options.near_positions) require_point("a position of a chain", near);
   const CutMesh& cut = mesh.cut();
   std::vector<BoundaryChain> chains;
   const BoundaryLoops loops = find_boundary_loops(cut);

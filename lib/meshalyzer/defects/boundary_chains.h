@@ -14,7 +14,7 @@ struct ChainOptions {
   /// Chains of more edges than this are left out; 0 leaves out none.
   std::size_t max_edges = 0;
   /// Positions that select chains: where there are any, only the chain whose edges are nearest to
-  /// each of them is returned.
+  /// each of them is returned. They are finite.
   std::vector<Vec3> near_positions = {};
 };
 
@@ -31,6 +31,7 @@ struct BoundaryChain {
 ///
 /// @return  The chains in order of their lowest border edge; where ChainOptions::near_positions is
 ///          not empty in the order of those, each chain once.
+/// @throws InvalidArgument  if such a position is not finite.
 [[nodiscard]] std::vector<BoundaryChain> find_boundary_chains(const PreparedMesh& mesh,
                                                               const ChainOptions& options = {});
 

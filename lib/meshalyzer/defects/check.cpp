@@ -1,5 +1,6 @@
 #include "meshalyzer/defects/check.h"
 
+#include "meshalyzer/base/require.h"
 #include "meshalyzer/spatial/mutual_intersection.h"
 #include "meshalyzer/spatial/segment_grid.h"
 #include "meshalyzer/topology/border.h"
@@ -80,6 +81,9 @@ void match_borders(const PreparedMesh& mesh, std::span<const Polyline> polylines
 }  // namespace
 
 CheckResult check(const Soup& soup, const CheckOptions& options) {
+  for (const Polyline& line : options.polylines) {
+    for (const Vec3& point : line) require_point("a point of a polyline", point);
+  }
   CheckResult result;
   if (options.level == CheckLevel::None) return result;
   const PreparedMesh mesh(soup);

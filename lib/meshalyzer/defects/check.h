@@ -21,6 +21,7 @@ enum class CheckLevel : std::uint8_t {
 };
 
 /// Points along an edge of a body, in order, that the border of a face's mesh must run through.
+/// They are finite.
 using Polyline = std::vector<Vec3>;
 
 /// The options of check().
@@ -49,7 +50,7 @@ struct CheckResult {
 
 /// Checks a mesh.
 ///
-/// @throws InvalidArgument  as find_defects().
+/// @throws InvalidArgument  as find_defects(); and if a point of a polyline is not finite.
 [[nodiscard]] CheckResult check(const Soup& soup, const CheckOptions& options = {});
 
 /// Finds the clashes between two meshes: all pairs of faces, one of each, that share a point.

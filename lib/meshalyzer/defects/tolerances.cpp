@@ -1,9 +1,8 @@
 #include "meshalyzer/defects/tolerances.h"
 
-#include "meshalyzer/base/error.h"
 #include "meshalyzer/base/numbers.h"
+#include "meshalyzer/base/require.h"
 
-#include <cmath>
 #include <string_view>
 
 namespace meshalyzer {
@@ -16,26 +15,12 @@ double share_of_diagonal(double share, const Box3& box) {
   return quarter.stableNorm() * (4 * share);
 }
 
-void require_length(std::string_view name, const std::optional<double>& length) {
-  if (!length || (std::isfinite(*length) && *length >= 0.0)) return;
-  std::string what(name);
-  what += " is ";
-  append_shortest(what, *length);
-  what += ", which is no length";
-  throw InvalidArgument(what);
-}
-
 void require_valid(const ToleranceOptions& options) {
   require_length("the tolerance", options.tolerance);
   require_length("the degeneracy tolerance", options.degeneracy);
   require_length("the slit tolerance", options.slit);
   require_length("the height tolerance", options.height);
-  const double angle = options.max_foldover_angle;
-  if (angle >= 0.0 && angle <= 180.0) return;
-  std::string what = "the max fold-over angle is ";
-  append_shortest(what, angle);
-  what += " degrees, which is not within 0 and 180";
-  throw InvalidArgument(what);
+  require_angle("the max fold-over angle", options.max_foldover_angle, 180.0);
 }
 
 struct NamedLength {

@@ -43,10 +43,12 @@ PreparedMesh::PreparedMesh(const Soup& soup, PairLimits pair_limits)
     : PreparedMesh(borrow(soup), std::move(pair_limits)) {}
 
 PreparedMesh::PreparedMesh(std::shared_ptr<const Soup> soup, PairLimits pair_limits)
-    : soup_(std::move(soup)), cut_(build(*soup_)), pair_limits_(std::move(pair_limits)) {}
+    : soup_(std::move(soup)),
+      cut_(build(PreparedMesh::soup())),
+      pair_limits_(std::move(pair_limits)) {}
 
 const Soup& PreparedMesh::soup() const {
-  if (!soup_) throw InvalidArgument("the records of this mesh were released");
+  if (!soup_) throw InvalidArgument("the records are null, or were released");
   return *soup_;
 }
 

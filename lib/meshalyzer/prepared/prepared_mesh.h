@@ -30,8 +30,11 @@ class PreparedMesh {
   ///
   /// @param soup         The records, which must outlive this object until release_soup().
   /// @param pair_limits  The limits of the search for intersecting pairs.
+  /// @throws InvalidArgument  as build().
   explicit PreparedMesh(const Soup& soup, PairLimits pair_limits = {});
   /// Prepares a mesh and keeps its records.
+  ///
+  /// @throws InvalidArgument  as build(); and if the pointer is null.
   explicit PreparedMesh(std::shared_ptr<const Soup> soup, PairLimits pair_limits = {});
   PreparedMesh(const PreparedMesh&) = delete;
   PreparedMesh& operator=(const PreparedMesh&) = delete;

@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/fix_defects.h"
 
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/base/require.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/repair/driver/internal/dropped_parts.h"
@@ -183,12 +184,19 @@ void repair(RepairDriver& driver, const RepairOptions& options, RepairResult& re
   result.rises = driver.rises();
 }
 
+/// Tolerances and the maximum deviation are checked where they are converted.
+void require_valid(const RepairOptions& options) {
+  require_length("the length within which borders are joined", options.weld_within);
+  if (options.fill.at) require_point("the point of the hole to fill", *options.fill.at);
+}
+
 }  // namespace
 
 RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   if (!has_finite_positions(soup)) {
     throw InvalidArgument("a position is not finite: there is no mesh to repair");
   }
+  require_valid(options);
   const Box3 box = used_box(soup);
   const Tolerances tolerances = resolve_tolerances(options.tolerances, box);
   RepairLimits limits;

@@ -53,8 +53,8 @@ struct RepairResult {
 /// cases that doc/repair.md names, where work is limited. The result is never worse than the input,
 /// see RepairResult::rises.
 ///
-/// @throws InvalidArgument  as resolve_tolerances() and build(); if the deviation is negative or
-/// not finite; and if a position is not finite.
+/// @throws InvalidArgument  as resolve_tolerances(), length_of() and build(); if
+/// RepairOptions::weld_within is no length; and if a position, or FillOptions::at, is not finite.
 [[nodiscard]] RepairResult fix_defects(Soup soup, const RepairOptions& options = {});
 
 }  // namespace meshalyzer

@@ -15,6 +15,7 @@ namespace meshalyzer {
 /// @param listener  Receives the findings of each file, in order, and none between files.
 /// @return          True if all files were analysed; false if the listener stopped the run, or if
 ///                  it is one shard of several.
+/// @throws InvalidArgument  as analyze_set().
 [[nodiscard]] bool analyze_files(const std::vector<std::string>& paths, const SetOptions& options,
                                  RunListener& listener);
 

@@ -5,6 +5,7 @@
 #include "meshalyzer/set/box_distance.h"
 #include "meshalyzer/set/edge_neighbourhood.h"
 #include "meshalyzer/set/nearby_objects.h"
+#include "meshalyzer/set/require_options.h"
 #include "meshalyzer/spatial/closest_point.h"
 #include "meshalyzer/spatial/mutual_intersection.h"
 
@@ -347,6 +348,7 @@ class Separator {
 
 ObjectSeparation measure_separation(Index object, const SetScene& scene,
                                     const SeparationOptions& options) {
+  require_valid(options);
   return Separator(object, scene, options).measure();
 }
 

@@ -23,6 +23,8 @@ struct SetScene {
 /// The distance is the smallest of closest_on_triangle() over all faces, the same as without search
 /// structures. Whether a vertex is inside is decided exactly.
 ///
+/// @throws InvalidArgument  if a length of the options is negative or not finite, or the angle of
+/// the cone outside 0 ... 90.
 /// @complexity O(log objects + vertices x objects closer than their closest point x log faces); no
 /// more than two objects are held at a time.
 [[nodiscard]] ObjectSeparation measure_separation(Index object, const SetScene& scene,

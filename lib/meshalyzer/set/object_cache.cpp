@@ -1,12 +1,16 @@
 #include "meshalyzer/set/object_cache.h"
 
+#include "meshalyzer/base/require.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace meshalyzer {
 
 ObjectCache::ObjectCache(std::size_t n_objects, std::uint64_t byte_limit, Load load)
-    : byte_limit_(byte_limit), load_(std::move(load)), slots_(n_objects) {}
+    : byte_limit_(byte_limit), load_(std::move(load)), slots_(n_objects) {
+  require_function("the loader of an object cache", load_);
+}
 
 std::shared_ptr<const SetObject> ObjectCache::get(std::size_t object) {
   std::unique_lock lock(mutex_);

@@ -29,6 +29,7 @@ class ObjectCache {
   /// @param byte_limit  The limit for the memory of kept objects, except those in use.
   /// @param load        Loads an object; called for one object by one thread at a time. Its
   ///     exceptions pass through get().
+  /// @throws InvalidArgument  if `load` is null.
   ObjectCache(std::size_t n_objects, std::uint64_t byte_limit, Load load);
 
   /// Adds an object that need not be loaded any more, unless it would exceed the limit, or is

@@ -37,7 +37,7 @@ struct Request {
   /// The questions about the set.
   SetQuestions between;
   /// The time in seconds after the start of the run at which searches for intersecting pairs end,
-  /// with what they have found by then.
+  /// with what they have found by then. It is not negative.
   std::optional<double> time_limit;
 
   friend bool operator==(const Request&, const Request&) = default;

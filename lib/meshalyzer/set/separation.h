@@ -8,7 +8,8 @@
 
 namespace meshalyzer {
 
-/// The options of the separation of objects, which select the points that count.
+/// The options of the separation of objects, which select the points that count. Lengths are finite
+/// and not negative.
 struct SeparationOptions {
   /// Vertices with nothing closer than this are counted, not measured.
   std::optional<double> search_radius = std::nullopt;

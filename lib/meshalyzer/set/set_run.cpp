@@ -10,6 +10,7 @@
 #include "meshalyzer/set/measure_separation.h"
 #include "meshalyzer/set/meetings.h"
 #include "meshalyzer/set/object_meeting.h"
+#include "meshalyzer/set/require_options.h"
 #include "meshalyzer/set/set_files.h"
 #include "meshalyzer/set/set_totals.h"
 #include "meshalyzer/spatial/box_tree.h"
@@ -225,6 +226,7 @@ class SetRun {
 
 std::optional<SetAnalysis> analyze_set(const std::vector<std::string>& paths,
                                        const SetOptions& options, RunListener& listener) {
+  require_valid(options);
   return SetRun(paths, options, listener).run();
 }
 

@@ -19,6 +19,8 @@ namespace meshalyzer {
 /// @param paths     The files, which must not change meanwhile, because some are read twice.
 /// @return          Nothing if the listener stopped the run, or if it is one shard of several; then
 ///                  the listener has received all findings.
+/// @throws InvalidArgument  as analyze() and measure_separation(); if the time limit is negative or
+///                  NaN; and if the number of the shard is not below that of all shards.
 /// @throws IoError  if a file cannot be read a second time or has changed. A file that cannot be
 ///                  read the first time is reported.
 [[nodiscard]] std::optional<SetAnalysis> analyze_set(const std::vector<std::string>& paths,

@@ -4,6 +4,7 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/report/json/report.h"
+#include "support/constants.h"
 #include "support/shape_figures.h"
 #include "support/shapes.h"
 
@@ -286,6 +287,36 @@ TEST(Analyze, RecordThatRepeatsAnIdAtTheSamePlaceIsNoSecondVertexThere) {
   const Analysis analysis = analyze(soup, "soup");
   // Vertex 5 (record 5) is where vertex 1 (record 0) is; the second record of vertex 4 is nobody.
   EXPECT_EQ(analysis.offenders.indistinguishable_vertices, (std::vector<Index>{0, 5}));
+}
+
+TEST(Analyze, ThresholdsThatAreNotNumbersAreRefused) {
+  const auto expect_refused = [](const AnalysisOptions& options) {
+    EXPECT_THROW(static_cast<void>(analyze(shapes::cube(), "cube", options)), InvalidArgument);
+  };
+  AnalysisOptions options;
+  for (const GoodnessThresholds& thresholds :
+       {GoodnessThresholds{kNaN, 0, 0}, GoodnessThresholds{3, kNaN, 0},
+        GoodnessThresholds{3, 0, kNaN}}) {
+    options.goodness = thresholds;
+    expect_refused(options);
+  }
+  for (std::optional<double> MeshRequest::*const threshold :
+       {&MeshRequest::shorter_than, &MeshRequest::longer_than, &MeshRequest::angle_below_degrees,
+        &MeshRequest::angle_above_degrees, &MeshRequest::aspect_above}) {
+    AnalysisOptions one;
+    one.*threshold = kNaN;
+    expect_refused(one);
+  }
+}
+
+TEST(Analyze, ThresholdsMayBeInfinite) {
+  AnalysisOptions options;
+  options.goodness = {kInfinity, 0, 0};
+  options.shorter_than = kInfinity;
+  const Analysis cube = analyze(shapes::cube(), "cube", options);
+  EXPECT_TRUE(cube.goodness->good);
+  // 12 edges of the cube and one diagonal a side.
+  EXPECT_EQ(cube.offenders.short_edges->size(), 18U);
 }
 
 }  // namespace

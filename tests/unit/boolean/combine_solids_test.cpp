@@ -3,6 +3,7 @@
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/parallel.h"
 #include "support/effort.h"
+#include "support/no_lengths.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -235,6 +236,23 @@ TEST(CombineSolids, FaceOfAVertexThatTheSoupDoesNotHaveIsRefused) {
   EXPECT_THROW(
       static_cast<void>(combine_solids({soup, std::vector<Index>(12, 0), 1}, union_rule())),
       InvalidArgument);
+}
+
+TEST(CombineSolids, DeviationThatIsNoLengthIsRefused) {
+  const Soup soup = shapes::cube();
+  for (const double no_length : test::kNoLengths) {
+    EXPECT_THROW(static_cast<void>(
+                     combine_solids(operands_of(soup), union_rule(), {.max_deviation = no_length})),
+                 InvalidArgument)
+        << no_length;
+  }
+}
+
+TEST(CombineSolids, RuleThatIsNullIsRefusedWhateverItIsFor) {
+  for (const Soup& soup : {Soup{}, shapes::cube()}) {
+    EXPECT_THROW(static_cast<void>(combine_solids(operands_of(soup), InsideRule())),
+                 InvalidArgument);
+  }
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include "meshalyzer/boolean/make_disjoint.h"
 
+#include "meshalyzer/base/error.h"
 #include "meshalyzer/defects/check.h"
 #include "support/boolean_results.h"
+#include "support/no_lengths.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -140,6 +142,19 @@ TEST(MakeDisjoint, SolidThatCannotBeCutStays) {
   const std::vector<DisjointSolid> solids = make_disjoint(cubes, options);
   EXPECT_EQ(solids[1].outcome, CombineOutcome::TooManyPairs);
   EXPECT_EQ(solids[1].soup.triangles, cubes[1].triangles);
+}
+
+TEST(MakeDisjoint, DeviationThatIsNoLengthIsRefusedAlsoWhereNothingMeets) {
+  const std::vector<Soup> one{shapes::cube()};
+  for (const double no_length : test::kNoLengths) {
+    EXPECT_THROW(static_cast<void>(make_disjoint(one, {.max_deviation = no_length})),
+                 InvalidArgument)
+        << no_length;
+  }
+}
+
+TEST(SubtractInOrder, StepThatIsNullIsRefused) {
+  EXPECT_THROW(subtract_in_order({}, SubtractStep()), InvalidArgument);
 }
 
 }  // namespace

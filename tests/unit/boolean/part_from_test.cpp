@@ -1,7 +1,9 @@
 #include "meshalyzer/boolean/part_from.h"
 
+#include "meshalyzer/base/error.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/mutual_intersection.h"
+#include "support/no_lengths.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -70,6 +72,16 @@ TEST(PartFrom, WhatEntersTheOthersIsLeft) {
   const PartedVertices parted = part_from(solid, operands, shapes::cube(1, {0.5, 0.1, 0.2}), 1e-6);
   EXPECT_GT(parted.n_pairs_left, 0U);
   EXPECT_LE(parted.largest_move, 1.0001e-6);
+}
+
+TEST(PartFrom, DistanceThatIsNoLengthIsRefused) {
+  const Parted parted(shapes::cube(), shapes::cube(1, {5, 0, 0}));
+  for (const double no_length : test::kNoLengths) {
+    EXPECT_THROW(static_cast<void>(part_from(parted.solid, operands_of(parted.all, parted.meshes),
+                                             parted.meshes[1], no_length)),
+                 InvalidArgument)
+        << no_length;
+  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "meshalyzer/checks/check_files.h"
 
+#include "meshalyzer/base/error.h"
 #include "meshalyzer/checks/profile.h"
 
 #include <gtest/gtest.h>
@@ -64,6 +65,10 @@ TEST(CheckTotals, CountFilesAndFindings) {
   EXPECT_EQ(totals.errors, 2U);
   EXPECT_EQ(totals.warnings, 1U);
   EXPECT_EQ(totals.fixable, 3U);
+}
+
+TEST(CheckFiles, ReceiverThatIsNullIsRefused) {
+  EXPECT_THROW(static_cast<void>(check_files({}, kPlenty, nullptr)), InvalidArgument);
 }
 
 }  // namespace

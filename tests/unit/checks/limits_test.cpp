@@ -1,5 +1,7 @@
 #include "meshalyzer/checks/limits.h"
 
+#include "meshalyzer/base/error.h"
+#include "support/constants.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -55,6 +57,13 @@ TEST(FindBeyondLimit, WholeMeshIsNamedByNoElement) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_TRUE(found[0].faces.empty());
   EXPECT_EQ(found[0].value, 12.0);
+}
+
+TEST(FindBeyondLimit, LimitThatIsNotANumberIsRefused) {
+  for (const LimitInfo& info : limit_table()) {
+    EXPECT_THROW(static_cast<void>(beyond(shapes::cube(), info.kind, kNaN)), InvalidArgument)
+        << info.name;
+  }
 }
 
 }  // namespace

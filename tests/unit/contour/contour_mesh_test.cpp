@@ -3,6 +3,7 @@
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/self_intersection.h"
+#include "support/no_lengths.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -116,6 +117,14 @@ TEST(ContourMesh, SaysWhereTheGridWouldBeTooLarge) {
 TEST(ContourMesh, OfNothingIsNone) {
   EXPECT_FALSE(contour_mesh(Soup(), {.max_deviation = 1}));
   EXPECT_THROW((void)contour_mesh(shapes::cube(), {.max_deviation = 0}), InvalidArgument);
+}
+
+TEST(ContourMesh, DeviationThatIsNotPositiveAndFiniteIsRefused) {
+  for (const double no_length : test::kNoLengths) {
+    EXPECT_THROW(static_cast<void>(contour_mesh(shapes::cube(), {.max_deviation = no_length})),
+                 InvalidArgument)
+        << no_length;
+  }
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "meshalyzer/defects/boundary_chains.h"
 
+#include "meshalyzer/base/error.h"
+#include "support/constants.h"
 #include "support/random_soups.h"
 #include "support/shapes.h"
 
@@ -98,6 +100,11 @@ TEST(FindBoundaryChains, AreSimpleAndHoldEveryBorderEdgeOnce) {
     }
     EXPECT_TRUE(std::equal(found.begin(), found.end(), expected.begin(), expected.end()));
   }
+}
+
+TEST(FindBoundaryChains, PositionThatIsNotFiniteIsRefused) {
+  const Vec3 wrong(0, 0, kNaN);
+  EXPECT_THROW(chains_of(shapes::open_cube(), {.near_positions = {wrong}}), InvalidArgument);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "meshalyzer/defects/check.h"
 
+#include "meshalyzer/base/error.h"
+#include "support/constants.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
@@ -130,6 +132,15 @@ TEST(CheckPair, MeshesThatMeetClash) {
   EXPECT_FALSE(check_pair(shapes::cube(), shapes::cube(1.0, Vec3(0.5, 0.5, 0.5))).empty());
   // Contact is enough.
   EXPECT_FALSE(check_pair(shapes::cube(), shapes::cube(1.0, Vec3(1, 0, 0))).empty());
+}
+
+TEST(Check, PolylineThatIsNotFiniteIsRefused) {
+  for (const double wrong : {kNaN, kInfinity}) {
+    const std::vector<Polyline> lines{{{0, 0, 0}, {wrong, 0, 0}}};
+    EXPECT_THROW(
+        static_cast<void>(check(shapes::grid(1, 1), {.is_single_face = true, .polylines = lines})),
+        InvalidArgument);
+  }
 }
 
 }  // namespace

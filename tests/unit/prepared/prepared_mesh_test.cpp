@@ -176,5 +176,9 @@ TEST(PreparedMesh, MeshWithoutFacesHasNoParts) {
   EXPECT_TRUE(mesh.shells().empty());
 }
 
+TEST(PreparedMesh, RecordsThatAreNullAreRefused) {
+  EXPECT_THROW(PreparedMesh(std::shared_ptr<const Soup>()), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace meshalyzer

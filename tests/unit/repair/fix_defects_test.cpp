@@ -1,7 +1,9 @@
 #include "meshalyzer/repair/fix_defects.h"
 
 #include "meshalyzer/base/error.h"
+#include "support/constants.h"
 #include "support/foldovers.h"
+#include "support/no_lengths.h"
 #include "support/same_soup.h"
 #include "support/shapes.h"
 #include "unit/repair/repaired_meshes.h"
@@ -205,6 +207,20 @@ TEST(FixDefects, OnlyWhatIsAskedForIsFixed) {
   EXPECT_EQ(count_after(result, Hole), 1U);
   options.fixes = {};
   EXPECT_TRUE(same_soup(only_mesh(fix_defects(soup, options)), soup));
+}
+
+TEST(FixDefects, WeldingWithinNoLengthIsRefusedAlsoWhereNothingIsToBeWelded) {
+  for (const double no_length : test::kNoLengths) {
+    RepairOptions options;
+    options.weld_within = no_length;
+    EXPECT_THROW(static_cast<void>(fix_defects(shapes::cube(), options)), InvalidArgument);
+  }
+}
+
+TEST(FixDefects, HoleAtAPointThatIsNotFiniteIsRefused) {
+  RepairOptions options;
+  options.fill.at = Vec3(0, kNaN, 0);
+  EXPECT_THROW(static_cast<void>(fix_defects(shapes::open_cube(), options)), InvalidArgument);
 }
 
 }  // namespace

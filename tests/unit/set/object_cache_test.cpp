@@ -234,5 +234,9 @@ TEST(ObjectCache, ManyThreadsOverLittleMemoryAlwaysGetTheObjectTheyAskFor) {
   EXPECT_EQ(n_wrong, 0);
 }
 
+TEST(ObjectCache, LoaderThatIsNullIsRefused) {
+  EXPECT_THROW(ObjectCache(1, kNoLimit, nullptr), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace meshalyzer

@@ -3,9 +3,12 @@
 #include "cube_at.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/set/analyze_files.h"
 #include "meshalyzer/set/object_meeting.h"
 #include "object_scene.h"
 #include "recorded_run.h"
+#include "support/constants.h"
+#include "support/no_lengths.h"
 #include "support/packed_sets.h"
 #include "support/shapes.h"
 
@@ -354,6 +357,45 @@ TEST(AnalyzeSet, StopsWhenTheListenerWantsIt) {
   }
   Impatient patient(whole.calls.size() + 1);
   EXPECT_TRUE(analyze_set(files.paths(), asking(true, true), patient).has_value());
+}
+
+void expect_refused(const SetOptions& options) {
+  Recorder recorder;
+  EXPECT_THROW(static_cast<void>(analyze_set({}, options, recorder)), InvalidArgument);
+  EXPECT_THROW(static_cast<void>(analyze_files({}, options, recorder)), InvalidArgument);
+}
+
+TEST(AnalyzeSet, OptionsThatMakeNoSenseAreRefusedBeforeAnyFileIsRead) {
+  SetOptions options = asking(true, true);
+  for (const double no_length : test::kNoLengths) {
+    options.request.between.separation = {.search_radius = no_length};
+    expect_refused(options);
+    options.request.between.separation = {.include_self = no_length};
+    expect_refused(options);
+    options.request.between.separation = {.search_cone_degrees = no_length};
+    expect_refused(options);
+  }
+  options.request.between.separation = {.search_cone_degrees = 90.5};
+  expect_refused(options);
+}
+
+TEST(AnalyzeSet, TimeLimitsAreNotNegative) {
+  SetOptions options = asking(false, false);
+  options.request.time_limit = kNaN;
+  expect_refused(options);
+  options.request.time_limit = -1.0;
+  expect_refused(options);
+  options.request.time_limit = kInfinity;
+  Recorder recorder;
+  EXPECT_TRUE(analyze_set({}, options, recorder));
+}
+
+TEST(AnalyzeSet, ShardThatDoesNotExistIsRefused) {
+  SetOptions options = asking(false, false);
+  for (const Shard& shard : {Shard{0, 0}, Shard{2, 2}, Shard{7, 3}}) {
+    options.shard = shard;
+    expect_refused(options);
+  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/combine/track_combined.h"
 
+#include "meshalyzer/base/require.h"
 #include "meshalyzer/boolean/make_disjoint.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/repair/edits/apply_edits.h"
@@ -205,6 +206,7 @@ bool is_unchanged(const Soup& source, const CombinedSolid& solid) {
 }
 
 MendedMesh part_combined(TrackedMesh combined, double max_deviation) {
+  require_length("the maximum deviation", max_deviation);
   if (build(combined.soup).side.non_manifold_vertices.empty()) return {std::move(combined)};
   RepairOptions options;
   options.fixes = {DefectCode::NonManifold};
@@ -220,6 +222,7 @@ MendedMesh mend_combined(const TrackedMesh& combined, const CombineOptions& opti
 }
 
 MendedMesh keep_off(MendedMesh mended, const Soup& others, const CombineOptions& options) {
+  require_length("the maximum deviation", options.max_deviation);
   const CutMesh cut_others = build(others);
   const FaceTree tree_of_others(cut_others);
   const auto n_pairs_of = [&](const Soup& soup) {

@@ -32,7 +32,8 @@ struct MendedMesh {
 /// Parts surfaces that touch along an edge or at a vertex, as a repair of `non-manifold` does; a
 /// mesh that is manifold is left unchanged.
 ///
-/// @param max_deviation  The maximum distance by which a vertex may move. A length.
+/// @param max_deviation  The maximum distance by which a vertex may move.
+/// @throws InvalidArgument  if that is no length: negative or not finite.
 [[nodiscard]] MendedMesh part_combined(TrackedMesh combined, double max_deviation);
 
 /// Repairs the result of an operation that is CombineOutcome::Unfinished, as a solid: a repair
@@ -40,6 +41,7 @@ struct MendedMesh {
 ///
 /// @param options  The options of the operation: the maximum distance between the surfaces before
 /// and after, and when to stop.
+/// @throws InvalidArgument  as fix_defects().
 [[nodiscard]] MendedMesh mend_combined(const TrackedMesh& combined, const CombineOptions& options);
 
 /// Subtracts others again, as subtract_and_part() does, from a difference that still meets them or
@@ -48,6 +50,7 @@ struct MendedMesh {
 ///
 /// @param others   What the difference is to have no point in common with.
 /// @param options  As of mend_combined(); the distance is the one that this may add.
+/// @throws InvalidArgument  as combine_solids().
 [[nodiscard]] MendedMesh keep_off(MendedMesh mended, const Soup& others,
                                   const CombineOptions& options);
 

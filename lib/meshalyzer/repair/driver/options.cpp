@@ -1,9 +1,8 @@
 #include "meshalyzer/repair/driver/options.h"
 
-#include "meshalyzer/base/error.h"
+#include "meshalyzer/base/require.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace meshalyzer {
@@ -24,9 +23,7 @@ DefectCodes default_fixes() {
 }
 
 double length_of(const Deviation& deviation, const Box3& box) {
-  if (!(deviation.value >= 0.0) || !std::isfinite(deviation.value)) {
-    throw InvalidArgument("the maximum deviation must be finite and not negative");
-  }
+  require_length("the maximum deviation", deviation.value);
   if (deviation.unit == Deviation::Unit::Length) return deviation.value;
   if (box.isEmpty()) return 0.0;
   // The diagonal itself may be too large for a double.

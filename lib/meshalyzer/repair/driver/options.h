@@ -17,7 +17,8 @@ namespace meshalyzer {
 /// Returns all codes except disjoint and numbering.
 [[nodiscard]] DefectCodes default_fixes();
 
-/// A maximum deviation: a length, or a share of the diagonal of the mesh's bounding box.
+/// A maximum deviation: a length, or a share of the diagonal of the mesh's bounding box. Its value
+/// is finite and not negative.
 struct Deviation {
   enum class Unit : std::uint8_t { Length, Diagonal };
   double value = 0.001;
@@ -58,7 +59,8 @@ struct RepairOptions {
   ToleranceOptions tolerances;
   Deviation max_deviation;
   FillOptions fill;
-  /// Joins borders within this length, in addition to those within the slit tolerance.
+  /// Joins borders within this length, in addition to those within the slit tolerance. It is finite
+  /// and not negative.
   std::optional<double> weld_within;
   Turn turn = Turn::Nothing;
   Contact contact = Contact::Part;

@@ -32,7 +32,7 @@ enum class FillSheets : std::uint8_t {
 struct FillOptions {
   /// Loops with more edges are left open.
   std::size_t max_edges = std::numeric_limits<std::size_t>::max();
-  /// If a point is given, only the loop nearest to it is filled.
+  /// If a point is given, only the loop nearest to it is filled. It is finite.
   std::optional<Vec3> at = {};
   FillShape shape = FillShape::Auto;
   FillSheets sheets = FillSheets::No;

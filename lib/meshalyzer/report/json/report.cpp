@@ -1,6 +1,7 @@
 #include "meshalyzer/report/json/report.h"
 
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/base/require.h"
 #include "meshalyzer/report/json/bytes.h"
 #include "meshalyzer/report/json/findings.h"
 #include "meshalyzer/report/json/mesh.h"
@@ -15,6 +16,7 @@ namespace meshalyzer {
 class JsonReport::Pieces {
  public:
   Pieces(TextSink sink, JsonOffenders offenders) : sink_(std::move(sink)), offenders_(offenders) {
+    require_function("the sink of a JSON report", sink_);
     json_.begin_object();
     json_.member("schema", std::string_view("meshalyzer-report/1"));
     json_.member("version", std::string_view(MESHALYZER_VERSION));

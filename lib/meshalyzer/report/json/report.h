@@ -27,6 +27,7 @@ using TextSink = std::function<void(std::string_view)>;
 /// the report is then lost.
 class JsonReport {
  public:
+  /// @throws InvalidArgument  if the sink is null.
   JsonReport(TextSink sink, JsonOffenders offenders);
   ~JsonReport();
   JsonReport(JsonReport&&) noexcept;

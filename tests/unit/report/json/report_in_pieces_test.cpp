@@ -233,5 +233,9 @@ TEST(JsonReportOfSet, PairsHaveALineEach) {
   EXPECT_NE(text.find("\n   [\"a.mesh\", 3, \"b.mesh\", 17, \"crossing\"],\n"), std::string::npos);
 }
 
+TEST(JsonReportPieces, SinkThatIsNullIsRefused) {
+  EXPECT_THROW(JsonReport(nullptr, JsonOffenders::Omit), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace meshalyzer
