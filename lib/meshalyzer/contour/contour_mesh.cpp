@@ -105,7 +105,9 @@ MarkedSize size_of(const Soup& soup, const std::vector<std::uint8_t>& faces) {
     if (faces[f] == 0) continue;
     const auto [a, b, c] = corners_of(soup, f);
     size.length += (b - a).norm() + (c - b).norm() + (a - c).norm();
-    size.area += normal_of(a, b, c).norm() / 2.0;
+    const double area = normal_of(a, b, c).norm() / 2.0;
+    // Products of coordinates that are too large for a double may cancel.
+    size.area += std::isnan(area) ? std::numeric_limits<double>::infinity() : area;
   }
   return size;
 }

@@ -1,6 +1,7 @@
 #include "meshalyzer/spatial/box_tree.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/spatial/finite_part.h"
 #include "meshalyzer/spatial/tree_width.h"
 
 #include <algorithm>
@@ -46,12 +47,12 @@ std::uint64_t morton_code(const Box3& box, const Box3& all) {
 }  // namespace
 
 std::vector<Index> order_in_space(std::span<const Box3> boxes) {
-  const Box3 all = box_round(boxes);
+  const Box3 all = finite_part(box_round(boxes));
   auto keys = collect_chunks<std::pair<std::uint64_t, Index>>(
       boxes.size(), [&](Chunk chunk, std::vector<std::pair<std::uint64_t, Index>>& found) {
         for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
           if (boxes[i].isEmpty()) continue;
-          found.emplace_back(morton_code(boxes[i], all), static_cast<Index>(i));
+          found.emplace_back(morton_code(finite_part(boxes[i]), all), static_cast<Index>(i));
         }
       });
   std::sort(keys.begin(), keys.end());

@@ -18,7 +18,7 @@ namespace meshalyzer {
 /// over the boxes in the order of order_in_space().
 class BoxTree {
  public:
-  /// @param boxes  The boxes, of which empty ones are ignored.
+  /// @param boxes  The boxes, of which empty ones are ignored. They may be infinite.
   /// @complexity   O(n log n).
   explicit BoxTree(std::span<const Box3> boxes);
 

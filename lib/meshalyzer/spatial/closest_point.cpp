@@ -210,7 +210,7 @@ class Search {
   }
 
   std::optional<SurfacePoint> run() {
-    if (tree_.n_faces() == 0) {
+    if (tree_.n_faces() == 0 || !query_.point.allFinite()) {
       return std::nullopt;
     }
     if (query_.hint < tree_.n_faces()) {

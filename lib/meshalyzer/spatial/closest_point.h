@@ -78,8 +78,7 @@ class ClosestPoints {
   /// smallest distance, and the first of several faces at this distance; or else that of any face
   /// that the query calls near enough. Several threads may call it at a time.
   ///
-  /// @param query  The query; its point must be finite.
-  /// @return       Nothing if no face has such a point.
+  /// @return       Nothing if no face has such a point, or if the query's point is not finite.
   /// @complexity   O(log #F) on average; O(#F) if all faces are equally far up to rounding.
   [[nodiscard]] std::optional<SurfacePoint> find(const ClosestQuery& query) const;
 

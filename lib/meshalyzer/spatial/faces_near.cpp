@@ -3,6 +3,7 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/spatial/box_tree.h"
+#include "meshalyzer/spatial/finite_part.h"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,7 @@ class BoxGrid {
   explicit BoxGrid(std::span<const Box3> boxes) : rows_(kCells * kCells, 0) {
     for (const Box3& box : boxes) bounds_.extend(box);
     if (bounds_.isEmpty()) return;
+    bounds_ = finite_part(bounds_);
     for (Eigen::Index k = 0; k < 3; ++k) {
       // Halves are subtracted, because the difference may overflow.
       const double width = bounds_.max()[k] / 2 - bounds_.min()[k] / 2;

@@ -11,7 +11,7 @@ namespace meshalyzer {
 ///
 /// For a few boxes this takes a small part of the time that a tree over all faces takes.
 ///
-/// @param boxes  The boxes, of which empty ones are ignored.
+/// @param boxes  The boxes, of which empty ones are ignored. They may be infinite.
 /// @return       Faces of the complex (see is_in_complex()), by index, ascending; the same for any
 ///               number of threads.
 /// @complexity   O(n log n + #F log n) for n boxes that are spread out.

@@ -80,8 +80,11 @@ bool SegmentGrid::is_crowded() const {
 
 std::int64_t SegmentGrid::cell_of(double coordinate) const {
   constexpr double kFarthest = 0x1p60;
-  return static_cast<std::int64_t>(
-      std::clamp(std::floor(coordinate / cell_size_), -kFarthest, kFarthest));
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  // With a huge tolerance the reach of a point may be infinite, and the size of cells: then there
+  // is only one.
+  const double cell = std::floor(std::clamp(coordinate, -kLargest, kLargest) / cell_size_);
+  return static_cast<std::int64_t>(std::clamp(cell, -kFarthest, kFarthest));
 }
 
 std::uint64_t SegmentGrid::cell_of(const Vec3& point) const {

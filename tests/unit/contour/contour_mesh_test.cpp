@@ -127,5 +127,18 @@ TEST(ContourMesh, DeviationThatIsNotPositiveAndFiniteIsRefused) {
   }
 }
 
+// A face whose area is no double, the difference of products that overflow, was halved until the
+// stack was full.
+TEST(ContourMesh, FaceAsLargeAsDoublesAreIsNotDividedForASmallBox) {
+  const Soup soup = shapes::merged(
+      shapes::cube(0.5),
+      shapes::make({{-1e308, 0.25, -1e200}, {1e154, 3, 1}, {0, -1e308, 0}}, {{0, 1, 2}}));
+  const Box3 box(Vec3(-0.25, -0.25, -0.25), Vec3(1, 1, 1));
+  const auto contour =
+      contour_mesh(soup, {.max_deviation = 0.1, .max_tetrahedra = 4000, .within = box});
+  ASSERT_TRUE(contour);
+  expect_embedded_solid(contour->soup);
+}
+
 }  // namespace
 }  // namespace meshalyzer

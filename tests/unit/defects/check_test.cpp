@@ -143,5 +143,18 @@ TEST(Check, PolylineThatIsNotFiniteIsRefused) {
   }
 }
 
+// The largest tolerance is longer than any distance here.
+TEST(Check, WithinAHugeToleranceEveryBorderMatches) {
+  const std::vector<Polyline> far{{{-1e308, 0, 0}, {1e308, 0, 0}}};
+  for (const double tolerance : {1e306, 1e307, 1e308, std::numeric_limits<double>::max()}) {
+    const CheckResult result =
+        check(shapes::grid(1, 1),
+              {.tolerances = {.slit = tolerance}, .is_single_face = true, .polylines = far});
+    const bool is_within = tolerance >= 1e308;
+    EXPECT_EQ(result.unmatched_segments.empty(), is_within) << tolerance;
+    EXPECT_EQ(result.unmatched_border_edges.empty(), is_within) << tolerance;
+  }
+}
+
 }  // namespace
 }  // namespace meshalyzer

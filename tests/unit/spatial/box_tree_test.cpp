@@ -187,5 +187,13 @@ TEST(BoxTreeMeeting, BoxOfNobodyMayAskAndEmptyBoxesMeetNothing) {
   EXPECT_EQ(BoxTree({}).meeting(unit_box({0, 0, 0})), std::vector<Index>{});
 }
 
+TEST(BoxTreeMeeting, InfiniteBoxesMeetAllOnTheirSide) {
+  constexpr double kEnd = std::numeric_limits<double>::infinity();
+  const Vec3 far = Vec3::Constant(kEnd);
+  const std::vector<Box3> boxes{
+      {-far, far}, unit_box({5, 5, 5}), {-far, Vec3::Zero()}, unit_box({-5, -5, -5})};
+  EXPECT_EQ(meetings(boxes), (Meetings{{1, 2, 3}, {0}, {0, 3}, {0, 2}}));
+}
+
 }  // namespace
 }  // namespace meshalyzer

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -448,6 +449,18 @@ TEST(ClosestPoints, DistanceBeyondTheLargestNumberIsInfinite) {
   const auto found = scene.closest.find({.point = Vec3::Constant(-1.7e308)});
   ASSERT_TRUE(found);
   EXPECT_EQ(found->distance, kInfinity);
+}
+
+TEST(ClosestPoints, PointThatIsNotFiniteHasNone) {
+  const CutMesh cut = build(shapes::icosphere(2));
+  const FaceTree tree(cut);
+  const ClosestPoints closest(tree);
+  for (const double wrong :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity()}) {
+    EXPECT_FALSE(closest.find({.point = Vec3(0, wrong, 0)})) << wrong;
+    EXPECT_FALSE(closest.find({.point = Vec3::Constant(wrong)})) << wrong;
+  }
 }
 
 }  // namespace
