@@ -26,6 +26,9 @@ class EditedFile {
         soup_(source_),
         has_vertex_normals_(has_vertex_normals(source_)),
         mesh_{source_, soup_, {}, {}} {
+    // No file has the lines of records that change.
+    soup_.vertex_lines.clear();
+    soup_.face_lines.clear();
     for (Index v = 0; v < soup_.n_vertices(); ++v) {
       mesh_.vertices.push_back({ElementOrigin::Relation::Same, v});
     }

@@ -10,7 +10,7 @@
 #include "meshalyzer/analysis/internal/volume.h"
 #include "meshalyzer/base/require.h"
 #include "meshalyzer/base/stop_query.h"
-#include "meshalyzer/mesh/require_corners.h"
+#include "meshalyzer/mesh/require_records.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 
 #include <algorithm>
@@ -110,7 +110,7 @@ PairLimits pair_limits(const MeshRequest& request, StopQuery wants_to_stop) {
 }
 
 Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options) {
-  require_corners(soup);
+  require_records(soup);
   require_valid(options);
   const auto phase = [&](std::string_view name) {
     if (options.on_phase) {

@@ -10,7 +10,7 @@
 #include "meshalyzer/exact/exact_point.h"
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/mesh/build.h"
-#include "meshalyzer/mesh/require_corners.h"
+#include "meshalyzer/mesh/require_records.h"
 #include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/spatial/self_intersection_of.h"
@@ -32,7 +32,7 @@ using Pairs = std::vector<IntersectingPair>;
 
 void require_operands(const Operands& operands) {
   const Soup& soup = operands.soup;
-  require_corners(soup);
+  require_records(soup);
   if (operands.count == 0) throw InvalidArgument("combine_solids: there is no operand");
   if (operands.of_face.size() != soup.n_faces() ||
       std::any_of(operands.of_face.begin(), operands.of_face.end(),

@@ -2,7 +2,7 @@
 
 #include "meshalyzer/base/sum.h"
 #include "meshalyzer/base/triangle.h"
-#include "meshalyzer/mesh/require_corners.h"
+#include "meshalyzer/mesh/require_records.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/topology/components.h"
 
@@ -18,7 +18,7 @@ namespace {
 class Concatenation {
  public:
   void add(const Soup& mesh) {
-    require_corners(mesh);
+    require_records(mesh);
     const auto n_vertices = static_cast<Index>(all_.n_vertices());
     const auto n_faces = static_cast<Index>(all_.n_faces());
     add_groups(mesh, n_faces);

@@ -3,6 +3,7 @@
 #include "meshalyzer/base/runs.h"
 #include "meshalyzer/geometry/volume.h"
 #include "meshalyzer/mesh/edge_key.h"
+#include "meshalyzer/mesh/require_records.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 
 #include <algorithm>
@@ -106,6 +107,7 @@ std::string fault_of_shells(const Soup& soup) {
 }  // namespace
 
 std::string find_solid_fault(const Soup& soup) {
+  require_records(soup);
   if (soup.triangles.empty()) return "it has no faces";
   if (!soup.missing.empty()) return "its faces name vertices that are not there";
   const std::string fault = fault_of_edges(count_uneven_edges(soup));

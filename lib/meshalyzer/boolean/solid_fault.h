@@ -13,6 +13,7 @@ namespace meshalyzer {
 /// directions, and no shell is inside out except one that crosses others and subtracts from what
 /// they enclose. It may intersect itself, and need not be manifold.
 ///
+/// @throws InvalidArgument  as build().
 /// @complexity O(#F log #F), plus that of PreparedMesh::shells() if there are several components.
 [[nodiscard]] std::string find_solid_fault(const Soup& soup);
 

@@ -3,6 +3,7 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/defects/finders.h"
+#include "meshalyzer/mesh/require_records.h"
 #include "meshalyzer/mesh/used_box.h"
 
 #include <algorithm>
@@ -165,6 +166,7 @@ std::size_t DefectReport::total() const {
 }
 
 DefectReport find_defects(const Soup& soup, const DefectOptions& options) {
+  require_records(soup);
   if (!has_finite_positions(soup)) return find_in(soup, nullptr, options);
   const PreparedMesh mesh(soup, options.pairs);
   return find_in(soup, &mesh, options);

@@ -10,6 +10,7 @@
 #include "meshalyzer/io/off.h"
 #include "meshalyzer/io/ply.h"
 #include "meshalyzer/io/stl.h"
+#include "meshalyzer/mesh/require_records.h"
 
 #include <optional>
 
@@ -59,6 +60,7 @@ void write_mesh(const Soup& soup, const std::string& path, Encoding encoding) {
 }
 
 std::string print_mesh(const Soup& soup, Format format, Encoding encoding) {
+  require_records(soup);
   return encoding == Encoding::Text ? print_text(soup, format) : print_binary(soup, format);
 }
 

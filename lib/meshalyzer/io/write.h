@@ -16,9 +16,10 @@ enum class Encoding { Text, Binary };
 /// is written beside the target, flushed and renamed, so that a failure leaves the old file as it
 /// was.
 ///
-/// @throws IoError if the file cannot be written; InvalidArgument if the ending is of no known
-/// format, the format has no such encoding (Binary: STL and PLY only), or a face has a corner
-/// without a vertex or, in a `.mesh` file, a vertex whose id belongs to an earlier one.
+/// @throws IoError if the file cannot be written; InvalidArgument if the soup contradicts itself,
+/// the ending is of no known format, the format has no such encoding (Binary: STL and PLY only), or
+/// a face has a corner without a vertex or, in a `.mesh` file, a vertex whose id belongs to an
+/// earlier one.
 void write_mesh(const Soup& soup, const std::string& path, Encoding encoding = Encoding::Text);
 
 /// Returns the bytes that write_mesh() would write.

@@ -6,7 +6,7 @@
 #include "meshalyzer/mesh/edge_pairs.h"
 #include "meshalyzer/mesh/fans.h"
 #include "meshalyzer/mesh/link.h"
-#include "meshalyzer/mesh/require_corners.h"
+#include "meshalyzer/mesh/require_records.h"
 
 #include <algorithm>
 #include <functional>
@@ -45,7 +45,7 @@ CutEdges cut_edges(CornerLists sides, const EdgeNumbers& edges) {
 
 CutMesh build(const Soup& soup) {
   if (soup.n_vertices() > kMaxVertices) throw InvalidArgument("build: more than 2^31 vertices");
-  require_corners(soup);
+  require_records(soup);
   SideTable side = sort_out_faces(soup);
   if (side.faces.size() > kMaxFaces) throw InvalidArgument("build: more than 2^30 faces");
 

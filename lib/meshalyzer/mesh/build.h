@@ -18,9 +18,9 @@ namespace meshalyzer {
 /// Vertices that no face uses are isolated vertices of the mesh. The connectivity is linked in
 /// bulk.
 ///
-/// @throws InvalidArgument if a corner is neither kNoIndex nor an index into positions, or the
-///         complex has more than 2^30 faces, or the mesh more edges or vertices than OpenMesh's
-///         handles can number (about 2^30 and 2^31).
+/// @throws InvalidArgument if the soup contradicts itself (see Soup), as where a corner is neither
+///         kNoIndex nor an index into positions; or the complex has more than 2^30 faces, or the
+///         mesh more edges or vertices than OpenMesh's handles can number (about 2^30 and 2^31).
 /// @complexity O(#V + #F) time, apart from sorting the edges round each vertex; about 48 bytes of
 ///             temporary memory per face.
 [[nodiscard]] CutMesh build(const Soup& soup);

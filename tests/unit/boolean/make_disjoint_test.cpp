@@ -157,5 +157,11 @@ TEST(SubtractInOrder, StepThatIsNullIsRefused) {
   EXPECT_THROW(subtract_in_order({}, SubtractStep()), InvalidArgument);
 }
 
+TEST(MakeDisjoint, SolidThatContradictsItselfIsRefusedAlsoWhereItIsAlone) {
+  Soup wrong = shapes::cube();
+  wrong.triangles[3][1] = 8;
+  EXPECT_THROW(static_cast<void>(make_disjoint(std::vector<Soup>{wrong})), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace meshalyzer

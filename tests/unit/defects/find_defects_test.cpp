@@ -172,5 +172,13 @@ TEST(FindDefects, SearchForFoldoversThatIsStoppedSaysSo) {
   EXPECT_NE(stopped.warnings.front().find("foldovers"), std::string::npos);
 }
 
+TEST(FindDefects, SoupThatContradictsItselfIsRefusedWhateverElseIsWrong) {
+  Soup soup = shapes::cube();
+  soup.triangles[3][1] = 8;
+  EXPECT_THROW(static_cast<void>(find_defects(soup)), InvalidArgument);
+  soup.positions[0].x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(static_cast<void>(find_defects(soup)), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace meshalyzer

@@ -223,5 +223,14 @@ TEST(FixDefects, HoleAtAPointThatIsNotFiniteIsRefused) {
   EXPECT_THROW(static_cast<void>(fix_defects(shapes::open_cube(), options)), InvalidArgument);
 }
 
+TEST(FixDefects, SoupThatContradictsItselfIsRefused) {
+  Soup corner = shapes::cube();
+  corner.triangles[3][1] = 8;
+  EXPECT_THROW(static_cast<void>(fix_defects(corner)), InvalidArgument);
+  Soup ids = shapes::cube();
+  ids.vertex_ids.named = {1, 2, 3};
+  EXPECT_THROW(static_cast<void>(fix_defects(ids)), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace meshalyzer

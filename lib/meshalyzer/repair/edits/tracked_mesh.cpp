@@ -1,11 +1,14 @@
 #include "meshalyzer/repair/edits/tracked_mesh.h"
 
+#include "meshalyzer/mesh/require_records.h"
+
 #include <numeric>
 #include <utility>
 
 namespace meshalyzer {
 
 TrackedMesh track_mesh(Soup soup) {
+  require_records(soup);
   TrackedMesh tracked;
   tracked.n_input_vertices = soup.n_vertices();
   tracked.n_input_faces = soup.n_faces();

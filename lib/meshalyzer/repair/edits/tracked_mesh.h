@@ -56,6 +56,8 @@ struct TrackedMesh {
 };
 
 /// Starts to track a mesh: the result is the input, with keys.
+///
+/// @throws InvalidArgument  if the soup contradicts itself.
 [[nodiscard]] TrackedMesh track_mesh(Soup soup);
 
 }  // namespace meshalyzer

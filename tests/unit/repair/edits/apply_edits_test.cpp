@@ -1,11 +1,13 @@
 #include "meshalyzer/repair/edits/apply_edits.h"
 
+#include "meshalyzer/repair/edits/internal/fresh_ids.h"
 #include "support/same_soup.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -315,6 +317,12 @@ TEST(ApplyEdits, ChangedNormalReplacesThatOfTheCornersThatHaveIt) {
     }
   }
   EXPECT_EQ(after.soup.normals.back(), Vec3(0, 0, -1));
+}
+
+TEST(FreshIds, BesideNegativeOnesBeginAtOne) {
+  using Ids32 = std::vector<std::int32_t>;
+  EXPECT_EQ(fresh_ids({-3, -8}, 2), (Ids32{1, 2}));
+  EXPECT_EQ(fresh_ids({-3, std::numeric_limits<std::int32_t>::max()}, 2), (Ids32{1, 2}));
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ std::vector<std::int32_t> smallest_free(std::vector<std::int32_t> taken, std::si
 }  // namespace
 
 std::vector<std::int32_t> fresh_ids(const std::vector<std::int32_t>& taken, std::size_t n) {
-  const std::int32_t largest = taken.empty() ? 0 : *std::max_element(taken.begin(), taken.end());
+  const std::int32_t largest =
+      taken.empty() ? 0 : std::max(0, *std::max_element(taken.begin(), taken.end()));
   const auto room = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max() - largest);
   if (n > room) return smallest_free(taken, n);
   std::vector<std::int32_t> fresh(n);
