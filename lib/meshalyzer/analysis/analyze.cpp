@@ -10,6 +10,7 @@
 #include "meshalyzer/analysis/internal/volume.h"
 #include "meshalyzer/base/require.h"
 #include "meshalyzer/base/stop_query.h"
+#include "meshalyzer/mesh/finite_positions.h"
 #include "meshalyzer/mesh/require_records.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 
@@ -111,6 +112,7 @@ PairLimits pair_limits(const MeshRequest& request, StopQuery wants_to_stop) {
 
 Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options) {
   require_records(soup);
+  require_finite_positions(soup);
   require_valid(options);
   const auto phase = [&](std::string_view name) {
     if (options.on_phase) {

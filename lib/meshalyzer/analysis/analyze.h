@@ -93,7 +93,7 @@ struct AnalysisOptions : MeshRequest {
 ///
 /// @param soup     The file, by value: its arrays are freed as soon as they are no longer needed.
 /// @param path     The name of the file in the report.
-/// @throws InvalidArgument  as build(); and if a threshold is NaN.
+/// @throws InvalidArgument  as build(); if a position is not finite; and if a threshold is NaN.
 /// @complexity     O(n log n) in the number of faces for meshes whose faces meet few others.
 [[nodiscard]] Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options = {});
 

@@ -8,6 +8,7 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/mesh/build.h"
+#include "meshalyzer/mesh/finite_positions.h"
 #include "meshalyzer/spatial/self_intersection.h"
 
 #include <utility>
@@ -186,6 +187,7 @@ std::optional<Arrangement> arrange_within(const Soup& soup, std::span<const Inte
 }
 
 Arrangement arrange(const Soup& soup) {
+  require_finite_positions(soup);
   const CutMesh cut = build(soup);
   const FaceTree tree(cut);
   return arrange(soup, find_self_intersections(cut, tree));

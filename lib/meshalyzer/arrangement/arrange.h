@@ -48,6 +48,8 @@ struct ArrangeLimits {
                                                         const ArrangeLimits& limits);
 
 /// Finds the intersecting pairs of a soup and cuts it along them.
+///
+/// @throws InvalidArgument  as build(); and if a position is not finite.
 [[nodiscard]] Arrangement arrange(const Soup& soup);
 
 }  // namespace meshalyzer

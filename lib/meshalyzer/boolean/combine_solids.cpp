@@ -10,6 +10,7 @@
 #include "meshalyzer/exact/exact_point.h"
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/mesh/build.h"
+#include "meshalyzer/mesh/finite_positions.h"
 #include "meshalyzer/mesh/require_records.h"
 #include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/spatial/self_intersection.h"
@@ -39,10 +40,7 @@ void require_operands(const Operands& operands) {
                   [&](Index operand) { return operand >= operands.count; })) {
     throw InvalidArgument("combine_solids: a face belongs to no operand");
   }
-  if (!std::all_of(soup.positions.begin(), soup.positions.end(),
-                   [](const Vec3& p) { return p.allFinite(); })) {
-    throw InvalidArgument("combine_solids: a position is not finite");
-  }
+  require_finite_positions(soup);
 }
 
 bool has_area(const std::vector<Vec3>& positions, const Triangle& t) {

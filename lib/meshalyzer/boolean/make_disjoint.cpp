@@ -4,6 +4,7 @@
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/boolean/internal/padded_operands.h"
 #include "meshalyzer/boolean/part_from.h"
+#include "meshalyzer/mesh/finite_positions.h"
 #include "meshalyzer/mesh/require_records.h"
 #include "meshalyzer/mesh/used_box.h"
 
@@ -127,7 +128,10 @@ std::vector<Soup> subtract_in_order(std::span<const Soup> solids, const Subtract
 std::vector<DisjointSolid> make_disjoint(std::span<const Soup> solids,
                                          const CombineOptions& options) {
   require_length("the maximum deviation", options.max_deviation);
-  for (const Soup& solid : solids) require_records(solid);
+  for (const Soup& solid : solids) {
+    require_records(solid);
+    require_finite_positions(solid);
+  }
   std::vector<DisjointSolid> made(solids.size());
   std::vector<Soup> soups = subtract_in_order(
       solids, [&](std::size_t i, const std::vector<Soup>& operands, const Soup& others) {

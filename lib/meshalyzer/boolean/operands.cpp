@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/sum.h"
 #include "meshalyzer/base/triangle.h"
+#include "meshalyzer/mesh/finite_positions.h"
 #include "meshalyzer/mesh/require_records.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/topology/components.h"
@@ -116,6 +117,7 @@ Operands operands_of(const Soup& all, std::span<const Soup> meshes) {
 }
 
 Operands operands_of(const Soup& soup) {
+  require_finite_positions(soup);
   const PreparedMesh mesh(soup);
   const std::vector<Index> component_of =
       components_of_file_faces(mesh.cut(), mesh.components(), soup.n_faces());

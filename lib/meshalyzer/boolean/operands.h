@@ -29,6 +29,7 @@ struct Operands {
 /// except that the wall of a cavity belongs to the solid that contains the cavity, or that the wall
 /// crosses.
 ///
+/// @throws InvalidArgument  as build(); and if a position is not finite.
 /// @complexity  That of PreparedMesh::shells().
 [[nodiscard]] Operands operands_of(const Soup& soup);
 

@@ -3,6 +3,7 @@
 #include "meshalyzer/base/runs.h"
 #include "meshalyzer/geometry/volume.h"
 #include "meshalyzer/mesh/edge_key.h"
+#include "meshalyzer/mesh/finite_positions.h"
 #include "meshalyzer/mesh/require_records.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 
@@ -108,6 +109,7 @@ std::string fault_of_shells(const Soup& soup) {
 
 std::string find_solid_fault(const Soup& soup) {
   require_records(soup);
+  if (!has_finite_positions(soup)) return "it has a position that is not finite";
   if (soup.triangles.empty()) return "it has no faces";
   if (!soup.missing.empty()) return "its faces name vertices that are not there";
   const std::string fault = fault_of_edges(count_uneven_edges(soup));

@@ -4,6 +4,7 @@
 #include "meshalyzer/checks/known_findings.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/find_defects.h"
+#include "meshalyzer/mesh/finite_positions.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -152,7 +153,7 @@ FileFindings check_mesh(Soup soup, std::string path, const CheckCriteria& criter
       find_defects(mesh, {.codes = criteria.codes, .tolerances = criteria.tolerances});
   FileFindingsBuilder findings(mesh, criteria, file);
   findings.add_defects(report, Severity::Error);
-  findings.add_beyond_limits();
+  if (has_finite_positions(mesh.soup())) findings.add_beyond_limits();
   findings.add_defects(report, Severity::Warning);
   cut_listed(file, criteria.max_listed, criteria.max_lines);
   return file;

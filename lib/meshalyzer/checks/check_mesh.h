@@ -8,7 +8,8 @@
 
 namespace meshalyzer {
 
-/// Checks one mesh against criteria.
+/// Checks one mesh against criteria. One with a position that is not finite, which is corrupt, is
+/// held to no limit.
 ///
 /// The result is the same for any number of threads.
 ///

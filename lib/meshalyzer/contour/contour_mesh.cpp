@@ -8,6 +8,7 @@
 #include "meshalyzer/contour/internal/surface_parts.h"
 #include "meshalyzer/contour/mesh_region.h"
 #include "meshalyzer/mesh/build.h"
+#include "meshalyzer/mesh/finite_positions.h"
 #include "meshalyzer/spatial/closest_point.h"
 #include "meshalyzer/spatial/self_intersection.h"
 
@@ -331,6 +332,7 @@ std::optional<BisectionGrid> grid_round(const Box3& box) {
 
 std::optional<ContouredMesh> contour_mesh(const Soup& soup, const ContourLimits& limits) {
   require_positive_length("the maximum deviation of a contour", limits.max_deviation);
+  require_finite_positions(soup);
   Target target(soup);
   const Box3 box = limits.within.value_or(target.mesh.tree.bounds());
   const auto grid = grid_round(box);

@@ -49,7 +49,8 @@ struct ContouredMesh {
 /// the mesh are too far apart, refines the grid there, and repeats. The comparison excludes walls,
 /// and the parts of the contour that span holes.
 ///
-/// @throws InvalidArgument  as build(); and if the maximum deviation is not positive and finite.
+/// @throws InvalidArgument  as build(); if the maximum deviation is not positive and finite; and if
+/// a position is not finite.
 /// @return     Nothing if the mesh has no extent, if its coordinates are too large relative to its
 ///             size for a grid, or if it was to stop.
 /// @complexity O(tetrahedra log tetrahedra) per round; about 400 bytes per tetrahedron.

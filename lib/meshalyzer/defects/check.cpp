@@ -1,6 +1,7 @@
 #include "meshalyzer/defects/check.h"
 
 #include "meshalyzer/base/require.h"
+#include "meshalyzer/mesh/finite_positions.h"
 #include "meshalyzer/spatial/mutual_intersection.h"
 #include "meshalyzer/spatial/segment_grid.h"
 #include "meshalyzer/topology/border.h"
@@ -89,13 +90,15 @@ CheckResult check(const Soup& soup, const CheckOptions& options) {
   const PreparedMesh mesh(soup);
   result.report =
       find_defects(mesh, {.codes = codes_of(options), .tolerances = options.tolerances});
-  if (options.is_single_face && !options.polylines.empty()) {
+  if (options.is_single_face && !options.polylines.empty() && has_finite_positions(soup)) {
     match_borders(mesh, options.polylines, result);
   }
   return result;
 }
 
 std::vector<IntersectingPair> check_pair(const Soup& a, const Soup& b) {
+  require_finite_positions(a);
+  require_finite_positions(b);
   const PreparedMesh mesh_a(a);
   const PreparedMesh mesh_b(b);
   return find_intersections(mesh_a.cut(), mesh_a.tree(), mesh_b.cut(), mesh_b.tree());

@@ -48,7 +48,8 @@ struct CheckResult {
   }
 };
 
-/// Checks a mesh.
+/// Checks a mesh. The border of one with a position that is not finite, which is corrupt, is not
+/// matched with polylines.
 ///
 /// @throws InvalidArgument  as find_defects(); and if a point of a polyline is not finite.
 [[nodiscard]] CheckResult check(const Soup& soup, const CheckOptions& options = {});
@@ -59,6 +60,7 @@ struct CheckResult {
 /// have in common to the first. combine_solids() makes one solid of both.
 ///
 /// @return  The same as find_intersections().
+/// @throws InvalidArgument  as build(); and if a position is not finite.
 [[nodiscard]] std::vector<IntersectingPair> check_pair(const Soup& a, const Soup& b);
 
 }  // namespace meshalyzer

@@ -1,8 +1,8 @@
-#include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/internal/places.h"
+#include "meshalyzer/mesh/finite_positions.h"
 #include "meshalyzer/mesh/repeated_ids.h"
 
 #include <algorithm>
@@ -115,16 +115,6 @@ void add_torn_lines(const Soup& soup, DefectList& defects) {
 }
 
 }  // namespace
-
-bool has_finite_positions(const Soup& soup) {
-  const auto parts = map_chunks<char>(soup.n_vertices(), [&](Chunk chunk) {
-    const auto begin = soup.positions.begin();
-    return static_cast<char>(std::all_of(begin + static_cast<std::ptrdiff_t>(chunk.begin),
-                                         begin + static_cast<std::ptrdiff_t>(chunk.end),
-                                         is_finite));
-  });
-  return std::all_of(parts.begin(), parts.end(), [](char finite) { return finite != 0; });
-}
 
 DefectList find_corrupt(const Soup& soup) {
   DefectList defects;

@@ -3,6 +3,7 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/defects/finders.h"
+#include "meshalyzer/mesh/finite_positions.h"
 #include "meshalyzer/mesh/require_records.h"
 #include "meshalyzer/mesh/used_box.h"
 

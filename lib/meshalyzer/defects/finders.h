@@ -47,10 +47,6 @@ namespace meshalyzer {
 /// Finds the vertices that have opposed normals (see opposed_normals()).
 [[nodiscard]] DefectList find_opposed_normals(const PreparedMesh& mesh);
 
-/// Tells whether all coordinates are finite numbers. Otherwise the mesh must not be built, and only
-/// find_corrupt(), find_orphans() and find_numbering() may be called.
-[[nodiscard]] bool has_finite_positions(const Soup& soup);
-
 /// Finds, in this order, the vertices whose position is not finite, the ids that several records
 /// have (the value is how many), the faces that name a vertex which no record defines (one defect
 /// for each missing id), and torn lines.

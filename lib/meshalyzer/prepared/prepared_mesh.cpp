@@ -18,6 +18,13 @@ std::shared_ptr<const Soup> borrow(const Soup& soup) {
   return {std::shared_ptr<const Soup>(), &soup};
 }
 
+/// The records may have been released.
+void require_finite_positions(const TriMesh& mesh) {
+  for (const VertexHandle v : mesh.vertices()) {
+    if (!mesh.point(v).allFinite()) throw InvalidArgument("a position of the mesh is not finite");
+  }
+}
+
 /// Forwards all pairs to two listeners.
 class TwoListeners : public PairListener {
  public:
@@ -53,7 +60,10 @@ const Soup& PreparedMesh::soup() const {
 }
 
 const FaceTree& PreparedMesh::tree() const {
-  return tree_.get([this] { return FaceTree(cut_); });
+  return tree_.get([this] {
+    require_finite_positions(cut_.mesh);
+    return FaceTree(cut_);
+  });
 }
 
 const Components& PreparedMesh::components() const {
@@ -143,7 +153,10 @@ IntersectionCounts PreparedMesh::count_intersecting_pairs(
 }
 
 const std::vector<Shell>& PreparedMesh::shells() const& {
-  return shells_.get([this] { return find_shells(*this); });
+  return shells_.get([this] {
+    require_finite_positions(cut_.mesh);
+    return find_shells(*this);
+  });
 }
 
 std::vector<Shell> PreparedMesh::shells() && {

@@ -22,8 +22,10 @@ class PairListener;
 /// (JTS and GEOS call a geometry with such indices a PreparedGeometry.)
 ///
 /// The constructor builds the half-edge mesh: O(#F) time, about 200 bytes per face. Everything else
-/// is built at its first use and kept: each function states its cost. Any number of threads may
-/// call at a time. The object cannot be moved, because its parts refer to each other.
+/// is built at its first use and kept: each function states its cost. A mesh with a position that
+/// is not finite has components, and nothing else: what needs the positions throws InvalidArgument.
+/// Any number of threads may call at a time. The object cannot be moved, because its parts refer to
+/// each other.
 class PreparedMesh {
  public:
   /// Prepares a mesh whose records the caller keeps.

@@ -3,6 +3,7 @@
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/require.h"
 #include "meshalyzer/defects/finders.h"
+#include "meshalyzer/mesh/finite_positions.h"
 #include "meshalyzer/mesh/require_records.h"
 #include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/repair/driver/internal/dropped_parts.h"
@@ -195,9 +196,7 @@ void require_valid(const RepairOptions& options) {
 
 RepairResult fix_defects(Soup soup, const RepairOptions& options) {
   require_records(soup);
-  if (!has_finite_positions(soup)) {
-    throw InvalidArgument("a position is not finite: there is no mesh to repair");
-  }
+  require_finite_positions(soup);
   require_valid(options);
   const Box3 box = used_box(soup);
   const Tolerances tolerances = resolve_tolerances(options.tolerances, box);

@@ -319,5 +319,15 @@ TEST(Analyze, ThresholdsMayBeInfinite) {
   EXPECT_EQ(cube.offenders.short_edges->size(), 18U);
 }
 
+TEST(Analyze, PositionThatIsNotFiniteIsRefused) {
+  Soup soup = shapes::cube();
+  soup.positions[1].z() = kNaN;
+  AnalysisOptions options;
+  for (const Scope scope : {Scope::Everything, Scope::AttributesOnly}) {
+    options.scope = scope;
+    EXPECT_THROW(static_cast<void>(analyze(soup, "cube", options)), InvalidArgument);
+  }
+}
+
 }  // namespace
 }  // namespace meshalyzer

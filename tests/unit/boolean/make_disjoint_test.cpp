@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace meshalyzer {
@@ -161,6 +162,13 @@ TEST(MakeDisjoint, SolidThatContradictsItselfIsRefusedAlsoWhereItIsAlone) {
   Soup wrong = shapes::cube();
   wrong.triangles[3][1] = 8;
   EXPECT_THROW(static_cast<void>(make_disjoint(std::vector<Soup>{wrong})), InvalidArgument);
+}
+
+TEST(MakeDisjoint, PositionThatIsNotFiniteIsRefusedAlsoInASolidThatIsAlone) {
+  Soup wrong = shapes::cube();
+  wrong.positions[1].z() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(static_cast<void>(make_disjoint(std::vector<Soup>{wrong})), InvalidArgument);
+  EXPECT_THROW(static_cast<void>(operands_of(wrong)), InvalidArgument);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace meshalyzer {
 namespace {
 
@@ -55,6 +57,12 @@ TEST(FindSolidFault, VertexThatIsMissingIsNamed) {
   soup.triangles[3][1] = kNoIndex;
   soup.missing.push_back({3, 1, 99});
   EXPECT_EQ(find_solid_fault(soup), "its faces name vertices that are not there");
+}
+
+TEST(FindSolidFault, PositionThatIsNotFinite) {
+  Soup soup = shapes::cube();
+  soup.positions[1].z() = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(find_solid_fault(soup), "it has a position that is not finite");
 }
 
 }  // namespace

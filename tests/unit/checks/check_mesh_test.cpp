@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -150,6 +151,16 @@ TEST(CheckMesh, FindingsDoNotDependOnThreads) {
     return messages;
   };
   EXPECT_EQ(messages_with(1), messages_with(4));
+}
+
+TEST(CheckMesh, PositionThatIsNotFiniteIsCorruptAndHeldToNoLimit) {
+  Soup soup = shapes::cube();
+  soup.positions[1].z() = std::numeric_limits<double>::quiet_NaN();
+  CheckCriteria criteria = solid();
+  criteria.limits[LimitKind::MinCornerAngle] = 10.0;
+  const FileFindings found = check_mesh(soup, "cube", criteria);
+  ASSERT_EQ(found.counts.size(), 1U);
+  EXPECT_EQ(found.counts[0].code, "corrupt");
 }
 
 }  // namespace

@@ -156,5 +156,15 @@ TEST(Check, WithinAHugeToleranceEveryBorderMatches) {
   }
 }
 
+TEST(Check, MeshWithAPositionThatIsNotFiniteIsCorruptAndMatchedWithNothing) {
+  Soup soup = shapes::grid(2, 1);
+  soup.positions[0].x() = kNaN;
+  const std::vector<Polyline> lines = border_of_two_squares();
+  const CheckResult result = check(soup, {.is_single_face = true, .polylines = lines});
+  EXPECT_EQ(result.report.count(DefectCode::Corrupt), 1U);
+  EXPECT_TRUE(result.unmatched_segments.empty());
+  EXPECT_THROW(static_cast<void>(check_pair(soup, shapes::cube())), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace meshalyzer

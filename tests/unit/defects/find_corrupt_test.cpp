@@ -84,13 +84,5 @@ TEST(FindCorrupt, EveryPositionThatIsNotFiniteIsOneDefectThatCannotBeMended) {
   EXPECT_TRUE(defects[0].positions.empty());
 }
 
-TEST(HasFinitePositions, IsFalseForAnyThatIsNot) {
-  Soup soup = shapes::grid(100, 100);
-  EXPECT_TRUE(has_finite_positions(soup));
-  EXPECT_TRUE(has_finite_positions({}));
-  soup.positions.back().x() = -kInfinity;
-  EXPECT_FALSE(has_finite_positions(soup));
-}
-
 }  // namespace
 }  // namespace meshalyzer

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <memory>
 #include <set>
 #include <utility>
@@ -178,6 +179,17 @@ TEST(PreparedMesh, MeshWithoutFacesHasNoParts) {
 
 TEST(PreparedMesh, RecordsThatAreNullAreRefused) {
   EXPECT_THROW(PreparedMesh(std::shared_ptr<const Soup>()), InvalidArgument);
+}
+
+TEST(PreparedMesh, WithAPositionThatIsNotFiniteHasConnectivityAlone) {
+  Soup soup = shapes::cube();
+  soup.positions[1].z() = std::numeric_limits<double>::quiet_NaN();
+  PreparedMesh mesh(soup);
+  EXPECT_EQ(mesh.components().count, 1U);
+  mesh.release_soup();
+  EXPECT_THROW(static_cast<void>(std::as_const(mesh).tree()), InvalidArgument);
+  EXPECT_THROW(static_cast<void>(std::as_const(mesh).intersecting_pairs()), InvalidArgument);
+  EXPECT_THROW(static_cast<void>(std::as_const(mesh).shells()), InvalidArgument);
 }
 
 }  // namespace
