@@ -43,6 +43,14 @@ void require_operands(const Operands& operands) {
   require_finite_positions(soup);
 }
 
+/// Refuses a rule by which the result would have no end: rounding takes the result for a solid.
+void require_bounded(const InsideRule& rule, std::size_t n_operands) {
+  require_function("combine_solids: the rule", rule);
+  if (rule(std::vector<int>(n_operands, 0))) {
+    throw InvalidArgument("combine_solids: by the rule, what is in no operand is inside");
+  }
+}
+
 bool has_area(const std::vector<Vec3>& positions, const Triangle& t) {
   return is_in_complex(t) && !are_collinear(corners_of(positions, t));
 }
@@ -202,7 +210,7 @@ class Combination {
 CombinedSolid combine_solids(const Operands& operands, const InsideRule& rule,
                              const CombineOptions& options) {
   require_operands(operands);
-  require_function("combine_solids: the rule", rule);
+  require_bounded(rule, operands.count);
   require_length("the maximum deviation", options.max_deviation);
   return Combination(operands, options).run(rule);
 }

@@ -75,7 +75,8 @@ struct CombinedSolid {
 /// @param operands  The operands, for none of which find_solid_fault() finds a fault.
 /// @return          The result, which is the same for any number of threads.
 /// @throws InvalidArgument  as build(); if there are no operands, or a face has none; if a position
-/// is not finite; if the rule is null; and if the maximum deviation is no length.
+/// is not finite; if the rule is null, or holds where all winding numbers are 0, so that the result
+/// would have no end; and if the maximum deviation is no length.
 /// @complexity      That of find_self_intersections(), plus O(#F) for the cells and O(#cells
 ///                  #operands).
 [[nodiscard]] CombinedSolid combine_solids(const Operands& operands, const InsideRule& rule,

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 
 namespace meshalyzer {
 namespace {
@@ -252,6 +253,15 @@ TEST(CombineSolids, RuleThatIsNullIsRefusedWhateverItIsFor) {
   for (const Soup& soup : {Soup{}, shapes::cube()}) {
     EXPECT_THROW(static_cast<void>(combine_solids(operands_of(soup), InsideRule())),
                  InvalidArgument);
+  }
+}
+
+// The complement of the cube, and everything.
+TEST(CombineSolids, RuleByWhichTheResultWouldHaveNoEndIsRefused) {
+  const Soup soup = shapes::cube();
+  for (const InsideRule& rule : {InsideRule([](std::span<const int> w) { return w[0] <= 0; }),
+                                 InsideRule([](std::span<const int>) { return true; })}) {
+    EXPECT_THROW(static_cast<void>(combine_solids(operands_of(soup), rule)), InvalidArgument);
   }
 }
 
