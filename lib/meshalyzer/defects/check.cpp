@@ -97,8 +97,6 @@ CheckResult check(const Soup& soup, const CheckOptions& options) {
 }
 
 std::vector<IntersectingPair> check_pair(const Soup& a, const Soup& b) {
-  require_finite_positions(a);
-  require_finite_positions(b);
   const PreparedMesh mesh_a(a);
   const PreparedMesh mesh_b(b);
   return find_intersections(mesh_a.cut(), mesh_a.tree(), mesh_b.cut(), mesh_b.tree());

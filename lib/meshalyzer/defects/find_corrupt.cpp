@@ -22,14 +22,10 @@ std::string sentence(std::string_view before, std::int64_t number, std::string_v
   return text;
 }
 
-bool is_finite(const Vec3& position) {
-  return position.allFinite();
-}
-
 void add_positions(const Soup& soup, DefectList& defects) {
   if (has_finite_positions(soup)) return;
   for (Index v = 0; v < soup.n_vertices(); ++v) {
-    if (is_finite(soup.positions[v])) continue;
+    if (soup.positions[v].allFinite()) continue;
     Defect defect = make_defect(DefectCode::Corrupt);
     defect.vertices = {v};
     defect.detail = "a coordinate is not a finite number";

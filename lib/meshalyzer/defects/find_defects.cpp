@@ -167,8 +167,10 @@ std::size_t DefectReport::total() const {
 }
 
 DefectReport find_defects(const Soup& soup, const DefectOptions& options) {
-  require_records(soup);
-  if (!has_finite_positions(soup)) return find_in(soup, nullptr, options);
+  if (!has_finite_positions(soup)) {
+    require_records(soup);
+    return find_in(soup, nullptr, options);
+  }
   const PreparedMesh mesh(soup, options.pairs);
   return find_in(soup, &mesh, options);
 }
