@@ -58,6 +58,7 @@ class EditedFile {
     erase(soup_.triangles, face);
     erase(soup_.corner_normals, face);
     erase(soup_.face_ids.named, face);
+    for (Group& group : soup_.groups) group.first_face -= group.first_face > face ? 1 : 0;
     erase(mesh_.faces, face);
   }
   /// Drops a vertex that no face names.

@@ -54,9 +54,10 @@ struct Group {
 /// numbered by first appearance (0.0 and -0.0 are the same place); n_merged_points tells how many
 /// were merged.
 ///
-/// A program may make a soup of its own, or change one that was read: ids, lines and normals of
-/// corners are then to be changed with the records, or cleared. All functions refuse a soup that
-/// contradicts itself, as where a record has no id and others have one, with InvalidArgument.
+/// A program may make a soup of its own, or change one that was read: ids, lines, groups and
+/// normals of corners are then to be changed with the records, or cleared. All functions refuse a
+/// soup that contradicts itself, as where a record has no id and others have one, with
+/// InvalidArgument.
 struct Soup {
   Format format = Format::Mesh;
   /// #V positions, one for each vertex record; all finite.
