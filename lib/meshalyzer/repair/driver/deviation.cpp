@@ -368,11 +368,12 @@ ChangedFaces DeviationMeter::find_measured_faces(const Repaired& repaired) const
   ChangedFaces changed = find_changed_faces(input_, repaired.tracked);
   // What leaves few faces comes first: there may be very many walls to look for.
   if (repaired.step != nullptr) drop_unaffected(repaired, changed.of_input);
+  drop_walls(input_, repaired.walls, changed.of_input);
+  drop_covered_segments(input_, changed.of_input);
+  // What lies on a lost face is lost with it, so these go last.
   std::erase_if(changed.of_input, [&](const ChangedFace& face) {
     return std::binary_search(repaired.lost.begin(), repaired.lost.end(), face.face);
   });
-  drop_walls(input_, repaired.walls, changed.of_input);
-  drop_covered_segments(input_, changed.of_input);
   return changed;
 }
 

@@ -66,6 +66,7 @@ class DeviationMeter {
     /// surface.
     std::span<const InteriorWall> walls = {};
     /// Faces of the input that do not count, by index, ascending: those that are lost on purpose.
+    /// Faces of zero area on their edges do not count either.
     std::span<const Index> lost = {};
     /// Tells find_far() what may have changed since the surface was last found to be within the
     /// bound; null if it never was.

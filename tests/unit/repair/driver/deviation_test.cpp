@@ -193,6 +193,20 @@ TEST(DeviationMeter, LostFacesDoNotCount) {
   EXPECT_EQ(far.of_input, Faces{23});
 }
 
+/// The segments are measured by the triangle whose edge they lie on, and lost with it.
+TEST(DeviationMeter, SegmentsOnLostFacesDoNotCount) {
+  Soup input = shapes::cube();
+  input.positions.insert(input.positions.end(), {{5, 0, 0}, {7, 0, 0}, {5, 1, 0}, {6, 0, 0}});
+  input.triangles.insert(input.triangles.end(), {{8, 9, 10}, {9, 8, 11}, {8, 11, 9}});
+  const TrackedMesh tracked = without_faces(track_mesh(input), face_range(12, 15));
+  const PreparedMesh mesh(tracked.soup);
+  const DeviationMeter meter(input);
+  const FarFaces far = meter.find_far({.tracked = tracked, .mesh = mesh, .bound = 1});
+  EXPECT_EQ(far.of_input, Faces{12});
+  EXPECT_TRUE(
+      meter.find_far({.tracked = tracked, .mesh = mesh, .bound = 1, .lost = far.of_input}).empty());
+}
+
 TEST(DeviationMeter, FacesThatAreWallsDoNotCountWhereverTheirCornersBegin) {
   // Some coordinates are 0, which equals -0.
   const Soup input = shapes::merged(shapes::cube(1, {5, 0, 0}), shapes::cube());
