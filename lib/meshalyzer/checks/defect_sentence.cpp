@@ -1,5 +1,6 @@
 #include "meshalyzer/checks/defect_sentence.h"
 
+#include "meshalyzer/base/enum_table.h"
 #include "meshalyzer/base/grouped_digits.h"
 
 #include <algorithm>
@@ -171,13 +172,7 @@ constexpr std::array<Sentence, kDefectCodes> kSentences{{
     {DefectCode::Numbering, Lead::FaceOrVertex, numbering},
 }};
 
-constexpr bool are_sentences_in_order() {
-  for (std::size_t i = 0; i < kDefectCodes; ++i) {
-    if (kSentences[i].code != static_cast<DefectCode>(i)) return false;
-  }
-  return true;
-}
-static_assert(are_sentences_in_order());
+static_assert(is_in_enum_order(kSentences, &Sentence::code));
 
 const Sentence& sentence_of(const Defect& defect) {
   return kSentences[static_cast<std::size_t>(defect.code)];

@@ -1,5 +1,6 @@
 #include "meshalyzer/checks/limits.h"
 
+#include "meshalyzer/base/enum_table.h"
 #include "meshalyzer/base/require.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/geometry/edge_measures.h"
@@ -33,13 +34,7 @@ constexpr std::array<LimitInfo, kLimitKinds> kLimitTable{{
      "the number of components"},
 }};
 
-constexpr bool has_limits_in_order() {
-  for (std::size_t i = 0; i < kLimitKinds; ++i) {
-    if (kLimitTable[i].kind != static_cast<LimitKind>(i)) return false;
-  }
-  return true;
-}
-static_assert(has_limits_in_order());
+static_assert(is_in_enum_order(kLimitTable, &LimitInfo::kind));
 
 /// Tells which values are beyond a limit.
 class Bound {

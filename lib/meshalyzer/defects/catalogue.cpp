@@ -1,5 +1,7 @@
 #include "meshalyzer/defects/catalogue.h"
 
+#include "meshalyzer/base/enum_table.h"
+
 #include <algorithm>
 
 namespace meshalyzer {
@@ -235,13 +237,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .fixed_by_default = false},
 }};
 
-constexpr bool is_in_order() {
-  for (std::size_t i = 0; i < kDefectCodes; ++i) {
-    if (kCatalogue[i].code != static_cast<DefectCode>(i)) return false;
-  }
-  return true;
-}
-static_assert(is_in_order());
+static_assert(is_in_enum_order(kCatalogue, &CatalogueEntry::code));
 
 }  // namespace
 
