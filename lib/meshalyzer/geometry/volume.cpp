@@ -1,5 +1,6 @@
 #include "meshalyzer/geometry/volume.h"
 
+#include "meshalyzer/base/box.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/sum.h"
 #include "meshalyzer/exact/exact_volume.h"
@@ -47,9 +48,8 @@ void compute_terms(const TriMesh& mesh, const FaceParts& parts, std::span<const 
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       const Index part = parts.of_face[out.first + i];
       if (part == kNoIndex) continue;
-      const Box3& box = boxes[part];
       out.terms[i] = term(face_corners(mesh, FaceHandle(static_cast<int>(out.first + i))),
-                          box.min() / 2 + box.max() / 2);
+                          middle_of(boxes[part]));
     }
   });
 }

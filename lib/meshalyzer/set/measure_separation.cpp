@@ -1,5 +1,6 @@
 #include "meshalyzer/set/measure_separation.h"
 
+#include "meshalyzer/base/box.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/geometry/vertex_normals.h"
 #include "meshalyzer/set/box_distance.h"
@@ -79,8 +80,8 @@ bool may_undercut(const Box3& box, const Vec3& point, double distance) {
 /// the apex, or its bounding sphere beside the cone.
 bool may_hold(const Box3& box, const Vec3& apex, const Cone& cone) {
   constexpr double kGrant = 1e-9;
-  const Vec3 to_middle = (box.min() / 2 + box.max() / 2) - apex;
-  const Vec3 half = box.max() / 2 - box.min() / 2;
+  const Vec3 to_middle = middle_of(box) - apex;
+  const Vec3 half = half_widths_of(box);
   const double ahead = to_middle.dot(cone.axis) + half.dot(cone.axis.cwiseAbs());
   const double length = to_middle.stableNorm();
   const double radius = half.stableNorm();

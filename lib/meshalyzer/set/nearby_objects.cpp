@@ -1,5 +1,6 @@
 #include "meshalyzer/set/nearby_objects.h"
 
+#include "meshalyzer/base/box.h"
 #include "meshalyzer/set/box_distance.h"
 
 #include <algorithm>
@@ -8,11 +9,6 @@
 
 namespace meshalyzer {
 namespace {
-
-/// Halves are added, because the sum may overflow.
-Box3 middle_of(const Box3& box) {
-  return Box3(Vec3(box.min() / 2 + box.max() / 2));
-}
 
 /// Returns a box that contains everything within `reach` of another one, in spite of rounding.
 Box3 grown(const Box3& box, double reach) {
@@ -38,8 +34,9 @@ std::vector<NearbyObjects::Candidate> NearbyObjects::within(double reach) {
   given_ = std::move(near);
   std::vector<Candidate> candidates;
   for (const Index other : fresh) {
-    candidates.push_back({distance(boxes_[object_], boxes_[other]),
-                          distance(middle_of(boxes_[object_]), middle_of(boxes_[other])), other});
+    candidates.push_back(
+        {distance(boxes_[object_], boxes_[other]),
+         distance(Box3(middle_of(boxes_[object_])), Box3(middle_of(boxes_[other]))), other});
   }
   std::sort(candidates.begin(), candidates.end());
   return candidates;

@@ -1,5 +1,6 @@
 #include "meshalyzer/spatial/box_tree.h"
 
+#include "meshalyzer/base/box.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/spatial/finite_part.h"
 #include "meshalyzer/spatial/tree_width.h"
@@ -31,11 +32,9 @@ Box3 box_round(std::span<const Box3> boxes) {
   return all;
 }
 
-/// Halves are added and subtracted, because sums and differences of the coordinates may overflow.
 std::uint64_t morton_code(const Box3& box, const Box3& all) {
-  const Vec3 middle = box.min() / 2 + box.max() / 2;
-  const Vec3 half_width = all.max() / 2 - all.min() / 2;
-  const Vec3 offset = middle / 2 - all.min() / 2;
+  const Vec3 half_width = half_widths_of(all);
+  const Vec3 offset = middle_of(box) / 2 - all.min() / 2;
   std::uint64_t code = 0;
   for (Eigen::Index k = 0; k < 3; ++k) {
     const double t = half_width[k] > 0.0 ? std::clamp(offset[k] / half_width[k], 0.0, 1.0) : 0.0;

@@ -1,5 +1,6 @@
 #include "meshalyzer/spatial/face_tree.h"
 
+#include "meshalyzer/base/box.h"
 #include "meshalyzer/base/eight_lanes.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/unbuild.h"
@@ -143,9 +144,7 @@ void FaceTree::choose_map(std::span<const Triangle> triangles) {
 /// Chooses the map for all but a few far faces. Does nothing and returns false if there are none.
 bool FaceTree::choose_map_of_most(std::span<const Triangle> triangles) {
   const Box3 most = box_of_most(triangles, points_);
-  const auto half_width = [](const Box3& box) {
-    return (box.max() / 2 - box.min() / 2).maxCoeff();
-  };
+  const auto half_width = [](const Box3& box) { return half_widths_of(box).maxCoeff(); };
   if (most.isEmpty() || !(half_width(bounds_) > kMuchWider * half_width(most))) return false;
   const auto is_outside = [&](Index v) { return !most.contains(points_[v]); };
   const auto n_far = static_cast<std::size_t>(std::count_if(
@@ -159,9 +158,8 @@ bool FaceTree::choose_map_of_most(std::span<const Triangle> triangles) {
 
 /// Maps a box to -1 ... 1.
 void FaceTree::set_map(const Box3& box) {
-  // Halves are added and subtracted, because sum and difference of the coordinates may overflow.
-  centre_ = box.min() / 2 + box.max() / 2;
-  const double half = (box.max() / 2 - box.min() / 2).maxCoeff();
+  centre_ = middle_of(box);
+  const double half = half_widths_of(box).maxCoeff();
   scale_ = half > 0.0 ? std::min(1.0 / half, std::numeric_limits<double>::max()) : 1.0;
 }
 

@@ -1,5 +1,6 @@
 #include "meshalyzer/spatial/faces_near.h"
 
+#include "meshalyzer/base/box.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/spatial/box_tree.h"
@@ -23,8 +24,7 @@ class BoxGrid {
     if (bounds_.isEmpty()) return;
     bounds_ = finite_part(bounds_);
     for (Eigen::Index k = 0; k < 3; ++k) {
-      // Halves are subtracted, because the difference may overflow.
-      const double width = bounds_.max()[k] / 2 - bounds_.min()[k] / 2;
+      const double width = half_widths_of(bounds_)[k];
       cells_per_half_[k] =
           width > 0.0 ? std::min(kCells / width, std::numeric_limits<double>::max()) : 0.0;
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/box.h"
 #include "meshalyzer/spatial/triangle_contact.h"
 
 #include <algorithm>
@@ -22,8 +23,7 @@ class UnitScale {
     if (box.isEmpty()) {
       return;
     }
-    // Halves are added and subtracted, because sum and difference of the coordinates may overflow.
-    const double half = (box.max() / 2 - box.min() / 2).maxCoeff();
+    const double half = half_widths_of(box).maxCoeff();
     const int exponent = half > 0.0 ? -std::ilogb(half) : 0;
     // The scaling takes two steps, because the factor itself may overflow.
     first_ = std::ldexp(1.0, exponent / 2);

@@ -1,5 +1,6 @@
 #include "meshalyzer/picture/internal/contact_segments.h"
 
+#include "meshalyzer/base/box.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/spatial/triangle_distance.h"
@@ -26,9 +27,8 @@ class PairScale {
  public:
   PairScale(const Corners& p, const Corners& q) {
     const Box3 box = box_of(p).extend(box_of(q));
-    // Halves are added and subtracted, because sum and difference of the coordinates may overflow.
-    middle_ = box.min() / 2 + box.max() / 2;
-    const double half = (box.max() / 2 - box.min() / 2).maxCoeff();
+    middle_ = middle_of(box);
+    const double half = half_widths_of(box).maxCoeff();
     if (half > 0.0) half_ = half;
   }
 

@@ -1,5 +1,7 @@
 #include "meshalyzer/picture/internal/drawing_frame.h"
 
+#include "meshalyzer/base/box.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,9 +24,8 @@ double scale_for_size(double half) {
 
 DrawingFrame::DrawingFrame(const Box3& box) {
   if (box.isEmpty()) return;
-  // Halves are added and subtracted, because sum and difference of the coordinates may overflow.
-  centre_ = box.min() / 2 + box.max() / 2;
-  const Vec3 half = box.max() / 2 - box.min() / 2;
+  centre_ = middle_of(box);
+  const Vec3 half = half_widths_of(box);
   if (!(half.maxCoeff() > 0.0)) return;
   scale_ = scale_for_size(half.maxCoeff());
   radius_ = (half * scale_).norm();
