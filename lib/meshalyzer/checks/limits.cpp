@@ -68,8 +68,8 @@ Violations faces_beyond(const CutMesh& cut, const std::vector<double>& values, c
 
 LimitViolation at_edge(const CutMesh& cut, HalfedgeHandle halfedge, double value) {
   const TriMesh& mesh = cut.mesh;
-  const auto ends = file_ends(cut, halfedge);
-  LimitViolation found{.vertices = {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])},
+  const auto [low, high] = ascending_file_ends(cut, halfedge);
+  LimitViolation found{.vertices = {low, high},
                        .faces = {},
                        .position = mesh.point(mesh.from_vertex_handle(halfedge)) / 2 +
                                    mesh.point(mesh.to_vertex_handle(halfedge)) / 2,

@@ -28,8 +28,7 @@ DefectCodes codes_of(const CheckOptions& options) {
 std::vector<std::array<Index, 2>> border_edge_ends(const CutMesh& cut) {
   std::vector<std::array<Index, 2>> edges;
   for (const HalfedgeHandle h : find_border_edges(cut)) {
-    const auto [from, to] = file_ends(cut, h);
-    edges.push_back({std::min(from, to), std::max(from, to)});
+    edges.push_back(ascending_file_ends(cut, h));
   }
   return edges;
 }

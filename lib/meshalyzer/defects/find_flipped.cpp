@@ -71,14 +71,12 @@ class Regions {
     }
   }
 
-  [[nodiscard]] Index patch_at(HalfedgeHandle h) const {
-    return patches_.of_face[static_cast<std::size_t>(cut_.mesh.face_handle(h).idx())];
-  }
+  [[nodiscard]] Index patch_at(HalfedgeHandle h) const { return patches_.of(cut_.mesh, h); }
 
   void choose_sides() {
     std::vector<std::array<Side, 2>> sides(patches_.count);
     for (const FaceHandle f : cut_.mesh.all_faces()) {
-      const Index p = patches_.of_face[static_cast<std::size_t>(f.idx())];
+      const Index p = patches_.of(f);
       const Corners t = face_corners(cut_.mesh, f);
       Side& side = sides[region_[p]][side_[p]];
       side.area.add(normal_of(t).norm());
@@ -177,8 +175,7 @@ class Listing {
     defect.fixable = is_fixable;
     for (const Index f : faces) defect.faces.push_back(cut.side.faces[f]);
     for (const Index e : edges) {
-      std::array<Index, 2> ends = file_ends(cut, cut.side.flipped_edges[e].halfedges[0]);
-      std::sort(ends.begin(), ends.end());
+      const auto ends = ascending_file_ends(cut, cut.side.flipped_edges[e].halfedges[0]);
       if (defect.edges.empty()) defect.positions = {middle_of_edge(mesh_.soup(), ends)};
       defect.edges.push_back(ends);
     }

@@ -277,8 +277,7 @@ Defect describe(const PreparedMesh& mesh, const Patch& patch, double height_tole
   Defect defect = make_defect(DefectCode::Foldover);
   for (const Index f : patch.faces) defect.faces.push_back(cut.side.faces[f]);
   for (const HalfedgeHandle h : patch.folds) {
-    const auto [from, to] = file_ends(cut, h);
-    defect.edges.push_back({std::min(from, to), std::max(from, to)});
+    defect.edges.push_back(ascending_file_ends(cut, h));
   }
   std::sort(defect.edges.begin(), defect.edges.end());
   defect.positions = middle_of_face(mesh.soup(), defect.faces.front());

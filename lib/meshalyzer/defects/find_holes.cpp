@@ -16,8 +16,7 @@ std::vector<Edge> edges_of(const CutMesh& cut, const BoundaryLoop& loop) {
   std::vector<Edge> edges;
   edges.reserve(loop.halfedges.size());
   for (const HalfedgeHandle h : loop.halfedges) {
-    const auto [from, to] = file_ends(cut, h);
-    edges.push_back({std::min(from, to), std::max(from, to)});
+    edges.push_back(ascending_file_ends(cut, h));
   }
   return edges;
 }

@@ -20,8 +20,7 @@ DefectList find_crowded_edges(const PreparedMesh& mesh) {
   DefectList defects;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const auto halfedges = edges[i].halfedges;
-    auto ends = file_ends(cut, halfedges[0]);
-    std::sort(ends.begin(), ends.end());
+    const auto ends = ascending_file_ends(cut, halfedges[0]);
     Defect defect = make_defect(DefectCode::NonManifold);
     defect.edges = {ends};
     for (const HalfedgeHandle h : halfedges) {

@@ -32,8 +32,7 @@ struct BorderEdge {
 std::vector<BorderEdge> border_edges(const CutMesh& cut) {
   std::vector<BorderEdge> edges;
   for (const HalfedgeHandle h : find_border_edges(cut)) {
-    const auto [from, to] = file_ends(cut, h);
-    edges.push_back({{std::min(from, to), std::max(from, to)}, cut.mesh.face_handle(h)});
+    edges.push_back({ascending_file_ends(cut, h), cut.mesh.face_handle(h)});
   }
   return edges;
 }

@@ -1,6 +1,7 @@
 #include "meshalyzer/mesh/complex_edges.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/mesh/inner_halfedge.h"
 
 #include <cstdint>
 
@@ -31,8 +32,7 @@ std::vector<HalfedgeHandle> complex_edges(const CutMesh& cut) {
       mesh.n_edges(), [&](Chunk chunk, std::vector<HalfedgeHandle>& edges) {
         for (std::size_t e = chunk.begin; e < chunk.end; ++e) {
           if (repeated[e] != 0) continue;
-          const HalfedgeHandle h = mesh.halfedge_handle(EdgeHandle(static_cast<int>(e)), 0);
-          edges.push_back(mesh.is_boundary(h) ? mesh.opposite_halfedge_handle(h) : h);
+          edges.push_back(inner_halfedge(mesh, EdgeHandle(static_cast<int>(e))));
         }
       });
 }

@@ -64,22 +64,19 @@ std::vector<Shell> find_shells(const PreparedMesh& mesh) {
 
 std::vector<std::uint8_t> which_are_shells(const CutMesh& cut, const Components& components) {
   std::vector<std::uint8_t> is_shell(components.count, 1);
-  const auto rule_out = [&](FaceHandle face) {
-    std::atomic_ref(is_shell[components.of_face[static_cast<std::size_t>(face.idx())]])
-        .store(0, std::memory_order_relaxed);
+  const auto rule_out = [&](Index component) {
+    std::atomic_ref(is_shell[component]).store(0, std::memory_order_relaxed);
   };
   // Borders of the cut mesh are borders of the complex, and edges that are not manifold or not
   // consistent.
   parallel_chunks(cut.mesh.n_halfedges(), [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       const HalfedgeHandle h(static_cast<int>(i));
-      if (cut.mesh.is_boundary(h)) rule_out(cut.mesh.opposite_face_handle(h));
+      if (cut.mesh.is_boundary(h)) rule_out(components.of(cut.mesh, h));
     }
   });
   for (const Index v : cut.side.non_manifold_vertices) {
-    const HalfedgeHandle h = cut.mesh.halfedge_handle(VertexHandle(static_cast<int>(v)));
-    const FaceHandle face = cut.mesh.face_handle(h);
-    rule_out(face.is_valid() ? face : cut.mesh.face_handle(cut.mesh.opposite_halfedge_handle(h)));
+    rule_out(components.of(cut.mesh, cut.mesh.halfedge_handle(VertexHandle(static_cast<int>(v)))));
   }
   return is_shell;
 }

@@ -17,10 +17,7 @@ SolidParts find_solids(const CutMesh& cut, const Components& components) {
   for (std::size_t e = 0; e < kinds.size(); ++e) {
     if (kinds[e] == EdgeKind::Border || kinds[e] == EdgeKind::NonManifold) {
       const HalfedgeHandle h = cut.mesh.halfedge_handle(EdgeHandle(static_cast<int>(e)), 0);
-      const FaceHandle f = cut.mesh.face_handle(h);
-      const FaceHandle face =
-          f.is_valid() ? f : cut.mesh.face_handle(cut.mesh.opposite_halfedge_handle(h));
-      solids.is_solid[components.of_face[static_cast<std::size_t>(face.idx())]] = 0;
+      solids.is_solid[components.of(cut.mesh, h)] = 0;
     }
   }
   for (Index& part : solids.of_face) {

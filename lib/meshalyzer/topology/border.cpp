@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/edge_key.h"
+#include "meshalyzer/mesh/inner_halfedge.h"
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>
@@ -39,9 +40,7 @@ std::vector<HalfedgeHandle> find_border_edges(const CutMesh& cut) {
   std::vector<BorderEdge> borders;
   for (const Index e : candidates) {
     if (std::binary_search(cut_edges.begin(), cut_edges.end(), e)) continue;
-    const HalfedgeHandle first = mesh.halfedge_handle(EdgeHandle(static_cast<int>(e)), 0);
-    const HalfedgeHandle inner =
-        mesh.is_boundary(first) ? mesh.opposite_halfedge_handle(first) : first;
+    const HalfedgeHandle inner = inner_halfedge(mesh, EdgeHandle(static_cast<int>(e)));
     const auto [a, b] = file_ends(cut, inner);
     borders.push_back({edge_key(a, b), inner});
   }

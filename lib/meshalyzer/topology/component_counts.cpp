@@ -72,12 +72,9 @@ class Counter {
   [[nodiscard]] std::vector<ComponentCounts> take() { return std::move(counts_); }
 
  private:
-  [[nodiscard]] Index component_of(FaceHandle f) const {
-    return input_.components.of_face[static_cast<std::size_t>(f.idx())];
-  }
+  [[nodiscard]] Index component_of(FaceHandle f) const { return input_.components.of(f); }
   [[nodiscard]] Index component_of(HalfedgeHandle h) const {
-    const FaceHandle f = cut_.mesh.face_handle(h);
-    return component_of(f.is_valid() ? f : cut_.mesh.opposite_face_handle(h));
+    return input_.components.of(cut_.mesh, h);
   }
   [[nodiscard]] Index component_of(VertexHandle v) const {
     return component_of(cut_.mesh.halfedge_handle(v));

@@ -14,8 +14,7 @@ Index index(FaceHandle face) {
 
 /// Returns a face at a vertex that has one.
 FaceHandle a_face_at(const TriMesh& mesh, VertexHandle v) {
-  const HalfedgeHandle h = mesh.halfedge_handle(v);
-  return mesh.face_handle(mesh.is_boundary(h) ? mesh.opposite_halfedge_handle(h) : h);
+  return mesh.face_handle(inner_halfedge(mesh, mesh.halfedge_handle(v)));
 }
 
 /// Joins the two faces of every edge that has two in the cut mesh.

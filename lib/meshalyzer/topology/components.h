@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/mesh/inner_halfedge.h"
 #include "meshalyzer/mesh/side_table.h"
 
 #include <cstddef>
@@ -12,6 +13,14 @@ struct Components {
   std::size_t count = 0;
   /// #mesh faces: the component of each, 0 ... count - 1, numbered in order of their lowest face.
   std::vector<Index> of_face;
+
+  [[nodiscard]] Index of(FaceHandle face) const {
+    return of_face[static_cast<std::size_t>(face.idx())];
+  }
+  /// Returns the component of an edge, which has a face, by one of its half-edges.
+  [[nodiscard]] Index of(const TriMesh& mesh, HalfedgeHandle halfedge) const {
+    return of(mesh.face_handle(inner_halfedge(mesh, halfedge)));
+  }
 };
 
 /// Finds the components connected through shared file vertices: the separate objects in a file.

@@ -74,4 +74,10 @@ std::array<Index, 2> file_ends(const CutMesh& cut, HalfedgeHandle halfedge) {
           cut.side.vertex(cut.mesh.to_vertex_handle(halfedge))};
 }
 
+std::array<Index, 2> ascending_file_ends(const CutMesh& cut, HalfedgeHandle halfedge) {
+  std::array<Index, 2> ends = file_ends(cut, halfedge);
+  std::sort(ends.begin(), ends.end());
+  return ends;
+}
+
 }  // namespace meshalyzer

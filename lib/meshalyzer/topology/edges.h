@@ -44,4 +44,8 @@ enum class EdgeKind : std::uint8_t {
 /// Returns the file vertices that a half-edge runs from and to, in this order.
 [[nodiscard]] std::array<Index, 2> file_ends(const CutMesh& cut, HalfedgeHandle halfedge);
 
+/// Returns the file vertices at the ends of an edge, the smaller first, as lists of edges have
+/// them.
+[[nodiscard]] std::array<Index, 2> ascending_file_ends(const CutMesh& cut, HalfedgeHandle halfedge);
+
 }  // namespace meshalyzer

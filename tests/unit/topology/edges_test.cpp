@@ -60,6 +60,8 @@ TEST(FileEnds, BothHalvesOfAnEdgeNameTheSameFileVertices) {
     std::reverse(ends.begin(), ends.end());
     EXPECT_EQ(ends, file_ends(cut, cut.mesh.halfedge_handle(e, 1)));
     EXPECT_LT(std::max(ends[0], ends[1]), 7U);
+    std::sort(ends.begin(), ends.end());
+    EXPECT_EQ(ascending_file_ends(cut, cut.mesh.halfedge_handle(e, 0)), ends);
   }
 }
 

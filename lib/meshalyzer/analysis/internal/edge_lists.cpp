@@ -1,5 +1,6 @@
 #include "meshalyzer/analysis/internal/edge_lists.h"
 
+#include "meshalyzer/mesh/inner_halfedge.h"
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>
@@ -13,11 +14,6 @@ namespace {
 
 using Ends = std::array<Index, 2>;
 
-Ends ascending_ends(const CutMesh& cut, HalfedgeHandle h) {
-  const Ends ends = file_ends(cut, h);
-  return {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])};
-}
-
 Index file_face(const CutMesh& cut, HalfedgeHandle h) {
   return cut.side.face(cut.mesh.face_handle(h));
 }
@@ -30,14 +26,14 @@ std::span<const HalfedgeHandle> find_cut_edge(const CutMesh& cut, const CutEdges
   std::size_t high = edges.size();
   while (low < high) {
     const std::size_t middle = low + (high - low) / 2;
-    if (ascending_ends(cut, edges[middle].halfedges.front()) < ends) {
+    if (ascending_file_ends(cut, edges[middle].halfedges.front()) < ends) {
       low = middle + 1;
     } else {
       high = middle;
     }
   }
   const bool found =
-      low < edges.size() && ascending_ends(cut, edges[low].halfedges.front()) == ends;
+      low < edges.size() && ascending_file_ends(cut, edges[low].halfedges.front()) == ends;
   return found ? edges[low].halfedges : std::span<const HalfedgeHandle>();
 }
 
@@ -48,14 +44,14 @@ void append_faces_at(const CutMesh& cut, HalfedgeHandle h, std::vector<Index>& f
   if (!cut.mesh.is_boundary(h) && !cut.mesh.is_boundary(opposite)) {
     faces.insert(faces.end(), {file_face(cut, h), file_face(cut, opposite)});
   } else {
-    const Ends ends = ascending_ends(cut, h);
+    const Ends ends = ascending_file_ends(cut, h);
     for (const CutEdges* edges : {&cut.side.non_manifold_edges, &cut.side.flipped_edges}) {
       for (const HalfedgeHandle each : find_cut_edge(cut, *edges, ends)) {
         faces.push_back(file_face(cut, each));
       }
     }
     if (std::ssize(faces) == n_before) {
-      faces.push_back(file_face(cut, cut.mesh.is_boundary(h) ? opposite : h));
+      faces.push_back(file_face(cut, inner_halfedge(cut.mesh, h)));
     }
   }
   std::sort(faces.begin() + n_before, faces.end());
@@ -67,7 +63,7 @@ EdgeList list_edges(const CutMesh& cut, std::span<const HalfedgeHandle> edges,
                     std::span<const double> values) {
   std::vector<Ends> ends(edges.size());
   std::transform(edges.begin(), edges.end(), ends.begin(),
-                 [&](HalfedgeHandle h) { return ascending_ends(cut, h); });
+                 [&](HalfedgeHandle h) { return ascending_file_ends(cut, h); });
   std::vector<Index> order(edges.size());
   std::iota(order.begin(), order.end(), Index{0});
   std::sort(order.begin(), order.end(), [&](Index a, Index b) { return ends[a] < ends[b]; });
@@ -89,7 +85,7 @@ EdgeList list_edges(const CutMesh& cut, std::span<const HalfedgeHandle> edges,
 EdgeList list_cut_edges(const CutMesh& cut, const CutEdges& edges) {
   EdgeList list;
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    list.ends.push_back(ascending_ends(cut, edges[i].halfedges.front()));
+    list.ends.push_back(ascending_file_ends(cut, edges[i].halfedges.front()));
     for (const HalfedgeHandle h : edges[i].halfedges) {
       list.faces.push_back(file_face(cut, h));
     }

@@ -41,7 +41,7 @@ class Measurer {
     sum_areas(faces.area);
     for (const FaceHandle f : faces.zero_area) {
       analysis_.offenders.zero_area_faces.push_back(cut_.side.face(f));
-      ++sums_.zero_area_faces[component_of(f)];
+      ++sums_.zero_area_faces[components_.of(f)];
     }
     analysis_.characteristics.zero_area_faces = faces.zero_area.size();
     if (options_.aspect_above) {
@@ -78,7 +78,7 @@ class Measurer {
     list_indistinguishable(edges);
     record(
         [](auto& of) -> auto& { return of.edge_length; }, std::move(lengths),
-        [&](std::size_t i) { return component_of(cut_.mesh.face_handle(edges[i])); });
+        [&](std::size_t i) { return components_.of(cut_.mesh, edges[i]); });
   }
 
   void measure_angles(std::span<const FaceHandle> zero_area) {
@@ -95,7 +95,7 @@ class Measurer {
     }
     record(
         [](auto& of) -> auto& { return of.edge_angle; }, std::move(angles.degrees),
-        [&](std::size_t i) { return component_of(cut_.mesh.face_handle(angles.edges[i])); });
+        [&](std::size_t i) { return components_.of(cut_.mesh, angles.edges[i]); });
   }
 
   void measure_valences() {
@@ -110,10 +110,7 @@ class Measurer {
     }
     const auto component = [&](std::size_t i) {
       const VertexHandle v(static_cast<int>(vertices[i]));
-      const HalfedgeHandle h = cut_.mesh.halfedge_handle(v);
-      const FaceHandle f = cut_.mesh.face_handle(h);
-      return component_of(
-          f.is_valid() ? f : cut_.mesh.face_handle(cut_.mesh.opposite_halfedge_handle(h)));
+      return components_.of(cut_.mesh, cut_.mesh.halfedge_handle(v));
     };
     record(
         [](auto& of) -> auto& { return of.vertex_valence; }, std::move(values), component);
@@ -122,10 +119,6 @@ class Measurer {
   [[nodiscard]] ComponentMeasures take_sums() { return std::move(sums_); }
 
  private:
-  [[nodiscard]] Index component_of(FaceHandle f) const {
-    return components_.of_face[static_cast<std::size_t>(f.idx())];
-  }
-
   void sum_areas(const std::vector<double>& areas) {
     std::vector<CompensatedSum> sums(components_.count);
     for (std::size_t i = 0; i < areas.size(); ++i) {

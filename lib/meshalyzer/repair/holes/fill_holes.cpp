@@ -143,8 +143,7 @@ void refuse_sheets(const PassInput& input, std::span<const HoleLoop> loops, Choi
   const Components components = find_edge_components(mesh.cut());
   const std::vector<std::uint8_t> is_solid = bounds_solid(mesh, components, input.wants_to_stop);
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    const FaceHandle beyond = mesh.cut().mesh.face_handle(loops[i].halfedges.front());
-    const Index component = components.of_face[static_cast<std::size_t>(beyond.idx())];
+    const Index component = components.of(mesh.cut().mesh, loops[i].halfedges.front());
     if (is_solid[component] != 0) choice.may_be_sheet[i] = 0;
     if (choice.is_chosen[i] == 0 || is_solid[component] != 0) continue;
     choice.is_chosen[i] = 0;

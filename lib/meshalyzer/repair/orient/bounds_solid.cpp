@@ -34,7 +34,7 @@ bool separates(std::vector<Corners> triangles) {
 std::vector<std::uint8_t> which_are_closed(const CutMesh& cut, const Components& components) {
   std::vector<std::uint8_t> is_closed(components.count, 1);
   for (const HalfedgeHandle h : find_border_edges(cut)) {
-    is_closed[components.of_face[static_cast<std::size_t>(cut.mesh.face_handle(h).idx())]] = 0;
+    is_closed[components.of(cut.mesh, h)] = 0;
   }
   return is_closed;
 }

@@ -25,7 +25,7 @@ std::vector<std::uint8_t> which_are_sheets(const PreparedMesh& mesh, const Compo
   for (std::uint8_t& flag : is_sheet) flag = flag == 0 ? 1 : 0;
   const CutMesh& cut = mesh.cut();
   for (const HalfedgeHandle h : cut.side.flipped_edges.halfedges) {
-    is_sheet[components.of_face[static_cast<std::size_t>(cut.mesh.face_handle(h).idx())]] = 1;
+    is_sheet[components.of(cut.mesh, h)] = 1;
   }
   return is_sheet;
 }

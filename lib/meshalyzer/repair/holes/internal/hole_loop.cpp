@@ -15,11 +15,6 @@ namespace {
 
 using Ends = std::array<Index, 2>;
 
-Ends sorted(Ends ends) {
-  if (ends[1] < ends[0]) std::swap(ends[0], ends[1]);
-  return ends;
-}
-
 /// The border edges of a complex, by their two vertices.
 class BorderHalfedges {
  public:
@@ -27,11 +22,11 @@ class BorderHalfedges {
 
   /// Returns the inner half-edge of the border edge between two vertices.
   [[nodiscard]] HalfedgeHandle find(const Ends& ends) const {
-    const Ends wanted = sorted(ends);
+    const auto [low, high] = std::minmax(ends[0], ends[1]);
     const auto is_before = [&](HalfedgeHandle h, const Ends& e) {
-      return sorted(file_ends(cut_, h)) < e;
+      return ascending_file_ends(cut_, h) < e;
     };
-    return *std::lower_bound(edges_.begin(), edges_.end(), wanted, is_before);
+    return *std::lower_bound(edges_.begin(), edges_.end(), Ends{low, high}, is_before);
   }
 
  private:

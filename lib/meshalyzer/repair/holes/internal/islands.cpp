@@ -45,8 +45,7 @@ std::vector<Index> components_beyond(const CutMesh& cut, std::span<const HoleLoo
   const Components components = find_edge_components(cut);
   std::vector<Index> result;
   for (const HoleLoop& loop : loops) {
-    const FaceHandle beyond = cut.mesh.face_handle(loop.halfedges.front());
-    result.push_back(components.of_face[static_cast<std::size_t>(beyond.idx())]);
+    result.push_back(components.of(cut.mesh, loop.halfedges.front()));
   }
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/mesh/inner_halfedge.h"
 #include "meshalyzer/mesh/side_table.h"
 #include "meshalyzer/repair/split/internal/pair_round_edge.h"
 #include "meshalyzer/topology/edges.h"
@@ -56,9 +57,7 @@ ManifoldComponents find_manifold_components(const CutMesh& cut) {
   for (const EdgeHandle e : cut.mesh.edges()) {
     const EdgeKind kind = kinds[static_cast<std::size_t>(e.idx())];
     if (kind != EdgeKind::Border && kind != EdgeKind::NonManifold) continue;
-    const HalfedgeHandle h = cut.mesh.halfedge_handle(e, 0);
-    const HalfedgeHandle inner = cut.mesh.is_boundary(h) ? cut.mesh.opposite_halfedge_handle(h) : h;
-    const Index component = components.of_face[face_of(cut, inner)];
+    const Index component = components.of_face[face_of(cut, inner_halfedge(cut.mesh, e))];
     n_rim[component] += 1.0;
     if (kind == EdgeKind::Border) n_border[component] += 1.0;
   }
@@ -261,9 +260,7 @@ EdgeIncidences list_incidences(const CutMesh& cut) {
   EdgeIncidences incidences;
   const CutEdges& edges = cut.side.non_manifold_edges;
   for (Index i = 0; i < edges.size(); ++i) {
-    auto ends = file_ends(cut, edges[i].halfedges[0]);
-    std::sort(ends.begin(), ends.end());
-    incidences.ends.push_back(ends);
+    incidences.ends.push_back(ascending_file_ends(cut, edges[i].halfedges[0]));
     for (const HalfedgeHandle h : edges[i].halfedges) {
       incidences.faces.push_back(cut.side.face(cut.mesh.face_handle(h)));
       incidences.edge_of.push_back(i);

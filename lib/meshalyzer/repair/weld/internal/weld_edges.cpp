@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/weld/internal/weld_edges.h"
 
 #include "meshalyzer/base/point_table.h"
+#include "meshalyzer/mesh/inner_halfedge.h"
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>
@@ -33,10 +34,7 @@ std::vector<WeldEdge> find_weld_edges(const PreparedMesh& mesh) {
   std::vector<WeldEdge> edges;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     if (kinds[i] != EdgeKind::Border) continue;
-    const EdgeHandle e(static_cast<int>(i));
-    const HalfedgeHandle h = cut.mesh.halfedge_handle(e, 0);
-    const WeldEdge edge =
-        edge_of(cut, cut.mesh.is_boundary(h) ? cut.mesh.opposite_halfedge_handle(h) : h);
+    const WeldEdge edge = edge_of(cut, inner_halfedge(cut.mesh, EdgeHandle(static_cast<int>(i))));
     if (!has_two_equal_corners(mesh.soup(), edge)) edges.push_back(edge);
   }
   return edges;
