@@ -68,7 +68,7 @@ DefectList find_pinches(const PreparedMesh& mesh) {
     defect.vertices = {v};
     defect.faces = faces_at(cut, v);
     defect.positions = {mesh.soup().positions[v]};
-    defect.value = static_cast<double>(count_sets(fans, mesh_vertices(cut, v)));
+    defect.value = static_cast<double>(count_sets(fans, cut.side.mesh_vertices(v)));
     defects.push_back(defect);
   }
   return defects;

@@ -58,11 +58,26 @@ struct SideTable {
     const auto i = static_cast<Index>(v.idx());
     return i < n_file_vertices ? i : copies[i - n_file_vertices];
   }
+  /// Returns the mesh vertices into which a file vertex was cut: itself, then its copies.
+  ///
+  /// @complexity O(log #copies + what is returned).
+  [[nodiscard]] std::vector<VertexHandle> mesh_vertices(Index file_vertex) const {
+    std::vector<VertexHandle> vertices{VertexHandle(static_cast<int>(file_vertex))};
+    const auto [first, last] = std::equal_range(copies.begin(), copies.end(), file_vertex);
+    for (auto copy = first; copy != last; ++copy) {
+      const auto number = static_cast<std::size_t>(copy - copies.begin());
+      vertices.emplace_back(static_cast<int>(n_file_vertices + number));
+    }
+    return vertices;
+  }
+
   /// Returns the file face that a mesh face is.
   [[nodiscard]] Index face(FaceHandle f) const { return faces[static_cast<std::size_t>(f.idx())]; }
   /// Returns the index of the mesh face that is this face of the file, which must not be a rejected
   /// one.
   [[nodiscard]] std::size_t mesh_face(Index file_face) const {
+    // As long as no face before it was rejected, no search is needed.
+    if (file_face < faces.size() && faces[file_face] == file_face) return file_face;
     return static_cast<std::size_t>(std::lower_bound(faces.begin(), faces.end(), file_face) -
                                     faces.begin());
   }

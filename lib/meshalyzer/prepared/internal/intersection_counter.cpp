@@ -25,12 +25,6 @@ void merge_contacts(std::vector<PartContact>& contacts) {
   contacts.erase(std::unique(contacts.begin(), contacts.end(), same_parts), contacts.end());
 }
 
-/// Returns the mesh face that is a face of the file. If no face was rejected, no search is needed.
-std::size_t mesh_face_of(const SideTable& side, Index file_face) {
-  const bool is_same = file_face < side.faces.size() && side.faces[file_face] == file_face;
-  return is_same ? file_face : side.mesh_face(file_face);
-}
-
 }  // namespace
 
 IntersectionCounter::IntersectionCounter(const Parts& parts)
@@ -125,7 +119,7 @@ std::vector<Index> IntersectionCounter::meet(std::span<const Index> file_faces) 
 
 /// Marks a face as intersecting, and returns its component.
 Index IntersectionCounter::meet(Index file_face) {
-  const std::size_t face = mesh_face_of(parts_.side, file_face);
+  const std::size_t face = parts_.side.mesh_face(file_face);
   std::atomic_ref(counts_.intersects[face]).store(1, std::memory_order_relaxed);
   return parts_.components.of_face[face];
 }

@@ -33,14 +33,8 @@ void join_edge(std::span<const Spoke> edge, const JoinWideEdge& join, DisjointSe
 
 IncidentFaces::IncidentFaces(const CutMesh& cut, std::vector<Index> vertices)
     : vertices_(std::move(vertices)) {
-  const SideTable& side = cut.side;
   for (const Index v : vertices_) {
-    append_faces(cut, VertexHandle(static_cast<int>(v)), faces_);
-    const auto [first, last] = std::equal_range(side.copies.begin(), side.copies.end(), v);
-    for (auto copy = first; copy != last; ++copy) {
-      const auto number = static_cast<std::size_t>(copy - side.copies.begin());
-      append_faces(cut, VertexHandle(static_cast<int>(side.n_file_vertices + number)), faces_);
-    }
+    for (const VertexHandle copy : cut.side.mesh_vertices(v)) append_faces(cut, copy, faces_);
     std::sort(faces_.begin() + static_cast<std::ptrdiff_t>(begin_.back()), faces_.end());
     begin_.push_back(faces_.size());
   }
