@@ -1,20 +1,12 @@
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/internal/places.h"
+#include "meshalyzer/mesh/numbering.h"
 
 #include <cstddef>
-#include <cstdint>
 
 namespace meshalyzer {
 namespace {
-
-/// Returns the first of `n` records whose id is not its number, counted from 1, or n if there is
-/// none.
-Index first_out_of_order(const Ids& ids, std::size_t n) {
-  Index i = 0;
-  while (i < n && ids.of(i) == std::int64_t{i} + 1) ++i;
-  return i;
-}
 
 Defect wrong_number(const Ids& ids, Index record) {
   Defect defect = make_defect(DefectCode::Numbering);
@@ -27,19 +19,16 @@ Defect wrong_number(const Ids& ids, Index record) {
 
 DefectList find_numbering(const Soup& soup) {
   DefectList defects;
-  if (soup.format != Format::Mesh) return defects;
-  const Index vertex = first_out_of_order(soup.vertex_ids, soup.n_vertices());
-  if (vertex != soup.n_vertices()) {
-    Defect defect = wrong_number(soup.vertex_ids, vertex);
-    defect.vertices = {vertex};
-    defect.positions = {soup.positions[vertex]};
+  if (const auto vertex = first_misnumbered(soup.vertex_ids, soup.format, soup.n_vertices())) {
+    Defect defect = wrong_number(soup.vertex_ids, *vertex);
+    defect.vertices = {*vertex};
+    defect.positions = {soup.positions[*vertex]};
     defects.push_back(defect);
   }
-  const Index face = first_out_of_order(soup.face_ids, soup.n_faces());
-  if (face != soup.n_faces()) {
-    Defect defect = wrong_number(soup.face_ids, face);
-    defect.faces = {face};
-    defect.positions = middle_of_face(soup, face);
+  if (const auto face = first_misnumbered(soup.face_ids, soup.format, soup.n_faces())) {
+    Defect defect = wrong_number(soup.face_ids, *face);
+    defect.faces = {*face};
+    defect.positions = middle_of_face(soup, *face);
     defects.push_back(defect);
   }
   return defects;

@@ -1,39 +1,17 @@
 #include "meshalyzer/analysis/internal/integrity.h"
 
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/mesh/numbering.h"
+#include "meshalyzer/mesh/orphans.h"
 #include "meshalyzer/mesh/repeated_ids.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <span>
 
 namespace meshalyzer {
 namespace {
-
-/// Returns the vertices that no face uses. A record that repeats an id is none: its vertex is the
-/// one that the first record defines.
-std::vector<Index> find_orphans(const Soup& soup, std::span<const Index> repeated) {
-  std::vector<std::uint8_t> is_known(soup.n_vertices(), 0);
-  for (const Triangle& t : soup.triangles) {
-    for (const Index v : t) {
-      if (v != kNoIndex) {
-        is_known[v] = 1;
-      }
-    }
-  }
-  for (const Index record : repeated) {
-    is_known[record] = 1;
-  }
-  std::vector<Index> orphans;
-  for (std::size_t v = 0; v < is_known.size(); ++v) {
-    if (is_known[v] == 0) {
-      orphans.push_back(static_cast<Index>(v));
-    }
-  }
-  return orphans;
-}
 
 /// Tells whether a face names one vertex more than once; vertices that no record defines are
 /// compared by id.
@@ -72,25 +50,16 @@ std::vector<std::int64_t> distinct_missing_ids(const Soup& soup) {
   return ids;
 }
 
-/// Finds where the ids of `n` records cease to be 1, 2, ..., n. Only files that name their ids can
-/// have such a break.
+/// Describes where the ids of `n` records cease to be 1, 2, ..., n, if they do.
 std::optional<NumberingBreak> find_break(const Ids& ids, Format format, std::size_t n) {
-  if (format != Format::Mesh) {
-    return std::nullopt;
-  }
-  std::size_t i = 0;
-  while (i < n && ids.of(static_cast<Index>(i)) == static_cast<std::int64_t>(i) + 1) {
-    ++i;
-  }
-  if (i == n) {
-    return std::nullopt;
-  }
+  const std::optional<Index> offender = first_misnumbered(ids, format, n);
+  if (!offender) return std::nullopt;
   NumberingBreak found;
-  const std::size_t first = i < 2 ? 0 : i - 2;
-  for (std::size_t k = first; k < std::min(n, i + 3); ++k) {
-    found.ids.push_back(ids.of(static_cast<Index>(k)));
+  const Index first = *offender < 2 ? 0 : *offender - 2;
+  for (Index k = first; k < std::min<std::size_t>(n, std::size_t{*offender} + 3); ++k) {
+    found.ids.push_back(ids.of(k));
   }
-  found.offender = i - first;
+  found.offender = *offender - first;
   return found;
 }
 
@@ -100,7 +69,7 @@ Integrity check_integrity(const Soup& soup, Offenders& offenders) {
   find_broken_faces(soup, offenders);
   offenders.missing_vertices = distinct_missing_ids(soup);
   offenders.duplicate_vertex_records = find_repeated_ids(soup.vertex_ids);
-  offenders.orphan_vertices = find_orphans(soup, offenders.duplicate_vertex_records);
+  offenders.orphan_vertices = find_orphan_vertices(soup, offenders.duplicate_vertex_records);
   offenders.duplicate_face_records = find_repeated_ids(soup.face_ids);
   offenders.torn_lines.assign(soup.torn_lines.begin(), soup.torn_lines.end());
   offenders.vertex_numbering = find_break(soup.vertex_ids, soup.format, soup.n_vertices());

@@ -3,6 +3,7 @@
 #include "meshalyzer/base/require.h"
 #include "meshalyzer/boolean/make_disjoint.h"
 #include "meshalyzer/mesh/build.h"
+#include "meshalyzer/mesh/orphans.h"
 #include "meshalyzer/repair/edits/apply_edits.h"
 #include "meshalyzer/repair/edits/edits.h"
 #include "meshalyzer/repair/fix_defects.h"
@@ -100,14 +101,8 @@ class CombinedEdits {
 
   /// Vertices that lose their last face are dropped without being named.
   void remove_orphans() {
-    std::vector<std::uint8_t> is_used(soup_.n_vertices(), 0);
-    for (const Triangle& t : soup_.triangles) {
-      for (const Index v : t) {
-        if (v != kNoIndex) is_used[v] = 1;
-      }
-    }
-    for (Index v = 0; v < is_used.size(); ++v) {
-      if (is_used[v] == 0) edits_.removed_vertices.push_back({op_, v});
+    for (const Index v : find_orphan_vertices(soup_, {})) {
+      edits_.removed_vertices.push_back({op_, v});
     }
   }
 
