@@ -27,18 +27,9 @@ bool shorten(std::vector<Index>& walk) {
 }  // namespace
 
 std::vector<Index> find_flat_faces(const Soup& soup) {
-  const auto parts = map_chunks<std::vector<Index>>(soup.n_faces(), [&](Chunk chunk) {
-    std::vector<Index> flat;
-    for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
-      if (!is_in_complex(soup.triangles[f])) continue;
-      const auto face = static_cast<Index>(f);
-      if (are_collinear(corners_of(soup, face))) flat.push_back(face);
-    }
-    return flat;
+  return parallel_filter(soup.n_faces(), [&](Index face) {
+    return is_in_complex(soup.triangles[face]) && are_collinear(corners_of(soup, face));
   });
-  std::vector<Index> faces;
-  for (const std::vector<Index>& part : parts) faces.insert(faces.end(), part.begin(), part.end());
-  return faces;
 }
 
 std::vector<VertexPair> edges_of_faces(const Soup& soup, std::span<const Index> faces) {

@@ -22,6 +22,13 @@ namespace meshalyzer {
   return t;
 }
 
+/// Returns the corners of a face in ascending order, which are equal for faces with the same
+/// vertices.
+[[nodiscard]] inline Triangle sorted_corners(Triangle t) {
+  std::sort(t.begin(), t.end());
+  return t;
+}
+
 /// Tells whether two faces have the same corners in the same cyclic order.
 [[nodiscard]] inline bool has_same_cycle(Triangle a, const Triangle& b) {
   for (int i = 0; i < 3; ++i) {

@@ -1,6 +1,7 @@
 #include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/defects/internal/places.h"
@@ -12,17 +13,11 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns the corners in ascending order, so that faces with the same vertices are equal.
-Triangle sorted(Triangle t) {
-  std::sort(t.begin(), t.end());
-  return t;
-}
-
 /// Returns the triangles that several faces name, each once, ascending.
 std::vector<Triangle> find_repeated_triangles(const PreparedMesh& mesh) {
   std::vector<Triangle> repeated;
   for (const FaceHandle f : find_duplicate_faces(mesh.cut())) {
-    repeated.push_back(sorted(mesh.soup().triangles[mesh.cut().side.face(f)]));
+    repeated.push_back(sorted_corners(mesh.soup().triangles[mesh.cut().side.face(f)]));
   }
   sort_unique(repeated);
   return repeated;
@@ -39,20 +34,15 @@ std::vector<Copy> find_copies(const Soup& soup, const std::vector<Triangle>& rep
   // The lowest vertex already distinguishes most faces.
   std::vector<std::uint8_t> is_lowest(soup.n_vertices(), 0);
   for (const Triangle& t : repeated) is_lowest[t[0]] = 1;
-  const auto parts = map_chunks<std::vector<Copy>>(soup.n_faces(), [&](Chunk chunk) {
-    std::vector<Copy> copies;
+  return collect_chunks<Copy>(soup.n_faces(), [&](Chunk chunk, std::vector<Copy>& copies) {
     for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
-      const Triangle t = sorted(soup.triangles[f]);
+      const Triangle t = sorted_corners(soup.triangles[f]);
       if (!is_in_complex(t) || is_lowest[t[0]] == 0) continue;
       const auto found = std::lower_bound(repeated.begin(), repeated.end(), t);
       if (found == repeated.end() || *found != t) continue;
       copies.push_back({static_cast<Index>(found - repeated.begin()), static_cast<Index>(f)});
     }
-    return copies;
   });
-  std::vector<Copy> copies;
-  for (const auto& part : parts) copies.insert(copies.end(), part.begin(), part.end());
-  return copies;
 }
 
 }  // namespace

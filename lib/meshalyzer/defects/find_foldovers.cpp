@@ -11,6 +11,7 @@
 #include "meshalyzer/geometry/edge_measures.h"
 #include "meshalyzer/geometry/face_measures.h"
 #include "meshalyzer/topology/edges.h"
+#include "meshalyzer/topology/join_through_cuts.h"
 
 #include <algorithm>
 #include <array>
@@ -63,18 +64,14 @@ bool is_fold_edge(const TriMesh& mesh, HalfedgeHandle h, double max_angle) {
 /// @return     A half-edge of each, in order of the mesh's edges.
 /// @complexity O(#E), with only a few operations for each edge that is not sharp.
 std::vector<HalfedgeHandle> find_folds(const TriMesh& mesh, double max_angle) {
-  const auto found = map_chunks<std::vector<HalfedgeHandle>>(mesh.n_edges(), [&](Chunk chunk) {
-    std::vector<HalfedgeHandle> folds;
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      const EdgeHandle e(static_cast<int>(i));
-      if (mesh.is_boundary(e)) continue;
-      const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
-      if (is_fold_edge(mesh, h, max_angle)) folds.push_back(h);
-    }
-    return folds;
-  });
+  const auto is_fold = [&](Index i) {
+    const EdgeHandle e(static_cast<int>(i));
+    return !mesh.is_boundary(e) && is_fold_edge(mesh, mesh.halfedge_handle(e, 0), max_angle);
+  };
   std::vector<HalfedgeHandle> folds;
-  for (const auto& part : found) folds.insert(folds.end(), part.begin(), part.end());
+  for (const Index i : parallel_filter(mesh.n_edges(), is_fold)) {
+    folds.push_back(mesh.halfedge_handle(EdgeHandle(static_cast<int>(i)), 0));
+  }
   return folds;
 }
 
@@ -97,16 +94,6 @@ struct Patch {
   /// The distance to its neighbours, if it lies on them.
   std::optional<double> distance;
 };
-
-void join_through_cuts(const TriMesh& mesh, const CutEdges& edges, DisjointSets& faces) {
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const auto halfedges = edges[i].halfedges;
-    for (const HalfedgeHandle h : halfedges.subspan(1)) {
-      faces.unite(static_cast<Index>(mesh.face_handle(halfedges[0]).idx()),
-                  static_cast<Index>(mesh.face_handle(h).idx()));
-    }
-  }
-}
 
 /// Joins faces through all edges except folds. A cut of the mesh does not bound a region: the
 /// surface continues beyond it.
@@ -184,10 +171,7 @@ class FoldedPatches {
       patches_[a].folds.push_back(crease.fold);
       patches_[b].folds.push_back(crease.fold);
     }
-    for (Patch& patch : patches_) {
-      auto& list = patch.neighbours;
-      sort_unique(list);
-    }
+    for (Patch& patch : patches_) sort_unique(patch.neighbours);
   }
 
   std::vector<Patch> patches_;

@@ -37,24 +37,21 @@ Say say_of(const Soup& soup, Index face, const Vec3& normal) {
 /// Returns the normals that may be opposed, because their own face does not agree with them. In a
 /// sound mesh only faces of zero area have such normals.
 std::vector<GivenNormal> find_suspects(const Soup& soup) {
-  const auto parts = map_chunks<std::vector<GivenNormal>>(soup.n_faces(), [&](Chunk chunk) {
-    std::vector<GivenNormal> suspects;
-    for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
-      const auto face = static_cast<Index>(f);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Index vertex = soup.triangles[f][k];
-        const Index normal = soup.corner_normals[f][k];
-        if (vertex == kNoIndex || normal == kNoIndex) continue;
-        const Vec3& direction = soup.normals[normal];
-        if (direction.allFinite() && say_of(soup, face, direction) != Say::NotOpposed) {
-          suspects.push_back({vertex, normal});
+  auto suspects = collect_chunks<GivenNormal>(
+      soup.n_faces(), [&](Chunk chunk, std::vector<GivenNormal>& found) {
+        for (std::size_t f = chunk.begin; f < chunk.end; ++f) {
+          const auto face = static_cast<Index>(f);
+          for (std::size_t k = 0; k < 3; ++k) {
+            const Index vertex = soup.triangles[f][k];
+            const Index normal = soup.corner_normals[f][k];
+            if (vertex == kNoIndex || normal == kNoIndex) continue;
+            const Vec3& direction = soup.normals[normal];
+            if (direction.allFinite() && say_of(soup, face, direction) != Say::NotOpposed) {
+              found.push_back({vertex, normal});
+            }
+          }
         }
-      }
-    }
-    return suspects;
-  });
-  std::vector<GivenNormal> suspects;
-  for (const auto& part : parts) suspects.insert(suspects.end(), part.begin(), part.end());
+      });
   sort_unique(suspects);
   return suspects;
 }

@@ -179,10 +179,9 @@ struct NearPair {
 };
 
 /// Finds the pairs whose ends are within the tolerance, in order of their first.
-std::vector<std::vector<NearPair>> find_near(std::span<const Segment> segments, double tolerance) {
+std::vector<NearPair> find_near(std::span<const Segment> segments, double tolerance) {
   const SegmentGrid grid(segments, tolerance);
-  return map_chunks<std::vector<NearPair>>(segments.size(), [&](Chunk chunk) {
-    std::vector<NearPair> pairs;
+  return collect_chunks<NearPair>(segments.size(), [&](Chunk chunk, std::vector<NearPair>& pairs) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       grid.visit_near(segments[i], [&](Index j) {
         if (j <= i) return;
@@ -190,7 +189,6 @@ std::vector<std::vector<NearPair>> find_near(std::span<const Segment> segments, 
         if (gap <= tolerance) pairs.push_back({static_cast<Index>(i), j, gap});
       });
     }
-    return pairs;
   });
 }
 
@@ -207,10 +205,8 @@ void pair_near(const Soup& soup, std::span<const BorderEdge> edges, std::span<co
     segments.push_back(segment);
     edge_of.push_back(e);
   }
-  for (const std::vector<NearPair>& pairs : find_near(segments, tolerance)) {
-    for (const NearPair& pair : pairs) {
-      slits.pair(edge_of[pair.first], edge_of[pair.second], pair.gap);
-    }
+  for (const NearPair& pair : find_near(segments, tolerance)) {
+    slits.pair(edge_of[pair.first], edge_of[pair.second], pair.gap);
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/mesh/inner_halfedge.h"
+#include "meshalyzer/topology/join_through_cuts.h"
 
 #include <utility>
 
@@ -38,15 +40,6 @@ void join_through_copies(const CutMesh& cut, DisjointSets& faces) {
     const VertexHandle copy(n_file_vertices + static_cast<int>(i));
     const VertexHandle first(static_cast<int>(cut.side.copies[i]));
     faces.unite(index(a_face_at(cut.mesh, first)), index(a_face_at(cut.mesh, copy)));
-  }
-}
-
-void join_through_cuts(const TriMesh& mesh, const CutEdges& edges, DisjointSets& faces) {
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const auto halfedges = edges[i].halfedges;
-    for (const HalfedgeHandle h : halfedges.subspan(1)) {
-      faces.unite(index(mesh.face_handle(halfedges[0])), index(mesh.face_handle(h)));
-    }
   }
 }
 
