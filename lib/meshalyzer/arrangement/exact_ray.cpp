@@ -1,10 +1,10 @@
 #include "meshalyzer/arrangement/exact_ray.h"
 
 #include "meshalyzer/exact/exact_point.h"
+#include "meshalyzer/spatial/visit_meeting.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -31,23 +31,14 @@ class ExactRay {
 
   /// @return  Nothing if the ray grazes an edge.
   std::optional<std::vector<RayCrossing>> follow() {
-    descend(a_.tree.n_levels() - 1, 0);
+    visit_meeting(a_.tree, box_, [&](std::size_t slot) {
+      meet_face(a_.cut.side.faces[a_.tree.mesh_face(slot)]);
+      return !grazes_;
+    });
     return grazes_ ? std::nullopt : std::optional(std::move(crossings_));
   }
 
  private:
-  void descend(std::size_t level, std::size_t i) {
-    for (unsigned bits = a_.tree.node(level, i).meeting(box_); bits != 0 && !grazes_;
-         bits &= bits - 1) {
-      const std::size_t child = 8 * i + static_cast<std::size_t>(std::countr_zero(bits));
-      if (level == 0) {
-        meet_face(a_.cut.side.faces[a_.tree.mesh_face(child)]);
-      } else {
-        descend(level - 1, child);
-      }
-    }
-  }
-
   void meet_face(Index face) {
     const Index component = a_.component_of_face(face);
     if (component == kNoIndex || a_.cells.is_closed[component] == 0) return;

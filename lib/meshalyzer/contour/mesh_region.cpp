@@ -2,9 +2,9 @@
 
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/contour/internal/faces_in_complex.h"
+#include "meshalyzer/spatial/visit_meeting.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -48,25 +48,15 @@ class SegmentHits {
         box_{tree.map(from.cwiseMin(to)), tree.map(from.cwiseMax(to))} {}
 
   std::vector<double> find() {
-    if (tree_.n_faces() != 0) descend(tree_.n_levels() - 1, 0);
+    visit_meeting(tree_, box_, [&](std::size_t slot) {
+      if (const auto share = share_to(tree_.corners(slot), from_, to_)) shares_.push_back(*share);
+      return true;
+    });
     sort_unique(shares_);
     return std::move(shares_);
   }
 
  private:
-  void descend(std::size_t level, std::size_t i) {
-    for (unsigned bits = tree_.node(level, i).meeting(box_); bits != 0; bits &= bits - 1) {
-      const std::size_t child = 8 * i + static_cast<std::size_t>(std::countr_zero(bits));
-      if (level != 0) {
-        descend(level - 1, child);
-        continue;
-      }
-      const Triangle t = tree_.triangle(child);
-      const Corners corners{tree_.point(t[0]), tree_.point(t[1]), tree_.point(t[2])};
-      if (const auto share = share_to(corners, from_, to_)) shares_.push_back(*share);
-    }
-  }
-
   const FaceTree& tree_;
   const Vec3& from_;
   const Vec3& to_;

@@ -32,12 +32,7 @@ constexpr float kFarthestForSlabs = 0x1p+20F;
 ///
 /// The result is finite for any finite point, because differences of infinities would be useless.
 std::array<float, 3> map_foreign(const FaceTree& tree, const Vec3& point) {
-  constexpr float kFarthest = std::numeric_limits<float>::max();
-  std::array<float, 3> place = tree.map(point);
-  for (float& x : place) {
-    x = std::clamp(x, -kFarthest, kFarthest);
-  }
-  return place;
+  return tree.map_within(point, std::numeric_limits<float>::max());
 }
 
 /// Returns the leaves of `tree` whose boxes meet the box of all faces of `other`, ascending.

@@ -35,7 +35,7 @@ constexpr double kRelativeSlack = 0x1p-19;
 // With far faces coordinates are at most 2, which doubles the first three at most.
 /// Coordinates of the query are clamped to this, so that fourth powers do not overflow. Clamping
 /// never takes it farther from any face, because it projects onto a box that contains them all.
-constexpr double kFarthest = 0x1p30;
+constexpr float kFarthest = 0x1p30F;
 
 /// A squared distance in double precision times this is below the exact one: differences, squares
 /// and sums add less than 8 roundings.
@@ -125,14 +125,6 @@ EightVectors fine_direction(const EightCorners& corners) {
                 best);
 }
 
-/// Maps a point to the coordinates of a tree's boxes.
-std::array<float, 3> clamped(const FaceTree& tree, const Vec3& point) {
-  constexpr auto kLimit = static_cast<float>(kFarthest);
-  std::array<float, 3> place = tree.map(point);
-  for (float& x : place) x = std::clamp(x, -kLimit, kLimit);
-  return place;
-}
-
 /// Returns the squared distance in the tree's coordinates beyond which nothing is within a distance
 /// in the mesh's unit.
 float squared_reach(const FaceTree& tree, double distance) {
@@ -157,11 +149,6 @@ bool has_leaf_near(const FaceTree& tree, std::size_t level, std::size_t i, const
 /// The number of nodes with eight leaves each that one task bounds: those of as many faces as other
 /// tasks have.
 constexpr std::size_t kNodesOfLeavesPerChunk = kChunkLength / (kTreeWidth * kTreeWidth);
-
-/// Returns how many groups of eight hold so many items.
-std::size_t n_eights(std::size_t n) {
-  return (n + kTreeWidth - 1) / kTreeWidth;
-}
 
 /// A node of the tree that remains to be searched.
 struct Entry {
@@ -204,7 +191,7 @@ class Search {
         leaf_boxes_(leaf_boxes),
         query_(query),
         place_((query.point - tree.centre()) * tree.scale()),
-        clamped_(clamped(tree, query.point)) {
+        clamped_(tree.map_within(query.point, kFarthest)) {
     best_.distance = query.within;
     set_reach();
   }
@@ -314,8 +301,7 @@ class Search {
     if (query_.is_wanted != nullptr && !(*query_.is_wanted)(face)) {
       return;
     }
-    const Triangle& t = tree_.triangle(slot);
-    const Corners corners{tree_.point(t[0]), tree_.point(t[1]), tree_.point(t[2])};
+    const Corners corners = tree_.corners(slot);
     if (is_within_slack_ && is_box_farther(corners)) {
       return;
     }
@@ -418,7 +404,7 @@ EightTriangles EightTriangles::none() {
 ClosestPoints::ClosestPoints(const FaceTree& tree)
     : tree_(tree),
       triangles_(tree.n_leaves(), EightTriangles::none()),
-      leaf_boxes_(n_eights(tree.n_leaves())) {
+      leaf_boxes_(n_chunks(tree.n_leaves(), kTreeWidth)) {
   parallel_chunks(tree.n_faces(), [&](Chunk chunk) {
     for (std::size_t slot = chunk.begin; slot < chunk.end; ++slot) {
       EightTriangles& leaf = triangles_[slot / 8];
@@ -438,14 +424,16 @@ ClosestPoints::ClosestPoints(const FaceTree& tree)
 }
 
 std::uint64_t ClosestPoints::bytes_for(std::size_t n_faces) {
-  const std::size_t n_leaves = n_eights(n_faces);
-  return n_leaves * sizeof(EightTriangles) + n_eights(n_leaves) * sizeof(EightOrientedBoxes);
+  const std::size_t n_leaves = n_chunks(n_faces, kTreeWidth);
+  return n_leaves * sizeof(EightTriangles) +
+         n_chunks(n_leaves, kTreeWidth) * sizeof(EightOrientedBoxes);
 }
 
 bool ClosestPoints::may_be_within(const Box3& box, double distance) const {
-  return has_leaf_near(tree_, tree_.n_levels() - 1, 0,
-                       {clamped(tree_, box.min()), clamped(tree_, box.max())},
-                       squared_reach(tree_, distance));
+  return has_leaf_near(
+      tree_, tree_.n_levels() - 1, 0,
+      {tree_.map_within(box.min(), kFarthest), tree_.map_within(box.max(), kFarthest)},
+      squared_reach(tree_, distance));
 }
 
 std::optional<SurfacePoint> ClosestPoints::find(const ClosestQuery& query) const {

@@ -76,12 +76,10 @@ AngleRange range_between(const Across& across, const Vec3& arm_a, const Vec3& ar
 /// Numbers the crowded vertices.
 class Crowds {
  public:
-  Crowds(const FaceTree& tree, std::span<const std::uint8_t> proven) {
+  Crowds(const FaceTree& tree, std::span<const std::uint8_t> proven) : number_(tree.n_points(), 0) {
     for (std::size_t slot = 0; slot < tree.n_faces(); ++slot) {
       for (const Index v : tree.triangle(slot)) {
-        if (!proven.empty() && proven[v] != 0) continue;
-        if (v >= number_.size()) number_.resize(v + std::size_t{1}, 0);
-        ++number_[v];
+        if (proven.empty() || proven[v] == 0) ++number_[v];
       }
     }
     for (Index& number : number_) {
@@ -95,9 +93,7 @@ class Crowds {
   /// The pairs of corners at all of them.
   [[nodiscard]] std::size_t n_pairs() const { return n_pairs_; }
   /// Returns the number of a vertex, or kNoIndex.
-  [[nodiscard]] Index of(Index vertex) const {
-    return vertex < number_.size() ? number_[vertex] : kNoIndex;
-  }
+  [[nodiscard]] Index of(Index vertex) const { return number_[vertex]; }
 
  private:
   std::vector<Index> number_;

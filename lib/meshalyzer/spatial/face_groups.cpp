@@ -1,6 +1,9 @@
 #include "meshalyzer/spatial/face_groups.h"
 
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/base/eight_lanes.h"
+#include "meshalyzer/base/runs.h"
+#include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/spatial/tree_width.h"
 
 #include <algorithm>
@@ -51,39 +54,22 @@ std::vector<Index> slots_in_crowds(const FaceTree& tree) {
 using Place = std::tuple<double, double, double>;
 
 /// Returns the positions of a face's corners, ascending.
-std::array<Place, 3> places_of(const FaceTree& tree, const Triangle& t) {
+std::array<Place, 3> places_of(const FaceTree& tree, std::size_t slot) {
+  const Corners corners = tree.corners(slot);
   std::array<Place, 3> places;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3& p = tree.point(t[i]);
-    places[i] = {p.x(), p.y(), p.z()};
-  }
+  std::transform(corners.begin(), corners.end(), places.begin(),
+                 [](const Vec3& p) { return Place(p.x(), p.y(), p.z()); });
   std::sort(places.begin(), places.end());
   return places;
 }
 
-Triangle sorted(Triangle t) {
-  std::sort(t.begin(), t.end());
-  return t;
-}
-
 /// Returns for each vertex the number of faces that use it.
-std::vector<Index> count_uses(const FaceTree& tree, std::size_t n_vertices) {
-  std::vector<Index> uses(n_vertices, 0);
+std::vector<Index> count_uses(const FaceTree& tree) {
+  std::vector<Index> uses(tree.n_points(), 0);
   for (std::size_t slot = 0; slot < tree.n_faces(); ++slot) {
     for (const Index v : tree.triangle(slot)) ++uses[v];
   }
   return uses;
-}
-
-/// Calls `visit` with each run of slots that are alike.
-template <typename Alike, typename Visit>
-void for_each_run(std::span<const Index> slots, const Alike& alike, const Visit& visit) {
-  for (std::size_t begin = 0; begin < slots.size();) {
-    std::size_t end = begin + 1;
-    while (end < slots.size() && alike(slots[begin], slots[end])) ++end;
-    visit(slots.subspan(begin, end - begin));
-    begin = end;
-  }
 }
 
 }  // namespace
@@ -91,21 +77,18 @@ void for_each_run(std::span<const Index> slots, const Alike& alike, const Visit&
 FaceGroups::FaceGroups(const CutMesh& cut, const FaceTree& tree) {
   std::vector<Index> slots = slots_in_crowds(tree);
   if (slots.empty()) return;
-  const std::vector<Index> uses = count_uses(tree, cut.side.n_file_vertices);
-  const auto key = [&](Index slot) {
-    const Triangle& t = tree.triangle(slot);
-    return std::pair(places_of(tree, t), sorted(t));
-  };
+  const std::vector<Index> uses = count_uses(tree);
+  const auto places = [&](Index slot) { return places_of(tree, slot); };
+  const auto vertices = [&](Index slot) { return sorted_corners(tree.triangle(slot)); };
+  const auto key = [&](Index slot) { return std::pair(places(slot), vertices(slot)); };
   std::sort(slots.begin(), slots.end(), [&](Index a, Index b) { return key(a) < key(b); });
-  const auto is_same_place = [&](Index a, Index b) { return key(a).first == key(b).first; };
-  const auto is_same_face = [&](Index a, Index b) { return key(a).second == key(b).second; };
   const auto is_loose = [&](Index slot) {
     const Triangle& t = tree.triangle(slot);
     return std::all_of(t.begin(), t.end(), [&](Index v) { return uses[v] == 1; });
   };
-  for_each_run(slots, is_same_place, [&](std::span<const Index> at_one_place) {
+  for_each_run(std::span(std::as_const(slots)), places, [&](std::span<const Index> at_one_place) {
     std::vector<Index> loose;
-    for_each_run(at_one_place, is_same_face, [&](std::span<const Index> one_face) {
+    for_each_run(at_one_place, vertices, [&](std::span<const Index> one_face) {
       add(cut, tree, one_face);
       if (one_face.size() == 1 && is_loose(one_face[0])) loose.push_back(one_face[0]);
     });

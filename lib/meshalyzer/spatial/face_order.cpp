@@ -33,7 +33,7 @@ constexpr float kWidthOfSide = 0.3F;
 
 /// Returns the number of faces in the left half of a split.
 std::size_t size_of_left(std::size_t n_faces) {
-  const std::size_t leaves = (n_faces + kTreeWidth - 1) / kTreeWidth;
+  const std::size_t leaves = n_chunks(n_faces, kTreeWidth);
   return kTreeWidth * (std::bit_ceil(leaves) / 2);
 }
 

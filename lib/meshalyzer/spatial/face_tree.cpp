@@ -47,7 +47,7 @@ Box3 box_of_most(std::span<const Triangle> triangles, std::span<const Vec3> poin
 
 /// Returns the number of leaves; a tree without faces also has one.
 std::size_t n_leaves_of(std::size_t n_faces) {
-  return std::max<std::size_t>(1, (n_faces + kTreeWidth - 1) / kTreeWidth);
+  return std::max<std::size_t>(1, n_chunks(n_faces, kTreeWidth));
 }
 
 }  // namespace
@@ -89,6 +89,16 @@ TreeBox TreeBox::around(const EightBoxes& boxes) {
   return box;
 }
 
+std::vector<EightBoxes> boxes_above(std::span<const EightBoxes> below) {
+  std::vector<EightBoxes> level(n_chunks(below.size(), kTreeWidth), EightBoxes::empty());
+  parallel_chunks(below.size(), [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      level[i / kTreeWidth].set(i % kTreeWidth, TreeBox::around(below[i]));
+    }
+  });
+  return level;
+}
+
 FaceTree::FaceTree(const CutMesh& cut) : points_(cut.mesh.points(), cut.mesh.n_vertices()) {
   {
     const std::vector<Triangle> triangles = unbuild(cut);
@@ -113,6 +123,12 @@ FaceTree::FaceTree(const CutMesh& cut, std::span<const Index> mesh_faces)
   box_faces();
   box_levels();
   mark_far_leaves();
+}
+
+std::array<float, 3> FaceTree::map_within(const Vec3& point, float farthest) const {
+  std::array<float, 3> place = map(point);
+  for (float& x : place) x = std::clamp(x, -farthest, farthest);
+  return place;
 }
 
 bool FaceTree::is_far(const Vec3& point) const {
@@ -207,32 +223,13 @@ void FaceTree::box_faces() {
   levels_.emplace_back(n_leaves_of(n_faces()), EightBoxes::empty());
   parallel_chunks(n_faces(), [&](Chunk chunk) {
     for (std::size_t slot = chunk.begin; slot < chunk.end; ++slot) {
-      EightBoxes& leaf = levels_.front()[slot / kTreeWidth];
-      const TreeBox box = box_of(triangle(slot));
-      for (std::size_t k = 0; k < 3; ++k) {
-        leaf.min[k][slot % kTreeWidth] = box.low[k];
-        leaf.max[k][slot % kTreeWidth] = box.high[k];
-      }
+      levels_.front()[slot / kTreeWidth].set(slot % kTreeWidth, box_of(triangle(slot)));
     }
   });
 }
 
 void FaceTree::box_levels() {
-  while (levels_.back().size() > 1) {
-    const std::vector<EightBoxes>& below = levels_.back();
-    std::vector<EightBoxes> level((below.size() + kTreeWidth - 1) / kTreeWidth,
-                                  EightBoxes::empty());
-    parallel_chunks(below.size(), [&](Chunk chunk) {
-      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-        const TreeBox box = TreeBox::around(below[i]);
-        for (std::size_t k = 0; k < 3; ++k) {
-          level[i / kTreeWidth].min[k][i % kTreeWidth] = box.low[k];
-          level[i / kTreeWidth].max[k][i % kTreeWidth] = box.high[k];
-        }
-      }
-    });
-    levels_.push_back(std::move(level));
-  }
+  while (levels_.back().size() > 1) levels_.push_back(boxes_above(levels_.back()));
 }
 
 }  // namespace meshalyzer

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/corners.h"
 #include "meshalyzer/mesh/side_table.h"
 
 #include <algorithm>
@@ -35,10 +36,19 @@ struct alignas(32) EightBoxes {
   [[nodiscard]] TreeBox box(std::size_t i) const {
     return {{min[0][i], min[1][i], min[2][i]}, {max[0][i], max[1][i], max[2][i]}};
   }
+  void set(std::size_t i, const TreeBox& box) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      min[k][i] = box.low[k];
+      max[k][i] = box.high[k];
+    }
+  }
   /// Returns a mask in which bit i is set if box i meets `other`, which is bounded along at least
   /// one axis.
   [[nodiscard]] unsigned meeting(const TreeBox& other) const;
 };
+
+/// Returns the nodes above others in a tree: the box of each eight of these.
+[[nodiscard]] std::vector<EightBoxes> boxes_above(std::span<const EightBoxes> below);
 
 /// The file vertices of eight faces side by side, corner by corner; kNoIndex for missing faces.
 struct alignas(32) EightFaces {
@@ -84,6 +94,12 @@ class FaceTree {
   }
   [[nodiscard]] Index mesh_face(std::size_t slot) const { return mesh_faces_[slot]; }
   [[nodiscard]] const Vec3& point(Index file_vertex) const { return points_[file_vertex]; }
+  /// Returns the positions of the corners of the face at a slot.
+  [[nodiscard]] Corners corners(std::size_t slot) const {
+    return corners_of(points_, triangle(slot));
+  }
+  /// Returns the number of points, file vertices and their copies.
+  [[nodiscard]] std::size_t n_points() const { return points_.size(); }
 
   /// Returns the box of the faces' corners in the file's own coordinates; it is empty where there
   /// are no faces.
@@ -103,6 +119,9 @@ class FaceTree {
     };
     return {place(0), place(1), place(2)};
   }
+
+  /// Maps a point likewise, and brings it to -farthest ... farthest along each axis.
+  [[nodiscard]] std::array<float, 3> map_within(const Vec3& point, float farthest) const;
 
   /// Tells whether some faces are so far from the others that their boxes are in another place.
   [[nodiscard]] bool has_far_faces() const { return !is_far_leaf_.empty(); }

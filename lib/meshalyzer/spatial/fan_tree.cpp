@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/triangle_vertices.h"
+#include "meshalyzer/spatial/tree_width.h"
 
 #include <algorithm>
 #include <limits>
@@ -77,7 +78,7 @@ void FanTree::add_leaves(const FaceTree& tree) {
 
 void FanTree::add_level() {
   const std::vector<Index>& below = levels_.back();
-  std::vector<Index> level((below.size() + 7) / 8, 0);
+  std::vector<Index> level(n_chunks(below.size(), kTreeWidth), 0);
   for (std::size_t i = 0; i < level.size(); ++i) {
     const auto children =
         std::span(below).subspan(8 * i, std::min<std::size_t>(8, below.size() - 8 * i));

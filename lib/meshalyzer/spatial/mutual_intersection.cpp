@@ -17,11 +17,6 @@ using Next = BoxMeetings::Next;
 /// The number of pairs that a task keeps before it passes them on; there may be very many tasks.
 constexpr std::size_t kPairsKept = 256;
 
-Corners corners_of(const FaceTree& tree, std::size_t slot) {
-  const Triangle& t = tree.triangle(slot);
-  return {tree.point(t[0]), tree.point(t[1]), tree.point(t[2])};
-}
-
 /// Faces with corners at common places touch at least there. Further contact is found faster if
 /// these corners are aligned: otherwise their signs, which are all zero, would need exact
 /// arithmetic.
@@ -61,7 +56,7 @@ FoundPairs count_intersections(const CutMesh& a, const FaceTree& tree_a, const C
   PairCollector collector(limits.max_listed);
   std::vector<PairBuffer> buffers(meetings.n_chunks(), PairBuffer(collector, kPairsKept));
   const Next end = meetings.run([&](std::size_t chunk, std::size_t f, std::size_t g) {
-    if (const auto kind = find_kind(corners_of(tree_a, f), corners_of(tree_b, g))) {
+    if (const auto kind = find_kind(tree_a.corners(f), tree_b.corners(g))) {
       buffers[chunk].push({.face_a = a.side.faces[tree_a.mesh_face(f)],
                            .face_b = b.side.faces[tree_b.mesh_face(g)],
                            .kind = *kind});
@@ -76,7 +71,7 @@ FoundPairs count_intersections(const CutMesh& a, const FaceTree& tree_a, const C
 
 bool do_intersect(const FaceTree& a, const FaceTree& b) {
   const auto meet = [&](std::size_t, std::size_t f, std::size_t g) {
-    return share_point(corners_of(a, f), corners_of(b, g)) ? Next::Stop : Next::GoOn;
+    return share_point(a.corners(f), b.corners(g)) ? Next::Stop : Next::GoOn;
   };
   return BoxMeetings(a, b).run(meet) == Next::Stop;
 }

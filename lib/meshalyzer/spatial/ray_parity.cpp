@@ -3,9 +3,10 @@
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/spatial/triangle_contact.h"
+#include "meshalyzer/spatial/visit_meeting.h"
 
 #include <algorithm>
-#include <bit>
+#include <cstddef>
 #include <utility>
 
 namespace meshalyzer {
@@ -50,27 +51,16 @@ class Ray {
   }
 
   PointLocation follow() {
-    if (tree_.n_faces() != 0) {
-      descend(tree_.n_levels() - 1, 0);
-    }
+    visit_meeting(tree_, box_, [&](std::size_t slot) {
+      meet_face(slot);
+      return true;
+    });
     return {odd_ones(std::move(met_)), distinct(std::move(on_))};
   }
 
  private:
-  void descend(std::size_t level, std::size_t i) {
-    for (unsigned bits = tree_.node(level, i).meeting(box_); bits != 0; bits &= bits - 1) {
-      const std::size_t child = 8 * i + static_cast<std::size_t>(std::countr_zero(bits));
-      if (level == 0) {
-        meet_face(child);
-      } else {
-        descend(level - 1, child);
-      }
-    }
-  }
-
   void meet_face(std::size_t slot) {
-    const Triangle& t = tree_.triangle(slot);
-    const Corners corners{tree_.point(t[0]), tree_.point(t[1]), tree_.point(t[2])};
+    const Corners corners = tree_.corners(slot);
     const Index part = parts_.of_face[tree_.mesh_face(slot)];
     if (find_contact({point_, point_, point_}, corners, Common::Nothing)) {
       on_.push_back(part);

@@ -1,5 +1,6 @@
 #include "meshalyzer/spatial/ray_windings.h"
 
+#include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/spatial/order_by_size.h"
 #include "meshalyzer/spatial/tree_width.h"
@@ -40,21 +41,6 @@ const Eigen::Matrix3d& frame() {
 std::array<float, 3> to_floats(const Vec3& p) {
   // Conversion is monotone, so that boxes that share a point do so afterwards.
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
-}
-
-void set_box(EightBoxes& boxes, std::size_t i, const TreeBox& box) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    boxes.min[k][i] = box.low[k];
-    boxes.max[k][i] = box.high[k];
-  }
-}
-
-std::vector<EightBoxes> level_of(std::span<const TreeBox> boxes) {
-  std::vector<EightBoxes> level((boxes.size() + kTreeWidth - 1) / kTreeWidth, EightBoxes::empty());
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    set_box(level[i / kTreeWidth], i % kTreeWidth, boxes[i]);
-  }
-  return level;
 }
 
 /// Tells on which side of the line a b a point lies, in the projection along x: 1, -1, or 0 if
@@ -146,24 +132,14 @@ RayWindings::RayWindings(std::span<const Corners> triangles, double near) : near
   ordered.reserve(triangles.size());
   for (const Index i : order_by_size(triangles_)) ordered.push_back(triangles_[i]);
   triangles_ = std::move(ordered);
-  std::vector<TreeBox> boxes;
-  boxes.reserve(triangles_.size());
-  for (const Corners& t : triangles_) {
-    const Box3 box = box_of(t);
-    boxes.push_back({to_floats(box.min()), to_floats(box.max())});
+  if (triangles_.empty()) return;
+  levels_.emplace_back(n_chunks(triangles_.size(), kTreeWidth), EightBoxes::empty());
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    const Box3 box = box_of(triangles_[i]);
+    levels_.front()[i / kTreeWidth].set(i % kTreeWidth,
+                                        {to_floats(box.min()), to_floats(box.max())});
   }
-  while (!boxes.empty()) {
-    levels_.push_back(level_of(boxes));
-    boxes.clear();
-    if (levels_.back().size() == 1) break;
-    for (const EightBoxes& below : levels_.back()) boxes.push_back(TreeBox::around(below));
-  }
-}
-
-std::optional<int> RayWindings::at(const Vec3& point) const {
-  const auto both = at_both(point, point);
-  if (!both) return std::nullopt;
-  return both->front();
+  while (levels_.back().size() > 1) levels_.push_back(boxes_above(levels_.back()));
 }
 
 std::optional<std::array<int, 2>> RayWindings::at_both(const Vec3& first,

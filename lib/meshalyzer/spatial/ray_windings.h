@@ -22,15 +22,12 @@ class RayWindings {
   /// @complexity       O(n log n).
   RayWindings(std::span<const Corners> triangles, double near);
 
-  /// Returns the winding number at a point.
+  /// Returns the winding numbers at two points; if they are near each other, both take little more
+  /// than one.
   ///
-  /// @return     Nothing if the ray passes so close to an edge that rounding might decide, or
-  ///             begins on a triangle.
+  /// @return     Nothing if a ray passes so close to an edge that rounding might decide, or begins
+  ///             on a triangle.
   /// @complexity O(log n + crossings) on average.
-  [[nodiscard]] std::optional<int> at(const Vec3& point) const;
-
-  /// Returns the winding numbers at two points, both or none; if they are near each other, both
-  /// take little more than one.
   [[nodiscard]] std::optional<std::array<int, 2>> at_both(const Vec3& first,
                                                           const Vec3& second) const;
 

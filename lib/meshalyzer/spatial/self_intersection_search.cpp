@@ -54,10 +54,7 @@ TreeBox box_of_wanted(const Scene& scene, std::size_t leaf) {
   EightBoxes boxes = EightBoxes::empty();
   for (unsigned bits = wanted_lanes(scene, leaf); bits != 0; bits &= bits - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(bits));
-    for (std::size_t k = 0; k < 3; ++k) {
-      boxes.min[k][i] = all.min[k][i];
-      boxes.max[k][i] = all.max[k][i];
-    }
+    boxes.set(i, all.box(i));
   }
   return TreeBox::around(boxes);
 }

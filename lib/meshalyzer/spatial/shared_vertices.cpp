@@ -1,5 +1,6 @@
 #include "meshalyzer/spatial/shared_vertices.h"
 
+#include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/sort_unique.h"
 
@@ -34,34 +35,16 @@ std::vector<LeafVertex> vertices_of(const FaceTree& tree, std::size_t leaf) {
   return vertices;
 }
 
-/// The leaves of each vertex, ascending.
-struct LeavesOfVertices {
-  std::vector<Index> leaves;
-  /// #vertices + 1.
-  std::vector<std::size_t> begin;
-
-  explicit LeavesOfVertices(const FaceTree& tree) {
-    const auto visit_once = [&](std::size_t leaf, const auto& visit) {
-      for (const LeafVertex& of_leaf : vertices_of(tree, leaf)) visit(of_leaf.vertex);
-    };
+/// Returns the leaves of each vertex, ascending.
+ItemsByGroup leaves_of_vertices(const FaceTree& tree) {
+  return ItemsByGroup(tree.n_points(), [&](const auto& use) {
     for (std::size_t leaf = 0; leaf < tree.n_leaves(); ++leaf) {
-      visit_once(leaf, [&](Index v) {
-        if (v + std::size_t{2} > begin.size()) begin.resize(v + std::size_t{2}, 0);
-        ++begin[v + std::size_t{1}];
-      });
+      for (const LeafVertex& of_leaf : vertices_of(tree, leaf)) {
+        use(of_leaf.vertex, static_cast<Index>(leaf));
+      }
     }
-    for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
-    std::vector<std::size_t> next = begin;
-    leaves.resize(begin.empty() ? 0 : begin.back());
-    for (std::size_t leaf = 0; leaf < tree.n_leaves(); ++leaf) {
-      visit_once(leaf, [&](Index v) { leaves[next[v]++] = static_cast<Index>(leaf); });
-    }
-  }
-
-  [[nodiscard]] std::span<const Index> of(Index vertex) const {
-    return std::span(leaves).subspan(begin[vertex], begin[vertex + std::size_t{1}] - begin[vertex]);
-  }
-};
+  });
+}
 
 /// Returns a range round the angles at which the faces of a leaf are seen at a vertex.
 AngleRange angles_at(const LeafVertex& vertex, const CornerAngles& angles, std::size_t leaf) {
@@ -81,12 +64,12 @@ struct Part {
   std::vector<Index> neighbours;
   std::vector<std::size_t> neighbour_counts;
 
-  void add(const FaceTree& tree, const CornerAngles& angles, const LeavesOfVertices& leaves,
+  void add(const FaceTree& tree, const CornerAngles& angles, const ItemsByGroup& leaves,
            std::size_t leaf) {
     std::vector<Index> near;
     std::size_t n_hubs = 0;
     for (const LeafVertex& of_leaf : vertices_of(tree, leaf)) {
-      const std::span<const Index> its = leaves.of(of_leaf.vertex);
+      const std::span<const Index> its = leaves[of_leaf.vertex];
       if (its.size() > kLeavesOfHub) {
         hubs.push_back(of_leaf);
         hubs.back().angles = angles_at(of_leaf, angles, leaf);
@@ -113,7 +96,7 @@ void append(const std::vector<Item>& items, const std::vector<std::size_t>& coun
 
 SharedVertices::SharedVertices(const FaceTree& tree, const CornerAngles& angles)
     : hub_begin_{0}, neighbour_begin_{0} {
-  const LeavesOfVertices leaves(tree);
+  const ItemsByGroup leaves = leaves_of_vertices(tree);
   std::vector<Part> parts(n_chunks(tree.n_leaves(), kLeavesPerTask));
   parallel_chunks(tree.n_leaves(), kLeavesPerTask, [&](Chunk chunk) {
     for (std::size_t leaf = chunk.begin; leaf < chunk.end; ++leaf) {

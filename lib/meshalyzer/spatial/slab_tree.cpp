@@ -3,6 +3,7 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/spatial/eight_reaches.h"
 #include "meshalyzer/spatial/long_face.h"
+#include "meshalyzer/spatial/tree_width.h"
 
 #include <algorithm>
 #include <span>
@@ -30,8 +31,7 @@ Vec3f mapped(const FaceTree& tree, Index v) {
 bool has_long_face(const FaceTree& tree, std::size_t leaf) {
   const std::size_t end = std::min(8 * (leaf + 1), tree.n_faces());
   for (std::size_t slot = 8 * leaf; slot < end; ++slot) {
-    const Triangle t = tree.triangle(slot);
-    if (is_long_face({tree.point(t[0]), tree.point(t[1]), tree.point(t[2])})) return true;
+    if (is_long_face(tree.corners(slot))) return true;
   }
   return false;
 }
@@ -157,7 +157,7 @@ void SlabTree::add_level(const FaceTree& tree) {
     return std::any_of(children.begin(), children.end(),
                        [](const Slabs& s) { return s.is_useful; });
   };
-  std::vector<Slabs> level(number == 0 ? tree.n_leaves() : (below.size() + 7) / 8);
+  std::vector<Slabs> level(number == 0 ? tree.n_leaves() : n_chunks(below.size(), kTreeWidth));
   parallel_chunks(level.size(), kNodesPerChunk, [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       if (number == 0 || may_be_useful(i)) level[i] = make_slabs(corners_of(tree, number, i));

@@ -10,12 +10,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <random>
 
 namespace meshalyzer {
 namespace {
 
 constexpr double kNear = 0x1p-40;
+
+std::optional<int> winding_at(const RayWindings& rays, const Vec3& point) {
+  const auto both = rays.at_both(point, point);
+  return both ? std::optional(both->front()) : std::nullopt;
+}
 
 Vec3 point_in_cube(std::mt19937& random, double half) {
   std::uniform_real_distribution<double> in_range(-half, half);
@@ -25,23 +31,23 @@ Vec3 point_in_cube(std::mt19937& random, double half) {
 }
 
 TEST(RayWindings, NothingIsMetWhereNothingIs) {
-  EXPECT_EQ(RayWindings({}, kNear).at({0, 0, 0}), 0);
+  EXPECT_EQ(winding_at(RayWindings({}, kNear), {0, 0, 0}), 0);
 }
 
 TEST(RayWindings, CubeIsGoneRoundOnceInside) {
   const RayWindings cube(test::triangles_of(shapes::cube()), kNear);
-  EXPECT_EQ(cube.at({0.25, 0.5, 0.75}), 1);
-  EXPECT_EQ(cube.at({1.25, 0.5, 0.75}), 0);
-  EXPECT_EQ(cube.at({-0.25, 0.5, 0.75}), 0);
-  EXPECT_EQ(cube.at({0.5, 0.5, -0.1}), 0);
+  EXPECT_EQ(winding_at(cube, {0.25, 0.5, 0.75}), 1);
+  EXPECT_EQ(winding_at(cube, {1.25, 0.5, 0.75}), 0);
+  EXPECT_EQ(winding_at(cube, {-0.25, 0.5, 0.75}), 0);
+  EXPECT_EQ(winding_at(cube, {0.5, 0.5, -0.1}), 0);
 }
 
 TEST(RayWindings, PointOnAFaceOrAnEdgeHasNoAnswer) {
   const RayWindings cube(test::triangles_of(shapes::cube()), kNear);
-  EXPECT_EQ(cube.at({1.0, 0.25, 0.5}), std::nullopt);
-  EXPECT_EQ(cube.at({1.0, 1.0, 0.5}), std::nullopt);
-  EXPECT_EQ(cube.at({1.0 - 1e-14, 0.25, 0.5}), std::nullopt);
-  EXPECT_EQ(cube.at({1.0 - 1e-11, 0.25, 0.5}), 1);
+  EXPECT_EQ(winding_at(cube, {1.0, 0.25, 0.5}), std::nullopt);
+  EXPECT_EQ(winding_at(cube, {1.0, 1.0, 0.5}), std::nullopt);
+  EXPECT_EQ(winding_at(cube, {1.0 - 1e-14, 0.25, 0.5}), std::nullopt);
+  EXPECT_EQ(winding_at(cube, {1.0 - 1e-11, 0.25, 0.5}), 1);
 }
 
 TEST(RayWindings, AgreeWithTheSumOfShares) {
@@ -61,7 +67,7 @@ TEST(RayWindings, AgreeWithTheSumOfShares) {
       const Vec3 point = point_in_cube(random, 1.2);
       if (!effort.runs_next()) continue;
       ++n_asked;
-      const auto found = rays.at(point);
+      const auto found = winding_at(rays, point);
       if (!found) continue;
       ++n_answers;
       EXPECT_NEAR(*found, WindingNumbers(triangles).at(point), 0.1);

@@ -15,8 +15,7 @@ namespace meshalyzer {
 namespace {
 
 PlacedFace placed(const FaceTree& tree, std::size_t slot) {
-  const Triangle& t = tree.triangle(slot);
-  return {t, {tree.point(t[0]), tree.point(t[1]), tree.point(t[2])}};
+  return {tree.triangle(slot), tree.corners(slot)};
 }
 
 /// Tells whether a pair of faces of patches counts: not if they meet only at copies of a vertex.
