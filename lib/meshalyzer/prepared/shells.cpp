@@ -33,6 +33,7 @@ std::optional<Nesting> nesting_of_components(const PreparedMesh& mesh,
   if (!mesh.intersection_counts().is_complete) return std::nullopt;
   return find_nesting(mesh.tree(),
                       {.parts = {.of_face = components.of_face, .count = components.count},
+                       .boxes = mesh.component_boxes(),
                        .is_closed = is_shell,
                        .contacts = mesh.intersection_counts().contacts});
 }

@@ -21,21 +21,11 @@ ItemsByGroup group_slots(const FaceTree& tree, const FaceParts& parts) {
   });
 }
 
-std::vector<Box3> boxes_of_parts(const FaceTree& tree, const FaceParts& parts) {
-  std::vector<Box3> boxes(parts.count);
-  for (std::size_t slot = 0; slot < tree.n_faces(); ++slot) {
-    Box3& box = boxes[parts.of_face[tree.mesh_face(slot)]];
-    for (const Index v : tree.triangle(slot)) {
-      box.extend(tree.point(v));
-    }
-  }
-  return boxes;
-}
-
 /// Returns the boxes of the closed parts, and empty boxes for the others.
-std::vector<Box3> closed_only(std::vector<Box3> boxes, std::span<const std::uint8_t> is_closed) {
+std::vector<Box3> closed_only(const NestingInput& input) {
+  std::vector<Box3> boxes(input.boxes.begin(), input.boxes.end());
   for (std::size_t part = 0; part < boxes.size(); ++part) {
-    if (is_closed[part] == 0) boxes[part].setEmpty();
+    if (input.is_closed[part] == 0) boxes[part].setEmpty();
   }
   return boxes;
 }
@@ -57,8 +47,7 @@ class Nester {
       : tree_(tree),
         input_(input),
         slots_(group_slots(tree, input.parts)),
-        boxes_(boxes_of_parts(tree, input.parts)),
-        box_tree_(closed_only(boxes_, input.is_closed)),
+        box_tree_(closed_only(input)),
         contacts_(input.parts.count) {
     for (const PartContact& contact : input.contacts) {
       contacts_[contact.a].push_back({contact.b, contact.crosses});
@@ -70,8 +59,9 @@ class Nester {
   [[nodiscard]] std::vector<Index> enclosers(Index part) const {
     const Vec3& first = tree_.point(tree_.triangle(slots_[part].front())[0]);
     std::vector<Index> near = box_tree_.meeting(Box3(first));
-    std::erase_if(
-        near, [&](Index other) { return other == part || !boxes_[other].contains(boxes_[part]); });
+    std::erase_if(near, [&](Index other) {
+      return other == part || !input_.boxes[other].contains(input_.boxes[part]);
+    });
     if (near.empty()) {
       return {};  // this is the usual case in a crowd of separate parts and saves a ray through all
                   // of it
@@ -100,7 +90,7 @@ class Nester {
   [[nodiscard]] double far_x(const std::vector<Index>& parts) const {
     double far = -std::numeric_limits<double>::infinity();
     for (const Index part : parts) {
-      far = std::max(far, boxes_[part].max().x());
+      far = std::max(far, input_.boxes[part].max().x());
     }
     return far;
   }
@@ -149,7 +139,6 @@ class Nester {
   const FaceTree& tree_;
   const NestingInput& input_;
   ItemsByGroup slots_;
-  std::vector<Box3> boxes_;
   BoxTree box_tree_;
   /// The contacts of each part, ascending because NestingInput::contacts is.
   std::vector<std::vector<Contact>> contacts_;

@@ -22,6 +22,8 @@ struct PartContact {
 struct NestingInput {
   /// The part of each mesh face; every face belongs to one.
   FaceParts parts;
+  /// #parts: the box of each.
+  std::span<const Box3> boxes;
   /// #parts: 1 for the closed parts; only these can enclose others.
   std::span<const std::uint8_t> is_closed;
   /// The pairs of parts that touch or cross, ascending by (a, b), each once; those where no closed

@@ -1,5 +1,6 @@
 #include "meshalyzer/spatial/nesting.h"
 
+#include "meshalyzer/geometry/volume.h"
 #include "meshalyzer/mesh/build.h"
 #include "support/shapes.h"
 
@@ -18,7 +19,9 @@ Nesting nested(const std::vector<Soup>& parts, const std::vector<PartContact>& c
   }
   const CutMesh cut = build(all);
   const std::vector<std::uint8_t> closed(parts.size(), 1);
-  return find_nesting(FaceTree(cut), {.parts = {.of_face = part_of_face, .count = parts.size()},
+  const FaceParts face_parts{.of_face = part_of_face, .count = parts.size()};
+  return find_nesting(FaceTree(cut), {.parts = face_parts,
+                                      .boxes = bounding_boxes(cut.mesh, face_parts),
                                       .is_closed = closed,
                                       .contacts = contacts});
 }
@@ -70,9 +73,11 @@ TEST(FindNesting, OpenPartsEncloseNothing) {
   std::vector<Index> part_of_face(24, 0);
   std::fill(part_of_face.begin() + 12, part_of_face.end(), Index{1});
   const std::vector<std::uint8_t> closed{0, 1};
-  const Nesting nesting = find_nesting(
-      FaceTree(cut),
-      {.parts = {.of_face = part_of_face, .count = 2}, .is_closed = closed, .contacts = {}});
+  const FaceParts parts{.of_face = part_of_face, .count = 2};
+  const Nesting nesting = find_nesting(FaceTree(cut), {.parts = parts,
+                                                       .boxes = bounding_boxes(cut.mesh, parts),
+                                                       .is_closed = closed,
+                                                       .contacts = {}});
   EXPECT_EQ(nesting.depth, (std::vector<Index>{0, 0}));
 }
 
