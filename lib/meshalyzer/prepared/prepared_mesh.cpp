@@ -3,11 +3,8 @@
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/geometry/volume.h"
 #include "meshalyzer/prepared/internal/intersection_counter.h"
-#include "meshalyzer/spatial/pair_collector.h"
 #include "meshalyzer/spatial/self_intersection.h"
 
-#include <algorithm>
-#include <span>
 #include <utility>
 
 namespace meshalyzer {
@@ -117,24 +114,23 @@ const IntersectionCounts& PreparedMesh::intersection_counts() const {
 /// Searches the pairs. If the list is shorter than the search is long, they are counted as they are
 /// found.
 FoundPairs PreparedMesh::search_intersecting_pairs() const {
-  PairCollector collector(std::min(pair_limits_.max_listed, pair_limits_.max_found));
-  // Only one pair more tells that those found are not all.
+  const bool lists_all = pair_limits_.max_listed >= pair_limits_.max_found;
   PairLimits limits = pair_limits_;
+  if (lists_all) limits.max_listed = limits.max_found;
+  // Only one pair more tells that those found are not all.
   if (limits.max_found != kAllPairs) ++limits.max_found;
-  bool is_complete = true;
-  if (pair_limits_.max_listed >= pair_limits_.max_found) {
-    is_complete = visit_self_intersections(cut_, tree(), limits, collector);
+  FoundPairs found;
+  if (lists_all) {
+    found = find_self_intersections(cut_, tree(), limits);
   } else {
     static_cast<void>(intersection_counts_.get([&] {
       return count_intersecting_pairs([&](PairListener& counter) {
-        TwoListeners both(collector, counter);
-        is_complete = visit_self_intersections(cut_, tree(), limits, both);
-        return is_complete;
+        found = find_self_intersections(cut_, tree(), limits, &counter);
+        return found.is_complete;
       });
     }));
   }
-  FoundPairs found = collector.take();
-  found.is_complete = is_complete && found.counts.total() <= pair_limits_.max_found;
+  found.is_complete = found.is_complete && found.counts.total() <= pair_limits_.max_found;
   return found;
 }
 

@@ -9,17 +9,42 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace meshalyzer {
+namespace {
+
+/// Passes all pairs on to one listener or two.
+class TwoListeners : public PairListener {
+ public:
+  /// @param second  May be null.
+  TwoListeners(PairListener& first, PairListener* second) : first_(first), second_(second) {}
+
+  void on_pairs(std::span<const IntersectingPair> pairs) override {
+    first_.on_pairs(pairs);
+    if (second_ != nullptr) second_->on_pairs(pairs);
+  }
+  void on_product(const PairProduct& product) override {
+    first_.on_product(product);
+    if (second_ != nullptr) second_->on_product(product);
+  }
+
+ private:
+  PairListener& first_;
+  PairListener* second_;
+};
+
+}  // namespace
 
 std::vector<IntersectingPair> find_self_intersections(const CutMesh& cut, const FaceTree& tree) {
   return find_self_intersections(cut, tree, PairLimits{}).listed;
 }
 
 FoundPairs find_self_intersections(const CutMesh& cut, const FaceTree& tree,
-                                   const PairLimits& limits) {
+                                   const PairLimits& limits, PairListener* also) {
   PairCollector collector(std::min(limits.max_listed, limits.max_found));
-  const bool is_complete = visit_self_intersections(cut, tree, limits, collector);
+  TwoListeners both(collector, also);
+  const bool is_complete = visit_self_intersections(cut, tree, limits, both);
   FoundPairs found = collector.take();
   found.is_complete = is_complete;
   return found;

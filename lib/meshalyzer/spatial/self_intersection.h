@@ -24,8 +24,11 @@ namespace meshalyzer {
                                                                     const FaceTree& tree);
 
 /// Finds those that a search within limits finds.
+///
+/// @param also  Receives them too, as they are found; may be null.
 [[nodiscard]] FoundPairs find_self_intersections(const CutMesh& cut, const FaceTree& tree,
-                                                 const PairLimits& limits);
+                                                 const PairLimits& limits,
+                                                 PairListener* also = nullptr);
 
 /// Passes the pairs that find_self_intersections() finds to a listener, and keeps none.
 ///

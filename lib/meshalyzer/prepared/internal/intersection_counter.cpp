@@ -46,9 +46,7 @@ void IntersectionCounter::on_pairs(std::span<const IntersectingPair> pairs) {
     tally_a.add(a);
     if (a == b) continue;
     tally_b.add(b);
-    if (may_enclose(a, b) || may_enclose(b, a)) {
-      contacts.push_back({std::min(a, b), std::max(a, b), pair.kind == ContactKind::Crossing});
-    }
+    append_contact(a, b, pair.kind, contacts);
   }
   const std::lock_guard lock(mutex_);
   counts_.kinds.add(kinds);
@@ -99,10 +97,7 @@ std::vector<PartContact> IntersectionCounter::contacts_between(std::span<const I
   if (!has_shell(a) && !has_shell(b)) return contacts;
   for (const Index first : a) {
     for (const Index second : b) {
-      if (first != second && (may_enclose(first, second) || may_enclose(second, first))) {
-        contacts.push_back(
-            {std::min(first, second), std::max(first, second), kind == ContactKind::Crossing});
-      }
+      if (first != second) append_contact(first, second, kind, contacts);
     }
   }
   return contacts;
@@ -124,8 +119,15 @@ Index IntersectionCounter::meet(Index file_face) {
   return parts_.components.of_face[face];
 }
 
-/// Tells whether a component is a shell whose box contains another component; only then is their
-/// contact relevant to the nesting.
+/// Appends a contact of two components if one may enclose the other: only then is it relevant to
+/// the nesting.
+void IntersectionCounter::append_contact(Index a, Index b, ContactKind kind,
+                                         std::vector<PartContact>& contacts) const {
+  if (!may_enclose(a, b) && !may_enclose(b, a)) return;
+  contacts.push_back({std::min(a, b), std::max(a, b), kind == ContactKind::Crossing});
+}
+
+/// Tells whether a component is a shell whose box contains another component.
 bool IntersectionCounter::may_enclose(Index outer, Index inner) const {
   return parts_.is_shell[outer] != 0 && parts_.boxes[outer].contains(parts_.boxes[inner]);
 }

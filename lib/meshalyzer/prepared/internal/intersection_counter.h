@@ -38,6 +38,7 @@ class IntersectionCounter : public PairListener {
  private:
   [[nodiscard]] Index meet(Index file_face);
   [[nodiscard]] bool may_enclose(Index outer, Index inner) const;
+  void append_contact(Index a, Index b, ContactKind kind, std::vector<PartContact>& contacts) const;
   void count_by_component(const PairProduct& product, std::span<const Index> a,
                           std::span<const Index> b);
   [[nodiscard]] std::vector<Index> meet(std::span<const Index> file_faces);
