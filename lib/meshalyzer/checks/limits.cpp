@@ -6,6 +6,7 @@
 #include "meshalyzer/geometry/edge_measures.h"
 #include "meshalyzer/geometry/face_measures.h"
 #include "meshalyzer/mesh/complex_edges.h"
+#include "meshalyzer/mesh/finite_positions.h"
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>
@@ -129,6 +130,7 @@ std::vector<LimitViolation> find_beyond_limit(const PreparedMesh& mesh, LimitKin
                                               double limit) {
   require_number(limit_info(kind).name, limit);
   const CutMesh& cut = mesh.cut();
+  require_finite_positions(cut.mesh);
   const Bound bound(kind, limit);
   switch (kind) {
     case LimitKind::MinCornerAngle:

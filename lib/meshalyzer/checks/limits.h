@@ -83,7 +83,7 @@ struct LimitViolation {
 /// Finds the elements beyond one limit, in order of the half-edge mesh.
 ///
 /// @param limit  May be infinite.
-/// @throws InvalidArgument  if it is NaN.
+/// @throws InvalidArgument  if it is NaN, or a position of the mesh is not finite.
 /// @complexity O(#F).
 [[nodiscard]] std::vector<LimitViolation> find_beyond_limit(const PreparedMesh& mesh,
                                                             LimitKind kind, double limit);

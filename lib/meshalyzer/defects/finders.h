@@ -10,6 +10,8 @@ namespace meshalyzer {
 // Each finder searches one code, or two, and has a file of its own. All are pure, may be called at
 // the same time, and list defects in order of their lowest element. Only find_defects() decides
 // which codes are searched and how many defects are reported. doc/defects.md describes the codes.
+//
+// The positions of a prepared mesh must be finite; soups may be any that build() accepts.
 
 /// Finds the components beyond the largest, which is the first of those that have the most faces. A
 /// defect lists the lowest face of its component; its value is the number of faces.

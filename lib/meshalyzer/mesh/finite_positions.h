@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/mesh/soup.h"
+#include "meshalyzer/mesh/tri_mesh.h"
 
 namespace meshalyzer {
 
@@ -14,5 +15,6 @@ namespace meshalyzer {
 ///
 /// @throws InvalidArgument  if it has one.
 void require_finite_positions(const Soup& soup);
+void require_finite_positions(const TriMesh& mesh);
 
 }  // namespace meshalyzer

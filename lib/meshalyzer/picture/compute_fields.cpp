@@ -1,4 +1,5 @@
 #include "meshalyzer/geometry/face_measures.h"
+#include "meshalyzer/mesh/finite_positions.h"
 #include "meshalyzer/picture/field.h"
 #include "meshalyzer/picture/internal/worst_defects.h"
 #include "meshalyzer/picture/separation_values.h"
@@ -130,6 +131,7 @@ double combined(FieldName name, double a, double b) {
 }  // namespace
 
 std::vector<Field> compute_fields(const FieldSource& source, const std::vector<FieldName>& names) {
+  require_finite_positions(source.mesh.cut().mesh);
   FieldComputer computer(source);
   std::vector<Field> fields;
   for (const FieldName name : names) {

@@ -87,6 +87,7 @@ struct FieldSource {
 /// @param names  The fields. Those for which the source lacks data are skipped, and so is
 ///               `deviation`: see deviation_field().
 /// @return       The fields in the order of `names`.
+/// @throws InvalidArgument  if a position of the mesh is not finite.
 /// @complexity   O(#V + #F).
 [[nodiscard]] std::vector<Field> compute_fields(const FieldSource& source,
                                                 const std::vector<FieldName>& names);

@@ -1,6 +1,7 @@
 #include "meshalyzer/picture/scene.h"
 
 #include "meshalyzer/geometry/vertex_normals.h"
+#include "meshalyzer/mesh/finite_positions.h"
 #include "meshalyzer/picture/internal/drawn_surface.h"
 #include "meshalyzer/picture/internal/edge_lengths.h"
 #include "meshalyzer/picture/internal/highlights.h"
@@ -199,6 +200,7 @@ class SceneMaker {
 
 Scene make_scene(const FieldSource& source, const std::vector<FieldName>& names,
                  const SceneLimits& limits) {
+  require_finite_positions(source.mesh.cut().mesh);
   return SceneMaker(source, limits).make(names);
 }
 

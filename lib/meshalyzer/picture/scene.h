@@ -129,6 +129,7 @@ struct SceneLimits {
 ///
 /// @param source  The mesh and its defects.
 /// @param names   The fields to draw.
+/// @throws InvalidArgument  if a position of the mesh is not finite.
 /// @complexity    O(#V + #F) and the size of the defects.
 [[nodiscard]] Scene make_scene(const FieldSource& source, const std::vector<FieldName>& names,
                                const SceneLimits& limits = {});

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/geometry/volume.h"
+#include "meshalyzer/mesh/finite_positions.h"
 #include "meshalyzer/prepared/internal/intersection_counter.h"
 #include "meshalyzer/spatial/self_intersection.h"
 
@@ -14,32 +15,6 @@ namespace {
 std::shared_ptr<const Soup> borrow(const Soup& soup) {
   return {std::shared_ptr<const Soup>(), &soup};
 }
-
-/// The records may have been released.
-void require_finite_positions(const TriMesh& mesh) {
-  for (const VertexHandle v : mesh.vertices()) {
-    if (!mesh.point(v).allFinite()) throw InvalidArgument("a position of the mesh is not finite");
-  }
-}
-
-/// Forwards all pairs to two listeners.
-class TwoListeners : public PairListener {
- public:
-  TwoListeners(PairListener& first, PairListener& second) : first_(first), second_(second) {}
-
-  void on_pairs(std::span<const IntersectingPair> pairs) override {
-    first_.on_pairs(pairs);
-    second_.on_pairs(pairs);
-  }
-  void on_product(const PairProduct& product) override {
-    first_.on_product(product);
-    second_.on_product(product);
-  }
-
- private:
-  PairListener& first_;
-  PairListener& second_;
-};
 
 }  // namespace
 

@@ -66,5 +66,13 @@ TEST(FindBeyondLimit, LimitThatIsNotANumberIsRefused) {
   }
 }
 
+TEST(FindBeyondLimit, MeshWithAPositionThatIsNotFiniteIsRefused) {
+  Soup soup = shapes::cube();
+  soup.positions[5].y() = kNaN;
+  for (const LimitInfo& info : limit_table()) {
+    EXPECT_THROW(static_cast<void>(beyond(soup, info.kind, 1.0)), InvalidArgument) << info.name;
+  }
+}
+
 }  // namespace
 }  // namespace meshalyzer

@@ -1,5 +1,6 @@
 #include "meshalyzer/picture/field.h"
 
+#include "meshalyzer/base/error.h"
 #include "support/constants.h"
 #include "support/shapes.h"
 
@@ -202,6 +203,15 @@ TEST(ComputeFields, DefectIsOfFacesThatAreNotInTheComplexToo) {
   EXPECT_EQ(field.place, FieldPlace::Faces);
   EXPECT_EQ(field.values[0], 1.0 + static_cast<double>(DefectCode::DegenerateFacet));
   EXPECT_EQ(field.values[7], 1.0 + static_cast<double>(DefectCode::Corrupt));
+}
+
+TEST(ComputeFields, MeshWithAPositionThatIsNotFiniteIsRefused) {
+  Soup soup = shapes::cube();
+  soup.positions[0].x() = kNaN;
+  const PreparedMesh mesh(soup);
+  for (const FieldName name : computed_field_names()) {
+    EXPECT_THROW(static_cast<void>(compute_fields({.mesh = mesh}, {name})), InvalidArgument);
+  }
 }
 
 TEST(ComputeFields, MeshOfNothingHasFieldsOfNothing) {

@@ -1,5 +1,6 @@
 #include "meshalyzer/picture/scene.h"
 
+#include "meshalyzer/base/error.h"
 #include "meshalyzer/base/parallel.h"
 #include "support/random_soups.h"
 #include "support/shapes.h"
@@ -229,6 +230,13 @@ TEST(MakeScene, ValuesBeyondSinglePrecisionStayFinite) {
   for (const float area : scene.fields[0].detail)
     EXPECT_EQ(area, std::numeric_limits<float>::max());
   EXPECT_GT(scene.fields[0].max, 1e199);
+}
+
+TEST(MakeScene, MeshWithAPositionThatIsNotFiniteIsRefused) {
+  Soup soup = shapes::cube();
+  soup.positions[0].x() = std::numeric_limits<double>::quiet_NaN();
+  const PreparedMesh mesh(soup);
+  EXPECT_THROW(static_cast<void>(make_scene({mesh}, {})), InvalidArgument);
 }
 
 TEST(MakeScene, WithoutAReportNothingIsLit) {
