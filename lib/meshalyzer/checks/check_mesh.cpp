@@ -84,11 +84,6 @@ Finding finding_of(const LimitViolation& violation, const LimitInfo& info, doubl
   return finding;
 }
 
-/// Tells whether defects of a code follow from the intersecting pairs.
-bool is_of_pairs(DefectCode code) {
-  return code == DefectCode::SelfIntersection;
-}
-
 /// Collects the findings about one mesh.
 class FileFindingsBuilder {
  public:
@@ -104,7 +99,7 @@ class FileFindingsBuilder {
       end += report.count(code);
       if (begin == end || catalogue_entry(code).severity != severity) continue;
       FindingCount& found = count(defect_name(code), severity, report.count(code));
-      found.is_at_least = is_of_pairs(code) && mesh_.was_intersection_search_cut();
+      found.is_at_least = report.unfinished.contains(code);
       for (std::size_t i = begin; i < end; ++i) found.fixable += defects.is_fixable(i) ? 1 : 0;
       for (std::size_t i = begin; i < begin + n_listed(report.count(code)); ++i) {
         file_.findings.push_back(finding_of(defects[i], mesh_.soup(), found.is_at_least));

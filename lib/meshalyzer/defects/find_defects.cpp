@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace meshalyzer {
@@ -132,10 +133,13 @@ DefectReport find_in(const Soup& soup, const PreparedMesh* mesh, const DefectOpt
   DefectReport report = make_report(search.take(), tolerances, options.max_defects);
   if (mesh != nullptr && mesh->was_intersection_search_cut()) {
     report.unfinished.insert(DefectCode::SelfIntersection);
-    report.unfinished.insert(DefectCode::Inward);
-    report.warnings.emplace_back(
-        "the search for intersecting faces ended early: there may be more self-intersections, and "
-        "inward components, than are listed");
+    // A single component is in no other, so that its direction depends on no pair.
+    const bool may_nest = mesh->components().count > 1;
+    if (may_nest) report.unfinished.insert(DefectCode::Inward);
+    report.warnings.push_back(
+        std::string("the search for intersecting faces ended early: there may be more "
+                    "self-intersections") +
+        (may_nest ? ", and inward components," : "") + " than are listed");
   }
   if (search.was_stopped()) {
     report.unfinished.insert(DefectCode::Foldover);

@@ -172,6 +172,21 @@ TEST(FindDefects, SearchForFoldoversThatIsStoppedSaysSo) {
   EXPECT_NE(stopped.warnings.front().find("foldovers"), std::string::npos);
 }
 
+TEST(FindDefects, EndedSearchForPairsLeavesOnlyTheNestingOfComponentsUnknown) {
+  const DefectOptions options{.pairs = {.wants_to_stop = [] { return true; }}};
+  const DefectReport one = find_defects(shapes::flipped(shapes::cube()), options);
+  EXPECT_EQ(one.unfinished, DefectCodes{DefectCode::SelfIntersection});
+  EXPECT_EQ(one.count(DefectCode::Inward), 1U);
+  ASSERT_EQ(one.warnings.size(), 1U);
+  EXPECT_EQ(one.warnings.front().find("inward"), std::string::npos);
+
+  const DefectReport two =
+      find_defects(shapes::merged(shapes::cube(), shapes::cube(1, {2, 0, 0})), options);
+  EXPECT_EQ(two.unfinished, (DefectCodes{DefectCode::SelfIntersection, DefectCode::Inward}));
+  ASSERT_EQ(two.warnings.size(), 1U);
+  EXPECT_NE(two.warnings.front().find("inward"), std::string::npos);
+}
+
 TEST(FindDefects, SoupThatContradictsItselfIsRefusedWhateverElseIsWrong) {
   Soup soup = shapes::cube();
   soup.triangles[3][1] = 8;
