@@ -38,22 +38,6 @@ struct Best {
   std::int64_t face = 0;
 };
 
-/// Returns the file vertices that faces use, in the order of the tree: neighbours mostly follow
-/// each other.
-std::vector<Index> vertices_along(const SetObject& object) {
-  std::vector<std::uint8_t> is_met(object.cut().side.n_file_vertices, 0);
-  std::vector<Index> vertices;
-  for (std::size_t slot = 0; slot < object.tree().n_faces(); ++slot) {
-    for (const Index v : object.tree().triangle(slot)) {
-      if (is_met[v] == 0) {
-        is_met[v] = 1;
-        vertices.push_back(v);
-      }
-    }
-  }
-  return vertices;
-}
-
 /// Tells whether something in a box may be as near as a distance or nearer, with a tolerance for
 /// rounding.
 ///
@@ -101,7 +85,7 @@ class Separator {
         scene_(scene),
         options_(options),
         object_(scene.objects.get(number)),
-        vertices_(vertices_along(*object_)),
+        vertices_(object_->used_vertices()),
         best_(vertices_.size()),
         is_inside_(vertices_.size(), 0),
         open_(vertices_.size()) {

@@ -31,19 +31,10 @@ Inclusion inclusion_touching(const SetObject& inner, const SetObject& outer) {
     return Inclusion::None;
   }
   bool any_inside = false;
-  std::vector<std::uint8_t> is_asked(inner.cut().side.n_file_vertices, 0);
-  for (std::size_t slot = 0; slot < inner.tree().n_faces(); ++slot) {
-    for (const Index vertex : inner.tree().triangle(slot)) {
-      if (is_asked[vertex] != 0) {
-        continue;
-      }
-      is_asked[vertex] = 1;
-      const Side side = outer.side_of(inner.tree().point(vertex));
-      if (side == Side::Outside) {
-        return Inclusion::None;
-      }
-      any_inside = any_inside || side == Side::Inside;
-    }
+  for (const Index vertex : inner.used_vertices()) {
+    const Side side = outer.side_of(inner.tree().point(vertex));
+    if (side == Side::Outside) return Inclusion::None;
+    any_inside = any_inside || side == Side::Inside;
   }
   return any_inside ? Inclusion::Wholly : Inclusion::None;
 }

@@ -70,6 +70,17 @@ SetObject::SetObject(std::shared_ptr<const PreparedMesh> mesh, Ids vertex_ids, I
   static_cast<void>(tree());
 }
 
+std::vector<Index> SetObject::used_vertices() const {
+  std::vector<std::uint8_t> is_met(cut().side.n_file_vertices, 0);
+  std::vector<Index> vertices;
+  for (std::size_t slot = 0; slot < tree().n_faces(); ++slot) {
+    for (const Index v : tree().triangle(slot)) {
+      if (std::exchange(is_met[v], 1) == 0) vertices.push_back(v);
+    }
+  }
+  return vertices;
+}
+
 Side SetObject::side_of(const Vec3& point) const {
   if (!is_solid() || !box_.contains(point)) {
     return Side::Outside;

@@ -56,6 +56,11 @@ class SetObject {
   }
   /// Returns a file vertex of each component.
   [[nodiscard]] const std::vector<Index>& component_vertices() const { return component_vertices_; }
+  /// Returns the file vertices that faces use, in the order of the tree: neighbours mostly follow
+  /// each other.
+  ///
+  /// @complexity O(#V + #F).
+  [[nodiscard]] std::vector<Index> used_vertices() const;
   [[nodiscard]] const Ids& vertex_ids() const { return vertex_ids_; }
   [[nodiscard]] const Ids& face_ids() const { return face_ids_; }
   /// Returns the box of the vertices that faces use; it is empty where there is no face.
