@@ -11,7 +11,6 @@
 #include "meshalyzer/base/require.h"
 #include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/mesh/finite_positions.h"
-#include "meshalyzer/mesh/require_records.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 
 #include <algorithm>
@@ -111,9 +110,8 @@ PairLimits pair_limits(const MeshRequest& request, StopQuery wants_to_stop) {
 }
 
 Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options) {
-  require_records(soup);
-  require_finite_positions(soup);
   require_valid(options);
+  require_finite_positions(soup);
   const auto phase = [&](std::string_view name) {
     if (options.on_phase) {
       options.on_phase(name);
@@ -127,11 +125,11 @@ Analysis analyze(Soup soup, std::string path, const AnalysisOptions& options) {
   analysis.n_polygons = soup.n_polygons;
   analysis.has_characteristics = everything;
 
-  phase("integrity");
-  analysis.integrity = check_integrity(soup, analysis.offenders);
   phase("half-edges");
   auto file = std::make_shared<Soup>(std::move(soup));
   auto mesh = std::make_shared<PreparedMesh>(file, pair_limits(options, options.wants_to_stop));
+  phase("integrity");
+  analysis.integrity = check_integrity(*file, analysis.offenders);
   count_records(*file, analysis.characteristics);
   keep_what_reports_need(std::exchange(file, nullptr), options, *mesh, analysis);
   phase("topology");

@@ -257,7 +257,7 @@ TEST(Analyze, ListenerHearsThePhasesInOrder) {
   AnalysisOptions options;
   options.on_phase = [&](std::string_view phase) { heard.emplace_back(phase); };
   EXPECT_EQ(analyze(shapes::cube(), "cube", options).path, "cube");
-  EXPECT_EQ(heard, (std::vector<std::string>{"integrity", "half-edges", "topology", "measures",
+  EXPECT_EQ(heard, (std::vector<std::string>{"half-edges", "integrity", "topology", "measures",
                                              "face tree", "self-intersection", "solids"}));
 }
 
