@@ -50,9 +50,13 @@ void require_lengths(const Soup& soup) {
 
 void require_references(const Soup& soup) {
   const auto is_after = [](const Group& a, const Group& b) { return a.first_face > b.first_face; };
-  if (std::ranges::adjacent_find(soup.groups, is_after) != soup.groups.end() ||
-      (!soup.groups.empty() && soup.groups.back().first_face > soup.n_faces())) {
+  if (std::ranges::adjacent_find(soup.groups, is_after) != soup.groups.end()) {
     throw InvalidArgument("the groups of a soup are not in the order of their faces");
+  }
+  if (!soup.groups.empty() && soup.groups.back().first_face > soup.n_faces()) {
+    throw InvalidArgument("a group of a soup begins at face " +
+                          std::to_string(soup.groups.back().first_face) + " of " +
+                          std::to_string(soup.n_faces()));
   }
   if (std::ranges::any_of(soup.missing, [&](const MissingReference& missing) {
         return missing.face >= soup.n_faces() || missing.corner > 2;

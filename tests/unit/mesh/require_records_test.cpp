@@ -69,8 +69,14 @@ TEST(RequireRecords, EntriesOfRecordsThatWereDroppedAreNoFault) {
 }
 
 TEST(RequireRecords, GroupsAndReferencesAreAtFacesThatAreThere) {
-  EXPECT_NE(refusal([](Soup& soup) { soup.groups = {{"a", 4}, {"b", 3}}; }), "");
-  EXPECT_NE(refusal([](Soup& soup) { soup.groups = {{"a", 13}}; }), "");
+  EXPECT_EQ(refusal([](Soup& soup) {
+              soup.groups = {{"a", 4}, {"b", 3}};
+            }),
+            "the groups of a soup are not in the order of their faces");
+  EXPECT_EQ(refusal([](Soup& soup) {
+              soup.groups = {{"a", 13}};
+            }),
+            "a group of a soup begins at face 13 of 12");
   EXPECT_NE(refusal([](Soup& soup) { soup.missing = {{12, 0, 99}}; }), "");
   EXPECT_NE(refusal([](Soup& soup) { soup.missing = {{0, 3, 99}}; }), "");
 }
