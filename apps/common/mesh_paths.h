@@ -6,7 +6,8 @@
 namespace meshalyzer {
 
 /// The mesh files that the paths of a command line stand for: a path stands for itself, or, if it
-/// is a folder, for the mesh files in it; folders within the folder do not count.
+/// is a folder, for the mesh files in it (MeshFolder::files); folders within the folder do not
+/// count.
 struct MeshPaths {
   /// The files in order of the paths, those of a folder in order of the bytes of their names.
   std::vector<std::string> files;

@@ -9,8 +9,7 @@ namespace meshalyzer {
 
 /// The mesh files that the paths of a command line stand for.
 struct Inputs {
-  /// The mesh files in order of the paths. A folder stands for the files in it with the ending of a
-  /// known format, whatever its case, in order of the bytes of their names; subfolders are ignored.
+  /// The mesh files: see MeshPaths::files.
   std::vector<std::string> files;
   /// The names of the meshes in a report on several, see set_names().
   std::vector<std::string> names;

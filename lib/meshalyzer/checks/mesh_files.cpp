@@ -49,10 +49,9 @@ class FolderSearch {
   [[nodiscard]] bool is_left_out(const fs::path& path) const {
     const fs::path within = path.lexically_relative(folder_);
     const std::string whole = (fs::path(folder_) / within).string();
-    return path.filename().string().front() == '.' ||
-           std::any_of(excluded_.begin(), excluded_.end(), [&](const std::string& pattern) {
-             return matches_glob(pattern, within.string()) || matches_glob(pattern, whole);
-           });
+    return std::any_of(excluded_.begin(), excluded_.end(), [&](const std::string& pattern) {
+      return matches_glob(pattern, within.string()) || matches_glob(pattern, whole);
+    });
   }
 
   /// Files and folders in "." are named as a person would name them.

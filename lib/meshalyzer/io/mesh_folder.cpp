@@ -13,6 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void add_entry(const fs::directory_entry& entry, MeshFolder& folder) {
+  if (entry.path().filename().string().front() == '.') return;
   std::error_code ignored;  // an entry that cannot be examined is reported when it is read
   const fs::file_status status = entry.status(ignored);
   const std::string path = entry.path().string();

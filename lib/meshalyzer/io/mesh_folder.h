@@ -5,7 +5,9 @@
 
 namespace meshalyzer {
 
-/// The mesh files and the folders in a folder.
+/// The mesh files and the folders in a folder. Those whose names begin with a dot are left out, as
+/// shells do in `FOLDER/*`: they are not for people (`._cube.stl`, which macOS puts beside
+/// `cube.stl`, is no mesh).
 struct MeshFolder {
   /// The files with the ending of a known format, whatever its case, in order of the bytes of their
   /// names.
