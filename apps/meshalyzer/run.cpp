@@ -24,10 +24,11 @@ namespace {
 /// Determines the exit status of a run, and reports errors as they happen.
 class Outcome : public RunListener {
  public:
-  explicit Outcome(std::ostream& err) : err_(err) {}
+  Outcome(const Options& options, std::ostream& err) : options_(options), err_(err) {}
 
   void on_mesh(Index number, const Analysis& mesh) override;
   void on_unreadable(Index number, const std::string& why) override;
+  void on_no_separation(const std::string& why) override;
   void report_error(const std::string& message);
   /// Takes the verdict on a set, which may be not good although all its meshes are.
   void on_verdict(const Goodness& set);
@@ -36,6 +37,7 @@ class Outcome : public RunListener {
   [[nodiscard]] ExitCode exit_code() const;
 
  private:
+  const Options& options_;
   std::ostream& err_;
   std::size_t n_files_done_ = 0;
   bool all_good_ = true;
@@ -50,6 +52,17 @@ void Outcome::on_mesh(Index, const Analysis& mesh) {
 void Outcome::on_unreadable(Index, const std::string& why) {
   ++n_files_done_;
   report_error(why);
+}
+
+/// Reports the options whose files are not written.
+void Outcome::on_no_separation(const std::string& why) {
+  const std::string message = " has written nothing: " + without_controls(why);
+  if (options_.separation_ply) {
+    report_error("meshalyzer: --separation-ply" + message);
+  }
+  if (options_.field_export.field == FieldName::Separation) {
+    report_error("meshalyzer: --field separation" + message);
+  }
 }
 
 void Outcome::on_verdict(const Goodness& set) {
@@ -78,6 +91,9 @@ class Listeners : public RunListener {
   }
   void on_findings(const ObjectFindings& findings) override {
     for (RunListener* listener : listeners_) listener->on_findings(findings);
+  }
+  void on_no_separation(const std::string& why) override {
+    for (RunListener* listener : listeners_) listener->on_no_separation(why);
   }
   void on_progress(const RunProgress& progress) override {
     for (RunListener* listener : listeners_) listener->on_progress(progress);
@@ -122,24 +138,10 @@ void report_interruption(const Run& run, const Outcome& outcome, std::ostream& e
   err << '\n';
 }
 
-/// Reports the options whose files were not written because no separation was measured.
-void report_missing_files(const Options& options, const SetAnalysis& set, Outcome& outcome) {
-  if (set.separation_reason.empty()) {
-    return;
-  }
-  const std::string why = " has written nothing: " + without_controls(set.separation_reason);
-  if (options.separation_ply) {
-    outcome.report_error("meshalyzer: --separation-ply" + why);
-  }
-  if (options.field_export.field == FieldName::Separation) {
-    outcome.report_error("meshalyzer: --field separation" + why);
-  }
-}
-
 }  // namespace
 
 ExitCode carry_out(const Run& run, Streams streams) {
-  Outcome outcome(streams.err);
+  Outcome outcome(run.options, streams.err);
   for (const std::string& error : run.inputs.errors) {
     outcome.report_error(error);
   }
@@ -168,9 +170,6 @@ ExitCode carry_out(const Run& run, Streams streams) {
     // The output for a person comes first.
     std::for_each(outputs.rbegin(), outputs.rend(),
                   [&](const auto& output) { output->finish(found.set ? &*found.set : nullptr); });
-    if (found.set) {
-      report_missing_files(run.options, *found.set, outcome);
-    }
   }
   if (!streams.out.flush()) {
     outcome.report_error("meshalyzer: standard output: cannot be written");

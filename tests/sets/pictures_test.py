@@ -154,6 +154,14 @@ class Pictures(program.SetTest):
         self.assertIn("--separation-ply has written nothing: every mesh must be good", said.errors)
         self.assertFalse((self.folder / "pictures").exists())
 
+    def test_part_that_finds_a_bad_mesh_has_no_pictures(self):
+        self.copy("gap")
+        self.write("gap/sheet.mesh", program.SHEET)
+        said = self.run_program("-a", "-s", "--separation-ply=pictures", "--shard=2/2", "--ndjson=part2.ndjson",
+                                "gap", status=program.TROUBLE)
+        self.assertIn("--separation-ply has written nothing: every mesh must be good", said.errors)
+        self.assertFalse((self.folder / "pictures").exists())
+
     def test_folder_that_cannot_be_made(self):
         self.copy("set")
         self.write("pictures", "in the way")

@@ -32,6 +32,9 @@ class RunListener {
   virtual void on_unreadable(Index /*number*/, const std::string& /*why*/) {}
   /// Receives the findings of every owner of this run's shard, in the spatial order.
   virtual void on_findings(const ObjectFindings& /*findings*/) {}
+  /// Receives the reason why the distances between the meshes are not measured although they were
+  /// asked for, before any findings. A shard knows only what is wrong with its own meshes.
+  virtual void on_no_separation(const std::string& /*why*/) {}
   virtual void on_progress(const RunProgress& /*progress*/) {}
   /// Called before each piece of work. Once it returns true it must continue to do so, and the run
   /// ends as soon as possible.

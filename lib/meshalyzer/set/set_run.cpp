@@ -112,8 +112,10 @@ class SetRun {
 
   void look_between() {
     wanted_ = options_.request.between;
-    if (!totals_.why_no_separation().empty()) {
+    const std::string why_no_separation = totals_.why_no_separation();
+    if (wanted_.separation && !why_no_separation.empty()) {
       wanted_.separation.reset();
+      listener_.on_no_separation(why_no_separation);
     }
     if (!wanted_.is_between()) {
       return;
