@@ -1,9 +1,9 @@
 #include "meshalyzer/io/convert/rewrite_as.h"
 
+#include "meshalyzer/io/convert/count_attributes.h"
 #include "meshalyzer/io/convert/print_attributes.h"
 #include "meshalyzer/io/convert/read_attributes.h"
 #include "meshalyzer/io/convert/rewrite_with.h"
-#include "meshalyzer/io/count_attributes.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/rewrite/rewrite.h"

@@ -1,8 +1,8 @@
 #include "meshalyzer/io/convert/rewrite_together.h"
 
+#include "meshalyzer/io/convert/count_attributes.h"
 #include "meshalyzer/io/convert/read_attributes.h"
 #include "meshalyzer/io/convert/rewrite_with.h"
-#include "meshalyzer/io/count_attributes.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "meshalyzer/io/count_attributes.h"
+#include "meshalyzer/io/convert/count_attributes.h"
 
 #include "meshalyzer/io/read.h"
 
