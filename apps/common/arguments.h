@@ -4,13 +4,18 @@
 #include "usage_error.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace meshalyzer {
 
 // The parsers for the values of options of both programs; they do not depend on the locale.
+
+/// Rejects a text that is no value of an option.
+/// @param wanted  What the option needs, as in "a number".
+/// @throws UsageError always.
+[[noreturn]] void refuse_value(const std::string& option, const std::string& wanted,
+                               const std::string& text);
 
 /// Returns the text without the sign that the parser leaves in the value of `-g=...`.
 [[nodiscard]] std::string_view without_sign(std::string_view text);
@@ -35,9 +40,9 @@ namespace meshalyzer {
 /// @throws UsageError if the text is no such number.
 [[nodiscard]] double to_seconds(const std::string& text, const std::string& option);
 
-/// Returns a factor, 1 or more.
+/// Returns a count, 1 or more.
 /// @throws UsageError if the text is no such number.
-[[nodiscard]] std::uint64_t to_ratio(const std::string& text, const std::string& option);
+[[nodiscard]] std::size_t to_count_from_one(const std::string& text, const std::string& option);
 
 /// Returns the names of some values, "a, b, c".
 template <typename Values, typename Name>

@@ -10,7 +10,7 @@ void declare_json(OptionTable& table, ReportOptions& options) {
 }
 
 void declare_unpack_ratio(OptionTable& table, std::uint64_t& ratio) {
-  table.option("--max-unpack-ratio N", into(ratio, to_ratio),
+  table.option("--max-unpack-ratio N", into(ratio, to_count_from_one),
                "refuse a .gz that takes more than N times its size (1000)");
 }
 

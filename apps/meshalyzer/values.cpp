@@ -15,11 +15,6 @@
 namespace meshalyzer {
 namespace {
 
-[[noreturn]] void refuse(const std::string& option, const std::string& what,
-                         const std::string& text) {
-  throw UsageError(option + " needs " + what + ", not '" + text + "'");
-}
-
 /// Rejects a path that was taken for thresholds because these are missing.
 [[noreturn]] void refuse_path(const std::string& option, const std::string& text) {
   throw UsageError("the three numbers of " + option + " are missing: '" + option +
@@ -39,7 +34,7 @@ GoodnessThresholds to_thresholds(const std::string& text, const std::string& opt
     const std::optional<double> value = parse_real(rest.substr(0, comma));
     const bool is_last = comma == std::string_view::npos;
     if (!value || std::isnan(*value) || is_last != (i == 2)) {
-      refuse(option, "three numbers AR,ANGLE,LEN", text);
+      refuse_value(option, "three numbers AR,ANGLE,LEN", text);
     }
     numbers[i] = *value;
     rest.remove_prefix(is_last ? rest.size() : comma + 1);
@@ -50,7 +45,7 @@ GoodnessThresholds to_thresholds(const std::string& text, const std::string& opt
 VertexArea to_area(const std::string& text, const std::string& option) {
   const std::optional<VertexArea> area = vertex_area(text);
   if (!area) {
-    refuse(option, "mixed, voronoi, barycentric or one-ring", text);
+    refuse_value(option, "mixed, voronoi, barycentric or one-ring", text);
   }
   return *area;
 }
@@ -58,7 +53,7 @@ VertexArea to_area(const std::string& text, const std::string& option) {
 FieldName to_field(const std::string& text, const std::string& option) {
   const std::optional<FieldName> field = field_of(text);
   if (!field) {
-    refuse(option, "one of " + names_of(computed_field_names(), field_name), text);
+    refuse_value(option, "one of " + names_of(computed_field_names(), field_name), text);
   }
   return *field;
 }
@@ -66,7 +61,7 @@ FieldName to_field(const std::string& text, const std::string& option) {
 Palette to_palette(const std::string& text, const std::string& option) {
   const std::optional<Palette> palette = palette_of(text);
   if (!palette) {
-    refuse(option, alternatives_of(all_palettes(), palette_name), text);
+    refuse_value(option, alternatives_of(all_palettes(), palette_name), text);
   }
   return *palette;
 }
@@ -74,7 +69,7 @@ Palette to_palette(const std::string& text, const std::string& option) {
 double to_cone(const std::string& text, const std::string& option) {
   const double degrees = to_real(text, option);
   if (!(degrees >= 0.0 && degrees <= 90.0)) {
-    refuse(option, "an angle from 0 to 90 degrees", text);
+    refuse_value(option, "an angle from 0 to 90 degrees", text);
   }
   return degrees;
 }
@@ -85,7 +80,7 @@ Shard to_shard(const std::string& text, const std::string& option) {
   const std::optional<std::int64_t> n =
       slash == std::string::npos ? std::nullopt : parse_integer(text.substr(slash + 1));
   if (!k || !n || *k < 1 || *k > *n) {
-    refuse(option, "K/N, the number of the part and of all parts", text);
+    refuse_value(option, "K/N, the number of the part and of all parts", text);
   }
   return {static_cast<std::size_t>(*k - 1), static_cast<std::size_t>(*n)};
 }
@@ -93,7 +88,7 @@ Shard to_shard(const std::string& text, const std::string& option) {
 std::uint64_t to_bytes(const std::string& text, const std::string& option) {
   const std::optional<std::uint64_t> bytes = parse_memory_size(text);
   if (!bytes) {
-    refuse(option, "a size such as 500M or 4G", text);
+    refuse_value(option, "a size such as 500M or 4G", text);
   }
   return *bytes;
 }

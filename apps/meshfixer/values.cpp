@@ -6,7 +6,6 @@
 #include "meshalyzer/io/format_of.h"
 
 #include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -24,15 +23,6 @@ void for_each_item(std::string_view list, const std::function<void(std::string_v
     if (comma == std::string_view::npos) return;
     list.remove_prefix(comma + 1);
   }
-}
-
-std::size_t to_count(const std::string& text, const std::string& option, std::int64_t least) {
-  const std::optional<std::int64_t> value = parse_integer(text);
-  if (!value || *value < least) {
-    throw UsageError(option + " needs a whole number from " + std::to_string(least) + ", not '" +
-                     text + "'");
-  }
-  return static_cast<std::size_t>(*value);
 }
 
 void add_codes(std::string_view item, const std::string& option, CodeList& list) {
@@ -60,14 +50,6 @@ CodeList to_codes(const std::string& text, const std::string& option) {
   return list;
 }
 
-std::size_t to_count(const std::string& text, const std::string& option) {
-  return to_count(text, option, 0);
-}
-
-std::size_t to_count_from_one(const std::string& text, const std::string& option) {
-  return to_count(text, option, 1);
-}
-
 Vec3 to_point(const std::string& text, const std::string& option) {
   std::vector<double> numbers;
   bool is_point = true;
@@ -77,7 +59,7 @@ Vec3 to_point(const std::string& text, const std::string& option) {
     numbers.push_back(value.value_or(0.0));
   });
   if (!is_point || numbers.size() != 3) {
-    throw UsageError(option + " needs a point X,Y,Z of finite numbers, not '" + text + "'");
+    refuse_value(option, "a point X,Y,Z of finite numbers", text);
   }
   return {numbers[0], numbers[1], numbers[2]};
 }
@@ -86,7 +68,7 @@ FillShape to_fill_shape(const std::string& text, const std::string& option) {
   if (text == "auto") return FillShape::Auto;
   if (text == "linear") return FillShape::Linear;
   if (text == "smooth") return FillShape::Smooth;
-  throw UsageError(option + " needs auto, linear or smooth, not '" + text + "'");
+  refuse_value(option, "auto, linear or smooth", text);
 }
 
 Deviation to_deviation(const std::string& text, const std::string& option) {
@@ -100,7 +82,7 @@ Deviation to_deviation(const std::string& text, const std::string& option) {
 double to_foldover_angle(const std::string& text, const std::string& option) {
   const double degrees = to_real(text, option);
   if (!(degrees >= 0.0 && degrees <= 180.0)) {
-    throw UsageError(option + " needs an angle from 0 to 180 degrees, not '" + text + "'");
+    refuse_value(option, "an angle from 0 to 180 degrees", text);
   }
   return degrees;
 }

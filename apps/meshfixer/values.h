@@ -2,7 +2,6 @@
 
 #include "meshalyzer/repair/fix_defects.h"
 
-#include <cstddef>
 #include <string>
 
 namespace meshalyzer::fixer {
@@ -17,9 +16,6 @@ struct CodeList {
 };
 
 [[nodiscard]] CodeList to_codes(const std::string& text, const std::string& option);
-[[nodiscard]] std::size_t to_count(const std::string& text, const std::string& option);
-/// Parses a count, 1 or more.
-[[nodiscard]] std::size_t to_count_from_one(const std::string& text, const std::string& option);
 /// Parses "X,Y,Z".
 [[nodiscard]] Vec3 to_point(const std::string& text, const std::string& option);
 [[nodiscard]] FillShape to_fill_shape(const std::string& text, const std::string& option);

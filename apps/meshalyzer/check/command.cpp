@@ -25,11 +25,6 @@ namespace {
 // The parsers for the values of the options of `check`. All throw UsageError if a text is no valid
 // value.
 
-[[noreturn]] void refuse_value(const std::string& option, const std::string& what,
-                               const std::string& text) {
-  throw UsageError(option + " needs " + what + ", not '" + text + "'");
-}
-
 std::string to_profile_name(const std::string& text, const std::string& option) {
   if (const std::string why = why_no_profile(text); !why.empty()) {
     throw UsageError(option + ": " + why);
