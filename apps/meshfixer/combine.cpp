@@ -8,7 +8,6 @@
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/boolean/combine_solids.h"
 #include "meshalyzer/boolean/make_disjoint.h"
-#include "meshalyzer/io/read.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/repair/combine/track_combined.h"
@@ -302,7 +301,7 @@ class CombinationRun {
     BooleanOutput& listed = report_.outputs.emplace_back();
     if (!path) return mesh.soup;
     const bool is_stdout = options_.writes_to_stdout();
-    const std::string name = is_stdout ? name_of_stdout() : *path;
+    const std::string name = is_stdout ? name_of_stdout(operands_.soups.front().format) : *path;
     const Output output = output_of(result, mesh, is_changed, name);
     report_.lost.insert(report_.lost.end(), output.loss.lost.begin(), output.loss.lost.end());
     if (!output.note.empty()) note(output.note);
@@ -312,19 +311,8 @@ class CombinationRun {
       return mesh.soup;
     }
     listed.path = is_stdout ? "-" : *path;
-    if (!is_stdout) return write_output(output, *path);
-    Soup disk = parse_mesh(output.bytes, name);
-    streams_.out << output.bytes << std::flush;
-    if (!streams_.out) throw IoError("standard output", {}, "takes no more");
-    return disk;
-  }
-
-  /// Returns the name that determines the format of standard output, which is that of the first
-  /// input.
-  [[nodiscard]] std::string name_of_stdout() const {
-    const Format format = operands_.soups.front().format;
-    return "standard output." +
-           std::string(format_name(format == Format::Inria ? Format::Mesh : format));
+    // The format of standard output is that of the first input.
+    return is_stdout ? write_to_stdout(output, name, streams_.out) : write_output(output, *path);
   }
 
   /// Judges a mesh by the analysis of the file on disk.

@@ -9,6 +9,7 @@
 #include "meshalyzer/io/gzip.h"
 #include "meshalyzer/io/read.h"
 #include "meshalyzer/io/rewrite/rewrite.h"
+#include "meshalyzer/io/stl.h"
 #include "meshalyzer/io/write.h"
 #include "meshalyzer/repair/edits/edited_mesh_of.h"
 #include "targets.h"
@@ -17,6 +18,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <ostream>
 #include <system_error>
 #include <utility>
 
@@ -29,14 +31,6 @@ Format output_format(const std::string& path, const Source& source) {
   }
   const Format format = format_of_name(path).value();
   return format == Format::Mesh && source.soup.format == Format::Inria ? Format::Inria : format;
-}
-
-/// Tells whether 32-bit floats represent all coordinates exactly.
-bool fits_floats(const Soup& soup) {
-  return std::all_of(soup.positions.begin(), soup.positions.end(), [](const Vec3& p) {
-    return std::all_of(p.begin(), p.end(),
-                       [](double x) { return static_cast<double>(static_cast<float>(x)) == x; });
-  });
 }
 
 /// Returns the result as a new file, with everything that its format can hold.
@@ -194,6 +188,18 @@ Soup write_output(const Output& output, const std::string& path, Options::Backup
   if (!std::filesystem::is_regular_file(path)) return soup;  // a pipe gives nothing back
   const FileContent written(path);
   if (written.bytes() != output.bytes) soup = parse_mesh(written.bytes(), path);
+  return soup;
+}
+
+std::string name_of_stdout(Format format) {
+  return "standard output." +
+         std::string(format_name(format == Format::Inria ? Format::Mesh : format));
+}
+
+Soup write_to_stdout(const Output& output, const std::string& name, std::ostream& out) {
+  Soup soup = parse_mesh(output.bytes, name);
+  out << output.bytes << std::flush;
+  if (!out) throw IoError("standard output", {}, "takes no more");
   return soup;
 }
 

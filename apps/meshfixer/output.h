@@ -8,6 +8,7 @@
 #include "options.h"
 
 #include <cstddef>
+#include <iosfwd>
 #include <span>
 #include <string>
 #include <string_view>
@@ -70,6 +71,17 @@ struct Output {
 /// @throws IoError  if it cannot be written or read back.
 [[nodiscard]] Soup write_output(const Output& output, const std::string& path,
                                 Options::Backup backup = Options::Backup::None);
+
+/// Returns the name of standard output in messages, whose ending tells the format.
+[[nodiscard]] std::string name_of_stdout(Format format);
+
+/// Writes a file to standard output.
+///
+/// @param name  The result of name_of_stdout(), with `.gz` if the file is gzipped.
+/// @return      The mesh, read back from the bytes.
+/// @throws IoError  if it cannot be written or read back.
+[[nodiscard]] Soup write_to_stdout(const Output& output, const std::string& name,
+                                   std::ostream& out);
 
 /// Tells whether there is anything to write: a format may hold only faces (STL).
 [[nodiscard]] bool has_content(const Soup& soup, const std::string& path);

@@ -5,7 +5,6 @@
 #include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/io/format_of.h"
-#include "meshalyzer/io/read.h"
 #include "output.h"
 #include "page.h"
 #include "progress_line.h"
@@ -89,10 +88,6 @@ bool is_unchanged(const RepairReport& report) {
   return soup.n_vertices() == report.input.n_vertices && soup.n_faces() == report.input.n_faces;
 }
 
-std::string ending_of(Format format) {
-  return std::string(format_name(format == Format::Inria ? Format::Mesh : format));
-}
-
 /// The current file, and the destination of its result.
 struct Job {
   const Options& options;
@@ -108,7 +103,7 @@ std::vector<std::string> output_paths(const Job& job, const RepairReport& report
   // Standard output has the format of the input.
   if (options.writes_to_stdout()) {
     const std::string gzip = job.source.file.plain().was_gzipped() ? ".gz" : "";
-    return {"standard output." + ending_of(report.input.format) + gzip};
+    return {name_of_stdout(report.input.format) + gzip};
   }
   if (!report.fixes.contains(DefectCode::Disjoint)) return {*options.output};
   std::vector<std::string> paths;
@@ -122,12 +117,7 @@ std::vector<std::string> output_paths(const Job& job, const RepairReport& report
 /// Writes one mesh to its destination.
 /// @return The mesh as read back.
 Soup put(const Job& job, const Output& output, bool is_changed, const std::string& path) {
-  if (job.options.writes_to_stdout()) {
-    Soup soup = parse_mesh(output.bytes, path);
-    job.streams.out << output.bytes << std::flush;
-    if (!job.streams.out) throw IoError("standard output", {}, "takes no more");
-    return soup;
-  }
+  if (job.options.writes_to_stdout()) return write_to_stdout(output, path, job.streams.out);
   if (job.options.target == Options::Target::InPlace && !is_changed) return job.source.soup;
   return write_output(output, path, job.options.backup);
 }

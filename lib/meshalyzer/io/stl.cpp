@@ -170,6 +170,12 @@ Soup parse_stl(std::string_view content, const std::string& name) {
   return name_fault(name, [&] { return AsciiStlParser(content).parse(); });
 }
 
+bool fits_floats(const Soup& soup) {
+  const auto is_float = [](double x) { return static_cast<double>(static_cast<float>(x)) == x; };
+  return std::all_of(soup.positions.begin(), soup.positions.end(),
+                     [&](const Vec3& p) { return std::all_of(p.begin(), p.end(), is_float); });
+}
+
 Vec3 unit_normal(const Soup& soup, const Triangle& triangle) {
   const Vec3 a = soup.positions[triangle[0]];
   const Vec3 u = soup.positions[triangle[1]] - a;

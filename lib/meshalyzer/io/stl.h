@@ -27,6 +27,9 @@ namespace meshalyzer {
 /// floats.
 [[nodiscard]] std::string print_binary_stl(const Soup& soup);
 
+/// Tells whether 32-bit floats, as binary STL has them, represent all coordinates exactly.
+[[nodiscard]] bool fits_floats(const Soup& soup);
+
 /// Returns the unit normal of a face, or zero if its area is zero or underflows.
 [[nodiscard]] Vec3 unit_normal(const Soup& soup, const Triangle& triangle);
 

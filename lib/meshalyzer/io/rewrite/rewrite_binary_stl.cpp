@@ -4,16 +4,11 @@
 #include "meshalyzer/io/stl.h"
 #include "meshalyzer/io/stl_layout.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
 namespace meshalyzer {
 namespace {
-
-bool is_float(double number) {
-  return static_cast<double>(static_cast<float>(number)) == number;
-}
 
 /// Tells whether a face equals a facet of the source to the bit.
 bool is_untouched(const EditedMesh& mesh, Index face) {
@@ -49,10 +44,7 @@ void append_facet(std::string& bytes, const EditedMesh& mesh, Index face,
 
 std::optional<RewrittenFile> rewrite_binary_stl(const EditedMesh& mesh, std::string_view content) {
   require_all_vertices(mesh.soup);
-  const auto is_writable = [](const Vec3& p) { return std::all_of(p.begin(), p.end(), is_float); };
-  if (!std::all_of(mesh.soup.positions.begin(), mesh.soup.positions.end(), is_writable)) {
-    return std::nullopt;
-  }
+  if (!fits_floats(mesh.soup)) return std::nullopt;
   RewrittenFile file;
   file.bytes = content.substr(0, kStlHeaderBytes);
   file.bytes.reserve(kStlFacetsOffset + kStlFacetBytes * mesh.soup.n_faces());
