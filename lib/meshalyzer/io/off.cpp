@@ -1,8 +1,8 @@
 #include "meshalyzer/io/off.h"
 
-#include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/binary_off.h"
 #include "meshalyzer/io/off_keyword.h"
+#include "meshalyzer/io/print_record.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/text_scanner.h"
 
@@ -110,20 +110,6 @@ class OffParser {
   std::vector<Index> corners_;
 };
 
-void print_vertex(std::string& text, const Soup& soup, std::size_t vertex, bool with_normal) {
-  for (const double coordinate : soup.positions[vertex]) {
-    append_shortest(text, coordinate);
-    text += ' ';
-  }
-  if (with_normal) {
-    for (const double coordinate : soup.normals[vertex]) {
-      append_shortest(text, coordinate);
-      text += ' ';
-    }
-  }
-  text.back() = '\n';
-}
-
 }  // namespace
 
 Soup parse_off(std::string_view content, const std::string& name) {
@@ -135,16 +121,9 @@ Soup parse_off(std::string_view content, const std::string& name) {
 
 std::string print_off(const Soup& soup) {
   require_all_vertices(soup);
-  const bool with_normals = has_vertex_normals(soup);
-  std::string text = with_normals ? "NOFF\n" : "OFF\n";
+  std::string text = has_vertex_normals(soup) ? "NOFF\n" : "OFF\n";
   text += std::to_string(soup.n_vertices()) + ' ' + std::to_string(soup.n_faces()) + " 0\n";
-  for (std::size_t v = 0; v < soup.n_vertices(); ++v) {
-    print_vertex(text, soup, v, with_normals);
-  }
-  for (const Triangle& t : soup.triangles) {
-    text += "3 " + std::to_string(t[0]) + ' ' + std::to_string(t[1]) + ' ' + std::to_string(t[2]) +
-            '\n';
-  }
+  print_vertices_and_triangles(text, soup);
   return text;
 }
 

@@ -1,9 +1,10 @@
 #include "meshalyzer/io/ply.h"
 
 #include "meshalyzer/base/bytes.h"
-#include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/ply_header.h"
+#include "meshalyzer/io/ply_names.h"
 #include "meshalyzer/io/ply_source.h"
+#include "meshalyzer/io/print_record.h"
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/text_scanner.h"
 
@@ -16,9 +17,8 @@
 namespace meshalyzer {
 namespace {
 
-/// The numbers of a vertex that are stored.
-constexpr std::array<std::string_view, 6> kVertexNumbers = {"x", "y", "z", "nx", "ny", "nz"};
-constexpr std::size_t kSkipped = kVertexNumbers.size();
+/// The place of a property of vertices that is not stored.
+constexpr std::size_t kSkipped = kPlyVertexNumbers.size();
 
 /// Reads the records after the header in order, from either source of numbers.
 template <typename Source>
@@ -67,15 +67,15 @@ class PlyBody {
     }
   }
 
-  /// Returns for each property its index in kVertexNumbers, or kSkipped.
+  /// Returns for each property its index in kPlyVertexNumbers, or kSkipped.
   static std::vector<std::size_t> places_of(const PlyElement& element) {
     std::vector<std::size_t> places;
     for (const PlyProperty& property : element.properties) {
       const auto* const found =
-          std::find(kVertexNumbers.begin(), kVertexNumbers.end(), property.name);
+          std::find(kPlyVertexNumbers.begin(), kPlyVertexNumbers.end(), property.name);
       places.push_back(property.list_size_type
                            ? kSkipped
-                           : static_cast<std::size_t>(found - kVertexNumbers.begin()));
+                           : static_cast<std::size_t>(found - kPlyVertexNumbers.begin()));
     }
     return places;
   }
@@ -191,25 +191,11 @@ std::string print_header(const Soup& soup, std::string_view encoding) {
   text += "element vertex " + std::to_string(soup.n_vertices()) + '\n';
   const std::size_t n_numbers = has_vertex_normals(soup) ? 6 : 3;
   for (std::size_t i = 0; i < n_numbers; ++i) {
-    text += "property double " + std::string(kVertexNumbers[i]) + '\n';
+    text += "property double " + std::string(kPlyVertexNumbers[i]) + '\n';
   }
   text += "element face " + std::to_string(soup.n_faces()) +
           "\nproperty list uchar int vertex_indices\n";
   return text + "end_header\n";
-}
-
-/// Calls `print` with the position of each vertex, followed by its normal if the vertices have one.
-template <typename Print>
-void for_each_vertex(const Soup& soup, Print print) {
-  const bool with_normals = has_vertex_normals(soup);
-  std::vector<double> numbers;
-  for (std::size_t v = 0; v < soup.n_vertices(); ++v) {
-    numbers.assign(soup.positions[v].begin(), soup.positions[v].end());
-    if (with_normals) {
-      numbers.insert(numbers.end(), soup.normals[v].begin(), soup.normals[v].end());
-    }
-    print(numbers);
-  }
 }
 
 }  // namespace
@@ -227,17 +213,7 @@ Soup parse_ply(std::string_view content, const std::string& name) {
 std::string print_ascii_ply(const Soup& soup) {
   require_all_vertices(soup);
   std::string text = print_header(soup, "ascii");
-  for_each_vertex(soup, [&](const std::vector<double>& numbers) {
-    for (const double number : numbers) {
-      append_shortest(text, number);
-      text += ' ';
-    }
-    text.back() = '\n';
-  });
-  for (const Triangle& t : soup.triangles) {
-    text += "3 " + std::to_string(t[0]) + ' ' + std::to_string(t[1]) + ' ' + std::to_string(t[2]) +
-            '\n';
-  }
+  print_vertices_and_triangles(text, soup);
   return text;
 }
 

@@ -8,6 +8,10 @@
 
 namespace meshalyzer {
 
+/// The names of the numbers of a vertex that a mesh has: position and normal.
+inline constexpr std::array<std::string_view, 6> kPlyVertexNumbers = {"x",  "y",  "z",
+                                                                      "nx", "ny", "nz"};
+
 /// The names that programs use for the colours of vertices and faces in PLY files: red, green,
 /// blue, opacity.
 inline constexpr std::array<std::array<std::string_view, 4>, 3> kPlyColourNames = {{
