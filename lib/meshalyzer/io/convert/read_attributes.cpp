@@ -1,15 +1,14 @@
 #include "meshalyzer/io/convert/read_attributes.h"
 
-#include "meshalyzer/base/bytes.h"
 #include "meshalyzer/base/numbers.h"
+#include "meshalyzer/io/convert/stl_attributes.h"
 #include "meshalyzer/io/format_of.h"
 #include "meshalyzer/io/ply_header.h"
 #include "meshalyzer/io/rewrite/inria_records.h"
-#include "meshalyzer/io/stl_layout.h"
+#include "meshalyzer/io/rewrite/text_lines.h"
 #include "meshalyzer/io/text_scanner.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -34,8 +33,6 @@ void clear_where_all_zero(std::vector<Number>& numbers) {
 
 MeshAttributes read_inria_attributes(std::string_view text) {
   MeshAttributes attributes;
-  FaceRecords& faces = attributes.faces;
-  faces.first_triangle.push_back(0);
   for (const InriaRecords::Section& section : find_inria_records(text).sections) {
     const bool has_vertices = section.keyword == "Vertices";
     const bool has_triangles = section.keyword == "Triangles";
@@ -45,7 +42,7 @@ MeshAttributes read_inria_attributes(std::string_view text) {
         attributes.vertex_references.push_back(reference_of(record));
         continue;
       }
-      faces.first_triangle.push_back(faces.first_triangle.back() + (has_triangles ? 1 : 2));
+      attributes.faces.append(has_triangles ? 3 : 4);
       attributes.face_references.push_back(reference_of(record));
     }
   }
@@ -54,42 +51,9 @@ MeshAttributes read_inria_attributes(std::string_view text) {
   return attributes;
 }
 
-/// Returns the solids of an ASCII STL file if any has a name.
-std::vector<Group> named_solids(std::string_view text) {
-  std::vector<Group> solids;
-  Index n_facets = 0;
-  bool has_name = false;
-  TextScanner in(text);
-  while (in.next_record()) {
-    // The first letters distinguish the keywords that can occur here.
-    const std::string_view word = in.word();
-    if (word.size() == 5 && (word[0] == 's' || word[0] == 'S')) {
-      solids.push_back({in.rest_of_record(), n_facets});
-      has_name = has_name || !solids.back().name.empty();
-    } else if (word.size() == 8 && (word[3] == 's' || word[3] == 'S')) {
-      in.skip_record();  // endsolid, whose name may consist of any words
-    } else if (word.size() == 8 && (word[3] == 'f' || word[3] == 'F')) {
-      ++n_facets;
-    }
-  }
-  return has_name ? solids : std::vector<Group>{};
-}
-
-/// Returns the attribute words of a binary STL file; empty if all are 0.
-std::vector<std::uint16_t> read_attribute_words(std::string_view bytes, std::size_t n_facets) {
-  std::vector<std::uint16_t> words(n_facets);
-  for (std::size_t i = 0; i < n_facets; ++i) {
-    const std::size_t at = kStlFacetsOffset + kStlFacetBytes * i + kStlAttributeOffset;
-    words[i] = load<std::uint16_t>(bytes.data() + at, std::endian::little);
-  }
-  clear_where_all_zero(words);
-  return words;
-}
-
 /// Returns the header of a binary STL file if that is one line of text.
-std::vector<std::string> read_stl_header(std::string_view bytes) {
-  std::string_view header = bytes.substr(0, kStlHeaderBytes);
-  header = header.substr(0, header.find_last_not_of(std::string_view(" \0", 2)) + 1);
+std::vector<std::string> comments_of_stl(std::string_view bytes) {
+  const std::string_view header = stl_header(bytes);
   const bool is_text =
       std::all_of(header.begin(), header.end(), [](char c) { return c >= ' ' && c <= '~'; });
   if (header.empty() || !is_text) return {};
@@ -111,7 +75,8 @@ MeshAttributes read_by_format(const Soup& soup, std::string_view bytes) {
     case Format::Stl:
       if (is_binary(bytes, Format::Stl)) {
         attributes.attribute_words = read_attribute_words(bytes, soup.n_faces());
-        attributes.comments = read_stl_header(bytes);
+        clear_where_all_zero(attributes.attribute_words);
+        attributes.comments = comments_of_stl(bytes);
       } else {
         attributes.solids = named_solids(bytes);
       }
@@ -162,11 +127,7 @@ std::size_t first_record(const Soup& soup, std::string_view text) {
   if (!soup.face_lines.empty()) {
     line = std::min<std::size_t>(line, soup.face_lines.front());
   }
-  std::size_t begin = 0;
-  for (std::size_t l = 1; l < line; ++l) {
-    begin = text.find('\n', begin) + 1;
-  }
-  return begin;
+  return line_offset(text, line);
 }
 
 /// Drops colours that are not numbers, which only text formats could hold.

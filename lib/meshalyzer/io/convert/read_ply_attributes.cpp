@@ -48,14 +48,8 @@ class PlyAttributeReader {
 
   void read_faces(std::size_t element) {
     const std::vector<PlyProperty>& properties = header_.elements[element].properties;
-    const auto corners = static_cast<std::size_t>(
-        std::find_if(properties.begin(), properties.end(), is_corner_list) - properties.begin());
-    std::vector<Index> first{0};
-    for (std::size_t r = 0; r < records_.begins(element).size(); ++r) {
-      const std::size_t n = records_.read(element, r).fields[corners].items.size();
-      first.push_back(first.back() + static_cast<Index>(std::max<std::size_t>(n, 3) - 2));
-    }
-    attributes_.faces.first_triangle = std::move(first);
+    const std::size_t corners = find_corner_list(header_.elements[element]);
+    attributes_.faces = face_records_of(records_, element, corners);
     attributes_.face_colours = read_colours(element);
     for (std::size_t p = 0; p < properties.size(); ++p) {
       if (is_one_of(properties[p].name, kPlyCornerTexture)) {

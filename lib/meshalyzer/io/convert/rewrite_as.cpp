@@ -95,18 +95,20 @@ std::size_t n_held(const AttributeCount& count, const MeshAttributes& attributes
 /// Returns how many elements without a colour become white: PLY has a colour for each vertex or
 /// face if any has one, and OFF for each vertex.
 ///
-/// @param said  The number of vertex colours or face colours in the source.
-std::size_t n_absent_colours(const AttributeCount& said, const MeshAttributes& attributes,
+/// @param colours  The number of vertex colours or face colours in the source.
+std::size_t n_absent_colours(const AttributeCount& colours, const MeshAttributes& attributes,
                              Format format) {
-  const bool becomes_white = said.kind == AttributeKind::VertexColours
-                                 ? format != Format::Obj
-                                 : said.kind == AttributeKind::FaceColours && format == Format::Ply;
-  const std::size_t n = said.kind == AttributeKind::VertexColours ? attributes.vertex_colours.size()
-                                                                  : attributes.face_colours.size();
-  return becomes_white ? n - std::min(n, said.count) : 0;
+  const bool becomes_white =
+      colours.kind == AttributeKind::VertexColours
+          ? format != Format::Obj
+          : colours.kind == AttributeKind::FaceColours && format == Format::Ply;
+  const std::size_t n = colours.kind == AttributeKind::VertexColours
+                            ? attributes.vertex_colours.size()
+                            : attributes.face_colours.size();
+  return becomes_white ? n - std::min(n, colours.count) : 0;
 }
 
-bool says_more_than_triangles(const MeshAttributes& attributes, const Soup& soup) {
+bool has_attributes(const MeshAttributes& attributes, const Soup& soup) {
   return attributes.faces.size() != soup.n_faces() || !attributes.vertex_colours.empty() ||
          !attributes.face_colours.empty() || !attributes.texture.empty() ||
          !attributes.vertex_references.empty() || !attributes.face_references.empty() ||
@@ -152,25 +154,24 @@ RewrittenFile print_plainly(const Soup& soup, const MeshAttributes& attributes, 
 }  // namespace
 
 RewrittenFile rewrite_with(const EditedMesh& mesh, MeshAttributes attributes,
-                           std::vector<AttributeCount> said, const FileKind& kind) {
+                           std::vector<AttributeCount> counts, const FileKind& kind) {
   require_all_vertices(mesh.soup);
   const Format format = kind.format;
   drop_what_is_not_held(attributes, mesh.source, format);
   std::size_t n_absent = 0;
-  for (AttributeCount& count : said) {
+  for (AttributeCount& count : counts) {
     n_absent += n_absent_colours(count, attributes, format);
     count.count -= std::min(count.count, n_held(count, attributes, mesh.soup, format));
   }
-  said.push_back({AttributeKind::AbsentColours, n_absent});
+  counts.push_back({AttributeKind::AbsentColours, n_absent});
   if (format == Format::Obj && have_opacity(attributes.vertex_colours)) {
-    said.push_back({AttributeKind::VertexProperties, 1});
+    counts.push_back({AttributeKind::VertexProperties, 1});
   }
-  const bool is_edited =
-      holds_polygons(format) && says_more_than_triangles(attributes, mesh.source);
+  const bool is_edited = holds_polygons(format) && has_attributes(attributes, mesh.source);
   RewrittenFile file = is_edited ? rewrite_converted(mesh, attributes, format, kind.encoding)
                                  : print_plainly(mesh.soup, attributes, format, kind.encoding);
-  said.insert(said.end(), file.lost.begin(), file.lost.end());
-  file.lost = summed(std::move(said));
+  counts.insert(counts.end(), file.lost.begin(), file.lost.end());
+  file.lost = summed(std::move(counts));
   return file;
 }
 

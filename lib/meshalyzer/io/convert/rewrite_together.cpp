@@ -14,8 +14,6 @@ namespace {
 /// Concatenates the attributes of several meshes.
 class JoinedAttributes {
  public:
-  JoinedAttributes() { all_.faces.first_triangle.push_back(0); }
-
   void add(const Soup& soup, MeshAttributes more) {
     const std::size_t n_records = n_records_ + more.faces.size();
     const std::size_t n_faces = n_faces_ + soup.n_faces();
@@ -74,14 +72,14 @@ class JoinedAttributes {
 RewrittenFile rewrite_together(const EditedMesh& mesh, std::span<const ReadFile> files,
                                Format format, Encoding encoding) {
   JoinedAttributes joined;
-  std::vector<AttributeCount> said;
+  std::vector<AttributeCount> counts;
   for (const ReadFile& file : files) {
     joined.add(file.soup, read_attributes(file.soup, file.bytes));
     for (const AttributeCount& count : count_attributes(file.soup, file.bytes)) {
-      said.push_back(count);
+      counts.push_back(count);
     }
   }
-  return rewrite_with(mesh, joined.take(), summed(std::move(said)), {format, encoding});
+  return rewrite_with(mesh, joined.take(), summed(std::move(counts)), {format, encoding});
 }
 
 }  // namespace meshalyzer

@@ -19,10 +19,10 @@ struct FileKind {
 
 /// Writes an edited mesh with the attributes of its source that the format can hold.
 ///
-/// @param said  The numbers of attributes in the files of the source; those that are not written
-///              are lost.
+/// @param counts  The numbers of attributes in the files of the source; those that are not written
+///                are lost.
 /// @throws InvalidArgument if a face has a corner without a vertex.
 [[nodiscard]] RewrittenFile rewrite_with(const EditedMesh& mesh, MeshAttributes attributes,
-                                         std::vector<AttributeCount> said, const FileKind& kind);
+                                         std::vector<AttributeCount> counts, const FileKind& kind);
 
 }  // namespace meshalyzer

@@ -18,8 +18,9 @@ std::optional<Index> corner_at(const Soup& source, Index triangle, Index vertex)
 
 }  // namespace
 
-CornerBlender::CornerBlender(const EditedMesh& mesh, const FaceRecords& records, SaysSame says_same)
-    : mesh_(mesh), records_(records), says_same_(std::move(says_same)) {}
+CornerBlender::CornerBlender(const EditedMesh& mesh, const FaceRecords& records,
+                             HasSameAttributes has_same_attributes)
+    : mesh_(mesh), records_(records), has_same_attributes_(std::move(has_same_attributes)) {}
 
 Blend CornerBlender::blend(FanCorner corner) {
   const Index model = model_of(mesh_.faces[corner.triangle]);
@@ -76,7 +77,7 @@ std::optional<Index> CornerBlender::corner_beside(Index model, Index vertex) {
 bool CornerBlender::has_seam_between(Index a, Index b) const {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::optional<Index> other = corner_at(mesh_.source, b, mesh_.source.triangles[a][k]);
-    if (other && !says_same_(corner_number({a, k}), *other)) {
+    if (other && !has_same_attributes_(corner_number({a, k}), *other)) {
       return true;
     }
   }

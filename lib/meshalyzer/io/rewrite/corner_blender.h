@@ -23,10 +23,11 @@ class CornerBlender {
  public:
   /// Tells whether two corners of the source at one vertex have the same attributes, so that there
   /// is no seam between their faces.
-  using SaysSame = std::function<bool(Index, Index)>;
+  using HasSameAttributes = std::function<bool(Index, Index)>;
 
   /// @param mesh, records  The mesh and its records, which must outlive the object.
-  CornerBlender(const EditedMesh& mesh, const FaceRecords& records, SaysSame says_same);
+  CornerBlender(const EditedMesh& mesh, const FaceRecords& records,
+                HasSameAttributes has_same_attributes);
 
   /// Returns the blend of a corner; empty in a hole patch. If the vertex occurs in the record from
   /// which the face was made, it has the attributes of its corner there. Beyond an edge of that
@@ -41,7 +42,7 @@ class CornerBlender {
 
   const EditedMesh& mesh_;
   const FaceRecords& records_;
-  SaysSame says_same_;
+  HasSameAttributes has_same_attributes_;
   /// The faces of the source by their vertices, built at first use.
   std::unique_ptr<VertexFaces> faces_;
 };

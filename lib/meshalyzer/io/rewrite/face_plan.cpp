@@ -9,16 +9,21 @@ namespace {
 
 using Relation = ElementOrigin::Relation;
 
+/// Returns the element that each record of the source is; kNoIndex if it was dropped.
+std::vector<Index> new_numbers(const std::vector<ElementOrigin>& origins, std::size_t n_records) {
+  std::vector<Index> numbers(n_records, kNoIndex);
+  for (std::size_t i = 0; i < origins.size(); ++i) {
+    if (origins[i].relation == Relation::Same) {
+      numbers[origins[i].record] = static_cast<Index>(i);
+    }
+  }
+  return numbers;
+}
+
 class FacePlanner {
  public:
   FacePlanner(const EditedMesh& mesh, const FaceRecords& records)
-      : mesh_(mesh), records_(records), faces_(mesh.source.n_faces(), kNoIndex) {
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-      if (mesh.faces[f].relation == Relation::Same) {
-        faces_[mesh.faces[f].record] = static_cast<Index>(f);
-      }
-    }
-  }
+      : mesh_(mesh), records_(records), faces_(new_faces(mesh)) {}
 
   FacePlan plan() {
     plan_.changes.reserve(records_.size());
@@ -209,6 +214,17 @@ FacePlan plan_faces(const EditedMesh& mesh, const FaceRecords& records) {
   return FacePlanner(mesh, records).plan();
 }
 
+bool is_renumbered(const EditedMesh& mesh, const FacePlan& plan, const FaceRecords& records,
+                   Index record) {
+  const Index end = records.first_triangle[record + 1];
+  for (Index t = records.first_triangle[record]; t < end; ++t) {
+    if (mesh.soup.triangles[plan.faces[t]] != mesh.source.triangles[t]) {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool keeps_order(const FacePlan& plan) {
   return std::is_sorted(plan.file_faces.begin(), plan.file_faces.end());
 }
@@ -223,13 +239,11 @@ RewrittenFile rewritten_file(ByteEdits& edits, const FacePlan& plan) {
 }
 
 std::vector<Index> new_vertices(const EditedMesh& mesh) {
-  std::vector<Index> numbers(mesh.source.n_vertices(), kNoIndex);
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (mesh.vertices[v].relation == Relation::Same) {
-      numbers[mesh.vertices[v].record] = static_cast<Index>(v);
-    }
-  }
-  return numbers;
+  return new_numbers(mesh.vertices, mesh.source.n_vertices());
+}
+
+std::vector<Index> new_faces(const EditedMesh& mesh) {
+  return new_numbers(mesh.faces, mesh.source.n_faces());
 }
 
 }  // namespace meshalyzer

@@ -3,6 +3,7 @@
 #include "meshalyzer/io/rewrite/byte_edits.h"
 #include "meshalyzer/io/rewrite/edited_mesh.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -12,10 +13,16 @@ namespace meshalyzer {
 /// The face records of a source. A polygon is one record and several triangles.
 struct FaceRecords {
   /// The first triangle of each record, followed by the number of triangles.
-  std::vector<Index> first_triangle;
+  std::vector<Index> first_triangle{0};
   /// For each record, the last one of the run with the same statements (materials, groups); empty
   /// if no statement applies to faces.
   std::vector<Index> run_ends;
+
+  /// Appends the record of a polygon, which append_fan() has made triangles.
+  void append(std::size_t n_corners) {
+    const std::size_t n_triangles = std::max<std::size_t>(n_corners, 3) - 2;
+    first_triangle.push_back(first_triangle.back() + static_cast<Index>(n_triangles));
+  }
 
   [[nodiscard]] std::size_t size() const { return first_triangle.size() - 1; }
   [[nodiscard]] std::size_t n_triangles(Index record) const {
@@ -84,14 +91,19 @@ struct FacePlan {
   return mesh.soup.triangles[plan.faces[corner.triangle]][corner.corner];
 }
 
+/// Tells whether a record of the source that is kept names other vertices now.
+[[nodiscard]] bool is_renumbered(const EditedMesh& mesh, const FacePlan& plan,
+                                 const FaceRecords& records, Index record);
+
 /// Tells whether a plan leaves the faces in the order of the edited mesh.
 [[nodiscard]] bool keeps_order(const FacePlan& plan);
 
 /// Applies edits that follow a plan, and returns the resulting file.
 [[nodiscard]] RewrittenFile rewritten_file(ByteEdits& edits, const FacePlan& plan);
 
-/// Returns the vertex of the edited mesh that each one of the source is; kNoIndex if it was
+/// Returns the vertex or face of the edited mesh that each one of the source is; kNoIndex if it was
 /// dropped.
 [[nodiscard]] std::vector<Index> new_vertices(const EditedMesh& mesh);
+[[nodiscard]] std::vector<Index> new_faces(const EditedMesh& mesh);
 
 }  // namespace meshalyzer

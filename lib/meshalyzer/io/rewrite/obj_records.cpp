@@ -32,7 +32,6 @@ class ObjRecordFinder {
       : text_(text), in_(text, Continuation::Backslash) {}
 
   ObjRecords find() {
-    records_.face_records.first_triangle.push_back(0);
     while (in_.next_record()) {
       const std::size_t begin = text_.size() - in_.remaining();
       note_statement(in_.word(), begin);
@@ -84,8 +83,7 @@ class ObjRecordFinder {
       const bool is_relative = in_.word().find('-') != std::string_view::npos;
       records_.has_relative_faces = records_.has_relative_faces || is_relative;
     }
-    std::vector<Index>& first = records_.face_records.first_triangle;
-    first.push_back(first.back() + static_cast<Index>(std::max<std::size_t>(n_corners, 3) - 2));
+    records_.face_records.append(n_corners);
   }
 
   void end_run() {

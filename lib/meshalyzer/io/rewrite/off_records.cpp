@@ -26,7 +26,6 @@ class OffRecordFinder {
     records_.n_vertices = in_.word();
     records_.n_faces = in_.word();
     in_.skip_record();
-    records_.face_records.first_triangle.push_back(0);
     while (in_.next_record()) {
       note_record();
     }
@@ -40,9 +39,7 @@ class OffRecordFinder {
       records_.vertices.push_back(begin);
     } else {
       records_.faces.push_back(begin);
-      std::vector<Index>& first = records_.face_records.first_triangle;
-      const auto n_corners = static_cast<Index>(in_.integer());
-      first.push_back(first.back() + std::max(n_corners, Index{3}) - 2);
+      records_.face_records.append(static_cast<std::size_t>(in_.integer()));
     }
     in_.skip_record();
   }

@@ -11,7 +11,7 @@ PlyCornerLists::PlyCornerLists(const EditedMesh& mesh, const PlyRecords& records
     : records_(records),
       faces_(faces),
       face_records_(face_records),
-      blender_(mesh, face_records, [this](Index a, Index b) { return says_same(a, b); }) {}
+      blender_(mesh, face_records, [this](Index a, Index b) { return has_same_numbers(a, b); }) {}
 
 bool PlyCornerLists::has_list(const PlyRecord& record, std::size_t property) const {
   return is_one_of(faces_.element.properties[property].name, kPlyCornerTexture) &&
@@ -47,7 +47,7 @@ std::optional<std::array<std::string_view, 2>> PlyCornerLists::items_of(
   return std::array<std::string_view, 2>{items[2 * local], items[2 * local + 1]};
 }
 
-bool PlyCornerLists::says_same(Index a, Index b) const {
+bool PlyCornerLists::has_same_numbers(Index a, Index b) const {
   for (std::size_t p = 0; p < faces_.element.properties.size(); ++p) {
     if (is_one_of(faces_.element.properties[p].name, kPlyCornerTexture) &&
         items_of(a, p) != items_of(b, p)) {

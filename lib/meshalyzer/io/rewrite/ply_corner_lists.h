@@ -39,7 +39,7 @@ class PlyCornerLists {
   /// Returns the two numbers of a corner of the source, or nothing if its record has none.
   [[nodiscard]] std::optional<std::array<std::string_view, 2>> items_of(Index corner,
                                                                         std::size_t property) const;
-  [[nodiscard]] bool says_same(Index a, Index b) const;
+  [[nodiscard]] bool has_same_numbers(Index a, Index b) const;
 
   const PlyRecords& records_;
   PlyFaces faces_;

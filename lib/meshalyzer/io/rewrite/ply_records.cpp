@@ -169,17 +169,28 @@ bool PlyRecords::fits(double number, PlyType type) const {
 
 std::vector<std::string_view> declaration_of(std::string_view content, const PlyElement& element,
                                              std::optional<std::string_view> property) {
-  std::size_t begin = 0;
-  for (std::size_t line = 1; line < element.line; ++line) {
-    begin = content.find('\n', begin) + 1;
-  }
-  for (;; begin = content.find('\n', begin) + 1) {
+  for (std::size_t begin = line_offset(content, element.line);;
+       begin = content.find('\n', begin) + 1) {
     std::vector<std::string_view> words = words_at(content, begin, Continuation::None);
     const bool is_property = !words.empty() && words.front() == "property";
     if (!property || (is_property && words.back() == *property)) {
       return words;
     }
   }
+}
+
+std::size_t find_corner_list(const PlyElement& element) {
+  const std::vector<PlyProperty>& all = element.properties;
+  return static_cast<std::size_t>(std::find_if(all.begin(), all.end(), is_corner_list) -
+                                  all.begin());
+}
+
+FaceRecords face_records_of(const PlyRecords& records, std::size_t element, std::size_t corners) {
+  FaceRecords faces;
+  for (std::size_t r = 0; r < records.begins(element).size(); ++r) {
+    faces.append(records.read(element, r).fields[corners].items.size());
+  }
+  return faces;
 }
 
 std::size_t find_property(const PlyElement& element, std::string_view name) {

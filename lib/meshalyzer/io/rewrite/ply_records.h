@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/io/ply_header.h"
+#include "meshalyzer/io/rewrite/face_plan.h"
 
 #include <cstddef>
 #include <optional>
@@ -61,6 +62,14 @@ class PlyRecords {
 [[nodiscard]] std::vector<std::string_view> declaration_of(
     std::string_view content, const PlyElement& element,
     std::optional<std::string_view> property = std::nullopt);
+
+/// Returns the index of the property that lists the corners of faces.
+[[nodiscard]] std::size_t find_corner_list(const PlyElement& element);
+
+/// Returns the records of an element of faces.
+/// @param corners  The result of find_corner_list().
+[[nodiscard]] FaceRecords face_records_of(const PlyRecords& records, std::size_t element,
+                                          std::size_t corners);
 
 /// Returns the index of the property with this name, or the number of properties if none has it.
 [[nodiscard]] std::size_t find_property(const PlyElement& element, std::string_view name);

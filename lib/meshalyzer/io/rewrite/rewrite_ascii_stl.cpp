@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -41,7 +40,7 @@ struct StlRecords {
   FaceRecords face_records;
 };
 
-StlRecords find_facets(std::string_view text, std::size_t n_facets) {
+StlRecords find_facets(std::string_view text) {
   StlRecords records;
   TextScanner in(text);
   while (in.next_record()) {
@@ -50,6 +49,7 @@ StlRecords find_facets(std::string_view text, std::size_t n_facets) {
     const char letter = in.peek().front();
     if (letter == 'f' || letter == 'F') {
       records.facets.push_back(begin);
+      records.face_records.append(3);
       static_cast<void>(read_facet(in));
       continue;
     }
@@ -57,9 +57,6 @@ StlRecords find_facets(std::string_view text, std::size_t n_facets) {
     const std::size_t n = records.facets.size();
     records.face_records.run_ends.resize(n, static_cast<Index>(n - 1));
   }
-  records.face_records.first_triangle.resize(n_facets + 1);
-  std::iota(records.face_records.first_triangle.begin(), records.face_records.first_triangle.end(),
-            Index{0});
   return records;
 }
 
@@ -67,26 +64,20 @@ class AsciiStlRewriter {
  public:
   AsciiStlRewriter(const EditedMesh& mesh, std::string_view text)
       : mesh_(mesh),
-        records_(find_facets(text, mesh.source.n_faces())),
+        records_(find_facets(text)),
         plan_(plan_faces(mesh, records_.face_records)),
         edits_(text) {}
 
   RewrittenFile rewrite() {
-    std::vector<Index> faces(records_.facets.size(), kNoIndex);
-    for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
-      if (mesh_.faces[f].relation == ElementOrigin::Relation::Same) {
-        faces[mesh_.faces[f].record] = static_cast<Index>(f);
-      }
-    }
     auto next = plan_.written.begin();
-    for (Index r = 0; r < faces.size(); ++r) {
+    for (Index r = 0; r < plan_.faces.size(); ++r) {
       std::vector<Index> added;
       for (; next != plan_.written.end() && next->record == r; ++next) {
-        if (next->face != faces[r]) {
+        if (next->face != plan_.faces[r]) {
           added.push_back(next->face);
         }
       }
-      edit_record(r, faces[r], added);
+      edit_record(r, plan_.faces[r], added);
     }
     return rewritten_file(edits_, plan_);
   }

@@ -28,7 +28,6 @@ class InriaRewriter {
         vertices_(new_vertices(mesh)),
         merges_(find_vertex_merges(mesh, vertices_)),
         edits_(text) {
-    face_records_.first_triangle.push_back(0);
     for (const Section& section : records_.sections) {
       const bool is_quadrilateral = section.keyword == "Quadrilaterals";
       if (!is_quadrilateral && section.keyword != "Triangles") {
@@ -36,8 +35,7 @@ class InriaRewriter {
       }
       for (const std::string_view record : section.records) {
         faces_.push_back(record);
-        std::vector<Index>& first = face_records_.first_triangle;
-        first.push_back(first.back() + (is_quadrilateral ? 2 : 1));
+        face_records_.append(is_quadrilateral ? 4 : 3);
       }
     }
     plan_ = plan_faces(mesh, face_records_);
@@ -86,15 +84,13 @@ class InriaRewriter {
     for (Index r = 0; r < vertices_.size(); ++r) {
       if (vertices_[r] == kNoIndex) {
         edits_.erase_with_lines(section.records[r]);
-      } else if (mesh_.soup.positions[vertices_[r]] != mesh_.source.positions[r]) {
+        continue;
+      }
+      const Vec3& before = mesh_.source.positions[r];
+      const Vec3& now = mesh_.soup.positions[vertices_[r]];
+      if (now != before) {
         const std::vector<std::string_view> old = inria_numbers(section.records[r]);
-        for (std::size_t i = 0; i < 3; ++i) {
-          const auto axis = static_cast<Eigen::Index>(i);
-          const double now = mesh_.soup.positions[vertices_[r]][axis];
-          if (now != mesh_.source.positions[r][axis]) {
-            edits_.replace(old[i], shortest(now));
-          }
-        }
+        edits_.replace_numbers(old, {before.data(), 3}, {now.data(), 3});
       }
     }
     std::string added;

@@ -91,29 +91,22 @@ class NativeRewriter {
     if (!keeps_id) {
       edits_.replace_integer(old[1], mesh_.soup.vertex_ids.of(v));
     }
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto axis = static_cast<Eigen::Index>(i);
-      if (now[axis] != before[axis]) {
-        edits_.replace(old[2 + i], shortest(now[axis]));
-      }
-    }
+    edits_.replace_numbers(std::span(old).subspan(2), {before.data(), 3}, {now.data(), 3});
   }
 
   void edit_faces() {
-    std::vector<Index> numbers(mesh_.source.n_faces(), kNoIndex);
-    std::string added;
-    for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
-      if (mesh_.faces[f].relation == ElementOrigin::Relation::Same) {
-        numbers[mesh_.faces[f].record] = static_cast<Index>(f);
-      } else {
-        added += face_line(static_cast<Index>(f));
-      }
-    }
+    const std::vector<Index> numbers = new_faces(mesh_);
     for (Index r = 0; r < numbers.size(); ++r) {
       if (numbers[r] == kNoIndex) {
         edits_.replace_lines(span_of(words(records_.faces[r])), {});
-      } else if (!says_same(r, numbers[r])) {
+      } else if (!is_same(r, numbers[r])) {
         edit_face(r, numbers[r]);
+      }
+    }
+    std::string added;
+    for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+      if (mesh_.faces[f].relation != ElementOrigin::Relation::Same) {
+        added += face_line(static_cast<Index>(f));
       }
     }
     insert_behind(records_.faces.empty() ? records_.vertices : records_.faces, std::move(added));
@@ -127,15 +120,15 @@ class NativeRewriter {
     return line + edits_.line_end();
   }
 
-  [[nodiscard]] bool says_same(Index record, Index face) const {
-    bool is_same = mesh_.soup.face_ids.of(face) == mesh_.source.face_ids.of(record);
+  [[nodiscard]] bool is_same(Index record, Index face) const {
+    bool is_equal = mesh_.soup.face_ids.of(face) == mesh_.source.face_ids.of(record);
     for (std::size_t k = 0; k < 3; ++k) {
       const Index before = mesh_.source.triangles[record][k];
-      is_same = is_same && before != kNoIndex &&
-                mesh_.soup.vertex_ids.of(mesh_.soup.triangles[face][k]) ==
-                    mesh_.source.vertex_ids.of(before);
+      is_equal = is_equal && before != kNoIndex &&
+                 mesh_.soup.vertex_ids.of(mesh_.soup.triangles[face][k]) ==
+                     mesh_.source.vertex_ids.of(before);
     }
-    return is_same;
+    return is_equal;
   }
 
   void edit_face(Index record, Index face) {

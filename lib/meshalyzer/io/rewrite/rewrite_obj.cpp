@@ -77,14 +77,13 @@ class ObjRewriter {
       const Index v = numbers_[r];
       if (v == kNoIndex) {
         edits_.replace_lines(span_of(words(records_.vertices[r])), {});
-      } else if (mesh_.soup.positions[v] != mesh_.source.positions[r]) {
+        continue;
+      }
+      const Vec3& before = mesh_.source.positions[r];
+      const Vec3& now = mesh_.soup.positions[v];
+      if (now != before) {
         const std::vector<std::string_view> old = words(records_.vertices[r]);
-        for (std::size_t i = 0; i < 3; ++i) {
-          const auto axis = static_cast<Eigen::Index>(i);
-          if (mesh_.soup.positions[v][axis] != mesh_.source.positions[r][axis]) {
-            edits_.replace(old[1 + i], shortest(mesh_.soup.positions[v][axis]));
-          }
-        }
+        edits_.replace_numbers(std::span(old).subspan(1), {before.data(), 3}, {now.data(), 3});
       }
     }
   }
@@ -194,16 +193,6 @@ class ObjRewriter {
     }
   }
 
-  [[nodiscard]] bool is_renumbered(Index record) const {
-    const std::vector<Index>& first = records_.face_records.first_triangle;
-    for (Index t = first[record]; t < first[record + 1]; ++t) {
-      if (mesh_.soup.triangles[plan_.faces[t]] != mesh_.source.triangles[t]) {
-        return true;
-      }
-    }
-    return false;
-  }
-
   [[nodiscard]] bool keeps_normals(Index record) {
     if (mesh_.soup.corner_normals.empty() || mesh_.source.corner_normals.empty()) {
       return true;
@@ -249,8 +238,8 @@ class ObjRewriter {
     if (change == RecordChange::Dropped) {
       return;
     }
-    if (change == RecordChange::Kept && !records_.has_relative_faces && !is_renumbered(record) &&
-        keeps_normals(record)) {
+    if (change == RecordChange::Kept && !records_.has_relative_faces &&
+        !is_renumbered(mesh_, plan_, records_.face_records, record) && keeps_normals(record)) {
       return;
     }
     const std::vector<std::string_view> old = words(records_.faces[record]);

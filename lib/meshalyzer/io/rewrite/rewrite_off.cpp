@@ -74,12 +74,7 @@ class OffRewriter {
     if (before == now) {
       return;
     }
-    const Words old = words(records_.vertices[record]);
-    for (std::size_t i = 0; i < now.size(); ++i) {
-      if (now[i] != before[i]) {
-        edits_.replace(old[i], shortest(now[i]));
-      }
-    }
+    edits_.replace_numbers(words(records_.vertices[record]), before, now);
   }
 
   [[nodiscard]] std::string added_vertices() const {
@@ -218,7 +213,7 @@ class OffRewriter {
 
   void edit_face(Index record) {
     const bool is_turned = plan_.changes[record] == RecordChange::Turned;
-    if (!is_turned && !is_renumbered(record)) {
+    if (!is_turned && !is_renumbered(mesh_, plan_, records_.face_records, record)) {
       return;
     }
     const Words old = words(records_.faces[record]);
@@ -235,16 +230,6 @@ class OffRewriter {
   [[nodiscard]] Index vertex_now(const FanCorner& corner, bool is_turned) const {
     return is_turned ? numbers_[mesh_.source.triangles[corner.triangle][corner.corner]]
                      : vertex_at(mesh_, plan_, corner);
-  }
-
-  [[nodiscard]] bool is_renumbered(Index record) const {
-    const std::vector<Index>& first = records_.face_records.first_triangle;
-    for (Index t = first[record]; t < first[record + 1]; ++t) {
-      if (mesh_.soup.triangles[plan_.faces[t]] != mesh_.source.triangles[t]) {
-        return true;
-      }
-    }
-    return false;
   }
 
   const EditedMesh& mesh_;

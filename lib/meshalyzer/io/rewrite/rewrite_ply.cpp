@@ -20,7 +20,6 @@
 namespace meshalyzer {
 namespace {
 
-constexpr std::array<std::string_view, 6> kOwnNumbers = {"x", "y", "z", "nx", "ny", "nz"};
 /// The properties by which other elements name vertices.
 constexpr std::array<std::string_view, 4> kVertexReferences = {"vertex1", "vertex2", "vertex_index",
                                                                "vertex_indices"};
@@ -44,9 +43,13 @@ class PlyRewriter {
         merges_(find_vertex_merges(mesh, numbers_)),
         has_normals_(has_vertex_normals(mesh.source)),
         edits_(content, records_.is_ascii()) {
-    find_face_records();
+    const bool has_faces = face_ != header.elements.size();
+    if (has_faces) {
+      corners_ = find_corner_list(header.elements[face_]);
+      face_records_ = face_records_of(records_, face_, corners_);
+    }
     plan_ = plan_faces(mesh, face_records_);
-    if (face_ != header.elements.size()) {
+    if (has_faces) {
       lists_.emplace(mesh, records_, PlyFaces{header.elements[face_], face_, corners_},
                      face_records_);
     }
@@ -76,21 +79,6 @@ class PlyRewriter {
     return header_.elements[element].properties;
   }
 
-  void find_face_records() {
-    face_records_.first_triangle.push_back(0);
-    if (face_ == header_.elements.size()) {
-      return;
-    }
-    const auto& all = properties(face_);
-    corners_ = static_cast<std::size_t>(std::find_if(all.begin(), all.end(), is_corner_list) -
-                                        all.begin());
-    for (std::size_t r = 0; r < records_.begins(face_).size(); ++r) {
-      const std::size_t n = records_.read(face_, r).fields[corners_].items.size();
-      face_records_.first_triangle.push_back(face_records_.first_triangle.back() +
-                                             static_cast<Index>(std::max<std::size_t>(n, 3) - 2));
-    }
-  }
-
   void set_count(std::size_t element, std::size_t count) {
     edits_.replace_integer(declaration_of(edits_.source(), header_.elements[element]).at(2),
                            static_cast<std::int64_t>(count));
@@ -107,7 +95,7 @@ class PlyRewriter {
     vertex_properties_ = properties(vertex_);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       PlyProperty& property =
-          vertex_properties_[find_property(header_.elements[vertex_], kOwnNumbers[axis])];
+          vertex_properties_[find_property(header_.elements[vertex_], kPlyVertexNumbers[axis])];
       const auto fits = [&](const Vec3& position) {
         return records_.fits(position[static_cast<Eigen::Index>(axis)], property.type);
       };
@@ -123,11 +111,12 @@ class PlyRewriter {
   [[nodiscard]] std::optional<double> own_number(const Soup& soup, std::size_t v,
                                                  const PlyProperty& property) const {
     const auto place = static_cast<std::size_t>(
-        std::find(kOwnNumbers.begin(), kOwnNumbers.end(), property.name) - kOwnNumbers.begin());
+        std::find(kPlyVertexNumbers.begin(), kPlyVertexNumbers.end(), property.name) -
+        kPlyVertexNumbers.begin());
     if (place < 3) {
       return soup.positions[v][static_cast<Eigen::Index>(place)];
     }
-    if (place < kOwnNumbers.size() && has_normals_) {
+    if (place < kPlyVertexNumbers.size() && has_normals_) {
       return soup.normals[v][static_cast<Eigen::Index>(place - 3)];
     }
     return std::nullopt;
@@ -275,7 +264,8 @@ class PlyRewriter {
 
   void edit_face(Index record) {
     const bool is_turned = plan_.changes[record] == RecordChange::Turned;
-    if (!is_turned && index_type_ == properties(face_)[corners_].type && !is_renumbered(record)) {
+    if (!is_turned && index_type_ == properties(face_)[corners_].type &&
+        !is_renumbered(mesh_, plan_, face_records_, record)) {
       return;
     }
     const PlyRecord old = records_.read(face_, record);
@@ -304,16 +294,6 @@ class PlyRewriter {
         edits_.replace(record.fields[p].items[2 * local + i], numbers[i]);
       }
     }
-  }
-
-  [[nodiscard]] bool is_renumbered(Index record) const {
-    const std::vector<Index>& first = face_records_.first_triangle;
-    for (Index t = first[record]; t < first[record + 1]; ++t) {
-      if (mesh_.soup.triangles[plan_.faces[t]] != mesh_.source.triangles[t]) {
-        return true;
-      }
-    }
-    return false;
   }
 
   /// Returns a face as a record of its own.

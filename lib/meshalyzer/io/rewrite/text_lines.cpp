@@ -17,6 +17,14 @@ std::vector<std::string_view> words_at(std::string_view text, std::size_t begin,
   return words;
 }
 
+std::size_t line_offset(std::string_view text, std::size_t line) {
+  std::size_t begin = 0;
+  for (std::size_t l = 1; l < line; ++l) {
+    begin = text.find('\n', begin) + 1;
+  }
+  return begin;
+}
+
 std::string_view span_of(const std::vector<std::string_view>& words) {
   const char* const begin = words.front().data();
   const char* const end = words.back().data() + words.back().size();
@@ -65,6 +73,13 @@ void LineEdits::insert_lines_behind(std::string_view record, std::string lines) 
     lines.insert(0, line_end_);
   }
   insert(at, std::move(lines));
+}
+
+void LineEdits::replace_numbers(std::span<const std::string_view> words,
+                                std::span<const double> before, std::span<const double> now) {
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (now[i] != before[i]) replace(words[i], shortest(now[i]));
+  }
 }
 
 void LineEdits::replace_integer(std::string_view part, std::int64_t number) {

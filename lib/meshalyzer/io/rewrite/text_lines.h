@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,9 @@ namespace meshalyzer {
 /// Returns the words of the record that begins at an offset of a text.
 [[nodiscard]] std::vector<std::string_view> words_at(std::string_view text, std::size_t begin,
                                                      Continuation continuation);
+
+/// Returns the offset of a line of a text, counted from 1.
+[[nodiscard]] std::size_t line_offset(std::string_view text, std::size_t line);
 
 /// Edits of a text whose records are lines.
 class LineEdits : public ByteEdits {
@@ -30,6 +34,10 @@ class LineEdits : public ByteEdits {
   void replace_lines(std::string_view record, std::string lines);
   /// Inserts lines after the last line of a record.
   void insert_lines_behind(std::string_view record, std::string lines);
+  /// Replaces those of some numbers whose values have changed.
+  /// @param words  The numbers in the text; there may be more words after them.
+  void replace_numbers(std::span<const std::string_view> words, std::span<const double> before,
+                       std::span<const double> now);
   /// Replaces an integer, unless it already has that value in any notation.
   void replace_integer(std::string_view part, std::int64_t number);
   /// Records that the comments in a part of the text are lost.
