@@ -5,7 +5,6 @@
 #include "meshalyzer/io/references.h"
 #include "meshalyzer/io/text_scanner.h"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -50,12 +49,9 @@ class InriaParser {
       parse_faces(3);
     } else if (keyword == "Quadrilaterals") {
       parse_faces(4);
-    } else if (keyword == "AngleOfCornerBound") {
-      skip_numbers(1);
-    } else if (keyword == "BoundingBox") {
-      skip_numbers(6);
-    } else if (keyword == "Geometry" || keyword == "Identifier") {
-      in_.skip_record();
+    } else if (const InriaStatement* statement = find_inria_statement(keyword)) {
+      skip_numbers(statement->n_numbers);
+      if (statement->n_numbers == 0) in_.skip_record();
     } else {
       skip_section(keyword);
     }
@@ -109,10 +105,8 @@ class InriaParser {
   }
 
   void skip_section(std::string_view keyword) {
-    const auto* const section =
-        std::find_if(kInriaSections.begin(), kInriaSections.end(),
-                     [&](const InriaSection& s) { return s.keyword == keyword; });
-    if (section == kInriaSections.end()) {
+    const InriaSection* section = find_inria_section(keyword);
+    if (section == nullptr) {
       in_.fault(in_quotes(keyword) + " is no keyword of INRIA's format");
     }
     skip_numbers(begin_records(section->numbers_a_record, keyword) * section->numbers_a_record);

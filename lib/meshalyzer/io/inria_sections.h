@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -69,5 +70,29 @@ inline constexpr std::array<InriaSection, 38> kInriaSections = {{
     {"VertexOnSupportVertex", 2, InriaNames::Vertices, 1},
     {"VertexOnSupportEdge", 3, InriaNames::Vertices, 1},
 }};
+
+/// A statement that does not concern the triangles and has no count.
+struct InriaStatement {
+  std::string_view keyword;
+  /// The numbers after the keyword; 0 if the rest of the line is a name.
+  std::size_t n_numbers;
+};
+
+inline constexpr std::array<InriaStatement, 4> kInriaStatements = {
+    {{"AngleOfCornerBound", 1}, {"BoundingBox", 6}, {"Geometry", 0}, {"Identifier", 0}}};
+
+/// Returns the section or statement with a keyword; null if there is none.
+[[nodiscard]] constexpr const InriaSection* find_inria_section(std::string_view keyword) {
+  const auto* const found =
+      std::find_if(kInriaSections.begin(), kInriaSections.end(),
+                   [&](const InriaSection& known) { return known.keyword == keyword; });
+  return found == kInriaSections.end() ? nullptr : found;
+}
+[[nodiscard]] constexpr const InriaStatement* find_inria_statement(std::string_view keyword) {
+  const auto* const found =
+      std::find_if(kInriaStatements.begin(), kInriaStatements.end(),
+                   [&](const InriaStatement& known) { return known.keyword == keyword; });
+  return found == kInriaStatements.end() ? nullptr : found;
+}
 
 }  // namespace meshalyzer

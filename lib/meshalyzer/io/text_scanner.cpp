@@ -114,6 +114,7 @@ void TextScanner::skip_continuation() {
 }
 
 void TextScanner::skip_comment() {
+  ++n_comments_;
   const void* newline = std::memchr(at_, '\n', remaining());
   at_ = newline == nullptr ? end_ : static_cast<const char*>(newline);
 }

@@ -170,6 +170,9 @@ class TextScanner {
   /// Returns the 1-based line of the next token.
   [[nodiscard]] std::size_t line() const { return line_; }
 
+  /// Returns the number of comments that next_record() has moved over.
+  [[nodiscard]] std::size_t n_comments() const { return n_comments_; }
+
   /// Returns the number of unread bytes.
   [[nodiscard]] std::size_t remaining() const { return static_cast<std::size_t>(end_ - at_); }
 
@@ -202,6 +205,7 @@ class TextScanner {
   const char* at_;
   const char* end_;
   std::size_t line_ = 1;
+  std::size_t n_comments_ = 0;
   Continuation continuation_;
 };
 

@@ -1,21 +1,25 @@
 #include "meshalyzer/io/convert/count_attributes.h"
 
-#include "meshalyzer/base/bytes.h"
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/binary_off.h"
+#include "meshalyzer/io/convert/stl_attributes.h"
 #include "meshalyzer/io/format_of.h"
 #include "meshalyzer/io/ply_header.h"
 #include "meshalyzer/io/ply_names.h"
 #include "meshalyzer/io/references.h"
-#include "meshalyzer/io/stl_layout.h"
+#include "meshalyzer/io/rewrite/inria_records.h"
+#include "meshalyzer/io/rewrite/off_records.h"
+#include "meshalyzer/io/rewrite/text_lines.h"
 #include "meshalyzer/io/text_scanner.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -23,24 +27,27 @@ namespace {
 
 using Counts = std::vector<AttributeCount>;
 
-/// Counts the lines with a comment; inside a word, `#` does not begin one.
-std::size_t count_comments(std::string_view text) {
-  constexpr std::string_view kBefore = " \t\r\n";
-  std::size_t n = 0;
-  for (std::size_t at = text.find('#'); at != std::string_view::npos; at = text.find('#', at)) {
-    const bool begins = at == 0 || kBefore.find(text[at - 1]) != std::string_view::npos;
-    n += begins ? 1 : 0;
-    at = begins ? std::min(text.find('\n', at), text.size()) : at + 1;
-  }
-  return n;
+template <typename List, typename Predicate>
+std::size_t count_if(const List& list, Predicate predicate) {
+  return static_cast<std::size_t>(std::count_if(list.begin(), list.end(), predicate));
 }
 
-std::size_t count_words(TextScanner& in) {
-  std::size_t n = 0;
-  for (; !in.at_record_end(); ++n) {
-    static_cast<void>(in.word());
+/// Tells whether the rest of a statement is a name, in which `#` does not begin a comment.
+bool begins_name(std::string_view keyword, Format format) {
+  constexpr std::array<std::string_view, 5> kOfObj = {"g", "o", "s", "usemtl", "mtllib"};
+  if (format == Format::Obj) return is_one_of(keyword, kOfObj);
+  // Of the keywords of STL, in any case, only solid and endsolid end so.
+  return format == Format::Stl && (keyword.ends_with("lid") || keyword.ends_with("LID"));
+}
+
+/// Counts the comments of a text: what its reader takes for comments.
+std::size_t count_comments(std::string_view text, Format format) {
+  TextScanner in(text, format == Format::Obj ? Continuation::Backslash : Continuation::None);
+  while (in.next_record()) {
+    if (begins_name(in.word(), format)) static_cast<void>(in.rest_of_record());
+    in.skip_record();
   }
-  return n;
+  return in.n_comments();
 }
 
 /// Counts the statements of an OBJ file.
@@ -108,13 +115,12 @@ class ObjCounter {
 
 /// Tells whether the reader takes a number of a vertex: a position, or a normal that is whole.
 bool is_read_of_vertex(const PlyElement& element, const PlyProperty& property) {
-  constexpr std::array<std::string_view, 3> kPosition = {"x", "y", "z"};
-  constexpr std::array<std::string_view, 3> kNormal = {"nx", "ny", "nz"};
-  const auto n_of_normal = std::count_if(
-      element.properties.begin(), element.properties.end(),
-      [&](const PlyProperty& p) { return is_one_of(p.name, kNormal) && !p.list_size_type; });
-  return is_one_of(property.name, kPosition) ||
-         (is_one_of(property.name, kNormal) && n_of_normal == 3);
+  const auto n_read = std::count_if(
+      element.properties.begin(), element.properties.end(), [&](const PlyProperty& p) {
+        return is_one_of(p.name, kPlyVertexNumbers) && !p.list_size_type;
+      });
+  const bool has_normal = n_read == std::ssize(kPlyVertexNumbers);
+  return is_one_of(property.name, kPlyVertexNumbers) && (has_normal || property.name.size() == 1);
 }
 
 Counts count_ply_element(const PlyElement& element) {
@@ -160,14 +166,6 @@ Counts count_ply(std::string_view content) {
   return counts;
 }
 
-std::string_view from_line(std::string_view text, std::size_t line) {
-  std::size_t begin = 0;
-  for (std::size_t l = 1; l < line; ++l) {
-    begin = text.find('\n', begin) + 1;
-  }
-  return text.substr(begin);
-}
-
 Counts count_binary_off(std::string_view content) {
   const BinaryOff off = parse_binary_off(content, "");
   return {{AttributeKind::TextureCoordinates, off.n_texture_points},
@@ -177,98 +175,46 @@ Counts count_binary_off(std::string_view content) {
 
 /// Counts the numbers after the positions and normals of vertices and after the corners of faces.
 Counts count_off_text(const Soup& soup, std::string_view text) {
-  TextScanner head(text);
-  static_cast<void>(head.next_record());
-  const bool has_texture = head.peek().substr(0, 2) == "ST";
+  const OffRecords records = find_off_records(text, soup.n_vertices());
+  const bool has_texture = records.layout.texture;
   const std::size_t n_own = (has_vertex_normals(soup) ? 6U : 3U) + (has_texture ? 2U : 0U);
-  std::size_t n_vertex_colours = 0;
-  std::size_t n_face_colours = 0;
-  std::size_t n_left = soup.n_vertices();
-  TextScanner in(from_line(text, soup.vertex_lines.front()));
-  for (; in.next_record(); in.skip_record()) {
-    if (n_left > 0) {
-      --n_left;
-      n_vertex_colours += count_words(in) > n_own ? 1 : 0;
-    } else {
-      const auto n_corners = static_cast<std::size_t>(in.integer());
-      n_face_colours += count_words(in) > n_corners ? 1 : 0;
-    }
-  }
+  const auto has_vertex_colour = [&](std::size_t begin) {
+    return words_at(text, begin, Continuation::None).size() > n_own;
+  };
+  const auto has_face_colour = [&](std::size_t begin) {
+    const std::vector<std::string_view> words = words_at(text, begin, Continuation::None);
+    return words.size() > 1 + static_cast<std::size_t>(parse_integer(words[0]).value_or(0));
+  };
   return {{AttributeKind::TextureCoordinates, has_texture ? soup.n_vertices() : 0},
-          {AttributeKind::VertexColours, n_vertex_colours},
-          {AttributeKind::FaceColours, n_face_colours}};
+          {AttributeKind::VertexColours, count_if(records.vertices, has_vertex_colour)},
+          {AttributeKind::FaceColours, count_if(records.faces, has_face_colour)}};
 }
 
-Counts count_off(const Soup& soup, std::string_view content) {
-  if (is_binary(content, Format::Off)) {
-    return count_binary_off(content);
+Counts count_stl(const Soup& soup, std::string_view content) {
+  if (!is_binary(content, Format::Stl)) {
+    return {{AttributeKind::Groups, count_if(named_solids(content), [](const Group& solid) {
+               return !solid.name.empty();
+             })}};
   }
-  return soup.vertex_lines.empty() ? Counts{} : count_off_text(soup, content);
-}
-
-Counts count_binary_stl(std::string_view content) {
-  const bool has_header =
-      content.substr(0, kStlHeaderBytes).find_first_not_of(std::string_view(" \0", 2)) !=
-      std::string_view::npos;
-  std::size_t n_words = 0;
-  for (std::size_t at = kStlFacetsOffset + kStlAttributeOffset; at < content.size();
-       at += kStlFacetBytes) {
-    n_words += load<std::uint16_t>(content.data() + at, std::endian::little) != 0 ? 1 : 0;
-  }
-  return {{AttributeKind::AttributeWords, n_words}, {AttributeKind::Headers, has_header ? 1U : 0U}};
-}
-
-/// Counts the solids that have a name.
-Counts count_ascii_stl(std::string_view text) {
-  TextScanner in(text);
-  std::size_t n_names = 0;
-  while (in.next_record()) {
-    const std::string_view word = in.word();
-    if (word.size() == 5 && (word[0] == 's' || word[0] == 'S')) {
-      n_names += in.at_record_end() ? 0 : 1;
-      in.skip_record();
-    }
-  }
-  return {{AttributeKind::Groups, n_names}};
-}
-
-/// Tells whether a statement of INRIA's format has numbers or a name behind it, but no count.
-bool is_single_statement(std::string_view keyword) {
-  constexpr std::array<std::string_view, 4> kStatements = {"AngleOfCornerBound", "BoundingBox",
-                                                           "Geometry", "Identifier"};
-  return is_one_of(keyword, kStatements);
+  const auto is_set = [](std::uint16_t word) { return word != 0; };
+  return {{AttributeKind::AttributeWords,
+           count_if(read_attribute_words(content, soup.n_faces()), is_set)},
+          {AttributeKind::Headers, stl_header(content).empty() ? 0U : 1U}};
 }
 
 /// Counts the references of records in INRIA's format, and the statements and records that do not
 /// concern triangles.
 Counts count_inria(std::string_view text) {
-  constexpr std::array<std::string_view, 5> kRead = {"MeshVersionFormatted", "Dimension",
-                                                     "Vertices", "Triangles", "Quadrilaterals"};
-  TextScanner in(text);
-  Counts counts;
-  std::string section;
-  std::size_t n_numbers = 0;
-  while (in.next_record()) {
-    const std::string_view word = in.word();
-    const bool is_keyword =
-        (word[0] >= 'A' && word[0] <= 'Z') || (word[0] >= 'a' && word[0] <= 'z');
-    if (word == "End") break;
-    if (is_keyword) {
-      section = std::string(word);
-      n_numbers = 0;
-      if (word == "Geometry" || word == "Identifier") in.skip_record();
-      counts.push_back({AttributeKind::OtherRecords, is_single_statement(word) ? 1U : 0U});
-    } else if (++n_numbers == 1 && !is_one_of(section, kRead) && !is_single_statement(section)) {
-      // The first number is the count of a section.
-      counts.push_back(
-          {AttributeKind::OtherRecords,
-           static_cast<std::size_t>(std::max<std::int64_t>(parse_integer(word).value_or(0), 0))});
-    } else if ((section == "Vertices" || section == "Triangles") && n_numbers % 4 == 1 &&
-               n_numbers > 1) {
-      counts.push_back({AttributeKind::References, word == "0" ? 0U : 1U});
-    } else if (section == "Quadrilaterals" && n_numbers % 5 == 1 && n_numbers > 1) {
-      counts.push_back({AttributeKind::References, word == "0" ? 0U : 1U});
-    }
+  const InriaRecords records = find_inria_records(text);
+  const auto has_reference = [](std::string_view record) {
+    return parse_integer(inria_numbers(record).back()) != 0;
+  };
+  Counts counts{{AttributeKind::OtherRecords, records.n_statements}};
+  for (const InriaRecords::Section& section : records.sections) {
+    counts.push_back(
+        section.kind == nullptr
+            ? AttributeCount{AttributeKind::References, count_if(section.records, has_reference)}
+            : AttributeCount{AttributeKind::OtherRecords, section.records.size()});
   }
   return counts;
 }
@@ -280,9 +226,9 @@ Counts count_by_format(const Soup& soup, std::string_view bytes) {
     case Format::Ply:
       return count_ply(bytes);
     case Format::Off:
-      return count_off(soup, bytes);
+      return is_binary(bytes, Format::Off) ? count_binary_off(bytes) : count_off_text(soup, bytes);
     case Format::Stl:
-      return is_binary(bytes, Format::Stl) ? count_binary_stl(bytes) : count_ascii_stl(bytes);
+      return count_stl(soup, bytes);
     case Format::Inria:
       return count_inria(bytes);
     case Format::Mesh:
@@ -298,7 +244,7 @@ std::vector<AttributeCount> count_attributes(const Soup& soup, std::string_view 
   counts.push_back({AttributeKind::Polygons, soup.n_polygons});
   counts.push_back({AttributeKind::Normals, soup.normals.size()});
   if (soup.format != Format::Ply && !is_binary(bytes, soup.format)) {
-    counts.push_back({AttributeKind::Comments, count_comments(bytes)});
+    counts.push_back({AttributeKind::Comments, count_comments(bytes, soup.format)});
   }
   return summed(std::move(counts));
 }

@@ -3,7 +3,6 @@
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/io/text_scanner.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -28,13 +27,12 @@ class InriaRecordFinder {
 
  private:
   void read_section(std::string_view keyword) {
-    if (keyword == "MeshVersionFormatted" || keyword == "Dimension" ||
-        keyword == "AngleOfCornerBound") {
+    if (keyword == "MeshVersionFormatted" || keyword == "Dimension") {
       skip(1);
-    } else if (keyword == "BoundingBox") {
-      skip(6);
-    } else if (keyword == "Geometry" || keyword == "Identifier") {
-      in_.skip_record();
+    } else if (const InriaStatement* statement = find_inria_statement(keyword)) {
+      ++records_.n_statements;
+      skip(statement->n_numbers);
+      if (statement->n_numbers == 0) in_.skip_record();
     } else {
       read_records(keyword);
     }
@@ -49,10 +47,7 @@ class InriaRecordFinder {
   void read_records(std::string_view keyword) {
     InriaRecords::Section& section = records_.sections.emplace_back();
     section.keyword = keyword;
-    const auto* const kind =
-        std::find_if(kInriaSections.begin(), kInriaSections.end(),
-                     [&](const InriaSection& known) { return known.keyword == keyword; });
-    section.kind = kind == kInriaSections.end() ? nullptr : kind;
+    section.kind = find_inria_section(keyword);
     static_cast<void>(in_.next_record());
     section.count = in_.word();
     const std::size_t n_own = keyword == "Quadrilaterals" ? 5 : 4;

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/io/inria_sections.h"
 
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct InriaRecords {
     std::vector<std::string_view> records;
   };
   std::vector<Section> sections;
+  /// The number of statements that have no records: see kInriaStatements.
+  std::size_t n_statements = 0;
 };
 
 /// Finds the records of a text that parse_inria() reads.

@@ -82,5 +82,23 @@ TEST(CountAttributes, InriaCountsStatementsWithoutACountOnce) {
             "3 other records");
 }
 
+// A comment may begin where a number ends, but not within a name.
+TEST(CountAttributes, CommentsAreThoseOfTheReader) {
+  EXPECT_EQ(counted("v 0 0 0#c\nv 1 0 0 # c # c\nv 0 1 0\ng a#b\nf 1 2 3\n", "a.obj"),
+            "1 group, 2 comments");
+  EXPECT_EQ(counted("Vertex 1 0 0 0#c\n#c\n", "a.mesh"), "2 comments");
+}
+
+// The name behind endsolid is no solid, whatever its words are.
+TEST(CountAttributes, AsciiStlCountsSolidsThatHaveAName) {
+  const std::string facet =
+      "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+      "endfacet\n";
+  EXPECT_EQ(counted("solid small part\n" + facet + "endsolid small part\n", "a.stl"), "1 group");
+  EXPECT_EQ(
+      counted("solid\n" + facet + "endsolid\nSolid b#c\n" + facet + "EndSolid b#c\n", "a.stl"),
+      "1 group");
+}
+
 }  // namespace
 }  // namespace meshalyzer
