@@ -11,8 +11,8 @@ void write_reason_of_no_report(const Options& options, Streams streams, const st
   if (!options.json) return;
   JsonWriter json;
   json.begin_object();
-  json.member("schema", std::string_view("meshfixer-error/1"));
-  json.member("version", std::string_view(MESHALYZER_VERSION));
+  json.member("schema", "meshfixer-error/1");
+  json.member("version", MESHALYZER_VERSION);
   write_bytes(json, "error", reason);
   json.end_object();
   if (options.json->is_stdout()) {

@@ -15,19 +15,16 @@
 
 namespace meshalyzer {
 
-/// The answer yes or no, or the reason why there is none.
-struct Answer {
-  std::optional<bool> value;
-  /// The reason why there is no answer, in words that follow "undefined: "; empty if there is one.
-  std::string reason;
-};
-
-/// A number, or the reason why there is none.
+/// A value, or the reason why there is none.
 template <typename T>
 struct Measure {
   std::optional<T> value;
+  /// The reason why there is no value, in words that follow "undefined: ".
   std::string reason;
 };
+
+/// The answer yes or no, or the reason why there is none.
+using Answer = Measure<bool>;
 
 /// The integrity of a file's records ("Integrity" in doc/definitions.md).
 struct Integrity {

@@ -3,21 +3,13 @@
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/report/json/bytes.h"
+#include "meshalyzer/report/json/point.h"
 #include "meshalyzer/report/json/tree.h"
 
 #include <cstddef>
 
 namespace meshalyzer {
 namespace {
-
-std::optional<Vec3> read_position(const JsonNode& node) {
-  if (node.is_null()) return std::nullopt;
-  JsonElements coordinates = node.elements();
-  Vec3 position;
-  for (double& coordinate : position) coordinate = coordinates.next().real();
-  coordinates.expect_end();
-  return position;
-}
 
 std::size_t n_counted(const JsonNode& mesh) {
   std::size_t n = 0;
@@ -33,8 +25,9 @@ void read_findings(const JsonNode& mesh, std::vector<KnownFinding>& known) {
   const std::size_t n_before = known.size();
   for (JsonElements findings = mesh.member("findings").elements(); !findings.at_end();) {
     const JsonNode finding = findings.next();
+    const JsonNode position = finding.member("position");
     known.push_back({path, std::string(finding.member("code").text()),
-                     read_position(finding.member("position"))});
+                     position.is_null() ? std::nullopt : std::optional(read_point(position))});
   }
   if (known.size() - n_before != n_counted(mesh)) {
     mesh.refuse("not all findings are listed");

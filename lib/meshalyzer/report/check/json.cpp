@@ -14,31 +14,20 @@ namespace {
 
 constexpr std::string_view kCheckSchema = "meshalyzer-check/1";
 
-void write_ids(JsonWriter& json, std::string_view name, const std::vector<std::int64_t>& ids) {
-  json.key(name);
-  json.begin_array(JsonLayout::Row);
-  for (const std::int64_t id : ids) json.value(id);
-  json.end_array();
-}
-
 void write_finding(JsonWriter& json, const Finding& finding) {
   json.begin_object(JsonLayout::Row);
   json.member("code", finding.code);
   json.member("severity", severity_name(finding.severity));
-  json.member("message", std::string_view(finding.message));
+  json.member("message", finding.message);
   json.key("fix");
   finding.fix.empty() ? json.null() : json.value(finding.fix);
   json.member("line", finding.line);
-  write_ids(json, "vertices", finding.vertices);
-  write_ids(json, "faces", finding.faces);
+  json.key("vertices");
+  json.array(finding.vertices);
+  json.key("faces");
+  json.array(finding.faces);
   json.key("position");
-  if (finding.position) {
-    json.begin_array(JsonLayout::Row);
-    for (const double coordinate : *finding.position) json.value(coordinate);
-    json.end_array();
-  } else {
-    json.null();
-  }
+  finding.position ? json.array(*finding.position) : json.null();
   json.member("value", finding.value);
   json.member("at_least", finding.is_at_least);
   json.member("limit", finding.limit);
@@ -63,7 +52,7 @@ void write_error(JsonWriter& json, const FileFindings& file) {
   }
   const FilePlace place = file.error_place;
   json.begin_object(JsonLayout::Row);
-  json.member("message", std::string_view(file.error));
+  json.member("message", file.error);
   json.member("line", place.line == 0 ? std::nullopt : std::optional(place.line));
   json.member("byte", place.byte == FilePlace::kNoByte ? std::nullopt : std::optional(place.byte));
   json.end_object();
@@ -102,7 +91,7 @@ void write_totals(JsonWriter& json, const CheckTotals& totals) {
 
 void write_head(JsonWriter& json) {
   json.member("schema", kCheckSchema);
-  json.member("version", std::string_view(MESHALYZER_VERSION));
+  json.member("version", MESHALYZER_VERSION);
 }
 
 /// Returns the keywords of a list whose items are a definition.
@@ -119,17 +108,15 @@ std::string severity_type() {
 }
 
 void define_finding(SchemaDefinitions& schema) {
-  const std::string text(schema_type::kText);
   const std::string ids = R"("type": "array", "items": {"type": "integer"}, "maxItems": )" +
                           std::to_string(Finding::kMaxElements);
-  const std::string real(schema_type::kReal);
   schema.define(
       "finding",
       {.description = "a fault of a mesh",
        .members = {
            {"code", "", code_type()},
            {"severity", "", severity_type()},
-           {"message", "one sentence without full stop", text},
+           {"message", "one sentence without full stop", schema_type::kText},
            {"fix", "how meshfixer mends it; null where it does not",
             R"("type": ["string", "null"])"},
            {"line", "of the record that the message names first; null where there are no lines",
@@ -137,45 +124,44 @@ void define_finding(SchemaDefinitions& schema) {
            {"vertices", "ids of the file, the first few", ids},
            {"faces", "ids of the file, the first few", ids},
            {"position", "", R"("type": ["array", "null"], "items": {"type": "number"})"},
-           {"value", "the measured value", real},
+           {"value", "the measured value", schema_type::kReal},
            {"at_least", "whether the value may be larger, since the search ended early",
-            std::string(schema_type::kTruth)},
-           {"limit", "the limit that the value passes", real}}});
+            schema_type::kTruth},
+           {"limit", "the limit that the value passes", schema_type::kReal}}});
 }
 
 void define_count(SchemaDefinitions& schema) {
-  const std::string count(schema_type::kCount);
-  schema.define("count", {.description = "how often something was found",
-                          .members = {{"code", "", code_type()},
-                                      {"severity", "", severity_type()},
-                                      {"count", "whether listed or not", count},
-                                      {"at_least",
-                                       "whether there may be more, since the search ended "
-                                       "early",
-                                       std::string(schema_type::kTruth)},
-                                      {"fixable", "those that meshfixer mends", count}}});
+  schema.define("count",
+                {.description = "how often something was found",
+                 .members = {{"code", "", code_type()},
+                             {"severity", "", severity_type()},
+                             {"count", "whether listed or not", schema_type::kCount},
+                             {"at_least",
+                              "whether there may be more, since the search ended "
+                              "early",
+                              schema_type::kTruth},
+                             {"fixable", "those that meshfixer mends", schema_type::kCount}}});
 }
 
 void define_error(SchemaDefinitions& schema) {
   schema.define("error", {.description = "why a file cannot be read; null where it can",
-                          .members = {{"message", "", std::string(schema_type::kText)},
-                                      {"line", "from 1", std::string(schema_type::kCountOrNull)},
-                                      {"byte", "from 0", std::string(schema_type::kCountOrNull)}},
+                          .members = {{"message", "", schema_type::kText},
+                                      {"line", "from 1", schema_type::kCountOrNull},
+                                      {"byte", "from 0", schema_type::kCountOrNull}},
                           .null = SchemaObject::Null::Sometimes});
 }
 
 void define_file(SchemaDefinitions& schema) {
-  const std::string count(schema_type::kCount);
   SchemaObject file{.description = "", .members = path_members()};
   for (SchemaMember& member : format_members()) {
     member.presence = SchemaMember::Presence::Sometimes;  // an unreadable file has no format
     file.members.push_back(std::move(member));
   }
   const std::vector<SchemaMember> parts{
-      {"good", "without a finding", std::string(schema_type::kTruth)},
+      {"good", "without a finding", schema_type::kTruth},
       {"error", "", schema_reference("error")},
-      {"vertices", "", count},
-      {"faces", "", count},
+      {"vertices", "", schema_type::kCount},
+      {"faces", "", schema_type::kCount},
       {"counts", "one for each code that was found", list_of("count")},
       {"findings", "errors before warnings, the first ones of each code", list_of("finding")}};
   file.members.insert(file.members.end(), parts.begin(), parts.end());
@@ -186,10 +172,9 @@ void define_totals(SchemaDefinitions& schema) {
   SchemaObject totals{.description = "of all files"};
   for (const std::string_view key :
        {"meshes", "good", "not_good", "unreadable", "errors", "warnings", "fixable"}) {
-    totals.members.push_back({std::string(key), "", std::string(schema_type::kCount)});
+    totals.members.push_back({std::string(key), "", schema_type::kCount});
   }
-  totals.members.push_back(
-      {"at_least", "whether there may be more errors", std::string(schema_type::kTruth)});
+  totals.members.push_back({"at_least", "whether there may be more errors", schema_type::kTruth});
   schema.define("totals", totals);
 }
 
@@ -197,8 +182,7 @@ SchemaObject check_object() {
   return {.description =
               "A report of meshalyzer check. A program may rely on these keys; more may "
               "be added. See doc/check.md.",
-          .members = {{"schema", "", R"("const": ")" + std::string(kCheckSchema) + '"'},
-                      {"version", "", std::string(schema_type::kText)},
+          .members = {{"version", "", schema_type::kText},
                       {"meshes", "in the order of the command line, those of a folder by name",
                        list_of("mesh")},
                       {"totals", "", schema_reference("totals")}}};
@@ -276,22 +260,13 @@ std::unique_ptr<CheckReport> make_check_ndjson(TextSink sink) {
 }
 
 std::string check_json_schema() {
-  JsonWriter json;
-  json.begin_object();
-  json.member("$schema", std::string_view("https://json-schema.org/draft/2020-12/schema"));
-  json.member("title", kCheckSchema);
-  write_schema(json, check_object());
-  json.key("$defs");
-  json.begin_object();
-  SchemaDefinitions definitions(json);
-  define_file(definitions);
-  define_error(definitions);
-  define_count(definitions);
-  define_finding(definitions);
-  define_totals(definitions);
-  json.end_object();
-  json.end_object();
-  return json.take();
+  return schema_document(kCheckSchema, check_object(), [](SchemaDefinitions& definitions) {
+    define_file(definitions);
+    define_error(definitions);
+    define_count(definitions);
+    define_finding(definitions);
+    define_totals(definitions);
+  });
 }
 
 }  // namespace meshalyzer

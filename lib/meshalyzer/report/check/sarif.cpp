@@ -21,7 +21,7 @@ void write_text(JsonWriter& json, std::string_view name, std::string_view text) 
   for (const char c : text) escaped.append(c == '{' || c == '}' ? 2 : 1, c);
   json.key(name);
   json.begin_object(JsonLayout::Row);
-  json.member("text", std::string_view(escaped));
+  json.member("text", escaped);
   json.end_object();
 }
 
@@ -100,8 +100,8 @@ class CheckSarif : public CheckReport {
 
 CheckSarif::CheckSarif(TextSink sink) : sink_(std::move(sink)) {
   json_.begin_object();
-  json_.member("$schema", std::string_view("https://json.schemastore.org/sarif-2.1.0.json"));
-  json_.member("version", std::string_view("2.1.0"));
+  json_.member("$schema", "https://json.schemastore.org/sarif-2.1.0.json");
+  json_.member("version", "2.1.0");
   json_.key("runs");
   json_.begin_array();
   json_.begin_object();
@@ -109,8 +109,8 @@ CheckSarif::CheckSarif(TextSink sink) : sink_(std::move(sink)) {
   json_.begin_object();
   json_.key("driver");
   json_.begin_object();
-  json_.member("name", std::string_view("meshalyzer"));
-  json_.member("version", std::string_view(MESHALYZER_VERSION));
+  json_.member("name", "meshalyzer");
+  json_.member("version", MESHALYZER_VERSION);
   write_rules(json_);
   json_.end_object();
   json_.end_object();
@@ -155,7 +155,7 @@ void CheckSarif::write_artifacts() {
     json_.begin_object(JsonLayout::Row);
     json_.key("location");
     json_.begin_object();
-    json_.member("uri", std::string_view(address));
+    json_.member("uri", address);
     json_.end_object();
     json_.end_object();
   }
@@ -167,7 +167,7 @@ void CheckSarif::write_notes() {
   json_.begin_array();
   for (const Note& note : notes_) {
     json_.begin_object();
-    json_.member("level", std::string_view("note"));
+    json_.member("level", "note");
     write_text(json_, "message", note.text);
     write_place(json_, note.address);
     json_.end_object();

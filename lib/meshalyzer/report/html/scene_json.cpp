@@ -59,7 +59,7 @@ class ScriptJson {
 void write_bytes_of(JsonWriter& json, std::string_view name, std::string_view bytes) {
   std::string text;
   append_base64(text, bytes);
-  json.member(name, std::string_view(text));
+  json.member(name, text);
 }
 
 template <typename Number>
@@ -122,17 +122,9 @@ void write_codes(JsonWriter& json) {
     json.begin_object(JsonLayout::Row);
     json.member("code", defect_name(code));
     json.member("severity", severity_name(catalogue_entry(code).severity));
-    json.member("colour", std::string_view(colour_text(code)));
+    json.member("colour", colour_text(code));
     json.end_object();
   }
-  json.end_array();
-}
-
-template <typename Point>
-void write_point(JsonWriter& json, std::string_view name, const Point& point) {
-  json.key(name);
-  json.begin_array(JsonLayout::Row);
-  for (const auto coordinate : point) json.value(static_cast<double>(coordinate));
   json.end_array();
 }
 
@@ -173,12 +165,13 @@ void write_field(ScriptJson& json, const DrawnField& field, bool has_context) {
   writer.begin_object();
   writer.member("name", field_name(field.name));
   writer.member("label", field_label(field.name));
-  writer.member("place",
-                std::string_view(field.place == FieldPlace::Vertices ? "vertices" : "faces"));
+  writer.member("place", field.place == FieldPlace::Vertices ? "vertices" : "faces");
   writer.member("kind", kind_name(field.kind));
   writer.member("palette", palette_name(field.scale.palette));
-  write_point(writer, "scale", std::array{field.scale.min, field.scale.max});
-  write_point(writer, "range", std::array{field.min, field.max});
+  writer.key("scale");
+  writer.array(std::array{field.scale.min, field.scale.max});
+  writer.key("range");
+  writer.array(std::array{field.min, field.max});
   write_values(json, "detail", field.detail);
   if (has_context) {
     write_values(json, "context", field.context);
@@ -208,8 +201,9 @@ void write_highlight(ScriptJson& json, const Highlight& highlight, std::string_v
   write_numbers(json, "faces", highlight.faces);
   write_numbers(json, "segments", highlight.segments);
   write_numbers(json, "points", highlight.points);
-  write_point(writer, "focus", highlight.focus);
-  writer.member("radius", static_cast<double>(highlight.radius));
+  writer.key("focus");
+  writer.array(highlight.focus);
+  writer.member("radius", highlight.radius);
   writer.member("cut", highlight.is_cut);
   writer.end_object();
 }
@@ -230,23 +224,18 @@ void write_highlights(ScriptJson& json, const PageMesh& mesh) {
   json.writer().end_array();
 }
 
-void write_strings(JsonWriter& json, std::string_view name, const std::vector<std::string>& texts) {
-  json.key(name);
-  json.begin_array();
-  for (const std::string& text : texts) json.value(std::string_view(text));
-  json.end_array();
-}
-
 void write_scene(ScriptJson& json, const TitledMesh& titled) {
   JsonWriter& writer = json.writer();
   const Scene& scene = titled.mesh.scene;
   const bool has_context = scene.context.n_faces() != 0;
   writer.begin_object();
   writer.member("title", titled.title);
-  write_point(writer, "centre", std::array{scene.centre.x(), scene.centre.y(), scene.centre.z()});
+  writer.key("centre");
+  writer.array(scene.centre);
   writer.member("radius", scene.radius);
   writer.member("scale", scene.scale);
-  write_strings(writer, "notes", scene.notes);
+  writer.key("notes");
+  writer.array(scene.notes, JsonLayout::Lines);
   writer.member("faces", scene.n_faces);
   writer.member("decimated", scene.n_decimated);
   write_surface(json, "detail", scene.detail, titled.mesh.name);

@@ -22,7 +22,7 @@ void write_head(JsonWriter& json, const LineHead& head, LineHead::Kind kind) {
   json.member("modified", head.stamp.modified_ns);
   json.key("asked");
   write_request(json, head.request);
-  json.member("set", std::string_view(head.set));
+  json.member("set", head.set);
 }
 
 /// Returns the meshes that the rows name, each once, ascending.
@@ -53,7 +53,7 @@ void write_numbers(JsonWriter& json, const ObjectFindings& findings,
   json.begin_array();
   for (const Index mesh : meshes_in(findings)) {
     json.begin_array();
-    json.value(std::string_view(json_name(names[mesh])));
+    json.value(json_name(names[mesh]));
     json.value(mesh);
     json.end_array();
   }
@@ -100,7 +100,7 @@ std::string between_line(const LineHead& head, const ObjectFindings& findings,
   json.begin_object(JsonLayout::Row);
   write_head(json, head, LineHead::Kind::Between);
   write_bytes(json, "path", head.path);
-  json.member("name", std::string_view(json_name(names[findings.owner])));
+  json.member("name", json_name(names[findings.owner]));
   write_numbers(json, findings, names);
   FindingsWriter rows(json, names, [] {});
   write_member(json, "intersecting_pairs", findings.intersections,

@@ -28,7 +28,7 @@ void write_scalar(JsonWriter& json, bool truth) {
 }
 /// Writes a number as a value; JSON has no infinite numbers.
 void write_scalar(JsonWriter& json, double real) {
-  std::isfinite(real) ? json.value(real) : json.value(std::string_view(shortest(real)));
+  std::isfinite(real) ? json.value(real) : json.value(shortest(real));
 }
 void write_scalar(JsonWriter& json, std::size_t count) {
   json.value(count);
@@ -154,7 +154,7 @@ void require_version(const HeadMembers& members, const std::string& object) {
 
 void write_request(JsonWriter& json, const Request& request) {
   json.begin_object(JsonLayout::Row);
-  json.member("version", std::string_view(MESHALYZER_VERSION));
+  json.member("version", MESHALYZER_VERSION);
   write_request_members(json, request);
   json.end_object();
 }

@@ -33,20 +33,13 @@ void write_output(JsonWriter& json, const BooleanOutput& output) {
   json.end_object();
 }
 
-void write_notes(JsonWriter& json, const BooleanReport& report) {
-  json.key("notes");
-  json.begin_array();
-  for (const std::string& note : report.notes) json.value(note);
-  json.end_array();
-}
-
 }  // namespace
 
 std::string json_report(const BooleanReport& report) {
   JsonWriter json;
   json.begin_object();
-  json.member("schema", std::string_view("meshfixer-boolean/1"));
-  json.member("version", std::string_view(MESHALYZER_VERSION));
+  json.member("schema", "meshfixer-boolean/1");
+  json.member("version", MESHALYZER_VERSION);
   json.member("operation", operation_name(report.operation));
   json.member("intersecting_pairs", report.n_pairs);
   json.key("operands");
@@ -57,7 +50,8 @@ std::string json_report(const BooleanReport& report) {
   json.begin_array();
   for (const BooleanOutput& output : report.outputs) write_output(json, output);
   json.end_array();
-  write_notes(json, report);
+  json.key("notes");
+  json.array(report.notes, JsonLayout::Lines);
   write_lost(json, report.lost);
   json.end_object();
   return json.take();

@@ -9,7 +9,7 @@ namespace meshalyzer {
 void write_bytes(JsonWriter& json, std::string_view name, std::string_view bytes) {
   json.member(name, bytes);
   if (!is_utf8(bytes)) {
-    json.member(std::string(name) + "_bytes", std::string_view(latin1_to_utf8(bytes)));
+    json.member(std::string(name) + "_bytes", latin1_to_utf8(bytes));
   }
 }
 
@@ -26,11 +26,10 @@ std::string read_bytes(const JsonNode& object, std::string_view name) {
 }
 
 std::vector<SchemaMember> path_members() {
-  return {{"path", "as the user named it; bytes that are not UTF-8 are U+FFFD",
-           std::string(schema_type::kText)},
+  return {{"path", "as the user named it; bytes that are not UTF-8 are U+FFFD", schema_type::kText},
           {"path_bytes",
            "only where the path is not UTF-8: its bytes, each as the character of its number",
-           std::string(schema_type::kText), SchemaMember::Presence::Sometimes}};
+           schema_type::kText, SchemaMember::Presence::Sometimes}};
 }
 
 }  // namespace meshalyzer

@@ -73,8 +73,7 @@ std::optional<CurvatureStatistics> read_curvature(const JsonNode& object) {
 void define_curvature(SchemaDefinitions& schema) {
   std::vector<SchemaMember> states;
   for (const FieldInfo& state : kStates) {
-    states.push_back(
-        {std::string(state.key), std::string(state.definition), std::string(schema_type::kCount)});
+    states.push_back({std::string(state.key), std::string(state.definition), schema_type::kCount});
   }
   schema.define("curvature_vertices",
                 {.description = "how many vertices have a curvature, or none and why",
@@ -84,7 +83,7 @@ void define_curvature(SchemaDefinitions& schema) {
                 {.description = "what the statistics of the curvatures are of",
                  .members = {{"area", "what the curvatures are spread over", area_type()},
                              {"total_angle_defect", "radians: 2 pi (V - E + F), to rounding",
-                              std::string(schema_type::kReal)},
+                              schema_type::kReal},
                              {"vertices", "", schema_reference("curvature_vertices")},
                              non_finite_member()},
                  .others = SchemaObject::Others::Forbidden});

@@ -3,18 +3,10 @@
 #include "meshalyzer/report/json/record_ids.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <limits>
 
 namespace meshalyzer {
-namespace {
-
-constexpr std::array kContacts{ContactKind::Duplicate, ContactKind::Unwelded,
-                               ContactKind::FoldOver,  ContactKind::CoplanarOverlap,
-                               ContactKind::Crossing,  ContactKind::Touching};
-
-}  // namespace
 
 Index read_id(const JsonNode& node) {
   const std::int64_t id = node.integer();
@@ -26,10 +18,10 @@ Index read_id(const JsonNode& node) {
 }
 
 ContactKind read_contact(const JsonNode& node) {
-  const auto* const found = std::find_if(kContacts.begin(), kContacts.end(), [&](ContactKind kind) {
-    return contact_name(kind) == node.text();
-  });
-  if (found == kContacts.end()) {
+  const auto* const found =
+      std::find_if(kContactKinds.begin(), kContactKinds.end(),
+                   [&](ContactKind kind) { return contact_name(kind) == node.text(); });
+  if (found == kContactKinds.end()) {
     node.refuse("no kind of contact");
   }
   return *found;
@@ -38,11 +30,7 @@ ContactKind read_contact(const JsonNode& node) {
 void write_numbering(JsonWriter& json, const NumberingBreak& place) {
   json.begin_object(JsonLayout::Row);
   json.key("ids");
-  json.begin_array(JsonLayout::Row);
-  for (const std::int64_t id : place.ids) {
-    json.value(id);
-  }
-  json.end_array();
+  json.array(place.ids);
   json.member("offender", place.offender);
   json.end_object();
 }
@@ -59,14 +47,15 @@ NumberingBreak read_numbering(const JsonNode& object) {
 void define_elements(SchemaDefinitions& schema) {
   schema.define("ids", "", R"("type": "array", "items": {"type": "integer"})");
   std::vector<std::string_view> names;
-  std::transform(kContacts.begin(), kContacts.end(), std::back_inserter(names), contact_name);
+  std::transform(kContactKinds.begin(), kContactKinds.end(), std::back_inserter(names),
+                 contact_name);
   schema.define("contact", "how two faces meet", schema_enum(names));
-  schema.define("numbering",
-                {.description = "up to five ids in file order, and which of them is the first that "
-                                "does not count on",
-                 .members = {{"ids", "", schema_reference("ids")},
-                             {"offender", "", std::string(schema_type::kCount)}},
-                 .null = SchemaObject::Null::Sometimes});
+  schema.define(
+      "numbering",
+      {.description = "up to five ids in file order, and which of them is the first that "
+                      "does not count on",
+       .members = {{"ids", "", schema_reference("ids")}, {"offender", "", schema_type::kCount}},
+       .null = SchemaObject::Null::Sometimes});
 }
 
 }  // namespace meshalyzer

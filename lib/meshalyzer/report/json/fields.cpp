@@ -3,16 +3,6 @@
 #include "meshalyzer/report/json/point.h"
 
 namespace meshalyzer {
-namespace {
-
-/// Reads a member that may be null.
-template <typename Read>
-auto optional_value(const JsonNode& object, std::string_view key, const Read& read) {
-  const JsonNode node = object.member(key);
-  return node.is_null() ? std::nullopt : std::optional(read(node));
-}
-
-}  // namespace
 
 void write_value(JsonWriter& json, const Box3& box) {
   if (box.isEmpty()) {
@@ -41,20 +31,12 @@ void read_value(const JsonNode& object, std::string_view key, std::size_t& value
   value = object.member(key).count();
 }
 
+void read_value(const JsonNode& object, std::string_view key, std::int64_t& value) {
+  value = object.member(key).integer();
+}
+
 void read_value(const JsonNode& object, std::string_view key, double& value) {
   value = read_real(object, key);
-}
-
-void read_value(const JsonNode& object, std::string_view key, std::optional<bool>& value) {
-  value = optional_value(object, key, [](const JsonNode& node) { return node.truth(); });
-}
-
-void read_value(const JsonNode& object, std::string_view key, std::optional<std::size_t>& value) {
-  value = optional_value(object, key, [](const JsonNode& node) { return node.count(); });
-}
-
-void read_value(const JsonNode& object, std::string_view key, std::optional<std::int64_t>& value) {
-  value = optional_value(object, key, [](const JsonNode& node) { return node.integer(); });
 }
 
 void read_value(const JsonNode& object, std::string_view key, std::optional<double>& value) {
@@ -62,35 +44,23 @@ void read_value(const JsonNode& object, std::string_view key, std::optional<doub
 }
 
 std::string type_of(const bool& /*value*/, Known known) {
-  return std::string(known == Known::Always ? schema_type::kTruth : schema_type::kTruthOrNull);
+  return known == Known::Always ? schema_type::kTruth : schema_type::kTruthOrNull;
 }
 
 std::string type_of(const std::size_t& /*value*/, Known known) {
-  return std::string(known == Known::Always ? schema_type::kCount : schema_type::kCountOrNull);
+  return known == Known::Always ? schema_type::kCount : schema_type::kCountOrNull;
+}
+
+std::string type_of(const std::int64_t& /*value*/, Known known) {
+  return known == Known::Always ? schema_type::kInteger : schema_type::kIntegerOrNull;
 }
 
 std::string type_of(const double& /*value*/, Known /*known*/) {
-  return std::string(schema_type::kReal);
+  return schema_type::kReal;
 }
 
 std::string type_of(const Box3& /*value*/, Known /*known*/) {
   return schema_reference("box");
-}
-
-std::string type_of(const std::optional<bool>& /*value*/, Known /*known*/) {
-  return std::string(schema_type::kTruthOrNull);
-}
-
-std::string type_of(const std::optional<std::size_t>& /*value*/, Known /*known*/) {
-  return std::string(schema_type::kCountOrNull);
-}
-
-std::string type_of(const std::optional<std::int64_t>& /*value*/, Known /*known*/) {
-  return std::string(schema_type::kIntegerOrNull);
-}
-
-std::string type_of(const std::optional<double>& /*value*/, Known /*known*/) {
-  return std::string(schema_type::kReal);
 }
 
 std::string description_of(const FieldInfo& info, Known known) {

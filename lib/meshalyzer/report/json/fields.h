@@ -22,9 +22,6 @@ template <typename T>
 void write_value(JsonWriter& json, const T& value) {
   json.value(value);
 }
-inline void write_value(JsonWriter& json, const Answer& answer) {
-  json.value(answer.value);
-}
 template <typename T>
 void write_value(JsonWriter& json, const Measure<T>& measure) {
   json.value(measure.value);
@@ -34,14 +31,16 @@ void write_value(JsonWriter& json, const Box3& box);
 /// Reads the value that write_value() wrote as a member, but not the reason why there is none.
 void read_value(const JsonNode& object, std::string_view key, bool& value);
 void read_value(const JsonNode& object, std::string_view key, std::size_t& value);
+void read_value(const JsonNode& object, std::string_view key, std::int64_t& value);
 void read_value(const JsonNode& object, std::string_view key, double& value);
 void read_value(const JsonNode& object, std::string_view key, Box3& value);
-void read_value(const JsonNode& object, std::string_view key, std::optional<bool>& value);
-void read_value(const JsonNode& object, std::string_view key, std::optional<std::size_t>& value);
-void read_value(const JsonNode& object, std::string_view key, std::optional<std::int64_t>& value);
 void read_value(const JsonNode& object, std::string_view key, std::optional<double>& value);
-inline void read_value(const JsonNode& object, std::string_view key, Answer& answer) {
-  read_value(object, key, answer.value);
+template <typename T>
+void read_value(const JsonNode& object, std::string_view key, std::optional<T>& value) {
+  value.reset();
+  if (!object.member(key).is_null()) {
+    read_value(object, key, value.emplace());
+  }
 }
 template <typename T>
 void read_value(const JsonNode& object, std::string_view key, Measure<T>& measure) {
@@ -51,14 +50,13 @@ void read_value(const JsonNode& object, std::string_view key, Measure<T>& measur
 /// Returns the type of the values of a field in the schema, see schema_type.
 std::string type_of(const bool& value, Known known);
 std::string type_of(const std::size_t& value, Known known);
+std::string type_of(const std::int64_t& value, Known known);
 std::string type_of(const double& value, Known known);
 std::string type_of(const Box3& value, Known known);
-std::string type_of(const std::optional<bool>& value, Known known);
-std::string type_of(const std::optional<std::size_t>& value, Known known);
-std::string type_of(const std::optional<std::int64_t>& value, Known known);
-std::string type_of(const std::optional<double>& value, Known known);
-inline std::string type_of(const Answer& answer, Known known) {
-  return type_of(answer.value, known);
+/// A field that may have no value is null like one that is not always known.
+template <typename T>
+std::string type_of(const std::optional<T>& /*value*/, Known /*known*/) {
+  return type_of(T(), Known::Measured);
 }
 template <typename T>
 std::string type_of(const Measure<T>& measure, Known known) {

@@ -92,7 +92,7 @@ void FindingsWriter::closest_row(const ObjectSeparation& separation, std::size_t
 }
 
 void FindingsWriter::name(Index mesh) {
-  json_.value(std::string_view(json_name(names_[mesh])));
+  json_.value(json_name(names_[mesh]));
 }
 
 void FindingsWriter::end_row() {
@@ -123,10 +123,10 @@ void define_findings(SchemaDefinitions& schema) {
                 R"({"type": ["array", "null"], "items": {"type": ["number", "null"]}, )"
                 R"("minItems": 3, "maxItems": 3}, {"$ref": "#/$defs/closest_reals"}])");
   schema.define("closest_reals", {.description = "the reals of a row that are not all finite",
-                                  .members = {{"distance", "", std::string(schema_type::kReal)},
-                                              {"x", "", std::string(schema_type::kReal)},
-                                              {"y", "", std::string(schema_type::kReal)},
-                                              {"z", "", std::string(schema_type::kReal)},
+                                  .members = {{"distance", "", schema_type::kReal},
+                                              {"x", "", schema_type::kReal},
+                                              {"y", "", schema_type::kReal},
+                                              {"z", "", schema_type::kReal},
                                               {"non_finite", "", schema_reference("non_finite")}}});
 }
 

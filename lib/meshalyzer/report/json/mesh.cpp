@@ -58,9 +58,8 @@ void read_components(const JsonNode& list, Analysis& analysis) {
 
 /// Defines "component".
 void define_component(SchemaDefinitions& schema) {
-  SchemaObject object{
-      .description = "statistics are given if the mesh has 2 to 1000 components",
-      .members = {{"first_face", "id of its lowest face", std::string(schema_type::kInteger)}}};
+  SchemaObject object{.description = "statistics are given if the mesh has 2 to 1000 components",
+                      .members = {{"first_face", "id of its lowest face", schema_type::kInteger}}};
   append_members(object.members, ComponentAnalysis(), kComponentFields);
   object.members.push_back(non_finite_member());
   append_measures(object.members, "summary", SchemaMember::Presence::Sometimes);
@@ -143,7 +142,7 @@ void for_each_reason(Struct& of, const Rows& rows, const Visit& visit) {
 void write_undefined(JsonWriter& json, const Analysis& analysis) {
   const auto write_reason = [&](std::string_view key, const auto& measure) {
     if (!measure.value && !measure.reason.empty()) {
-      json.member(key, std::string_view(measure.reason));
+      json.member(key, measure.reason);
     }
   };
   json.begin_object();
@@ -194,7 +193,7 @@ void define_characteristics(SchemaDefinitions& schema) {
       {std::string(kAtLeastKey),
        "only where the search for intersecting pairs ended at its time limit: there are at least "
        "so many pairs and faces, in the mesh and in each of its components",
-       std::string(schema_type::kTruth), SchemaMember::Presence::Sometimes});
+       schema_type::kTruth, SchemaMember::Presence::Sometimes});
   append_measures(object.members, "statistics", SchemaMember::Presence::Always);
   append_curvature_members(object.members);
   object.members.push_back(non_finite_member());
@@ -223,14 +222,13 @@ std::optional<Goodness> read_fitness(const JsonNode& mesh, const Analysis& analy
 
 /// Returns the members from "path" to "polygons".
 std::vector<SchemaMember> file_members() {
-  const std::string count(schema_type::kCount);
   std::vector<SchemaMember> members = path_members();
   const std::vector<SchemaMember> format = format_members();
   members.insert(members.end(), format.begin(), format.end());
-  members.push_back(
-      {"merged_points", "STL: corners whose point occurred before, bit by bit", count});
-  members.push_back(
-      {"polygons", "faces of more than three corners, each fanned into triangles", count});
+  members.push_back({"merged_points", "STL: corners whose point occurred before, bit by bit",
+                     schema_type::kCount});
+  members.push_back({"polygons", "faces of more than three corners, each fanned into triangles",
+                     schema_type::kCount});
   return members;
 }
 
@@ -291,8 +289,8 @@ void define_mesh(SchemaDefinitions& schema) {
   define_characteristics(schema);
   define_component(schema);
   schema.define("fitness", {.description = "",
-                            .members = {{"good", "", std::string(schema_type::kTruth)},
-                                        {"reasons", "", std::string(schema_type::kTexts)}}});
+                            .members = {{"good", "", schema_type::kTruth},
+                                        {"reasons", "", schema_type::kTexts}}});
   constexpr auto kSometimes = SchemaMember::Presence::Sometimes;
   SchemaObject mesh{.description = "", .members = file_members()};
   const std::vector<SchemaMember> parts{
@@ -300,15 +298,15 @@ void define_mesh(SchemaDefinitions& schema) {
       {"attributes", "", schema_reference("attributes")},
       {"characteristics", "", schema_reference("characteristics")},
       {"undefined", "attribute or characteristic that has no value -> why",
-       std::string(schema_type::kTextByKey)},
+       schema_type::kTextByKey},
       {"per_component", "by lowest face",
        R"("type": "array", "items": {"$ref": "#/$defs/component"})"},
       {"verdict",
        "by the thresholds where these were given, else without; good is null where the "
        "mesh was not judged",
        schema_reference("verdict")},
-      {"good", "null where no thresholds were given", std::string(schema_type::kTruthOrNull)},
-      {"reasons", "why it is not good", std::string(schema_type::kTexts)},
+      {"good", "null where no thresholds were given", schema_type::kTruthOrNull},
+      {"reasons", "why it is not good", schema_type::kTexts},
       {"fitness",
        "the parts of goodness that need no threshold; only where they were judged although the "
        "rest was left out",

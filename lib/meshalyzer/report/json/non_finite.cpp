@@ -27,7 +27,7 @@ void write_non_finite(JsonWriter& json, std::span<const NamedReal> reals) {
   json.begin_object(JsonLayout::Row);
   for (const NamedReal& real : reals) {
     if (!is_finite(real)) {
-      json.member(real.name, std::string_view(shortest(real.value)));
+      json.member(real.name, shortest(real.value));
     }
   }
   json.end_object();

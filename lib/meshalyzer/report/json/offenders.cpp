@@ -15,11 +15,7 @@ namespace {
 
 void write_list(JsonWriter& json, const Analysis& /*analysis*/,
                 const std::vector<std::int64_t>& list, Ids Analysis::* /*ids*/) {
-  json.begin_array(JsonLayout::Row);
-  for (const std::int64_t number : list) {
-    json.value(number);
-  }
-  json.end_array();
+  json.array(list);
 }
 
 void read_list(const JsonNode& node, std::vector<std::int64_t>& list) {
@@ -286,7 +282,7 @@ void define_offenders(SchemaDefinitions& schema) {
   });
   object.members.push_back({.key = std::string(kUnlistedPairsKey),
                             .description = "how many pairs the list leaves out, where it is cut",
-                            .type = std::string(schema_type::kCount),
+                            .type = schema_type::kCount,
                             .presence = SchemaMember::Presence::Sometimes});
   schema.define("offenders", object);
 }

@@ -3,11 +3,7 @@
 namespace meshalyzer {
 
 void write_point(JsonWriter& json, const Vec3& point) {
-  json.begin_array(JsonLayout::Row);
-  json.value(point.x());
-  json.value(point.y());
-  json.value(point.z());
-  json.end_array();
+  json.array(point);
 }
 
 Vec3 read_point(const JsonNode& node) {

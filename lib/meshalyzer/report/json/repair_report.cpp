@@ -22,7 +22,7 @@ constexpr std::string_view kSchema = "meshfixer-report/1";
 void begin_report(JsonWriter& json) {
   json.begin_object();
   json.member("schema", kSchema);
-  json.member("version", std::string_view(MESHALYZER_VERSION));
+  json.member("version", MESHALYZER_VERSION);
 }
 
 void write_name(JsonWriter& json, const MeshName& mesh) {
@@ -89,7 +89,7 @@ void write_defect(JsonWriter& json, const Defect& defect, const MeshName& mesh) 
   json.end_array();
   json.member("value", defect.value);
   json.member("limit", defect.limit);
-  if (!defect.detail.empty()) json.member("detail", std::string_view(defect.detail));
+  if (!defect.detail.empty()) json.member("detail", defect.detail);
   json.member("fixable", defect.fixable);
   if (defect.fixable) json.member("fix", catalogue_entry(defect.code).passes);
   json.end_object();
@@ -111,13 +111,6 @@ void write_defects(JsonWriter& json, const MeshName& mesh, const DefectReport& r
   json.end_array();
 }
 
-void write_warnings(JsonWriter& json, const std::vector<std::string>& warnings) {
-  json.key("warnings");
-  json.begin_array();
-  for (const std::string& warning : warnings) json.value(std::string_view(warning));
-  json.end_array();
-}
-
 void write_fixes(JsonWriter& json, const DefectCodes& fixes) {
   json.key("fixes");
   json.begin_array(JsonLayout::Row);
@@ -130,9 +123,7 @@ void write_fixes(JsonWriter& json, const DefectCodes& fixes) {
 void write_key_ids(JsonWriter& json, std::string_view key, const std::vector<std::int64_t>& ids) {
   if (ids.empty()) return;
   json.key(key);
-  json.begin_array(JsonLayout::Row);
-  for (const std::int64_t id : ids) json.value(id);
-  json.end_array();
+  json.array(ids);
 }
 
 /// Writes rows [new id, old id] of the faces that are not the unchanged input face of the same id;
@@ -174,7 +165,7 @@ std::vector<std::uint8_t> changed_faces(const RepairReport& report) {
 
 void write_step(JsonWriter& json, const LogStep& step) {
   json.begin_object(JsonLayout::Row);
-  json.member("pass", std::string_view(step.pass));
+  json.member("pass", step.pass);
   json.member("code", defect_name(step.code));
   json.member("operations", step.operations);
   json.member("undone", step.undone);
@@ -203,7 +194,7 @@ void write_operation(JsonWriter& json, const LoggedOperation& operation, const K
 
 void write_refusal(JsonWriter& json, const LoggedRefusal& refusal, const KeyIds& ids) {
   json.begin_object(JsonLayout::Row);
-  json.member("pass", std::string_view(refusal.pass));
+  json.member("pass", refusal.pass);
   json.member("code", defect_name(refusal.code));
   const auto vertex = ids.final_vertex(refusal.vertex);
   const auto face = ids.final_face(refusal.face);
@@ -211,7 +202,7 @@ void write_refusal(JsonWriter& json, const LoggedRefusal& refusal, const KeyIds&
               vertex || face ? std::optional((vertex ? vertex : face)->mesh) : std::nullopt);
   json.member("vertex", vertex ? std::optional(vertex->id) : std::nullopt);
   json.member("face", face ? std::optional(face->id) : std::nullopt);
-  json.member("reason", std::string_view(refusal.reason));
+  json.member("reason", refusal.reason);
   json.end_object();
 }
 
@@ -278,11 +269,9 @@ void write_patches(JsonWriter& json, const PatchReport& report) {
     json.member("faces", faces.size());
     json.member("mended", patch.is_mended);
     json.key("passes");
-    json.begin_array(JsonLayout::Row);
-    for (const std::string& pass : patch.passes) json.value(std::string_view(pass));
-    json.end_array();
+    json.array(patch.passes);
     json.member("distance", patch.distance);
-    if (!patch.is_mended) json.member("reason", std::string_view(patch.reason));
+    if (!patch.is_mended) json.member("reason", patch.reason);
     json.end_object();
   }
   json.end_array();
@@ -294,7 +283,8 @@ void write_input(JsonWriter& json, const MeshName& mesh, const DefectReport& fou
   json.begin_object();
   write_name(json, mesh);
   write_tolerances(json, found.tolerances);
-  write_warnings(json, found.warnings);
+  json.key("warnings");
+  json.array(found.warnings, JsonLayout::Lines);
   write_defects(json, mesh, found);
   json.end_object();
 }
@@ -329,9 +319,7 @@ std::string json_report(const RepairReport& report) {
   write_rises(json, report.result.rises);
   write_patches(json, {report.input, report.result.before.defects, report.result.patches});
   json.key("notes");
-  json.begin_array();
-  for (const std::string& note : report.notes) json.value(std::string_view(note));
-  json.end_array();
+  json.array(report.notes, JsonLayout::Lines);
   write_lost(json, report.lost);
   write_meshes(json, report);
   write_log(json, report);

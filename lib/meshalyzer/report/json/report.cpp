@@ -6,6 +6,7 @@
 #include "meshalyzer/report/json/findings.h"
 #include "meshalyzer/report/json/mesh.h"
 #include "meshalyzer/report/json/name.h"
+#include "meshalyzer/report/json/schema.h"
 #include "meshalyzer/report/json/set.h"
 #include "meshalyzer/report/json/writer.h"
 
@@ -18,8 +19,8 @@ class JsonReport::Pieces {
   Pieces(TextSink sink, JsonOffenders offenders) : sink_(std::move(sink)), offenders_(offenders) {
     require_function("the sink of a JSON report", sink_);
     json_.begin_object();
-    json_.member("schema", std::string_view("meshalyzer-report/1"));
-    json_.member("version", std::string_view(MESHALYZER_VERSION));
+    json_.member("schema", kReportSchema);
+    json_.member("version", MESHALYZER_VERSION);
     json_.key("meshes");
     json_.begin_array();
   }
@@ -118,12 +119,12 @@ class JsonReport::Pieces {
     };
   }
 
-  TextSink sink_;
   struct Unreadable {
     std::string path;
     std::string why;
   };
 
+  TextSink sink_;
   JsonOffenders offenders_;
   JsonWriter json_;
   std::vector<Unreadable> unreadable_;

@@ -17,8 +17,7 @@ SchemaObject report_object() {
               "A report of meshalyzer. Every real is the shortest decimal that "
               "reads back the same; null is undefined or not computed. A program may "
               "rely on these keys; more may be added. Definitions: doc/definitions.md.",
-          .members = {{"schema", "", R"("const": "meshalyzer-report/1")"},
-                      {"version", "", std::string(schema_type::kText)},
+          .members = {{"version", "", schema_type::kText},
                       {"meshes", "in the order of the command line, those of a folder by name",
                        R"("type": "array", "items": {"$ref": "#/$defs/mesh"})"},
                       {"unreadable", "files that cannot be read, and why; only where there are any",
@@ -30,34 +29,25 @@ SchemaObject report_object() {
 
 void define_unreadable(SchemaDefinitions& schema) {
   SchemaObject file{.description = "", .members = path_members()};
-  file.members.push_back({"error", "FILE:LINE: what is wrong", std::string(schema_type::kText)});
-  file.members.push_back({"error_bytes", "as path_bytes", std::string(schema_type::kText),
-                          SchemaMember::Presence::Sometimes});
+  file.members.push_back({"error", "FILE:LINE: what is wrong", schema_type::kText});
+  file.members.push_back(
+      {"error_bytes", "as path_bytes", schema_type::kText, SchemaMember::Presence::Sometimes});
   schema.define("unreadable", file);
 }
 
 }  // namespace
 
 std::string json_schema() {
-  JsonWriter json;
-  json.begin_object();
-  json.member("$schema", std::string_view("https://json-schema.org/draft/2020-12/schema"));
-  json.member("title", std::string_view("meshalyzer-report/1"));
-  write_schema(json, report_object());
-  json.key("$defs");
-  json.begin_object();
-  SchemaDefinitions definitions(json);
-  define_mesh(definitions);
-  define_unreadable(definitions);
-  define_curvature(definitions);
-  define_offenders(definitions);
-  define_set(definitions);
-  define_statistics(definitions);
-  define_non_finite(definitions);
-  define_points(definitions);
-  json.end_object();
-  json.end_object();
-  return json.take();
+  return schema_document(kReportSchema, report_object(), [](SchemaDefinitions& definitions) {
+    define_mesh(definitions);
+    define_unreadable(definitions);
+    define_curvature(definitions);
+    define_offenders(definitions);
+    define_set(definitions);
+    define_statistics(definitions);
+    define_non_finite(definitions);
+    define_points(definitions);
+  });
 }
 
 }  // namespace meshalyzer

@@ -2,26 +2,28 @@
 
 #include "meshalyzer/report/json/writer.h"
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace meshalyzer {
 
-/// The types of values in JSON Schema: keywords of an object, in JSON.
+/// The types of values in JSON Schema: keywords of an object, in JSON. They are C strings, which
+/// convert to the texts of SchemaMember.
 namespace schema_type {
-inline constexpr std::string_view kText = R"("type": "string")";
-inline constexpr std::string_view kTexts = R"("type": "array", "items": {"type": "string"})";
-inline constexpr std::string_view kTextByKey =
+inline constexpr const char* kText = R"("type": "string")";
+inline constexpr const char* kTexts = R"("type": "array", "items": {"type": "string"})";
+inline constexpr const char* kTextByKey =
     R"("type": "object", "additionalProperties": {"type": "string"})";
-inline constexpr std::string_view kTruth = R"("type": "boolean")";
-inline constexpr std::string_view kTruthOrNull = R"("type": ["boolean", "null"])";
-inline constexpr std::string_view kInteger = R"("type": "integer")";
-inline constexpr std::string_view kIntegerOrNull = R"("type": ["integer", "null"])";
-inline constexpr std::string_view kCount = R"("type": "integer", "minimum": 0)";
-inline constexpr std::string_view kCountOrNull = R"("type": ["integer", "null"], "minimum": 0)";
+inline constexpr const char* kTruth = R"("type": "boolean")";
+inline constexpr const char* kTruthOrNull = R"("type": ["boolean", "null"])";
+inline constexpr const char* kInteger = R"("type": "integer")";
+inline constexpr const char* kIntegerOrNull = R"("type": ["integer", "null"])";
+inline constexpr const char* kCount = R"("type": "integer", "minimum": 0)";
+inline constexpr const char* kCountOrNull = R"("type": ["integer", "null"], "minimum": 0)";
 /// A real, which is null if it is infinite.
-inline constexpr std::string_view kReal = R"("type": ["number", "null"])";
+inline constexpr const char* kReal = R"("type": ["number", "null"])";
 }  // namespace schema_type
 
 /// Returns the schema that refers to a definition by its name: `"$ref": "#/$defs/box"`.
@@ -52,9 +54,6 @@ struct SchemaObject {
   Others others = Others::Allowed;
 };
 
-/// Writes the keywords of an object; the caller has begun it.
-void write_schema(JsonWriter& json, const SchemaObject& object);
-
 /// Writes the definitions of a schema, "$defs".
 class SchemaDefinitions {
  public:
@@ -68,5 +67,12 @@ class SchemaDefinitions {
  private:
   JsonWriter& json_;
 };
+
+/// Returns a whole schema.
+/// @param id      The value of "schema" in the reports that it describes.
+/// @param object  The schema of a report; its member "schema" is added as the first.
+/// @param define  Writes the definitions that it refers to.
+[[nodiscard]] std::string schema_document(std::string_view id, SchemaObject object,
+                                          const std::function<void(SchemaDefinitions&)>& define);
 
 }  // namespace meshalyzer

@@ -26,12 +26,8 @@ void write_not_good(JsonWriter& json, const SetAnalysis& set) {
   json.begin_array();
   for (const UnfitMesh& mesh : set.not_good) {
     json.begin_array(JsonLayout::Row);
-    json.value(std::string_view(json_name(set.names[mesh.mesh])));
-    json.begin_array(JsonLayout::Row);
-    for (const std::string& reason : mesh.reasons) {
-      json.value(std::string_view(reason));
-    }
-    json.end_array();
+    json.value(json_name(set.names[mesh.mesh]));
+    json.array(mesh.reasons);
     json.end_array();
   }
   json.end_array();
@@ -64,10 +60,10 @@ void write_undefined(JsonWriter& json, const SetAnalysis& set) {
   json.key("undefined");
   json.begin_object();
   if (!set.volume.reason.empty()) {
-    json.member("volume", std::string_view(set.volume.reason));
+    json.member("volume", set.volume.reason);
   }
   if (!set.separation_reason.empty()) {
-    json.member("separation", std::string_view(set.separation_reason));
+    json.member("separation", set.separation_reason);
   }
   json.end_object();
 }
@@ -147,17 +143,16 @@ void append(Members& to, const Members& from) {
 }
 
 Members verdict_members() {
-  const std::string count(schema_type::kCount);
   return {
       {"closest", "where separation was asked for: of each mesh a row a vertex that a face uses",
        R"("type": ["object", "null"], "additionalProperties": )"
        R"({"type": "array", "items": {"$ref": "#/$defs/closest"}})"},
-      {"meshes", "those that could be read", count},
-      {"unreadable", "files that could not be read", count},
+      {"meshes", "those that could be read", schema_type::kCount},
+      {"unreadable", "files that could not be read", schema_type::kCount},
       {"good",
        "meshes that are good, without thresholds by the parts of goodness that need none; "
        "null where only the attributes were asked for",
-       std::string(schema_type::kCountOrNull)},
+       schema_type::kCountOrNull},
       {"not_good", "meshes that are not, and files that could not be read: name, reasons",
        R"("type": "array", "items": {"type": "array", "minItems": 2, "maxItems": 2, )"
        R"("prefixItems": [{"$ref": "#/$defs/name"}, )"
@@ -165,7 +160,7 @@ Members verdict_members() {
       {"is_good",
        "whether every mesh is good and, where that was asked for, none intersects or is inside "
        "another; null where only the attributes were asked for",
-       std::string(schema_type::kTruthOrNull)},
+       schema_type::kTruthOrNull},
       {"verdict", "the same, and why the set is not good", schema_reference("verdict")}};
 }
 
@@ -179,38 +174,37 @@ Members total_members() {
       members.push_back(
           {at_least_key(count),
            "only where a search within a mesh ended at its time limit: there are at least so many",
-           std::string(schema_type::kTruth), SchemaMember::Presence::Sometimes});
+           schema_type::kTruth, SchemaMember::Presence::Sometimes});
     }
   }
-  members.push_back(
-      {"area", "null where only the attributes were asked for", std::string(schema_type::kReal)});
+  members.push_back({"area", "null where only the attributes were asked for", schema_type::kReal});
   members.push_back({"volume",
                      "of the meshes that have one; null where only the attributes were asked for",
-                     std::string(schema_type::kReal)});
+                     schema_type::kReal});
   members.push_back(non_finite_member());
   append_measures(members, "statistics", SchemaMember::Presence::Always);
   members.push_back({"undefined",
                      "volume -> which meshes have none; separation -> why it was not measured",
-                     std::string(schema_type::kTextByKey)});
+                     schema_type::kTextByKey});
   return members;
 }
 
 Members intersection_members() {
   return {{"intersecting_pair_count", "null where intersections were not asked for",
-           std::string(schema_type::kCountOrNull)},
+           schema_type::kCountOrNull},
           {"intersecting_pairs_at_least",
            "only where the search ended at its time limit: there are at least so many",
-           std::string(schema_type::kTruth), SchemaMember::Presence::Sometimes},
+           schema_type::kTruth, SchemaMember::Presence::Sometimes},
           {"contained", "meshes inside another one", schema_reference("contained")},
           {"partly_contained", "meshes some components of which are inside another one",
            schema_reference("contained")},
           {"contained_at_least",
            "only where the search ended at its time limit: more meshes may be inside another one, "
            "wholly or partly",
-           std::string(schema_type::kTruth), SchemaMember::Presence::Sometimes},
+           schema_type::kTruth, SchemaMember::Presence::Sometimes},
           {"intersecting_pairs", "", schema_reference("set_pairs")},
           {"intersecting_pairs_unlisted", "how many pairs the list leaves out, where it is cut",
-           std::string(schema_type::kCount), SchemaMember::Presence::Sometimes}};
+           schema_type::kCount, SchemaMember::Presence::Sometimes}};
 }
 
 Members separation_members() {
@@ -219,12 +213,11 @@ Members separation_members() {
   return {{"separation_options", "which points counted; null as separation",
            schema_reference("separation_options")},
           {"separation_forced", "measured although a mesh is not good; null as separation",
-           std::string(schema_type::kTruthOrNull)},
+           schema_type::kTruthOrNull},
           all,
-          {"separation_inside_count", "the sum of separation_inside",
-           std::string(schema_type::kCountOrNull)},
+          {"separation_inside_count", "the sum of separation_inside", schema_type::kCountOrNull},
           {"separation_without_closest_count", "the sum of separation_without_closest",
-           std::string(schema_type::kCountOrNull)},
+           schema_type::kCountOrNull},
           {"separation_inside", "name -> vertices that lie inside another mesh; null as separation",
            schema_reference("count_by_mesh")},
           {"separation_without_closest",
@@ -260,12 +253,11 @@ void define_set(SchemaDefinitions& schema) {
   schema.define("count_by_mesh", "",
                 R"("type": ["object", "null"], "additionalProperties": )"
                 R"({"type": "integer", "minimum": 0})");
-  schema.define("separation_options",
-                {.description = "",
-                 .members = {{"search_radius", "", std::string(schema_type::kReal)},
-                             {"search_cone_degrees", "", std::string(schema_type::kReal)},
-                             {"include_self", "", std::string(schema_type::kReal)}},
-                 .null = SchemaObject::Null::Sometimes});
+  schema.define("separation_options", {.description = "",
+                                       .members = {{"search_radius", "", schema_type::kReal},
+                                                   {"search_cone_degrees", "", schema_type::kReal},
+                                                   {"include_self", "", schema_type::kReal}},
+                                       .null = SchemaObject::Null::Sometimes});
   SchemaObject set{.description = "what is known of all meshes together, and between them",
                    .members = verdict_members()};
   for (const Members& members : {total_members(), intersection_members(), separation_members()}) {

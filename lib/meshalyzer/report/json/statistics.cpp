@@ -31,12 +31,12 @@ void write_figures(JsonWriter& json, const Summary& summary) {
 
 std::vector<SchemaMember> figure_members() {
   std::vector<SchemaMember> members{
-      {"count", "finite values: the figures are of these alone", std::string(schema_type::kCount)},
-      {"infinite", "infinite values, counted apart", std::string(schema_type::kCount)}};
+      {"count", "finite values: the figures are of these alone", schema_type::kCount},
+      {"infinite", "infinite values, counted apart", schema_type::kCount}};
   for (const auto& [info, member, known] : kFigures) {
     members.push_back({.key = std::string(info.key),
                        .description = std::string(info.definition),
-                       .type = std::string(schema_type::kReal)});
+                       .type = schema_type::kReal});
   }
   members.push_back(non_finite_member());
   return members;
@@ -45,17 +45,9 @@ std::vector<SchemaMember> figure_members() {
 void write_histogram(JsonWriter& json, const Histogram& histogram) {
   json.begin_object();
   json.key("edges");
-  json.begin_array(JsonLayout::Row);
-  for (const double edge : histogram.edges) {
-    json.value(edge);
-  }
-  json.end_array();
+  json.array(histogram.edges);
   json.key("counts");
-  json.begin_array(JsonLayout::Row);
-  for (const std::size_t count : histogram.counts) {
-    json.value(count);
-  }
-  json.end_array();
+  json.array(histogram.counts);
   json.end_object();
 }
 

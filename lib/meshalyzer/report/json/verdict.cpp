@@ -3,20 +3,14 @@
 #include "meshalyzer/report/json/elements.h"
 
 #include <string>
-#include <string_view>
+#include <vector>
 
 namespace meshalyzer {
 
 void write_verdict_members(JsonWriter& json, const std::optional<Goodness>& verdict) {
   json.member("good", verdict ? std::optional(verdict->good) : std::nullopt);
   json.key("reasons");
-  json.begin_array();
-  if (verdict) {
-    for (const std::string& reason : verdict->reasons) {
-      json.value(std::string_view(reason));
-    }
-  }
-  json.end_array();
+  json.array(verdict ? verdict->reasons : std::vector<std::string>(), JsonLayout::Lines);
 }
 
 void write_verdict(JsonWriter& json, const std::optional<Goodness>& verdict) {
@@ -40,8 +34,8 @@ std::optional<Goodness> read_verdict_members(const JsonNode& object) {
 
 void define_verdict(SchemaDefinitions& schema) {
   schema.define("verdict", {.description = "",
-                            .members = {{"good", "", std::string(schema_type::kTruthOrNull)},
-                                        {"reasons", "", std::string(schema_type::kTexts)}}});
+                            .members = {{"good", "", schema_type::kTruthOrNull},
+                                        {"reasons", "", schema_type::kTexts}}});
 }
 
 }  // namespace meshalyzer

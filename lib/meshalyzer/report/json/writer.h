@@ -54,6 +54,14 @@ class JsonWriter {
     maybe ? value(*maybe) : null();
   }
 
+  /// Writes an array of the values of a range.
+  template <typename Range>
+  void array(const Range& values, JsonLayout layout = JsonLayout::Row) {
+    begin_array(layout);
+    for (const auto& element : values) value(element);
+    end_array();
+  }
+
   /// Writes text that is already JSON: a value, or members of an object.
   void verbatim(std::string_view json) { literal(json); }
 
