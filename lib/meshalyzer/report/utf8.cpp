@@ -7,8 +7,8 @@ unsigned byte_at(std::string_view text, std::size_t i) {
   return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
 }
 
-/// Returns the range that the second byte of a sequence must lie in: it rules out overlong forms,
-/// surrogates and code points beyond U+10FFFF (Unicode standard, table 3-7).
+/// Tells whether a byte may follow the first byte of a sequence. The ranges rule out overlong
+/// forms, surrogates and code points beyond U+10FFFF (Unicode standard, table 3-7).
 bool is_second_byte(unsigned lead, unsigned second) {
   const unsigned low = lead == 0xE0U ? 0xA0U : lead == 0xF0U ? 0x90U : 0x80U;
   const unsigned high = lead == 0xEDU ? 0x9FU : lead == 0xF4U ? 0x8FU : 0xBFU;

@@ -9,8 +9,8 @@ namespace meshalyzer {
 /// angle defect.
 void append_curvature_counts(LineSink& lines, const CurvatureStatistics& curvature);
 
-/// Appends the curvatures: the kind of area, the numbers of vertices without one by reason, the
-/// total angle defect and its value by Gauss-Bonnet, and the statistics of K, H, k1 and k2.
+/// Appends the lines of append_curvature_counts(), then the statistics of the Gaussian, mean and
+/// principal curvatures.
 void append_curvature(TextLines& lines, const CurvatureStatistics& curvature);
 
 }  // namespace meshalyzer

@@ -7,8 +7,9 @@
 
 namespace meshalyzer {
 
-/// Returns the report of the defects of a mesh for people: the codes searched, the count of each
-/// code, a line for each defect, and the outcome of a repair for the self-intersections.
+/// Returns the report of the defects of a mesh for people: its size, the tolerances, the count of
+/// each code, the passes that fix what was found, a line for each defect, and the outcome of a
+/// repair for the self-intersections.
 [[nodiscard]] std::string text_report(const FoundDefects& found, ListLength lists);
 
 }  // namespace meshalyzer
