@@ -21,7 +21,7 @@ NAMES = {
     'atomic': 'atomic atomic_ref memory_order_acquire memory_order_relaxed memory_order_release',
     'bit': 'bit_cast bit_ceil bit_width countl_zero countr_zero endian popcount',
     'bitset': 'bitset',
-    'cctype': 'tolower',
+    'cctype': 'tolower toupper',
     'charconv': 'chars_format from_chars to_chars',
     'chrono': 'chrono',
     'cmath': '''acos asin atan2 ceil copysign cos floor fma frexp hypot ilogb isfinite isinf isnan isnormal

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace meshalyzer {
 
@@ -15,6 +16,15 @@ namespace meshalyzer {
     digits.insert(i, 1, ',');
   }
   return digits;
+}
+
+/// Returns a number of things with its noun: "1 face", "2 faces".
+[[nodiscard]] inline std::string counted(std::size_t n, std::string_view one,
+                                         std::string_view many) {
+  std::string text = grouped(n);
+  text += ' ';
+  text += n == 1 ? one : many;
+  return text;
 }
 
 }  // namespace meshalyzer

@@ -1,5 +1,6 @@
 #include "meshalyzer/picture/scene.h"
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/geometry/vertex_normals.h"
 #include "meshalyzer/mesh/finite_positions.h"
 #include "meshalyzer/picture/internal/drawn_surface.h"
@@ -7,12 +8,12 @@
 #include "meshalyzer/picture/internal/highlights.h"
 #include "meshalyzer/picture/internal/lit_defects.h"
 #include "meshalyzer/picture/internal/neighbourhoods.h"
-#include "meshalyzer/picture/internal/note_text.h"
 #include "meshalyzer/picture/internal/scene_lines.h"
 #include "meshalyzer/picture/internal/vertex_clusters.h"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <iterator>
 #include <limits>
 #include <span>
@@ -134,26 +135,20 @@ class SceneMaker {
   void note_surface() {
     const std::size_t n_left_out = soup().n_faces() - faces_.size();
     if (n_left_out > 0) {
-      std::string note = count_of(n_left_out, "face");
-      note += n_left_out == 1 ? " is" : " are";
-      note += " not drawn: corners have no place.";
-      scene_.notes.push_back(std::move(note));
+      scene_.notes.push_back(counted(n_left_out, "face is", "faces are") +
+                             " not drawn: corners have no place.");
     }
     if (scene_.context.n_faces() == scene_.n_decimated) return;
-    std::string note = "The mesh has ";
-    note += count_of(scene_.n_faces, "face");
-    if (scene_.detail.n_faces() > 0) {
-      note += "; the ";
-      note += std::to_string(scene_.detail.n_faces());
-      note += " nearest to the defects are drawn as they are, the other ";
-      note += std::to_string(scene_.n_decimated);
-      note += " decimated to ";
-    } else {
-      note += ", drawn decimated to ";
-    }
-    note += count_of(scene_.context.n_faces(), "face");
-    note += ", coloured by the values of the file at the vertices and faces that are left.";
-    scene_.notes.push_back(std::move(note));
+    const std::string drawn =
+        scene_.detail.n_faces() == 0
+            ? ", drawn"
+            : fmt::format("; the {} nearest to the defects are drawn as they are, the other {}",
+                          grouped(scene_.detail.n_faces()), grouped(scene_.n_decimated));
+    scene_.notes.push_back(
+        fmt::format("The mesh has {}{} decimated to {}, coloured by the values of the file at the "
+                    "vertices and faces that are left.",
+                    counted(scene_.n_faces, "face", "faces"), drawn,
+                    counted(scene_.context.n_faces(), "face", "faces")));
   }
 
   void note_defects() {
@@ -164,14 +159,9 @@ class SceneMaker {
     for (const DefectCode code : all_defect_codes()) {
       const std::size_t lit = n_lit[static_cast<std::size_t>(code)];
       if (lit >= report_.count(code)) continue;
-      std::string note = "Of ";
-      note += count_of(report_.count(code), "defect");
-      note += " of code ";
-      note += defect_name(code);
-      note += " the first ";
-      note += std::to_string(lit);
-      note += " can be lit up.";
-      scene_.notes.push_back(std::move(note));
+      scene_.notes.push_back(fmt::format("Of {} of code {} the first {} can be lit up.",
+                                         counted(report_.count(code), "defect", "defects"),
+                                         defect_name(code), grouped(lit)));
     }
     note_cut_highlights();
   }
@@ -180,10 +170,9 @@ class SceneMaker {
     const auto n_cut = std::count_if(scene_.highlights.begin(), scene_.highlights.end(),
                                      [](const Highlight& highlight) { return highlight.is_cut; });
     if (n_cut == 0) return;
-    std::string note = "Of ";
-    note += count_of(static_cast<std::size_t>(n_cut), "defect");
-    note += " only a part is lit up.";
-    scene_.notes.push_back(std::move(note));
+    scene_.notes.push_back(
+        fmt::format("Of {} only a part is lit up.",
+                    counted(static_cast<std::size_t>(n_cut), "defect", "defects")));
   }
 
   const FieldSource& source_;

@@ -3,11 +3,32 @@
 #include <algorithm>
 
 namespace meshalyzer {
+namespace {
+
+template <typename Count>
+std::size_t sum_over_meshes(const RepairReport& report, const Count& count) {
+  std::size_t sum = 0;
+  for (const FinalMesh& mesh : report.meshes) sum += count(mesh);
+  return sum;
+}
+
+}  // namespace
+
+std::size_t n_final_vertices(const RepairReport& report) {
+  return sum_over_meshes(report, [](const FinalMesh& mesh) { return mesh.name.n_vertices; });
+}
+
+std::size_t n_final_faces(const RepairReport& report) {
+  return sum_over_meshes(report, [](const FinalMesh& mesh) { return mesh.name.n_faces; });
+}
+
+std::size_t n_remaining(const RepairReport& report, const DefectCodes& codes) {
+  return sum_over_meshes(report,
+                         [&](const FinalMesh& mesh) { return mesh.remaining.count(codes); });
+}
 
 std::size_t n_remaining(const RepairReport& report) {
-  std::size_t n = 0;
-  for (const FinalMesh& mesh : report.meshes) n += mesh.remaining.count(report.fixes);
-  return n;
+  return n_remaining(report, report.fixes);
 }
 
 bool may_have_more(const RepairReport& report) {

@@ -63,6 +63,13 @@ struct PatchReport {
   std::span<const PatchOutcome> patches;
 };
 
+/// Returns the number of vertices of all resulting meshes together.
+[[nodiscard]] std::size_t n_final_vertices(const RepairReport& report);
+[[nodiscard]] std::size_t n_final_faces(const RepairReport& report);
+
+/// Returns the number of remaining defects of some codes.
+[[nodiscard]] std::size_t n_remaining(const RepairReport& report, const DefectCodes& codes);
+
 /// Returns the number of remaining defects that were to be fixed.
 [[nodiscard]] std::size_t n_remaining(const RepairReport& report);
 

@@ -1,6 +1,6 @@
 #include "meshalyzer/report/set_verdict.h"
 
-#include "meshalyzer/report/text/short_list.h"
+#include "meshalyzer/base/grouped_digits.h"
 
 #include <cstddef>
 #include <string_view>
@@ -24,14 +24,13 @@ void append_reasons_within(std::size_t n_not_good, std::size_t n_unreadable,
 }
 
 void append_reasons_between(const SetIntersections& found, std::vector<std::string>& reasons) {
+  // A search that was stopped is a reason even if it has found nothing.
+  const std::string pairs = counted(found.n_pairs(), "pair of faces of different meshes intersects",
+                                    "pairs of faces of different meshes intersect");
   if (found.is_search_stopped) {
-    reasons.push_back("at least " +
-                      counted(found.n_pairs(), "pair of faces of different meshes intersects",
-                              "pairs of faces of different meshes intersect") +
-                      ", the search ended at its time limit");
-  } else {
-    append_counted(reasons, found.n_pairs(), "pair of faces of different meshes intersects",
-                   "pairs of faces of different meshes intersect");
+    reasons.push_back("at least " + pairs + ", the search ended at its time limit");
+  } else if (found.n_pairs() != 0) {
+    reasons.push_back(pairs);
   }
   append_counted(reasons, found.contained.size(), "mesh is inside another one",
                  "meshes are inside another one", found.is_search_stopped);

@@ -129,7 +129,7 @@ TEST(MakeScene, BigMeshWithoutDefectsIsDecimated) {
   EXPECT_LE(scene.context.n_faces(), 600U);
   EXPECT_GE(scene.context.n_faces(), 300U);
   ASSERT_EQ(scene.notes.size(), 1U);
-  EXPECT_NE(scene.notes[0].find("The mesh has 20480 faces, drawn decimated to "),
+  EXPECT_NE(scene.notes[0].find("The mesh has 20,480 faces, drawn decimated to "),
             std::string::npos);
 }
 
@@ -154,8 +154,8 @@ TEST(MakeScene, BigMeshShowsWhatIsRoundItsDefects) {
     }
   }
   ASSERT_FALSE(scene.notes.empty());
-  EXPECT_EQ(scene.notes[0].rfind("The mesh has 19998 faces; the 400 nearest to the defects are "
-                                 "drawn as they are, the other 19598 decimated to ",
+  EXPECT_EQ(scene.notes[0].rfind("The mesh has 19,998 faces; the 400 nearest to the defects are "
+                                 "drawn as they are, the other 19,598 decimated to ",
                                  0),
             0U);
 }

@@ -1,12 +1,13 @@
 #include "meshalyzer/picture/internal/scene_lines.h"
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/picture/internal/contact_segments.h"
-#include "meshalyzer/picture/internal/note_text.h"
 #include "meshalyzer/topology/border.h"
 #include "meshalyzer/topology/edges.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <string_view>
 
 namespace meshalyzer {
@@ -29,15 +30,12 @@ class LineDrawing {
   LineDrawing(const PreparedMesh& mesh, const DrawingFrame& frame, std::size_t max)
       : mesh_(mesh), frame_(frame), max_(max) {}
 
+  /// @param kind  The kind of the edges in the plural.
   std::vector<float> edges(const std::vector<HalfedgeHandle>& halfedges, std::string_view kind) {
     const std::size_t n = std::min(halfedges.size(), max_);
     if (n < halfedges.size()) {
-      std::string note = "Of ";
-      note += count_of(halfedges.size(), kind);
-      note += " the first ";
-      note += std::to_string(n);
-      note += " are drawn as lines.";
-      notes_.push_back(std::move(note));
+      notes_.push_back(fmt::format("Of {} {} the first {} are drawn as lines.",
+                                   grouped(halfedges.size()), kind, grouped(n)));
     }
     std::vector<float> segments;
     segments.reserve(kFloatsOfSegment * n);
@@ -62,12 +60,9 @@ class LineDrawing {
     const bool is_cut = n < pairs.size() || all.size() > kFloatsOfSegment * max_;
     all.resize(std::min(all.size(), kFloatsOfSegment * max_));
     if (is_cut) {
-      std::string note = "Of ";
-      note += count_of(pairs.size(), "intersecting pair");
-      note += " the first ";
-      note += count_of(all.size() / kFloatsOfSegment, "line");
-      note += " along which they meet are drawn.";
-      notes_.push_back(std::move(note));
+      notes_.push_back(fmt::format("Of {} the first {} along which they meet are drawn.",
+                                   counted(pairs.size(), "intersecting pair", "intersecting pairs"),
+                                   counted(all.size() / kFloatsOfSegment, "line", "lines")));
     }
     return all;
   }
@@ -96,10 +91,10 @@ DrawnLines draw_lines(const PreparedMesh& mesh, const DrawingFrame& frame, std::
   LineDrawing drawing(mesh, frame, max);
   const SideTable& side = mesh.cut().side;
   DrawnLines drawn;
-  drawn.lines.borders = drawing.edges(find_border_edges(mesh.cut()), "border edge");
+  drawn.lines.borders = drawing.edges(find_border_edges(mesh.cut()), "border edges");
   drawn.lines.non_manifold_edges =
-      drawing.edges(first_halfedges(side.non_manifold_edges), "non-manifold edge");
-  drawn.lines.flipped_edges = drawing.edges(first_halfedges(side.flipped_edges), "flipped edge");
+      drawing.edges(first_halfedges(side.non_manifold_edges), "non-manifold edges");
+  drawn.lines.flipped_edges = drawing.edges(first_halfedges(side.flipped_edges), "flipped edges");
   drawn.lines.intersections = drawing.contacts(mesh.intersecting_pairs());
   drawn.notes = drawing.take_notes();
   return drawn;

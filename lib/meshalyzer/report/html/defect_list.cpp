@@ -1,5 +1,6 @@
 #include "meshalyzer/report/html/defect_list.h"
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/colour_text.h"
@@ -69,20 +70,17 @@ class DefectSection {
     const std::size_t n = append_defects_of(html, code);
     const std::size_t left_out = mesh_.defects.count(code) - n;
     if (left_out == 0) return;
-    std::string rest = std::to_string(left_out);
-    rest += left_out == 1 ? " more is not listed." : " more are not listed.";
-    html.element("p", {{"class", "cut"}}, rest);
+    html.element("p", {{"class", "cut"}},
+                 counted(left_out, "more is not listed.", "more are not listed."));
   }
 
   void append_summary(HtmlWriter& html, DefectCode code) const {
     const HtmlElement summary(html, "summary");
-    std::string style = "background:";
-    style += colour_text(code);
-    html.element("span", {{"class", "swatch"}, {"style", style}}, "");
+    html.element("span", {{"class", "swatch"}, {"style", "background:" + colour_text(code)}}, "");
     html.text(" ");
     html.element("code", defect_name(code));
     html.text(" ");
-    html.element("span", {{"class", "count"}}, std::to_string(mesh_.defects.count(code)));
+    html.element("span", {{"class", "count"}}, grouped(mesh_.defects.count(code)));
     html.text(" ");
     if (catalogue_entry(code).severity == Severity::Warning) {
       html.element("span", {{"class", "severity"}}, severity_name(Severity::Warning));
@@ -139,7 +137,7 @@ void append_changes(HtmlWriter& html, const PageMesh& mesh, std::size_t scene) {
       const HtmlElement summary(html, "summary");
       html.element("code", changes[i].pass);
       html.text(" ");
-      html.element("span", {{"class", "count"}}, std::to_string(n));
+      html.element("span", {{"class", "count"}}, grouped(n));
     }
     const HtmlElement list(html, "ol");
     for (const std::size_t last = i + n; i < last; ++i) {

@@ -1,11 +1,11 @@
 #include "meshalyzer/report/html/defects_page.h"
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/report/format_text.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/defect_list.h"
 #include "meshalyzer/report/html/page_frame.h"
 #include "meshalyzer/report/text/defect_lines.h"
-#include "meshalyzer/report/text/short_list.h"
 
 #include <array>
 #include <cstddef>
@@ -24,12 +24,7 @@ Verdict verdict_of(const DefectReport& report, const DefectCodes& requested) {
 }
 
 std::string facts_of(const MeshName& mesh) {
-  std::string facts = counted(mesh.n_faces, "face", "faces");
-  facts += ", ";
-  facts += counted(mesh.n_vertices, "vertex", "vertices");
-  facts += ", ";
-  facts += file_text(mesh.path, mesh.format);
-  return facts;
+  return size_text(mesh.n_faces, mesh.n_vertices) + ", " + file_text(mesh.path, mesh.format);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "meshalyzer/report/html/histogram_svg.h"
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/report/text/statistics.h"
 
 #include <algorithm>
@@ -38,8 +39,8 @@ struct CountAxis {
   [[nodiscard]] double height(std::size_t count) const {
     return (kBottom - kTop) * static_cast<double>(count) / static_cast<double>(most);
   }
-  /// Returns the distance of the lines: 1, 2 or 5 times a power of ten, so that two to five lines
-  /// fit.
+  /// Returns the distance of the lines: the smallest of 1, 2 or 5 times a power of ten that leaves
+  /// at most four lines.
   [[nodiscard]] std::size_t step() const {
     for (std::size_t power = 1;; power *= 10) {
       for (const std::size_t digit : {1U, 2U, 5U}) {
@@ -78,7 +79,7 @@ void append_count_axis(HtmlWriter& html, const CountAxis& axis) {
   for (std::size_t count = step; count <= axis.most; count += step) {
     const double y = kBottom - axis.height(count);
     append_level(html, "grid", y);
-    append_label(html, kLeft - 6.0, y + 4.0, "end", std::to_string(count));
+    append_label(html, kLeft - 6.0, y + 4.0, "end", grouped(count));
   }
 }
 
@@ -116,7 +117,7 @@ void append_histogram_svg(HtmlWriter& html, std::string_view name, const Histogr
   const CountAxis axis{std::max<std::size_t>(
       1, *std::max_element(histogram.counts.begin(), histogram.counts.end()))};
   const std::string label = fmt::format("Histogram of {} from {} to {}, at most {} in a bin", name,
-                                        edges.front(), edges.back(), axis.most);
+                                        edges.front(), edges.back(), grouped(axis.most));
   const std::string view_box = fmt::format("0 0 {} {}", kWidth, kHeight);
   const HtmlElement svg(html, "svg",
                         {{"role", "img"}, {"aria-label", label}, {"viewBox", view_box}});
@@ -125,7 +126,7 @@ void append_histogram_svg(HtmlWriter& html, std::string_view name, const Histogr
     const std::size_t count = histogram.counts[bin];
     if (count == 0) continue;
     append_bar(html, bin, axis.height(count),
-               fmt::format("{} .. {}: {}", edges[bin], edges[bin + 1], count));
+               fmt::format("{} .. {}: {}", edges[bin], edges[bin + 1], grouped(count)));
   }
   append_value_axis(html, edges);
 }

@@ -1,6 +1,7 @@
 #include "meshalyzer/report/html/index_page.h"
 
 #include "meshalyzer/analysis/goodness.h"
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/index_table.h"
 #include "meshalyzer/report/html/page_frame.h"
@@ -11,7 +12,6 @@
 #include "meshalyzer/report/text/meetings.h"
 #include "meshalyzer/report/text/separation.h"
 #include "meshalyzer/report/text/set_totals.h"
-#include "meshalyzer/report/text/short_list.h"
 #include "meshalyzer/set/set_analysis.h"
 
 #include <algorithm>
@@ -46,9 +46,7 @@ void append_separation_section(HtmlWriter& html, const SetAnalysis& set) {
   if (!set.separation && set.separation_reason.empty()) return;
   const HtmlSection section(html, "separation", "Separation distances");
   if (!set.separation) {
-    std::string text = "Not measured: ";
-    text += set.separation_reason;
-    html.element("p", text);
+    html.element("p", "Not measured: " + set.separation_reason);
     return;
   }
   ReportRows rows;
@@ -92,12 +90,7 @@ std::string facts_of(const std::vector<IndexRow>& rows) {
     faces += row.faces;
   }
   const std::size_t n_meshes = rows.size() - count_if_row(rows, RowState::Unreadable);
-  std::string facts = counted(n_meshes, "mesh", "meshes");
-  facts += ", ";
-  facts += counted(faces, "face", "faces");
-  facts += ", ";
-  facts += counted(vertices, "vertex", "vertices");
-  return facts;
+  return counted(n_meshes, "mesh", "meshes") + ", " + size_text(faces, vertices);
 }
 
 }  // namespace

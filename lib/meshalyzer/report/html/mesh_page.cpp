@@ -1,6 +1,8 @@
 #include "meshalyzer/report/html/mesh_page.h"
 
+#include "meshalyzer/analysis/fields.h"
 #include "meshalyzer/analysis/goodness.h"
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/report/format_text.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/defect_list.h"
@@ -8,11 +10,12 @@
 #include "meshalyzer/report/html/statistics_section.h"
 #include "meshalyzer/report/text/components.h"
 #include "meshalyzer/report/text/sections.h"
-#include "meshalyzer/report/text/short_list.h"
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace meshalyzer {
@@ -23,16 +26,15 @@ constexpr std::size_t kShownComponents = 100;
 /// Returns the attributes as a verdict, "Closed, not manifold", for a mesh whose goodness was not
 /// judged.
 Verdict attributes_as_verdict(const Attributes& attributes) {
-  ReportRows rows;
-  append_attributes(rows, attributes);
   std::string text;
-  for (const ReportRow& row : rows.rows()) {
+  for_each_row(kAttributeFields, [&](const auto& row) {
+    const std::optional<bool>& value = (attributes.*row.member).value;
     if (!text.empty()) text += ", ";
-    if (row.value == "no") text += "not ";
-    text += row.name;
-    if (row.value != "no" && row.value != "yes") text += " undefined";
-  }
-  text[0] = text.starts_with('c') ? 'C' : 'N';
+    if (value == false) text += "not ";
+    text += row.info.label;
+    if (!value) text += " undefined";
+  });
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return {Verdict::Kind::None, text};
 }
 
@@ -45,16 +47,10 @@ Verdict page_verdict(const Analysis& analysis) {
 
 std::string facts_of(const Analysis& analysis) {
   const Characteristics& c = analysis.characteristics;
-  std::string facts = counted(c.faces, "face", "faces");
-  facts += ", ";
-  facts += counted(c.vertices, "vertex", "vertices");
-  if (c.components > 1) {
-    facts += ", ";
-    facts += counted(c.components, "component", "components");
-  }
-  facts += ", ";
-  facts += file_text(analysis.path, analysis.format);
-  return facts;
+  const std::string components =
+      c.components > 1 ? ", " + counted(c.components, "component", "components") : "";
+  return size_text(c.faces, c.vertices) + components + ", " +
+         file_text(analysis.path, analysis.format);
 }
 
 template <typename Append>
@@ -72,9 +68,8 @@ void append_components_section(HtmlWriter& html, const Analysis& analysis) {
   const std::size_t n_shown = std::min(n, kShownComponents);
   append_text_table(html, components_table(analysis, n_shown));
   if (n_shown == n) return;
-  std::string rest = std::to_string(n - n_shown);
-  rest += n - n_shown == 1 ? " more is not shown." : " more are not shown.";
-  html.element("p", {{"class", "cut"}}, rest);
+  html.element("p", {{"class", "cut"}},
+               counted(n - n_shown, "more is not shown.", "more are not shown."));
 }
 
 void append_analysis(HtmlWriter& html, const Analysis& analysis) {

@@ -1,9 +1,10 @@
 #include "meshalyzer/report/html/page_frame.h"
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/report/html/assets.h"
 
 #include <cctype>
-#include <cstddef>
+#include <fmt/format.h>
 #include <string_view>
 #include <utility>
 
@@ -118,16 +119,16 @@ std::string file_name(const std::string& path) {
   return is_last ? path : path.substr(slash + 1);
 }
 
+std::string size_text(std::size_t n_faces, std::size_t n_vertices) {
+  return counted(n_faces, "face", "faces") + ", " + counted(n_vertices, "vertex", "vertices");
+}
+
 std::vector<std::string> counts_of_codes(const std::function<std::size_t(DefectCode)>& count,
                                          const DefectCodes& requested) {
   std::vector<std::string> counts;
   for (const DefectCode code : all_defect_codes()) {
     const std::size_t n = requested.contains(code) ? count(code) : 0;
-    if (n == 0) continue;
-    std::string text(defect_name(code));
-    text += ": ";
-    text += std::to_string(n);
-    counts.push_back(std::move(text));
+    if (n != 0) counts.push_back(fmt::format("{}: {}", defect_name(code), grouped(n)));
   }
   return counts;
 }

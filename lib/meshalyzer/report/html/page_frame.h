@@ -3,6 +3,7 @@
 #include "meshalyzer/report/html/scene_json.h"
 #include "meshalyzer/report/html/writer.h"
 
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
@@ -32,6 +33,9 @@ struct PageHeader {
 
 /// Returns the last part of a path.
 [[nodiscard]] std::string file_name(const std::string& path);
+
+/// Returns the size of a mesh in words: "12 faces, 8 vertices".
+[[nodiscard]] std::string size_text(std::size_t n_faces, std::size_t n_vertices);
 
 /// Returns the counts of the codes that count, in words: "hole: 2".
 [[nodiscard]] std::vector<std::string> counts_of_codes(

@@ -1,5 +1,6 @@
 #include "meshalyzer/report/html/repair_changes.h"
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/report/html/defect_list.h"
 #include "meshalyzer/report/key_ids.h"
@@ -19,11 +20,7 @@ namespace {
 /// Returns "face 3" or "faces 3 4 7 and 9 more".
 std::string face_list(const std::vector<std::int64_t>& ids) {
   std::string text = ids.size() == 1 ? "face" : "faces";
-  for (std::size_t i = 0; i < n_shown(ids.size(), ListLength::Short); ++i) {
-    text += ' ';
-    text += std::to_string(ids[i]);
-  }
-  append_rest(text, ids.size(), ListLength::Short);
+  append_ids(text, ids, ListLength::Short);
   return text;
 }
 

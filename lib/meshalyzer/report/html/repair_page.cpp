@@ -7,28 +7,21 @@
 #include "meshalyzer/report/html/defect_list.h"
 #include "meshalyzer/report/html/page_frame.h"
 #include "meshalyzer/report/text/repair_lines.h"
-#include "meshalyzer/report/text/short_list.h"
 
 #include <array>
 #include <cstddef>
-#include <string_view>
+#include <fmt/format.h>
 #include <vector>
 
 namespace meshalyzer {
 namespace {
 
-std::size_t n_left(const RepairReport& report, DefectCode code) {
-  std::size_t n = 0;
-  for (const FinalMesh& mesh : report.meshes) n += mesh.remaining.count(code);
-  return n;
-}
-
 Verdict verdict_of(const RepairReport& report) {
   const std::size_t n = n_remaining(report);
   if (n != 0) {
-    std::string text = counted(n, "defect remains", "defects remain");
-    return {Verdict::Kind::Bad, text,
-            counts_of_codes([&](DefectCode code) { return n_left(report, code); }, report.fixes)};
+    return {Verdict::Kind::Bad, counted(n, "defect remains", "defects remain"),
+            counts_of_codes([&](DefectCode code) { return n_remaining(report, {code}); },
+                            report.fixes)};
   }
   if (may_have_more(report)) {
     return {Verdict::Kind::Bad, "Defects may remain: a search ended early"};
@@ -37,26 +30,11 @@ Verdict verdict_of(const RepairReport& report) {
           report.result.log.steps.empty() ? "Nothing was to be done" : "Repaired"};
 }
 
-/// Replaces the ASCII arrow in a text by the character.
-std::string with_drawn_arrow(std::string text) {
-  constexpr std::string_view kArrow = " -> ";
-  const std::size_t place = text.find(kArrow);
-  if (place != std::string::npos) text.replace(place, kArrow.size(), " \u2192 ");
-  return text;
-}
-
 std::string facts_of(const RepairReport& report) {
-  std::size_t vertices = 0;
-  std::size_t faces = 0;
-  for (const FinalMesh& mesh : report.meshes) {
-    vertices += mesh.name.n_vertices;
-    faces += mesh.name.n_faces;
-  }
-  std::string facts = "faces " + grouped(report.input.n_faces) + " \u2192 " + grouped(faces);
-  facts += ", vertices " + grouped(report.input.n_vertices) + " \u2192 " + grouped(vertices);
-  facts += ", ";
-  facts += file_text(report.input.path, report.input.format);
-  return facts;
+  return fmt::format("faces {} \u2192 {}, vertices {} \u2192 {}, {}", grouped(report.input.n_faces),
+                     grouped(n_final_faces(report)), grouped(report.input.n_vertices),
+                     grouped(n_final_vertices(report)),
+                     file_text(report.input.path, report.input.format));
 }
 
 /// Appends the section with the counts of defects before and after.
@@ -67,15 +45,14 @@ void append_counts_section(HtmlWriter& html, const RepairReport& report) {
   std::size_t after = 0;
   for (const DefectCode code : all_defect_codes()) {
     const std::size_t was = report.result.before.count(code);
-    const std::size_t is = n_left(report, code);
+    const std::size_t is = n_remaining(report, {code});
     before += was;
     after += is;
     if (was == 0 && is == 0) continue;
     table.rows.push_back({std::string(defect_name(code)),
-                          report.fixes.contains(code) ? "yes" : "no", std::to_string(was),
-                          std::to_string(is)});
+                          report.fixes.contains(code) ? "yes" : "no", grouped(was), grouped(is)});
   }
-  table.rows.push_back({"all", "", std::to_string(before), std::to_string(after)});
+  table.rows.push_back({"all", "", grouped(before), grouped(after)});
   append_text_table(html, table);
 }
 
@@ -86,7 +63,7 @@ void append_steps(HtmlWriter& html, const std::vector<LogStep>& steps) {
   }
   TextTable table{2, {{"pass", "in words", "changes", "largest move"}}};
   for (const LogStep& step : steps) {
-    table.rows.push_back({step.pass, step_text(step), std::to_string(step.operations),
+    table.rows.push_back({step.pass, step_text(step), grouped(step.operations),
                           step.distance == 0.0 ? "-" : readable(step.distance)});
   }
   append_text_table(html, table);
@@ -96,13 +73,8 @@ void append_repair_section(HtmlWriter& html, const RepairReport& report) {
   const HtmlSection section(html, "repair", "What was done");
   append_steps(html, report.result.log.steps);
   html.element("h3", "What came out");
-  ReportRows outcome;
-  append_outcome(outcome, report);
   ReportRows rows;
-  for (const ReportRow& row : outcome.rows()) {
-    const bool is_count = row.name == "vertices" || row.name == "faces";
-    rows.line(row.name, is_count ? with_drawn_arrow(row.value) : row.value);
-  }
+  append_outcome(rows, report);
   append_rows(html, rows);
 }
 

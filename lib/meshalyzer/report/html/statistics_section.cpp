@@ -1,5 +1,6 @@
 #include "meshalyzer/report/html/statistics_section.h"
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/report/figures.h"
 #include "meshalyzer/report/html/attribute_tables.h"
 #include "meshalyzer/report/html/histogram_svg.h"
@@ -30,19 +31,14 @@ void append_bins(HtmlWriter& html, const Histogram& histogram) {
   const auto edges = edge_texts(histogram);
   TextTable table{0, {{"from", "to", "count"}}};
   for (std::size_t bin = 0; bin < Histogram::kBins; ++bin) {
-    table.rows.push_back({edges[bin], edges[bin + 1], std::to_string(histogram.counts[bin])});
+    table.rows.push_back({edges[bin], edges[bin + 1], grouped(histogram.counts[bin])});
   }
   append_text_table(html, table);
 }
 
 std::string none_text(const Quantity& quantity, const Statistics& statistics) {
-  std::string text = "undefined (";
-  text += quantity.if_none;
-  text += ')';
-  if (statistics.infinite > 0) {
-    text += "; infinite: ";
-    text += std::to_string(statistics.infinite);
-  }
+  std::string text = undefined(quantity.if_none);
+  if (statistics.infinite > 0) text += "; infinite: " + grouped(statistics.infinite);
   return text;
 }
 

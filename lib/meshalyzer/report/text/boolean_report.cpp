@@ -1,16 +1,18 @@
 #include "meshalyzer/report/text/boolean_report.h"
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/report/text/lines.h"
 #include "meshalyzer/report/text/repair_lines.h"
 
+#include <fmt/format.h>
 #include <utility>
 
 namespace meshalyzer {
 namespace {
 
 std::string kept_text(const BooleanOperand& operand) {
-  return std::to_string(operand.n_whole) + " faces whole, " + std::to_string(operand.n_cut) +
-         " in parts, " + std::to_string(operand.n_gone) + " gone";
+  return fmt::format("{} whole, {} in parts, {} gone", counted(operand.n_whole, "face", "faces"),
+                     grouped(operand.n_cut), grouped(operand.n_gone));
 }
 
 void append_operand(LineSink& lines, const BooleanOperand& operand) {

@@ -19,14 +19,10 @@ void append_part(std::string& text, std::string_view separator, std::string_view
 /// Appends `words` and n items, at most as many as a line may have.
 template <typename Item>
 void append_list(std::string& text, std::string_view words, std::size_t n, ListLength lists,
-                 Item item) {
+                 const Item& item) {
   if (n == 0) return;
   append_part(text, ", ", words);
-  for (std::size_t i = 0; i < n_shown(n, lists); ++i) {
-    text += ' ';
-    text += item(i);
-  }
-  append_rest(text, n, lists);
+  append_items(text, n, lists, item);
 }
 
 /// Returns the word for the faces of a defect. If it is a whole component, its first face

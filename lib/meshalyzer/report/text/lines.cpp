@@ -7,8 +7,12 @@
 
 namespace meshalyzer {
 
-std::string undefined(const std::string& reason) {
+std::string undefined(std::string_view reason) {
   return reason.empty() ? "undefined" : fmt::format("undefined ({})", reason);
+}
+
+std::string arrow(std::size_t before, std::size_t after) {
+  return fmt::format("{} -> {}", before, after);
 }
 
 void TextLines::heading(std::string_view title) {
@@ -24,6 +28,10 @@ void TextLines::add(std::string_view name, std::string_view value) {
   text_ += ": ";
   text_ += without_controls(value);
   text_ += '\n';
+}
+
+void ReportRows::change(std::string_view name, std::size_t before, std::size_t after) {
+  add(name, fmt::format("{} \u2192 {}", grouped(before), grouped(after)));
 }
 
 void ReportRows::add(std::string_view name, std::string_view value) {

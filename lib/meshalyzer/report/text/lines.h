@@ -13,7 +13,10 @@
 namespace meshalyzer {
 
 /// Returns the text in place of an undefined value, with the reason if there is one.
-[[nodiscard]] std::string undefined(const std::string& reason);
+[[nodiscard]] std::string undefined(std::string_view reason);
+
+/// Returns the change of a count as "2 -> 1".
+[[nodiscard]] std::string arrow(std::size_t before, std::size_t after);
 
 /// Receives the lines of a report, each a name and a value, for any output.
 class LineSink {
@@ -40,6 +43,10 @@ class LineSink {
   /// Adds a line for a count, with the words "at least" if it is only a lower bound.
   void count(std::string_view name, std::size_t count, bool is_at_least) {
     add(name, (is_at_least ? "at least " : "") + count_text(count));
+  }
+  /// Adds a line for the change of a count.
+  virtual void change(std::string_view name, std::size_t before, std::size_t after) {
+    add(name, arrow(before, after));
   }
 
  private:
@@ -75,6 +82,8 @@ struct ReportRow {
 /// groups.
 class ReportRows : public LineSink {
  public:
+  void change(std::string_view name, std::size_t before, std::size_t after) override;
+
   [[nodiscard]] const std::vector<ReportRow>& rows() const { return rows_; }
 
  private:

@@ -1,5 +1,6 @@
 #include "meshalyzer/report/text/patch_lines.h"
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/report/text/patch_text.h"
 #include "meshalyzer/report/text/short_list.h"
 

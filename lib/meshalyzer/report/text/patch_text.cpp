@@ -1,8 +1,8 @@
 #include "meshalyzer/report/text/patch_text.h"
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/report/text/lines.h"
-#include "meshalyzer/report/text/short_list.h"
 
 namespace meshalyzer {
 namespace {

@@ -1,17 +1,19 @@
 #include "meshalyzer/report/text/repair_lines.h"
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/report/format_text.h"
 #include "meshalyzer/report/text/short_list.h"
 
 #include <cstdint>
+#include <fmt/format.h>
 #include <string_view>
 #include <vector>
 
 namespace meshalyzer {
 namespace {
 
-/// Appends `n face(s) verb`, if there are any.
+/// Appends a count, such as "2 faces removed", unless it is 0.
 void append_count(std::string& text, std::size_t n, std::string_view one, std::string_view many) {
   if (n == 0) return;
   if (!text.empty()) text += ", ";
@@ -23,16 +25,12 @@ bool changes_no_element(const LogStep& step) {
          step.vertices_removed + step.vertices_added + step.vertices_moved == 0;
 }
 
-void append_places(std::string& text, std::string_view word, const std::vector<std::int64_t>& ids,
-                   ListLength lists) {
+void append_places(std::string& text, std::string_view one, std::string_view many,
+                   const std::vector<std::int64_t>& ids, ListLength lists) {
   if (ids.empty()) return;
   text += "; ";
-  text += word;
-  for (std::size_t i = 0; i < n_shown(ids.size(), lists); ++i) {
-    text += ' ';
-    text += std::to_string(ids[i]);
-  }
-  append_rest(text, ids.size(), lists);
+  text += ids.size() == 1 ? one : many;
+  append_ids(text, ids, lists);
 }
 
 void append_written(LineSink& lines, const RepairReport& report) {
@@ -46,13 +44,6 @@ void append_written(LineSink& lines, const RepairReport& report) {
 }
 
 }  // namespace
-
-std::string arrow(std::size_t before, std::size_t after) {
-  std::string text = std::to_string(before);
-  text += " -> ";
-  text += std::to_string(after);
-  return text;
-}
 
 void append_distance(std::string& text, double distance) {
   if (distance == 0.0) return;
@@ -76,33 +67,23 @@ std::string step_text(const LogStep& step) {
 }
 
 void append_refusal(LineSink& lines, const RefusalGroup& group, ListLength lists) {
-  std::string name = "left by ";
-  name += group.first->pass;
-  std::string text(defect_name(group.first->code));
-  text += ", ";
-  text += counted(group.places, "place", "places");
-  text += ": ";
-  text += group.first->reason;
-  append_places(text, group.vertices.size() == 1 ? "vertex" : "vertices", group.vertices, lists);
-  append_places(text, group.faces.size() == 1 ? "face" : "faces", group.faces, lists);
-  lines.line(name, text);
+  const LoggedRefusal& refusal = *group.first;
+  std::string text = fmt::format("{}, {}: {}", defect_name(refusal.code),
+                                 counted(group.places, "place", "places"), refusal.reason);
+  append_places(text, "vertex", "vertices", group.vertices, lists);
+  append_places(text, "face", "faces", group.faces, lists);
+  lines.line("left by " + refusal.pass, text);
 }
 
 void append_outcome(LineSink& lines, const RepairReport& report) {
-  std::size_t vertices = 0;
-  std::size_t faces = 0;
-  for (const FinalMesh& mesh : report.meshes) {
-    vertices += mesh.name.n_vertices;
-    faces += mesh.name.n_faces;
-  }
   lines.line("file", report.input.path);
   lines.line("format", format_text(report.input.path, report.input.format));
   append_written(lines, report);
   for (const std::string& note : report.notes) lines.line("note", note);
   if (!report.lost.empty()) lines.line("lost", lost_text(report.lost));
   for (const std::string& warning : report.result.before.warnings) lines.line("warning", warning);
-  lines.line("vertices", arrow(report.input.n_vertices, vertices));
-  lines.line("faces", arrow(report.input.n_faces, faces));
+  lines.change("vertices", report.input.n_vertices, n_final_vertices(report));
+  lines.change("faces", report.input.n_faces, n_final_faces(report));
   lines.line("maximum deviation", report.result.max_deviation);
   lines.line("largest deviation", report.result.deviation);
 }

@@ -11,9 +11,6 @@
 
 namespace meshalyzer {
 
-/// Returns a change of a count as "2 -> 1".
-[[nodiscard]] std::string arrow(std::size_t before, std::size_t after);
-
 /// Appends ", largest move 0.5" if anything was moved.
 void append_distance(std::string& text, double distance);
 

@@ -7,6 +7,7 @@
 #include "meshalyzer/report/text/short_list.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,24 +16,22 @@
 namespace meshalyzer {
 namespace {
 
-void append_ids(std::string& text, std::string_view what, const std::vector<std::int64_t>& ids) {
+void append_elements(std::string& text, std::string_view what,
+                     const std::vector<std::int64_t>& ids) {
   if (ids.empty()) return;
   text += ", ";
   text += what;
-  for (const std::int64_t id : ids) {
-    text += ' ';
-    text += std::to_string(id);
-  }
+  append_ids(text, ids, ListLength::Full);
 }
 
 std::string operation_text(const LoggedOperation& operation, const KeyIds& ids) {
   std::string text;
-  append_ids(text, "removed faces", ids.faces(operation.removed_faces));
-  append_ids(text, "added faces", ids.faces(operation.added_faces));
-  append_ids(text, "changed faces", ids.faces(operation.changed_faces));
-  append_ids(text, "removed vertices", ids.vertices(operation.removed_vertices));
-  append_ids(text, "added vertices", ids.vertices(operation.added_vertices));
-  append_ids(text, "moved vertices", ids.vertices(operation.moved_vertices));
+  append_elements(text, "removed faces", ids.faces(operation.removed_faces));
+  append_elements(text, "added faces", ids.faces(operation.added_faces));
+  append_elements(text, "changed faces", ids.faces(operation.changed_faces));
+  append_elements(text, "removed vertices", ids.vertices(operation.removed_vertices));
+  append_elements(text, "added vertices", ids.vertices(operation.added_vertices));
+  append_elements(text, "moved vertices", ids.vertices(operation.moved_vertices));
   append_distance(text, operation.distance);
   return text.empty() ? ", ids or normals only" : text;
 }
@@ -47,9 +46,7 @@ void append_steps(TextLines& lines, const RepairReport& report, const KeyIds& id
     lines.line(log.steps[i].pass, step_text(log.steps[i]));
     for (; next != log.operations.end() && next->step == i; ++next) {
       if (lists == ListLength::Short) continue;
-      std::string change = log.steps[i].pass;
-      change += operation_text(*next, ids);
-      lines.line("change", change);
+      lines.line("change", log.steps[i].pass + operation_text(*next, ids));
     }
   }
 }
@@ -67,21 +64,18 @@ void append_counts(TextLines& lines, const RepairReport& report) {
   std::size_t before = 0;
   std::size_t after = 0;
   for (const DefectCode code : all_defect_codes()) {
-    std::size_t left = 0;
-    for (const FinalMesh& mesh : report.meshes) left += mesh.remaining.count(code);
+    const std::size_t left = n_remaining(report, {code});
     std::string text = arrow(report.result.before.count(code), left);
     if (!report.fixes.contains(code) && left != 0) text += " (not asked for)";
     lines.line(defect_name(code), text);
     before += report.result.before.count(code);
     after += left;
   }
-  lines.line("defects", arrow(before, after));
+  lines.change("defects", before, after);
   lines.count("asked for and left", n_remaining(report), may_have_more(report));
   for (const CountRise& rise : report.result.rises) {
-    std::string text(name_of(rise.kind));
-    text += ' ';
-    text += arrow(rise.before, rise.after);
-    lines.line("more than before", text);
+    lines.line("more than before",
+               fmt::format("{} {}", name_of(rise.kind), arrow(rise.before, rise.after)));
   }
 }
 
@@ -91,9 +85,7 @@ void append_what_remains(TextLines& lines, const RepairReport& report, const Key
                          ListLength lists) {
   const std::vector<RefusalGroup> refusals = group_refusals(report, ids);
   const DefectCodes codes = lists == ListLength::Full ? DefectCodes::all() : report.fixes;
-  std::size_t n = 0;
-  for (const FinalMesh& mesh : report.meshes) n += mesh.remaining.count(codes);
-  if (n == 0 && refusals.empty()) return;
+  if (n_remaining(report, codes) == 0 && refusals.empty()) return;
   lines.heading("WHAT REMAINS, AND WHY");
   append_refusals(lines, refusals, std::nullopt, lists);
   for (std::size_t i = 0; i < report.meshes.size(); ++i) {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/report/text/list_length.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
-#include <string_view>
 
 namespace meshalyzer {
 
@@ -26,13 +26,20 @@ inline void append_rest(std::string& text, std::size_t n, ListLength lists) {
   text += " more";
 }
 
-/// Returns "1 face" or "2 faces".
-[[nodiscard]] inline std::string counted(std::size_t n, std::string_view one,
-                                         std::string_view many) {
-  std::string text = grouped(n);
-  text += ' ';
-  text += n == 1 ? one : many;
-  return text;
+/// Appends the first items of a list of n, each after a blank, and the number of the others.
+/// @param item  Returns the text of an item.
+template <typename Item>
+void append_items(std::string& text, std::size_t n, ListLength lists, const Item& item) {
+  for (std::size_t i = 0; i < n_shown(n, lists); ++i) {
+    text += ' ';
+    text += item(i);
+  }
+  append_rest(text, n, lists);
+}
+
+/// Appends the ids of a list as append_items() does.
+inline void append_ids(std::string& text, std::span<const std::int64_t> ids, ListLength lists) {
+  append_items(text, ids.size(), lists, [&](std::size_t i) { return std::to_string(ids[i]); });
 }
 
 }  // namespace meshalyzer

@@ -59,7 +59,7 @@ void append_statistics(TextLines& lines, const Quantity& quantity, const Statist
                fmt::format("{} (left out of the figures below)", statistics.infinite));
   }
   if (statistics.count == 0) {
-    lines.line(name, fmt::format("undefined ({})", quantity.if_none));
+    lines.line(name, undefined(quantity.if_none));
     return;
   }
   lines.line(name + " count", statistics.count);

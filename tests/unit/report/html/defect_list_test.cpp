@@ -112,6 +112,14 @@ TEST(AppendDefectsSection, LongListIsCut) {
   EXPECT_THAT(html, HasSubstr("1 more is not listed."));
 }
 
+TEST(AppendDefectsSection, CountsHaveTheirDigitsInGroups) {
+  DefectReport report;
+  report.counts[static_cast<std::size_t>(DefectCode::OrphanVertex)] = 12'345;
+  const std::string html = list_of(report, {});
+  EXPECT_THAT(html, HasSubstr("<span class=\"count\">12,345</span>"));
+  EXPECT_THAT(html, HasSubstr("12,345 more are not listed."));
+}
+
 TEST(AppendDefectsSection, CutListDoesNotHideTheNextCode) {
   DefectReport report;
   for (std::size_t i = 0; i < kListedOfACode + 1; ++i) {

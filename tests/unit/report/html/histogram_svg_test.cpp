@@ -77,6 +77,13 @@ TEST(AppendHistogramSvg, BarsStandSideBySideOnOneLine) {
   }
 }
 
+TEST(AppendHistogramSvg, CountsHaveTheirDigitsInGroups) {
+  const std::string svg = drawing_of(histogram_of({20'000, 1'234}));
+  EXPECT_THAT(svg, HasSubstr("at most 20,000 in a bin"));
+  EXPECT_THAT(svg, HasSubstr(">10,000</text>"));
+  EXPECT_EQ(bars_of(svg)[1].title, "1.5 .. 2: 1,234");
+}
+
 TEST(AppendHistogramSvg, EachBarTellsItsBinAndCount) {
   const std::vector<Bar> bars =
       bars_of(drawing_of(histogram_of({0, 0, 7, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1})));

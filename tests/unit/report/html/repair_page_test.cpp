@@ -50,6 +50,13 @@ TEST(HtmlReportOfRepair, WhatWasDoneIsToldPassByPass) {
   EXPECT_THAT(html, HasSubstr("</td><td class=\"number\">2</td><td class=\"number\">0.125</td>"));
 }
 
+TEST(HtmlReportOfRepair, CountsHaveTheirDigitsInGroups) {
+  const RepairResult result = sample_result();
+  RepairReport report = sample_report(result);
+  report.input.n_faces = 12'345;
+  EXPECT_THAT(page_of(report), HasSubstr("<td>12,345 \u2192 3</td>"));
+}
+
 TEST(HtmlReportOfRepair, NothingToDoIsSaid) {
   const RepairResult result = sample_result();
   const std::string html = page_of(sample_report(result));
