@@ -45,10 +45,8 @@ class CheckGithub : public CheckReport {
 
 void CheckGithub::add(const FileFindings& file) {
   if (!file.is_readable()) {
-    const std::size_t line = file.error_place.line;
     sink_(fmt::format("::error file={}{},title={}::{}\n", property(file.path),
-                      at_line(line == 0 ? std::nullopt : std::optional(line)), kUnreadable,
-                      message(file.error)));
+                      at_line(error_line(file)), kUnreadable, message(file.error)));
   }
   if (const std::string note = note_of(file); !note.empty()) {
     sink_(fmt::format("::notice file={},title=format::{}\n", property(file.path), message(note)));
@@ -59,10 +57,10 @@ void CheckGithub::add(const FileFindings& file) {
                       message(message_of(finding))));
   }
   for (const FindingCount& found : file.counts) {
-    if (n_left_out(file, found) == 0 && !found.is_at_least) continue;
+    const std::string rest = left_out_of(file, found);
+    if (rest.empty()) continue;
     sink_(fmt::format("::{} file={},title={}::{}\n", severity_name(found.severity),
-                      property(file.path), property(found.code),
-                      message(left_out_of(file, found))));
+                      property(file.path), property(found.code), message(rest)));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "meshalyzer/checks/selection.h"
 #include "meshalyzer/report/check/formats.h"
+#include "meshalyzer/report/check/lines.h"
 #include "meshalyzer/report/json/bytes.h"
 #include "meshalyzer/report/json/format.h"
 #include "meshalyzer/report/json/schema_writer.h"
@@ -50,11 +51,11 @@ void write_error(JsonWriter& json, const FileFindings& file) {
     json.null();
     return;
   }
-  const FilePlace place = file.error_place;
+  const std::size_t byte = file.error_place.byte;
   json.begin_object(JsonLayout::Row);
   json.member("message", file.error);
-  json.member("line", place.line == 0 ? std::nullopt : std::optional(place.line));
-  json.member("byte", place.byte == FilePlace::kNoByte ? std::nullopt : std::optional(place.byte));
+  json.member("line", error_line(file));
+  json.member("byte", byte == FilePlace::kNoByte ? std::nullopt : std::optional(byte));
   json.end_object();
 }
 

@@ -1,6 +1,7 @@
 #include "meshalyzer/report/check/lines.h"
 
 #include "meshalyzer/base/control_characters.h"
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/report/format_text.h"
 
 #include <algorithm>
@@ -17,10 +18,15 @@ std::string place_of(const FileFindings& file, const Finding& finding) {
   return finding.line ? fmt::format("{}:{}", name, *finding.line) : name;
 }
 
+std::optional<std::size_t> error_line(const FileFindings& file) {
+  const std::size_t line = file.error_place.line;
+  return line == 0 ? std::nullopt : std::optional(line);
+}
+
 std::string place_of_error(const FileFindings& file) {
   const FilePlace place = file.error_place;
   const std::string name = shown_path(file);
-  if (place.line != 0) return fmt::format("{}:{}", name, place.line);
+  if (const auto line = error_line(file)) return fmt::format("{}:{}", name, *line);
   if (place.byte != FilePlace::kNoByte) return fmt::format("{}:byte {}", name, place.byte);
   return name;
 }
@@ -28,13 +34,6 @@ std::string place_of_error(const FileFindings& file) {
 std::string message_of(const Finding& finding) {
   return finding.fix.empty() ? finding.message
                              : fmt::format("{} ({})", finding.message, finding.fix);
-}
-
-std::size_t n_left_out(const FileFindings& file, const FindingCount& found) {
-  const auto n_listed =
-      std::count_if(file.findings.begin(), file.findings.end(),
-                    [&](const Finding& finding) { return finding.code == found.code; });
-  return found.count - static_cast<std::size_t>(n_listed);
 }
 
 std::string note_of(const FileFindings& file) {
@@ -46,8 +45,11 @@ std::string note_of(const FileFindings& file) {
 }
 
 std::string left_out_of(const FileFindings& file, const FindingCount& found) {
-  const std::size_t n = n_left_out(file, found);
-  if (n == 0) return "... and perhaps more";
+  const auto n_listed =
+      std::count_if(file.findings.begin(), file.findings.end(),
+                    [&](const Finding& finding) { return finding.code == found.code; });
+  const std::size_t n = found.count - static_cast<std::size_t>(n_listed);
+  if (n == 0) return found.is_at_least ? "... and perhaps more" : "";
   return fmt::format("... and {}{} more", found.is_at_least ? "at least " : "", grouped(n));
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
-#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/checks/finding.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace meshalyzer {
 
@@ -14,6 +15,9 @@ namespace meshalyzer {
 /// Returns the place of a finding: "cow.obj:628", or only the path if the format has no lines.
 [[nodiscard]] std::string place_of(const FileFindings& file, const Finding& finding);
 
+/// Returns the line where an unreadable file is wrong, from 1; nothing if it is not known.
+[[nodiscard]] std::optional<std::size_t> error_line(const FileFindings& file);
+
 /// Returns the place where an unreadable file is wrong: "cow.obj:17", "cow.stl:byte 84", or only
 /// the path.
 [[nodiscard]] std::string place_of_error(const FileFindings& file);
@@ -21,11 +25,8 @@ namespace meshalyzer {
 /// Returns a sentence that says what is wrong, and in brackets what mends it.
 [[nodiscard]] std::string message_of(const Finding& finding);
 
-/// Returns the number of findings of a code that are not listed.
-[[nodiscard]] std::size_t n_left_out(const FileFindings& file, const FindingCount& found);
-
 /// Returns "... and 35 more", "... and at least 35 more", or "... and perhaps more" where all that
-/// were found are listed, but not all were searched.
+/// were found are listed, but not all were searched; an empty text if all are listed.
 [[nodiscard]] std::string left_out_of(const FileFindings& file, const FindingCount& found);
 
 /// Returns a note on a file that is no finding: that its name does not match its format. It is

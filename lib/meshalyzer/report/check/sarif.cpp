@@ -124,10 +124,9 @@ void CheckSarif::add(const FileFindings& file) {
     notes_.push_back({addresses_.back(), std::move(note)});
   }
   if (!file.is_readable()) {
-    const std::size_t line = file.error_place.line;
     json_.begin_object();
     write_result(json_, kUnreadable, Severity::Error, file.error);
-    write_place(json_, addresses_.back(), line == 0 ? std::nullopt : std::optional(line));
+    write_place(json_, addresses_.back(), error_line(file));
     json_.end_object();
   }
   for (const Finding& finding : file.findings) {
@@ -137,9 +136,10 @@ void CheckSarif::add(const FileFindings& file) {
     json_.end_object();
   }
   for (const FindingCount& found : file.counts) {
-    if (n_left_out(file, found) == 0 && !found.is_at_least) continue;
+    const std::string rest = left_out_of(file, found);
+    if (rest.empty()) continue;
     json_.begin_object();
-    write_result(json_, found.code, found.severity, left_out_of(file, found));
+    write_result(json_, found.code, found.severity, rest);
     write_place(json_, addresses_.back());
     json_.end_object();
   }

@@ -1,3 +1,4 @@
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/report/check/formats.h"
 #include "meshalyzer/report/check/lines.h"
 
@@ -7,11 +8,6 @@
 
 namespace meshalyzer {
 namespace {
-
-/// Returns "1 error" or "3,120 errors".
-std::string number_of(std::size_t n, std::string_view one) {
-  return fmt::format("{} {}{}", grouped(n), one, n == 1 ? "" : "s");
-}
 
 class CheckText : public CheckReport {
  public:
@@ -48,8 +44,8 @@ void CheckText::add(const FileFindings& file) {
                         coloured(found.severity, severity_name(found.severity)), found.code,
                         message_of(*finding)));
     }
-    if (n_left_out(file, found) != 0 || found.is_at_least) {
-      sink_(fmt::format("{}: {} {}\n", shown_path(file), left_out_of(file, found), found.code));
+    if (const std::string rest = left_out_of(file, found); !rest.empty()) {
+      sink_(fmt::format("{}: {} {}\n", shown_path(file), rest, found.code));
     }
   }
 }
@@ -60,13 +56,13 @@ void CheckText::finish(const CheckTotals& totals, std::chrono::duration<double> 
   if (totals.good != 0) part(grouped(totals.good) + " good");
   if (totals.not_good != 0) {
     part(fmt::format("{} not ({}{}, {}; {} fixable)", grouped(totals.not_good),
-                     totals.is_at_least ? "at least " : "", number_of(totals.errors, "error"),
-                     number_of(totals.warnings, "warning"), grouped(totals.fixable)));
+                     totals.is_at_least ? "at least " : "",
+                     counted(totals.errors, "error", "errors"),
+                     counted(totals.warnings, "warning", "warnings"), grouped(totals.fixable)));
   }
   if (totals.unreadable != 0) part(grouped(totals.unreadable) + " unreadable");
-  sink_(fmt::format("{} mesh{} in {:.1f} s: {}\n", grouped(totals.meshes),
-                    totals.meshes == 1 ? "" : "es", elapsed.count(),
-                    parts.empty() ? "nothing to check" : parts));
+  sink_(fmt::format("{} in {:.1f} s: {}\n", counted(totals.meshes, "mesh", "meshes"),
+                    elapsed.count(), parts.empty() ? "nothing to check" : parts));
 }
 
 }  // namespace
