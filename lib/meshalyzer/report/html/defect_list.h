@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/picture/scene.h"
 #include "meshalyzer/report/html/scene_json.h"
 #include "meshalyzer/report/html/writer.h"
 
@@ -8,8 +9,9 @@
 
 namespace meshalyzer {
 
-/// The number of defects of each code that are listed; the others are only counted.
-inline constexpr std::size_t kListedOfACode = 500;
+/// The number of defects of each code that are listed: those that the view can highlight; the
+/// others are only counted.
+inline constexpr std::size_t kListedOfACode = SceneLimits{}.max_defects_of_a_code;
 
 /// Appends the section of the changes of all meshes of the page, by pass, each as a button; nothing
 /// if there are none.

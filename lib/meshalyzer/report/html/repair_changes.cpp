@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,6 +36,22 @@ bool have_common_edge(const Triangle& a, const Triangle& b) {
                        [&](Index v) { return std::find(b.begin(), b.end(), v) != b.end(); }) >= 2;
 }
 
+/// The changes that are listed for one mesh.
+struct ListedChanges {
+  ShownChanges shown;
+  /// The number of listed changes of each pass.
+  std::map<std::string_view, std::size_t> counts;
+
+  /// Tells whether another change of a pass can be listed.
+  [[nodiscard]] bool has_room(const std::string& pass) { return counts[pass] < kListedOfACode; }
+
+  void add(const std::string& pass, std::string text, ChangedPlace place) {
+    ++counts[pass];
+    shown.changes.push_back({pass, std::move(text)});
+    shown.places.push_back(std::move(place));
+  }
+};
+
 /// Finds the changes in the log, operation by operation.
 class ChangeFinder {
  public:
@@ -52,7 +69,7 @@ class ChangeFinder {
       add_before(operation);
       add_after(operation);
     }
-    return std::move(result_);
+    return {std::move(before_.shown), std::move(after_.shown)};
   }
 
  private:
@@ -70,30 +87,25 @@ class ChangeFinder {
     }
   }
 
-  /// Tells whether another change of a pass can be listed.
-  static bool has_room(const ShownChanges& shown, const std::string& pass) {
-    return static_cast<std::size_t>(std::count_if(
-               shown.changes.begin(), shown.changes.end(),
-               [&](const PageChange& change) { return change.pass == pass; })) < kListedOfACode;
-  }
-
   void add_before(const LoggedOperation& operation) {
     const std::string& pass = report_.result.log.steps[operation.step].pass;
+    if (!before_.has_room(pass)) return;
     std::vector<Index> faces = joined(operation.removed_faces, operation.changed_faces);
     std::erase_if(faces, [&](Index key) { return key >= input_.n_faces(); });
-    if (faces.empty() || !has_room(result_.before, pass)) return;
+    if (faces.empty()) return;
     const bool is_dropped = operation.added_faces.empty() && operation.changed_faces.empty();
     const std::string_view verb = is_dropped ? " dropped" : " changed";
-    result_.before.changes.push_back({pass, face_list(ids_.faces(faces)) += verb});
-    result_.before.places.push_back({.faces = std::move(faces), .edges = {}});
+    std::string text = face_list(ids_.faces(faces)) += verb;
+    before_.add(pass, std::move(text), {.faces = std::move(faces), .edges = {}});
   }
 
   void add_after(const LoggedOperation& operation) {
     const std::string& pass = report_.result.log.steps[operation.step].pass;
+    if (!after_.has_room(pass)) return;
     std::vector<Index> keys = joined(operation.added_faces, operation.changed_faces);
     std::erase_if(keys,
                   [&](Index key) { return key >= place_of_.size() || place_of_[key] == kNoIndex; });
-    if (keys.empty() || !has_room(result_.after, pass)) return;
+    if (keys.empty()) return;
     ChangedPlace place{.faces = {}, .edges = find_seam(keys)};
     for (const Index key : keys) place.faces.push_back(place_of_[key]);
     std::string text = face_list(ids_.faces(keys));
@@ -101,8 +113,7 @@ class ChangeFinder {
       text += ", a seam of ";
       text += counted(place.edges.size(), "edge", "edges");
     }
-    result_.after.changes.push_back({pass, std::move(text)});
-    result_.after.places.push_back(std::move(place));
+    after_.add(pass, std::move(text), std::move(place));
   }
 
   /// Returns the edges at which faces meet that were made from faces without a common edge.
@@ -143,7 +154,8 @@ class ChangeFinder {
   /// The position of each face among the faces of all meshes, by key.
   std::vector<Index> place_of_;
   std::vector<Index> origin_of_;
-  RepairChanges result_;
+  ListedChanges before_;
+  ListedChanges after_;
 };
 
 }  // namespace
