@@ -12,11 +12,10 @@ namespace {
 
 /// The elements that begin a line of the source, for readability; a line feed before their tags has
 /// no meaning.
-constexpr std::array<std::string_view, 31> kOnOwnLine{
-    "article", "body",    "caption", "details", "div",   "figcaption", "figure", "footer",
-    "g",       "h1",      "h2",      "h3",      "head",  "header",     "li",     "link",
-    "main",    "meta",    "nav",     "ol",      "p",     "rect",       "script", "section",
-    "style",   "summary", "svg",     "table",   "title", "tr",         "ul"};
+constexpr std::array<std::string_view, 27> kOnOwnLine{
+    "body",   "details", "div",   "figcaption", "figure", "footer", "h1",    "h2", "h3",
+    "head",   "header",  "li",    "main",       "meta",   "nav",    "ol",    "p",  "rect",
+    "script", "section", "style", "summary",    "svg",    "table",  "title", "tr", "ul"};
 
 bool is_on_own_line(std::string_view tag) {
   return std::find(kOnOwnLine.begin(), kOnOwnLine.end(), tag) != kOnOwnLine.end();
@@ -41,6 +40,11 @@ void append_ascii(std::string& html, char c) {
   }
 }
 
+/// Tells whether a character is U+FFFE or U+FFFF, which no XML document may contain.
+bool is_no_xml_character(std::string_view character) {
+  return character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF";
+}
+
 bool is_lower_or_digit(char c) {
   return ('a' <= c && c <= 'z') || ('0' <= c && c <= '9');
 }
@@ -59,7 +63,8 @@ void append_escaped_html(std::string& html, std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = utf8_sequence_length(text, i);
     const bool is_space = text[i] == '\n' || text[i] == '\t';
-    if (length == 0 || (control_length(text, i) > 0 && !is_space)) {
+    if (length == 0 || is_no_xml_character(text.substr(i, length)) ||
+        (control_length(text, i) > 0 && !is_space)) {
       html += kReplacementCharacter;
     } else if (length == 1) {
       append_ascii(html, text[i]);

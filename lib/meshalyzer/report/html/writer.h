@@ -7,9 +7,10 @@
 
 namespace meshalyzer {
 
-/// Appends a text to an HTML document, also within an attribute in double quotes: markup is
-/// escaped; invalid UTF-8 and control characters, which a document may not contain, become U+FFFD,
-/// and so do controls of the direction of writing, which would turn round the text that follows.
+/// Appends a text to an HTML or XML document, also within an attribute in double quotes: markup is
+/// escaped; invalid UTF-8, control characters, U+FFFE and U+FFFF, which a document may not contain,
+/// become U+FFFD, and so do controls of the direction of writing, which would turn round the text
+/// that follows.
 void append_escaped_html(std::string& html, std::string_view text);
 
 /// Returns the relative address of a file for `href`: reserved and forbidden bytes are

@@ -31,6 +31,10 @@ TEST(AppendEscapedHtml, WhatNoDocumentMayHaveIsReplaced) {
             "a�b");
 }
 
+TEST(AppendEscapedHtml, CharactersThatXmlForbidsAreReplaced) {
+  EXPECT_EQ(escaped("\uFFFD \xEF\xBF\xBE \xEF\xBF\xBF"), "\uFFFD \uFFFD \uFFFD");
+}
+
 TEST(AppendEscapedHtml, WhatTurnsTheTextAfterItRoundIsReplaced) {
   // The embeddings and overrides U+202A ... U+202E and the isolates U+2066 ... U+2069.
   EXPECT_EQ(escaped("a\u202Abo.x, \u202Eb\u202C.obj"), "a�bo.x, �b�.obj");
