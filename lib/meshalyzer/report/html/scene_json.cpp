@@ -2,7 +2,6 @@
 
 #include "meshalyzer/base/base64.h"
 #include "meshalyzer/base/bytes.h"
-#include "meshalyzer/defects/catalogue.h"
 #include "meshalyzer/report/html/colour_text.h"
 #include "meshalyzer/report/json/writer.h"
 #include "meshalyzer/report/text/defect_lines.h"
@@ -121,7 +120,6 @@ void write_codes(JsonWriter& json) {
   for (const DefectCode code : all_defect_codes()) {
     json.begin_object(JsonLayout::Row);
     json.member("code", defect_name(code));
-    json.member("severity", severity_name(catalogue_entry(code).severity));
     json.member("colour", colour_text(code));
     json.end_object();
   }

@@ -119,9 +119,8 @@
       centre: raw.centre,
       perUnit: raw.radius / raw.scale,
       unit: unit,
-      notes: raw.notes || [],
-      decimated: raw.decimated || 0,
-      defects: raw.defects || 0,
+      notes: raw.notes,
+      defects: raw.defects,
       detail: surfaces.detail,
       context: surfaces.context,
       fields: raw.fields.map((field) => new Field(field, surfaces)),
@@ -140,6 +139,14 @@
       this.rawScenes = raw.scenes;
       this.titles = raw.scenes.map((scene) => scene.title);
       this.scenes = [];
+    }
+
+    // The name of a value of a field of categories: a code, or a number from 1.
+    categoryText(field, value) {
+      if (field.name !== "defect") {
+        return String(value + 1);
+      }
+      return value === 0 ? "none" : this.codes[value - 1].code;
     }
 
     scene(index) {

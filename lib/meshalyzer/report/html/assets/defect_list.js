@@ -2,6 +2,11 @@
 (function (page) {
   "use strict";
 
+  // Which highlight of which scene a button shows.
+  function placeOf(button) {
+    return { sceneIndex: Number(button.dataset.scene), highlightIndex: Number(button.dataset.highlight) };
+  }
+
   class DefectList {
     // chosen(sceneIndex, highlightIndex) is called when a button is pressed.
     constructor(chosen) {
@@ -11,7 +16,8 @@
       document.addEventListener("click", (event) => {
         const button = event.target.closest ? event.target.closest("button.defect") : null;
         if (button) {
-          chosen(Number(button.dataset.scene), Number(button.dataset.highlight));
+          const place = placeOf(button);
+          chosen(place.sceneIndex, place.highlightIndex);
         }
       });
     }
@@ -22,8 +28,10 @@
     }
 
     buttonOf(sceneIndex, highlightIndex) {
-      return this.buttons.find((button) => Number(button.dataset.scene) === sceneIndex &&
-                                           Number(button.dataset.highlight) === highlightIndex) || null;
+      return this.buttons.find((button) => {
+        const place = placeOf(button);
+        return place.sceneIndex === sceneIndex && place.highlightIndex === highlightIndex;
+      }) || null;
     }
 
     // Null, null: none. The focus follows where it was in the list.
@@ -58,8 +66,7 @@
         return null;
       }
       const from = this.pressed ? this.buttons.indexOf(this.pressed) : (step > 0 ? -1 : 0);
-      const button = this.buttons[(from + step + count) % count];
-      return { sceneIndex: Number(button.dataset.scene), highlightIndex: Number(button.dataset.highlight) };
+      return placeOf(this.buttons[(from + step + count) % count]);
     }
   }
 

@@ -2,7 +2,7 @@
 (function (page) {
   "use strict";
 
-  page.kHighlight = "#e5127d";
+  page.kHighlight = page.styleColour("--highlight");
   // Outlines of many faces show their shape; those of a few make even the thinnest visible.
   const kFewOutlines = { colour: page.kHighlight, width: 3 };
   const kManyOutlines = { colour: "#7a0743", width: 1.5 };

@@ -81,12 +81,11 @@
   function categoryLegend(field, parts, data, bytes) {
     const names = namesIn(field, parts);
     const isDefect = field.name === "defect";
-    const textOf = (value) => isDefect ? (value === 0 ? "none" : data.codes[value - 1].code) : String(value + 1);
     return {
       kind: "category",
       title: field.label,
       swatches: names.slice(0, isDefect ? names.length : kSwatches).map((value) => ({
-        colour: page.cssColour(bytes, value % page.kSize), text: textOf(value),
+        colour: page.cssColour(bytes, value % page.kSize), text: data.categoryText(field, value),
       })),
       notes: !isDefect && names.length > kSwatches ? ["and " + page.countText(names.length - kSwatches) + " more."] : [],
     };

@@ -1,4 +1,5 @@
-// From values to colours: palettes of 256 entries, and where along one a value lies.
+// Colours: those of the style sheet, and those of values: palettes of 256 entries, and where along
+// one a value lies.
 (function (page) {
   "use strict";
 
@@ -7,6 +8,11 @@
   page.kNoValue = [128 / 255, 128 / 255, 128 / 255];
   // The surface without a field, and faces without a defect.
   page.kPlain = [0.78, 0.81, 0.845];
+
+  // name: of a variable of the style sheet, "--view".
+  page.styleColour = function (name) {
+    return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  };
 
   page.cssColour = function (bytes, entry) {
     return "rgb(" + bytes.slice(3 * entry, 3 * entry + 3).join(" ") + ")";

@@ -18,13 +18,8 @@
   }
 
   function valueText(data, field, value) {
-    if (field.kind !== "category" || Number.isNaN(value)) {
-      return page.numberText(value, 5);
-    }
-    if (field.name !== "defect") {
-      return String(value + 1);
-    }
-    return value === 0 ? "none" : data.codes[value - 1].code;
+    const isNumber = field.kind !== "category" || Number.isNaN(value);
+    return isNumber ? page.numberText(value, 5) : data.categoryText(field, value);
   }
 
   page.titleOfPick = function (pick) {

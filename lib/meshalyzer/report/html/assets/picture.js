@@ -5,16 +5,12 @@
   const kMargin = 20;
   const kLine = 22;
 
-  function style(name) {
-    return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-  }
-
   function drawRamp(context, legend, width, top) {
     const bar = context.createLinearGradient(kMargin, 0, width - kMargin, 0);
     legend.stops.forEach((stop, i) => bar.addColorStop(i / (legend.stops.length - 1), stop));
     context.fillStyle = bar;
     context.fillRect(kMargin, top, width - 2 * kMargin, 12);
-    context.fillStyle = style("--ink");
+    context.fillStyle = page.styleColour("--ink");
     for (const tick of legend.ticks) {
       const x = kMargin + tick.at * (width - 2 * kMargin);
       const half = context.measureText(tick.text).width / 2;
@@ -35,7 +31,7 @@
       }
       context.fillStyle = swatch.colour;
       context.fillRect(x, y, 13, 13);
-      context.fillStyle = style("--ink");
+      context.fillStyle = page.styleColour("--ink");
       context.fillText(swatch.text, x + 20, y + 12);
       x += length;
     }
@@ -44,7 +40,7 @@
 
   function drawLegend(context, legend, width, top) {
     context.font = "600 14px system-ui, sans-serif";
-    context.fillStyle = style("--ink");
+    context.fillStyle = page.styleColour("--ink");
     context.fillText(legend.title, kMargin, top + 14);
     context.font = "13px system-ui, sans-serif";
     const draw = legend.kind === "ramp" ? drawRamp : drawSwatches;
@@ -69,7 +65,7 @@
     whole.width = viewCanvas.width;
     whole.height = viewCanvas.height + below.height;
     const context = whole.getContext("2d");
-    context.fillStyle = style("--view");
+    context.fillStyle = page.styleColour("--view");
     context.fillRect(0, 0, whole.width, whole.height);
     context.drawImage(viewCanvas, 0, 0);
     if (below.height > 0) {

@@ -79,7 +79,7 @@
 
     render() {
       this.isAsked = false;
-      const ground = this.ground || getComputedStyle(document.documentElement).getPropertyValue("--view").trim();
+      const ground = this.ground || page.styleColour("--view");
       this.renderer.setClearColor(new THREE.Color(ground), 1);
       this.camera.prepare();
       const size = this.renderer.getDrawingBufferSize(new THREE.Vector2());

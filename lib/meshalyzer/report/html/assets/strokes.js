@@ -5,7 +5,7 @@
   // How much nearer to the eye than they are: a share of the distance.
   page.kLift = 0.0015;
   // Dark on both sides of a line, so that it is seen on any colour of surface and ground.
-  const kCasing = { colour: "#10151a", more: 2.2, opacity: 0.85 };
+  const kCasing = { colour: page.styleColour("--casing"), more: 2.2, opacity: 0.85 };
   const kThrough = 0.38;
   // More segments than this cover the surface: they are thin then, and without casing.
   const kMany = 20000;

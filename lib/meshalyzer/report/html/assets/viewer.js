@@ -5,14 +5,14 @@
   // Of what is wrong: in colours that no surface has, and seen through what is in front of it.
   const kDefectLine = { width: 3.5, isCased: true, isSeenThrough: true };
   const kLines = {
-    borders: { colour: "#ff8a00", width: 2.5, order: 1 },
-    flipped_edges: { colour: "#a96bff", lift: 1.2, order: 2 },
-    intersections: { colour: "#00d0e4", lift: 1.3, order: 3 },
-    non_manifold_edges: { colour: "#ff2626", lift: 1.4, order: 4 },
+    borders: { colour: page.styleColour("--borders"), width: 2.5, order: 1 },
+    flipped_edges: { colour: page.styleColour("--flipped-edges"), lift: 1.2, order: 2 },
+    intersections: { colour: page.styleColour("--intersections"), lift: 1.3, order: 3 },
+    non_manifold_edges: { colour: page.styleColour("--non-manifold-edges"), lift: 1.4, order: 4 },
   };
   const kNormals = {
-    faces: { colour: "#d62728", width: 1.8 },
-    vertices: { colour: "#1f9d3a", width: 1.8 },
+    faces: { colour: page.styleColour("--face-normals"), width: 1.8 },
+    vertices: { colour: page.styleColour("--vertex-normals"), width: 1.8 },
   };
   const kFlat = { colour: "#27313b", width: 1.5 };
 
