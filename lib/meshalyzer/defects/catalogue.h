@@ -46,6 +46,11 @@ struct CatalogueEntry {
 /// Returns the entry of one code.
 [[nodiscard]] const CatalogueEntry& catalogue_entry(DefectCode code);
 
+/// Tells whether each defect of a code is a whole component, which its first face represents.
+[[nodiscard]] constexpr bool is_whole_component(DefectCode code) {
+  return code == DefectCode::Disjoint || code == DefectCode::Inward;
+}
+
 /// Returns a defect that has this code and the severity of its entry, and is empty otherwise.
 [[nodiscard]] Defect make_defect(DefectCode code);
 

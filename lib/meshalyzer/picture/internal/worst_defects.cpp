@@ -110,8 +110,7 @@ std::vector<double> worst_defects(const Soup& soup, const DefectReport& report) 
 }
 
 bool names_component(const Defect& defect) {
-  return (defect.code == DefectCode::Disjoint || defect.code == DefectCode::Inward) &&
-         !defect.faces.empty();
+  return is_whole_component(defect.code) && !defect.faces.empty();
 }
 
 std::vector<double> spread_over_components(std::vector<double> values, const DefectReport& report,

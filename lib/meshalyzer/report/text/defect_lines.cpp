@@ -28,9 +28,7 @@ void append_list(std::string& text, std::string_view words, std::size_t n, ListL
 /// Returns the word for the faces of a defect. If it is a whole component, its first face
 /// represents all of them.
 std::string_view word_for_faces(const Defect& defect) {
-  const bool is_component =
-      defect.code == DefectCode::Disjoint || defect.code == DefectCode::Inward;
-  if (is_component) return "component of face";
+  if (is_whole_component(defect.code)) return "component of face";
   return defect.faces.size() == 1 ? "face" : "faces";
 }
 
