@@ -137,8 +137,8 @@ void write_page(const std::string& file, const RepairReport& report, DrawnInput 
   add_field(before.scene, deviation_field(before.mesh->soup(), *mesh));
   add_field(after, deviation_field(mesh->soup(), *before.mesh));
   const RepairChanges changes = find_changes(report, before.mesh->soup(), mesh->soup());
-  light_changes(before.scene, before.mesh->soup(), changes.before.places);
-  light_changes(after, mesh->soup(), changes.after.places);
+  highlight_changes(before.scene, before.mesh->soup(), changes.before.places);
+  highlight_changes(after, mesh->soup(), changes.after.places);
   const PageMesh shown_before{report.input, report.result.before, before.scene,
                               changes.before.changes};
   const PageMesh shown_after{all.name, all.defects, after, changes.after.changes};

@@ -5,8 +5,8 @@
 #include "meshalyzer/mesh/finite_positions.h"
 #include "meshalyzer/picture/internal/drawn_surface.h"
 #include "meshalyzer/picture/internal/edge_lengths.h"
+#include "meshalyzer/picture/internal/highlighted_elements.h"
 #include "meshalyzer/picture/internal/highlights.h"
-#include "meshalyzer/picture/internal/lit_defects.h"
 #include "meshalyzer/picture/internal/neighbourhoods.h"
 #include "meshalyzer/picture/internal/scene_lines.h"
 #include "meshalyzer/picture/internal/vertex_clusters.h"
@@ -73,7 +73,7 @@ class SceneMaker {
         report_(source.defects != nullptr ? *source.defects : no_defects()),
         faces_(drawable_faces(soup())),
         frame_(box_of(soup(), faces_)),
-        lit_(source.mesh, report_, limits_of_lit()) {
+        highlighted_(source.mesh, report_, highlight_limits()) {
     scene_.centre = frame_.centre();
     scene_.radius = frame_.radius();
     scene_.scale = frame_.scale();
@@ -83,7 +83,7 @@ class SceneMaker {
   [[nodiscard]] Scene make(const std::vector<FieldName>& names) {
     draw_surfaces();
     scene_.fields = draw_fields(compute_fields(source_, names), scene_.detail, scene_.context);
-    light_defects();
+    highlight_defects();
     DrawnLines drawn = draw_lines(source_.mesh, frame_, limits_.max_segments);
     scene_.lines = std::move(drawn.lines);
     note_surface();
@@ -97,7 +97,7 @@ class SceneMaker {
   [[nodiscard]] bool is_whole() const { return faces_.size() <= limits_.max_whole_faces; }
 
   /// Returns limits that leave half of the detail to the surroundings of the defects.
-  [[nodiscard]] SceneLimits limits_of_lit() const {
+  [[nodiscard]] SceneLimits highlight_limits() const {
     SceneLimits limits = limits_;
     if (!is_whole()) {
       limits.max_elements_of_all =
@@ -113,7 +113,7 @@ class SceneMaker {
       return;
     }
     TriangleList detail = triangles_of(
-        soup(), faces_round(soup(), faces_, lit_.seeds(soup()), limits_.max_detail_faces));
+        soup(), faces_round(soup(), faces_, highlighted_.seeds(soup()), limits_.max_detail_faces));
     std::vector<Index> rest;
     std::set_difference(faces_.begin(), faces_.end(), detail.faces.begin(), detail.faces.end(),
                         std::back_inserter(rest));
@@ -126,10 +126,11 @@ class SceneMaker {
     scene_.detail = draw_surface(soup(), frame_, std::move(detail), normals);
   }
 
-  void light_defects() {
-    if (lit_.all().empty()) return;
+  void highlight_defects() {
+    if (highlighted_.all().empty()) return;
     const EdgeLengths lengths(soup(), frame_, faces_);
-    scene_.highlights = make_highlights({soup(), frame_, lengths, scene_.detail}, lit_.all());
+    scene_.highlights =
+        make_highlights({soup(), frame_, lengths, scene_.detail}, highlighted_.all());
   }
 
   void note_surface() {
@@ -152,16 +153,16 @@ class SceneMaker {
   }
 
   void note_defects() {
-    std::array<std::size_t, kDefectCodes> n_lit{};
-    for (const LitDefect& lit : lit_.all()) {
-      ++n_lit[static_cast<std::size_t>(report_.defects.code_of(lit.number))];
+    std::array<std::size_t, kDefectCodes> n_highlighted{};
+    for (const HighlightedElements& elements : highlighted_.all()) {
+      ++n_highlighted[static_cast<std::size_t>(report_.defects.code_of(elements.number))];
     }
     for (const DefectCode code : all_defect_codes()) {
-      const std::size_t lit = n_lit[static_cast<std::size_t>(code)];
-      if (lit >= report_.count(code)) continue;
+      const std::size_t n = n_highlighted[static_cast<std::size_t>(code)];
+      if (n >= report_.count(code)) continue;
       scene_.notes.push_back(fmt::format("Of {} of code {} the first {} can be lit up.",
                                          counted(report_.count(code), "defect", "defects"),
-                                         defect_name(code), grouped(lit)));
+                                         defect_name(code), grouped(n)));
     }
     note_cut_highlights();
   }
@@ -181,7 +182,7 @@ class SceneMaker {
   /// The faces that can be drawn.
   std::vector<Index> faces_;
   DrawingFrame frame_;
-  LitDefects lit_;
+  HighlightedDefects highlighted_;
   Scene scene_;
 };
 
@@ -197,14 +198,14 @@ void add_field(Scene& scene, const Field& field) {
   scene.fields.push_back(draw_field(field, scene.detail, scene.context));
 }
 
-void light_changes(Scene& scene, const Soup& soup, std::span<const ChangedPlace> changes,
-                   const SceneLimits& limits) {
+void highlight_changes(Scene& scene, const Soup& soup, std::span<const ChangedPlace> changes,
+                       const SceneLimits& limits) {
   if (changes.empty()) return;
   const std::vector<Index> faces = drawable_faces(soup);
   const DrawingFrame frame(box_of(soup, faces));
   const EdgeLengths lengths(soup, frame, faces);
   scene.changes =
-      make_highlights({soup, frame, lengths, scene.detail}, lit_changes(changes, limits));
+      make_highlights({soup, frame, lengths, scene.detail}, elements_of_changes(changes, limits));
 }
 
 }  // namespace meshalyzer

@@ -90,7 +90,7 @@ struct Scene {
   std::vector<DrawnField> fields;
   /// The highlights of defects.
   std::vector<Highlight> highlights;
-  /// The highlights of changes, in their order: see light_changes().
+  /// The highlights of changes, in their order: see highlight_changes().
   std::vector<Highlight> changes;
   SceneLines lines;
   /// The number of faces of the file that can be drawn, because all corners are defined and finite.
@@ -147,7 +147,7 @@ struct ChangedPlace {
 ///
 /// @param scene  The scene of the soup, whose Scene::changes is set.
 /// @complexity   O(#V + #F) and the size of the changes.
-void light_changes(Scene& scene, const Soup& soup, std::span<const ChangedPlace> changes,
-                   const SceneLimits& limits = {});
+void highlight_changes(Scene& scene, const Soup& soup, std::span<const ChangedPlace> changes,
+                       const SceneLimits& limits = {});
 
 }  // namespace meshalyzer

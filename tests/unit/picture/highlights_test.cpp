@@ -19,14 +19,14 @@ std::vector<Highlight> highlights_of(const Soup& soup, const DefectOptions& opti
                                      const SceneLimits& limits = {}) {
   const PreparedMesh mesh(soup);
   const DefectReport report = find_defects(mesh, options);
-  const LitDefects lit(mesh, report, limits);
+  const HighlightedDefects highlighted(mesh, report, limits);
   const std::vector<Index> faces = drawable_faces(soup);
   const DrawingFrame frame(box_of(soup, faces));
   const EdgeLengths lengths(soup, frame, faces);
   const std::vector<Vec3> normals(soup.n_vertices(), Vec3::Zero());
   const DrawnSurface detail =
       draw_surface(soup, frame, triangles_of(soup, in_detail.value_or(faces)), normals);
-  return make_highlights({soup, frame, lengths, detail}, lit.all());
+  return make_highlights({soup, frame, lengths, detail}, highlighted.all());
 }
 
 /// The largest distance from the focus of what is lit up.

@@ -23,26 +23,27 @@ std::vector<std::uint32_t> places_in(const DrawnSurface& surface, std::size_t n_
 }
 
 /// Makes the highlight of one defect or change.
-class Lighting {
+class HighlightMaker {
  public:
-  Lighting(const LitPlace& place, std::span<const std::uint32_t> drawn_face, const LitDefect& lit)
-      : place_(place), drawn_face_(drawn_face), lit_(lit) {
-    highlight_.number = lit.number;
-    highlight_.is_cut = lit.is_cut;
+  HighlightMaker(const HighlightContext& place, std::span<const std::uint32_t> drawn_face,
+                 const HighlightedElements& elements)
+      : place_(place), drawn_face_(drawn_face), elements_(elements) {
+    highlight_.number = elements.number;
+    highlight_.is_cut = elements.is_cut;
   }
 
   [[nodiscard]] Highlight make() {
-    for (const Index f : lit_.faces) light_face(f);
-    for (const auto& [a, b] : lit_.edges) light_edge(a, b);
-    for (const IntersectingPair& pair : lit_.pairs) light_contact(pair);
-    for (const Index v : lit_.vertices) light_vertex(v);
-    if (box_.isEmpty() || lit_.is_thin) light_positions();
+    for (const Index f : elements_.faces) add_face(f);
+    for (const auto& [a, b] : elements_.edges) add_edge(a, b);
+    for (const IntersectingPair& pair : elements_.pairs) add_contact(pair);
+    for (const Index v : elements_.vertices) add_vertex(v);
+    if (box_.isEmpty() || elements_.is_thin) add_positions();
     set_view();
     return std::move(highlight_);
   }
 
  private:
-  void light_face(Index face) {
+  void add_face(Index face) {
     if (!is_drawable(place_.soup, face)) {
       highlight_.is_cut = true;
       return;
@@ -54,18 +55,18 @@ class Lighting {
     } else {
       highlight_.faces.push_back(drawn_face_[face]);
     }
-    if (!lit_.is_thin) return;
+    if (!elements_.is_thin) return;
     for (std::size_t i = 0; i < 3; ++i) add_segment(drawn(t[i]), drawn(t[(i + 1) % 3]));
   }
 
-  void light_edge(Index a, Index b) {
+  void add_edge(Index a, Index b) {
     if (!is_finite(a) || !is_finite(b)) return;
     look_at_vertex(a);
     look_at_vertex(b);
     add_segment(drawn(a), drawn(b));
   }
 
-  void light_contact(const IntersectingPair& pair) {
+  void add_contact(const IntersectingPair& pair) {
     const Corners a = corners_of(place_.soup, pair.face_a);
     const Corners b = corners_of(place_.soup, pair.face_b);
     for (const auto& [from, to] : contact_segments(a, b, pair.kind)) {
@@ -77,14 +78,14 @@ class Lighting {
     }
   }
 
-  void light_vertex(Index vertex) {
+  void add_vertex(Index vertex) {
     if (!is_finite(vertex)) return;
     look_at_vertex(vertex);
     add_point(drawn(vertex));
   }
 
-  void light_positions() {
-    for (const Vec3& position : lit_.positions) {
+  void add_positions() {
+    for (const Vec3& position : elements_.positions) {
       if (position.allFinite()) add_point(place_.frame(position));
     }
   }
@@ -128,9 +129,9 @@ class Lighting {
     highlight_.radius = static_cast<float>(radius);
   }
 
-  const LitPlace& place_;
+  const HighlightContext& place_;
   std::span<const std::uint32_t> drawn_face_;
-  const LitDefect& lit_;
+  const HighlightedElements& elements_;
   Highlight highlight_;
   /// The box of the highlight, in drawn coordinates.
   Box3 box_;
@@ -140,12 +141,15 @@ class Lighting {
 
 }  // namespace
 
-std::vector<Highlight> make_highlights(const LitPlace& place, std::span<const LitDefect> lit) {
-  if (lit.empty()) return {};
+std::vector<Highlight> make_highlights(const HighlightContext& place,
+                                       std::span<const HighlightedElements> elements) {
+  if (elements.empty()) return {};
   const std::vector<std::uint32_t> drawn_face = places_in(place.detail, place.soup.n_faces());
   std::vector<Highlight> highlights;
-  highlights.reserve(lit.size());
-  for (const LitDefect& one : lit) highlights.push_back(Lighting(place, drawn_face, one).make());
+  highlights.reserve(elements.size());
+  for (const HighlightedElements& one : elements) {
+    highlights.push_back(HighlightMaker(place, drawn_face, one).make());
+  }
   return highlights;
 }
 

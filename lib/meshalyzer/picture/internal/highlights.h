@@ -2,7 +2,7 @@
 
 #include "meshalyzer/picture/internal/drawing_frame.h"
 #include "meshalyzer/picture/internal/edge_lengths.h"
-#include "meshalyzer/picture/internal/lit_defects.h"
+#include "meshalyzer/picture/internal/highlighted_elements.h"
 #include "meshalyzer/picture/scene.h"
 
 #include <span>
@@ -11,7 +11,7 @@
 namespace meshalyzer {
 
 /// The scene in which defects and changes are highlighted. The caller keeps the data.
-struct LitPlace {
+struct HighlightContext {
   const Soup& soup;
   const DrawingFrame& frame;
   const EdgeLengths& lengths;
@@ -24,7 +24,7 @@ struct LitPlace {
 /// positions.
 ///
 /// The view has a margin of a few edge lengths round it.
-[[nodiscard]] std::vector<Highlight> make_highlights(const LitPlace& place,
-                                                     std::span<const LitDefect> lit);
+[[nodiscard]] std::vector<Highlight> make_highlights(const HighlightContext& place,
+                                                     std::span<const HighlightedElements> elements);
 
 }  // namespace meshalyzer

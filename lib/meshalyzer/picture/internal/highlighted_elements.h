@@ -13,7 +13,7 @@
 namespace meshalyzer {
 
 /// The elements of a defect or change that are highlighted: the first ones. It only refers to them.
-struct LitDefect {
+struct HighlightedElements {
   /// The position of the defect in DefectReport::defects, or of the change in its list.
   std::size_t number = 0;
   /// The faces; those of the whole component if the defect is one (disjoint, inward).
@@ -37,27 +37,28 @@ struct LitDefect {
                                      std::size_t total);
 
 /// Chooses the elements of changes that are highlighted; the changes must outlive them.
-[[nodiscard]] std::vector<LitDefect> lit_changes(std::span<const ChangedPlace> changes,
-                                                 const SceneLimits& limits);
+[[nodiscard]] std::vector<HighlightedElements> elements_of_changes(
+    std::span<const ChangedPlace> changes, const SceneLimits& limits);
 
 /// Chooses the defects of a report that are highlighted.
-class LitDefects {
+class HighlightedDefects {
  public:
-  LitDefects(const PreparedMesh& mesh, const DefectReport& report, const SceneLimits& limits);
-  LitDefects(const LitDefects&) = delete;
-  LitDefects& operator=(const LitDefects&) = delete;
+  HighlightedDefects(const PreparedMesh& mesh, const DefectReport& report,
+                     const SceneLimits& limits);
+  HighlightedDefects(const HighlightedDefects&) = delete;
+  HighlightedDefects& operator=(const HighlightedDefects&) = delete;
 
   /// Returns the chosen defects, in the order of the report.
-  [[nodiscard]] std::span<const LitDefect> all() const { return lit_; }
+  [[nodiscard]] std::span<const HighlightedElements> all() const { return elements_; }
   /// Returns the elements round which the mesh is drawn in detail: the first element of each
   /// defect, errors before warnings, then the second of each, and so on, so that one long defect
   /// does not take all the detail.
   [[nodiscard]] Seeds seeds(const Soup& soup) const;
 
  private:
-  /// The chosen defects, to whose lists lit_ refers.
+  /// The chosen defects, to whose lists elements_ refers.
   std::vector<Defect> defects_;
-  std::vector<LitDefect> lit_;
+  std::vector<HighlightedElements> elements_;
   /// The faces of each component that is a defect, as many as may be highlighted.
   std::vector<std::vector<Index>> components_;
 };

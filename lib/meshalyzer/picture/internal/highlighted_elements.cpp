@@ -1,4 +1,4 @@
-#include "meshalyzer/picture/internal/lit_defects.h"
+#include "meshalyzer/picture/internal/highlighted_elements.h"
 
 #include "meshalyzer/picture/internal/drawn_surface.h"
 #include "meshalyzer/picture/internal/worst_defects.h"
@@ -29,12 +29,13 @@ std::vector<Defect> unpack(const DefectList& defects, std::span<const std::size_
   return unpacked;
 }
 
-/// Lights all elements of some defects.
-std::vector<LitDefect> light(std::span<const Defect> defects, std::span<const std::size_t> places) {
-  std::vector<LitDefect> lit;
+/// Lists all elements of some defects.
+std::vector<HighlightedElements> elements_of(std::span<const Defect> defects,
+                                             std::span<const std::size_t> places) {
+  std::vector<HighlightedElements> elements;
   for (std::size_t i = 0; i < defects.size(); ++i) {
     const Defect& defect = defects[i];
-    LitDefect& one = lit.emplace_back();
+    HighlightedElements& one = elements.emplace_back();
     one.number = places[i];
     one.faces = defect.faces;
     one.edges = defect.edges;
@@ -43,7 +44,7 @@ std::vector<LitDefect> light(std::span<const Defect> defects, std::span<const st
     one.positions = defect.positions;
     one.is_thin = is_thin(defect.code);
   }
-  return lit;
+  return elements;
 }
 
 /// Lists the faces of some components of the mesh.
@@ -82,51 +83,55 @@ class ComponentFaces {
 /// Gives each defect that is a component all faces of that component.
 std::vector<std::vector<Index>> expand_components(const PreparedMesh& mesh,
                                                   std::span<const Defect> defects,
-                                                  std::vector<LitDefect>& lit, std::size_t max) {
+                                                  std::vector<HighlightedElements>& elements,
+                                                  std::size_t max) {
   if (std::none_of(defects.begin(), defects.end(), names_component)) return {};
   ComponentFaces components(mesh);
-  std::vector<Index> list_of(lit.size(), kNoIndex);
-  for (std::size_t i = 0; i < lit.size(); ++i) {
-    if (names_component(defects[i])) list_of[i] = components.list_of(lit[i].faces[0]);
+  std::vector<Index> list_of(elements.size(), kNoIndex);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (names_component(defects[i])) list_of[i] = components.list_of(elements[i].faces[0]);
   }
   std::vector<std::vector<Index>> lists = components.fill(mesh.soup(), max);
-  for (std::size_t i = 0; i < lit.size(); ++i) {
-    if (list_of[i] != kNoIndex) lit[i].faces = lists[list_of[i]];
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (list_of[i] != kNoIndex) elements[i].faces = lists[list_of[i]];
   }
   return lists;
 }
 
-std::size_t size_of(const LitDefect& lit) {
-  return std::max({lit.faces.size(), lit.edges.size(), lit.pairs.size(), lit.vertices.size()});
+std::size_t size_of(const HighlightedElements& elements) {
+  return std::max({elements.faces.size(), elements.edges.size(), elements.pairs.size(),
+                   elements.vertices.size()});
 }
 
-void cut_to(LitDefect& lit, std::size_t max) {
+void cut_to(HighlightedElements& elements, std::size_t max) {
   const auto cut = [max](auto& list) { list = list.first(std::min(list.size(), max)); };
-  lit.is_cut = size_of(lit) > max;
-  cut(lit.faces);
-  cut(lit.edges);
-  cut(lit.pairs);
-  cut(lit.vertices);
+  elements.is_cut = size_of(elements) > max;
+  cut(elements.faces);
+  cut(elements.edges);
+  cut(elements.pairs);
+  cut(elements.vertices);
 }
 
 /// Cuts all lists to the same size, so that together they keep the limit.
-void cut_to_limits(std::vector<LitDefect>& all, const SceneLimits& limits) {
+void cut_to_limits(std::vector<HighlightedElements>& all, const SceneLimits& limits) {
   std::vector<std::size_t> sizes;
-  for (const LitDefect& lit : all) sizes.push_back(size_of(lit));
+  for (const HighlightedElements& elements : all) sizes.push_back(size_of(elements));
   const std::size_t share =
       fair_share(sizes, limits.max_elements_of_a_defect, limits.max_elements_of_all);
-  for (LitDefect& lit : all) cut_to(lit, share);
+  for (HighlightedElements& elements : all) cut_to(elements, share);
 }
 
 /// Adds one element of each list of a defect to the seeds.
-void add_seeds(const Soup& soup, const LitDefect& lit, std::size_t place, Seeds& seeds) {
-  if (place < lit.faces.size() && is_drawable(soup, lit.faces[place])) {
-    seeds.faces.push_back(lit.faces[place]);
+void add_seeds(const Soup& soup, const HighlightedElements& elements, std::size_t place,
+               Seeds& seeds) {
+  if (place < elements.faces.size() && is_drawable(soup, elements.faces[place])) {
+    seeds.faces.push_back(elements.faces[place]);
   }
-  if (place < lit.edges.size()) {
-    seeds.vertices.insert(seeds.vertices.end(), lit.edges[place].begin(), lit.edges[place].end());
+  if (place < elements.edges.size()) {
+    seeds.vertices.insert(seeds.vertices.end(), elements.edges[place].begin(),
+                          elements.edges[place].end());
   }
-  if (place < lit.vertices.size()) seeds.vertices.push_back(lit.vertices[place]);
+  if (place < elements.vertices.size()) seeds.vertices.push_back(elements.vertices[place]);
 }
 
 }  // namespace
@@ -148,42 +153,43 @@ std::size_t fair_share(std::span<const std::size_t> sizes, std::size_t max_each,
   return low;
 }
 
-std::vector<LitDefect> lit_changes(std::span<const ChangedPlace> changes,
-                                   const SceneLimits& limits) {
-  std::vector<LitDefect> lit;
+std::vector<HighlightedElements> elements_of_changes(std::span<const ChangedPlace> changes,
+                                                     const SceneLimits& limits) {
+  std::vector<HighlightedElements> elements;
   for (std::size_t i = 0; i < changes.size(); ++i) {
-    lit.push_back({.number = i,
-                   .faces = changes[i].faces,
-                   .edges = changes[i].edges,
-                   .pairs = {},
-                   .vertices = {},
-                   .positions = {}});
+    elements.push_back({.number = i,
+                        .faces = changes[i].faces,
+                        .edges = changes[i].edges,
+                        .pairs = {},
+                        .vertices = {},
+                        .positions = {}});
   }
-  cut_to_limits(lit, limits);
-  return lit;
+  cut_to_limits(elements, limits);
+  return elements;
 }
 
-LitDefects::LitDefects(const PreparedMesh& mesh, const DefectReport& report,
-                       const SceneLimits& limits) {
+HighlightedDefects::HighlightedDefects(const PreparedMesh& mesh, const DefectReport& report,
+                                       const SceneLimits& limits) {
   const std::vector<std::size_t> places =
       first_of_each_code(report.defects, limits.max_defects_of_a_code);
   defects_ = unpack(report.defects, places);
-  lit_ = light(defects_, places);
-  components_ = expand_components(mesh, defects_, lit_, limits.max_elements_of_a_defect);
-  cut_to_limits(lit_, limits);
+  elements_ = elements_of(defects_, places);
+  components_ = expand_components(mesh, defects_, elements_, limits.max_elements_of_a_defect);
+  cut_to_limits(elements_, limits);
 }
 
-Seeds LitDefects::seeds(const Soup& soup) const {
-  std::vector<const LitDefect*> left;
+Seeds HighlightedDefects::seeds(const Soup& soup) const {
+  std::vector<const HighlightedElements*> left;
   for (const Severity severity : {Severity::Error, Severity::Warning}) {
-    for (std::size_t i = 0; i < lit_.size(); ++i) {
-      if (defects_[i].severity == severity) left.push_back(&lit_[i]);
+    for (std::size_t i = 0; i < elements_.size(); ++i) {
+      if (defects_[i].severity == severity) left.push_back(&elements_[i]);
     }
   }
   Seeds seeds;
   for (std::size_t place = 0; !left.empty(); ++place) {
-    for (const LitDefect* lit : left) add_seeds(soup, *lit, place, seeds);
-    std::erase_if(left, [&](const LitDefect* lit) { return size_of(*lit) <= place + 1; });
+    for (const HighlightedElements* elements : left) add_seeds(soup, *elements, place, seeds);
+    std::erase_if(
+        left, [&](const HighlightedElements* elements) { return size_of(*elements) <= place + 1; });
   }
   return seeds;
 }
