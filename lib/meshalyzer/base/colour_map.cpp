@@ -1,5 +1,7 @@
 #include "meshalyzer/base/colour_map.h"
 
+#include "meshalyzer/base/find_named.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -142,10 +144,7 @@ std::string_view palette_name(Palette palette) {
 }
 
 std::optional<Palette> palette_of(std::string_view name) {
-  for (const Palette palette : kPalettes) {
-    if (palette_name(palette) == name) return palette;
-  }
-  return std::nullopt;
+  return find_named(kPalettes, name, palette_name);
 }
 
 Colour colour_of(Palette palette, double t) {

@@ -1,6 +1,7 @@
 #include "meshalyzer/picture/field.h"
 
-#include <algorithm>
+#include "meshalyzer/base/find_named.h"
+
 #include <array>
 #include <cstddef>
 
@@ -51,10 +52,7 @@ std::string_view field_name(FieldName name) {
 }
 
 std::optional<FieldName> field_of(std::string_view name) {
-  const std::vector<FieldName>& names = computed_field_names();
-  const auto found = std::find_if(names.begin(), names.end(),
-                                  [&](FieldName computed) { return field_name(computed) == name; });
-  return found == names.end() ? std::nullopt : std::optional(*found);
+  return find_named(computed_field_names(), name, field_name);
 }
 
 std::string_view field_label(FieldName name) {

@@ -1,8 +1,8 @@
 #include "meshalyzer/report/check/check_report.h"
 
+#include "meshalyzer/base/find_named.h"
 #include "meshalyzer/report/check/formats.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -25,11 +25,7 @@ std::string_view check_format_name(CheckFormat format) {
 }
 
 std::optional<CheckFormat> check_format(std::string_view name) {
-  const auto* const found =
-      std::find_if(kCheckFormats.begin(), kCheckFormats.end(),
-                   [&](CheckFormat format) { return check_format_name(format) == name; });
-  if (found == kCheckFormats.end()) return std::nullopt;
-  return *found;
+  return find_named(kCheckFormats, name, check_format_name);
 }
 
 std::unique_ptr<CheckReport> make_check_report(CheckFormat format, TextSink sink,

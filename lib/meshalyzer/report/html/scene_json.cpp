@@ -146,7 +146,7 @@ void write_surface(ScriptJson& json, std::string_view key, const DrawnSurface& s
   json.writer().end_object();
 }
 
-std::string_view kind_name(FieldKind kind) {
+std::string_view field_kind_name(FieldKind kind) {
   switch (kind) {
     case FieldKind::Signed:
       return "signed";
@@ -164,7 +164,7 @@ void write_field(ScriptJson& json, const DrawnField& field, bool has_context) {
   writer.member("name", field_name(field.name));
   writer.member("label", field_label(field.name));
   writer.member("place", field.place == FieldPlace::Vertices ? "vertices" : "faces");
-  writer.member("kind", kind_name(field.kind));
+  writer.member("kind", field_kind_name(field.kind));
   writer.member("palette", palette_name(field.scale.palette));
   writer.key("scale");
   writer.array(std::array{field.scale.min, field.scale.max});

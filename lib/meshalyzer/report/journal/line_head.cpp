@@ -1,3 +1,4 @@
+#include "meshalyzer/base/find_named.h"
 #include "meshalyzer/report/journal/head_members.h"
 #include "meshalyzer/report/journal/line.h"
 #include "meshalyzer/report/journal/line_kind.h"
@@ -11,12 +12,11 @@ namespace meshalyzer {
 namespace {
 
 LineHead::Kind kind_of(const HeadMembers& members) {
-  for (const LineHead::Kind kind : kLineKinds) {
-    if (members.get<std::string>("kind") == kind_name(kind)) {
-      return kind;
-    }
+  const auto kind = find_named(kLineKinds, members.get<std::string>("kind"), kind_name);
+  if (!kind) {
+    HeadMembers::refuse("kind");
   }
-  HeadMembers::refuse("kind");
+  return *kind;
 }
 
 std::string path_of(const HeadMembers& members) {

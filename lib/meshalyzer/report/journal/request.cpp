@@ -1,9 +1,11 @@
 #include "meshalyzer/report/journal/request.h"
 
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/base/find_named.h"
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/set/request_fields.h"
 
+#include <array>
 #include <cmath>
 #include <type_traits>
 
@@ -15,12 +17,7 @@ std::string_view scope_name(Scope scope) {
 }
 
 std::optional<Scope> scope_of(std::string_view name) {
-  for (const Scope scope : {Scope::Everything, Scope::AttributesOnly}) {
-    if (name == scope_name(scope)) {
-      return scope;
-    }
-  }
-  return std::nullopt;
+  return find_named(std::array{Scope::Everything, Scope::AttributesOnly}, name, scope_name);
 }
 
 void write_scalar(JsonWriter& json, bool truth) {

@@ -1,10 +1,12 @@
 #include "meshalyzer/report/json/elements.h"
 
+#include "meshalyzer/base/find_named.h"
 #include "meshalyzer/report/json/record_ids.h"
 
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <optional>
 
 namespace meshalyzer {
 
@@ -18,13 +20,11 @@ Index read_id(const JsonNode& node) {
 }
 
 ContactKind read_contact(const JsonNode& node) {
-  const auto* const found =
-      std::find_if(kContactKinds.begin(), kContactKinds.end(),
-                   [&](ContactKind kind) { return contact_name(kind) == node.text(); });
-  if (found == kContactKinds.end()) {
+  const std::optional<ContactKind> kind = find_named(kContactKinds, node.text(), contact_name);
+  if (!kind) {
     node.refuse("no kind of contact");
   }
-  return *found;
+  return *kind;
 }
 
 void write_numbering(JsonWriter& json, const NumberingBreak& place) {

@@ -1,10 +1,12 @@
 #include "meshalyzer/report/json/format.h"
 
+#include "meshalyzer/base/find_named.h"
 #include "meshalyzer/report/format_text.h"
 
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 
 namespace meshalyzer {
 namespace {
@@ -31,13 +33,11 @@ std::vector<SchemaMember> format_members() {
 }
 
 Format read_format(const JsonNode& node) {
-  const auto* const found = std::find_if(kFormats.begin(), kFormats.end(), [&](Format format) {
-    return format_name(format) == node.text();
-  });
-  if (found == kFormats.end()) {
+  const std::optional<Format> format = find_named(kFormats, node.text(), format_name);
+  if (!format) {
     node.refuse("no format of meshes");
   }
-  return *found;
+  return *format;
 }
 
 }  // namespace meshalyzer

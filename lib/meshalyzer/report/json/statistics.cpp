@@ -178,10 +178,9 @@ SchemaMember statistics_member(const Quantity& quantity) {
 void append_measures(std::vector<SchemaMember>& members, std::string_view type,
                      SchemaMember::Presence presence) {
   for (const auto& [quantity, member] : kElementMeasures<Statistics>) {
-    members.push_back({.key = std::string(quantity.info.key),
-                       .description = std::string(quantity.info.definition),
-                       .type = schema_reference(type),
-                       .presence = presence});
+    SchemaMember& row = members.emplace_back(statistics_member(quantity));
+    row.type = schema_reference(type);
+    row.presence = presence;
   }
 }
 

@@ -12,11 +12,12 @@
 namespace meshalyzer {
 namespace {
 
-void append_answer(LineSink& lines, std::string_view name, const Answer& answer) {
-  if (answer.value) {
-    lines.line(name, *answer.value);
+template <typename T>
+void append_measure(LineSink& lines, std::string_view name, const Measure<T>& measure) {
+  if (measure.value) {
+    lines.line(name, *measure.value);
   } else {
-    lines.line(name, undefined(answer.reason));
+    lines.line(name, undefined(measure.reason));
   }
 }
 
@@ -107,7 +108,7 @@ void append_integrity(LineSink& lines, const Analysis& analysis) {
 
 void append_attributes(LineSink& lines, const Attributes& attributes) {
   for_each_row(kAttributeFields, [&](const auto& row) {
-    append_answer(lines, row.info.label, attributes.*row.member);
+    append_measure(lines, row.info.label, attributes.*row.member);
   });
 }
 
@@ -123,11 +124,7 @@ void append_extent(LineSink& lines, const Characteristics& c) {
     lines.line("bounding box max", point_text(c.bounding_box.max()));
   }
   lines.line("area", c.area);
-  if (c.volume.value) {
-    lines.line("volume", *c.volume.value);
-  } else {
-    lines.line("volume", undefined(c.volume.reason));
-  }
+  append_measure(lines, "volume", c.volume);
   lines.line("genus", genus_text(c));
 }
 
