@@ -68,7 +68,7 @@ ExitCode run_batch(const Options& options, Streams streams) {
   }
   report.finish();
   if (streams.out) return worst;
-  streams.err << "meshfixer: standard output takes no more\n";
+  streams.err << "meshfixer: standard output: cannot be written\n";
   return ExitCode::Failure;
 }
 

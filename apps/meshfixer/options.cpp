@@ -421,7 +421,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
                  "meshfixer --difference block.stl hole.stl -o drilled.stl\n"
                  "meshfixer --subtract-in-order neurites -o disjoint/\n\n"
                  "Exit status: 0 nothing asked for remains; 1 defects remain; 2 wrong usage; 3 a "
-                 "file could not be read or written.",
+                 "file could not be read or written; 130 interrupted, with several files.",
        .version = "meshfixer " MESHALYZER_VERSION "\n"});
   table.arguments(
       "IN", given.paths,

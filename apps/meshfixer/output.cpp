@@ -199,7 +199,7 @@ std::string name_of_stdout(Format format) {
 Soup write_to_stdout(const Output& output, const std::string& name, std::ostream& out) {
   Soup soup = parse_mesh(output.bytes, name);
   out << output.bytes << std::flush;
-  if (!out) throw IoError("standard output", {}, "takes no more");
+  if (!out) throw IoError("standard output", {}, "cannot be written");
   return soup;
 }
 

@@ -4,10 +4,10 @@
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/io/file.h"
 #include "options.h"
+#include "print_answer.h"
 #include "streams.h"
 #include "usage_error.h"
 
-#include <ostream>
 #include <string>
 
 namespace meshalyzer::fixer {
@@ -16,10 +16,8 @@ namespace meshalyzer::fixer {
 template <typename Text, typename Json>
 ExitCode write_report(const Options& options, Streams streams, Text text, Json json) {
   if (options.json && !options.json->is_stdout()) replace_file(options.json->file, json());
-  streams.out << (options.json && options.json->is_stdout() ? json() : text()) << std::flush;
-  if (streams.out) return ExitCode::Done;
-  streams.err << "meshfixer: standard output takes no more\n";
-  return ExitCode::Failure;
+  return print_answer(options.json && options.json->is_stdout() ? json() : text(), "meshfixer",
+                      streams);
 }
 
 /// Writes in place of a report in JSON, if that is requested, why there is none. So the file of an

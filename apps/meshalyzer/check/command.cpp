@@ -203,7 +203,7 @@ CheckCommandLine parse_check_command_line(int argc, const char* const* argv) {
                  "meshalyzer check --profile print --max 0 part.stl\n"
                  "meshalyzer check --format sarif models > findings.sarif\n\n"
                  "Exit status: 0 all are good; 1 not all; 2 wrong usage; 3 something could not be "
-                 "read.",
+                 "read; 130 interrupted.",
        .version = ""});
   table.arguments(
       "PATH", command.paths,
