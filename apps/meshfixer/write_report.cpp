@@ -3,7 +3,7 @@
 #include "meshalyzer/report/json/bytes.h"
 #include "meshalyzer/report/json/writer.h"
 
-#include <string_view>
+#include <ostream>
 
 namespace meshalyzer::fixer {
 
