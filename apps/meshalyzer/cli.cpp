@@ -5,11 +5,11 @@
 #include "check/run_check.h"
 #include "exit_code.h"
 #include "files.h"
+#include "freed_memory.h"
 #include "guarded.h"
 #include "inputs.h"
 #include "interrupt.h"
 #include "journal.h"
-#include "large_blocks.h"
 #include "meshalyzer/base/nearest_name.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/report/journal/known_lines.h"
@@ -127,7 +127,7 @@ ExitCode run_command(int argc, const char* const* argv, Streams streams) {
 
 int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   const Streams streams{out, err};
-  return_large_blocks(1);
+  return_large_blocks();
   const std::string_view word = first_word(argc, argv);
   const std::string name = is_command(word) ? kProgram + (' ' + std::string(word)) : kProgram;
   return run_guarded(name, streams, [&] { return run_command(argc, argv, streams); });

@@ -1,8 +1,8 @@
 #include "cli.h"
 
 #include "exit_code.h"
+#include "freed_memory.h"
 #include "guarded.h"
-#include "large_blocks.h"
 #include "meshalyzer/base/parallel.h"
 #include "options.h"
 #include "print_answer.h"
@@ -24,7 +24,7 @@ ExitCode run_command(int argc, const char* const* argv, Streams streams) {
 
 int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   const Streams streams{out, err};
-  return_large_blocks(4);
+  return_large_blocks();
   return run_guarded("meshfixer", streams, [&] { return run_command(argc, argv, streams); });
 }
 
