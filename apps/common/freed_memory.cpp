@@ -4,11 +4,8 @@
 
 namespace meshalyzer {
 
-void return_large_blocks() {
-  // The system fills a block with zeros when it gives it again: from this size on that costs a
-  // repair with many rounds less than a twentieth of its time.
-  constexpr int kLargeBlock = 4 << 20;
-  ::mallopt(M_MMAP_THRESHOLD, kLargeBlock);
+void return_large_blocks(int least_mib) {
+  ::mallopt(M_MMAP_THRESHOLD, least_mib << 20);
 }
 
 }  // namespace meshalyzer

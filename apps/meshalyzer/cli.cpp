@@ -127,7 +127,7 @@ ExitCode run_command(int argc, const char* const* argv, Streams streams) {
 
 int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   const Streams streams{out, err};
-  return_large_blocks();
+  return_large_blocks(1);
   const std::string_view word = first_word(argc, argv);
   const std::string name = is_command(word) ? kProgram + (' ' + std::string(word)) : kProgram;
   return run_guarded(name, streams, [&] { return run_command(argc, argv, streams); });

@@ -24,7 +24,7 @@ ExitCode run_command(int argc, const char* const* argv, Streams streams) {
 
 int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   const Streams streams{out, err};
-  return_large_blocks();
+  return_large_blocks(4);
   return run_guarded("meshfixer", streams, [&] { return run_command(argc, argv, streams); });
 }
 
