@@ -8,8 +8,11 @@ namespace meshalyzer {
 /// The mark with which some programs begin a text in UTF-8.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
-/// The content of a mesh file for its parser: unpacked if it is gzipped, and without byte order
-/// mark.
+/// The content of a mesh file for its parser: unpacked if it is gzipped, without byte order mark,
+/// and with lines that end with LF or CRLF.
+///
+/// A text in which all lines end with CR alone, as those of old Macintosh programs, gets LF in its
+/// place; so does the header of a binary PLY file, which Rhinoceros writes so.
 class PlainContent {
  public:
   /// @param content  The content, which must outlive this object.
@@ -26,7 +29,10 @@ class PlainContent {
   [[nodiscard]] std::string_view mark() const { return mark_; }
 
  private:
-  std::string unpacked_;
+  void replace_returns();
+
+  /// What bytes() shows if it is not the content as it is.
+  std::string copy_;
   std::string_view bytes_;
   bool was_gzipped_ = false;
   std::string_view mark_;

@@ -9,8 +9,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstring>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -89,6 +93,46 @@ TEST(ParseMesh, AByteOrderMarkMeansNothing) {
         << name;
   }
   EXPECT_EQ(parse_mesh(mark + "Vertex 7 0 0 0\n", "a.mesh").vertex_lines.front(), 1U);
+}
+
+std::string with_returns(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  return text;
+}
+
+TEST(ParseMesh, LinesMayAllEndWithCarriageReturnAlone) {
+  const std::string mark(kByteOrderMark);
+  int n_texts = 0;
+  for (const auto& [name, content] : every_format()) {
+    if (content.find('\0') != std::string::npos) continue;
+    ++n_texts;
+    const Soup expected = parse_mesh(content, name);
+    const std::string returns = with_returns(content);
+    EXPECT_TRUE(same_soup(parse_mesh(returns, name), expected)) << name;
+    EXPECT_TRUE(same_soup(parse_mesh(mark + returns, name), expected)) << name;
+    EXPECT_TRUE(same_soup(parse_mesh(pack_gzip(mark + returns), name), expected)) << name;
+  }
+  EXPECT_GE(n_texts, 6);
+  EXPECT_EQ(error_of([] { return parse_mesh("# by hand\rv 0 0 0\rv 0 0\r", "a.obj"); }),
+            "a.obj:3: the line ends where a number should stand");
+}
+
+/// A binary PLY file with one triangle. Its coordinates contain the bytes of CR, LF and of both.
+std::string ply_with_line_ends_in_records() {
+  Soup soup = parse_mesh("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "a.off");
+  constexpr std::array<std::string_view, 3> kHeights = {"abc\rdef\x40", "\nbc\rdef\x40",
+                                                        "ab\r\ncde\x40"};
+  for (std::size_t v = 0; v < kHeights.size(); ++v) {
+    std::memcpy(&soup.positions[v].z(), kHeights[v].data(), sizeof(double));
+  }
+  return print_mesh(soup, Format::Ply, Encoding::Binary);
+}
+
+TEST(ParseMesh, TheHeaderOfBinaryPlyMayHaveCarriageReturnsAlone) {
+  const std::string content = ply_with_line_ends_in_records();
+  const std::size_t n_header = content.find("end_header\n") + std::string("end_header\n").size();
+  const std::string returns = with_returns(content.substr(0, n_header)) + content.substr(n_header);
+  EXPECT_TRUE(same_soup(parse_mesh(returns, "a.ply"), parse_mesh(content, "a.ply")));
 }
 
 TEST(ParseMesh, TextInUtf16IsSaidToBeThat) {
