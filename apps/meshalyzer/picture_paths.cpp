@@ -3,13 +3,11 @@
 #include "file_ending.h"
 #include "file_identity.h"
 #include "mesh_paths.h"
-#include "meshalyzer/base/error.h"
 #include "usage_error.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <set>
-#include <system_error>
 
 namespace meshalyzer {
 namespace {
@@ -103,14 +101,6 @@ PicturePaths picture_paths(const Options& options, const Inputs& inputs) {
   }
   refuse_looked_at(paths.folders, options);
   return paths;
-}
-
-void make_folder(const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    throw IoError(folder, {}, "cannot be made: " + error.message());
-  }
 }
 
 }  // namespace meshalyzer

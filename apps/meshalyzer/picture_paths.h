@@ -35,8 +35,4 @@ struct PicturePaths {
 ///                     into a folder that is an input.
 [[nodiscard]] PicturePaths picture_paths(const Options& options, const Inputs& inputs);
 
-/// Makes a folder, and all its parents, unless they exist.
-/// @throws IoError if that fails.
-void make_folder(const std::string& folder);
-
 }  // namespace meshalyzer

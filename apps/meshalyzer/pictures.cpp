@@ -1,6 +1,7 @@
 #include "pictures.h"
 
 #include "field_export.h"
+#include "make_folder.h"
 #include "meshalyzer/defects/find_defects.h"
 #include "meshalyzer/io/file.h"
 #include "meshalyzer/io/read.h"

@@ -1,11 +1,11 @@
 #include "targets.h"
 
+#include "make_folder.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/io/format_of.h"
 #include "usage_error.h"
 
 #include <filesystem>
-#include <system_error>
 
 namespace meshalyzer::fixer {
 namespace {
@@ -62,10 +62,7 @@ RunFiles files_of_run(const Options& options, const std::vector<std::string>& in
 }
 
 void make_output_folder(const Options& options) {
-  if (options.target != Options::Target::Folder) return;
-  std::error_code error;
-  std::filesystem::create_directories(*options.output, error);
-  if (error) throw IoError(*options.output, {}, "cannot be made a folder: " + error.message());
+  if (options.target == Options::Target::Folder) make_folder(*options.output);
 }
 
 }  // namespace meshalyzer::fixer

@@ -1,4 +1,5 @@
 #include "meshalyzer/base/items_by_group.h"
+#include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/exact/plane_view.h"
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/repair/orient/bounds_solid.h"
@@ -36,9 +37,7 @@ std::vector<Index> distinct_faces(const Soup& soup, std::span<const Index> faces
   std::set<Triangle> known;
   for (const Index face : faces) {
     if (are_collinear(corners_of(soup, face))) continue;
-    Triangle sorted = soup.triangles[face];
-    std::sort(sorted.begin(), sorted.end());
-    if (known.insert(sorted).second) distinct.push_back(face);
+    if (known.insert(sorted_corners(soup.triangles[face])).second) distinct.push_back(face);
   }
   return distinct;
 }

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/base/runs.h"
+#include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/repair/driver/internal/orientation_rule.h"
 
 #include <algorithm>
@@ -120,9 +121,7 @@ class MergeCheck {
   }
 
   [[nodiscard]] Triangle old_corners(Index side) const {
-    Triangle t = soup_.triangles[affected_[side / 3]];
-    std::sort(t.begin(), t.end());
-    return t;
+    return sorted_corners(soup_.triangles[affected_[side / 3]]);
   }
 
   const Soup& soup_;

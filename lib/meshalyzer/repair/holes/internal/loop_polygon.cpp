@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/base/triangle.h"
+#include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/exact/normal.h"
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/topology/edges.h"
@@ -65,14 +66,11 @@ bool LoopRules::allows_chord(Index a, Index b) const {
 
 bool LoopRules::allows_triangle(const Triangle& corners) const {
   if (!is_in_complex(corners)) return false;
-  if (forbidden.empty()) return true;
-  Triangle sorted = corners;
-  std::sort(sorted.begin(), sorted.end());
-  return !std::binary_search(forbidden.begin(), forbidden.end(), sorted);
+  return !std::binary_search(forbidden.begin(), forbidden.end(), sorted_corners(corners));
 }
 
 void LoopRules::forbid(std::vector<Triangle> triangles) {
-  for (Triangle& t : triangles) std::sort(t.begin(), t.end());
+  for (Triangle& t : triangles) t = sorted_corners(t);
   forbidden.insert(forbidden.end(), triangles.begin(), triangles.end());
   sort_unique(forbidden);
 }

@@ -1,10 +1,10 @@
 #include "meshalyzer/repair/holes/internal/triangulation_memory.h"
 
 #include "meshalyzer/base/hash.h"
+#include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/repair/holes/internal/corner_numbers.h"
 #include "meshalyzer/repair/holes/internal/triangulate_loop.h"
 
-#include <algorithm>
 #include <bit>
 
 namespace meshalyzer {
@@ -17,8 +17,8 @@ constexpr std::size_t kMostTriangles = 4'000'000;
 
 using Triangles = std::optional<std::vector<Triangle>>;
 
-std::uint64_t hash_triangle(Triangle t) {
-  std::sort(t.begin(), t.end());
+std::uint64_t hash_triangle(const Triangle& corners) {
+  const Triangle t = sorted_corners(corners);
   return mix_hash(mix_hash(t[0], t[1]), t[2]);
 }
 
