@@ -354,8 +354,8 @@ class PlyRewriter {
     }
   }
 
-  /// Renumbers the vertices that a record names. If one was dropped, or merged into another that it
-  /// names, drops the record and returns false.
+  /// Renumbers the vertices that a record names. If one was dropped, merged into another that it
+  /// names, or has a number now that its type cannot hold, drops the record and returns false.
   bool edit_references(std::size_t element, const PlyRecord& record,
                        const std::vector<std::size_t>& references) {
     std::vector<std::pair<std::string_view, std::string>> renumbered;
@@ -370,7 +370,7 @@ class PlyRewriter {
         }
         named.push_back(static_cast<Index>(old));
         const Index now = merges_.names[named.back()];
-        is_kept = is_kept && now != kNoIndex;
+        is_kept = is_kept && now != kNoIndex && records_.fits(now, type);
         if (is_kept && now != named.back()) {
           renumbered.emplace_back(item, records_.text(now, type));
         }

@@ -265,6 +265,21 @@ TEST(RewritePly, RecordThatNamesADroppedVertexIsLost) {
   EXPECT_EQ(attribute_text(file.rewritten()->lost.at(1)), "1 other record");
 }
 
+TEST(RewritePly, RecordWhoseTypeCannotNameTheVertexInTheOldPlaceIsLost) {
+  std::string content =
+      "ply\nformat ascii 1.0\nelement vertex 301\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 2\nproperty list uchar int vertex_indices\n"
+      "element edge 2\nproperty uchar vertex1\nproperty uchar vertex2\nend_header\n";
+  for (int v = 0; v < 301; ++v) content += std::to_string(v) + " 0 " + std::to_string(v * v) + '\n';
+  EditedFile file(content + "3 0 1 2\n3 2 1 300\n1 2\n1 0\n", "a.ply");
+  file.soup().triangles[0][0] = 300;
+  file.drop_vertex(0);
+  const std::string bytes = file.rewritten_bytes();
+  EXPECT_NE(bytes.find("element edge 1\n"), std::string::npos);
+  EXPECT_TRUE(bytes.ends_with("\n3 299 0 1\n3 1 0 299\n0 1\n")) << bytes.substr(bytes.size() - 60);
+  EXPECT_EQ(attribute_text(file.rewritten()->lost.at(0)), "1 other record");
+}
+
 /// A triangle with a colour a vertex and a number a face.
 std::string binary_ply(std::endian order) {
   std::string content = "ply\nformat binary_";
