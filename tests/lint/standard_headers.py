@@ -38,7 +38,7 @@ NAMES = {
     'exception': 'current_exception exception exception_ptr rethrow_exception',
     'filesystem': 'filesystem',
     'fstream': 'ifstream',
-    'functional': 'bind_front function greater greater_equal identity invoke not_fn plus',
+    'functional': 'bind_front function greater greater_equal identity invoke less not_fn plus',
     'initializer_list': 'initializer_list',
     'iostream': 'cerr cout',
     'iterator': 'back_inserter forward_iterator_tag input_iterator_tag make_move_iterator ssize',

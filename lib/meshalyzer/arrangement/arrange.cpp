@@ -6,6 +6,7 @@
 #include "meshalyzer/arrangement/segment_crossings.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/parallel_sort.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/mesh/finite_positions.h"
@@ -58,7 +59,7 @@ std::vector<PointName> names_of_contacts(std::span<const FaceSimplex> simplices,
     for (const Index v : simplex.vertices) names.push_back(vertex_name(v));
   }
   for (const ContactPoint& point : contacts.points) names.push_back(point.point);
-  sort_unique(names);
+  parallel_sort_unique(names);
   return names;
 }
 
@@ -80,7 +81,7 @@ std::vector<std::vector<PointName>> find_crossings(std::span<const FaceSimplex> 
 std::vector<PointName> names_of_crossings(std::span<const std::vector<PointName>> crossings) {
   std::vector<PointName> names;
   for (const auto& some : crossings) names.insert(names.end(), some.begin(), some.end());
-  sort_unique(names);
+  parallel_sort_unique(names);
   return names;
 }
 

@@ -1,7 +1,7 @@
 #include "meshalyzer/arrangement/assemble.h"
 
 #include "meshalyzer/arrangement/flat_faces.h"
-#include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/base/parallel_sort.h"
 
 #include <algorithm>
 #include <numeric>
@@ -43,6 +43,7 @@ class Assembly {
     vertex_of_node_.assign(nodes_.points.size(), kNoIndex);
     unite_input_vertices();
     std::vector<ExactPoint> made;
+    made.reserve(nodes_.points.size());
     for (std::size_t node = 0; node < nodes_.points.size(); ++node) {
       if (vertex_of_node_[node] != kNoIndex) continue;
       vertex_of_node_[node] = static_cast<Index>(result_.positions.size());
@@ -128,7 +129,7 @@ class Assembly {
         pieces.push_back({cluster.sources[cluster.source_begin[i]].face, c, i});
       }
     }
-    std::sort(pieces.begin(), pieces.end());
+    parallel_sort(pieces);
     return pieces;
   }
 
@@ -196,7 +197,7 @@ class Assembly {
         result_.curves.push_back({low, high});
       }
     }
-    sort_unique(result_.curves);
+    parallel_sort_unique(result_.curves);
   }
 
   const ArrangementParts& parts_;

@@ -16,6 +16,7 @@ namespace {
 /// Among fewer segments equal ones are not looked for.
 constexpr std::size_t kManySegments = 32;
 constexpr std::size_t kClustersAtOnce = 64;
+constexpr std::size_t kLookUpsAtOnce = 1024;
 
 /// Tells whether the triangles of a pair of this kind overlap in an area.
 bool overlap(ContactKind kind) {
@@ -82,6 +83,37 @@ void drop_repeated_segments(FaceCluster& cluster, const NamedPoints& points) {
   cluster.segments = std::move(kept);
 }
 
+/// Adds points and segments of contacts to the clusters of their faces.
+///
+/// @param cluster_of  #simplices: the cluster of each; kNoIndex where it is no triangle.
+void add_contacts(std::span<const FaceSimplex> simplices, const FaceContacts& contacts,
+                  const NamedPoints& points, std::span<const Index> cluster_of,
+                  std::vector<FaceCluster>& clusters) {
+  const auto cluster_of_face = [&](Index face) {
+    return cluster_of[simplex_number(simplices, face)];
+  };
+  // The look-ups take nearly all the time.
+  std::vector<std::pair<Index, Index>> numbers(contacts.points.size());
+  parallel_chunks(numbers.size(), kLookUpsAtOnce, [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const auto& [face, point] = contacts.points[i];
+      numbers[i] = {cluster_of_face(face), points.find(point)};
+    }
+  });
+  for (const auto& [cluster, point] : numbers) {
+    if (cluster != kNoIndex) clusters[cluster].points.push_back(point);
+  }
+  std::vector<std::pair<Index, ClusterSegment>> segments(contacts.segments.size());
+  parallel_chunks(segments.size(), kLookUpsAtOnce, [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const ContactSegment& s = contacts.segments[i];
+      segments[i] = {cluster_of_face(s.face),
+                     {points.find(s.from), points.find(s.to), s.line, s.face, s.other}};
+    }
+  });
+  for (const auto& [cluster, segment] : segments) clusters[cluster].segments.push_back(segment);
+}
+
 }  // namespace
 
 std::vector<FaceSimplex> simplices_of(const Soup& soup, std::span<const IntersectingPair> pairs) {
@@ -127,14 +159,7 @@ std::vector<FaceCluster> make_clusters(std::span<const FaceSimplex> simplices,
       cluster.points.push_back(points.find(vertex_name(v)));
     }
   }
-  for (const auto& [face, point] : contacts.points) {
-    const Index cluster = cluster_of[simplex_number(simplices, face)];
-    if (cluster != kNoIndex) clusters[cluster].points.push_back(points.find(point));
-  }
-  for (const ContactSegment& s : contacts.segments) {
-    clusters[cluster_of[simplex_number(simplices, s.face)]].segments.push_back(
-        {points.find(s.from), points.find(s.to), s.line, s.face, s.other});
-  }
+  add_contacts(simplices, contacts, points, cluster_of, clusters);
   parallel_chunks(clusters.size(), kClustersAtOnce, [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       sort_unique(clusters[i].points);

@@ -1,29 +1,73 @@
 #include "meshalyzer/arrangement/nodes.h"
 
-#include <algorithm>
-#include <numeric>
+#include "meshalyzer/base/parallel_sort.h"
 
 namespace meshalyzer {
+namespace {
+
+/// A point of one of the two tables, with what most comparisons ask for: the exact points are too
+/// large to be fetched for each.
+struct SortedPoint {
+  Vec3 rounded;
+  Index number;
+  bool is_rounded;
+};
+
+/// Compares points of two tables, which are numbered through.
+class PointOrder {
+ public:
+  PointOrder(const NamedPoints& first, const NamedPoints& second)
+      : first_(first), second_(second), n_first_(static_cast<Index>(first.size())) {}
+
+  [[nodiscard]] const ExactPoint& operator[](Index i) const {
+    return i < n_first_ ? first_[i] : second_[i - n_first_];
+  }
+
+  [[nodiscard]] SortedPoint sorted_point(Index i) const {
+    const ExactPoint& point = (*this)[i];
+    return {point.rounded, i, point.is_rounded()};
+  }
+
+  /// Returns compare_lexicographically() of the exact points.
+  [[nodiscard]] Sign compare(const SortedPoint& a, const SortedPoint& b) const {
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      if (a.rounded[k] != b.rounded[k]) return a.rounded[k] < b.rounded[k] ? -1 : 1;
+      if (!a.is_rounded || !b.is_rounded) {
+        return compare_lexicographically((*this)[a.number], (*this)[b.number]);
+      }
+    }
+    return 0;
+  }
+
+  /// Tells which comes first; of equal points that with the lower number.
+  [[nodiscard]] bool operator()(const SortedPoint& a, const SortedPoint& b) const {
+    const Sign sign = compare(a, b);
+    return sign < 0 || (sign == 0 && a.number < b.number);
+  }
+
+ private:
+  const NamedPoints& first_;
+  const NamedPoints& second_;
+  Index n_first_;
+};
+
+}  // namespace
 
 Nodes unite_points(const NamedPoints& first, const NamedPoints& second) {
-  const auto n_first = static_cast<Index>(first.size());
-  const auto at = [&](Index i) -> const ExactPoint& {
-    return i < n_first ? first[i] : second[i - n_first];
-  };
-  std::vector<Index> order(first.size() + second.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::sort(order.begin(), order.end(),
-            [&](Index a, Index b) { return compare_lexicographically(at(a), at(b)) < 0; });
+  const PointOrder order(first, second);
+  std::vector<SortedPoint> points(first.size() + second.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] = order.sorted_point(static_cast<Index>(i));
+  }
+  parallel_sort(points, order);
   Nodes nodes;
   nodes.of_first.resize(first.size());
   nodes.of_second.resize(second.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const Index i = order[k];
-    if (k == 0 || compare_lexicographically(at(order[k - 1]), at(i)) != 0) {
-      nodes.points.push_back(at(i));
-    }
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Index i = points[k].number;
+    if (k == 0 || order.compare(points[k - 1], points[k]) != 0) nodes.points.push_back(order[i]);
     const auto node = static_cast<Index>(nodes.points.size() - 1);
-    (i < n_first ? nodes.of_first[i] : nodes.of_second[i - n_first]) = node;
+    (i < first.size() ? nodes.of_first[i] : nodes.of_second[i - first.size()]) = node;
   }
   return nodes;
 }

@@ -1,7 +1,7 @@
 #include "meshalyzer/arrangement/round_vertices.h"
 
 #include "meshalyzer/base/hash.h"
-#include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/base/parallel_sort.h"
 
 #include <algorithm>
 #include <array>
@@ -36,7 +36,7 @@ std::vector<Index> vertices_of_cut_faces(const Arrangement& arrangement) {
       vertices.insert(vertices.end(), t.begin(), t.end());
     }
   }
-  sort_unique(vertices);
+  parallel_sort_unique(vertices);
   return vertices;
 }
 

@@ -5,7 +5,6 @@
 #include <optional>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 
 namespace meshalyzer {
@@ -40,14 +39,6 @@ void parallel_invoke(std::size_t n_items, const std::vector<std::function<void()
     for (const auto& function : functions) function();
   } else {
     run_at_once(functions.size(), [&](std::size_t i) { functions[i](); });
-  }
-}
-
-void parallel_sort(std::vector<std::uint64_t>& keys) {
-  if (keys.size() <= kChunkLength || max_threads() == 1) {
-    std::sort(keys.begin(), keys.end());
-  } else {
-    tbb::this_task_arena::isolate([&] { tbb::parallel_sort(keys.begin(), keys.end()); });
   }
 }
 

@@ -84,9 +84,6 @@ template <typename Condition>
 /// @param n_items  How many items a function handles; a single chunk of them pays no second thread.
 void parallel_invoke(std::size_t n_items, const std::vector<std::function<void()>>& functions);
 
-/// Sorts by operator<, in parallel where it pays. The sort is not stable.
-void parallel_sort(std::vector<std::uint64_t>& keys);
-
 /// Returns the largest number of threads that may work in parallel here.
 [[nodiscard]] std::size_t max_threads();
 

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/parallel_sort.h"
 #include "meshalyzer/mesh/repeated_ids.h"
 
 #include <algorithm>

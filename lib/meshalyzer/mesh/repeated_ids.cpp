@@ -1,6 +1,6 @@
 #include "meshalyzer/mesh/repeated_ids.h"
 
-#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/parallel_sort.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,6 +1,7 @@
 #include "meshalyzer/picture/internal/vertex_clusters.h"
 
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/parallel_sort.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/hash.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/parallel_sort.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/repair/driver/internal/changed_faces.h"
