@@ -1,7 +1,8 @@
 #include "progress_line.h"
 
-#include <iostream>
-#include <unistd.h>
+#include "terminal.h"
+
+#include <ostream>
 
 namespace meshalyzer {
 namespace {
@@ -25,8 +26,7 @@ void ProgressLine::clear() {
 }
 
 ProgressLine::State terminal_state(const std::ostream& stream) {
-  const bool is_terminal = &stream == &std::cerr && isatty(STDERR_FILENO) == 1;
-  return is_terminal ? ProgressLine::State::On : ProgressLine::State::Off;
+  return is_terminal(stream) ? ProgressLine::State::On : ProgressLine::State::Off;
 }
 
 }  // namespace meshalyzer

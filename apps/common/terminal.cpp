@@ -6,7 +6,8 @@
 namespace meshalyzer {
 
 bool is_terminal(const std::ostream& out) {
-  return &out == &std::cout && ::isatty(STDOUT_FILENO) == 1;
+  if (&out == &std::cout) return ::isatty(STDOUT_FILENO) == 1;
+  return &out == &std::cerr && ::isatty(STDERR_FILENO) == 1;
 }
 
 }  // namespace meshalyzer

@@ -1,7 +1,7 @@
 #include "combine.h"
 
+#include "judge_file.h"
 #include "mesh_paths.h"
-#include "meshalyzer/analysis/analyze.h"
 #include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/base/error.h"
@@ -321,12 +321,9 @@ class CombinationRun {
     output.n_vertices = disk.n_vertices();
     output.n_faces = disk.n_faces();
     output.volume = volumes_of({disk, std::vector<Index>(disk.n_faces(), 0), 1}).front();
-    AnalysisOptions options;
-    options.scope = Scope::AttributesOnly;
-    options.judge_fitness = true;
-    const Analysis analysis = analyze(disk, output.path, options);
-    output.is_good = analysis.fitness && analysis.fitness->good;
-    output.verdict = analysis.fitness ? verdict_text(*analysis.fitness) : "not judged";
+    const Goodness fitness = judge_file(disk, output.path);
+    output.is_good = fitness.good;
+    output.verdict = verdict_text(fitness);
     if (!output.is_good) be_at_least(ExitCode::NotGood);
   }
 

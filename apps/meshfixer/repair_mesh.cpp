@@ -1,6 +1,6 @@
 #include "repair_mesh.h"
 
-#include "meshalyzer/analysis/analyze.h"
+#include "judge_file.h"
 #include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/base/error.h"
@@ -203,14 +203,11 @@ std::vector<FinalSoup> take_or_write(const Job& job, RepairReport& report) {
 /// not.
 bool are_good(const std::vector<FinalSoup>& finals, RepairReport& report) {
   bool is_good = true;
-  AnalysisOptions options;
-  options.scope = Scope::AttributesOnly;
-  options.judge_fitness = true;
   for (std::size_t i = 0; i < finals.size(); ++i) {
-    const Analysis analysis = analyze(*finals[i].soup, report.meshes[i].name.path, options);
-    if (analysis.fitness && analysis.fitness->good) continue;
+    const Goodness fitness = judge_file(*finals[i].soup, report.meshes[i].name.path);
+    if (fitness.good) continue;
     is_good = false;
-    if (analysis.fitness) report.notes.push_back("verdict: " + verdict_text(*analysis.fitness));
+    report.notes.push_back("verdict: " + verdict_text(fitness));
   }
   return is_good;
 }
