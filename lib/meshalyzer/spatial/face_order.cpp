@@ -18,8 +18,6 @@
 namespace meshalyzer {
 namespace {
 
-/// With fewer faces a split is not worth a task of its own.
-constexpr std::size_t kParallelSplit = 32768;
 /// Of many faces about so many are looked at to find the widest axis, which need not be exactly so.
 constexpr std::size_t kSampledFaces = 128;
 
@@ -115,7 +113,7 @@ class FaceOrder {
     const auto split_part = [&](std::span<FaceMiddle> part) {
       faces.size() > kMostOfBundle ? split(part) : split_by_place(part);
     };
-    if (faces.size() < kParallelSplit) {
+    if (faces.size() <= kChunkLength) {
       split_part(faces.first(left));
       split_part(faces.subspan(left));
     } else {

@@ -1,3 +1,4 @@
+#include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/repair/edits/edits.h"
 #include "meshalyzer/repair/holes/internal/crossing_patches.h"
@@ -5,14 +6,11 @@
 #include "meshalyzer/repair/holes/internal/hole_loop.h"
 #include "meshalyzer/repair/holes/internal/hole_memory.h"
 #include "meshalyzer/repair/holes/internal/islands.h"
+#include "meshalyzer/repair/holes/internal/loop_choice.h"
 #include "meshalyzer/repair/holes/internal/patch_check.h"
 #include "meshalyzer/repair/holes/internal/patch_edges.h"
 #include "meshalyzer/repair/holes/internal/rim_bend.h"
-#include "meshalyzer/repair/orient/bounds_solid.h"
 #include "meshalyzer/repair/passes.h"
-#include "meshalyzer/spatial/triangle_distance.h"
-#include "meshalyzer/topology/components.h"
-#include "meshalyzer/topology/edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,99 +79,23 @@ constexpr std::size_t kMaxIslands = 64;
 /// cubes of the lengths of joined loops. In a heap of faces the patch of each hole meets dozens of
 /// others, and no patch of them all is free of intersections either.
 constexpr double kMaxVainWork = 5e7;
+/// So many loops are looked at together, in parallel. What is found for those that are filled with
+/// one of the others is not needed.
+constexpr std::size_t kLoopsAtOnce = 32;
+/// Loops with fewer corners, all together, do not pay a second thread.
+constexpr std::size_t kCornersForThreads = 256;
 
-/// Tells which loops may be filled; some of the others may still be joined to one of these.
-struct Choice {
-  std::vector<std::uint8_t> is_chosen;
-  std::vector<std::uint8_t> may_join;
-  /// 0 for the loops of parts that are known to bound a solid.
-  std::vector<std::uint8_t> may_be_sheet;
-  std::vector<Refusal> refused;
-};
-
-/// Returns the distance of a point from the nearest edge between a face that filled a hole and one
-/// that did not.
-double distance_from_patches(const PassInput& input, const Vec3& point) {
-  const CutMesh& cut = input.mesh.cut();
-  const auto fills_hole = [&](HalfedgeHandle h) {
-    const FaceHandle f = cut.mesh.face_handle(h);
-    return input.tracked.origin_of_face(cut.side.face(f)) == kNoIndex;
-  };
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const EdgeHandle e : cut.mesh.edges()) {
-    const HalfedgeHandle h = cut.mesh.halfedge_handle(e, 0);
-    if (cut.mesh.is_boundary(e) ||
-        fills_hole(h) == fills_hole(cut.mesh.opposite_halfedge_handle(h))) {
-      continue;
-    }
-    const Vec3& a = cut.mesh.point(cut.mesh.from_vertex_handle(h));
-    const Vec3& b = cut.mesh.point(cut.mesh.to_vertex_handle(h));
-    nearest = std::min(nearest, closest_on_triangle({a, b, b}, point).distance);
-  }
-  return nearest;
-}
-
-/// Refuses all loops that are not chosen.
-void refuse_others(const PreparedMesh& mesh, std::span<const HoleLoop> loops,
-                   const std::string& reason, Choice& choice) {
-  for (std::size_t i = 0; i < loops.size(); ++i) {
-    if (choice.is_chosen[i] == 0) choice.refused.push_back(refuse_hole(mesh, loops[i], reason));
-  }
-}
-
-/// Keeps only the loop nearest to a point; none if a still nearer one was filled before.
-void choose_nearest(const PassInput& input, std::span<const HoleLoop> loops, const Vec3& point,
-                    Choice& choice) {
-  std::vector<double> distances;
-  for (const HoleLoop& loop : loops) {
-    distances.push_back(distance_from(input.mesh.soup(), loop, point));
-  }
-  const auto nearest = std::min_element(distances.begin(), distances.end());
-  choice.is_chosen.assign(loops.size(), 0);
-  if (*nearest < distance_from_patches(input, point)) {
-    choice.is_chosen[static_cast<std::size_t>(nearest - distances.begin())] = 1;
-  }
-  refuse_others(input.mesh, loops, "another hole is nearer to the point that was asked for",
-                choice);
-}
-
-/// Removes the loops of sheets.
-void refuse_sheets(const PassInput& input, std::span<const HoleLoop> loops, Choice& choice) {
-  const PreparedMesh& mesh = input.mesh;
-  const Components components = find_edge_components(mesh.cut());
-  const std::vector<std::uint8_t> is_solid = bounds_solid(mesh, components, input.wants_to_stop);
-  for (std::size_t i = 0; i < loops.size(); ++i) {
-    const Index component = components.of(mesh.cut().mesh, loops[i].halfedges.front());
-    if (is_solid[component] != 0) choice.may_be_sheet[i] = 0;
-    if (choice.is_chosen[i] == 0 || is_solid[component] != 0) continue;
-    choice.is_chosen[i] = 0;
-    choice.refused.push_back(
-        refuse_hole(mesh, loops[i],
-                    "the surface is a sheet: it is left open unless hole filling is asked for by "
-                    "name"));
-  }
-}
-
-Choice choose_loops(const PassInput& input, std::span<const HoleLoop> loops,
-                    const FillOptions& options) {
-  Choice choice{.is_chosen = std::vector<std::uint8_t>(loops.size(), 1),
-                .may_join = std::vector<std::uint8_t>(loops.size(), 1),
-                .may_be_sheet = std::vector<std::uint8_t>(loops.size(), 1),
-                .refused = {}};
-  if (options.at) choose_nearest(input, loops, *options.at, choice);
-  for (std::size_t i = 0; i < loops.size(); ++i) {
-    if (loops[i].size() <= options.max_edges) continue;
-    if (choice.is_chosen[i] != 0) {
-      choice.refused.push_back(
-          refuse_hole(input.mesh, loops[i], "it has more edges than the holes to be filled"));
-    }
-    choice.is_chosen[i] = 0;
-    choice.may_join[i] = 0;
-  }
-  const bool is_any_left =
-      std::find(choice.is_chosen.begin(), choice.is_chosen.end(), 1) != choice.is_chosen.end();
-  if (options.sheets == FillSheets::No && is_any_left) refuse_sheets(input, loops, choice);
-  return choice;
+/// Calls `body` for the number of each of some loops, in parallel if that pays.
+template <typename Body>
+void for_each_loop(std::span<const std::size_t> numbers, std::span<const HoleLoop> loops,
+                   const Body& body) {
+  std::size_t n_corners = 0;
+  for (const std::size_t i : numbers) n_corners += loops[i].size();
+  const std::size_t length =
+      n_corners < kCornersForThreads ? std::max<std::size_t>(1, numbers.size()) : 1;
+  parallel_chunks(numbers.size(), length, [&](Chunk chunk) {
+    for (std::size_t k = chunk.begin; k < chunk.end; ++k) body(k);
+  });
 }
 
 /// A patch, and the loop that it fills.
@@ -187,7 +109,7 @@ struct FilledLoop {
 /// Fills the loops of a mesh, except those that share a vertex with a loop filled in this round.
 class HoleFiller {
  public:
-  HoleFiller(const FillTask& task, std::span<const HoleLoop> loops, Choice choice)
+  HoleFiller(const FillTask& task, std::span<const HoleLoop> loops, LoopChoice choice)
       : task_(task),
         soup_(task.mesh.soup()),
         loops_(loops),
@@ -196,14 +118,24 @@ class HoleFiller {
         is_used_(soup_.n_vertices(), 0) {}
 
   [[nodiscard]] PassResult run() {
-    for (const std::size_t i : by_length()) {
-      if (task_.wants_to_stop()) break;
-      if (choice_.is_chosen[i] != 0 && is_free(i)) fill(i);
+    const std::vector<std::size_t> order = by_length();
+    for (std::size_t begin = 0; begin < order.size() && !task_.wants_to_stop();
+         begin += kLoopsAtOnce) {
+      const std::size_t n_together = std::min(kLoopsAtOnce, order.size() - begin);
+      fill_each(std::span(order).subspan(begin, n_together));
     }
     return result();
   }
 
  private:
+  /// What is known of a loop that may be filled before the loops that come before it are.
+  struct Prospect {
+    /// The inner borders on its first patch that may be joined with it.
+    std::vector<std::size_t> islands;
+    /// If there are none, the outcome of filling it.
+    Filling alone;
+  };
+
   /// Returns the loops, the longest first: an outer loop finds its islands before these are
   /// examined.
   [[nodiscard]] std::vector<std::size_t> by_length() const {
@@ -222,15 +154,39 @@ class HoleFiller {
                         [&](Index v) { return is_used_[v] != 0; });
   }
 
-  void fill(std::size_t i) {
+  /// Fills some loops, one after the other.
+  void fill_each(std::span<const std::size_t> numbers) {
+    std::vector<std::size_t> may_fill;
+    std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(may_fill),
+                 [&](std::size_t i) { return choice_.is_chosen[i] != 0 && is_free(i); });
+    std::vector<Prospect> prospects(may_fill.size());
+    for_each_loop(may_fill, loops_, [&](std::size_t k) {
+      if (!task_.wants_to_stop()) prospects[k] = prospect_of(may_fill[k]);
+    });
+    for (std::size_t k = 0; k < may_fill.size() && !task_.wants_to_stop(); ++k) {
+      if (is_free(may_fill[k])) fill(may_fill[k], std::move(prospects[k]));
+    }
+  }
+
+  [[nodiscard]] Prospect prospect_of(std::size_t i) const {
     const JoinedLoop alone{.loop = loops_[i], .bridges = {}};
+    Prospect prospect;
     if (islands_.may_hold_any(i)) {
       const std::optional<Patch> first = first_patch(task_, alone);
-      if (first && fill_joined(i, islands_.lying_on(*first, i))) return;
+      if (first) prospect.islands = islands_.lying_on(*first, i);
+      std::erase_if(prospect.islands, [&](std::size_t k) { return choice_.may_join[k] == 0; });
     }
-    Filling filling = fill_loop(task_, alone);
+    if (prospect.islands.empty()) prospect.alone = fill_loop(task_, alone);
+    return prospect;
+  }
+
+  void fill(std::size_t i, Prospect prospect) {
+    if (fill_joined(i, prospect.islands)) return;
+    JoinedLoop alone{.loop = loops_[i], .bridges = {}};
+    Filling filling =
+        prospect.islands.empty() ? std::move(prospect.alone) : fill_loop(task_, alone);
     if (filling.patch) {
-      accept(with_sheets({alone, {i}, std::move(*filling.patch)}));
+      accept(with_sheets({std::move(alone), {i}, std::move(*filling.patch)}));
     } else if (!filling.first ||
                !fill_joined(i, islands_.along(faces_met(task_.mesh, *filling.first), i))) {
       failures_.push_back({i, std::move(filling.reason)});
@@ -332,7 +288,7 @@ class HoleFiller {
   const FillTask& task_;
   const Soup& soup_;
   std::span<const HoleLoop> loops_;
-  Choice choice_;
+  LoopChoice choice_;
   Islands islands_;
   /// #V: non-zero for vertices of filled loops.
   std::vector<std::uint8_t> is_used_;
@@ -375,13 +331,19 @@ std::vector<Edits::AddedFace> crossing_patches(const PassInput& input, const Fil
                       .shape = FillShape::Linear,
                       .wants_to_stop = input.wants_to_stop,
                       .triangulations = triangulations_of(input)};
-  const Choice choice = choose_loops(input, found.loops, options);
-  Edits edits;
+  const LoopChoice choice = choose_loops(input, found.loops, options);
+  std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < found.loops.size(); ++i) {
-    if (input.wants_to_stop()) break;
-    if (choice.is_chosen[i] == 0) continue;
-    const std::optional<Patch> patch = first_patch(task, {.loop = found.loops[i], .bridges = {}});
-    if (patch) add_patch(input.mesh, found.loops[i], *patch, edits);
+    if (choice.is_chosen[i] != 0) chosen.push_back(i);
+  }
+  std::vector<std::optional<Patch>> patches(chosen.size());
+  for_each_loop(chosen, found.loops, [&](std::size_t k) {
+    if (input.wants_to_stop()) return;
+    patches[k] = first_patch(task, {.loop = found.loops[chosen[k]], .bridges = {}});
+  });
+  Edits edits;
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    if (patches[k]) add_patch(input.mesh, found.loops[chosen[k]], *patches[k], edits);
   }
   return std::move(edits.added_faces);
 }

@@ -100,7 +100,8 @@ TEST(StopWithinPasses, FillingEndsBetweenHoles) {
   const StoppedRun whole = run_to_the_end(soup, fill_smoothly);
   EXPECT_EQ(whole.n_operations, 40U);
   EXPECT_LT(run_stopped(soup, fill_smoothly, 100).n_operations, 40U);
-  expect_to_end_soon(soup, fill_smoothly, whole.n_asked, 16);
+  // Some thirty holes are looked at together: each asks once, and those under way a few times more.
+  expect_to_end_soon(soup, fill_smoothly, whole.n_asked, 100);
 }
 
 TEST(StopWithinPasses, MendingEndsBetweenFacets) {

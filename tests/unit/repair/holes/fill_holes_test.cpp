@@ -1,3 +1,5 @@
+#include "meshalyzer/base/parallel.h"
+#include "meshalyzer/repair/holes/internal/hole_memory.h"
 #include "meshalyzer/repair/passes.h"
 #include "support/effort.h"
 #include "support/shapes.h"
@@ -235,6 +237,31 @@ TEST(FillHoles, TakesOneOfTwoHolesThatTouchAfterTheOther) {
   const PassRun run = fill(shapes::without_faces(sphere, gone), kAll);
   expect_filled(run.tracked.soup);
   EXPECT_EQ(run.rounds, 2U);
+}
+
+TEST(FillHoles, AnyNumberOfThreadsFillsTheSame) {
+  // Holes of all sizes, many of which touch, in walls that face each other.
+  std::mt19937 random(7);
+  Soup open;
+  for (std::size_t k = 0; k < 16; ++k) {
+    const Soup wall = shapes::scaled(shapes::icosphere(2), 1.0 - 0.02 * static_cast<double>(k));
+    open = shapes::merged(open, punched(k % 2 == 0 ? wall : shapes::flipped(wall), 4, random));
+  }
+  const auto run = [&](std::size_t n_threads) {
+    const ThreadLimit limit(n_threads);
+    HoleMemory memory;
+    return run_pass(open, [&](PassInput input) {
+      input.holes = &memory;
+      return hole_filling(kAll)(input);
+    });
+  };
+  const PassRun one = run(1);
+  EXPECT_GT(one.operations, 40U);
+  for (const std::size_t n_threads : {2U, 7U}) {
+    const PassRun many = run(n_threads);
+    EXPECT_TRUE(same_soup(many.tracked.soup, one.tracked.soup));
+    EXPECT_EQ(many.operations, one.operations);
+  }
 }
 
 TEST(FillHoles, SmoothPatchGoesOnAsTheSphereDoes) {

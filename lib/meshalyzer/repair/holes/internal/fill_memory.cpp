@@ -7,15 +7,20 @@
 namespace meshalyzer {
 
 std::optional<Filling> FillMemory::recall(const HoleLoop& loop) {
-  const auto found = failed_.attempts.find(hash_of(loop));
-  if (found == failed_.attempts.end()) return std::nullopt;
-  const FailedFillings::Attempt& attempt = found->second;
-  if (hash_of_faces_in(attempt.region) != attempt.surroundings) return std::nullopt;
-  Filling filling{.patch = std::nullopt, .reason = attempt.reason, .first = std::nullopt};
-  if (attempt.first) {
-    filling.first = Patch{.triangles = at_vertices(*attempt.first, loop.vertices), .added = {}};
+  std::optional<FailedFillings::Attempt> attempt = known_attempt(hash_of(loop));
+  if (!attempt || hash_of_faces_in(attempt->region) != attempt->surroundings) return std::nullopt;
+  Filling filling{.patch = {}, .reason = std::move(attempt->reason), .first = {}};
+  if (attempt->first) {
+    filling.first = Patch{.triangles = at_vertices(*attempt->first, loop.vertices), .added = {}};
   }
   return filling;
+}
+
+std::optional<FailedFillings::Attempt> FillMemory::known_attempt(std::uint64_t loop) {
+  const std::lock_guard lock(mutex_);
+  const auto found = failed_.attempts.find(loop);
+  if (found == failed_.attempts.end()) return std::nullopt;
+  return found->second;
 }
 
 void FillMemory::note(const HoleLoop& loop, const Box3& region, const Filling& filling) {
@@ -24,7 +29,9 @@ void FillMemory::note(const HoleLoop& loop, const Box3& region, const Filling& f
                                   .reason = filling.reason,
                                   .first = std::nullopt};
   if (filling.first) attempt.first = CornerNumbers(loop.vertices).of(filling.first->triangles);
-  failed_.attempts.insert_or_assign(hash_of(loop), std::move(attempt));
+  const std::uint64_t hash = hash_of(loop);
+  const std::lock_guard lock(mutex_);
+  failed_.attempts.insert_or_assign(hash, std::move(attempt));
 }
 
 std::uint64_t FillMemory::hash_of(std::uint64_t hash, Index vertex) const {
@@ -39,9 +46,9 @@ std::uint64_t FillMemory::hash_of(const HoleLoop& loop) const {
 }
 
 std::uint64_t FillMemory::hash_of_faces_in(const Box3& region) {
-  if (!faces_) faces_ = hash_faces();
+  const HashedFaces& faces = faces_.get([&] { return hash_faces(); });
   std::uint64_t sum = 0;
-  for (const Index face : faces_->tree.meeting(region)) sum += faces_->hashes[face];
+  for (const Index face : faces.tree.meeting(region)) sum += faces.hashes[face];
   return sum;
 }
 

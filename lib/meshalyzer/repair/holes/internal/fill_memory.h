@@ -1,10 +1,12 @@
 #pragma once
 
+#include "meshalyzer/base/lazy.h"
 #include "meshalyzer/repair/holes/internal/fill_loop.h"
 #include "meshalyzer/repair/pass.h"
 #include "meshalyzer/spatial/box_tree.h"
 
 #include <cstdint>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -29,7 +31,7 @@ struct FailedFillings {
 
 /// Tells which loops of a mesh were tried in vain before, while all that could meet their patches
 /// was the same: to try them again would be in vain too. Passes try to fill holes again and again,
-/// while few faces change.
+/// while few faces change. Any number of threads may ask at a time.
 class FillMemory {
  public:
   /// @param failed  What is known; all of it from meshes of one repair, and one set of options.
@@ -56,11 +58,15 @@ class FillMemory {
   [[nodiscard]] std::uint64_t hash_of(std::uint64_t hash, Index vertex) const;
   [[nodiscard]] std::uint64_t hash_of(const HoleLoop& loop) const;
   [[nodiscard]] std::uint64_t hash_of_faces_in(const Box3& region);
+  /// Returns what is known of the loop with a hash.
+  [[nodiscard]] std::optional<FailedFillings::Attempt> known_attempt(std::uint64_t loop);
   [[nodiscard]] HashedFaces hash_faces() const;
 
+  /// Guards what is known.
+  std::mutex mutex_;
   FailedFillings& failed_;
   const PassInput& input_;
-  std::optional<HashedFaces> faces_;
+  Lazy<HashedFaces> faces_;
 };
 
 }  // namespace meshalyzer

@@ -1,5 +1,7 @@
 #include "meshalyzer/repair/holes/internal/triangulate_loop.h"
 
+#include "meshalyzer/base/parallel.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -41,6 +43,9 @@ struct Part {
   [[nodiscard]] bool is_possible() const { return weight.n_collinear != kImpossible.n_collinear; }
 };
 
+/// The number of parts that are worth a task of their own.
+constexpr std::size_t kPartsPerTask = 32;
+
 class Triangulator {
  public:
   Triangulator(const LoopPolygon& polygon, const LoopRules& rules)
@@ -50,7 +55,12 @@ class Triangulator {
 
   [[nodiscard]] std::optional<std::vector<Triangle>> run() {
     for (std::size_t length = 2; length < n_; ++length) {
-      for (std::size_t i = 0; i + length < n_; ++i) part(i, i + length) = best(i, i + length);
+      // All that a part depends on is shorter.
+      parallel_chunks(n_ - length, kPartsPerTask, [&](Chunk chunk) {
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+          part(i, i + length) = best(i, i + length);
+        }
+      });
     }
     if (!part(0, n_ - 1).is_possible()) return std::nullopt;
     return triangles();

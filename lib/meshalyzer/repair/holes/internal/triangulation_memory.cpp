@@ -6,6 +6,7 @@
 #include "meshalyzer/repair/holes/internal/triangulate_loop.h"
 
 #include <bit>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -14,8 +15,6 @@ namespace {
 constexpr std::size_t kLeastCorners = 24;
 /// Nothing more is noted once so many triangles are, which take 12 bytes each.
 constexpr std::size_t kMostTriangles = 4'000'000;
-
-using Triangles = std::optional<std::vector<Triangle>>;
 
 std::uint64_t hash_triangle(const Triangle& corners) {
   const Triangle t = sorted_corners(corners);
@@ -46,19 +45,36 @@ std::uint64_t hash_of(const LoopPolygon& polygon, const LoopRules& rules,
 
 }  // namespace
 
-Triangles TriangulationMemory::triangulate(const LoopPolygon& polygon, const LoopRules& rules) {
+std::optional<std::vector<Triangle>> TriangulationMemory::triangulate(const LoopPolygon& polygon,
+                                                                      const LoopRules& rules) {
   if (polygon.size() < kLeastCorners) return triangulate_loop(polygon, rules);
   const CornerNumbers corners(polygon.vertices);
   const std::uint64_t hash = hash_of(polygon, rules, corners);
-  if (const auto found = known_.find(hash); found != known_.end()) {
-    if (!found->second) return std::nullopt;
-    return at_vertices(*found->second, polygon.vertices);
+  if (const Triangles* known = find_known(hash)) {
+    if (!*known) return std::nullopt;
+    return at_vertices(**known, polygon.vertices);
   }
   Triangles triangles = triangulate_loop(polygon, rules);
-  if (n_triangles_ >= kMostTriangles) return triangles;
-  n_triangles_ += polygon.size();
-  known_.emplace(hash, triangles ? Triangles(corners.of(*triangles)) : std::nullopt);
+  note(hash, triangles ? Triangles(corners.of(*triangles)) : std::nullopt);
   return triangles;
+}
+
+std::size_t TriangulationMemory::n_known() const {
+  const std::lock_guard lock(mutex_);
+  return known_.size();
+}
+
+const TriangulationMemory::Triangles* TriangulationMemory::find_known(std::uint64_t hash) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = known_.find(hash);
+  return found == known_.end() ? nullptr : &found->second;
+}
+
+void TriangulationMemory::note(std::uint64_t hash, Triangles triangles) {
+  const std::lock_guard lock(mutex_);
+  if (n_triangles_ >= kMostTriangles) return;
+  n_triangles_ += triangles ? triangles->size() : 1;
+  known_.emplace(hash, std::move(triangles));
 }
 
 }  // namespace meshalyzer

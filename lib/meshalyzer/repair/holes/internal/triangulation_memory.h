@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -11,7 +12,7 @@
 namespace meshalyzer {
 
 /// Remembers the triangulations of loops, which take long: the same holes are filled in trial after
-/// trial of a repair, or tried in vain again and again.
+/// trial of a repair, or tried in vain again and again. Any number of threads may ask at a time.
 class TriangulationMemory {
  public:
   /// Returns what triangulate_loop() returns, and computes it at the first call only for loops that
@@ -22,12 +23,21 @@ class TriangulationMemory {
                                                                  const LoopRules& rules);
 
   /// Returns the number of loops that are remembered.
-  [[nodiscard]] std::size_t n_known() const { return known_.size(); }
+  [[nodiscard]] std::size_t n_known() const;
 
  private:
-  /// By a hash of the loop: the triangles by the numbers of its corners; nothing if the rules
-  /// permit no triangulation.
-  std::unordered_map<std::uint64_t, std::optional<std::vector<Triangle>>> known_;
+  /// The triangles by the numbers of the loop's corners; nothing if the rules permit no
+  /// triangulation.
+  using Triangles = std::optional<std::vector<Triangle>>;
+
+  /// Returns what is known of a loop, which stays where it is; null if nothing is.
+  [[nodiscard]] const Triangles* find_known(std::uint64_t hash) const;
+  void note(std::uint64_t hash, Triangles triangles);
+
+  /// Guards the members below.
+  mutable std::mutex mutex_;
+  /// By a hash of the loop.
+  std::unordered_map<std::uint64_t, Triangles> known_;
   std::size_t n_triangles_ = 0;
 };
 
