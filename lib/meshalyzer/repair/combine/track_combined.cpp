@@ -204,7 +204,7 @@ MendedMesh part_combined(TrackedMesh combined, double max_deviation) {
   require_length("the maximum deviation", max_deviation);
   if (build(combined.soup).side.non_manifold_vertices.empty()) return {std::move(combined)};
   RepairOptions options;
-  options.fixes = {DefectCode::NonManifold};
+  options.fixes = {DefectCode::NonManifold, DefectCode::Inward};
   return mended(combined, max_deviation, std::move(options));
 }
 

@@ -30,7 +30,8 @@ struct MendedMesh {
 };
 
 /// Parts surfaces that touch along an edge or at a vertex, as a repair of `non-manifold` does; a
-/// mesh that is manifold is left unchanged.
+/// mesh that is manifold is left unchanged. A part that is flat but for rounding, and which this
+/// turns inside out, is oriented outwards again.
 ///
 /// @param max_deviation  The maximum distance by which a vertex may move.
 /// @throws InvalidArgument  if that is no length: negative or not finite.

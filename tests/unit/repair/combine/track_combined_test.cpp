@@ -1,11 +1,14 @@
 #include "meshalyzer/repair/combine/track_combined.h"
 
 #include "meshalyzer/defects/check.h"
+#include "support/random_soups.h"
 #include "support/shapes.h"
 #include "unit/repair/repaired_meshes.h"
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -127,6 +130,30 @@ TEST(PartCombined, CubesThatShareAnEdgeArePartedAndTrackedToTheInput) {
   for (Index f = 0; f < 24; ++f) origins.insert(parted.mesh.origin_of_face(f));
   EXPECT_EQ(origins.size(), 24U);
   EXPECT_EQ(*origins.rbegin(), 23U);
+}
+
+TEST(PartCombined, SliversStayOutward) {
+  // Tetrahedra at a corner of a cube that are flat but for rounding: another rounding may turn them
+  // inside out.
+  std::mt19937 random(3);
+  const auto share = [&] { return (1.0 + below(random, 1000)) / 1001.0; };
+  std::size_t n_parted = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const Vec3 corner(1, 1, 1);
+    const Vec3 a = corner + Vec3(share(), share(), share());
+    const Vec3 b = corner + Vec3(share(), share(), share());
+    const Vec3 between = corner + share() * (a - corner) + share() * (b - corner);
+    const Soup sliver =
+        shapes::make({corner, a, b, between}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+    if (!is_good(sliver)) continue;
+    const std::vector<Soup> meshes{shapes::cube(), sliver};
+    const Soup all = concatenate(meshes);
+    const CombinedSolid solid = combine_solids(operands_of(all, meshes), union_rule());
+    const MendedMesh parted = part_combined(track_combined(all, solid), 1e-3);
+    n_parted += parted.is_mended ? 1 : 0;
+    EXPECT_TRUE(is_good(parted.mesh.soup)) << trial;
+  }
+  EXPECT_GT(n_parted, 50U);
 }
 
 TEST(PartCombined, ManifoldMeshStays) {
