@@ -28,6 +28,9 @@ namespace {
 /// has cut.
 constexpr std::size_t kMorePairsInRounds = 1000;
 constexpr std::size_t kTimesFirstRound = 2;
+/// Rounds that leave this many times more pairs than an earlier one, beside kMorePairsInRounds, are
+/// taken to come to no end.
+constexpr std::size_t kHopelessGrowth = 16;
 
 using Pairs = std::vector<IntersectingPair>;
 
@@ -109,19 +112,42 @@ class Combination {
     return {.max_found = max_pairs + 1, .wants_to_stop = options_.wants_to_stop};
   }
 
-  /// Cuts the rounded result, now one solid that may intersect itself, until no faces intersect.
+  /// What a round has left: how many pairs of faces intersect, and the members that describe it.
+  struct RoundResult {
+    std::size_t n_pairs = 0;
+    Soup soup;
+    std::vector<CombinedFace> origins;
+    double largest_move = 0.0;
+  };
+
+  void return_to(RoundResult before) {
+    soup_ = std::move(before.soup);
+    origins_ = std::move(before.origins);
+    result_.largest_move = before.largest_move;
+  }
+
+  /// Cuts the rounded result, now one solid that may intersect itself, until no faces intersect. If
+  /// it comes to no end, the result is that of the round that has left the fewest.
   CombineOutcome mend_rounding() {
     std::size_t n_pairs_left = kMorePairsInRounds + kTimesFirstRound * result_.n_pairs;
+    std::optional<RoundResult> best;
     for (;;) {
       const CutMesh cut = build(soup_);
       const FaceTree tree(cut);
       // Rounding that makes things worse may leave millions of pairs, none of which is cut.
+      const std::size_t most =
+          best ? std::min(n_pairs_left, kMorePairsInRounds + kHopelessGrowth * best->n_pairs)
+               : n_pairs_left;
       const Pairs pairs =
-          find_self_intersections_of(cut, tree, new_faces_, limits_of_search(n_pairs_left)).listed;
+          find_self_intersections_of(cut, tree, new_faces_, limits_of_search(most)).listed;
       if (options_.wants_to_stop()) return CombineOutcome::Stopped;
       if (pairs.empty()) return CombineOutcome::Done;
-      if (round_ == kRoundingRounds || pairs.size() > n_pairs_left) {
+      if (round_ == kRoundingRounds || pairs.size() > most) {
+        if (best && best->n_pairs < pairs.size()) return_to(std::move(*best));
         return CombineOutcome::Unfinished;
+      }
+      if (!best || pairs.size() < best->n_pairs) {
+        best = {pairs.size(), soup_, origins_, result_.largest_move};
       }
       n_pairs_left -= pairs.size();
       operand_of_.assign(soup_.n_faces(), 0);

@@ -29,7 +29,8 @@ struct CombineOptions {
 enum class CombineOutcome : std::uint8_t {
   /// The exact search finds no faces of the result that intersect.
   Done,
-  /// Faces of the result still intersect, because rounding made some intersect again and again.
+  /// Faces of the result still intersect, because rounding made some intersect again and again. Of
+  /// all rounds this is the result of the one that left the fewest pairs.
   Unfinished,
   /// Nothing was done, because more pairs of faces intersect than may be cut.
   TooManyPairs,

@@ -177,6 +177,23 @@ TEST(MendCombined, FacesThatStillIntersectAreCutAndTrackedToTheInput) {
   }
 }
 
+TEST(MendCombined, SpheresThatDifferByRoundingAlone) {
+  // Each round of cutting makes other faces intersect, at first a few and then thousands.
+  std::mt19937 random(7);
+  std::vector<Soup> spheres(6, shapes::icosphere(2));
+  for (Soup& sphere : spheres) {
+    for (Vec3& p : sphere.positions) {
+      for (double& x : p) x *= 1.0 + 2e-16 * (below(random, 3) - 1.0);
+    }
+  }
+  const Soup all = concatenate(spheres);
+  const CombinedSolid solid =
+      combine_solids(operands_of(all, spheres), union_rule(), {.max_deviation = 1e-3});
+  EXPECT_LT(PreparedMesh(as_soup(solid)).intersecting_pairs().size(), 100U);
+  const MendedMesh mended = mend_combined(track_combined(all, solid), {.max_deviation = 1e-3});
+  EXPECT_TRUE(is_good(mended.mesh.soup));
+}
+
 TEST(MendCombined, StopsWhenItIsTold) {
   const Soup cubes = shapes::merged(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
   const MendedMesh mended = mend_combined(
