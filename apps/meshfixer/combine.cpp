@@ -238,7 +238,7 @@ class CombinationRun {
   MendedMesh mend(const Result& result) {
     CombineOptions options = combine_options(result.all);
     MendedMesh mended =
-        part_or_repair(track_combined(result.edited(), result.solid), result.solid, options);
+        part_or_repair(track_combined(result.edited(), result.solid), result, options);
     if (result.others == nullptr || (result.is_apart && !mended.is_mended)) return mended;
     const double move = mended.largest_move;
     options.max_deviation = std::max(options.max_deviation - result.solid.largest_move - move, 0.0);
@@ -249,10 +249,11 @@ class CombinationRun {
     return kept;
   }
 
-  /// Separates a result where it touches itself, and repairs one that still intersects itself.
-  MendedMesh part_or_repair(TrackedMesh combined, const CombinedSolid& solid,
+  /// Separates a result where it touches itself, and repairs one that still touches or intersects
+  /// itself.
+  MendedMesh part_or_repair(TrackedMesh combined, const Result& result,
                             const CombineOptions& options) {
-    if (solid.outcome == CombineOutcome::Unfinished) {
+    if (result.solid.outcome == CombineOutcome::Unfinished) {
       note("rounding makes faces of the result intersect again and again, so it was repaired");
       return mend_combined(combined, options);
     }
@@ -260,7 +261,13 @@ class CombinationRun {
     if (parted.is_mended) {
       note("parts that touched along an edge or at a vertex were parted");
     }
-    return parted;
+    // Moving it off other meshes, or its parts off each other, may have made faces intersect.
+    const bool is_moved = parted.is_mended || result.others != nullptr;
+    if (!is_moved || is_embedded(parted.mesh.soup)) return parted;
+    note("it touched or intersected itself after vertices were moved, so it was repaired");
+    MendedMesh repaired = mend_combined(parted.mesh, options);
+    repaired.largest_move += parted.largest_move;
+    return repaired;
   }
 
   /// Tells whether there is no result.

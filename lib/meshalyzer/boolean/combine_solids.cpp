@@ -2,6 +2,7 @@
 
 #include "meshalyzer/arrangement/arrange.h"
 #include "meshalyzer/arrangement/cells.h"
+#include "meshalyzer/arrangement/corners_on_grid.h"
 #include "meshalyzer/arrangement/round_vertices.h"
 #include "meshalyzer/base/corners.h"
 #include "meshalyzer/base/error.h"
@@ -62,9 +63,10 @@ bool has_area(const std::vector<Vec3>& positions, const Triangle& t) {
 /// rounding has made intersect.
 class Combination {
  public:
-  Combination(const Operands& operands, const CombineOptions& options)
+  /// @param positions  Where the vertices of the operands are in this attempt.
+  Combination(const Operands& operands, std::vector<Vec3> positions, const CombineOptions& options)
       : options_(options), n_operands_(operands.count) {
-    soup_.positions = operands.soup.positions;
+    soup_.positions = std::move(positions);
     for (Index face = 0; face < operands.soup.n_faces(); ++face) {
       const Triangle& t = operands.soup.triangles[face];
       if (!has_area(soup_.positions, t)) continue;
@@ -231,6 +233,44 @@ class Combination {
   CombinedSolid result_;
 };
 
+/// Tells for each face whether it intersects another one.
+std::vector<std::uint8_t> which_intersect(const Soup& soup) {
+  const CutMesh cut = build(soup);
+  std::vector<std::uint8_t> found(soup.n_faces(), 0);
+  for (const IntersectingPair& pair : find_self_intersections(cut, FaceTree(cut))) {
+    found[pair.face_a] = 1;
+    found[pair.face_b] = 1;
+  }
+  return found;
+}
+
+double largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    largest = std::max(largest, (a[i] - b[i]).stableNorm());
+  }
+  return largest;
+}
+
+/// Combines operands with the vertices of intersecting faces moved to the points of a grid.
+///
+/// @return  Nothing if that comes to no end on any grid.
+std::optional<CombinedSolid> combine_on_grid(const Operands& operands, const InsideRule& rule,
+                                             const CombineOptions& options) {
+  const Soup& soup = operands.soup;
+  const std::vector<std::uint8_t> intersects = which_intersect(soup);
+  const double extent = used_extent(soup);
+  for (const int bits : kGridsOfAttempts) {
+    const double spacing = grid_spacing(bits, extent, options.max_deviation);
+    if (!(spacing > 0.0)) break;
+    const std::vector<Vec3> positions = corners_on_grid(soup, intersects, spacing);
+    CombinedSolid solid = Combination(operands, positions, options).run(rule);
+    solid.largest_move += largest_distance(positions, soup.positions);
+    if (solid.outcome != CombineOutcome::Unfinished) return solid;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 CombinedSolid combine_solids(const Operands& operands, const InsideRule& rule,
@@ -238,7 +278,10 @@ CombinedSolid combine_solids(const Operands& operands, const InsideRule& rule,
   require_operands(operands);
   require_bounded(rule, operands.count);
   require_length("the maximum deviation", options.max_deviation);
-  return Combination(operands, options).run(rule);
+  CombinedSolid solid = Combination(operands, operands.soup.positions, options).run(rule);
+  if (solid.outcome != CombineOutcome::Unfinished) return solid;
+  std::optional<CombinedSolid> on_grid = combine_on_grid(operands, rule, options);
+  return on_grid ? std::move(*on_grid) : std::move(solid);
 }
 
 std::optional<Triangle> whole_face(const CombinedSolid& solid, const Soup& source,

@@ -52,7 +52,8 @@ struct CombinedFace {
 /// The result of a boolean operation.
 struct CombinedSolid {
   CombineOutcome outcome = CombineOutcome::Done;
-  /// The positions of the soup, used or not, followed by the new ones.
+  /// The positions of the soup, used or not, of which some may be moved to a grid, followed by the
+  /// new ones.
   std::vector<Vec3> positions;
   /// The faces, in order of their origins; empty if nothing is inside. A face that was not cut
   /// keeps the order of its corners unless it is reversed.
@@ -66,7 +67,9 @@ struct CombinedSolid {
 /// Combines solids to a new one and returns its boundary. All intersecting faces are cut along
 /// their intersections, the exact winding number of every cell with respect to each operand is
 /// found, and the pieces that separate cells inside by the rule from others are kept. The new
-/// points are rounded to doubles, and this is repeated until no faces intersect.
+/// points are rounded to doubles, and this is repeated until no faces intersect. If it comes to no
+/// end, it is tried again with the corners of intersecting faces moved to the points of a grid, if
+/// the deviation permits that.
 ///
 /// Operands may intersect themselves: a point is inside if the operand goes round it at least once.
 /// Coplanar faces of several operands occur once in the result. Faces that meet no other are

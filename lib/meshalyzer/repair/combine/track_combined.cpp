@@ -208,6 +208,12 @@ MendedMesh part_combined(TrackedMesh combined, double max_deviation) {
   return mended(combined, max_deviation, std::move(options));
 }
 
+bool is_embedded(const Soup& soup) {
+  const CutMesh cut = build(soup);
+  return cut.side.non_manifold_vertices.empty() &&
+         find_self_intersections(cut, FaceTree(cut)).empty();
+}
+
 MendedMesh mend_combined(const TrackedMesh& combined, const CombineOptions& options) {
   RepairOptions repair;
   repair.solid = true;

@@ -37,6 +37,9 @@ struct MendedMesh {
 /// @throws InvalidArgument  if that is no length: negative or not finite.
 [[nodiscard]] MendedMesh part_combined(TrackedMesh combined, double max_deviation);
 
+/// Tells whether a mesh is manifold, and no faces of it intersect.
+[[nodiscard]] bool is_embedded(const Soup& soup);
+
 /// Repairs the result of an operation that is CombineOutcome::Unfinished, as a solid: a repair
 /// knows more ways to cut what rounding makes intersect again and again.
 ///

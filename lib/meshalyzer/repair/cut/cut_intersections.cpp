@@ -1,3 +1,4 @@
+#include "meshalyzer/arrangement/corners_on_grid.h"
 #include "meshalyzer/arrangement/round_vertices.h"
 #include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/mesh/used_box.h"
@@ -8,7 +9,6 @@
 #include "meshalyzer/repair/passes.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <span>
 #include <string>
@@ -34,9 +34,6 @@ struct CutLimits {
 constexpr CutLimits kUsualLimits{100'000, 1e7, PieceRules{}.more_pieces};
 /// Where the result is to be good, there is no other way left than to cut, or to replace all.
 constexpr CutLimits kLimitsOfGuarantee{200'000, 1e8, 1'000'000};
-
-/// The resolutions of the grids on which it is tried again, see grid_spacing().
-constexpr std::array kGridsOfAttempts{40, 36, 32};
 
 PassResult refuse_at(Index face, const std::string& reason) {
   PassResult result;

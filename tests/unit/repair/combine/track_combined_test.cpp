@@ -177,8 +177,8 @@ TEST(MendCombined, FacesThatStillIntersectAreCutAndTrackedToTheInput) {
   }
 }
 
-TEST(MendCombined, SpheresThatDifferByRoundingAlone) {
-  // Each round of cutting makes other faces intersect, at first a few and then thousands.
+/// Spheres that differ by rounding alone.
+std::vector<Soup> equal_spheres() {
   std::mt19937 random(7);
   std::vector<Soup> spheres(6, shapes::icosphere(2));
   for (Soup& sphere : spheres) {
@@ -186,12 +186,33 @@ TEST(MendCombined, SpheresThatDifferByRoundingAlone) {
       for (double& x : p) x *= 1.0 + 2e-16 * (below(random, 3) - 1.0);
     }
   }
+  return spheres;
+}
+
+TEST(MendCombined, WhatRoundingMakesIntersectAgainAndAgain) {
+  // No vertex may be moved to a grid. Each round of cutting makes other faces intersect, at first a
+  // few and then thousands.
+  const std::vector<Soup> spheres = equal_spheres();
+  const Soup all = concatenate(spheres);
+  const CombinedSolid solid = combine_solids(operands_of(all, spheres), union_rule());
+  EXPECT_EQ(solid.outcome, CombineOutcome::Unfinished);
+  EXPECT_LT(PreparedMesh(as_soup(solid)).intersecting_pairs().size(), 100U);
+  const TrackedMesh combined = track_combined(all, solid);
+  EXPECT_FALSE(is_embedded(combined.soup));
+  const MendedMesh mended = mend_combined(combined, {.max_deviation = 1e-3});
+  EXPECT_TRUE(is_embedded(mended.mesh.soup));
+  EXPECT_TRUE(is_good(mended.mesh.soup));
+}
+
+TEST(CombineSolids, MovesFacesThatDifferByRoundingToAGrid) {
+  const std::vector<Soup> spheres = equal_spheres();
   const Soup all = concatenate(spheres);
   const CombinedSolid solid =
       combine_solids(operands_of(all, spheres), union_rule(), {.max_deviation = 1e-3});
-  EXPECT_LT(PreparedMesh(as_soup(solid)).intersecting_pairs().size(), 100U);
-  const MendedMesh mended = mend_combined(track_combined(all, solid), {.max_deviation = 1e-3});
-  EXPECT_TRUE(is_good(mended.mesh.soup));
+  EXPECT_EQ(solid.outcome, CombineOutcome::Done);
+  EXPECT_LT(solid.largest_move, 1e-11);
+  EXPECT_TRUE(is_good(as_soup(solid)));
+  EXPECT_NEAR(volume_of(as_soup(solid)), volume_of(spheres.front()), 1e-10);
 }
 
 TEST(MendCombined, StopsWhenItIsTold) {

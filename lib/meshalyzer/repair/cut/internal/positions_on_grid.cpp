@@ -1,8 +1,7 @@
 #include "meshalyzer/repair/cut/internal/positions_on_grid.h"
 
-#include "meshalyzer/arrangement/round_vertices.h"
+#include "meshalyzer/arrangement/corners_on_grid.h"
 #include "meshalyzer/base/disjoint_sets.h"
-#include "meshalyzer/base/point_table.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -28,19 +27,7 @@ std::vector<std::uint8_t> which_are_of_unfinished_parts(const CutSurface& surfac
 }  // namespace
 
 std::vector<Vec3> positions_on_grid(const Soup& soup, const CutSurface& surface, double spacing) {
-  const std::vector<std::uint8_t> is_unfinished =
-      which_are_of_unfinished_parts(surface, soup.n_faces());
-  std::vector<Vec3> positions = soup.positions;
-  const std::vector<Index> place_of = first_equal_points(soup.positions);
-  std::vector<std::uint8_t> is_rounded(positions.size(), 0);
-  for (std::size_t face = 0; face < soup.n_faces(); ++face) {
-    if (is_unfinished[face] == 0) continue;
-    for (const Index v : soup.triangles[face]) is_rounded[place_of[v]] = 1;
-  }
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    if (is_rounded[place_of[v]] != 0) positions[v] = nearest_on_grid(positions[v], spacing);
-  }
-  return positions;
+  return corners_on_grid(soup, which_are_of_unfinished_parts(surface, soup.n_faces()), spacing);
 }
 
 }  // namespace meshalyzer
