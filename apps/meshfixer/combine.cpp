@@ -258,12 +258,17 @@ class CombinationRun {
       return mend_combined(combined, options);
     }
     MendedMesh parted = part_combined(std::move(combined), options.max_deviation);
-    if (parted.is_mended) {
+    if (parted.largest_move > 0.0) {
       note("parts that touched along an edge or at a vertex were parted");
     }
     // Moving it off other meshes, or its parts off each other, may have made faces intersect.
     const bool is_moved = parted.is_mended || result.others != nullptr;
-    if (!is_moved || is_embedded(parted.mesh.soup)) return parted;
+    if (!is_moved || is_embedded(parted.mesh.soup)) {
+      if (parted.is_mended && parted.largest_move == 0.0) {
+        note("parts that rounding had turned inside out were oriented outwards");
+      }
+      return parted;
+    }
     note("it touched or intersected itself after vertices were moved, so it was repaired");
     MendedMesh repaired = mend_combined(parted.mesh, options);
     repaired.largest_move += parted.largest_move;

@@ -4,6 +4,7 @@
 #include "meshalyzer/boolean/make_disjoint.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/mesh/orphans.h"
+#include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/repair/edits/apply_edits.h"
 #include "meshalyzer/repair/edits/edits.h"
 #include "meshalyzer/repair/fix_defects.h"
@@ -153,6 +154,14 @@ TrackedMesh composed(const TrackedMesh& first, TrackedMesh second) {
   return second;
 }
 
+bool is_manifold_and_outward(const Soup& soup) {
+  const PreparedMesh mesh(soup);
+  if (!mesh.cut().side.non_manifold_vertices.empty()) return false;
+  const std::vector<Shell>& shells = mesh.shells();
+  return std::all_of(shells.begin(), shells.end(),
+                     [](const Shell& shell) { return shell.outward == true; });
+}
+
 MendedMesh mended(const TrackedMesh& combined, double max_deviation, RepairOptions options) {
   options.max_deviation = {max_deviation, Deviation::Unit::Length};
   RepairResult result = fix_defects(combined.soup, options);
@@ -202,7 +211,7 @@ bool is_unchanged(const Soup& source, const CombinedSolid& solid) {
 
 MendedMesh part_combined(TrackedMesh combined, double max_deviation) {
   require_length("the maximum deviation", max_deviation);
-  if (build(combined.soup).side.non_manifold_vertices.empty()) return {std::move(combined)};
+  if (is_manifold_and_outward(combined.soup)) return {std::move(combined)};
   RepairOptions options;
   options.fixes = {DefectCode::NonManifold, DefectCode::Inward};
   return mended(combined, max_deviation, std::move(options));

@@ -29,9 +29,9 @@ struct MendedMesh {
   double largest_move = 0.0;
 };
 
-/// Parts surfaces that touch along an edge or at a vertex, as a repair of `non-manifold` does; a
-/// mesh that is manifold is left unchanged. A part that is flat but for rounding, and which this
-/// turns inside out, is oriented outwards again.
+/// Parts surfaces that touch along an edge or at a vertex, as a repair of `non-manifold` does, and
+/// orients outwards what this or rounding has turned inside out: parts that are flat but for
+/// rounding. A mesh that is manifold and outward is left unchanged.
 ///
 /// @param max_deviation  The maximum distance by which a vertex may move.
 /// @throws InvalidArgument  if that is no length: negative or not finite.

@@ -156,6 +156,15 @@ TEST(PartCombined, SliversStayOutward) {
   EXPECT_GT(n_parted, 50U);
 }
 
+TEST(PartCombined, PartThatIsInsideOutIsOrientedOutwards) {
+  const Soup inside_out = shapes::flipped(shapes::translated(shapes::tetrahedron(), {5, 0, 0}));
+  const MendedMesh parted =
+      part_combined(track_mesh(shapes::merged(shapes::cube(), inside_out)), 1e-3);
+  EXPECT_TRUE(parted.is_mended);
+  EXPECT_EQ(parted.largest_move, 0.0);
+  EXPECT_TRUE(is_good(parted.mesh.soup));
+}
+
 TEST(PartCombined, ManifoldMeshStays) {
   const Combination cut(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
   const TrackedMesh tracked = track_combined(cut.all, cut.solid);
