@@ -2,7 +2,7 @@
 
 #include "meshalyzer/arrangement/arrange.h"
 #include "meshalyzer/arrangement/cells.h"
-#include "meshalyzer/arrangement/corners_on_grid.h"
+#include "meshalyzer/arrangement/corners_on_grids.h"
 #include "meshalyzer/arrangement/round_vertices.h"
 #include "meshalyzer/base/corners.h"
 #include "meshalyzer/base/error.h"
@@ -258,12 +258,8 @@ double largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) 
 std::optional<CombinedSolid> combine_on_grid(const Operands& operands, const InsideRule& rule,
                                              const CombineOptions& options) {
   const Soup& soup = operands.soup;
-  const std::vector<std::uint8_t> intersects = which_intersect(soup);
-  const double extent = used_extent(soup);
-  for (const int bits : kGridsOfAttempts) {
-    const double spacing = grid_spacing(bits, extent, options.max_deviation);
-    if (!(spacing > 0.0)) break;
-    const std::vector<Vec3> positions = corners_on_grid(soup, intersects, spacing);
+  for (const std::vector<Vec3>& positions :
+       corners_on_grids(soup, which_intersect(soup), options.max_deviation)) {
     CombinedSolid solid = Combination(operands, positions, options).run(rule);
     solid.largest_move += largest_distance(positions, soup.positions);
     if (solid.outcome != CombineOutcome::Unfinished) return solid;

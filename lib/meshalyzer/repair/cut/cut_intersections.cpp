@@ -1,10 +1,8 @@
-#include "meshalyzer/arrangement/corners_on_grid.h"
-#include "meshalyzer/arrangement/round_vertices.h"
+#include "meshalyzer/arrangement/corners_on_grids.h"
 #include "meshalyzer/base/grouped_digits.h"
-#include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/repair/cut/internal/cut_edits.h"
 #include "meshalyzer/repair/cut/internal/cut_surface.h"
-#include "meshalyzer/repair/cut/internal/positions_on_grid.h"
+#include "meshalyzer/repair/cut/internal/unfinished_parts.h"
 #include "meshalyzer/repair/holes/internal/crossing_patches.h"
 #include "meshalyzer/repair/passes.h"
 
@@ -99,16 +97,11 @@ PassResult propose_cut(const PassInput& input, std::span<const Edits::AddedFace>
   PassResult result = edits_of(surface);
   if (!result.edits.empty() || surface.unfinished.empty()) return result;
   const Soup& soup = input.tracked.soup;
-  const double extent = used_extent(soup);
-  std::vector<Vec3> last = soup.positions;
-  for (const int bits : kGridsOfAttempts) {
-    const double spacing = grid_spacing(bits, extent, input.limits.max_deviation);
-    if (!(spacing > 0.0) || input.wants_to_stop()) break;
-    std::vector<Vec3> positions = positions_on_grid(soup, surface, spacing);
-    // With the same positions it would end as before.
-    if (positions == last) continue;
-    last = std::move(positions);
-    const CutSurface of_grid = cut({patches, last, surface.n_first_pairs});
+  const auto is_unfinished = which_are_of_unfinished_parts(surface, soup.n_faces());
+  for (const std::vector<Vec3>& positions :
+       corners_on_grids(soup, is_unfinished, input.limits.max_deviation)) {
+    if (input.wants_to_stop()) break;
+    const CutSurface of_grid = cut({patches, positions, surface.n_first_pairs});
     if (PassResult again = edits_of(of_grid); !again.edits.empty()) return again;
   }
   return result;

@@ -99,4 +99,5 @@ LoopChoice choose_loops(const PassInput& input, std::span<const HoleLoop> loops,
   if (options.sheets == FillSheets::No && is_any_left) refuse_sheets(input, loops, choice);
   return choice;
 }
+
 }  // namespace meshalyzer

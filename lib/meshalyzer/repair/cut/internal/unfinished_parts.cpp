@@ -1,15 +1,9 @@
-#include "meshalyzer/repair/cut/internal/positions_on_grid.h"
+#include "meshalyzer/repair/cut/internal/unfinished_parts.h"
 
-#include "meshalyzer/arrangement/corners_on_grid.h"
 #include "meshalyzer/base/disjoint_sets.h"
 
-#include <cstddef>
-#include <cstdint>
-
 namespace meshalyzer {
-namespace {
 
-/// #n_faces: 1 for those that change together with an unfinished one.
 std::vector<std::uint8_t> which_are_of_unfinished_parts(const CutSurface& surface,
                                                         std::size_t n_faces) {
   DisjointSets parts(n_faces);
@@ -22,12 +16,6 @@ std::vector<std::uint8_t> which_are_of_unfinished_parts(const CutSurface& surfac
   }
   for (Index face = 0; face < n_faces; ++face) found[face] = found[parts.find(face)];
   return found;
-}
-
-}  // namespace
-
-std::vector<Vec3> positions_on_grid(const Soup& soup, const CutSurface& surface, double spacing) {
-  return corners_on_grid(soup, which_are_of_unfinished_parts(surface, soup.n_faces()), spacing);
 }
 
 }  // namespace meshalyzer
