@@ -1,6 +1,7 @@
 #include "batch.h"
 
 #include "batch_report.h"
+#include "freed_memory.h"
 #include "input_file.h"
 #include "interrupt.h"
 #include "mesh_paths.h"
@@ -33,6 +34,7 @@ ExitCode repair_one(const BatchRun& run, const std::string& file) {
   try {
     const InputFile input(file);
     require_format(*options.output);
+    keep_freed_memory_if_small(input.bytes().size());
     Soup soup = parse_mesh(input.bytes(), file);
     const RepairTask task{options, input, run.files, run.streams};
     return repair_mesh(task, std::move(soup), [&](const RepairReport& repair) {

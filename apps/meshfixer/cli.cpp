@@ -1,7 +1,6 @@
 #include "cli.h"
 
 #include "exit_code.h"
-#include "freed_memory.h"
 #include "guarded.h"
 #include "meshalyzer/base/parallel.h"
 #include "options.h"
@@ -24,7 +23,6 @@ ExitCode run_command(int argc, const char* const* argv, Streams streams) {
 
 int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   const Streams streams{out, err};
-  return_large_blocks(4);
   return run_guarded("meshfixer", streams, [&] { return run_command(argc, argv, streams); });
 }
 

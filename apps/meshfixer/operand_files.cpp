@@ -1,10 +1,13 @@
 #include "operand_files.h"
 
+#include "freed_memory.h"
 #include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/base/error.h"
 #include "meshalyzer/boolean/solid_fault.h"
 #include "meshalyzer/io/read.h"
 #include "targets.h"
+
+#include <cstddef>
 
 namespace meshalyzer::fixer {
 
@@ -14,8 +17,11 @@ OperandFiles read_operands(const Options& options, const MeshPaths& paths) {
     for (const std::string& path : paths.files) require_format(result_path(options, path));
   }
   OperandFiles operands;
+  std::size_t n_bytes = 0;
   for (const std::string& path : paths.files) {
     operands.files.push_back(std::make_unique<const InputFile>(path));
+    n_bytes += operands.files.back()->bytes().size();
+    keep_freed_memory_if_small(n_bytes);
     operands.soups.push_back(parse_mesh(operands.files.back()->bytes(), path));
   }
   return operands;

@@ -2,6 +2,7 @@
 
 #include "batch.h"
 #include "combine.h"
+#include "freed_memory.h"
 #include "input_file.h"
 #include "mesh_paths.h"
 #include "meshalyzer/io/file.h"
@@ -94,6 +95,7 @@ ExitCode work(const Options& options, Streams streams) {
   RunFiles files = files_of_run(options, {options.input});
   return report_or_reason(options, streams, [&] {
     const InputFile file(options.input);
+    keep_freed_memory_if_small(file.bytes().size());
     Soup soup = parse_mesh(file.bytes(), options.input);
     if (options.action == Options::Action::Find) return find(options, std::move(soup), streams);
     return fix({options, file, files, streams}, std::move(soup));
