@@ -1,8 +1,7 @@
 #include "freed_memory.h"
 
-#include <malloc.h>
-
 #include <limits>
+#include <malloc.h>
 
 namespace meshalyzer {
 namespace {

@@ -1,3 +1,4 @@
+#include "cell_model.h"
 #include "meshalyzer/arrangement/arrange.h"
 #include "meshalyzer/arrangement/cells.h"
 #include "meshalyzer/boolean/combine_solids.h"
@@ -108,97 +109,10 @@ int euler_characteristic(const ExactSolid& solid) {
          static_cast<int>(solid.boundary.size());
 }
 
-/// The result of a rule for boxes on a grid of unit cells, found cell by cell.
-class CellModel {
- public:
-  static constexpr int kSize = 12;
-  using Box = std::array<std::array<int, 2>, 3>;
-
-  CellModel(const std::vector<Box>& boxes, const InsideRule& rule) {
-    for_each_place([&](int x, int y, int z) {
-      std::vector<int> windings;
-      for (const Box& box : boxes) {
-        const std::array<int, 3> cell{x, y, z};
-        bool is_in = true;
-        for (std::size_t k = 0; k < 3; ++k) {
-          is_in = is_in && box[k][0] <= cell[k] && cell[k] < box[k][1];
-        }
-        windings.push_back(is_in ? 1 : 0);
-      }
-      is_inside_[number(x, y, z)] = rule(windings);
-    });
-  }
-
-  [[nodiscard]] int volume() const {
-    return static_cast<int>(std::count(is_inside_.begin(), is_inside_.end(), true));
-  }
-
-  /// Returns the Euler characteristic of its boundary, a complex of unit squares.
-  [[nodiscard]] int euler_characteristic() const {
-    int sum = 0;
-    for_each_place([&](int x, int y, int z) {
-      // Seven of the eight parts of the dual cell begin here: a vertex, three edges, three squares.
-      for (int span = 0; span < 7; ++span) {
-        const std::array<int, 3> extent{span & 1, span >> 1 & 1, span >> 2 & 1};
-        const int dimension = extent[0] + extent[1] + extent[2];
-        if (is_on_boundary({x, y, z}, extent)) sum += dimension % 2 == 0 ? 1 : -1;
-      }
-    });
-    return sum;
-  }
-
- private:
-  template <typename Body>
-  static void for_each_place(const Body& body) {
-    for (int x = 0; x < kSize; ++x) {
-      for (int y = 0; y < kSize; ++y) {
-        for (int z = 0; z < kSize; ++z) body(x, y, z);
-      }
-    }
-  }
-
-  static std::size_t number(int x, int y, int z) {
-    return static_cast<std::size_t>((x * kSize + y) * kSize + z);
-  }
-
-  [[nodiscard]] bool inside(int x, int y, int z) const {
-    return x >= 0 && y >= 0 && z >= 0 && is_inside_[number(x, y, z)];
-  }
-
-  /// Tells whether the cells round a vertex, edge or square are inside and outside.
-  [[nodiscard]] bool is_on_boundary(const std::array<int, 3>& at,
-                                    const std::array<int, 3>& extent) const {
-    int n = 0;
-    int n_inside = 0;
-    for (int dx = extent[0] - 1; dx <= 0; ++dx) {
-      for (int dy = extent[1] - 1; dy <= 0; ++dy) {
-        for (int dz = extent[2] - 1; dz <= 0; ++dz) {
-          ++n;
-          if (inside(at[0] + dx, at[1] + dy, at[2] + dz)) ++n_inside;
-        }
-      }
-    }
-    return n_inside != 0 && n_inside != n;
-  }
-
-  std::array<bool, kSize * kSize * kSize> is_inside_{};
-};
-
 /// The 27 ways in which an interval of length 1, 2 or 3 can lie to [3, 6], on a grid.
 std::array<int, 2> grid_interval(std::size_t i) {
   const auto low = static_cast<int>(i % 9);
   return {low, low + static_cast<int>(1 + i / 9)};
-}
-
-Soup box_mesh(const CellModel::Box& box) {
-  Soup soup = shapes::cube();
-  for (Vec3& p : soup.positions) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      double& x = p[static_cast<Eigen::Index>(k)];
-      x = box[k][0] + x * (box[k][1] - box[k][0]);
-    }
-  }
-  return soup;
 }
 
 std::vector<InsideRule> all_rules() {
