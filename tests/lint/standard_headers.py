@@ -45,7 +45,7 @@ NAMES = {
     'limits': 'numeric_limits',
     'list': 'list',
     'map': 'map',
-    'memory': 'make_shared make_unique make_unique_for_overwrite shared_ptr unique_ptr',
+    'memory': 'make_shared make_unique make_unique_for_overwrite shared_ptr weak_ptr unique_ptr',
     'mutex': 'call_once lock_guard mutex once_flag unique_lock',
     'new': 'align_val_t bad_alloc nothrow_t',
     'numbers': 'numbers',

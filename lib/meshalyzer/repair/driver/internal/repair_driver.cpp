@@ -87,7 +87,8 @@ RepairDriver::RepairDriver(Soup input, const Tolerances& tolerances, RepairLimit
       settings_(std::move(settings)) {}
 
 void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, OnWorse on_worse) {
-  DefectInventory before = inventory();
+  DefectInventory before = is_inventory_known() ? std::move(known_->inventory) : inventory();
+  known_.reset();
   if (input_counts_) {
     set_checkpoint();
   } else {
@@ -106,6 +107,7 @@ void RepairDriver::run_plan(const std::vector<PlannedPass>& plan, OnWorse on_wor
     if (!is_worth_trying_banned()) break;
     set_checkpoint();
   }
+  if (!turns_over) known_ = {mesh_.shared_state(), std::move(before)};
 }
 
 DefectInventory RepairDriver::inventory() const {
@@ -123,6 +125,7 @@ void RepairDriver::note_input(const DefectInventory& inventory) {
 
 std::vector<CountRise> RepairDriver::rises() const {
   if (!input_counts_ || log_.steps.empty()) return {};
+  if (is_inventory_known()) return find_rises(*input_counts_, known_->inventory);
   return find_rises(*input_counts_, inventory());
 }
 
@@ -310,10 +313,6 @@ void RepairDriver::run_unless_idle(const PlannedPass& pass, std::size_t& n_chang
   } else {
     idle_run = {n_changes, std::move(refused)};
   }
-}
-
-std::size_t RepairDriver::n_pairs() const {
-  return mesh_.prepared().intersecting_pairs().size();
 }
 
 bool RepairDriver::is_heap() const {

@@ -165,6 +165,12 @@ class RepairDriver {
     std::vector<LoggedRefusal> refusals;
   };
 
+  /// The defective elements of the mesh that the last plan has left.
+  struct KnownInventory {
+    std::weak_ptr<const RepairState> state;
+    DefectInventory inventory;
+  };
+
   /// What some passes make of the input, from which trials start.
   struct StartFromInput {
     /// The names of the passes; those of one name are the same in all trials of a repair.
@@ -178,6 +184,10 @@ class RepairDriver {
 
   /// Lists the defective elements of the mesh as its file will hold it.
   [[nodiscard]] DefectInventory inventory() const;
+  /// Tells whether the mesh is still the one that the last plan has left.
+  [[nodiscard]] bool is_inventory_known() const {
+    return known_ && known_->state.lock() == mesh_.shared_state();
+  }
   /// Notes what rises() compares with, before the first change.
   void note_input(const DefectInventory& inventory);
   void set_checkpoint();
@@ -202,7 +212,9 @@ class RepairDriver {
   void run_unless_idle(const PlannedPass& pass, std::size_t& n_changes,
                        std::optional<IdleRun>& idle_run);
   /// Returns the number of intersecting pairs.
-  [[nodiscard]] std::size_t n_pairs() const;
+  [[nodiscard]] std::size_t n_pairs() const {
+    return mesh_.prepared().intersecting_pairs().size();
+  }
   /// Tells whether so many faces intersect for each that little can be repaired.
   [[nodiscard]] bool is_heap() const;
   void note_costly_idle_run(const PlannedPass& pass, CostlyIdleRun idle_run);
@@ -260,6 +272,7 @@ class RepairDriver {
   std::optional<StartFromInput> start_;
   /// The inventory of the input without its elements, once a plan or trial was run.
   std::optional<DefectInventory> input_counts_;
+  std::optional<KnownInventory> known_;
 };
 
 }  // namespace meshalyzer
