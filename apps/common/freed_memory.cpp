@@ -11,6 +11,7 @@ constexpr std::size_t kLargeFiles = std::size_t{16} << 20;
 
 /// The default of glibc for the number of blocks that are returned.
 constexpr int kMostReturnedBlocks = 65'536;
+/// So much of what is free at the end of the heap is kept where large blocks are returned.
 constexpr int kKeptEnd = 24 << 20;
 
 }  // namespace

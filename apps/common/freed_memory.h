@@ -14,10 +14,9 @@ namespace meshalyzer {
 /// @param least_mib  The size from which on a block is returned, in MiB.
 void return_large_blocks(int least_mib);
 
-/// Makes the allocator keep all freed memory, if the files that a program works on are small: so
-/// does a repair, in whose rounds the same arrays are allocated and freed again and again. That
-/// saves a fifth of the time and takes a third more memory. If they are large, large blocks are
-/// returned.
+/// Makes the allocator keep all freed memory if the files that a program works on are small, and
+/// return large blocks if they are not. The rounds of a repair allocate and free the same arrays
+/// again and again: keeping them saves a fifth of the time, and takes up to a third more memory.
 ///
 /// @param n_bytes  The size of the files, unpacked.
 void keep_freed_memory_if_small(std::size_t n_bytes);

@@ -212,9 +212,7 @@ class RepairDriver {
   void run_unless_idle(const PlannedPass& pass, std::size_t& n_changes,
                        std::optional<IdleRun>& idle_run);
   /// Returns the number of intersecting pairs.
-  [[nodiscard]] std::size_t n_pairs() const {
-    return mesh_.prepared().intersecting_pairs().size();
-  }
+  [[nodiscard]] std::size_t n_pairs() const { return mesh_.prepared().intersecting_pairs().size(); }
   /// Tells whether so many faces intersect for each that little can be repaired.
   [[nodiscard]] bool is_heap() const;
   void note_costly_idle_run(const PlannedPass& pass, CostlyIdleRun idle_run);
