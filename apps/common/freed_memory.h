@@ -16,7 +16,7 @@ void return_large_blocks(int least_mib);
 
 /// Makes the allocator keep all freed memory if the files that a program works on are small, and
 /// return large blocks if they are not. The rounds of a repair allocate and free the same arrays
-/// again and again: keeping them saves a fifth of the time, and takes up to a third more memory.
+/// again and again: keeping them saves a fifth of the time, and takes up to two fifths more memory.
 ///
 /// @param n_bytes  The size of the files, unpacked.
 void keep_freed_memory_if_small(std::size_t n_bytes);
