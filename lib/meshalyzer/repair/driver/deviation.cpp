@@ -1,15 +1,17 @@
 #include "meshalyzer/repair/driver/deviation.h"
 
-#include "meshalyzer/base/hash.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/parallel_sort.h"
-#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/repair/driver/internal/changed_faces.h"
+#include "meshalyzer/repair/driver/internal/convex_piece.h"
 #include "meshalyzer/repair/driver/internal/covered_segments.h"
 #include "meshalyzer/repair/driver/internal/face_cover.h"
 #include "meshalyzer/repair/driver/internal/face_distance.h"
+#include "meshalyzer/repair/driver/internal/removed_walls.h"
 #include "meshalyzer/repair/driver/internal/searched_surface.h"
+#include "meshalyzer/spatial/box_tree.h"
+#include "meshalyzer/spatial/faces_near.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -31,7 +33,23 @@ struct Side {
   const Soup& from;
   const Soup& to;
   std::vector<ChangedFace> faces;
+  /// If it is not empty, a box for each face: its points outside of it are within the bound.
+  std::vector<Box3> in_doubt;
+
+  [[nodiscard]] Corners corners(std::size_t i) const { return corners_of(from, faces[i].face); }
+  /// Returns what is to be measured of a face.
+  [[nodiscard]] ConvexPiece part(std::size_t i) const {
+    const ConvexPiece face(corners(i));
+    return in_doubt.empty() ? face : face.part_in(in_doubt[i]);
+  }
 };
+
+std::vector<Box3> boxes_of(std::span<const Corners> triangles) {
+  std::vector<Box3> boxes(triangles.size());
+  std::transform(triangles.begin(), triangles.end(), boxes.begin(),
+                 [](const Corners& triangle) { return box_of(triangle); });
+  return boxes;
+}
 
 struct SideResult {
   double largest = 0.0;
@@ -57,15 +75,25 @@ struct DistanceQuery {
   [[nodiscard]] double resolution() const { return SurfaceDistance::kResolution * bound; }
 };
 
+/// Removes the faces of which `keep` is not true; it is called with their positions, ascending.
+template <typename Keep>
+void keep_faces(Side& side, const Keep& keep) {
+  std::size_t n_kept = 0;
+  for (std::size_t i = 0; i < side.faces.size(); ++i) {
+    if (!keep(i)) continue;
+    side.faces[n_kept] = side.faces[i];
+    if (!side.in_doubt.empty()) side.in_doubt[n_kept] = side.in_doubt[i];
+    ++n_kept;
+  }
+  side.faces.resize(n_kept);
+  if (!side.in_doubt.empty()) side.in_doubt.resize(n_kept);
+}
+
 /// Removes the faces with a known distance, which is not negative, and returns the largest.
 double drop_settled(const std::vector<double>& distances, Side& side) {
+  keep_faces(side, [&](std::size_t i) { return distances[i] < 0.0; });
   double largest = 0.0;
-  std::size_t n_left = 0;
-  for (std::size_t i = 0; i < side.faces.size(); ++i) {
-    largest = std::max(largest, distances[i]);
-    if (distances[i] < 0.0) side.faces[n_left++] = side.faces[i];
-  }
-  side.faces.resize(n_left);
+  for (const double distance : distances) largest = std::max(largest, distance);
   return largest;
 }
 
@@ -188,7 +216,9 @@ SideResult measure_side(const Side& side, const FaceTree& tree, const ClosestPoi
   parallel_chunks(side.faces.size(), kFacesPerChunk, [&](Chunk chunk) {
     SurfaceDistance meter(tree, closest, query.bound, query.question, known);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      distances[i] = meter.measure(corners_of(side.from, side.faces[i].face), query.doubtful);
+      distances[i] = query.doubtful == nullptr
+                         ? meter.measure(side.corners(i))
+                         : meter.measure(side.corners(i), side.part(i), *query.doubtful);
     }
   });
   SideResult result;
@@ -201,6 +231,29 @@ SideResult measure_side(const Side& side, const FaceTree& tree, const ClosestPoi
     }
   }
   return result;
+}
+
+/// Finds what is in doubt of each face if nothing is outside of some boxes, and removes the faces
+/// that are not in doubt.
+void find_parts_in_doubt(Side& side, std::span<const Box3> boxes, const BoxTree& tree) {
+  side.in_doubt.resize(side.faces.size());
+  std::vector<std::uint8_t> is_in_doubt(side.faces.size(), 0);
+  parallel_chunks(side.faces.size(), kFacesPerChunk, [&](Chunk chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      for (const Index box : tree.meeting(box_of(side.corners(i)))) {
+        side.in_doubt[i].extend(boxes[box]);
+      }
+      is_in_doubt[i] = side.in_doubt[i].isEmpty() || side.part(i).empty() ? 0 : 1;
+    }
+  });
+  keep_faces(side, [&](std::size_t i) { return is_in_doubt[i] != 0; });
+}
+
+/// Returns boxes round what is to be measured.
+std::vector<Box3> boxes_to_measure(const Side& side) {
+  std::vector<Box3> boxes(side.faces.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = side.part(i).box();
+  return boxes;
 }
 
 /// A tree over the whole of the other surface is worth its time if there is more than one face to
@@ -217,69 +270,20 @@ template <typename MeasureWhole>
 SideResult measure_rest(const Side& side, const Soup& other, const DistanceQuery& query,
                         const MeasureWhole& measure_whole) {
   if (side.faces.size() * kFacesPerMeasured >= other.n_faces()) return measure_whole();
-  std::vector<Corners> faces(side.faces.size());
-  std::transform(side.faces.begin(), side.faces.end(), faces.begin(),
-                 [&](const ChangedFace& changed) { return corners_of(side.from, changed.face); });
-  const SearchedSurface near(part_within(other, faces, query.bound));
+  const SearchedSurface near(part_within(other, boxes_to_measure(side), query.bound));
   SideResult result = measure_side(side, near.tree, near.closest, query);
   const bool is_known = query.question == DistanceQuestion::IsWithin || result.far.empty();
   return is_known ? result : measure_whole();
 }
 
-/// Hashes corners; the hash does not depend on their order.
-std::uint64_t hash_of(const Corners& corners) {
-  std::uint64_t hash = 0;
-  for (const Vec3& corner : corners) hash += hash_position(corner);
-  return hash;
-}
-
-/// Removes faces that are walls as a whole.
-void drop_walls(const Soup& input, std::span<const InteriorWall> walls,
-                std::vector<ChangedFace>& faces) {
-  if (walls.empty() || faces.empty()) return;
-  using HashedFace = std::pair<std::uint64_t, Index>;
-  std::vector<HashedFace> by_hash;
-  by_hash.reserve(faces.size());
-  for (const ChangedFace& changed : faces) {
-    by_hash.emplace_back(hash_of(corners_of(input, changed.face)), changed.face);
-  }
-  std::sort(by_hash.begin(), by_hash.end());
-  std::vector<Index> are_walls =
-      collect_chunks<Index>(walls.size(), [&](Chunk chunk, std::vector<Index>& found) {
-        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-          const Corners& wall = walls[i].corners;
-          const std::uint64_t hash = hash_of(wall);
-          for (auto at = std::lower_bound(by_hash.begin(), by_hash.end(), HashedFace(hash, 0));
-               at != by_hash.end() && at->first == hash; ++at) {
-            if (is_same_surface(wall, corners_of(input, at->second))) found.push_back(at->second);
-          }
-        }
-      });
-  sort_unique(are_walls);
-  std::erase_if(faces, [&](const ChangedFace& changed) {
-    return std::binary_search(are_walls.begin(), are_walls.end(), changed.face);
-  });
-}
-
-/// The part of the new surface, and of the walls, that is near the faces of the old side. A wall
-/// may be a part of another face than the one that it is near to: an edge may have been flipped
-/// before.
+/// The part of the new surface, and of the walls, that is near what is to be measured. A wall may
+/// be a part of another face than the one that it is near to: an edge may have been flipped before.
 Soup surface_with_walls(const Side& old_side, std::span<const InteriorWall> walls, double bound) {
-  Box3 near;
-  for (const ChangedFace& changed : old_side.faces) {
-    near.extend(box_of(corners_of(old_side.from, changed.face)));
-  }
-  near.min().array() -= bound;
-  near.max().array() += bound;
-  Soup soup;
-  soup.positions = old_side.to.positions;
-  for (Index face = 0; face < old_side.to.n_faces(); ++face) {
-    if (!is_in_complex(old_side.to.triangles[face])) continue;
-    if (!near.intersects(box_of(corners_of(old_side.to, face)))) continue;
-    soup.triangles.push_back(old_side.to.triangles[face]);
-  }
+  const std::vector<Box3> boxes = boxes_to_measure(old_side);
+  Soup soup = part_within(old_side.to, boxes, bound);
+  const BoxTree near(boxes_within(boxes, bound));
   for (const InteriorWall& wall : walls) {
-    if (!near.intersects(box_of(wall.corners))) continue;
+    if (!near.meets_any(box_of(wall.corners))) continue;
     const auto first = static_cast<Index>(soup.n_vertices());
     soup.positions.insert(soup.positions.end(), wall.corners.begin(), wall.corners.end());
     soup.triangles.push_back({first, first + 1, first + 2});
@@ -291,14 +295,30 @@ Soup surface_with_walls(const Side& old_side, std::span<const InteriorWall> wall
 /// often so many walls that only what is farther than the rest is worth measuring.
 SideResult measure_with_walls(Side& old_side, const SideResult& without,
                               std::span<const InteriorWall> walls, DistanceQuery query) {
-  std::erase_if(old_side.faces, [&](const ChangedFace& changed) {
-    return !std::binary_search(without.far.begin(), without.far.end(), changed.face);
+  keep_faces(old_side, [&](std::size_t i) {
+    return std::binary_search(without.far.begin(), without.far.end(), old_side.faces[i].face);
   });
   query.known = without.largest_near;
   const SearchedSurface surface(surface_with_walls(old_side, walls, query.bound));
   SideResult result = measure_side(old_side, surface.tree, surface.closest, query);
   result.largest = std::max(result.largest, without.largest_near);
   return result;
+}
+
+/// Measures the remaining faces of the input.
+SideResult measure_old_side(Side& old_side, const DeviationMeter::Repaired& repaired,
+                            const DistanceQuery& query) {
+  if (query.doubtful != nullptr && !repaired.walls.empty()) {
+    // Most of what a step has taken beyond the bound of the surface is near to walls.
+    const SearchedSurface near(surface_with_walls(old_side, repaired.walls, query.bound));
+    return measure_side(old_side, near.tree, near.closest, query);
+  }
+  SideResult result = measure_rest(old_side, repaired.tracked.soup, query, [&] {
+    const FaceTree& tree = repaired.mesh.tree();
+    return measure_side(old_side, tree, ClosestPoints(tree), query);
+  });
+  if (result.far.empty() || repaired.walls.empty()) return result;
+  return measure_with_walls(old_side, result, repaired.walls, query);
 }
 
 }  // namespace
@@ -359,7 +379,8 @@ FarFaces DeviationMeter::find_far(const Repaired& repaired) const {
 
 void DeviationMeter::drop_unaffected(const Repaired& repaired,
                                      std::vector<ChangedFace>& of_input) const {
-  const std::vector<Index> affected = faces_within(input_, repaired.step->gone, repaired.bound);
+  const std::vector<Index> affected =
+      find_faces_near(input_, boxes_within(boxes_of(repaired.step->gone), repaired.bound));
   std::erase_if(of_input, [&](const ChangedFace& changed) {
     return !std::binary_search(affected.begin(), affected.end(), changed.face);
   });
@@ -410,8 +431,18 @@ DeviationMeter::Result DeviationMeter::measure_changes(ChangedFaces changes,
                                                        DistanceQuestion question) const {
   const TrackedMesh& tracked = repaired.tracked;
   const DistanceQuery query{repaired.bound, question};
-  Side old_side{input_, tracked.soup, std::move(changes.of_input)};
-  Side new_side{tracked.soup, input_, std::move(changes.of_repaired)};
+  Side old_side{input_, tracked.soup, std::move(changes.of_input), {}};
+  Side new_side{tracked.soup, input_, std::move(changes.of_repaired), {}};
+  // What is near to a point of the input lies within the bound of it. So the point stays near
+  // unless the step has removed something there.
+  DistanceQuery old_query = query;
+  std::optional<BoxTree> near_gone;
+  if (repaired.step != nullptr) {
+    const std::vector<Box3> boxes = boxes_within(boxes_of(repaired.step->gone), repaired.bound);
+    near_gone.emplace(boxes);
+    find_parts_in_doubt(old_side, boxes, *near_gone);
+    old_query.doubtful = &*near_gone;
+  }
   Result result;
   result.largest = settle_near_faces(old_side, query);
   if (!old_side.faces.empty()) {
@@ -426,21 +457,7 @@ DeviationMeter::Result DeviationMeter::measure_changes(ChangedFaces changes,
   }
   result.largest = std::max(result.largest, settle_near_faces(new_side, query));
   if (!old_side.faces.empty()) {
-    // What is near to a point of the input lies within the bound of it. So the point stays near
-    // unless the step has removed something there.
-    std::optional<BoxTree> near_gone;
-    DistanceQuery old_query = query;
-    if (repaired.step != nullptr) {
-      near_gone.emplace(boxes_within(repaired.step->gone, repaired.bound));
-      old_query.doubtful = &*near_gone;
-    }
-    SideResult old_result = measure_rest(old_side, tracked.soup, old_query, [&] {
-      const FaceTree& tree = repaired.mesh.tree();
-      return measure_side(old_side, tree, ClosestPoints(tree), old_query);
-    });
-    if (!old_result.far.empty() && !repaired.walls.empty()) {
-      old_result = measure_with_walls(old_side, old_result, repaired.walls, old_query);
-    }
+    SideResult old_result = measure_old_side(old_side, repaired, old_query);
     result.largest = std::max(result.largest, old_result.largest);
     result.far.of_input = std::move(old_result.far);
   }

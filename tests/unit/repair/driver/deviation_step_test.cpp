@@ -53,7 +53,8 @@ TEST(DeviationMeterStep, FarFacesAreThoseOfTheWholeSurface) {
   const Soup input = shapes::torus(2, 0.5, 20, 12);
   // A torus of this size has edges of 0.3 to 0.8: the bound is smaller, or reaches some faces far.
   std::size_t n_far = 0;
-  for (int trial = 0; trial < 40; ++trial) {
+  std::size_t n_near_walls = 0;
+  for (int trial = 0; trial < 80; ++trial) {
     SCOPED_TRACE(trial);
     const double bound = trial % 2 == 0 ? 0.05 : 0.4;
     const TwoSteps steps = two_steps(input, bound / 2.5, random);
@@ -62,14 +63,22 @@ TEST(DeviationMeterStep, FarFacesAreThoseOfTheWholeSurface) {
     const DeviationMeter meter(input);
     ASSERT_TRUE(meter.find_far({steps.first, first, bound}).empty());
     const SurfaceStep step{steps.is_new, steps.gone};
-    const FarFaces whole = meter.find_far({steps.second, second, bound});
+    // In every second pair of trials most of what is gone is a wall.
+    std::vector<InteriorWall> walls;
+    for (std::size_t i = 0; trial % 4 >= 2 && i < steps.gone.size(); ++i) {
+      if (i % 4 != 0) walls.push_back({steps.gone[i], kNoIndex});
+    }
+    const FarFaces whole = meter.find_far({steps.second, second, bound, walls});
     const FarFaces found = meter.find_far(
-        {.tracked = steps.second, .mesh = second, .bound = bound, .walls = {}, .step = &step});
+        {.tracked = steps.second, .mesh = second, .bound = bound, .walls = walls, .step = &step});
     EXPECT_EQ(found.of_input, whole.of_input);
     EXPECT_EQ(found.of_repaired, whole.of_repaired);
     n_far += whole.of_input.size() + whole.of_repaired.size();
+    n_near_walls +=
+        meter.find_far({steps.second, second, bound}).of_input.size() - whole.of_input.size();
   }
-  EXPECT_GT(n_far, 40U);
+  EXPECT_GT(n_far, 80U);
+  EXPECT_GT(n_near_walls, 40U);
 }
 
 TEST(DeviationMeterStep, FaceThatOnlyANeighbourWasNearIsFarWithoutIt) {
@@ -93,6 +102,32 @@ TEST(DeviationMeterStep, FaceThatOnlyANeighbourWasNearIsFarWithoutIt) {
   const FarFaces far = DeviationMeter(input).find_far(
       {.tracked = second, .mesh = mesh, .bound = 0.5, .walls = {}, .step = &step});
   EXPECT_EQ(far.of_input, (Faces{0, 1}));
+}
+
+TEST(DeviationMeterStep, FaceThatIsGoneIsNearToWhatIsLeftAndToWalls) {
+  // Of three faces above each other the upper two are gone; the highest is a wall, a little moved.
+  const Soup input = shapes::make({{0, 0, 0},
+                                   {1, 0, 0},
+                                   {0, 1, 0},
+                                   {0, 0, 0.3},
+                                   {1, 0, 0.3},
+                                   {0, 1, 0.3},
+                                   {0, 0, 9},
+                                   {1, 0, 9},
+                                   {0, 1, 9}},
+                                  {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}});
+  const TrackedMesh second = without_faces(track_mesh(input), {1, 2});
+  const PreparedMesh mesh(second.soup);
+  const std::vector<InteriorWall> walls{{{Vec3(0, 0, 9.2), Vec3(1, 0, 9.2), Vec3(0, 1, 9.2)}, 2}};
+  const SurfaceStep step{{0}, {corners_of(input, 1), corners_of(input, 2)}};
+  const auto far_within = [&](double bound) {
+    return DeviationMeter(input)
+        .find_far({.tracked = second, .mesh = mesh, .bound = bound, .walls = walls, .step = &step})
+        .of_input;
+  };
+  EXPECT_TRUE(far_within(0.35).empty());
+  EXPECT_EQ(far_within(0.25), Faces{1});
+  EXPECT_EQ(far_within(0.15), (Faces{1, 2}));
 }
 
 TEST(DeviationMeterStep, OfALargeFaceOnlyWhatIsNearIsMeasuredAgain) {

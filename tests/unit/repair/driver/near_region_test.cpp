@@ -81,6 +81,28 @@ TEST(ConvexPiece, IsCutInTwoBetweenOppositeCorners) {
   EXPECT_NEAR((half.diameter()[1] - half.diameter()[0]).norm(), std::sqrt(8), 1e-14);
 }
 
+TEST(ConvexPiece, PartsInTheBoxesRoundAPointAddUpToTheWhole) {
+  Random random;
+  for (int run = 0; run < 500; ++run) {
+    const ConvexPiece piece({random.point(2), random.point(2), random.point(2)});
+    const Vec3 place = random.point(1);
+    double area = 0.0;
+    for (int side = 0; side < 8; ++side) {
+      Box3 box(place);
+      box.extend(Vec3(side % 2 == 0 ? -2 : 2, side / 2 % 2 == 0 ? -2 : 2, side < 4 ? -2 : 2));
+      const ConvexPiece part = piece.part_in(box);
+      for (const Vec3& corner : part.corners()) EXPECT_LE(box.exteriorDistance(corner), 1e-14);
+      area += part.area(1);
+    }
+    EXPECT_NEAR(area, piece.area(1), 1e-13);
+  }
+}
+
+TEST(ConvexPiece, HasNoPartInABoxBesideIt) {
+  const ConvexPiece piece({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
+  EXPECT_TRUE(piece.part_in(Box3(Vec3(0.6, 0.6, -1), Vec3(1, 1, 1))).empty());
+}
+
 TEST(NearRegion, OfATriangleInThePlaneIsGrownByTheDistanceExceptAtCorners) {
   Random random;
   for (int run = 0; run < 200; ++run) {

@@ -79,4 +79,14 @@ ConvexPiece::Parts ConvexPiece::cut_between_corners() const {
   return parts;
 }
 
+ConvexPiece ConvexPiece::part_in(const Box3& box) const {
+  ConvexPiece part = *this;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const Vec3 up = Vec3::Unit(axis);
+    part = part.cut({Vec3::Zero(), up, box.max()[axis]}).inside;
+    part = part.cut({Vec3::Zero(), -up, -box.min()[axis]}).inside;
+  }
+  return part;
+}
+
 }  // namespace meshalyzer

@@ -55,6 +55,9 @@ class ConvexPiece {
   [[nodiscard]] Parts cut(const HalfSpace& half_space) const;
   /// Cuts a piece with at least four corners in two between opposite ones.
   [[nodiscard]] Parts cut_between_corners() const;
+  /// Returns the part in a box, without corners if there is none. It may reach out of the box where
+  /// the piece is so thin that cut() takes all of it as inside.
+  [[nodiscard]] ConvexPiece part_in(const Box3& box) const;
 
  private:
   void add(const Vec3& corner) { corners_[n_corners_++] = corner; }

@@ -66,23 +66,28 @@ double largest_distance(const Corners& from, const Corners& to) {
   return std::max({distance_to(to, from[0]), distance_to(to, from[1]), distance_to(to, from[2])});
 }
 
-FaceDistance SurfaceDistance::measure(const Corners& corners, const BoxTree* doubtful) {
-  const auto is_known = [&](const Box3& box) {
-    return doubtful != nullptr && !doubtful->meets_any(box);
-  };
-  done_ = 0.0;
-  asks_within_ = question_ == DistanceQuestion::IsWithin;
+FaceDistance SurfaceDistance::measure(const Corners& corners) {
   if (const std::optional<double> within = distance_from_latest(corners)) return {*within, false};
-  if (is_known(box_of(corners))) return {bound_, false};
-  start_with(corners);
+  start_with(corners, ConvexPiece(corners));
+  return measure_pieces(nullptr);
+}
+
+FaceDistance SurfaceDistance::measure(const Corners& corners, const ConvexPiece& part,
+                                      const BoxTree& doubtful) {
+  if (const std::optional<double> within = distance_from_latest(corners)) return {*within, false};
+  start_with(corners, part);
+  return measure_pieces(&doubtful);
+}
+
+/// Measures all pieces; those in no box, if boxes are given, are known to be within the bound.
+FaceDistance SurfaceDistance::measure_pieces(const BoxTree* doubtful) {
   const std::size_t max_pieces =
       question_ == DistanceQuestion::IsWithin ? kMaxPiecesWithin : kMaxPiecesHowFar;
   double upper_of_all = kInfinity;
   for (std::size_t n_pieces = 1; !work_.empty(); ++n_pieces) {
     const Piece piece = work_.back();
     work_.pop_back();
-    // The first piece is the whole triangle, which was looked up above.
-    if (n_pieces > 1 && is_known(piece.shape.box())) {
+    if (doubtful != nullptr && !doubtful->meets_any(piece.shape.box())) {
       done_ = bound_;
       continue;
     }
@@ -101,8 +106,10 @@ FaceDistance SurfaceDistance::measure(const Corners& corners, const BoxTree* dou
   return {done_, false};
 }
 
-/// Makes a triangle the only piece.
-void SurfaceDistance::start_with(const Corners& triangle) {
+/// Makes a part of a triangle the only piece.
+void SurfaceDistance::start_with(const Corners& triangle, const ConvexPiece& part) {
+  done_ = 0.0;
+  asks_within_ = question_ == DistanceQuestion::IsWithin;
   longest_side_ = longest_side(triangle);
   const Vec3 along = (triangle[1] - triangle[0]) / longest_side_;
   const Vec3 other = (triangle[2] - triangle[0]) / longest_side_;
@@ -112,11 +119,11 @@ void SurfaceDistance::start_with(const Corners& triangle) {
     normal = (along.squaredNorm() > other.squaredNorm() ? along : other).unitOrthogonal();
   }
   plane_ = {triangle[0], normal.normalized()};
-  work_.assign(1, {ConvexPiece(triangle)});
+  work_.assign(1, {part});
 }
 
 std::optional<double> SurfaceDistance::distance_from_latest(const Corners& corners) const {
-  if (!asks_within_ || hint_ == kNoIndex) return std::nullopt;
+  if (question_ != DistanceQuestion::IsWithin || hint_ == kNoIndex) return std::nullopt;
   const double distance = largest_distance(corners, corners_of(hint_));
   return distance <= bound_ ? std::optional(distance) : std::nullopt;
 }

@@ -64,9 +64,16 @@ class SurfaceDistance {
   /// A triangle over so many faces that this would take too long is reported as within the bound if
   /// that is proved, else as far.
   ///
-  /// @param doubtful  If it is given, the points of the triangle outside of its boxes are known to
-  ///                  be within the bound. Only for DistanceQuestion::IsWithin.
-  [[nodiscard]] FaceDistance measure(const Corners& corners, const BoxTree* doubtful = nullptr);
+  [[nodiscard]] FaceDistance measure(const Corners& corners);
+
+  /// Tells whether a triangle is within the bound of which only a part is in doubt. Only for
+  /// DistanceQuestion::IsWithin.
+  ///
+  /// @param part      What is to be measured of the triangle. The surface may lack what is farther
+  ///                  than the bound from the box of this part.
+  /// @param doubtful  Points outside of these boxes are known to be within the bound.
+  [[nodiscard]] FaceDistance measure(const Corners& corners, const ConvexPiece& part,
+                                     const BoxTree& doubtful);
 
  private:
   /// A piece that remains to be measured.
@@ -88,7 +95,8 @@ class SurfaceDistance {
     std::size_t n_nearest = 0;
   };
 
-  void start_with(const Corners& triangle);
+  void start_with(const Corners& triangle, const ConvexPiece& part);
+  [[nodiscard]] FaceDistance measure_pieces(const BoxTree* doubtful);
   /// Returns how far a triangle is from the face that was nearest last, if only the bound is asked
   /// for and this is within it. Neighbours are mostly near to one face; where the bound is larger
   /// than most faces, nearly all are, and the nearest of them is not worth searching.

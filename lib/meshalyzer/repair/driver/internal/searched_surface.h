@@ -23,18 +23,12 @@ struct SearchedSurface {
   ClosestPoints closest{tree};
 };
 
-/// Returns a box for each triangle, round all points within a distance of it.
-[[nodiscard]] std::vector<Box3> boxes_within(std::span<const Corners> triangles, double distance);
+/// Returns for each box one with all points within a distance of it.
+[[nodiscard]] std::vector<Box3> boxes_within(std::vector<Box3> boxes, double distance);
 
-/// Finds the faces of a surface that may have a point within a distance of some triangles.
+/// Returns the faces of a surface that may have a point within a distance of some boxes.
 ///
-/// @return      Ascending.
 /// @complexity  That of find_faces_near().
-[[nodiscard]] std::vector<Index> faces_within(const Soup& surface,
-                                              std::span<const Corners> triangles, double distance);
-
-/// Returns these faces, in the same order.
-[[nodiscard]] Soup part_within(const Soup& surface, std::span<const Corners> triangles,
-                               double distance);
+[[nodiscard]] Soup part_within(const Soup& surface, std::vector<Box3> boxes, double distance);
 
 }  // namespace meshalyzer
