@@ -10,6 +10,7 @@
 #include "meshalyzer/boolean/make_disjoint.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/mesh/used_box.h"
+#include "meshalyzer/repair/combine/mend_combined.h"
 #include "meshalyzer/repair/combine/track_combined.h"
 #include "meshalyzer/report/json/boolean_report.h"
 #include "meshalyzer/report/text/boolean_report.h"
@@ -227,52 +228,40 @@ class CombinationRun {
       return std::nullopt;
     }
     MendedMesh mended = mend(result);
-    const bool is_changed = !is_unchanged(result.edited(), result.solid) || mended.is_mended;
+    const bool is_changed = !is_unchanged(result.edited(), result.solid) || mended.is_mended();
     Soup disk = write(result, mended.mesh, is_changed, path);
     report_.outputs.back().largest_move = result.solid.largest_move + mended.largest_move;
     judge(disk);
     return disk;
   }
 
-  /// Separates a result where it touches itself, or repairs it, and keeps it off others.
+  /// Mends a result, and keeps it off others.
   MendedMesh mend(const Result& result) {
     CombineOptions options = combine_options(result.all);
-    MendedMesh mended =
-        part_or_repair(track_combined(result.edited(), result.solid), result, options);
-    if (result.others == nullptr || (result.is_apart && !mended.is_mended)) return mended;
-    const double move = mended.largest_move;
-    options.max_deviation = std::max(options.max_deviation - result.solid.largest_move - move, 0.0);
-    MendedMesh kept = keep_off(std::move(mended), *result.others, options);
-    if (kept.largest_move > move) {
-      note("the meshes before it were subtracted again from the result");
+    MendedMesh mended = mend_combined(track_combined(result.edited(), result.solid),
+                                      result.solid.outcome, result.others != nullptr, options);
+    if (result.others != nullptr && (!result.is_apart || mended.is_mended())) {
+      const double moved = result.solid.largest_move + mended.largest_move;
+      options.max_deviation = std::max(options.max_deviation - moved, 0.0);
+      mended = keep_off(std::move(mended), *result.others, options);
     }
-    return kept;
+    note_mending(mended, result.solid.outcome);
+    return mended;
   }
 
-  /// Separates a result where it touches itself, and repairs one that still touches or intersects
-  /// itself.
-  MendedMesh part_or_repair(TrackedMesh combined, const Result& result,
-                            const CombineOptions& options) {
-    if (result.solid.outcome == CombineOutcome::Unfinished) {
-      note("rounding makes faces of the result intersect again and again, so it was repaired");
-      return mend_combined(combined, options);
+  void note_mending(const MendedMesh& mended, CombineOutcome outcome) {
+    if (mended.is_parted) note("parts that touched along an edge or at a vertex were parted");
+    if (mended.is_oriented) {
+      note("parts that rounding had turned inside out were oriented outwards");
     }
-    MendedMesh parted = part_combined(std::move(combined), options.max_deviation);
-    if (parted.largest_move > 0.0) {
-      note("parts that touched along an edge or at a vertex were parted");
+    if (mended.is_repaired) {
+      note(outcome == CombineOutcome::Unfinished
+               ? "rounding makes faces of the result intersect again and again, so it was repaired"
+               : "it touched or intersected itself after vertices were moved, so it was repaired");
     }
-    // Moving it off other meshes, or its parts off each other, may have made faces intersect.
-    const bool is_moved = parted.is_mended || result.others != nullptr;
-    if (!is_moved || is_embedded(parted.mesh.soup)) {
-      if (parted.is_mended && parted.largest_move == 0.0) {
-        note("parts that rounding had turned inside out were oriented outwards");
-      }
-      return parted;
+    if (mended.is_subtracted_again) {
+      note("the meshes before it were subtracted again from the result");
     }
-    note("it touched or intersected itself after vertices were moved, so it was repaired");
-    MendedMesh repaired = mend_combined(parted.mesh, options);
-    repaired.largest_move += parted.largest_move;
-    return repaired;
   }
 
   /// Tells whether there is no result.

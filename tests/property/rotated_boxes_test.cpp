@@ -1,5 +1,6 @@
 #include "cell_model.h"
 #include "meshalyzer/boolean/combine_solids.h"
+#include "meshalyzer/repair/combine/mend_combined.h"
 #include "meshalyzer/repair/combine/track_combined.h"
 #include "support/boolean_results.h"
 #include "support/effort.h"
@@ -8,7 +9,6 @@
 
 #include <cstdint>
 #include <random>
-#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -59,11 +59,7 @@ Soup combined_and_mended(const std::vector<Soup>& meshes, const InsideRule& rule
   CombineOptions options;
   options.max_deviation = kMaxDeviation;
   const CombinedSolid solid = combine_solids(operands_of(all, meshes), rule, options);
-  TrackedMesh tracked = track_combined(all, solid);
-  if (solid.outcome != CombineOutcome::Done) return mend_combined(tracked, options).mesh.soup;
-  MendedMesh parted = part_combined(std::move(tracked), kMaxDeviation);
-  if (!parted.is_mended || is_embedded(parted.mesh.soup)) return std::move(parted.mesh.soup);
-  return mend_combined(parted.mesh, options).mesh.soup;
+  return mend_combined(track_combined(all, solid), solid.outcome, false, options).mesh.soup;
 }
 
 TEST(RotatedBoxes, HaveTheVolumeOfTheirCellsUnderEveryRule) {

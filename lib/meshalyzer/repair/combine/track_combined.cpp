@@ -1,15 +1,9 @@
 #include "meshalyzer/repair/combine/track_combined.h"
 
-#include "meshalyzer/base/require.h"
-#include "meshalyzer/boolean/make_disjoint.h"
-#include "meshalyzer/mesh/build.h"
 #include "meshalyzer/mesh/orphans.h"
-#include "meshalyzer/prepared/prepared_mesh.h"
+#include "meshalyzer/repair/combine/internal/number_from_one.h"
 #include "meshalyzer/repair/edits/apply_edits.h"
 #include "meshalyzer/repair/edits/edits.h"
-#include "meshalyzer/repair/fix_defects.h"
-#include "meshalyzer/spatial/mutual_intersection.h"
-#include "meshalyzer/spatial/self_intersection.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -19,10 +13,6 @@
 
 namespace meshalyzer {
 namespace {
-
-/// How often a difference is subtracted again where it still meets the others. Most that are parted
-/// at all are so after one or two rounds.
-constexpr int kRoundsOfKeepingOff = 3;
 
 /// Makes edits of one operation that turns a mesh into the result.
 class CombinedEdits {
@@ -117,76 +107,6 @@ class CombinedEdits {
   Edits edits_;
 };
 
-/// Numbers the records 1, 2, ..., n where the format has numbers.
-void number_from_one(TrackedMesh& mesh) {
-  if (mesh.soup.format != Format::Mesh) return;
-  mesh.soup.vertex_ids = {};
-  mesh.soup.face_ids = {};
-}
-
-/// Converts keys of a second tracked mesh, which tracks the first one's soup, to keys of the first.
-///
-/// @param keys     By element of the soup of the first: its key there.
-/// @param n_known  The number of keys that the first one has given.
-Index outer_key(Index key, const std::vector<Index>& keys, std::size_t n_known) {
-  return key < keys.size() ? keys[key] : static_cast<Index>(n_known + (key - keys.size()));
-}
-
-/// Makes a mesh track the input of the first one.
-TrackedMesh composed(const TrackedMesh& first, TrackedMesh second) {
-  for (Index& key : second.vertex_keys) {
-    key = outer_key(key, first.vertex_keys, first.n_vertex_keys());
-  }
-  for (Index& key : second.face_keys) key = outer_key(key, first.face_keys, first.n_face_keys());
-  std::vector<Index> vertex_origins = first.vertex_origins;
-  for (const Index origin : second.vertex_origins) {
-    vertex_origins.push_back(
-        origin == kNoIndex ? kNoIndex : first.origin_of_vertex_key(first.vertex_keys[origin]));
-  }
-  std::vector<Index> face_origins = first.face_origins;
-  for (const Index origin : second.face_origins) {
-    face_origins.push_back(origin == kNoIndex ? kNoIndex : first.origin_of_face(origin));
-  }
-  second.vertex_origins = std::move(vertex_origins);
-  second.face_origins = std::move(face_origins);
-  second.n_input_vertices = first.n_input_vertices;
-  second.n_input_faces = first.n_input_faces;
-  return second;
-}
-
-bool is_manifold_and_outward(const Soup& soup) {
-  const PreparedMesh mesh(soup);
-  if (!mesh.cut().side.non_manifold_vertices.empty()) return false;
-  const std::vector<Shell>& shells = mesh.shells();
-  return std::all_of(shells.begin(), shells.end(),
-                     [](const Shell& shell) { return shell.outward == true; });
-}
-
-MendedMesh mended(const TrackedMesh& combined, double max_deviation, RepairOptions options) {
-  options.max_deviation = {max_deviation, Deviation::Unit::Length};
-  RepairResult result = fix_defects(combined.soup, options);
-  MendedMesh mesh{composed(combined, std::move(result.meshes.front().tracked)), true,
-                  result.deviation};
-  number_from_one(mesh.mesh);
-  return mesh;
-}
-
-/// Subtracts others from a mesh, and parts surfaces of the result that touch.
-/// @return The mesh as it was if the operation comes to no end.
-MendedMesh subtracted_again(const MendedMesh& mended, const Soup& others,
-                            const CombineOptions& options) {
-  const std::vector<Soup> meshes{mended.mesh.soup, others};
-  const Soup all = concatenate(meshes);
-  const PartedDifference left = subtract_and_part(operands_of(all, meshes), others, options);
-  if (left.solid.outcome != CombineOutcome::Done || left.solid.faces.empty()) return mended;
-  TrackedMesh mesh = composed(mended.mesh, track_combined(mended.mesh.soup, left.solid));
-  number_from_one(mesh);
-  MendedMesh parted = part_combined(std::move(mesh), options.max_deviation);
-  parted.is_mended = true;
-  parted.largest_move += mended.largest_move + left.solid.largest_move;
-  return parted;
-}
-
 }  // namespace
 
 TrackedMesh track_combined(const Soup& source, const CombinedSolid& solid) {
@@ -207,50 +127,6 @@ bool is_unchanged(const Soup& source, const CombinedSolid& solid) {
     }
   }
   return true;
-}
-
-MendedMesh part_combined(TrackedMesh combined, double max_deviation) {
-  require_length("the maximum deviation", max_deviation);
-  if (is_manifold_and_outward(combined.soup)) return {std::move(combined)};
-  RepairOptions options;
-  options.fixes = {DefectCode::NonManifold, DefectCode::Inward};
-  return mended(combined, max_deviation, std::move(options));
-}
-
-bool is_embedded(const Soup& soup) {
-  const CutMesh cut = build(soup);
-  return cut.side.non_manifold_vertices.empty() &&
-         find_self_intersections(cut, FaceTree(cut)).empty();
-}
-
-MendedMesh mend_combined(const TrackedMesh& combined, const CombineOptions& options) {
-  RepairOptions repair;
-  repair.solid = true;
-  repair.fill.sheets = FillSheets::Yes;
-  repair.wants_to_stop = options.wants_to_stop;
-  return mended(combined, options.max_deviation, std::move(repair));
-}
-
-MendedMesh keep_off(MendedMesh mended, const Soup& others, const CombineOptions& options) {
-  require_length("the maximum deviation", options.max_deviation);
-  const CutMesh cut_others = build(others);
-  const FaceTree tree_of_others(cut_others);
-  const auto n_pairs_of = [&](const Soup& soup) {
-    const CutMesh cut = build(soup);
-    const FaceTree tree(cut);
-    return find_intersections(cut, tree, cut_others, tree_of_others).size() +
-           find_self_intersections(cut, tree).size();
-  };
-  const double most = mended.largest_move + options.max_deviation;
-  std::size_t n_left = n_pairs_of(mended.mesh.soup);
-  for (int round = 0; round < kRoundsOfKeepingOff && n_left > 0; ++round) {
-    MendedMesh next = subtracted_again(mended, others, options);
-    const std::size_t n_next = n_pairs_of(next.mesh.soup);
-    if (n_next >= n_left || next.largest_move > most) break;
-    mended = std::move(next);
-    n_left = n_next;
-  }
-  return mended;
 }
 
 }  // namespace meshalyzer
