@@ -4,6 +4,7 @@
 #include "meshalyzer/repair/replace/internal/broken_solids.h"
 #include "meshalyzer/repair/replace/internal/new_surface.h"
 #include "meshalyzer/repair/replace/internal/replacements.h"
+#include "meshalyzer/repair/replace/internal/usable_contour.h"
 #include "meshalyzer/spatial/closest_point.h"
 
 #include <algorithm>
@@ -102,9 +103,8 @@ Replacement replace_broken_solids(const PassInput& input, const ReplaceOptions& 
     const auto made = contour_mesh(old, {.max_deviation = options.max_deviation,
                                          .max_tetrahedra = std::min(kMaxTetrahedra, n_left),
                                          .wants_to_stop = input.wants_to_stop});
-    if (!made || !made->is_within) {
-      return refuse(solid, "no replacement within the maximum deviation was found",
-                    made.has_value());
+    if (const char* reason = reason_against(made, input.wants_to_stop)) {
+      return refuse(solid, reason, made.has_value());
     }
     if (made->soup.triangles.empty()) {
       return refuse(solid, "it encloses nothing that a replacement could bound");

@@ -4,6 +4,7 @@
 #include "meshalyzer/repair/replace/internal/broken_boxes.h"
 #include "meshalyzer/repair/replace/internal/mesh_operands.h"
 #include "meshalyzer/repair/replace/internal/replacements.h"
+#include "meshalyzer/repair/replace/internal/usable_contour.h"
 
 #include <algorithm>
 #include <array>
@@ -95,7 +96,7 @@ class ReplacingInBoxes {
     if (!(options_.max_deviation > 0.0)) return refuse("no deviation is left for a replacement");
     if (boxes_.empty()) return refuse("it is broken in too many places");
     if (!add_rest()) return refuse("the boxes round the broken places hold most of the mesh");
-    if (!add_contours()) return refuse("no replacement within the maximum deviation was found");
+    if (const char* reason = add_contours()) return refuse(reason);
     const CombinedSolid solid =
         operands_.combine(1 + 2 * boxes_.size(), rule_of_boxes(boxes_.size()),
                           {.max_deviation = kShareOfRounding * options_.max_deviation,
@@ -153,20 +154,21 @@ class ReplacingInBoxes {
     return true;
   }
 
-  bool add_contours() {
+  /// @return Why that is not possible; null if it is.
+  const char* add_contours() {
     for (Index i = 0; i < boxes_.size(); ++i) {
       std::optional<ContouredMesh> made =
           contour_mesh(soup_, {.max_deviation = (1.0 - kShareOfRounding) * options_.max_deviation,
                                .max_tetrahedra = kMaxTetrahedraInBoxes / boxes_.size(),
                                .within = boxes_[i],
                                .wants_to_stop = input_.wants_to_stop});
-      if (!made || !made->is_within) return false;
+      if (const char* reason = reason_against(made, input_.wants_to_stop)) return reason;
       deviation_ = std::max(deviation_, made->deviation);
       walls_.insert(walls_.end(), made->walls.begin(), made->walls.end());
       add_cuboid(boxes_[i], operand_of_box(i), operands_);
       operands_.add_solid(made->soup.positions, made->soup.triangles, operand_of_contour(i));
     }
-    return true;
+    return nullptr;
   }
 
   Replacement replacement_from(const CombinedSolid& solid) const {

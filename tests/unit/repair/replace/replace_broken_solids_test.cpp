@@ -1,6 +1,9 @@
+#include "meshalyzer/contour/contour_mesh.h"
 #include "meshalyzer/repair/replace/internal/replacements.h"
+#include "meshalyzer/repair/replace/internal/usable_contour.h"
 #include "support/shapes.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace meshalyzer {
@@ -36,6 +39,25 @@ TEST(ReplaceBrokenSolids, NoneIsReplacedIfOneCannotBe) {
     EXPECT_TRUE(replacement.result.edits.empty());
     EXPECT_EQ(replacement.result.refused.size(), 1U);
   }
+}
+
+TEST(ReplaceBrokenSolids, WhatHasCoordinatesTooLargeForAGridStays) {
+  const Replacement replacement = replace(shapes::translated(kCrossingCubes, {1e15, 0, 0}));
+  EXPECT_FALSE(replacement.needs_larger_grid);
+  ASSERT_EQ(replacement.result.refused.size(), 1U);
+  EXPECT_THAT(replacement.result.refused.front().reason, testing::HasSubstr("no grid"));
+}
+
+TEST(UsableContour, ReasonTellsWhatItLacks) {
+  const auto reason = [](double max_deviation, const StopQuery& wants_to_stop) {
+    const auto contour = contour_mesh(
+        kCrossingCubes,
+        {.max_deviation = max_deviation, .max_tetrahedra = 1000, .wants_to_stop = wants_to_stop});
+    return reason_against(contour, wants_to_stop);
+  };
+  EXPECT_EQ(reason(0.1, {}), nullptr);
+  EXPECT_THAT(reason(0.001, {}), testing::HasSubstr("needs a finer grid"));
+  EXPECT_THAT(reason(0.1, [] { return true; }), testing::HasSubstr("no time"));
 }
 
 }  // namespace
