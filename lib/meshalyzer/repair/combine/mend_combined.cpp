@@ -66,7 +66,7 @@ bool is_embedded(const Soup& soup) {
          find_self_intersections(cut, FaceTree(cut)).empty();
 }
 
-/// Returns a mesh to which the second was done after the first.
+/// Returns the second result, with what was done to make the first, which it was made of.
 MendedMesh after(const MendedMesh& first, MendedMesh second) {
   second.is_parted = second.is_parted || first.is_parted;
   second.is_oriented = second.is_oriented || first.is_oriented;

@@ -233,8 +233,8 @@ SideResult measure_side(const Side& side, const FaceTree& tree, const ClosestPoi
   return result;
 }
 
-/// Finds what is in doubt of each face if nothing is outside of some boxes, and removes the faces
-/// that are not in doubt.
+/// Finds the part of each face that is in doubt if only what lies in some boxes is, and removes
+/// faces without such a part.
 void find_parts_in_doubt(Side& side, std::span<const Box3> boxes, const BoxTree& tree) {
   side.in_doubt.resize(side.faces.size());
   std::vector<std::uint8_t> is_in_doubt(side.faces.size(), 0);
