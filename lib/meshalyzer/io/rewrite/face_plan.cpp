@@ -214,6 +214,20 @@ FacePlan plan_faces(const EditedMesh& mesh, const FaceRecords& records) {
   return FacePlanner(mesh, records).plan();
 }
 
+std::size_t corner_written_at(const FacePlan& plan, Index record, std::size_t place,
+                              std::size_t n) {
+  return plan.changes[record] == RecordChange::Turned ? (n - place) % n : place;
+}
+
+Index vertex_now(const EditedMesh& mesh, const FacePlan& plan, std::span<const Index> new_vertices,
+                 Index record, const FanCorner& corner) {
+  // The triangles of a polygon that was turned over have the same vertices at other corners.
+  if (plan.changes[record] == RecordChange::Turned) {
+    return new_vertices[mesh.source.triangles[corner.triangle][corner.corner]];
+  }
+  return mesh.soup.triangles[plan.faces[corner.triangle]][corner.corner];
+}
+
 bool is_renumbered(const EditedMesh& mesh, const FacePlan& plan, const FaceRecords& records,
                    Index record) {
   const Index end = records.first_triangle[record + 1];

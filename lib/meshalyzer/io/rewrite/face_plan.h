@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace meshalyzer {
@@ -85,11 +86,18 @@ struct FacePlan {
 /// @complexity O(#F log #F).
 [[nodiscard]] FacePlan plan_faces(const EditedMesh& mesh, const FaceRecords& records);
 
-/// Returns the vertex of the edited mesh at a corner of a triangle of the source that was kept.
-[[nodiscard]] inline Index vertex_at(const EditedMesh& mesh, const FacePlan& plan,
-                                     const FanCorner& corner) {
-  return mesh.soup.triangles[plan.faces[corner.triangle]][corner.corner];
-}
+/// Returns which corner of a record that stays is written at a place among its `n` corners: a
+/// polygon that was turned over begins at the same corner, and goes round in the opposite
+/// direction.
+[[nodiscard]] std::size_t corner_written_at(const FacePlan& plan, Index record, std::size_t place,
+                                            std::size_t n);
+
+/// Returns the vertex of the edited mesh at a corner of a record that stays.
+///
+/// @param new_vertices  As new_vertices() returns them.
+[[nodiscard]] Index vertex_now(const EditedMesh& mesh, const FacePlan& plan,
+                               std::span<const Index> new_vertices, Index record,
+                               const FanCorner& corner);
 
 /// Tells whether a record of the source that is kept names other vertices now.
 [[nodiscard]] bool is_renumbered(const EditedMesh& mesh, const FacePlan& plan,

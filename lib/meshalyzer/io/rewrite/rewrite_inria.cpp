@@ -168,15 +168,12 @@ class InriaRewriter {
       edits_.erase_with_lines(faces_[record]);
       return false;
     }
-    const bool is_turned = plan_.changes[record] == RecordChange::Turned;
     const std::vector<std::string_view> old = inria_numbers(faces_[record]);
     const std::size_t n = old.size() - 1;
     for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t local = is_turned ? (n - i) % n : i;
-      const FanCorner corner = fan_corner(face_records_, record, local);
-      const Index vertex = is_turned
-                               ? vertices_[mesh_.source.triangles[corner.triangle][corner.corner]]
-                               : vertex_at(mesh_, plan_, corner);
+      const FanCorner corner =
+          fan_corner(face_records_, record, corner_written_at(plan_, record, i, n));
+      const Index vertex = vertex_now(mesh_, plan_, vertices_, record, corner);
       edits_.replace_integer(old[i], std::int64_t{vertex} + 1);
     }
     return true;

@@ -246,8 +246,7 @@ class ObjRewriter {
     const ObjCounts counts = records_.counts_before(records_.faces[record]);
     const std::size_t n = old.size() - 1;
     for (std::size_t i = 0; i < n; ++i) {
-      // A reversed polygon begins at the same corner, and goes round in the opposite direction.
-      const std::size_t local = change == RecordChange::Turned ? (n - i) % n : i;
+      const std::size_t local = corner_written_at(plan_, record, i, n);
       const ObjCorner named = parse_obj_corner(old[1 + local], counts, TextScanner(old[1 + local]));
       edits_.replace(old[1 + i],
                      corner_text(old[1 + local], corner_now(record, local, named), counts));

@@ -219,17 +219,10 @@ class OffRewriter {
     const Words old = words(records_.faces[record]);
     const auto n = static_cast<std::size_t>(parse_integer(old[0]).value_or(0));
     for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t local = is_turned ? (n - i) % n : i;
-      const FanCorner corner = fan_corner(records_.face_records, record, local);
-      edits_.replace_integer(old[1 + i], vertex_now(corner, is_turned));
+      const FanCorner corner =
+          fan_corner(records_.face_records, record, corner_written_at(plan_, record, i, n));
+      edits_.replace_integer(old[1 + i], vertex_now(mesh_, plan_, numbers_, record, corner));
     }
-  }
-
-  /// Returns the vertex at a corner of the source; the triangles of a reversed polygon name it
-  /// elsewhere.
-  [[nodiscard]] Index vertex_now(const FanCorner& corner, bool is_turned) const {
-    return is_turned ? numbers_[mesh_.source.triangles[corner.triangle][corner.corner]]
-                     : vertex_at(mesh_, plan_, corner);
   }
 
   const EditedMesh& mesh_;

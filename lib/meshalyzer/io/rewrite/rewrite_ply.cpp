@@ -271,10 +271,10 @@ class PlyRewriter {
     const PlyRecord old = records_.read(face_, record);
     const std::size_t n = old.fields[corners_].items.size();
     for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t local = is_turned ? (n - i) % n : i;
-      const FanCorner corner = fan_corner(face_records_, record, local);
+      const FanCorner corner =
+          fan_corner(face_records_, record, corner_written_at(plan_, record, i, n));
       const Index source_vertex = mesh_.source.triangles[corner.triangle][corner.corner];
-      const Index vertex = is_turned ? numbers_[source_vertex] : vertex_at(mesh_, plan_, corner);
+      const Index vertex = vertex_now(mesh_, plan_, numbers_, record, corner);
       edits_.replace(old.fields[corners_].items[i], index_text(vertex));
       const bool is_other = vertex != numbers_[source_vertex];
       edit_corner_lists(old, i,
