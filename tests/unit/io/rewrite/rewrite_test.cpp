@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <string>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -39,6 +41,30 @@ TEST(RewriteNative, RefusesAFaceThatWouldGetAnEarlierVertex) {
   EXPECT_EQ(file.rewritten_bytes(), file.bytes());
   file.soup().triangles[0][1] = 3;
   EXPECT_THROW(static_cast<void>(file.rewritten()), InvalidArgument);
+}
+
+/// Expects that a file with one polygon, whose triangles are turned over, names its vertices in the
+/// opposite order, beginning with the same one.
+void expect_turned_polygon(const std::string& text, const std::string& path,
+                           const std::string& before, const std::string& after) {
+  EditedFile file(text, path);
+  EXPECT_EQ(file.rewritten_bytes(), text);
+  for (Triangle& t : file.soup().triangles) std::swap(t[1], t[2]);
+  EXPECT_EQ(file.rewritten_bytes(), with(text, before, after));
+}
+
+TEST(RewritePolygon, ThatIsTurnedIsAPolygonTheOtherWayRound) {
+  expect_turned_polygon("OFF\n5 1 0\n0 0 0\n2 0 0\n2 1 0\n1 2 0\n0 1 0\n5 0 1 2 3 4  255 0 0\n",
+                        "a.off", "5 0 1 2 3 4", "5 0 4 3 2 1");
+  expect_turned_polygon(
+      "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n2 0 0\n2 1 0\n1 2 0\n0 1 0\n5 0 1 2 3 4\n",
+      "a.ply", "5 0 1 2 3 4", "5 0 4 3 2 1");
+  expect_turned_polygon(
+      "MeshVersionFormatted 1\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n1 1 0 0\n0 1 0 0\n"
+      "Quadrilaterals\n1\n1 2 3 4 7\nEnd\n",
+      "a.mesh", "1 2 3 4 7", "1 4 3 2 7");
 }
 
 TEST(RewriteOff, FacesOfAPolygonHaveItsColour) {
