@@ -44,13 +44,6 @@ struct Side {
   }
 };
 
-std::vector<Box3> boxes_of(std::span<const Corners> triangles) {
-  std::vector<Box3> boxes(triangles.size());
-  std::transform(triangles.begin(), triangles.end(), boxes.begin(),
-                 [](const Corners& triangle) { return box_of(triangle); });
-  return boxes;
-}
-
 struct SideResult {
   double largest = 0.0;
   /// The largest distance of the faces that are not far.
@@ -249,11 +242,19 @@ void find_parts_in_doubt(Side& side, std::span<const Box3> boxes, const BoxTree&
   keep_faces(side, [&](std::size_t i) { return is_in_doubt[i] != 0; });
 }
 
-/// Returns boxes round what is to be measured.
-std::vector<Box3> boxes_to_measure(const Side& side) {
+/// Returns boxes round what a step has removed, within the bound of it.
+std::vector<Box3> boxes_near_gone(const SurfaceStep& step, double bound) {
+  std::vector<Box3> boxes(step.gone.size());
+  std::transform(step.gone.begin(), step.gone.end(), boxes.begin(),
+                 [](const Corners& triangle) { return box_of(triangle); });
+  return boxes_within(std::move(boxes), bound);
+}
+
+/// Returns boxes round what is to be measured, within the bound of it.
+std::vector<Box3> boxes_near_parts(const Side& side, double bound) {
   std::vector<Box3> boxes(side.faces.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = side.part(i).box();
-  return boxes;
+  return boxes_within(std::move(boxes), bound);
 }
 
 /// A tree over the whole of the other surface is worth its time if there is more than one face to
@@ -270,7 +271,7 @@ template <typename MeasureWhole>
 SideResult measure_rest(const Side& side, const Soup& other, const DistanceQuery& query,
                         const MeasureWhole& measure_whole) {
   if (side.faces.size() * kFacesPerMeasured >= other.n_faces()) return measure_whole();
-  const SearchedSurface near(part_within(other, boxes_to_measure(side), query.bound));
+  const SearchedSurface near(part_near(other, boxes_near_parts(side, query.bound)));
   SideResult result = measure_side(side, near.tree, near.closest, query);
   const bool is_known = query.question == DistanceQuestion::IsWithin || result.far.empty();
   return is_known ? result : measure_whole();
@@ -279,9 +280,9 @@ SideResult measure_rest(const Side& side, const Soup& other, const DistanceQuery
 /// The part of the new surface, and of the walls, that is near what is to be measured. A wall may
 /// be a part of another face than the one that it is near to: an edge may have been flipped before.
 Soup surface_with_walls(const Side& old_side, std::span<const InteriorWall> walls, double bound) {
-  const std::vector<Box3> boxes = boxes_to_measure(old_side);
-  Soup soup = part_within(old_side.to, boxes, bound);
-  const BoxTree near(boxes_within(boxes, bound));
+  const std::vector<Box3> boxes = boxes_near_parts(old_side, bound);
+  Soup soup = part_near(old_side.to, boxes);
+  const BoxTree near(boxes);
   for (const InteriorWall& wall : walls) {
     if (!near.meets_any(box_of(wall.corners))) continue;
     const auto first = static_cast<Index>(soup.n_vertices());
@@ -380,7 +381,7 @@ FarFaces DeviationMeter::find_far(const Repaired& repaired) const {
 void DeviationMeter::drop_unaffected(const Repaired& repaired,
                                      std::vector<ChangedFace>& of_input) const {
   const std::vector<Index> affected =
-      find_faces_near(input_, boxes_within(boxes_of(repaired.step->gone), repaired.bound));
+      find_faces_near(input_, boxes_near_gone(*repaired.step, repaired.bound));
   std::erase_if(of_input, [&](const ChangedFace& changed) {
     return !std::binary_search(affected.begin(), affected.end(), changed.face);
   });
@@ -438,7 +439,7 @@ DeviationMeter::Result DeviationMeter::measure_changes(ChangedFaces changes,
   DistanceQuery old_query = query;
   std::optional<BoxTree> near_gone;
   if (repaired.step != nullptr) {
-    const std::vector<Box3> boxes = boxes_within(boxes_of(repaired.step->gone), repaired.bound);
+    const std::vector<Box3> boxes = boxes_near_gone(*repaired.step, repaired.bound);
     near_gone.emplace(boxes);
     find_parts_in_doubt(old_side, boxes, *near_gone);
     old_query.doubtful = &*near_gone;

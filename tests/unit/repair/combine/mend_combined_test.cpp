@@ -4,6 +4,7 @@
 #include "meshalyzer/repair/combine/track_combined.h"
 #include "support/random_soups.h"
 #include "support/shapes.h"
+#include "unit/repair/combine/combination.h"
 #include "unit/repair/repaired_meshes.h"
 
 #include <gtest/gtest.h>
@@ -18,12 +19,12 @@ namespace {
 
 const CombineOptions kOptions{.max_deviation = 1e-3};
 
+MendedMesh mend(const Combination& made) {
+  return mend_combined(track_combined(made.all, made.solid), made.solid.outcome, false, kOptions);
+}
+
 TEST(MendCombined, CubesThatShareAnEdgeArePartedAndTrackedToTheInput) {
-  const std::vector<Soup> meshes{shapes::cube(), shapes::cube(1, {1, 1, 0})};
-  const Soup all = concatenate(meshes);
-  const CombinedSolid solid = combine_solids(operands_of(all, meshes), union_rule());
-  const MendedMesh parted =
-      mend_combined(track_combined(all, solid), solid.outcome, false, kOptions);
+  const MendedMesh parted = mend({shapes::cube(), shapes::cube(1, {1, 1, 0}), union_rule()});
   EXPECT_TRUE(parted.is_parted);
   EXPECT_FALSE(parted.is_repaired);
   EXPECT_GT(parted.largest_move, 0.0);
@@ -50,11 +51,7 @@ TEST(MendCombined, SliversStayOutward) {
     const Soup sliver =
         shapes::make({corner, a, b, between}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
     if (!is_good(sliver)) continue;
-    const std::vector<Soup> meshes{shapes::cube(), sliver};
-    const Soup all = concatenate(meshes);
-    const CombinedSolid solid = combine_solids(operands_of(all, meshes), union_rule());
-    const MendedMesh parted =
-        mend_combined(track_combined(all, solid), solid.outcome, false, kOptions);
+    const MendedMesh parted = mend({shapes::cube(), sliver, union_rule()});
     n_parted += parted.is_mended() ? 1 : 0;
     EXPECT_TRUE(is_good(parted.mesh.soup)) << trial;
   }
@@ -71,13 +68,10 @@ TEST(MendCombined, PartThatIsInsideOutIsOrientedOutwards) {
 }
 
 TEST(MendCombined, ManifoldMeshStays) {
-  const std::vector<Soup> cubes{shapes::cube(2), shapes::cube(2, {1, 1, 1})};
-  const Soup all = concatenate(cubes);
-  const CombinedSolid solid = combine_solids(operands_of(all, cubes), difference_rule());
-  const TrackedMesh tracked = track_combined(all, solid);
-  const MendedMesh parted = mend_combined(tracked, solid.outcome, false, kOptions);
-  EXPECT_FALSE(parted.is_mended());
-  EXPECT_EQ(parted.mesh.soup.positions, tracked.soup.positions);
+  const Combination cut(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
+  const MendedMesh same = mend(cut);
+  EXPECT_FALSE(same.is_mended());
+  EXPECT_EQ(same.mesh.soup.positions, track_combined(cut.all, cut.solid).soup.positions);
 }
 
 TEST(MendCombined, MeshThatWasMovedIsRepairedWhereItIntersectsItself) {

@@ -1,32 +1,14 @@
 #include "meshalyzer/repair/combine/track_combined.h"
 
-#include "meshalyzer/defects/check.h"
-#include "support/random_soups.h"
 #include "support/shapes.h"
-#include "unit/repair/repaired_meshes.h"
+#include "unit/repair/combine/combination.h"
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <random>
-#include <set>
-#include <vector>
 
 namespace meshalyzer {
 namespace {
-
-/// Two meshes, and what an operation makes of them: the first one without the second if nothing
-/// else is said.
-struct Combination {
-  Combination(const Soup& a, const Soup& b, const InsideRule& rule = difference_rule())
-      : meshes{a, b},
-        all(concatenate(meshes)),
-        solid(combine_solids(operands_of(all, meshes), rule)) {}
-
-  std::vector<Soup> meshes;
-  Soup all;
-  CombinedSolid solid;
-};
 
 TEST(TrackCombined, FaceThatStaysIsThatOfTheInput) {
   const Combination cut(shapes::cube(3), shapes::cube(1, {1, 1, 1}));

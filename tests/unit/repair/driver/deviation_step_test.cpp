@@ -81,18 +81,23 @@ TEST(DeviationMeterStep, FarFacesAreThoseOfTheWholeSurface) {
   EXPECT_GT(n_near_walls, 40U);
 }
 
+/// Three faces above each other, at heights of 0, 0.3 and 9.
+Soup three_faces() {
+  return shapes::make({{0, 0, 0},
+                       {1, 0, 0},
+                       {0, 1, 0},
+                       {0, 0, 0.3},
+                       {1, 0, 0.3},
+                       {0, 1, 0.3},
+                       {0, 0, 9},
+                       {1, 0, 9},
+                       {0, 1, 9}},
+                      {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}});
+}
+
 TEST(DeviationMeterStep, FaceThatOnlyANeighbourWasNearIsFarWithoutIt) {
-  // Three faces above each other; the lowest is gone, which the one in the middle is near to.
-  const Soup input = shapes::make({{0, 0, 0},
-                                   {1, 0, 0},
-                                   {0, 1, 0},
-                                   {0, 0, 0.3},
-                                   {1, 0, 0.3},
-                                   {0, 1, 0.3},
-                                   {0, 0, 9},
-                                   {1, 0, 9},
-                                   {0, 1, 9}},
-                                  {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}});
+  // The lowest face is gone, which the one in the middle is near to.
+  const Soup input = three_faces();
   const TrackedMesh first = without_faces(track_mesh(input), {0});
   const TrackedMesh second = without_faces(track_mesh(input), {0, 1});
   const PreparedMesh mesh(second.soup);
@@ -105,17 +110,8 @@ TEST(DeviationMeterStep, FaceThatOnlyANeighbourWasNearIsFarWithoutIt) {
 }
 
 TEST(DeviationMeterStep, FaceThatIsGoneIsNearToWhatIsLeftAndToWalls) {
-  // Of three faces above each other the upper two are gone; the highest is a wall, a little moved.
-  const Soup input = shapes::make({{0, 0, 0},
-                                   {1, 0, 0},
-                                   {0, 1, 0},
-                                   {0, 0, 0.3},
-                                   {1, 0, 0.3},
-                                   {0, 1, 0.3},
-                                   {0, 0, 9},
-                                   {1, 0, 9},
-                                   {0, 1, 9}},
-                                  {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}});
+  // The upper two faces are gone; the highest is a wall, a little moved.
+  const Soup input = three_faces();
   const TrackedMesh second = without_faces(track_mesh(input), {1, 2});
   const PreparedMesh mesh(second.soup);
   const std::vector<InteriorWall> walls{{{Vec3(0, 0, 9.2), Vec3(1, 0, 9.2), Vec3(0, 1, 9.2)}, 2}};

@@ -22,9 +22,9 @@ std::vector<Box3> boxes_within(std::vector<Box3> boxes, double distance) {
   return boxes;
 }
 
-Soup part_within(const Soup& surface, std::vector<Box3> boxes, double distance) {
+Soup part_near(const Soup& surface, std::span<const Box3> boxes) {
   std::vector<Triangle> near;
-  for (const Index face : find_faces_near(surface, boxes_within(std::move(boxes), distance))) {
+  for (const Index face : find_faces_near(surface, boxes)) {
     near.push_back(surface.triangles[face]);
   }
   return compact_soup(surface.positions, std::move(near));

@@ -26,9 +26,7 @@ struct SearchedSurface {
 /// Returns for each box one with all points within a distance of it.
 [[nodiscard]] std::vector<Box3> boxes_within(std::vector<Box3> boxes, double distance);
 
-/// Returns the faces of a surface that may have a point within a distance of some boxes.
-///
-/// @complexity  That of find_faces_near().
-[[nodiscard]] Soup part_within(const Soup& surface, std::vector<Box3> boxes, double distance);
+/// Returns the faces of a surface that find_faces_near() finds.
+[[nodiscard]] Soup part_near(const Soup& surface, std::span<const Box3> boxes);
 
 }  // namespace meshalyzer
