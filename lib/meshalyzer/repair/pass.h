@@ -19,7 +19,7 @@
 
 namespace meshalyzer {
 
-struct HoleMemory;
+struct PassMemory;
 
 /// The meaning of the groups of a file.
 enum class Groups : std::uint8_t {
@@ -74,9 +74,9 @@ struct PassInput {
   double length = 0.0;
   /// The number of the mesh among all that this repair has had; 0 if that is not known.
   std::size_t mesh_number = 0;
-  /// What is known of the holes of earlier meshes of this repair, all with the same options; passes
-  /// add to it. May be null.
-  HoleMemory* holes = nullptr;
+  /// What passes know of earlier meshes of this repair, all with the same options; they add to it.
+  /// May be null.
+  PassMemory* memory = nullptr;
 };
 
 /// A defect that a pass could not repair, and the reason.
@@ -99,8 +99,8 @@ struct PassResult {
   bool has_smaller_operations = false;
 };
 
-/// A pass examines a mesh and proposes changes, but makes none. It is a pure function, and its
-/// result is the same for any number of threads.
+/// A pass examines a mesh and proposes changes, but makes none. Its result depends on nothing but
+/// its input, of which the memory is a part, and is the same for any number of threads.
 ///
 /// It leaves sound elements alone, and proposes nothing for a mesh without the defects that it
 /// repairs. A proposal may be partial: the pass runs again after its edits were applied, until it

@@ -1,10 +1,10 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/repair/driver/internal/pass_memory.h"
 #include "meshalyzer/repair/edits/edits.h"
 #include "meshalyzer/repair/holes/internal/crossing_patches.h"
 #include "meshalyzer/repair/holes/internal/fill_loop.h"
 #include "meshalyzer/repair/holes/internal/hole_loop.h"
-#include "meshalyzer/repair/holes/internal/hole_memory.h"
 #include "meshalyzer/repair/holes/internal/islands.h"
 #include "meshalyzer/repair/holes/internal/loop_choice.h"
 #include "meshalyzer/repair/holes/internal/patch_check.h"
@@ -26,7 +26,7 @@ namespace meshalyzer {
 namespace {
 
 TriangulationMemory* triangulations_of(const PassInput& input) {
-  return input.holes == nullptr ? nullptr : &input.holes->triangulations;
+  return input.memory == nullptr ? nullptr : &input.memory->holes.triangulations;
 }
 
 /// Returns, by face of the patch, the file face that it is modelled on.
@@ -304,7 +304,7 @@ PassResult fill_loops(const PassInput& input, const FillOptions& options) {
   if (!found.loops.empty()) {
     const ExistingEdges existing(input.mesh, found.loops);
     std::optional<FillMemory> memory;
-    if (input.holes != nullptr) memory.emplace(input.holes->failed, input);
+    if (input.memory != nullptr) memory.emplace(input.memory->holes.failed, input);
     const FillTask task{.mesh = input.mesh,
                         .existing = existing,
                         .degeneracy = input.tolerances.degeneracy,

@@ -1,15 +1,18 @@
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/repair/driver/internal/pass_memory.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/split/internal/check_budget.h"
 #include "meshalyzer/repair/split/internal/contact_places.h"
 #include "meshalyzer/repair/split/internal/moved_faces.h"
 #include "meshalyzer/repair/split/internal/parting_directions.h"
+#include "meshalyzer/repair/split/internal/parting_memory.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -60,15 +63,19 @@ class Parting {
         std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff());
     first_step_ =
         std::max(size * std::numeric_limits<double>::epsilon(), std::numeric_limits<double>::min());
+    if (input.memory != nullptr) {
+      memory_.emplace(input.memory->failed_partings, input.tracked, mesh_, first_step_);
+    }
   }
 
   [[nodiscard]] PassResult part_all() {
     DisjointSets connected = connect_places(contacts_);
     std::vector<Index> operation(contacts_.places.size(), kNoIndex);
     CheckBudget budget(contacts_.places.size());
-    for (Index i = 0; i < contacts_.places.size() && !input_.wants_to_stop(); ++i) {
+    for (const Index i : places_in_order()) {
+      if (input_.wants_to_stop()) break;
       n_checks_left_ = budget.of_next_place();
-      const std::vector<Index> moved = part(contacts_.places[i]);
+      const std::vector<Index> moved = part_unless_known(contacts_.places[i]);
       budget.spend(budget.of_next_place() - n_checks_left_);
       if (moved.empty()) continue;
       Index& op = operation[connected.find(i)];
@@ -86,6 +93,37 @@ class Parting {
     Index unit = 0;
     Vec3 to;
   };
+
+  /// Returns the numbers of the places, last those that have failed before: others are to have
+  /// their turn while pairs may still be checked.
+  [[nodiscard]] std::vector<Index> places_in_order() const {
+    std::vector<Index> order(contacts_.places.size());
+    std::iota(order.begin(), order.end(), Index{0});
+    if (memory_) {
+      std::stable_partition(order.begin(), order.end(),
+                            [&](Index i) { return !memory_->has_failed(contacts_.places[i]); });
+    }
+    return order;
+  }
+
+  /// Parts the units of a place unless that is known to be in vain; returns the moved vertices.
+  std::vector<Index> part_unless_known(const ContactPlace& place) {
+    if (!memory_) return part(place);
+    const std::size_t n_checks = n_checks_left_;
+    if (const auto n_in_vain = memory_->recall(place, n_checks)) {
+      n_checks_left_ -= *n_in_vain;
+      refuse(place, place.contacts.front());
+      return {};
+    }
+    region_.setEmpty();
+    std::vector<Index> moved = part(place);
+    if (moved.empty() && !region_.isEmpty()) {
+      memory_->note(place, {.region = region_,
+                            .n_checks = n_checks - n_checks_left_,
+                            .has_run_out = n_checks_left_ == 0});
+    }
+    return moved;
+  }
 
   /// Moves units of a place until none touches another, as far as possible; returns the moved
   /// vertices.
@@ -202,11 +240,11 @@ class Parting {
     // The limit is finite, so that the steps come to an end.
     const double max =
         std::min(input_.limits.max_deviation, std::numeric_limits<double>::max() / 2);
-    double reach = kLookupReach * first_step_;
+    double reach = std::min(max, kLookupReach * first_step_);
     std::vector<std::optional<Candidate>> candidates(trial.units.size());
     for (double step = first_step_; step <= max && n_checks_left_ > 0; step *= growth) {
       if (step > reach) {
-        reach = kLookupReach * step;
+        reach = std::min(max, kLookupReach * step);
         candidates = std::vector<std::optional<Candidate>>(trial.units.size());
       }
       bool is_hopeless = true;
@@ -215,6 +253,7 @@ class Parting {
         if (!candidates[i]) {
           candidates[i].emplace(Candidate{directions(i), Move(mesh_, unit, trial.faces[i], reach)});
           n_checks_left_ -= std::min(n_checks_left_, candidates[i]->move.n_checks_to_find());
+          region_.extend(candidates[i]->move.region());
         }
         if (candidates[i]->move.is_crowded()) continue;
         is_hopeless = false;
@@ -263,6 +302,10 @@ class Parting {
   double first_step_ = 0.0;
   /// The number of pairs of faces that may still be checked at the current place.
   std::size_t n_checks_left_ = 0;
+  /// Nothing if the pass runs outside of a repair.
+  std::optional<PartingMemory> memory_;
+  /// The region of all moves that were considered at the current place.
+  Box3 region_;
   PassResult result_;
 };
 

@@ -1,5 +1,5 @@
 #include "meshalyzer/base/parallel.h"
-#include "meshalyzer/repair/holes/internal/hole_memory.h"
+#include "meshalyzer/repair/driver/internal/pass_memory.h"
 #include "meshalyzer/repair/passes.h"
 #include "support/effort.h"
 #include "support/shapes.h"
@@ -249,9 +249,9 @@ TEST(FillHoles, AnyNumberOfThreadsFillsTheSame) {
   }
   const auto run = [&](std::size_t n_threads) {
     const ThreadLimit limit(n_threads);
-    HoleMemory memory;
+    PassMemory memory;
     return run_pass(open, [&](PassInput input) {
-      input.holes = &memory;
+      input.memory = &memory;
       return hole_filling(kAll)(input);
     });
   };

@@ -1,4 +1,4 @@
-#include "meshalyzer/repair/holes/internal/hole_memory.h"
+#include "meshalyzer/repair/driver/internal/pass_memory.h"
 #include "support/run_pass.h"
 #include "support/shapes.h"
 
@@ -100,9 +100,9 @@ TEST_F(FillMemoryTest, ForgetsWhereAnythingRoundTheLoopHasChanged) {
 }
 
 TEST(HoleFilling, TriesALoopAgainOnceItsObstacleIsGone) {
-  HoleMemory memory;
+  PassMemory memory;
   const PassFunction fill = [&](PassInput input) {
-    input.holes = &memory;
+    input.memory = &memory;
     return hole_filling({.sheets = FillSheets::Yes})(input);
   };
   const PassRun in_vain = run_pass(open_cube_with_obstacle(), fill);
@@ -111,7 +111,7 @@ TEST(HoleFilling, TriesALoopAgainOnceItsObstacleIsGone) {
   const PassRun again = run_pass(open_cube_with_obstacle(), fill);
   ASSERT_EQ(again.refused.size(), 1U);
   EXPECT_EQ(again.refused[0].reason, in_vain.refused[0].reason);
-  EXPECT_EQ(memory.failed.attempts.size(), 1U);
+  EXPECT_EQ(memory.holes.failed.attempts.size(), 1U);
   EXPECT_EQ(run_pass(shapes::open_cube(), fill).operations, 1U);
 }
 

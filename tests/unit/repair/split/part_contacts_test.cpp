@@ -1,3 +1,4 @@
+#include "meshalyzer/repair/driver/internal/pass_memory.h"
 #include "meshalyzer/repair/passes.h"
 #include "support/run_pass.h"
 #include "support/same_soup.h"
@@ -174,6 +175,37 @@ TEST(PartContacts, NoStepWithinTheDeviationIsRefused) {
   const PassRun run = run_pass(split_up, part_contacts, limits);
   EXPECT_TRUE(same_soup(run.tracked.soup, split_up));
   EXPECT_EQ(run.refused.size(), 1U);
+}
+
+/// Tetrahedra that touch with their tips, in a heap of thousands of faces.
+Soup tips_in_a_heap() {
+  Soup soup = split(shapes::two_tetrahedra_sharing_vertex()).tracked.soup;
+  // Each of them meets two of the three faces at a tip.
+  for (int i = -2500; i < 2500; ++i) {
+    const double x = 1e-4 * (i + 0.5);
+    const auto first = static_cast<Index>(soup.n_vertices());
+    soup.positions.insert(soup.positions.end(), {{x, -1, -1}, {x, 1, -1}, {x, 0, 2}});
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  return soup;
+}
+
+TEST(PartContacts, PlacesThatHaveFailedBeforeComeLast) {
+  PassMemory memory;
+  const auto refused = [&](const Soup& soup) {
+    const PassFunction part = [&](PassInput input) {
+      input.memory = &memory;
+      return part_contacts(input);
+    };
+    std::vector<Index> vertices;
+    for (const Refusal& refusal : run_pass(soup, part).refused) vertices.push_back(refusal.vertex);
+    return vertices;
+  };
+  const Soup heap = tips_in_a_heap();
+  const Soup one = shapes::merged(heap, shapes::translated(shapes::cube(), {8, 0, 0}));
+  const Soup two = shapes::merged(one, shapes::translated(heap, {4, 0, 0}));
+  EXPECT_EQ(refused(one), std::vector<Index>{0});
+  EXPECT_EQ(refused(two), (std::vector<Index>{static_cast<Index>(one.n_vertices()), 0}));
 }
 
 TEST(PartContacts, LikewiseFarFromTheOriginAndForAnySize) {

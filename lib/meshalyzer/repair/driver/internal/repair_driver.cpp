@@ -355,7 +355,7 @@ PassInput RepairDriver::input_of_pass(OperationSize size, double length) {
           .wants_to_stop = settings_.pairs.wants_to_stop,
           .length = length,
           .mesh_number = mesh_.number(),
-          .holes = &hole_memory_};
+          .memory = &memory_};
 }
 
 bool RepairDriver::run(const PlannedPass& pass) {

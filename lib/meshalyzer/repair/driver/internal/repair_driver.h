@@ -6,10 +6,10 @@
 #include "meshalyzer/repair/driver/internal/final_check.h"
 #include "meshalyzer/repair/driver/internal/measured_mesh.h"
 #include "meshalyzer/repair/driver/internal/operation_names.h"
+#include "meshalyzer/repair/driver/internal/pass_memory.h"
 #include "meshalyzer/repair/driver/internal/plan.h"
 #include "meshalyzer/repair/driver/internal/worsening.h"
 #include "meshalyzer/repair/driver/repair_log.h"
-#include "meshalyzer/repair/holes/internal/hole_memory.h"
 
 #include <cstdint>
 #include <functional>
@@ -253,7 +253,7 @@ class RepairDriver {
   RepairLimits limits_;
   FixedVertices fixed_;
   DriverSettings settings_;
-  HoleMemory hole_memory_;
+  PassMemory memory_;
   bool is_stopped_ = false;
   RepairLog log_;
   std::vector<AppliedOperation> applied_;

@@ -104,9 +104,9 @@ Move::Move(const MovedMesh& mesh, std::span<const Index> vertices, std::span<con
   const std::size_t max_pairs = kFreePairs + faces.size() * faces.size();
   std::size_t n_meeting = 0;
   const auto box = [&](Index face) { return box_of(mesh_.corners(mesh_.triangle(face))); };
-  Box3 around;
-  for (const Index face : faces_) around.extend(box(face));
-  const std::vector<Index> others = mesh_.faces_near(grown(around, reach));
+  for (const Index face : faces_) region_.extend(box(face));
+  region_ = grown(region_, reach);
+  const std::vector<Index> others = mesh_.faces_near(region_);
   std::vector<Box3> boxes(others.size());
   std::transform(others.begin(), others.end(), boxes.begin(), box);
   for (const Index face : faces_) {

@@ -48,6 +48,9 @@ class Move {
   /// Returns the time that it took to find the faces nearby, as a number of pairs checked.
   [[nodiscard]] std::size_t n_checks_to_find() const { return n_checks_to_find_; }
 
+  /// Returns a box that all faces meet on which the answers depend.
+  [[nodiscard]] const Box3& region() const { return region_; }
+
   /// Tells whether so many faces are near that checking all of them, for every position of a mesh,
   /// would take too long, as in a heap of faces across each other. Then no move is accepted.
   [[nodiscard]] bool is_crowded() const { return is_crowded_; }
@@ -78,6 +81,7 @@ class Move {
   const MovedMesh& mesh_;
   std::span<const Index> vertices_;
   std::span<const Index> faces_;
+  Box3 region_;
   bool is_crowded_ = false;
   std::size_t n_checks_to_find_ = 0;
   /// The pairs that may come into contact, the most likely first.
