@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/split/internal/parting_memory.h"
 
 #include "meshalyzer/base/hash.h"
+#include "meshalyzer/base/triangle.h"
 
 #include <algorithm>
 #include <bit>
