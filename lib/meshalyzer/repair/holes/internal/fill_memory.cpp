@@ -1,7 +1,7 @@
 #include "meshalyzer/repair/holes/internal/fill_memory.h"
 
-#include "meshalyzer/base/hash.h"
 #include "meshalyzer/base/triangle.h"
+#include "meshalyzer/repair/edits/internal/vertex_hash.h"
 #include "meshalyzer/repair/holes/internal/corner_numbers.h"
 
 namespace meshalyzer {
@@ -35,8 +35,8 @@ void FillMemory::note(const HoleLoop& loop, const Box3& region, const Filling& f
 }
 
 std::uint64_t FillMemory::hash_of(std::uint64_t hash, Index vertex) const {
-  hash = mix_hash(hash, input_.tracked.vertex_keys[vertex]);
-  return mix_hash(hash, hash_position(input_.tracked.soup.positions[vertex]));
+  const TrackedMesh& tracked = input_.tracked;
+  return hash_vertex(hash, tracked.vertex_keys[vertex], tracked.soup.positions[vertex]);
 }
 
 std::uint64_t FillMemory::hash_of(const HoleLoop& loop) const {

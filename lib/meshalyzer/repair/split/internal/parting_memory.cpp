@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/hash.h"
 #include "meshalyzer/base/triangle.h"
+#include "meshalyzer/repair/edits/internal/vertex_hash.h"
 
 #include <algorithm>
 #include <bit>
@@ -26,8 +27,7 @@ void PartingMemory::note(const ContactPlace& place, const FailedPartings::Search
 }
 
 std::uint64_t PartingMemory::hash_of(std::uint64_t hash, Index vertex) const {
-  hash = mix_hash(hash, tracked_.vertex_keys[vertex]);
-  return mix_hash(hash, hash_position(mesh_.position(vertex)));
+  return hash_vertex(hash, tracked_.vertex_keys[vertex], mesh_.position(vertex));
 }
 
 std::uint64_t PartingMemory::hash_of(const ContactPlace& place) const {
