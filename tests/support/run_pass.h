@@ -34,6 +34,14 @@ struct PassRun {
           .groups = Groups::Names};
 }
 
+/// Returns a pass that remembers what it learns of a mesh when it is run again.
+[[nodiscard]] inline PassFunction remembering(PassMemory& memory, PassFunction pass) {
+  return [&memory, pass = std::move(pass)](PassInput input) {
+    input.memory = &memory;
+    return pass(input);
+  };
+}
+
 /// Runs a pass until it proposes nothing more, and applies all its edits.
 [[nodiscard]] inline PassRun run_pass(const Soup& soup, const PassFunction& pass,
                                       const RepairLimits& limits,

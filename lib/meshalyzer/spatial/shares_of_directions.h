@@ -14,7 +14,7 @@ namespace meshalyzer {
 /// Half the solid angle of a triangle is the argument of a complex number (van Oosterom and
 /// Strackee 1983, "The solid angle of a plane triangle"), and a product of numbers has the sum of
 /// their arguments. So the arctangent, which costs more than all else, is taken of many at once.
-/// Queries take a quarter longer where the compiler does not inline this and
+/// Queries take a quarter longer where the compiler does not inline add() and
 /// FarField::share_from().
 class SharesOfDirections {
  public:

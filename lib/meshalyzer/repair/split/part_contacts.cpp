@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -65,6 +66,7 @@ class Parting {
         std::max(size * std::numeric_limits<double>::epsilon(), std::numeric_limits<double>::min());
     if (input.memory != nullptr) {
       memory_.emplace(input.memory->failed_partings, input.tracked, mesh_, first_step_);
+      for (const ContactPlace& place : contacts.places) keys_.push_back(memory_->key_of(place));
     }
   }
 
@@ -75,7 +77,7 @@ class Parting {
     for (const Index i : places_in_order()) {
       if (input_.wants_to_stop()) break;
       n_checks_left_ = budget.of_next_place();
-      const std::vector<Index> moved = part_unless_known(contacts_.places[i]);
+      const std::vector<Index> moved = part_unless_known(i);
       budget.spend(budget.of_next_place() - n_checks_left_);
       if (moved.empty()) continue;
       Index& op = operation[connected.find(i)];
@@ -101,16 +103,17 @@ class Parting {
     std::iota(order.begin(), order.end(), Index{0});
     if (memory_) {
       std::stable_partition(order.begin(), order.end(),
-                            [&](Index i) { return !memory_->has_failed(contacts_.places[i]); });
+                            [&](Index i) { return !memory_->has_failed(keys_[i]); });
     }
     return order;
   }
 
   /// Parts the units of a place unless that is known to be in vain; returns the moved vertices.
-  std::vector<Index> part_unless_known(const ContactPlace& place) {
+  std::vector<Index> part_unless_known(Index i) {
+    const ContactPlace& place = contacts_.places[i];
     if (!memory_) return part(place);
     const std::size_t n_checks = n_checks_left_;
-    if (const auto n_in_vain = memory_->recall(place, n_checks)) {
+    if (const auto n_in_vain = memory_->recall(keys_[i], n_checks)) {
       n_checks_left_ -= *n_in_vain;
       refuse(place, place.contacts.front());
       return {};
@@ -118,9 +121,9 @@ class Parting {
     region_.setEmpty();
     std::vector<Index> moved = part(place);
     if (moved.empty() && !region_.isEmpty()) {
-      memory_->note(place, {.region = region_,
-                            .n_checks = n_checks - n_checks_left_,
-                            .has_run_out = n_checks_left_ == 0});
+      memory_->note(keys_[i], {.region = region_,
+                               .n_checks = n_checks - n_checks_left_,
+                               .has_run_out = n_checks_left_ == 0});
     }
     return moved;
   }
@@ -304,6 +307,8 @@ class Parting {
   std::size_t n_checks_left_ = 0;
   /// Nothing if the pass runs outside of a repair.
   std::optional<PartingMemory> memory_;
+  /// The keys of all places, if there is a memory.
+  std::vector<std::uint64_t> keys_;
   /// The region of all moves that were considered at the current place.
   Box3 region_;
   PassResult result_;

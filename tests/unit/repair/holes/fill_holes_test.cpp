@@ -250,10 +250,7 @@ TEST(FillHoles, AnyNumberOfThreadsFillsTheSame) {
   const auto run = [&](std::size_t n_threads) {
     const ThreadLimit limit(n_threads);
     PassMemory memory;
-    return run_pass(open, [&](PassInput input) {
-      input.memory = &memory;
-      return hole_filling(kAll)(input);
-    });
+    return run_pass(open, remembering(memory, hole_filling(kAll)));
   };
   const PassRun one = run(1);
   EXPECT_GT(one.operations, 40U);

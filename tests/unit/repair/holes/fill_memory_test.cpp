@@ -101,10 +101,7 @@ TEST_F(FillMemoryTest, ForgetsWhereAnythingRoundTheLoopHasChanged) {
 
 TEST(HoleFilling, TriesALoopAgainOnceItsObstacleIsGone) {
   PassMemory memory;
-  const PassFunction fill = [&](PassInput input) {
-    input.memory = &memory;
-    return hole_filling({.sheets = FillSheets::Yes})(input);
-  };
+  const PassFunction fill = remembering(memory, hole_filling({.sheets = FillSheets::Yes}));
   const PassRun in_vain = run_pass(open_cube_with_obstacle(), fill);
   EXPECT_EQ(in_vain.operations, 0U);
   ASSERT_EQ(in_vain.refused.size(), 1U);

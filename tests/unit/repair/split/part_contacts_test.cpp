@@ -193,12 +193,10 @@ Soup tips_in_a_heap() {
 TEST(PartContacts, PlacesThatHaveFailedBeforeComeLast) {
   PassMemory memory;
   const auto refused = [&](const Soup& soup) {
-    const PassFunction part = [&](PassInput input) {
-      input.memory = &memory;
-      return part_contacts(input);
-    };
     std::vector<Index> vertices;
-    for (const Refusal& refusal : run_pass(soup, part).refused) vertices.push_back(refusal.vertex);
+    for (const Refusal& refusal : run_pass(soup, remembering(memory, part_contacts)).refused) {
+      vertices.push_back(refusal.vertex);
+    }
     return vertices;
   };
   const Soup heap = tips_in_a_heap();

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 namespace meshalyzer {
@@ -33,12 +34,15 @@ class PartingMemoryTest : public ::testing::Test {
 
   void note(std::size_t n_checks, bool has_run_out) {
     const Box3 region(Vec3(-2.5, -2.5, -2.5), Vec3(2.5, 2.5, 2.5));
-    memory().note(contacts_.places[0],
-                  {.region = region, .n_checks = n_checks, .has_run_out = has_run_out});
+    memory().note(key(), {.region = region, .n_checks = n_checks, .has_run_out = has_run_out});
   }
 
   [[nodiscard]] std::optional<std::size_t> recall(std::size_t n_checks, double first_step = 1e-16) {
-    return memory(first_step).recall(contacts_.places[0], n_checks);
+    return memory(first_step).recall(key(first_step), n_checks);
+  }
+
+  [[nodiscard]] std::uint64_t key(double first_step = 1e-16) {
+    return memory(first_step).key_of(contacts_.places[0]);
   }
 
   [[nodiscard]] PartingMemory memory(double first_step = 1e-16) {
@@ -59,13 +63,17 @@ class PartingMemoryTest : public ::testing::Test {
 };
 
 TEST_F(PartingMemoryTest, KnowsNothingBeforeItIsNoted) {
-  EXPECT_FALSE(memory().has_failed(contacts_.places[0]));
+  EXPECT_FALSE(memory().has_failed(key()));
   EXPECT_FALSE(recall(1000));
+}
+
+TEST_F(PartingMemoryTest, NoSearchFindsAMoveWithoutChecks) {
+  EXPECT_EQ(recall(0), 0U);
 }
 
 TEST_F(PartingMemoryTest, RecallsTheChecksThatWouldBeInVain) {
   note(100, false);
-  EXPECT_TRUE(memory().has_failed(contacts_.places[0]));
+  EXPECT_TRUE(memory().has_failed(key()));
   EXPECT_EQ(recall(1000), 100U);
   EXPECT_EQ(recall(50), 50U);
 }
@@ -82,14 +90,14 @@ TEST_F(PartingMemoryTest, ForgetsOnceAFaceNearbyHasMoved) {
   EXPECT_TRUE(recall(1000));
   move(kNearby);
   EXPECT_FALSE(recall(1000));
-  EXPECT_TRUE(memory().has_failed(contacts_.places[0]));
+  EXPECT_TRUE(memory().has_failed(key()));
 }
 
 TEST_F(PartingMemoryTest, AnotherPositionOrFirstStepIsAnotherSearch) {
   note(100, false);
   EXPECT_FALSE(recall(1000, 2e-16));
   move(contacts_.places[0].units[0][0]);
-  EXPECT_FALSE(memory().has_failed(contacts_.places[0]));
+  EXPECT_FALSE(memory().has_failed(key()));
 }
 
 }  // namespace

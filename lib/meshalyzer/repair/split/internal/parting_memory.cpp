@@ -9,9 +9,9 @@
 
 namespace meshalyzer {
 
-std::optional<std::size_t> PartingMemory::recall(const ContactPlace& place,
-                                                 std::size_t n_checks) const {
-  const auto found = failed_.attempts.find(hash_of(place));
+std::optional<std::size_t> PartingMemory::recall(std::uint64_t key, std::size_t n_checks) const {
+  if (n_checks == 0) return 0;
+  const auto found = failed_.attempts.find(key);
   if (found == failed_.attempts.end()) return std::nullopt;
   const auto& [search, surroundings] = found->second;
   // A search that has run out of checks may end otherwise if it has more of them.
@@ -20,9 +20,9 @@ std::optional<std::size_t> PartingMemory::recall(const ContactPlace& place,
   return std::min(n_checks, search.n_checks);
 }
 
-void PartingMemory::note(const ContactPlace& place, const FailedPartings::Search& search) {
+void PartingMemory::note(std::uint64_t key, const FailedPartings::Search& search) {
   failed_.attempts.insert_or_assign(
-      hash_of(place),
+      key,
       FailedPartings::Attempt{.search = search, .surroundings = hash_of_faces_in(search.region)});
 }
 
@@ -30,7 +30,7 @@ std::uint64_t PartingMemory::hash_of(std::uint64_t hash, Index vertex) const {
   return hash_vertex(hash, tracked_.vertex_keys[vertex], mesh_.position(vertex));
 }
 
-std::uint64_t PartingMemory::hash_of(const ContactPlace& place) const {
+std::uint64_t PartingMemory::key_of(const ContactPlace& place) const {
   auto hash = std::bit_cast<std::uint64_t>(first_step_);
   for (const auto& unit : place.units) {
     hash = mix_hash(hash, unit.size());

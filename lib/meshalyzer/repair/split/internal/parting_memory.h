@@ -31,7 +31,7 @@ struct FailedPartings {
     std::uint64_t surroundings = 0;
   };
 
-  /// By a hash of the place.
+  /// By PartingMemory::key_of().
   std::unordered_map<std::uint64_t, Attempt> attempts;
 };
 
@@ -48,24 +48,26 @@ class PartingMemory {
                 double first_step)
       : failed_(failed), tracked_(tracked), mesh_(mesh), first_step_(first_step) {}
 
-  /// Tells whether a place has failed before, with whatever faces near it.
-  [[nodiscard]] bool has_failed(const ContactPlace& place) const {
-    return failed_.attempts.count(hash_of(place)) != 0;
+  /// Returns a hash that stands for a place until one of its vertices is moved.
+  [[nodiscard]] std::uint64_t key_of(const ContactPlace& place) const;
+
+  /// Tells whether a place, by its key, has failed before, with whatever faces near it.
+  [[nodiscard]] bool has_failed(std::uint64_t key) const {
+    return failed_.attempts.count(key) != 0;
   }
 
-  /// Returns the number of pairs that a search would check in vain; nothing if that is not known.
+  /// Returns the number of pairs that a search at a place, by its key, would check in vain; nothing
+  /// if that is not known.
   ///
   /// @param n_checks     The number of pairs that may be checked.
   /// @complexity         O(log #F + k), k the number of faces in the region of the search.
-  [[nodiscard]] std::optional<std::size_t> recall(const ContactPlace& place,
-                                                  std::size_t n_checks) const;
+  [[nodiscard]] std::optional<std::size_t> recall(std::uint64_t key, std::size_t n_checks) const;
 
-  /// Notes that a search has found no move.
-  void note(const ContactPlace& place, const FailedPartings::Search& search);
+  /// Notes that a search at a place, by its key, has found no move.
+  void note(std::uint64_t key, const FailedPartings::Search& search);
 
  private:
   [[nodiscard]] std::uint64_t hash_of(std::uint64_t hash, Index vertex) const;
-  [[nodiscard]] std::uint64_t hash_of(const ContactPlace& place) const;
   [[nodiscard]] std::uint64_t hash_of_faces_in(const Box3& region) const;
 
   FailedPartings& failed_;
