@@ -1,13 +1,16 @@
 #include "meshalyzer/repair/facets/internal/facet_shape.h"
-#include "meshalyzer/repair/holes/internal/fill_loop.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/split/internal/contact_places.h"
+#include "meshalyzer/repair/split/internal/tip_lid.h"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -18,152 +21,192 @@ namespace {
 constexpr double kLargestShareOfEdge = 0.25;
 constexpr double kShareOfDeviation = 0.5;
 /// The shortest tips have this share of the largest length. Longer ones are tried if shorter ones
-/// cannot be closed or would leave flat faces, each longer by this factor.
+/// would leave flat faces, each longer by this factor.
 constexpr double kShortestShare = 0x1p-9;
 constexpr double kLongerBy = 8.0;
 /// As many vertices at a place are tried at most.
 constexpr std::size_t kMostUnits = 4;
 constexpr std::size_t kMostFacesAtTip = 256;
 
-/// The faces round a vertex, cut off near it.
+/// The faces round a vertex, in the order in which they surround it.
 struct Tip {
   Index vertex = kNoIndex;
-  /// By index into the soup.
+  /// By index into the soup: face i has the corners `vertex`, around[i] and around[i + 1].
   std::vector<Index> faces;
-  /// What is left of the faces, each with the face that it is a part of.
-  std::vector<std::pair<Triangle, Index>> sides;
-  /// By number: the point on the edge to each vertex around.
-  std::map<Index, Index> point_at;
+  std::vector<Index> around;
+
+  [[nodiscard]] std::size_t after(std::size_t i) const { return (i + 1) % faces.size(); }
 };
 
-/// Cuts one vertex at each place off.
+/// What a tip is replaced by: points on its edges, in the order of Tip::around, and a lid.
+struct CutTip {
+  std::vector<Vec3> points;
+  /// By number of the points.
+  std::vector<Triangle> lid;
+};
+
+/// Cuts off one vertex at each place.
 class TipCutter {
  public:
   TipCutter(const PassInput& input, const ContactPlaces& contacts)
       : input_(input),
         contacts_(contacts),
         soup_(input.mesh.soup()),
-        is_used_(soup_.n_faces(), 0),
-        trimmed_(bare(soup_)) {}
+        is_used_(soup_.n_faces(), 0) {}
 
-  /// @param rank   The number of the unit that is cut off at each place, from the last.
-  /// @param share  The share of the longest possible tip.
-  PassResult run(std::size_t rank, double share) {
-    for (const ContactPlace& place : contacts_.places) {
-      if (rank >= place.units.size()) continue;
-      const std::vector<Index>& unit = place.units[place.units.size() - 1 - rank];
-      if (unit.size() == 1) cut_off(unit.front(), share);
-    }
-    if (tips_.empty()) return {};
-    close();
+  PassResult run() {
+    for (const ContactPlace& place : contacts_.places) cut_off_one(place);
     return std::move(result_);
   }
 
  private:
-  [[nodiscard]] static Soup bare(const Soup& soup) {
-    Soup result;
-    result.positions = soup.positions;
-    result.triangles = soup.triangles;
-    return result;
+  /// Cuts off one of the last vertices of a place, which are the copies.
+  void cut_off_one(const ContactPlace& place) {
+    const std::size_t n_units = place.units.size();
+    for (std::size_t rank = 0; rank < std::min(n_units, kMostUnits); ++rank) {
+      const std::vector<Index>& unit = place.units[n_units - 1 - rank];
+      if (unit.size() != 1) continue;
+      const std::optional<Tip> tip = tip_at(unit.front());
+      if (!tip) continue;
+      const std::vector<Vec3> others = others_at(place, tip->vertex);
+      for (double share = kShortestShare; share <= 1.0; share *= kLongerBy) {
+        const std::optional<CutTip> cut = cut_off(*tip, share, others);
+        if (!cut || leaves_flat_faces(*tip, *cut)) continue;
+        propose(*tip, *cut);
+        return;
+      }
+    }
   }
 
-  void cut_off(Index vertex, double share) {
-    const auto faces = contacts_.incident.faces(contacts_.incident.entry_of(vertex));
-    const bool is_taken = std::any_of(faces.begin(), faces.end(), [&](Index face) {
-      return is_used_[face] != 0 || input_.limits.has_fixed_corner(input_.tracked, face);
-    });
-    if (is_taken || faces.size() > kMostFacesAtTip) return;
-    Tip tip{.vertex = vertex, .faces = {faces.begin(), faces.end()}, .sides = {}, .point_at = {}};
-    const auto n_points = trimmed_.positions.size();
-    for (const Index face : faces) {
-      Triangle t = soup_.triangles[face];
-      std::rotate(t.begin(), std::find(t.begin(), t.end(), vertex), t.end());
-      const auto a = point_on_edge(tip, t[1], share);
-      const auto b = point_on_edge(tip, t[2], share);
-      if (!a || !b) return trimmed_.positions.resize(n_points);
-      tip.sides.emplace_back(Triangle{t[1], t[2], *b}, face);
-      tip.sides.emplace_back(Triangle{t[1], *b, *a}, face);
-    }
-    // Round the vertex of a closed fan there are as many vertices as faces.
-    if (tip.point_at.size() != faces.size()) return trimmed_.positions.resize(n_points);
-    for (const Index face : faces) {
-      is_used_[face] = 1;
-      trimmed_.triangles[face] = kNoTriangle;
-    }
-    for (const auto& [side, face] : tip.sides) trimmed_.triangles.push_back(side);
-    tips_.push_back(std::move(tip));
+  [[nodiscard]] std::span<const Index> faces_round(Index vertex) const {
+    return contacts_.incident.faces(contacts_.incident.entry_of(vertex));
   }
 
-  /// Returns the number of the point where an edge is cut off; nothing if the edge is too short.
-  std::optional<Index> point_on_edge(Tip& tip, Index other, double share) {
-    const auto found = tip.point_at.find(other);
-    if (found != tip.point_at.end()) return found->second;
-    const Vec3& from = soup_.positions[tip.vertex];
+  /// Returns the corners of a face, with one of them first.
+  [[nodiscard]] Triangle corners_from(Index face, Index first) const {
+    Triangle t = soup_.triangles[face];
+    std::rotate(t.begin(), std::find(t.begin(), t.end(), first), t.end());
+    return t;
+  }
+
+  /// Returns the tip of a vertex; nothing if it may not be cut off, or if its faces are no fan of
+  /// one orientation that surrounds it.
+  [[nodiscard]] std::optional<Tip> tip_at(Index vertex) const {
+    const std::span<const Index> faces = faces_round(vertex);
+    if (faces.size() < 3 || faces.size() > kMostFacesAtTip) return std::nullopt;
+    std::map<Index, Index> face_from;
+    for (const Index face : faces) {
+      const bool is_taken =
+          is_used_[face] != 0 || input_.limits.has_fixed_corner(input_.tracked, face);
+      if (is_taken || !face_from.emplace(corners_from(face, vertex)[1], face).second) {
+        return std::nullopt;
+      }
+    }
+    Tip tip{.vertex = vertex, .faces = {}, .around = {}};
+    auto next = face_from.begin();
+    do {
+      tip.around.push_back(next->first);
+      tip.faces.push_back(next->second);
+      next = face_from.find(corners_from(next->second, vertex)[2]);
+      if (next == face_from.end()) return std::nullopt;
+    } while (next->first != tip.around.front() && tip.faces.size() < faces.size());
+    const bool surrounds = next->first == tip.around.front() && tip.faces.size() == faces.size();
+    return surrounds ? std::optional(std::move(tip)) : std::nullopt;
+  }
+
+  /// Returns the other corners of the faces round the other vertices at a place.
+  [[nodiscard]] std::vector<Vec3> others_at(const ContactPlace& place, Index vertex) const {
+    std::vector<Vec3> others;
+    for (const std::vector<Index>& unit : place.units) {
+      for (const Index v : unit) {
+        if (v == vertex) continue;
+        for (const Index face : faces_round(v)) {
+          const Triangle t = corners_from(face, v);
+          others.insert(others.end(), {soup_.positions[t[1]], soup_.positions[t[2]]});
+        }
+      }
+    }
+    return others;
+  }
+
+  /// Cuts a tip off at a share of the longest possible lengths; nothing if an edge is too short for
+  /// that, or if no lid is found.
+  [[nodiscard]] std::optional<CutTip> cut_off(const Tip& tip, double share,
+                                              std::span<const Vec3> others) const {
+    CutTip cut;
+    for (const Index other : tip.around) {
+      const std::optional<Vec3> point = point_on_edge(tip.vertex, other, share);
+      if (!point) return std::nullopt;
+      cut.points.push_back(*point);
+    }
+    std::optional<std::vector<Triangle>> lid =
+        close_tip(soup_.positions[tip.vertex], cut.points, others);
+    if (!lid) return std::nullopt;
+    cut.lid = std::move(*lid);
+    return cut;
+  }
+
+  /// Returns the point where an edge is cut off; nothing if the edge is too short.
+  [[nodiscard]] std::optional<Vec3> point_on_edge(Index vertex, Index other, double share) const {
+    const Vec3& from = soup_.positions[vertex];
     const Vec3 edge = soup_.positions[other] - from;
     const double of_deviation = kShareOfDeviation * input_.limits.max_deviation / edge.stableNorm();
     const Vec3 point = from + share * std::min(kLargestShareOfEdge, of_deviation) * edge;
     if (point == from || point == soup_.positions[other]) return std::nullopt;
-    const auto number = static_cast<Index>(trimmed_.positions.size());
-    trimmed_.positions.push_back(point);
-    tip.point_at.emplace(other, number);
-    return number;
+    return point;
   }
 
-  /// Closes the tips that were cut off, and proposes those that can be closed.
-  void close() {
-    const PreparedMesh mesh(trimmed_);
-    const HoleLoops found = find_hole_loops(mesh);
-    const ExistingEdges existing(mesh, found.loops);
-    const FillTask task{.mesh = mesh,
-                        .existing = existing,
-                        .degeneracy = input_.tolerances.degeneracy,
-                        .shape = FillShape::Linear,
-                        .wants_to_stop = input_.wants_to_stop};
-    std::map<Index, const HoleLoop*> loop_at;
-    for (const HoleLoop& loop : found.loops) loop_at[loop.vertices.front()] = &loop;
-    for (const Tip& tip : tips_) {
-      for (const auto& [other, point] : tip.point_at) {
-        const auto loop = loop_at.find(point);
-        if (loop == loop_at.end() || loop->second->size() != tip.faces.size()) continue;
-        const Filling lid = fill_loop(task, {.loop = *loop->second, .bridges = {}});
-        if (lid.patch && !makes_flat_faces(tip, *lid.patch)) propose(tip, *lid.patch);
-      }
-    }
+  /// Returns the two triangles that are left of face i of a tip. Points are numbered after the
+  /// vertices, from `first_point`.
+  [[nodiscard]] static std::array<Triangle, 2> sides_of(const Tip& tip, std::size_t i,
+                                                        Index first_point) {
+    const Index a = tip.around[i];
+    const Index b = tip.around[tip.after(i)];
+    const Index point_a = first_point + static_cast<Index>(i);
+    const Index point_b = first_point + static_cast<Index>(tip.after(i));
+    return {{{a, b, point_b}, {a, point_b, point_a}}};
   }
 
   /// Tells whether more of the new faces than of those that they replace are flat.
-  [[nodiscard]] bool makes_flat_faces(const Tip& tip, const Patch& lid) const {
+  [[nodiscard]] bool leaves_flat_faces(const Tip& tip, const CutTip& cut) const {
+    const auto n_vertices = static_cast<Index>(soup_.n_vertices());
+    const auto position = [&](Index v) {
+      return v < n_vertices ? soup_.positions[v] : cut.points[v - n_vertices];
+    };
     const auto is_flat = [&](const Corners& corners) {
       return !measure_facet(corners).is_sound(input_.tolerances.degeneracy);
     };
-    const auto n_old = std::count_if(tip.faces.begin(), tip.faces.end(),
-                                     [&](Index face) { return is_flat(corners_of(soup_, face)); });
-    const auto n_sides = std::count_if(tip.sides.begin(), tip.sides.end(), [&](const auto& side) {
-      return is_flat(corners_of(trimmed_, {}, side.first));
-    });
-    const auto n_of_lid =
-        std::count_if(lid.triangles.begin(), lid.triangles.end(),
-                      [&](const Triangle& t) { return is_flat(corners_of(trimmed_, lid, t)); });
-    return n_sides + n_of_lid > n_old;
+    std::size_t n_old = 0;
+    std::size_t n_new = 0;
+    for (std::size_t i = 0; i < tip.faces.size(); ++i) {
+      n_old += is_flat(corners_of(soup_, tip.faces[i])) ? 1 : 0;
+      for (const auto& [a, b, c] : sides_of(tip, i, n_vertices)) {
+        n_new += is_flat({position(a), position(b), position(c)}) ? 1 : 0;
+      }
+    }
+    for (const auto& [a, b, c] : cut.lid) {
+      n_new += is_flat({cut.points[a], cut.points[b], cut.points[c]}) ? 1 : 0;
+    }
+    return n_new > n_old;
   }
 
-  void propose(const Tip& tip, const Patch& lid) {
+  void propose(const Tip& tip, const CutTip& cut) {
     Edits& edits = result_.edits;
     const Index op = edits.begin_operation();
-    std::map<Index, Index> number_of;
-    const auto add = [&](Triangle t, Index prototype) {
-      for (Index& v : t) {
-        if (v < soup_.n_vertices()) continue;
-        const auto next = static_cast<Index>(soup_.n_vertices() + edits.added_vertices.size());
-        const auto [entry, is_new] = number_of.emplace(v, next);
-        if (is_new) edits.added_vertices.push_back({op, position_of(trimmed_, lid, v)});
-        v = entry->second;
+    const auto first_point = static_cast<Index>(soup_.n_vertices() + edits.added_vertices.size());
+    for (const Vec3& point : cut.points) edits.added_vertices.push_back({op, point});
+    for (std::size_t i = 0; i < tip.faces.size(); ++i) {
+      const Index face = tip.faces[i];
+      is_used_[face] = 1;
+      edits.removed_faces.push_back({op, face});
+      for (const Triangle& side : sides_of(tip, i, first_point)) {
+        edits.added_faces.push_back({.op = op, .corners = side, .prototype = face});
       }
-      edits.added_faces.push_back({.op = op, .corners = t, .prototype = prototype});
-    };
-    for (const Index face : tip.faces) edits.removed_faces.push_back({op, face});
-    for (const auto& [side, face] : tip.sides) add(side, face);
-    for (const Triangle& t : lid.triangles) add(t, tip.faces.front());
+    }
+    for (Triangle t : cut.lid) {
+      for (Index& v : t) v += first_point;
+      edits.added_faces.push_back({.op = op, .corners = t, .prototype = tip.faces.front()});
+    }
   }
 
   const PassInput& input_;
@@ -171,9 +214,6 @@ class TipCutter {
   const Soup& soup_;
   /// #faces: 1 for those of tips.
   std::vector<std::uint8_t> is_used_;
-  std::vector<Tip> tips_;
-  /// The mesh without the tips.
-  Soup trimmed_;
   PassResult result_;
 };
 
@@ -183,13 +223,7 @@ PassResult cut_off_tips(const PassInput& input) {
   if (input.limits.groups == Groups::Faces || !(input.limits.max_deviation > 0.0)) return {};
   const ContactPlaces contacts = find_contact_places(input.mesh);
   if (contacts.places.empty()) return {};
-  for (std::size_t rank = 0; rank < kMostUnits; ++rank) {
-    for (double share = kShortestShare; share <= 1.0; share *= kLongerBy) {
-      PassResult result = TipCutter(input, contacts).run(rank, share);
-      if (!result.edits.empty()) return result;
-    }
-  }
-  return {};
+  return TipCutter(input, contacts).run();
 }
 
 }  // namespace meshalyzer
