@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 namespace meshalyzer {
@@ -176,19 +175,27 @@ bool CuttingRounds::cut_first_round() {
 bool CuttingRounds::cut_later_round() {
   if (new_faces_.empty()) return false;
   const CutMesh cut = build(soup_);
-  const PairLimits limits{.max_tested = kMoreTests + kTestsAFace * new_faces_.size(),
-                          .wants_to_stop = {}};
   std::optional<FaceTree> tree;
-  if (is_worth_a_tree(new_faces_.size(), soup_.n_faces())) tree.emplace(cut);
-  FoundPairs found = tree ? find_self_intersections_of(cut, *tree, new_faces_, limits)
-                          : find_self_intersections_of(cut, soup_, new_faces_, limits);
+  if (!*found_) *found_ = search_later_round(cut, tree);
+  const FoundPairs& found = **found_;
   if (!found.is_complete) {
     give_up_faces(new_faces_);
     return false;
   }
   if (found.listed.empty()) return false;
   if (!tree) tree.emplace(cut);
-  return cut_pairs(cut, *tree, std::move(found.listed));
+  return cut_pairs(cut, *tree, found.listed);
+}
+
+FoundPairs CuttingRounds::search_later_round(const CutMesh& cut,
+                                             std::optional<FaceTree>& tree) const {
+  const PairLimits limits{.max_tested = kMoreTests + kTestsAFace * new_faces_.size(),
+                          .wants_to_stop = input_.wants_to_stop};
+  if (!is_worth_a_tree(new_faces_.size(), soup_.n_faces())) {
+    return find_self_intersections_of(cut, soup_, new_faces_, limits);
+  }
+  tree.emplace(cut);
+  return find_self_intersections_of(cut, *tree, new_faces_, limits);
 }
 
 bool CuttingRounds::cut_pairs(const CutMesh& cut, const FaceTree& tree, Pairs pairs) {
@@ -326,6 +333,7 @@ void CuttingRounds::take(RoundedFaces faces) {
   for (Index face = 0; face < faces.ages.size(); ++face) {
     if (faces.ages[face] == FaceAge::New) new_faces_.push_back(face);
   }
+  found_ = std::make_shared<std::optional<FoundPairs>>();
 }
 
 RoundedFaces CuttingRounds::made_faces() {

@@ -6,10 +6,13 @@
 #include "meshalyzer/arrangement/rounded_faces.h"
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/repair/cut/internal/cut_surface.h"
+#include "meshalyzer/spatial/face_tree.h"
+#include "meshalyzer/spatial/pair_limits.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -78,8 +81,13 @@ class CuttingRounds {
   bool cut_round();
   /// Searches among all faces.
   bool cut_first_round();
-  /// Searches for what the new faces intersect.
+  /// Cuts what the new faces intersect, and searches for it first if no copy has.
   bool cut_later_round();
+  /// Returns what the new faces intersect.
+  ///
+  /// @param tree  Receives a tree over all faces if the search has built one.
+  [[nodiscard]] FoundPairs search_later_round(const CutMesh& cut,
+                                              std::optional<FaceTree>& tree) const;
   /// Cuts those of the pairs that are to be cut, or gives it up.
   bool cut_pairs(const CutMesh& cut, const FaceTree& tree, Pairs pairs);
 
@@ -132,6 +140,9 @@ class CuttingRounds {
   std::vector<Index> origins_;
   /// The faces that the last round has made, ascending, without those that are left.
   std::vector<Index> new_faces_;
+  /// What they intersect, once it is known. Copies have it in common as long as they have the same
+  /// surface, so that only one of them searches.
+  std::shared_ptr<std::optional<FoundPairs>> found_;
   bool removes_slivers_ = false;
   double sliver_growth_ = 1.0;
   int n_sliver_rounds_ = 0;
