@@ -1,3 +1,4 @@
+#include "meshalyzer/repair/edits/internal/closed_fan.h"
 #include "meshalyzer/repair/facets/internal/facet_shape.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/split/internal/contact_places.h"
@@ -7,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -21,7 +21,7 @@ namespace {
 constexpr double kLargestShareOfEdge = 0.25;
 constexpr double kShareOfDeviation = 0.5;
 /// The shortest tips have this share of the largest length. Longer ones are tried if shorter ones
-/// would leave flat faces, each longer by this factor.
+/// cannot be closed or would leave flat faces, each longer by this factor.
 constexpr double kShortestShare = 0x1p-9;
 constexpr double kLongerBy = 8.0;
 /// As many vertices at a place are tried at most.
@@ -82,36 +82,24 @@ class TipCutter {
     return contacts_.incident.faces(contacts_.incident.entry_of(vertex));
   }
 
-  /// Returns the corners of a face, with one of them first.
-  [[nodiscard]] Triangle corners_from(Index face, Index first) const {
-    Triangle t = soup_.triangles[face];
-    std::rotate(t.begin(), std::find(t.begin(), t.end(), first), t.end());
-    return t;
-  }
-
   /// Returns the tip of a vertex; nothing if it may not be cut off, or if its faces are no fan of
   /// one orientation that surrounds it.
   [[nodiscard]] std::optional<Tip> tip_at(Index vertex) const {
     const std::span<const Index> faces = faces_round(vertex);
-    if (faces.size() < 3 || faces.size() > kMostFacesAtTip) return std::nullopt;
-    std::map<Index, Index> face_from;
-    for (const Index face : faces) {
-      const bool is_taken =
-          is_used_[face] != 0 || input_.limits.has_fixed_corner(input_.tracked, face);
-      if (is_taken || !face_from.emplace(corners_from(face, vertex)[1], face).second) {
-        return std::nullopt;
-      }
-    }
+    const bool is_taken = std::any_of(faces.begin(), faces.end(), [&](Index face) {
+      return is_used_[face] != 0 || input_.limits.has_fixed_corner(input_.tracked, face);
+    });
+    if (is_taken || faces.size() > kMostFacesAtTip) return std::nullopt;
+    std::vector<Triangle> triangles;
+    for (const Index face : faces) triangles.push_back(soup_.triangles[face]);
+    const std::optional<std::vector<Index>> fan = closed_fan(triangles, vertex);
+    if (!fan) return std::nullopt;
     Tip tip{.vertex = vertex, .faces = {}, .around = {}};
-    auto next = face_from.begin();
-    do {
-      tip.around.push_back(next->first);
-      tip.faces.push_back(next->second);
-      next = face_from.find(corners_from(next->second, vertex)[2]);
-      if (next == face_from.end()) return std::nullopt;
-    } while (next->first != tip.around.front() && tip.faces.size() < faces.size());
-    const bool surrounds = next->first == tip.around.front() && tip.faces.size() == faces.size();
-    return surrounds ? std::optional(std::move(tip)) : std::nullopt;
+    for (const Index i : *fan) {
+      tip.faces.push_back(faces[i]);
+      tip.around.push_back(with_first(triangles[i], vertex)[1]);
+    }
+    return tip;
   }
 
   /// Returns the other corners of the faces round the other vertices at a place.
@@ -121,7 +109,7 @@ class TipCutter {
       for (const Index v : unit) {
         if (v == vertex) continue;
         for (const Index face : faces_round(v)) {
-          const Triangle t = corners_from(face, v);
+          const Triangle t = with_first(soup_.triangles[face], v);
           others.insert(others.end(), {soup_.positions[t[1]], soup_.positions[t[2]]});
         }
       }

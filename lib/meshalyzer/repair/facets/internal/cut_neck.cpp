@@ -3,6 +3,7 @@
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/base/triangle_vertices.h"
+#include "meshalyzer/repair/edits/internal/closed_fan.h"
 #include "meshalyzer/repair/facets/internal/face_changes.h"
 #include "meshalyzer/repair/facets/internal/link_condition.h"
 
@@ -61,27 +62,6 @@ std::optional<Sides> sides_of_ring(const WorkingMesh& mesh, const Ring& ring) {
     }
   }
   return sides;
-}
-
-/// Tells whether those of some faces that have a vertex are one closed fan round it.
-bool are_closed_fan(const std::vector<Triangle>& faces, Index vertex) {
-  std::vector<std::pair<Index, Index>> next;
-  for (Triangle t : faces) {
-    if (!has_corner(t, vertex)) continue;
-    while (t[0] != vertex) std::rotate(t.begin(), t.begin() + 1, t.end());
-    next.emplace_back(t[1], t[2]);
-  }
-  std::sort(next.begin(), next.end());
-  if (next.size() < 3) return false;
-  std::size_t n_passed = 0;
-  Index at = next.front().first;
-  do {
-    const auto found = std::lower_bound(next.begin(), next.end(), std::pair{at, Index{0}});
-    if (found == next.end() || found->first != at) return false;
-    at = found->second;
-    ++n_passed;
-  } while (at != next.front().first && n_passed < next.size());
-  return at == next.front().first && n_passed == next.size();
 }
 
 /// Each distance by which a copy is shifted is so many times the one tried before.
@@ -198,8 +178,7 @@ class Neck {
         faces.push_back(change_of_face(mesh_, step, f, t));
         if (!faces.back().goes) stay.push_back(t);
       }
-      if (!are_closed_fan(stay, closing.kept.at(side)) ||
-          !are_closed_fan(stay, closing.third.at(side))) {
+      if (!closed_fan(stay, closing.kept.at(side)) || !closed_fan(stay, closing.third.at(side))) {
         return {.outcome = MendOutcome::Topology};
       }
     }
