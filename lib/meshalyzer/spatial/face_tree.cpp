@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
@@ -27,7 +28,7 @@ constexpr float kFarPlace = 2.0F;
 
 /// Returns a box round most of the corners of faces: that of the middle three quarters of a sample
 /// along each axis, and four times its width round it. It is empty if these are at one place.
-Box3 box_of_most(std::span<const Triangle> triangles, std::span<const Vec3> points) {
+Box3 box_of_most(std::span<const Triangle> triangles, const FaceTree& tree) {
   const std::size_t step = triangles.size() / kSampledTriangles | 1U;
   std::vector<double> sample;
   Vec3 low;
@@ -35,7 +36,7 @@ Box3 box_of_most(std::span<const Triangle> triangles, std::span<const Vec3> poin
   for (Eigen::Index k = 0; k < 3; ++k) {
     sample.clear();
     for (std::size_t i = 0; i < triangles.size(); i += step) {
-      sample.push_back(points[triangles[i][i % 3]][k]);
+      sample.push_back(tree.placed(triangles[i][i % 3])[k]);
     }
     std::sort(sample.begin(), sample.end());
     low[k] = sample[sample.size() / 8];
@@ -100,14 +101,7 @@ std::vector<EightBoxes> boxes_above(std::span<const EightBoxes> below) {
 }
 
 FaceTree::FaceTree(const CutMesh& cut) : points_(cut.mesh.points(), cut.mesh.n_vertices()) {
-  {
-    const std::vector<Triangle> triangles = unbuild(cut);
-    choose_map(triangles);
-    order_faces(triangles);
-  }
-  box_faces();
-  box_levels();
-  mark_far_leaves();
+  make(unbuild(cut));
 }
 
 FaceTree::FaceTree(const CutMesh& cut, std::span<const Index> mesh_faces)
@@ -117,9 +111,25 @@ FaceTree::FaceTree(const CutMesh& cut, std::span<const Index> mesh_faces)
   for (const Index f : mesh_faces) {
     triangles.push_back(unbuild_face(cut, FaceHandle(static_cast<int>(f))));
   }
+  make(std::move(triangles));
+  for (Index& face : mesh_faces_) face = mesh_faces[face];
+}
+
+FaceTree::FaceTree(const FaceTree& other, const BoxFrame& frame)
+    : points_(other.points_),
+      frame_(frame),
+      margin_(frame.rounding(other.bounds_)),
+      bounds_(other.bounds_) {
+  std::vector<Triangle> triangles(other.n_faces());
+  for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i] = other.triangle(i);
+  make(std::move(triangles));
+  for (Index& face : mesh_faces_) face = other.mesh_faces_[face];
+}
+
+void FaceTree::make(std::vector<Triangle> triangles) {
   choose_map(triangles);
   order_faces(triangles);
-  for (Index& face : mesh_faces_) face = mesh_faces[face];
+  triangles = {};
   box_faces();
   box_levels();
   mark_far_leaves();
@@ -138,31 +148,41 @@ bool FaceTree::is_far(const Vec3& point) const {
 }
 
 TreeBox FaceTree::box_of(const Triangle& t) const {
-  const Vec3& a = points_[t[0]];
-  const Vec3& b = points_[t[1]];
-  const Vec3& c = points_[t[2]];
+  const Vec3 a = placed(t[0]);
+  const Vec3 b = placed(t[1]);
+  const Vec3 c = placed(t[2]);
   // The map is monotone, so it takes the corners of the box to those of the box of the places.
-  return {map(a.cwiseMin(b).cwiseMin(c)), map(a.cwiseMax(b).cwiseMax(c))};
+  return {map(a.cwiseMin(b).cwiseMin(c).array() - margin_),
+          map(a.cwiseMax(b).cwiseMax(c).array() + margin_)};
 }
 
-void FaceTree::choose_map(std::span<const Triangle> triangles) {
+Box3 FaceTree::box_of_places(std::span<const Triangle> triangles) const {
   const auto boxes = map_chunks<Box3>(triangles.size(), [&](Chunk chunk) {
     Box3 box;
     for (const Triangle& t : triangles.subspan(chunk.begin, chunk.end - chunk.begin)) {
-      for (const Index v : t) box.extend(points_[v]);
+      for (const Index v : t) box.extend(placed(v));
     }
     return box;
   });
-  for (const Box3& box : boxes) bounds_.extend(box);
-  if (!bounds_.isEmpty() && !choose_map_of_most(triangles)) set_map(bounds_);
+  Box3 all;
+  for (const Box3& box : boxes) all.extend(box);
+  return all;
+}
+
+void FaceTree::choose_map(std::span<const Triangle> triangles) {
+  const Box3 all = box_of_places(triangles);
+  if (!frame_) bounds_ = all;
+  if (!all.isEmpty() && !choose_map_of_most(triangles, all)) set_map(all);
 }
 
 /// Chooses the map for all but a few far faces. Does nothing and returns false if there are none.
-bool FaceTree::choose_map_of_most(std::span<const Triangle> triangles) {
-  const Box3 most = box_of_most(triangles, points_);
+///
+/// @param all  The box of all places.
+bool FaceTree::choose_map_of_most(std::span<const Triangle> triangles, const Box3& all) {
+  const Box3 most = box_of_most(triangles, *this);
   const auto half_width = [](const Box3& box) { return half_widths_of(box).maxCoeff(); };
-  if (most.isEmpty() || !(half_width(bounds_) > kMuchWider * half_width(most))) return false;
-  const auto is_outside = [&](Index v) { return !most.contains(points_[v]); };
+  if (most.isEmpty() || !(half_width(all) > kMuchWider * half_width(most))) return false;
+  const auto is_outside = [&](Index v) { return !most.contains(placed(v)); };
   const auto n_far = static_cast<std::size_t>(std::count_if(
       triangles.begin(), triangles.end(),
       [&](const Triangle& t) { return std::any_of(t.begin(), t.end(), is_outside); }));
@@ -184,7 +204,7 @@ void FaceTree::mark_far_leaves() {
   is_far_leaf_.assign(n_leaves(), 0);
   for (std::size_t slot = 0; slot < n_faces(); ++slot) {
     const Triangle t = triangle(slot);
-    if (std::any_of(t.begin(), t.end(), [&](Index v) { return is_far(points_[v]); })) {
+    if (std::any_of(t.begin(), t.end(), [&](Index v) { return is_far(placed(v)); })) {
       is_far_leaf_[slot / kTreeWidth] = 1;
     }
   }

@@ -2,11 +2,13 @@
 
 #include "meshalyzer/base/corners.h"
 #include "meshalyzer/mesh/side_table.h"
+#include "meshalyzer/spatial/box_frame.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,8 +27,8 @@ struct TreeBox {
 
 /// Eight axis-aligned boxes side by side, so that one loop tests them all.
 ///
-/// Their coordinates are those of the mesh under a monotone map to float (see FaceTree), so boxes
-/// that meet in space meet here in spite of rounding.
+/// Their coordinates are those of the mesh in the tree's frame, under a monotone map to float (see
+/// FaceTree), so boxes that meet in space meet here in spite of rounding.
 struct alignas(32) EightBoxes {
   std::array<std::array<float, 8>, 3> min;
   std::array<std::array<float, 8>, 3> max;
@@ -66,6 +68,9 @@ struct alignas(32) EightFaces {
 /// those of the others, because in floats made for all of them the others would be one point. What
 /// lies outside is moved to the nearest place within -2 ... 2: that is monotone, too, and takes no
 /// two points farther apart.
+///
+/// The frame of the boxes is that of the file, or for a search among the tree's own faces a turned
+/// one, where map() and all else in the coordinates of boxes takes places in that frame (placed()).
 class FaceTree {
  public:
   /// @complexity O(#F log #F) time; 48 bytes a face.
@@ -74,6 +79,9 @@ class FaceTree {
   ///
   /// @param mesh_faces  Ascending, each once.
   FaceTree(const CutMesh& cut, std::span<const Index> mesh_faces);
+  /// Makes a tree over the faces of another one, with boxes along other axes. Everything but
+  /// bounds() that has coordinates is then in its frame.
+  FaceTree(const FaceTree& other, const BoxFrame& frame);
 
   [[nodiscard]] std::size_t n_faces() const { return mesh_faces_.size(); }
   [[nodiscard]] std::size_t n_leaves() const { return levels_.front().size(); }
@@ -94,6 +102,12 @@ class FaceTree {
   }
   [[nodiscard]] Index mesh_face(std::size_t slot) const { return mesh_faces_[slot]; }
   [[nodiscard]] const Vec3& point(Index file_vertex) const { return points_[file_vertex]; }
+  /// Returns the place of a vertex in the frame of the boxes: point() itself, or turned, with an
+  /// error that the boxes allow for.
+  [[nodiscard]] Vec3 placed(Index file_vertex) const {
+    const Vec3& p = points_[file_vertex];
+    return frame_ ? frame_->place_of(p) : p;
+  }
   /// Returns the positions of the corners of the face at a slot.
   [[nodiscard]] Corners corners(std::size_t slot) const {
     return corners_of(points_, triangle(slot));
@@ -120,6 +134,12 @@ class FaceTree {
     return {place(0), place(1), place(2)};
   }
 
+  /// Returns the box of a vertex: one place, but for a turned tree.
+  [[nodiscard]] TreeBox box_of_vertex(Index file_vertex) const {
+    const Vec3 place = placed(file_vertex);
+    return {map(place.array() - margin_), map(place.array() + margin_)};
+  }
+
   /// Maps a point likewise, and brings it to -farthest ... farthest along each axis.
   [[nodiscard]] std::array<float, 3> map_within(const Vec3& point, float farthest) const;
 
@@ -134,8 +154,10 @@ class FaceTree {
 
  private:
   [[nodiscard]] TreeBox box_of(const Triangle& t) const;
+  void make(std::vector<Triangle> triangles);
+  [[nodiscard]] Box3 box_of_places(std::span<const Triangle> triangles) const;
   void choose_map(std::span<const Triangle> triangles);
-  [[nodiscard]] bool choose_map_of_most(std::span<const Triangle> triangles);
+  [[nodiscard]] bool choose_map_of_most(std::span<const Triangle> triangles, const Box3& all);
   void set_map(const Box3& box);
   void order_faces(std::span<const Triangle> triangles);
   void box_faces();
@@ -143,6 +165,10 @@ class FaceTree {
   void mark_far_leaves();
 
   std::span<const Vec3> points_;
+  /// The frame of the boxes, if it is not that of the points, and by how much boxes are wider than
+  /// the rounded places of corners on each side.
+  std::optional<BoxFrame> frame_;
+  double margin_ = 0.0;
   Box3 bounds_;
   Vec3 centre_ = Vec3::Zero();
   double scale_ = 1.0;

@@ -52,8 +52,7 @@ Fan fan_of_leaf(const FaceTree& tree, std::size_t leaf, Index hub) {
   for (std::size_t slot = 8 * leaf; slot < end; ++slot) {
     for (const Index v : tree.triangle(slot)) {
       if (v == hub) continue;
-      const auto p = tree.map(tree.point(v));
-      extend(fan.rim, {p, p});
+      extend(fan.rim, tree.box_of_vertex(v));
     }
   }
   return fan;

@@ -1,6 +1,7 @@
 #include "meshalyzer/spatial/self_intersection.h"
 
 #include "meshalyzer/spatial/corner_angles.h"
+#include "meshalyzer/spatial/long_face_tree.h"
 #include "meshalyzer/spatial/pair_collector.h"
 #include "meshalyzer/spatial/proven_stars.h"
 #include "meshalyzer/spatial/self_intersection_search.h"
@@ -53,16 +54,18 @@ FoundPairs find_self_intersections(const CutMesh& cut, const FaceTree& tree,
 bool visit_self_intersections(const CutMesh& cut, const FaceTree& tree, const PairLimits& limits,
                               PairListener& listener) {
   if (tree.n_faces() == 0) return true;
-  const SlabTree slabs(tree);
-  const FanTree fans(tree);
+  const std::optional<FaceTree> turned = turned_for_long_faces(tree);
+  const FaceTree& searched = turned ? *turned : tree;
+  const SlabTree slabs(searched);
+  const FanTree fans(searched);
   const std::vector<std::uint8_t> proven = prove_stars(cut);
-  const CornerAngles angles(tree, proven);
-  const FaceGroups groups(cut, tree);
+  const CornerAngles angles(searched, proven);
+  const FaceGroups groups(cut, searched);
   // Only of bundles so many leaves are compared with each other that this pays.
   std::optional<SharedVertices> shared;
-  if (slabs.has_useful()) shared.emplace(tree, angles);
+  if (slabs.has_useful()) shared.emplace(searched, angles);
   return search_self_intersections({.cut = cut,
-                                    .tree = tree,
+                                    .tree = searched,
                                     .slabs = slabs,
                                     .fans = fans,
                                     .proven = proven,

@@ -3,11 +3,13 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/spatial/faces_near.h"
+#include "meshalyzer/spatial/long_face_tree.h"
 #include "meshalyzer/spatial/pair_collector.h"
 #include "meshalyzer/spatial/self_intersection_search.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 namespace meshalyzer {
 namespace {
@@ -55,12 +57,15 @@ FoundPairs find_self_intersections_of(const CutMesh& cut, const FaceTree& tree,
   if (tree.n_faces() == 0 || faces.empty()) {
     return {};
   }
-  const SlabTree slabs(tree);
-  const FanTree fans(tree);
-  const std::vector<std::uint8_t> wanted = lanes_of(tree, marked(cut.side, faces));
+  const std::optional<FaceTree> turned =
+      is_worth_a_tree(faces.size(), tree.n_faces()) ? turned_for_long_faces(tree) : std::nullopt;
+  const FaceTree& searched = turned ? *turned : tree;
+  const SlabTree slabs(searched);
+  const FanTree fans(searched);
+  const std::vector<std::uint8_t> wanted = lanes_of(searched, marked(cut.side, faces));
   PairCollector collector(limits.max_listed);
   const bool is_complete = search_self_intersections(
-      {.cut = cut, .tree = tree, .slabs = slabs, .fans = fans, .wanted = wanted}, limits,
+      {.cut = cut, .tree = searched, .slabs = slabs, .fans = fans, .wanted = wanted}, limits,
       collector);
   FoundPairs found = collector.take();
   found.is_complete = is_complete;

@@ -24,7 +24,7 @@ constexpr float kThin = 8.0F;
 constexpr float kSlack = 0x1p-19F;
 
 Vec3f mapped(const FaceTree& tree, Index v) {
-  const auto p = tree.map(tree.point(v));
+  const auto p = tree.map(tree.placed(v));
   return {p[0], p[1], p[2]};
 }
 
