@@ -1,5 +1,7 @@
 #include "meshalyzer/repair/replace/internal/unite_from_input.h"
 
+#include "meshalyzer/mesh/build.h"
+#include "meshalyzer/topology/components.h"
 #include "support/run_pass.h"
 #include "support/shapes.h"
 #include "unit/repair/repaired_meshes.h"
@@ -118,6 +120,24 @@ TEST_F(UniteFromInput, MakesShellsOfPartsWhosePatchesHideOthers) {
   const double walls = (80.0 - 0.75) * 0.5 * kMaxDeviation;
   EXPECT_LT(volume_of(mesh()), 1.125 + walls);
   EXPECT_GT(volume_of(mesh()), 1.125 + walls / 2);
+}
+
+TEST_F(UniteFromInput, MayMovePartsOutwardFirst) {
+  options_.solid = true;
+  // Three cubes in a row, with walls that coincide.
+  const Soup row = shapes::merged(shapes::merged(shapes::cube(), shapes::cube(1, {1, 0, 0})),
+                                  shapes::cube(1, {2, 0, 0}));
+  const UnitedFromInput united = unite(row, {.offset_share = 1.0 / 16.0});
+  EXPECT_NE(united.note.find("each broken part was moved outward"), std::string::npos);
+  EXPECT_TRUE(is_good(mesh()));
+  EXPECT_EQ(find_components(build(mesh())).count, 1U);
+  // Each wall has moved by a sixteenth to an eighth of the deviation, less a few thousandths.
+  const double least = 0.997 * kMaxDeviation / 16;
+  const double most = kMaxDeviation / 8;
+  EXPECT_GE(volume_of(mesh()), (3 + 2 * least) * (1 + 2 * least) * (1 + 2 * least));
+  EXPECT_LE(volume_of(mesh()), (3 + 2 * most) * (1 + 2 * most) * (1 + 2 * most));
+  EXPECT_GE(driver_->mesh().deviation(), least);
+  EXPECT_LE(driver_->mesh().deviation(), kMaxDeviation / 4);
 }
 
 TEST_F(UniteFromInput, LeavesAloneWhatIsGood) {

@@ -30,6 +30,10 @@ constexpr std::size_t kMostUnionsWithShells = 5;
 /// Where many shells lie above each other, thinner ones have this share of the thickness.
 constexpr double kThinner = 0.25;
 
+/// If no union is good, broken parts are moved outward by this share of the maximum deviation, and
+/// at most four times as far, before one is tried again.
+constexpr double kOffsetShare = 1.0 / 16.0;
+
 /// The thickness of solids made of sheets, as a fraction of the deviation that is left.
 constexpr std::array<double, 3> kSharesOfThickness{0.5, 0.05, 0.005};
 
@@ -57,10 +61,11 @@ class Guarantee {
     // A new surface, which would keep what is behind holes, needs a part of the deviation.
     const bool may_replace =
         max_deviation_ - driver_.mesh().deviation() >= kLeastShareLeft * max_deviation_;
-    const bool may_drop = options_.solid && !may_replace;
+    const auto behind_holes =
+        options_.solid && !may_replace ? BehindHoles::Dropped : BehindHoles::Kept;
     const bool is_done =
-        (options_.solid && may_replace && thicken()) ||
-        unite({.behind_holes = may_drop ? BehindHoles::Dropped : BehindHoles::Kept}) || join() ||
+        (options_.solid && may_replace && thicken()) || unite({.behind_holes = behind_holes}) ||
+        join() || unite_moved_outward(behind_holes) ||
         (may_drop_after_all() ? make_new_surface(may_replace) || unite_with_shells()
                               : unite_with_shells() || make_new_surface(may_replace));
     if (!is_done) note_failure();
@@ -136,7 +141,8 @@ class Guarantee {
     return is_kept;
   }
 
-  bool unite(const UnionChoice& choice) {
+  bool unite(UnionChoice choice) {
+    choice.offset_share = offset_share_;
     UnitedFromInput united = unite_from_input(driver_, options_, choice, union_memory_);
     if (!choice.shells) is_union_too_far_behind_holes_ = united.is_too_far_behind_holes;
     is_union_too_far_ = united.is_too_far;
@@ -144,6 +150,14 @@ class Guarantee {
     if (united.note.empty()) return false;
     notes_.push_back(std::move(united.note));
     return true;
+  }
+
+  /// If no union was good, unites the mesh after broken parts were moved outward, and so do all
+  /// unions from then on.
+  bool unite_moved_outward(BehindHoles behind_holes) {
+    if (is_union_too_far_) return false;
+    offset_share_ = kOffsetShare;
+    return unite({.behind_holes = behind_holes});
   }
 
   /// If a union was good but too far away, unites the mesh again, and keeps as thin shells the open
@@ -290,6 +304,8 @@ class Guarantee {
   /// What the last union has lost.
   LostBoundary lost_;
   UnionMemory union_memory_;
+  /// See UnionChoice.
+  double offset_share_ = 0.0;
   bool needs_larger_grid_ = false;
   std::string reason_;
   std::vector<std::string> notes_;

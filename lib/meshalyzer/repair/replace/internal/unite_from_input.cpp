@@ -7,6 +7,7 @@
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/replace/internal/broken_solids.h"
 #include "meshalyzer/repair/replace/internal/join_points.h"
+#include "meshalyzer/repair/replace/internal/offset_parts.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -129,7 +130,7 @@ class UnionFromInput {
               sheets_ == FillSheets::Yes && !fills_more_with_sheets(input, how.fill);
           if (has_same_patches || is_again_too_far_) return PassResult{};
           PassResult result = self_union(input, how);
-          if (!choice_.shells) {
+          if (!choice_.changes_parts()) {
             remember(input);
             losable_ = removed_walls(input.tracked, result.edits);
           }
@@ -140,6 +141,7 @@ class UnionFromInput {
       changes.push_back({"join at points", DefectCode::SelfIntersection,
                          [&](const PassInput& input) { return join_at_points(input, joined_); }});
     }
+    if (choice_.offset_share > 0.0) changes.insert(changes.begin(), moving_outward());
     if (choice_.shells) changes.insert(changes.begin(), thickening());
     const bool is_kept = driver_.run_trial(
         {.from_input = plan_before_cutting(options_, tolerances_),
@@ -171,15 +173,27 @@ class UnionFromInput {
     return leaves;
   }
 
+  [[nodiscard]] PlannedPass moving_outward() {
+    return {"move outward", DefectCode::SelfIntersection, [&](const PassInput& input) {
+              if (!choice_.shells) remember_all(input);
+              return offset_parts(input, choice_.offset_share * input.limits.max_deviation);
+            }};
+  }
+
   [[nodiscard]] PlannedPass thickening() {
     return {"thicken parts", DefectCode::Hole, [&](const PassInput& input) {
-              remember(input);
-              losable_ = whole_faces(input);
+              remember_all(input);
               shells_ = choose_shells(input, *choice_.shells);
               if (would_be_last_again()) measure_last();
               return thicken_parts(input, shells_.face_keys,
                                    choice_.shells->thickness_share * input.limits.max_deviation);
             }};
+  }
+
+  /// Remembers the mesh before its parts are changed, all of which may be lost.
+  void remember_all(const PassInput& input) {
+    remember(input);
+    losable_ = whole_faces(input);
   }
 
   /// Remembers the mesh that is replaced, unless it is the one that was replaced before.
@@ -213,10 +227,11 @@ class UnionFromInput {
     note_far(far);
     // It takes much longer to measure what is not lost. After a lost sample is too far, that
     // matters only if parts behind holes may be dropped, in this union or in one like it later.
-    const bool may_be_dropped = !choice_.shells || choice_.behind_holes == BehindHoles::Dropped;
+    const bool may_be_dropped =
+        !choice_.changes_parts() || choice_.behind_holes == BehindHoles::Dropped;
     if (!may_be_dropped && !far.empty()) return false;
-    distance_of_rest_ = choice_.shells ? driver_.mesh().measure_deviation_but_for_lost()
-                                       : driver_.mesh().measure_deviation();
+    distance_of_rest_ = choice_.changes_parts() ? driver_.mesh().measure_deviation_but_for_lost()
+                                                : driver_.mesh().measure_deviation();
     add_loss(state, loss, far);
     distance_ = choice_.behind_holes == BehindHoles::Dropped
                     ? distance_of_rest_
@@ -272,10 +287,15 @@ class UnionFromInput {
       note += "; parts that lie inside it, because holes are filled, were dropped, " +
               readable(distance_behind_holes_) + " from its surface at most";
     }
-    if (choice_.shells) note += "; parts that bound no solid were dropped";
+    if (choice_.changes_parts()) note += "; parts that bound no solid were dropped";
     if (!shells_.face_keys.empty()) {
       note += ", and parts that it would have lost or that hid these made hollow, with walls " +
               readable(choice_.shells->thickness_share * max_deviation) + " thick";
+    }
+    if (choice_.offset_share > 0.0) {
+      const double least = choice_.offset_share * max_deviation;
+      note += "; before that, each broken part was moved outward, by " + readable(least) + " to " +
+              readable(2.0 * least) + ", so that walls that touched overlap";
     }
     return note;
   }

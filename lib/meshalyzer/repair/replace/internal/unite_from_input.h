@@ -21,12 +21,18 @@ enum class BehindHoles : std::uint8_t { Kept, Dropped };
 /// What becomes of some parts of the mesh in unite_from_input().
 struct UnionChoice {
   BehindHoles behind_holes = BehindHoles::Kept;
-  /// If given, only samples of what bounds the solid by winding number tell what is lost; else also
-  /// all faces do that are not proved to be walls inside the solid.
   std::optional<ShellChoice> shells = {};
+  /// If above 0, this share of the maximum deviation is the least distance by which parts are moved
+  /// outward first, see offset_parts().
+  double offset_share = 0.0;
+
+  /// Tells whether parts are changed before they are united. Then only samples of what bounds the
+  /// solid by winding number tell what is lost; else also all faces do that are not proved to be
+  /// walls inside the solid.
+  [[nodiscard]] bool changes_parts() const { return shells || offset_share > 0.0; }
 };
 
-/// What a union of a mesh leaves for the next one, with other shells.
+/// What a union of a mesh leaves for the next one, with other shells or the same offset.
 struct UnionMemory {
   /// The mesh that it has replaced; unions with different shells start from the same one.
   std::shared_ptr<const ReplacedMesh> replaced;
