@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace meshalyzer {
 namespace {
@@ -104,7 +105,7 @@ Colour full_colour(double hue) {
 /// Returns a colour whose hue is a golden section of the circle away from the previous one, so that
 /// hues spread evenly however many there are; pale, saturated and dark colours alternate.
 Colour further_colour(std::size_t k) {
-  constexpr double kGoldenSection = 0.6180339887498949;
+  constexpr double kGoldenSection = std::numbers::phi - 1.0;
   const double turns = kGoldenSection * static_cast<double>(k);
   const Colour full = full_colour(turns - std::floor(turns));
   return k % 3 == 0 ? mixed(full, kWhite, 0.5) : k % 3 == 1 ? full : mixed(full, kBlack, 0.4);

@@ -47,7 +47,7 @@ struct OffsetSums {
     const double of_mean = kWeightOfMean * squares.trace();
     if (!(of_mean > 0.0)) return Vec3::Zero();
     const Eigen::Matrix3d matrix = squares + of_mean * Eigen::Matrix3d::Identity();
-    Vec3 step = matrix.llt().solve(normals + of_mean * normals.stableNormalized());
+    const Vec3 step = matrix.llt().solve(normals + of_mean * normals.stableNormalized());
     return step * std::min(1.0, kMostAtCorners / std::max(step.norm(), 1.0));
   }
 };
@@ -79,10 +79,11 @@ PassResult offset_parts(const PassInput& input, double least) {
     if (is_moved[components.of_face[f]] == 0) continue;
     const Index face = cut.side.faces[f];
     const Corners corners = corners_of(soup, face);
+    const double distance = distance_of_component(components.of_face[f], least);
     for (std::size_t k = 0; k < 3; ++k) {
       const Index v = soup.triangles[face][k];
       sums[v].add(angle_weighted_normal(corners, k));
-      distances[v] = distance_of_component(components.of_face[f], least);
+      distances[v] = distance;
     }
   }
   PassResult result;

@@ -14,7 +14,9 @@ namespace meshalyzer {
 /// most.
 ///
 /// @param least  A length above 0.
-/// @complexity   O(#F).
+/// @complexity   O(#E log #F + pairs), and the search for intersecting pairs if nobody has asked
+/// for
+///               them before.
 [[nodiscard]] PassResult offset_parts(const PassInput& input, double least);
 
 }  // namespace meshalyzer
