@@ -95,12 +95,38 @@ Soup walls_of_flat_box() {
   return walls;
 }
 
-TEST_F(UniteFromInput, MakesShellsOfPartsWhosePatchesHideOthers) {
-  options_.solid = true;
+/// These walls with a cube in one of them, and one in the middle, which is inside once the box has
+/// a top and a bottom.
+Soup walls_with_cubes() {
   const Soup in_wall = shapes::cube(1, {9.5, 0.2, 0.25});
   const Soup in_middle = shapes::cube(0.5, {-0.25, -0.25, 0.25});
-  const Soup soup = shapes::merged(walls_of_flat_box(), shapes::merged(in_wall, in_middle));
-  // Once the box has a top and a bottom, the cube in its middle is inside.
+  return shapes::merged(walls_of_flat_box(), shapes::merged(in_wall, in_middle));
+}
+
+TEST_F(UniteFromInput, RemembersWhatOnlyLosesPartsBehindHoles) {
+  options_.solid = true;
+  const Soup soup = walls_with_cubes();
+  EXPECT_TRUE(unite(soup).note.empty());
+  ASSERT_TRUE(memory_.with_parts_dropped);
+  const RejectedUnion rejected = *memory_.with_parts_dropped;
+  driver_->return_to(rejected.made);
+  EXPECT_TRUE(is_good(mesh()));
+  // Of the cube in a wall a half is inside, but for the quarter of it that is above the box; the
+  // other cube is the wall of a cavity.
+  EXPECT_NEAR(volume_of(mesh()), 400 + (1 - 0.5 * 0.75) - 0.125, 1e-9);
+  const Soup remembered = mesh();
+
+  const UnitedFromInput made_again = unite(soup, {.behind_holes = BehindHoles::Dropped});
+  EXPECT_FALSE(memory_.with_parts_dropped);
+  EXPECT_EQ(rejected.note, made_again.note);
+  EXPECT_EQ(rejected.deviation, driver_->mesh().deviation());
+  EXPECT_EQ(remembered.positions, mesh().positions);
+  EXPECT_EQ(remembered.triangles, mesh().triangles);
+}
+
+TEST_F(UniteFromInput, MakesShellsOfPartsWhosePatchesHideOthers) {
+  options_.solid = true;
+  const Soup soup = walls_with_cubes();
   UnitedFromInput united = unite(soup);
   EXPECT_TRUE(united.note.empty());
   EXPECT_TRUE(united.is_too_far);

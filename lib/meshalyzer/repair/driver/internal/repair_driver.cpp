@@ -139,7 +139,7 @@ bool RepairDriver::is_worth_trying_banned() const {
 
 void RepairDriver::set_checkpoint() {
   banned_ = {};
-  checkpoint_ = {mesh_.snapshot(), log_};
+  checkpoint_ = checkpoint();
   applied_.clear();
 }
 
@@ -173,8 +173,8 @@ void RepairDriver::start_from_input(const std::vector<PlannedPass>& plan) {
   return_to_input();
   static_cast<void>(run_rounds(plan));
   if (is_stopped_) return;
-  start_ = {std::move(names), {mesh_.snapshot(), log_}, applied_,
-            hopeless_,        costly_idle_runs_,        limits_.fixed_vertices};
+  start_ = {std::move(names), checkpoint(),      applied_,
+            hopeless_,        costly_idle_runs_, limits_.fixed_vertices};
 }
 
 std::optional<DefectInventory> RepairDriver::run_stage(const std::vector<PlannedPass>& plan,

@@ -97,6 +97,17 @@ class RepairDriver {
   /// @return Whether they were kept.
   bool run_trial(const Trial& trial);
 
+  /// A state to which the driver can return, as that from which a stage starts again.
+  struct Checkpoint {
+    MeasuredMesh::Snapshot mesh;
+    RepairLog log;
+  };
+
+  /// Returns the present state, which may be that of a trial.
+  [[nodiscard]] Checkpoint checkpoint() { return {mesh_.snapshot(), log_}; }
+  /// Returns to a state, from which nothing has been applied yet then.
+  void return_to(const Checkpoint& checkpoint);
+
   /// Returns the log until now.
   [[nodiscard]] const RepairLog& log() const { return log_; }
   /// Tells whether run_plan() was stopped.
@@ -143,12 +154,6 @@ class RepairDriver {
     OnWorse on_worse;
     /// If so many attempts end worse, the stage is given up.
     std::size_t max_attempts;
-  };
-
-  /// A state to which the driver can return, as that from which a stage starts again.
-  struct Checkpoint {
-    MeasuredMesh::Snapshot mesh;
-    RepairLog log;
   };
 
   /// A run of a pass that changed nothing: it would change nothing again until the mesh changes.
@@ -242,8 +247,6 @@ class RepairDriver {
            std::size_t attempt);
   /// Returns to the checkpoint; banned operations stay banned.
   void restart();
-  /// Returns to a state from which nothing has been applied yet.
-  void return_to(const Checkpoint& checkpoint);
   /// Returns to the input, and keeps the checkpoint.
   void return_to_input();
   /// Tells whether an operation that broke this rule is not tried again.

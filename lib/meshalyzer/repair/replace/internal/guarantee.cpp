@@ -104,7 +104,17 @@ class Guarantee {
 
   /// Tells whether a union failed only because parts behind holes were kept.
   [[nodiscard]] bool may_drop_after_all() const {
-    return options_.solid && is_union_too_far_behind_holes_;
+    return options_.solid && union_memory_.with_parts_dropped;
+  }
+
+  /// Takes this union after all.
+  bool drop_behind_holes() {
+    if (!may_drop_after_all()) return false;
+    const auto& [made, deviation, note] = *union_memory_.with_parts_dropped;
+    driver_.return_to(made);
+    driver_.mesh().raise_deviation(deviation);
+    notes_.push_back(note);
+    return true;
   }
 
   /// Makes thin solids of sheets, if the mesh consists of sheets only.
@@ -144,7 +154,6 @@ class Guarantee {
   bool unite(UnionChoice choice) {
     choice.offset_share = offset_share_;
     UnitedFromInput united = unite_from_input(driver_, options_, choice, union_memory_);
-    if (!choice.shells) is_union_too_far_behind_holes_ = united.is_too_far_behind_holes;
     is_union_too_far_ = united.is_too_far;
     lost_ = std::move(united.lost);
     if (united.note.empty()) return false;
@@ -208,15 +217,14 @@ class Guarantee {
   };
 
   /// Replaces what is broken by a new surface: as little as possible first, in the end all of the
-  /// input. Before that, a union is tried that drops parts behind holes.
+  /// input. Before that, a union may be taken that drops parts behind holes.
   ///
   /// @param may_replace  Tells whether what the passes have left may be replaced.
   bool make_new_surface(bool may_replace) {
     using Scope = ReplaceOptions::Scope;
     return (may_replace &&
             (replace_in_boxes() || replace(Scope::Broken) ||
-             (may_replace_more() && replace(Scope::Whole)) ||
-             (may_drop_after_all() && unite({.behind_holes = BehindHoles::Dropped})))) ||
+             (may_replace_more() && replace(Scope::Whole)) || drop_behind_holes())) ||
            replace_from_input();
   }
 
@@ -299,7 +307,6 @@ class Guarantee {
   const RepairOptions& options_;
   const Tolerances& tolerances_;
   double max_deviation_;
-  bool is_union_too_far_behind_holes_ = false;
   bool is_union_too_far_ = false;
   /// What the last union has lost.
   LostBoundary lost_;

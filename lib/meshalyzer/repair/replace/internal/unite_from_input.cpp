@@ -70,17 +70,14 @@ class UnionFromInput {
         memory_(memory) {}
 
   UnitedFromInput run() {
+    if (!choice_.shells) memory_.with_parts_dropped.reset();
     if (!may_unite()) return {};
     // A patch over a sheet encloses a region that the sheet does not mean as a solid, so that is
     // tried last.
     if (unite(FillSheets::No) || (options_.solid && !is_too_far_ && unite(FillSheets::Yes))) {
       return {.note = what_was_done()};
     }
-    return {.note = "",
-            .is_too_far_behind_holes =
-                is_too_far_ && distance_of_rest_ <= driver_.mesh().max_deviation(),
-            .is_too_far = is_too_far_,
-            .lost = std::move(far_)};
+    return {.note = "", .is_too_far = is_too_far_, .lost = std::move(far_)};
   }
 
  private:
@@ -226,9 +223,8 @@ class UnionFromInput {
     const std::vector<BoundarySample> far = loss.beyond_limit();
     note_far(far);
     // It takes much longer to measure what is not lost. After a lost sample is too far, that
-    // matters only if parts behind holes may be dropped, in this union or in one like it later.
-    const bool may_be_dropped =
-        !choice_.changes_parts() || choice_.behind_holes == BehindHoles::Dropped;
+    // matters only if parts behind holes may be dropped, in this union or after all.
+    const bool may_be_dropped = !choice_.shells || choice_.behind_holes == BehindHoles::Dropped;
     if (!may_be_dropped && !far.empty()) return false;
     distance_of_rest_ = choice_.changes_parts() ? driver_.mesh().measure_deviation_but_for_lost()
                                                 : driver_.mesh().measure_deviation();
@@ -237,11 +233,18 @@ class UnionFromInput {
                     ? distance_of_rest_
                     : std::max(distance_of_rest_, distance_behind_holes_);
     is_too_far_ = !(distance_ <= driver_.mesh().max_deviation());
-    if (is_too_far_ && !choice_.shells) {
-      memory_.too_far = driver_.mesh().shared_state();
-      memory_.sheets = sheets_;
-    }
+    if (is_too_far_ && !choice_.shells) remember_too_far();
     return !is_too_far_;
+  }
+
+  /// Remembers a union without shells that is too far from the input.
+  void remember_too_far() {
+    memory_.too_far = driver_.mesh().shared_state();
+    memory_.sheets = sheets_;
+    if (distance_of_rest_ <= driver_.mesh().max_deviation()) {
+      memory_.with_parts_dropped =
+          RejectedUnion{driver_.checkpoint(), distance_of_rest_, what_was_done()};
+    }
   }
 
   [[nodiscard]] BoundaryLoss measure_loss(const RepairState& state) const {
@@ -261,7 +264,9 @@ class UnionFromInput {
       double& largest = is_inside(sample.point) ? distance_behind_holes_ : distance_of_rest_;
       largest = std::max(largest, sample.distance);
     }
-    const bool all_count = choice_.behind_holes == BehindHoles::Kept;
+    // Once a lost part inside is too far, the union is of use only if such parts may be dropped.
+    const bool all_count =
+        choice_.behind_holes == BehindHoles::Kept && !(distance_behind_holes_ > 0.0);
     distance_of_rest_ = loss.largest_within_limit(
         distance_of_rest_, [&](const Vec3& point) { return all_count || !is_inside(point); });
   }

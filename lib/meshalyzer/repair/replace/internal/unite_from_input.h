@@ -32,6 +32,14 @@ struct UnionChoice {
   [[nodiscard]] bool changes_parts() const { return shells || offset_share > 0.0; }
 };
 
+/// A union that was not kept, to return to it after all.
+struct RejectedUnion {
+  RepairDriver::Checkpoint made;
+  double deviation = 0.0;
+  /// A sentence that says what was done.
+  std::string note;
+};
+
 /// What a union of a mesh leaves for the next one, with other shells or the same offset.
 struct UnionMemory {
   /// The mesh that it has replaced; unions with different shells start from the same one.
@@ -41,6 +49,8 @@ struct UnionMemory {
   std::shared_ptr<const RepairState> too_far;
   /// Whether it has filled the holes of sheets.
   FillSheets sheets = FillSheets::No;
+  /// The same union, if it would be within the maximum deviation with BehindHoles::Dropped.
+  std::optional<RejectedUnion> with_parts_dropped = {};
 };
 
 /// What a union has lost, although it bounded the solid by winding number.
@@ -57,9 +67,6 @@ struct LostBoundary {
 struct UnitedFromInput {
   /// A sentence that says what was done; empty if nothing was.
   std::string note;
-  /// Tells whether the union is good, but farther from the input than the maximum deviation, and
-  /// it would not be with BehindHoles::Dropped. It is not known of a union with shells.
-  bool is_too_far_behind_holes = false;
   /// Tells whether the union is good, but too far from the input.
   bool is_too_far = false;
   /// Of a union that is good, but too far from the input.
