@@ -19,7 +19,7 @@ ENDINGS = {".mesh", ".obj", ".off", ".stl", ".ply"}
 
 
 def run(*command):
-    return subprocess.run(command, capture_output=True, text=True, timeout=600, check=False)
+    return subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=600, check=False)
 
 
 def reasons(meshalyzer, path):

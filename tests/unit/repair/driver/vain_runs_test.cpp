@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/driver/internal/repair_driver.h"
 #include "meshalyzer/repair/passes.h"
+#include "support/shapes.h"
 #include "support/soups.h"
 
 #include <gtest/gtest.h>
@@ -93,6 +94,47 @@ TEST(RepairDriver, EachPassThatTakesTimeForVeryManyPairsIsRunOnce) {
   };
   driver.run_plan({pass("first"), pass("second")});
   EXPECT_EQ(runs, (std::vector<std::string>{"first", "second"}));
+}
+
+TEST(RepairDriver, PassThatTakesTimeIsNotRunAgainForAnyNumberOfPairsThatItHasLeft) {
+  // All pairs of 200 faces are 19,900, and all of 160 are 12,720.
+  const Soup soup = shapes::merged(star_of_faces(200), shapes::cube(1, {8, 0, 0}));
+  RepairDriver driver(
+      soup, {}, RepairLimits{.max_deviation = 200.0, .fixed_vertices = {}},
+      [](const TrackedMesh&, const CutMesh&) { return std::vector<std::uint8_t>(); });
+  std::vector<std::size_t> pairs_of_runs;
+  const PassFunction count = [&](const PassInput& input) {
+    pairs_of_runs.push_back(input.mesh.intersecting_pairs().size());
+    return PassResult();
+  };
+  const PassFunction move_faces_apart = [&](const PassInput& input) {
+    PassResult result;
+    if (input.mesh.intersecting_pairs().size() < 19'900) return result;
+    const Index op = result.edits.begin_operation();
+    for (Index v = 0; v < 40 * 3; ++v) {
+      const double up = 3.0 * (1 + v / 3);
+      const Vec3 to = soup.positions[v] + Vec3{0.0, 0.0, up};
+      result.edits.moved_vertices.push_back({.op = op, .vertex = v, .to = to});
+    }
+    return result;
+  };
+  // This makes the mesh worse, so that all passes run again without it.
+  std::size_t n_openings = 0;
+  const PassFunction open_cube = [&](const PassInput& input) {
+    PassResult result;
+    if (input.tracked.soup.n_faces() < soup.n_faces()) return result;
+    ++n_openings;
+    const auto last = static_cast<Index>(soup.n_faces() - 1);
+    result.edits.removed_faces.push_back({result.edits.begin_operation(), last});
+    return result;
+  };
+  driver.run_plan({{.name = "count", .run = count, .takes_time_for_pairs = true},
+                   {.name = "move", .run = move_faces_apart, .repeat = Repeat::OncePerRound},
+                   {.name = "open", .run = open_cube, .may_create = {DefectCode::Hole}}});
+  EXPECT_GT(n_openings, 1U);
+  EXPECT_EQ(driver.mesh().tracked().soup.n_faces(), soup.n_faces());
+  EXPECT_EQ(driver.mesh().prepared().intersecting_pairs().size(), 12'720U);
+  EXPECT_EQ(pairs_of_runs, (std::vector<std::size_t>{19'900, 12'720}));
 }
 
 /// Counts the proposals of a pass that moves a face a number of times and leaves all pairs.

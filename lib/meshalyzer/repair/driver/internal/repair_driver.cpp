@@ -296,9 +296,12 @@ void RepairDriver::run_unless_idle(const PlannedPass& pass, std::size_t& n_chang
     return;
   }
   const std::size_t n_pairs_before = n_pairs();
-  const auto costly = costly_idle_runs_.find(pass.name);
-  if (costly != costly_idle_runs_.end() && are_many_alike(n_pairs_before, costly->second.n_pairs)) {
-    refusals.insert(refusals.end(), costly->second.refusals.begin(), costly->second.refusals.end());
+  const std::vector<CostlyIdleRun>& costly = costly_idle_runs_[pass.name];
+  const auto alike = std::find_if(costly.rbegin(), costly.rend(), [&](const CostlyIdleRun& known) {
+    return are_many_alike(n_pairs_before, known.n_pairs);
+  });
+  if (alike != costly.rend()) {
+    refusals.insert(refusals.end(), alike->refusals.begin(), alike->refusals.end());
     return;
   }
   const auto n_refusals = static_cast<std::ptrdiff_t>(refusals.size());
@@ -325,7 +328,7 @@ void RepairDriver::note_costly_idle_run(const PlannedPass& pass, CostlyIdleRun i
   std::erase_if(idle_run.refusals, [&](const LoggedRefusal& refusal) {
     return refusal.face >= mesh_.tracked().n_input_faces;
   });
-  costly_idle_runs_[pass.name] = std::move(idle_run);
+  costly_idle_runs_[pass.name].push_back(std::move(idle_run));
 }
 
 bool RepairDriver::is_to_stop() {

@@ -163,8 +163,8 @@ class RepairDriver {
     std::vector<LoggedRefusal> refusals;
   };
 
-  /// The last run of a pass that takes time for each intersecting pair and left nearly all of them,
-  /// or that has changed nothing in a heap of faces.
+  /// A run of a pass that takes time for each intersecting pair and left nearly all of them, or
+  /// that has changed nothing in a heap of faces.
   struct CostlyIdleRun {
     std::size_t n_pairs = 0;
     std::vector<LoggedRefusal> refusals;
@@ -183,7 +183,7 @@ class RepairDriver {
     Checkpoint made;
     std::vector<AppliedOperation> applied;
     std::map<OperationHash, Rejection> hopeless;
-    std::map<std::string_view, CostlyIdleRun> costly_idle_runs;
+    std::map<std::string_view, std::vector<CostlyIdleRun>> costly_idle_runs;
     std::vector<std::uint8_t> fixed_vertices;
   };
 
@@ -263,8 +263,8 @@ class RepairDriver {
   /// The vertices that a pass has changed since it began with a length, by key.
   std::vector<Index> changed_vertices_;
   BannedOperations banned_;
-  /// By the name of the pass.
-  std::map<std::string_view, CostlyIdleRun> costly_idle_runs_;
+  /// By the name of the pass, in order.
+  std::map<std::string_view, std::vector<CostlyIdleRun>> costly_idle_runs_;
   /// The operations that are not tried again, and the rule that they broke: what else is repaired
   /// hardly changes that.
   std::map<OperationHash, Rejection> hopeless_;
