@@ -105,7 +105,7 @@ class RepairDriver {
 
   /// Returns the present state, which may be that of a trial.
   [[nodiscard]] Checkpoint checkpoint() { return {mesh_.snapshot(), log_}; }
-  /// Returns to a state, from which nothing has been applied yet then.
+  /// Returns to a state, as if nothing had been applied since.
   void return_to(const Checkpoint& checkpoint);
 
   /// Returns the log until now.
