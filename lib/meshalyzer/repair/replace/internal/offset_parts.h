@@ -14,9 +14,7 @@ namespace meshalyzer {
 /// most.
 ///
 /// @param least  A length above 0.
-/// @complexity   O(#E log #F + pairs), and the search for intersecting pairs if nobody has asked
-/// for
-///               them before.
+/// @complexity   O(#E log #F + pairs), and the search for these if nobody has asked for them.
 [[nodiscard]] PassResult offset_parts(const PassInput& input, double least);
 
 }  // namespace meshalyzer
