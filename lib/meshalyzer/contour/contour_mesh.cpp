@@ -156,30 +156,40 @@ Soup soup_of(const Contour& contour) {
   return soup;
 }
 
-/// Returns the distances of points to a surface, infinite if it is empty.
-std::vector<double> distances(const std::vector<Vec3>& points, const ClosestPoints& surface) {
+/// Returns the distances of points to a surface, infinite if it is empty: exactly where they are
+/// larger than `limit`, and the largest of the others; of the rest, upper bounds up to that.
+std::vector<double> largest_distances(const std::vector<Vec3>& points, const ClosestPoints& surface,
+                                      double limit) {
   std::vector<double> result(points.size(), std::numeric_limits<double>::infinity());
   parallel_chunks(points.size(), [&](Chunk chunk) {
     Index hint = kNoIndex;
+    double largest_within = 0.0;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      if (const auto found = surface.find({.point = points[i], .hint = hint})) {
-        result[i] = found->distance;
-        hint = found->slot;
-      }
+      // Most points are no farther away than one before them, which takes one face to see.
+      const auto found =
+          surface.find({.point = points[i], .hint = hint, .near_enough = largest_within});
+      if (!found) continue;
+      result[i] = found->distance;
+      hint = found->slot;
+      if (found->distance <= limit) largest_within = std::max(largest_within, found->distance);
     }
   });
   return result;
 }
 
-/// Returns the corners and the centroid of each triangle of a contour.
+/// Returns the vertices of a contour and the centroids of its triangles, each beside its
+/// neighbours.
 std::vector<Vec3> points_of(const Contour& contour) {
   std::vector<Vec3> points;
-  points.reserve(4 * contour.triangles.size());
+  points.reserve(contour.positions.size() + contour.triangles.size());
+  std::vector<std::uint8_t> is_added(contour.positions.size());
   for (const Triangle& t : contour.triangles) {
-    const Vec3& a = contour.positions[t[0]];
-    const Vec3& b = contour.positions[t[1]];
-    const Vec3& c = contour.positions[t[2]];
-    points.insert(points.end(), {a, b, c, (a + b + c) / 3.0});
+    for (const Index v : t) {
+      if (is_added[v] == 0) points.push_back(contour.positions[v]);
+      is_added[v] = 1;
+    }
+    points.push_back(
+        centroid_of({contour.positions[t[0]], contour.positions[t[1]], contour.positions[t[2]]}));
   }
   return points;
 }
@@ -263,22 +273,23 @@ class ContourSearch {
     const CutMesh cut = build(soup);
     const FaceTree tree(cut);
     const ClosestPoints closest(tree);
-    const std::vector<double> of_samples = distances(target_.parts.separating, closest);
-    for (std::size_t i = 0; i < of_samples.size(); ++i) {
-      note(target_.parts.separating[i], of_samples[i]);
+    const double limit = limits_.max_deviation;
+    const std::vector<Vec3>& samples = target_.parts.separating;
+    const std::vector<double> of_samples = largest_distances(samples, closest, limit);
+    for (std::size_t i = 0; i < samples.size(); ++i) note(samples[i], of_samples[i]);
+
+    std::vector<Vec3> points = points_of(contour_);
+    if (limits_.within) {
+      std::erase_if(points, [&](const Vec3& point) { return !limits_.within->contains(point); });
     }
-    const std::vector<Vec3> points = points_of(contour_);
-    const std::vector<double> of_contour = distances(points, target_.closest);
-    for (std::size_t i = 0; i < of_contour.size(); ++i) {
-      if (of_contour[i] > limits_.max_deviation && target_.region.spans_hole_at(points[i])) {
-        continue;
-      }
-      note(points[i], of_contour[i]);
+    const std::vector<double> of_points = largest_distances(points, target_.closest, limit);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (of_points[i] > limit && target_.region.spans_hole_at(points[i])) continue;
+      note(points[i], of_points[i]);
     }
   }
 
   void note(const Vec3& point, double distance) {
-    if (limits_.within && !limits_.within->contains(point)) return;
     deviation_ = std::max(deviation_, distance);
     if (distance > limits_.max_deviation) far_.emplace_back(point, distance);
   }

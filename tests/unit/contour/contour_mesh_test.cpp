@@ -1,13 +1,17 @@
 #include "meshalyzer/contour/contour_mesh.h"
 
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/spatial/self_intersection.h"
+#include "meshalyzer/spatial/triangle_distance.h"
 #include "support/no_lengths.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace meshalyzer {
@@ -54,6 +58,34 @@ TEST(ContourMesh, OfCubesThatCrossIsTheirUnion) {
   // Volumes 8 + 8 - 1.
   const Soup cubes = shapes::merged(shapes::cube(2), shapes::cube(2, {1, 1, 1}));
   EXPECT_NEAR(volume_of(contour_within(cubes, 0.02)), 15, 0.3);
+}
+
+/// The largest distance of a vertex or a centroid of a contour from a surface, by comparison with
+/// each face of that.
+double largest_distance(const Soup& contour, const Soup& surface) {
+  double largest = 0;
+  const auto note = [&](const Vec3& point) {
+    double distance = std::numeric_limits<double>::infinity();
+    for (Index f = 0; f < surface.n_faces(); ++f) {
+      distance = std::min(distance, closest_on_triangle(corners_of(surface, f), point).distance);
+    }
+    largest = std::max(largest, distance);
+  };
+  for (const Vec3& p : contour.positions) note(p);
+  for (Index f = 0; f < contour.n_faces(); ++f) note(centroid_of(corners_of(contour, f)));
+  return largest;
+}
+
+TEST(ContourMesh, TellsTheLargestDistanceOfItsPoints) {
+  const Soup sphere = shapes::icosphere(1);
+  for (const double limit : {0.05, 0.02}) {
+    const auto made = contour_mesh(sphere, {.max_deviation = limit});
+    ASSERT_TRUE(made && made->is_within);
+    EXPECT_GE(made->deviation, largest_distance(made->soup, sphere));
+  }
+  const auto coarse = contour_mesh(sphere, {.max_deviation = 0.001, .max_tetrahedra = 10'000});
+  ASSERT_TRUE(coarse && !coarse->is_within);
+  EXPECT_GE(coarse->deviation, largest_distance(coarse->soup, sphere));
 }
 
 TEST(ContourMesh, KeepsACavity) {
