@@ -150,9 +150,14 @@ bool mend_facets_left(RepairDriver& driver, const RepairOptions& options) {
         .contains(refusal.code);
   });
   const std::size_t n_operations = driver.log().operations.size();
+  const auto has_changes = [&] { return driver.log().operations.size() != n_operations; };
   driver.run_plan(plan);
   driver.add_refusals(others);
-  return driver.log().operations.size() != n_operations;
+  if (has_changes() || driver.is_stopped()) return has_changes();
+  const std::vector<LoggedRefusal> refusals = driver.log().refusals;
+  driver.run_plan({widening_at_any_side()});
+  driver.add_refusals(refusals);
+  return has_changes();
 }
 
 void run_passes(RepairDriver& driver, const RepairOptions& options) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/base/types.h"
+#include "meshalyzer/repair/facets/turning_over.h"
 #include "meshalyzer/repair/holes/fill_options.h"
 #include "meshalyzer/repair/pass.h"
 
@@ -46,9 +47,8 @@ namespace meshalyzer {
 [[nodiscard]] PassResult mend_remaining_facets(const PassInput& input);
 
 /// Widens degenerate and flat facets that nothing takes away: moves one vertex of each, by a few
-/// times the tolerance at most, so that the facet is as wide as that. It turns no face over, and
-/// makes no contact.
-[[nodiscard]] PassResult widen_facets(const PassInput& input);
+/// times the tolerance at most, so that the facet is as wide as that. It makes no contact.
+[[nodiscard]] PassResult widen_facets(const PassInput& input, TurningOver turning);
 
 /// Joins border edges, only with border edges, and never so that an edge gets a third face: those
 /// at exactly the same position first, then those whose ends are within PassInput::length. If

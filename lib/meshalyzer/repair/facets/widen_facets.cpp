@@ -4,6 +4,7 @@
 #include "meshalyzer/repair/facets/internal/step_journal.h"
 #include "meshalyzer/repair/facets/internal/widen_facet.h"
 #include "meshalyzer/repair/facets/internal/working_mesh.h"
+#include "meshalyzer/repair/facets/turning_over.h"
 #include "meshalyzer/repair/pass.h"
 #include "meshalyzer/repair/passes.h"
 
@@ -11,7 +12,7 @@
 
 namespace meshalyzer {
 
-PassResult widen_facets(const PassInput& input) {
+PassResult widen_facets(const PassInput& input, TurningOver turning) {
   const Soup& soup = input.tracked.soup;
   std::vector<Index> thin;
   for (const Defect& defect : find_thin_facets(input.mesh, input.tolerances)) {
@@ -27,7 +28,7 @@ PassResult widen_facets(const PassInput& input) {
   for (const Index f : thin) {
     if (input.wants_to_stop()) break;
     if (!mesh.is_thin(f)) continue;
-    const MendAttempt attempt = widen_facet(mesh, rules, f);
+    const MendAttempt attempt = widen_facet(mesh, rules, f, turning);
     if (attempt.is_possible() && journal.record(mesh, attempt.step)) mesh.make(attempt.step);
   }
   result.edits = journal.edits(soup, mesh);

@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/fix_defects.h"
 #include "meshalyzer/repair/passes.h"
+#include "support/boolean_results.h"
 #include "support/intersecting_pairs.h"
 #include "support/run_pass.h"
 #include "support/same_soup.h"
@@ -163,9 +164,17 @@ TEST(MendRemainingFacets, MendsAsUsualWhereNothingIsNear) {
   }
 }
 
+constexpr std::array kBothTurnings{TurningOver::Forbidden, TurningOver::Permitted};
+
+PassFunction widening(TurningOver turning) {
+  return [turning](const PassInput& input) { return widen_facets(input, turning); };
+}
+
 TEST(WidenFacets, NothingIsProposedForASoundMesh) {
   const Soup soup = shapes::torus(3.0, 1.0, 16, 9);
-  EXPECT_EQ(run_pass(soup, widen_facets).operations, 0U);
+  for (const TurningOver turning : kBothTurnings) {
+    EXPECT_EQ(run_pass(soup, widening(turning)).operations, 0U);
+  }
 }
 
 TEST(WidenFacets, NeedlesAndCapsBecomeAsWideAsTheTolerance) {
@@ -182,18 +191,20 @@ TEST(WidenFacets, NeedlesAndCapsBecomeAsWideAsTheTolerance) {
       add_cap(soup, face, below(random, 3), share);
     }
     ASSERT_FALSE(thin_faces(soup).empty());
-    const PassRun run = run_pass(soup, widen_facets);
-    EXPECT_TRUE(thin_faces(run.tracked.soup).empty());
-    EXPECT_EQ(run.tracked.soup.triangles, soup.triangles);
-    EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
-    EXPECT_LE(largest_move(soup, run.tracked), 8 * tolerance_of(soup));
-    EXPECT_GT(largest_move(soup, run.tracked), 0.0);
+    for (const TurningOver turning : kBothTurnings) {
+      const PassRun run = run_pass(soup, widening(turning));
+      EXPECT_TRUE(thin_faces(run.tracked.soup).empty());
+      EXPECT_EQ(run.tracked.soup.triangles, soup.triangles);
+      EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
+      EXPECT_LE(largest_move(soup, run.tracked), 8 * tolerance_of(soup));
+      EXPECT_GT(largest_move(soup, run.tracked), 0.0);
+    }
   }
 }
 
 TEST(WidenFacets, NeckIsWidenedWhereItCannotBeCut) {
   const Soup soup = hourglass({Vec3{1, 0, 0}, Vec3{0, 1e-9, 0}, Vec3{0, -1e-9, 0}});
-  const PassRun run = run_pass(soup, widen_facets);
+  const PassRun run = run_pass(soup, widening(TurningOver::Forbidden));
   EXPECT_TRUE(thin_faces(run.tracked.soup).empty());
   EXPECT_EQ(topology_of(run.tracked.soup), topology_of(soup));
   EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
@@ -204,7 +215,7 @@ TEST(WidenFacets, FixedVerticesStay) {
   split_edge(soup, 7, 1, 1e-10);
   RepairLimits limits = wide_limits(soup);
   limits.fixed_vertices.assign(soup.n_vertices(), 1);
-  EXPECT_EQ(run_pass(soup, widen_facets, limits).operations, 0U);
+  EXPECT_EQ(run_pass(soup, widening(TurningOver::Forbidden), limits).operations, 0U);
 }
 
 TEST(WidenFacets, NothingMovesFartherThanTheMaximumDeviation) {
@@ -212,7 +223,7 @@ TEST(WidenFacets, NothingMovesFartherThanTheMaximumDeviation) {
   split_edge(soup, 7, 1, 1e-10);
   RepairLimits limits = wide_limits(soup);
   limits.max_deviation = tolerance_of(soup) / 2;
-  EXPECT_EQ(run_pass(soup, widen_facets, limits).operations, 0U);
+  EXPECT_EQ(run_pass(soup, widening(TurningOver::Forbidden), limits).operations, 0U);
 }
 
 TEST(WidenFacets, NoContactIsMadeWithLayersCloserThanTheTolerance) {
@@ -233,11 +244,44 @@ TEST(WidenFacets, NoContactIsMadeWithLayersCloserThanTheTolerance) {
     }
     soup = shapes::merged(shapes::merged(std::move(soup), layer(1 - 1e-9)), layer(1 + 1e-9));
     ASSERT_EQ(n_intersecting_pairs(soup), 0U);
-    const PassRun run = run_pass(soup, widen_facets);
-    EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
-    n_operations += run.operations;
+    for (const TurningOver turning : kBothTurnings) {
+      const PassRun run = run_pass(soup, widening(turning));
+      EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
+      n_operations += run.operations;
+    }
   }
-  EXPECT_GT(n_operations, 10U);
+  EXPECT_GT(n_operations, 20U);
+}
+
+/// A tetrahedron with one corner at the origin and three within a few tolerances of (1, 0, 0).
+Soup spike(std::mt19937& random) {
+  Soup soup;
+  soup.positions = {Vec3::Zero()};
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 offset(below(random, 40), below(random, 40), below(random, 40));
+    soup.positions.emplace_back(Vec3::UnitX() + 1e-9 * offset);
+  }
+  soup.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  return volume_of(soup) > 0.0 ? soup : shapes::flipped(soup);
+}
+
+TEST(WidenFacets, MoreOfASpikeBecomesWideIfItsFacesMayTurnOver) {
+  std::mt19937 random(5);
+  constexpr std::size_t kSpikes = 200;
+  std::array<std::size_t, 2> n_sound{};
+  for (std::size_t i = 0; i < kSpikes; ++i) {
+    const Soup soup = spike(random);
+    for (const TurningOver turning : kBothTurnings) {
+      const PassRun run = run_pass(soup, widening(turning));
+      const std::vector<Index> left = thin_faces(run.tracked.soup);
+      EXPECT_LE(left.size(), thin_faces(soup).size());
+      EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U);
+      EXPECT_LE(largest_move(soup, run.tracked), 20 * tolerance_of(soup));
+      n_sound.at(static_cast<std::size_t>(turning)) += left.empty() ? 1U : 0U;
+    }
+  }
+  EXPECT_LT(n_sound[0], kSpikes);
+  EXPECT_EQ(n_sound[1], kSpikes);
 }
 
 TEST(FixDefects, NecksAndSliversThatCollapseCannotMendAreMended) {

@@ -172,8 +172,15 @@ std::vector<PlannedPass> plan_for_remaining_facets(const RepairOptions& options)
   if (!options.fixes.contains(DegenerateFacet) && !options.fixes.contains(FlatFacet)) return {};
   plan.add_always({"mend facets", DegenerateFacet, mend_remaining_facets});
   plan.add({"remove foldovers", Foldover, remove_foldovers, {Hole}});
-  plan.add_always({"widen facets", DegenerateFacet, widen_facets});
+  plan.add_always({"widen facets", DegenerateFacet, [](const PassInput& input) {
+                     return widen_facets(input, TurningOver::Forbidden);
+                   }});
   return plan.take();
+}
+
+PlannedPass widening_at_any_side() {
+  return {"widen facets", DefectCode::DegenerateFacet,
+          [](const PassInput& input) { return widen_facets(input, TurningOver::Permitted); }};
 }
 
 std::vector<PlannedPass> plan_to_join_contacts(const RepairOptions& options) {

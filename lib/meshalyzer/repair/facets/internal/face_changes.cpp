@@ -26,8 +26,9 @@ FaceChange change_of_face(const WorkingMesh& mesh, const MendStep& step, Index f
 }
 
 MendOutcome check_shapes(const WorkingMesh& mesh, std::span<const FaceChange> faces,
-                         std::size_t n_thin_gone, double tolerance) {
+                         std::size_t n_thin_gone, double tolerance, TurningOver turning) {
   const Vec3 mean = mean_normal(mesh, faces);
+  bool turns_over = false;
   std::size_t n_thin_made = 0;
   for (const FaceChange& face : faces) {
     if (face.goes) {
@@ -37,14 +38,15 @@ MendOutcome check_shapes(const WorkingMesh& mesh, std::span<const FaceChange> fa
     const FacetShape now = measure_facet(face.after);
     if (!now.is_sound(tolerance)) {
       n_thin_made += mesh.is_thin(face.number) ? 0U : 1U;
-      if (now.normal.dot(face.shape.normal) < 0.0) return MendOutcome::TurnsOver;
+      turns_over = turns_over || now.normal.dot(face.shape.normal) < 0.0;
       continue;
     }
     // The normal of a thin face is noise: one that becomes wider must face the same side as the
     // others.
     const Vec3& wanted = mesh.is_thin(face.number) && !mean.isZero(0) ? mean : face.shape.normal;
-    if (!(now.normal.dot(wanted) > 0.0)) return MendOutcome::TurnsOver;
+    turns_over = turns_over || !(now.normal.dot(wanted) > 0.0);
   }
+  if (turns_over && turning == TurningOver::Forbidden) return MendOutcome::TurnsOver;
   return n_thin_made > 0 && n_thin_made >= n_thin_gone ? MendOutcome::MakesThin
                                                        : MendOutcome::Possible;
 }

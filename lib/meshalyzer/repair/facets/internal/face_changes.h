@@ -3,6 +3,7 @@
 #include "meshalyzer/repair/facets/internal/facet_shape.h"
 #include "meshalyzer/repair/facets/internal/mend_step.h"
 #include "meshalyzer/repair/facets/internal/working_mesh.h"
+#include "meshalyzer/repair/facets/turning_over.h"
 
 #include <cstddef>
 #include <span>
@@ -27,13 +28,14 @@ struct FaceChange {
 [[nodiscard]] FaceChange change_of_face(const WorkingMesh& mesh, const MendStep& step, Index face,
                                         const Triangle& corners);
 
-/// Tells whether the faces stay sound: none is turned over, and none becomes thin unless more thin
-/// faces go.
+/// Tells whether the faces stay sound: none is turned over, unless that is permitted, and none
+/// becomes thin unless more thin faces go.
 ///
 /// @param n_thin_gone  The number of thin faces that go beside these.
 /// @return             Possible, TurnsOver or MakesThin.
 [[nodiscard]] MendOutcome check_shapes(const WorkingMesh& mesh, std::span<const FaceChange> faces,
-                                       std::size_t n_thin_gone, double tolerance);
+                                       std::size_t n_thin_gone, double tolerance,
+                                       TurningOver turning = TurningOver::Forbidden);
 
 /// Appends those of the changes that are any to a step.
 void write_changes(const WorkingMesh& mesh, std::span<const FaceChange> faces, MendStep& step);

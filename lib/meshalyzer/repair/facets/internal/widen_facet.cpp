@@ -22,8 +22,8 @@ constexpr double kLongestMove = 4.0;
 
 class Widening {
  public:
-  Widening(const WorkingMesh& mesh, const MendRules& rules, Index face)
-      : mesh_(mesh), rules_(rules), face_(face) {
+  Widening(const WorkingMesh& mesh, const MendRules& rules, Index face, TurningOver turning)
+      : mesh_(mesh), rules_(rules), face_(face), turning_(turning) {
     const Triangle& t = mesh.triangle(face);
     const std::size_t longest = measure_facet(mesh.corners(t)).longest_edge();
     for (std::size_t k = 0; k < 3; ++k) ends_and_apex_[k] = t[(longest + k) % 3];
@@ -134,7 +134,7 @@ class Widening {
       faces.push_back(change_of_face(mesh_, step, f, mesh_.triangle(f)));
       if (f == face_ && !measure_facet(faces.back().after).is_sound(rules_.tolerance())) return {};
     }
-    const MendOutcome outcome = check_shapes(mesh_, faces, 0, rules_.tolerance());
+    const MendOutcome outcome = check_shapes(mesh_, faces, 0, rules_.tolerance(), turning_);
     if (outcome != MendOutcome::Possible) return {.outcome = outcome};
     if (rules_.forbids(step)) return {.outcome = MendOutcome::Intersects};
     return {outcome, std::move(step), moved};
@@ -143,6 +143,7 @@ class Widening {
   const WorkingMesh& mesh_;
   const MendRules& rules_;
   Index face_;
+  TurningOver turning_;
   /// The ends of the longest edge, and the corner opposite to it.
   Triangle ends_and_apex_{};
   double length_ = 0.0;
@@ -154,8 +155,9 @@ class Widening {
 
 }  // namespace
 
-MendAttempt widen_facet(const WorkingMesh& mesh, const MendRules& rules, Index face) {
-  return Widening(mesh, rules, face).run();
+MendAttempt widen_facet(const WorkingMesh& mesh, const MendRules& rules, Index face,
+                        TurningOver turning) {
+  return Widening(mesh, rules, face, turning).run();
 }
 
 }  // namespace meshalyzer

@@ -3,6 +3,7 @@
 #include "meshalyzer/repair/facets/internal/mend_rules.h"
 #include "meshalyzer/repair/facets/internal/mend_step.h"
 #include "meshalyzer/repair/facets/internal/working_mesh.h"
+#include "meshalyzer/repair/facets/turning_over.h"
 
 namespace meshalyzer {
 
@@ -10,7 +11,12 @@ namespace meshalyzer {
 /// than the tolerance, so that no altitude and no edge is below it any more.
 ///
 /// This is the last resort, for a face that can neither be retracted nor lose an edge: it keeps all
-/// faces and the topology. No face is turned over or becomes thin.
-[[nodiscard]] MendAttempt widen_facet(const WorkingMesh& mesh, const MendRules& rules, Index face);
+/// faces and the topology. No face becomes thin.
+///
+/// @param turning  Tells whether the face and those round the corner may come to face the other
+///                 side. Where layers are little farther apart than the tolerance, their faces
+///                 must.
+[[nodiscard]] MendAttempt widen_facet(const WorkingMesh& mesh, const MendRules& rules, Index face,
+                                      TurningOver turning);
 
 }  // namespace meshalyzer
