@@ -36,9 +36,10 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .measured = {.before = "height"},
      .elements = "The faces of the region, the edges of the folds, and a point of the region.",
      .fix = "A vertex of the region is moved back to where its faces unfold, or it is removed "
-            "and its place is closed.",
+            "and its place is closed. If nothing else is possible, in a closed mesh, its walls "
+            "are moved apart.",
      .fix_summary = "meshfixer unfolds it",
-     .passes = "remove foldovers",
+     .passes = "remove foldovers, lift foldovers",
      .fixed_by_default = true},
     {.code = DefectCode::FlatFacet,
      .name = "flat-facet",

@@ -128,9 +128,33 @@ bool drop_equal_faces(RepairDriver& driver, const RepairOptions& options,
                            }});
 }
 
-/// Where more pairs of faces intersect, thin facets are the least of what is wrong, and running all
-/// passes again takes long.
+/// Where more pairs of faces intersect, thin facets and foldovers are the least of what is wrong,
+/// and running all passes again takes long.
 constexpr std::size_t kMostPairsBesideFacets = 100;
+
+bool is_ready_for_facets(const RepairDriver& driver) {
+  return !driver.is_stopped() &&
+         driver.mesh().prepared().intersecting_pairs().size() <= kMostPairsBesideFacets;
+}
+
+bool has_thin_facets(const RepairDriver& driver) {
+  return !find_thin_facets(driver.mesh().prepared(), driver.mesh().tolerances()).empty();
+}
+
+bool has_foldovers(const RepairDriver& driver) {
+  return !find_foldovers(driver.mesh().prepared(), driver.mesh().tolerances()).empty();
+}
+
+/// Runs a plan after others, of whose refusals some stay.
+///
+/// @return Whether it has changed the mesh.
+bool run_after_others(RepairDriver& driver, const std::vector<PlannedPass>& plan,
+                      const std::vector<LoggedRefusal>& refusals) {
+  const std::size_t n_operations = driver.log().operations.size();
+  driver.run_plan(plan);
+  driver.add_refusals(refusals);
+  return driver.log().operations.size() != n_operations;
+}
 
 /// Mends the flat and degenerate facets that all passes have left. What passes have refused to
 /// repair besides stays refused.
@@ -138,26 +162,26 @@ constexpr std::size_t kMostPairsBesideFacets = 100;
 /// @return Whether it has changed the mesh.
 bool mend_facets_left(RepairDriver& driver, const RepairOptions& options) {
   const std::vector<PlannedPass> plan = plan_for_remaining_facets(options);
-  const PreparedMesh& mesh = driver.mesh().prepared();
-  if (plan.empty() || driver.is_stopped() ||
-      mesh.intersecting_pairs().size() > kMostPairsBesideFacets ||
-      find_thin_facets(mesh, driver.mesh().tolerances()).empty()) {
-    return false;
-  }
+  if (plan.empty() || !is_ready_for_facets(driver) || !has_thin_facets(driver)) return false;
   std::vector<LoggedRefusal> others = driver.log().refusals;
   std::erase_if(others, [](const LoggedRefusal& refusal) {
     return DefectCodes{DefectCode::DegenerateFacet, DefectCode::FlatFacet, DefectCode::Foldover}
         .contains(refusal.code);
   });
-  const std::size_t n_operations = driver.log().operations.size();
-  const auto has_changes = [&] { return driver.log().operations.size() != n_operations; };
-  driver.run_plan(plan);
-  driver.add_refusals(others);
-  if (has_changes() || driver.is_stopped()) return has_changes();
+  return run_after_others(driver, plan, others);
+}
+
+/// Makes thin walls as thick as the tolerance, where facets and foldovers are left.
+///
+/// @return Whether it has changed the mesh.
+bool thicken_walls_left(RepairDriver& driver, const RepairOptions& options) {
+  const std::vector<PlannedPass> plan = plan_for_thin_walls(options);
+  if (plan.empty() || !is_ready_for_facets(driver) ||
+      (!has_thin_facets(driver) && !has_foldovers(driver))) {
+    return false;
+  }
   const std::vector<LoggedRefusal> refusals = driver.log().refusals;
-  driver.run_plan({widening_at_any_side()});
-  driver.add_refusals(refusals);
-  return has_changes();
+  return run_after_others(driver, plan, refusals);
 }
 
 void run_passes(RepairDriver& driver, const RepairOptions& options) {
@@ -176,7 +200,9 @@ constexpr int kMostRepeats = 10;
 void repair(RepairDriver& driver, const RepairOptions& options, RepairResult& result) {
   run_passes(driver, options);
   if (options.guarantee) result.notes = guarantee_goodness(driver, options);
-  for (int i = 0; i < kMostRepeats && mend_facets_left(driver, options); ++i) {
+  for (int i = 0; i < kMostRepeats &&
+                  (mend_facets_left(driver, options) || thicken_walls_left(driver, options));
+       ++i) {
     // A repair of the result would run them, too.
     run_passes(driver, options);
   }

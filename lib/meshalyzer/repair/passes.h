@@ -41,13 +41,12 @@ namespace meshalyzer {
 [[nodiscard]] PassResult mend_facets(const PassInput& input);
 
 /// Mends degenerate and flat facets that mend_facets() leaves, in a mesh where nothing else can be
-/// repaired: in the same way, but without contact where the usual step would make faces intersect;
-/// cuts necks that are thinner than the tolerance; and drops components without a body whose
-/// surface is within the deviation of the rest.
+/// repaired: by the best step that makes no faces intersect; cuts necks that are thinner than the
+/// tolerance; and drops components without a body that lie within the deviation of the rest.
 [[nodiscard]] PassResult mend_remaining_facets(const PassInput& input);
 
 /// Widens degenerate and flat facets that nothing takes away: moves one vertex of each, by a few
-/// times the tolerance at most, so that the facet is as wide as that. It makes no contact.
+/// times the tolerance at most, and makes no contact.
 [[nodiscard]] PassResult widen_facets(const PassInput& input, TurningOver turning);
 
 /// Joins border edges, only with border edges, and never so that an edge gets a third face: those
@@ -99,13 +98,15 @@ namespace meshalyzer {
 /// Removes foldovers (see find_foldovers()).
 [[nodiscard]] PassResult remove_foldovers(const PassInput& input);
 
+/// Moves foldovers of a closed mesh off what they lie on, by a few times the height tolerance.
+[[nodiscard]] PassResult lift_foldovers(const PassInput& input);
+
 /// Joins what touches at copies of vertices, where nothing else is wrong with a closed mesh: thin
 /// rods along the edges at which faces touch, and at single points, are united with it. So a mesh
 /// becomes manifold where neither part_contacts() nor cut_off_tips() finds room between its parts.
 [[nodiscard]] PassResult join_contacts(const PassInput& input);
 
-/// Replaces opposed normals (see opposed_normals()) by the mean normal of the faces that have them,
-/// weighted by angle.
+/// Replaces opposed normals (see opposed_normals()) by the mean of the right ones, by angle.
 [[nodiscard]] PassResult renew_normals(const PassInput& input);
 
 /// Returns a pass that fills holes with patches which meet neither the mesh nor themselves. By

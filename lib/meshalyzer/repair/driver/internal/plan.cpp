@@ -178,9 +178,15 @@ std::vector<PlannedPass> plan_for_remaining_facets(const RepairOptions& options)
   return plan.take();
 }
 
-PlannedPass widening_at_any_side() {
-  return {"widen facets", DefectCode::DegenerateFacet,
-          [](const PassInput& input) { return widen_facets(input, TurningOver::Permitted); }};
+std::vector<PlannedPass> plan_for_thin_walls(const RepairOptions& options) {
+  using enum DefectCode;
+  Planner plan(options.fixes);
+  plan.add_for({DegenerateFacet, FlatFacet},
+               {"widen facets", DegenerateFacet, [](const PassInput& input) {
+                  return widen_facets(input, TurningOver::Permitted);
+                }});
+  plan.add({"lift foldovers", Foldover, lift_foldovers});
+  return plan.take();
 }
 
 std::vector<PlannedPass> plan_to_join_contacts(const RepairOptions& options) {

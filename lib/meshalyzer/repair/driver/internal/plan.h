@@ -74,8 +74,8 @@ struct PlannedPass {
 /// other surfaces are.
 [[nodiscard]] std::vector<PlannedPass> plan_for_remaining_facets(const RepairOptions& options);
 
-/// Returns the pass for those facets that plan_for_remaining_facets() leaves: it widens them even
-/// if faces round them come to face the other side.
-[[nodiscard]] PlannedPass widening_at_any_side();
+/// Returns the passes for the facets and foldovers that plan_for_remaining_facets() leaves, in
+/// walls hardly thicker than the tolerance: these become as thick as that.
+[[nodiscard]] std::vector<PlannedPass> plan_for_thin_walls(const RepairOptions& options);
 
 }  // namespace meshalyzer
