@@ -44,12 +44,7 @@ class FoldoverLifter {
         is_used_(soup_.n_faces(), 0) {}
 
   void treat(const Defect& foldover) {
-    std::vector<Index> vertices;
-    for (const Index f : foldover.faces) {
-      const Triangle& t = soup_.triangles[f];
-      vertices.insert(vertices.end(), t.begin(), t.end());
-    }
-    sort_unique(vertices);
+    const std::vector<Index> vertices = vertices_of(foldover.faces);
     if (vertices.size() > kMostVertices) return;
     const std::vector<Index> around = faces_around(vertices);
     const bool is_taken =
@@ -65,6 +60,17 @@ class FoldoverLifter {
   [[nodiscard]] Edits take() { return std::move(edits_); }
 
  private:
+  /// Returns the vertices of some faces, ascending.
+  [[nodiscard]] std::vector<Index> vertices_of(const std::vector<Index>& faces) const {
+    std::vector<Index> vertices;
+    for (const Index f : faces) {
+      const Triangle& t = mesh_.triangle(f);
+      vertices.insert(vertices.end(), t.begin(), t.end());
+    }
+    sort_unique(vertices);
+    return vertices;
+  }
+
   /// Returns the faces at some vertices, and those at the vertices of these, ascending.
   [[nodiscard]] std::vector<Index> faces_around(std::vector<Index> vertices) const {
     std::vector<Index> faces;
@@ -74,12 +80,7 @@ class FoldoverLifter {
         faces.insert(faces.end(), at_vertex.begin(), at_vertex.end());
       }
       sort_unique(faces);
-      vertices.clear();
-      for (const Index f : faces) {
-        const Triangle& t = mesh_.triangle(f);
-        vertices.insert(vertices.end(), t.begin(), t.end());
-      }
-      sort_unique(vertices);
+      vertices = vertices_of(faces);
     }
     return faces;
   }
@@ -142,13 +143,9 @@ class FoldoverLifter {
             find_thin_facets(prepared, input_.tolerances).size()};
   }
 
+  /// Returns some faces as a mesh of their own, after a step.
   [[nodiscard]] Soup part_after(const std::vector<Index>& faces, const MendStep& step) const {
-    std::vector<Index> vertices;
-    for (const Index f : faces) {
-      const Triangle& t = mesh_.triangle(f);
-      vertices.insert(vertices.end(), t.begin(), t.end());
-    }
-    sort_unique(vertices);
+    const std::vector<Index> vertices = vertices_of(faces);
     Soup part;
     for (const Index v : vertices) {
       part.positions.push_back(step.moved && step.moved->vertex == v ? step.moved->to

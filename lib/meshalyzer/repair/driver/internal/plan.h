@@ -75,7 +75,7 @@ struct PlannedPass {
 [[nodiscard]] std::vector<PlannedPass> plan_for_remaining_facets(const RepairOptions& options);
 
 /// Returns the passes for the facets and foldovers that plan_for_remaining_facets() leaves, in
-/// walls hardly thicker than the tolerance: these become as thick as that.
+/// walls thinner than the tolerance: these become as thick as that.
 [[nodiscard]] std::vector<PlannedPass> plan_for_thin_walls(const RepairOptions& options);
 
 }  // namespace meshalyzer
