@@ -106,11 +106,12 @@ namespace meshalyzer {
 /// becomes manifold where neither part_contacts() nor cut_off_tips() finds room between its parts.
 [[nodiscard]] PassResult join_contacts(const PassInput& input);
 
-/// Replaces opposed normals (see opposed_normals()) by the mean of the right ones, by angle.
+/// Replaces opposed normals (see opposed_normals()) by the mean normal of the faces that have them,
+/// weighted by angle.
 [[nodiscard]] PassResult renew_normals(const PassInput& input);
 
 /// Returns a pass that fills holes with patches which meet neither the mesh nor themselves. By
-/// PassInput::holes, a loop without one is tried again only once a face near it has changed.
+/// PassInput::memory, a loop without one is tried again only once a face near it has changed.
 [[nodiscard]] PassFunction hole_filling(const FillOptions& options);
 
 /// Tells whether sheets that intersect something are cut.
@@ -190,8 +191,7 @@ enum class Fragments : std::uint8_t {
 /// @param thickness  The thickness of the solid over a flat surface; a length above 0.
 [[nodiscard]] PassResult thicken_sheets(const PassInput& input, double thickness);
 
-/// Makes thin solids of components in the same way, whatever they bound: what they enclosed is
-/// hollow then.
+/// Makes thin solids of components in the same way, whatever they bound: they are hollow then.
 ///
 /// @param face_keys  The keys of faces, ascending: their components become thin solids.
 [[nodiscard]] PassResult thicken_parts(const PassInput& input, std::span<const Index> face_keys,
