@@ -54,6 +54,20 @@ TEST(ContourMesh, OfASphereHasItsVolume) {
   EXPECT_NEAR(volume_of(contour_within(sphere, 0.03)), volume_of(sphere), 0.05);
 }
 
+TEST(ContourMesh, EdgesInsideAreNotApproximatedWhereFacesTouchAlmost) {
+  // A block stands in a notch that two others leave, so closely that no grid shows the gap: where
+  // they cover its edge, the edge lies inside the solid. It crosses neither.
+  constexpr double kGap = 1e-9;
+  // No plane of the grid runs through the gap.
+  constexpr double kSide = 0.9987;
+  const Soup block = shapes::box({0, 0, 0}, {kSide, 1, kSide});
+  const Soup above = shapes::box({0.5, 0.25, kSide + kGap}, {1.5, 0.75, 1.5});
+  const Soup beside = shapes::box({kSide + kGap, 0.25, 0.5}, {1.5, 0.75, 1.25});
+  const Soup soup = shapes::merged(shapes::merged(block, above), beside);
+  // Volumes of about 1 + 1/4 + 1/8.
+  EXPECT_NEAR(volume_of(contour_within(soup, 0.01)), 1.375, 0.05);
+}
+
 TEST(ContourMesh, OfCubesThatCrossIsTheirUnion) {
   // Volumes 8 + 8 - 1.
   const Soup cubes = shapes::merged(shapes::cube(2), shapes::cube(2, {1, 1, 1}));

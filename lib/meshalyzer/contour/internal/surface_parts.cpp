@@ -13,6 +13,9 @@
 namespace meshalyzer {
 namespace {
 
+/// What lies inside a piece near its corner or edge is sampled this share of the way to its middle.
+constexpr double kInwards = 1.0 / 64.0;
+
 /// Divides one face into parts that separate the region and parts that do not.
 class FaceDivision {
  public:
@@ -28,14 +31,16 @@ class FaceDivision {
   /// @param others  The face and each of those that intersect it.
   void divide(const Corners& face, std::span<const std::array<Index, 2>> others, unsigned creases,
               SurfaceParts& parts) {
-    const std::size_t n_before = parts.separating.size();
+    const std::size_t n_separating = parts.separating.size();
+    const std::size_t n_walls = parts.walls.size();
     for (const auto& [f, other] : others) others_.push_back(other);
     divide_piece(face, 0, parts);
-    // If no other face meets this one, a property of its interior also holds at its edges.
-    const bool any_separates = parts.separating.size() > n_before;
-    if (any_separates || !others.empty()) {
-      add_crease_points(face, !others.empty(), creases, parts);
-    }
+    const bool any_separates = parts.separating.size() > n_separating;
+    const bool any_is_wall = parts.walls.size() > n_walls;
+    // If no other face meets this one, a property of all its pieces also holds at its edges. Faces
+    // that lie closely over a part of it make its pieces differ.
+    const bool may_change = !others.empty() || (any_separates && any_is_wall);
+    if (any_separates || may_change) add_crease_points(face, may_change, creases, parts);
   }
 
  private:
@@ -79,23 +84,30 @@ class FaceDivision {
 
   /// Tells whether, at four sample points, one part of a piece separates and another does not.
   [[nodiscard]] bool changes_inside(const Corners& t, const Vec3& middle) const {
-    constexpr double kInwards = 1.0 / 64.0;
     const bool at_middle = separates(middle);
     return std::any_of(t.begin(), t.end(), [&](const Vec3& corner) {
       return separates(corner + kInwards * (middle - corner)) != at_middle;
     });
   }
 
+  /// Tells whether a piece separates beside a point of its edge. At the point itself both samples
+  /// may lie in the plane of a face on the other side of the edge.
+  [[nodiscard]] bool separates_beside(const Vec3& p, const Vec3& middle) const {
+    const Vec3 inwards = middle - p;
+    return separates(p + std::min(kInwards, resolution_.reach / inwards.norm()) * inwards);
+  }
+
   /// Adds points along creases, which centroids miss.
   void add_crease_points(const Corners& t, bool may_change, unsigned creases,
                          SurfaceParts& parts) const {
+    const Vec3 middle = centroid_of(t);
     for (std::size_t i = 0; i < 3; ++i) {
       if ((creases >> i & 1U) == 0) continue;
       const Vec3 edge = t[(i + 1) % 3] - t[i];
       const double n = std::ceil(edge.norm() / resolution_.crease_spacing);
       for (double k = 0.0; k < n; ++k) {
         const Vec3 p = t[i] + edge * (k / n);
-        if (!may_change || separates(p)) parts.separating.push_back(p);
+        if (!may_change || separates_beside(p, middle)) parts.separating.push_back(p);
       }
     }
   }

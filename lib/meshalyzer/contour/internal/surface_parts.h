@@ -45,8 +45,8 @@ struct FaceHints {
 /// @param wants_to_stop  Called now and then, from any thread; once it returns true, the parts mean
 ///                       nothing.
 /// @complexity           O(#F + points) with one call of the region for each piece, and for each
-///                       crease point of a face that intersects others; four for a piece that
-///                       others touch.
+///                       crease point of a face that intersects others, or of which only some
+///                       pieces separate; four for a piece that others touch.
 [[nodiscard]] SurfaceParts divide_surface(const Soup& soup, const Region& region,
                                           const FaceHints& hints, const PartsResolution& resolution,
                                           const StopQuery& wants_to_stop);
