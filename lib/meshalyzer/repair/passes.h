@@ -191,10 +191,4 @@ enum class Fragments : std::uint8_t {
 /// @param thickness  The thickness of the solid over a flat surface; a length above 0.
 [[nodiscard]] PassResult thicken_sheets(const PassInput& input, double thickness);
 
-/// Makes thin solids of components in the same way, whatever they bound: they are hollow then.
-///
-/// @param face_keys  The keys of faces, ascending: their components become thin solids.
-[[nodiscard]] PassResult thicken_parts(const PassInput& input, std::span<const Index> face_keys,
-                                       double thickness);
-
 }  // namespace meshalyzer

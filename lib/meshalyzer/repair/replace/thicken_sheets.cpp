@@ -6,6 +6,7 @@
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/replace/internal/new_surface.h"
 #include "meshalyzer/repair/replace/internal/thick_surface.h"
+#include "meshalyzer/repair/replace/internal/thicken_parts.h"
 #include "meshalyzer/topology/components.h"
 
 #include <algorithm>
@@ -82,11 +83,13 @@ std::vector<Index> faces_of_sheet(const Soup& soup, std::vector<Index> faces, bo
 
 /// Makes a thin solid of each component, in one operation.
 ///
-/// @param sheet_of  Returns those faces of a component, by its number and its faces, that become
+/// @param separable  Ascending, see thicken().
+/// @param sheet_of   Returns those faces of a component, by its number and its faces, that become
 ///                  the thin solid; none if it is left.
 template <typename SheetOf>
 PassResult thicken_components(const PassInput& input, const Components& components,
-                              double thickness, const SheetOf& sheet_of) {
+                              double thickness, std::span<const Index> separable,
+                              const SheetOf& sheet_of) {
   const Soup& soup = input.tracked.soup;
   const ItemsByGroup faces(components.of_face, components.count);
   PassResult result;
@@ -95,7 +98,7 @@ PassResult thicken_components(const PassInput& input, const Components& componen
     for (const Index f : faces[i]) part.push_back(input.mesh.cut().side.faces[f]);
     const std::vector<Index> sheet = sheet_of(i, part);
     if (sheet.empty()) continue;
-    replace_faces(soup, part, thicken(soup, sheet, thickness), result.edits);
+    replace_faces(soup, part, thicken(soup, sheet, thickness, separable), result.edits);
   }
   return result;
 }
@@ -105,18 +108,23 @@ PassResult thicken_components(const PassInput& input, const Components& componen
 PassResult thicken_sheets(const PassInput& input, double thickness) {
   const Components components = find_edge_components(input.mesh.cut());
   const std::vector<std::uint8_t> is_sheet = which_are_sheets(input.mesh, components);
-  return thicken_components(input, components, thickness,
+  return thicken_components(input, components, thickness, {},
                             [&](std::size_t i, const std::vector<Index>& part) {
                               return faces_of_sheet(input.tracked.soup, part, is_sheet[i] == 0);
                             });
 }
 
 PassResult thicken_parts(const PassInput& input, std::span<const Index> face_keys,
-                         double thickness) {
-  const auto is_named = [&](Index face) {
-    return std::binary_search(face_keys.begin(), face_keys.end(), input.tracked.face_keys[face]);
+                         std::span<const Index> separable_keys, double thickness) {
+  const auto is_one_of = [&](std::span<const Index> keys, Index face) {
+    return std::binary_search(keys.begin(), keys.end(), input.tracked.face_keys[face]);
   };
-  return thicken_components(input, find_edge_components(input.mesh.cut()), thickness,
+  const auto is_named = [&](Index face) { return is_one_of(face_keys, face); };
+  std::vector<Index> separable;
+  for (Index face = 0; face < input.tracked.soup.n_faces(); ++face) {
+    if (is_one_of(separable_keys, face)) separable.push_back(face);
+  }
+  return thicken_components(input, find_edge_components(input.mesh.cut()), thickness, separable,
                             [&](std::size_t, const std::vector<Index>& part) {
                               return std::any_of(part.begin(), part.end(), is_named)
                                          ? distinct_faces(input.tracked.soup, part)

@@ -2,22 +2,31 @@
 
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "support/shapes.h"
+#include "support/surface_distance.h"
 #include "unit/repair/repaired_meshes.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <span>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
 
-/// All faces of a mesh, made thick; the surface must be closed, manifold, oriented and embedded.
-Soup thick(const Soup& soup, double thickness) {
+/// All faces of a mesh, made thick; parts of the surface may cross.
+Soup thick_with_crossings(const Soup& soup, double thickness,
+                          std::span<const Index> separable = {}) {
   std::vector<Index> faces(soup.n_faces());
   std::iota(faces.begin(), faces.end(), Index{0});
-  const NewSurface made = thicken(soup, faces, thickness);
+  const NewSurface made = thicken(soup, faces, thickness, separable);
   EXPECT_EQ(made.origins.size(), made.triangles.size());
-  Soup result = shapes::make(made.positions, made.triangles);
+  return shapes::make(made.positions, made.triangles);
+}
+
+/// All faces of a mesh, made thick; the surface must be closed, manifold, oriented and embedded.
+Soup thick(const Soup& soup, double thickness) {
+  Soup result = thick_with_crossings(soup, thickness);
   const PreparedMesh mesh(result);
   for (const auto h : mesh.cut().mesh.halfedges()) {
     EXPECT_FALSE(mesh.cut().mesh.is_boundary(h));
@@ -62,6 +71,23 @@ TEST(Thicken, FlippedFaceMakesNoDifference) {
   const Soup grid = shapes::grid(3, 3);
   EXPECT_NEAR(volume_of(thick(shapes::flipped(grid, std::vector<Index>{2, 5}), 0.01)),
               volume_of(thick(grid, 0.01)), 1e-12);
+}
+
+TEST(Thicken, SeparableFaceFoldedSharplyBackLiesInItsSolid) {
+  // At vertex 0 two faces of a plane outweigh the third, which is folded back over them by 135
+  // degrees: what is in front of all three on average is behind that one.
+  const Soup folded =
+      shapes::make({{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {-0.5, 1, 0}, {0.5, 0.7, 0.7}},
+                   {{0, 1, 2}, {0, 2, 3}, {1, 0, 4}});
+  const Soup solid = thick_with_crossings(folded, 0.01, std::vector<Index>{2});
+  for (Index f = 0; f < folded.n_faces(); ++f) {
+    const auto corners = corners_of(folded, f);
+    const Vec3 centroid = (corners[0] + corners[1] + corners[2]) / 3.0;
+    for (const Vec3& corner : corners) {
+      const Vec3 near_corner = 0.98 * corner + 0.02 * centroid;
+      EXPECT_GT(test::summed_winding(solid, near_corner), 0.5) << f << " at " << corner.transpose();
+    }
+  }
 }
 
 }  // namespace

@@ -177,11 +177,17 @@ class Guarantee {
     if (!options_.solid) return false;
     ShellChoice shells;
     for (std::size_t i = 0; i < kMostUnionsWithShells && is_union_too_far_; ++i) {
-      const auto& [face_keys, has_open, points] = lost_;
+      const auto& [face_keys, shell_keys, has_open, points] = lost_;
       // With the same shells it would end as before.
       if (i > 0 && points.empty()) return false;
       shells.face_keys.insert(shells.face_keys.end(), face_keys.begin(), face_keys.end());
       sort_unique(shells.face_keys);
+      // Faces of shells that the second union has lost, too, may have turned over in them.
+      if (i > 1) {
+        std::vector<Index>& separable = shells.separable_keys;
+        separable.insert(separable.end(), shell_keys.begin(), shell_keys.end());
+        sort_unique(separable);
+      }
       if (i > 0 && !has_open) {
         if (!shells.hidden_points.empty()) {
           shells.thickness_share *= kThinner;

@@ -15,6 +15,8 @@ struct ShellChoice {
   bool closed_too = false;
   /// The open components in whose box one of these points lies: their hole patches may hide it.
   std::vector<Vec3> hidden_points;
+  /// Faces, by key, ascending, that need not be joined to the rest of their shell, see thicken().
+  std::vector<Index> separable_keys = {};
   /// The thickness of the shells, as a share of the maximum deviation.
   double thickness_share = 0.5;
 };

@@ -2,6 +2,7 @@
 
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/runs.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/exact/normal.h"
 
 #include <algorithm>
@@ -38,14 +39,31 @@ constexpr std::size_t kBehind = 1;
 
 class Thickening {
  public:
-  Thickening(const Soup& soup, std::span<const Index> faces)
+  Thickening(const Soup& soup, std::span<const Index> faces, double thickness)
       : soup_(soup), faces_(faces), sets_(6 * faces.size()) {
     find_edges();
-  }
-
-  NewSurface run(double thickness) {
     join_all_sides();
     place_vertices(thickness / 2.0);
+  }
+
+  /// Tells whether both walls of a face, by its index in the list, lie on their sides of it, and
+  /// face away from it.
+  [[nodiscard]] bool has_walls_in_place(std::size_t f) const {
+    const Corners middle = corners_of(soup_, faces_[f]);
+    const Vec3 normal = unit_normal(middle);
+    const auto is_in_place = [&](std::size_t side) {
+      const Vec3 out = side == kFront ? normal : Vec3(-normal);
+      Corners wall;
+      for (std::size_t k = 0; k < 3; ++k) {
+        wall[k] = surface_.positions[corner(f, side, k)];
+        if ((wall[k] - middle[k]).dot(out) < 0.0) return false;
+      }
+      return normal_of(wall).dot(normal) > 0.0;
+    };
+    return is_in_place(kFront) && is_in_place(kBehind);
+  }
+
+  NewSurface run() {
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       add({corner(f, kFront, 0), corner(f, kFront, 1), corner(f, kFront, 2)}, f);
       add({corner(f, kBehind, 0), corner(f, kBehind, 2), corner(f, kBehind, 1)}, f);
@@ -199,10 +217,49 @@ class Thickening {
   NewSurface surface_;
 };
 
+void append(const NewSurface& added, NewSurface& surface) {
+  const auto n_before = static_cast<Index>(surface.positions.size());
+  surface.positions.insert(surface.positions.end(), added.positions.begin(), added.positions.end());
+  for (const Triangle& t : added.triangles) {
+    surface.triangles.push_back({t[0] + n_before, t[1] + n_before, t[2] + n_before});
+  }
+  surface.origins.insert(surface.origins.end(), added.origins.begin(), added.origins.end());
+}
+
+/// Makes one thin solid of as many faces as can be joined, and adds it to a surface.
+///
+/// @return  The other faces, which are separable.
+std::vector<Index> thicken_joined(const Soup& soup, std::vector<Index> faces, double thickness,
+                                  std::span<const Index> separable, NewSurface& surface) {
+  std::vector<Index> left;
+  for (;;) {
+    Thickening thickening(soup, faces, thickness);
+    std::vector<Index> in_place;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const bool may_leave = std::binary_search(separable.begin(), separable.end(), faces[f]);
+      (may_leave && !thickening.has_walls_in_place(f) ? left : in_place).push_back(faces[f]);
+    }
+    if (in_place.size() == faces.size()) {
+      append(thickening.run(), surface);
+      return left;
+    }
+    faces = std::move(in_place);
+  }
+}
+
 }  // namespace
 
-NewSurface thicken(const Soup& soup, std::span<const Index> faces, double thickness) {
-  return Thickening(soup, faces).run(thickness);
+NewSurface thicken(const Soup& soup, std::span<const Index> faces, double thickness,
+                   std::span<const Index> separable) {
+  NewSurface surface;
+  std::vector<Index> left(faces.begin(), faces.end());
+  for (std::size_t n_before = 0; left.size() != n_before;) {
+    n_before = left.size();
+    left = thicken_joined(soup, left, thickness, separable, surface);
+  }
+  // Those that cannot be joined to any other become prisms.
+  for (const Index& face : left) append(Thickening(soup, {&face, 1}, thickness).run(), surface);
+  return surface;
 }
 
 }  // namespace meshalyzer

@@ -8,9 +8,11 @@
 #include "meshalyzer/repair/replace/internal/broken_solids.h"
 #include "meshalyzer/repair/replace/internal/join_points.h"
 #include "meshalyzer/repair/replace/internal/offset_parts.h"
+#include "meshalyzer/repair/replace/internal/thicken_parts.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <utility>
@@ -182,7 +184,7 @@ class UnionFromInput {
               remember_all(input);
               shells_ = choose_shells(input, *choice_.shells);
               if (would_be_last_again()) measure_last();
-              return thicken_parts(input, shells_.face_keys,
+              return thicken_parts(input, shells_.face_keys, choice_.shells->separable_keys,
                                    choice_.shells->thickness_share * input.limits.max_deviation);
             }};
   }
@@ -282,6 +284,8 @@ class UnionFromInput {
                                               shells_.other_open_keys.end(), sample.face_key);
     }
     sort_unique(far_.face_keys);
+    std::set_intersection(far_.face_keys.begin(), far_.face_keys.end(), shells_.face_keys.begin(),
+                          shells_.face_keys.end(), std::back_inserter(far_.shell_keys));
   }
 
   [[nodiscard]] std::string what_was_done() const {

@@ -57,6 +57,8 @@ struct UnionMemory {
 struct LostBoundary {
   /// The keys of faces on which a sample is too far from the union, ascending.
   std::vector<Index> face_keys;
+  /// Those of them that were faces of shells, ascending.
+  std::vector<Index> shell_keys = {};
   /// Tells whether one of them is of an open component that did not become a shell.
   bool has_open = false;
   /// The samples that are too far from the union.
