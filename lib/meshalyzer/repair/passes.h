@@ -46,7 +46,7 @@ namespace meshalyzer {
 [[nodiscard]] PassResult mend_remaining_facets(const PassInput& input);
 
 /// Widens degenerate and flat facets that nothing takes away: moves one vertex of each, by a few
-/// times the tolerance at most, and makes no contact.
+/// times the tolerance at most, so that the facet is as wide as that. It makes no contact.
 [[nodiscard]] PassResult widen_facets(const PassInput& input, TurningOver turning);
 
 /// Joins border edges, only with border edges, and never so that an edge gets a third face: those

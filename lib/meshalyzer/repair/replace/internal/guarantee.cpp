@@ -37,6 +37,11 @@ constexpr double kOffsetShare = 1.0 / 16.0;
 /// The thickness of solids made of sheets, as a fraction of the deviation that is left.
 constexpr std::array<double, 3> kSharesOfThickness{0.5, 0.05, 0.005};
 
+void add_keys(const std::vector<Index>& added, std::vector<Index>& keys) {
+  keys.insert(keys.end(), added.begin(), added.end());
+  sort_unique(keys);
+}
+
 class Guarantee {
  public:
   Guarantee(RepairDriver& driver, const RepairOptions& options)
@@ -180,14 +185,9 @@ class Guarantee {
       const auto& [face_keys, shell_keys, has_open, points] = lost_;
       // With the same shells it would end as before.
       if (i > 0 && points.empty()) return false;
-      shells.face_keys.insert(shells.face_keys.end(), face_keys.begin(), face_keys.end());
-      sort_unique(shells.face_keys);
+      add_keys(face_keys, shells.face_keys);
       // Faces of shells that the second union has lost, too, may have turned over in them.
-      if (i > 1) {
-        std::vector<Index>& separable = shells.separable_keys;
-        separable.insert(separable.end(), shell_keys.begin(), shell_keys.end());
-        sort_unique(separable);
-      }
+      if (i > 1) add_keys(shell_keys, shells.separable_keys);
       if (i > 0 && !has_open) {
         if (!shells.hidden_points.empty()) {
           shells.thickness_share *= kThinner;

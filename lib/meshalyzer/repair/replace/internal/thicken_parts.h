@@ -6,8 +6,8 @@
 
 namespace meshalyzer {
 
-/// Makes thin solids of components as thicken_sheets() does, whatever they bound: they are hollow
-/// then.
+/// Makes thin solids of components as thicken_sheets() does, whatever they bound: what they
+/// enclosed is hollow then.
 ///
 /// @param face_keys       The keys of faces, ascending: their components become thin solids.
 /// @param separable_keys  The keys of separable faces, ascending, see thicken().
