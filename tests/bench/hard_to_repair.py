@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Writes a mesh on which repairs have taken long, for doc/benchmarks.md.
 
-usage: hard_to_repair.py unwelded|cubes|crossed|shifted FILE.obj
+usage: hard_to_repair.py unwelded|cubes|crossed|shifted|star FILE.obj
   unwelded  a torus of 160,000 faces, each with vertices of its own
   cubes     a block of 20 x 20 x 20 cubes of 12 faces that touch their neighbours, each with vertices of its own
   crossed   a rough torus of 10,000 faces, and one face that cuts through it from side to side
   shifted   a sheet of 8,000 faces, whose vertices are in no order, and the second half of which names vertices three
             records too late
+  star      200 faces round one place, each of which crosses all others
 """
 import itertools
 import math
@@ -79,7 +80,21 @@ def shifted():
             faces[:begin] + [tuple((v + 3) % len(surface) for v in face) for face in faces[begin:]])
 
 
-MESHES = {'unwelded': unwelded, 'cubes': cubes, 'crossed': crossed, 'shifted': shifted}
+def star():
+    points, faces = [], []
+    for i in range(200):
+        z = 1 - (2 * i + 1) / 200
+        normal = (math.sqrt(1 - z * z) * math.cos(2.4 * i), math.sqrt(1 - z * z) * math.sin(2.4 * i), z)
+        u = (-math.sin(2.4 * i), math.cos(2.4 * i), 0)
+        v = (normal[1] * u[2] - normal[2] * u[1], normal[2] * u[0] - normal[0] * u[2], normal[0] * u[1] - normal[1] * u[0])
+        faces.append(tuple(range(len(points), len(points) + 3)))
+        for k in range(3):
+            c, s = math.cos(i + 2 * math.pi * k / 3), math.sin(i + 2 * math.pi * k / 3)
+            points.append(tuple(0.001 * n + c * p + s * q for n, p, q in zip(normal, u, v)))
+    return points, faces
+
+
+MESHES = {'unwelded': unwelded, 'cubes': cubes, 'crossed': crossed, 'shifted': shifted, 'star': star}
 
 
 def main():

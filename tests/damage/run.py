@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Damages mesh files at random and runs both programs on them: nothing may crash, hang or take all memory.
 
-usage: run.py [--runs N] [--seed S] [--keep FOLDER] PROGRAMS [FOLDER...]
+usage: run.py [--runs N] [--seed S] [--intact] [--keep FOLDER] PROGRAMS [FOLDER...]
   PROGRAMS       folder that holds meshalyzer and meshfixer
   FOLDER         where the meshes are; the default is meshes and ../shared/corpus
   --runs N       number of damaged files, each given to both programs; default 100
   --seed S       of what is random; the same seed makes the same files
+  --intact       gives each mesh to both programs once, as it is
   --keep FOLDER  keeps the files that failed there
 
 A file loses or gains bytes: bits are flipped, runs of bytes cut, repeated, or exchanged with others, lines too. Files of up to
@@ -116,11 +117,12 @@ def run(command):
 
 
 def failures_of(job):
-    """Makes a damaged file and runs both programs on it; returns their failures."""
+    """Makes a file, damaged unless there is no seed, and runs both programs on it; returns their failures."""
     programs, source, seed, keep = job
-    data = damaged(source.read_bytes(), random.Random(seed))
+    data = source.read_bytes() if seed is None else damaged(source.read_bytes(), random.Random(seed))
     with tempfile.TemporaryDirectory() as scratch:
-        file = pathlib.Path(scratch, f'damaged_{seed}{source.suffix}')
+        name = source.stem if seed is None else f'damaged_{seed}'
+        file = pathlib.Path(scratch, name + source.suffix)
         file.write_bytes(data)
         commands = [[programs / 'meshalyzer', '--threads', '1', '-p', file],
                     [programs / 'meshfixer', '--threads', '1', file, '-o', file.with_name('fixed' + source.suffix)]]
@@ -137,6 +139,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('--runs', type=int, default=100)
     parser.add_argument('--seed', type=int, default=1)
+    parser.add_argument('--intact', action='store_true')
     parser.add_argument('--keep', type=pathlib.Path)
     parser.add_argument('programs', type=lambda text: pathlib.Path(text).resolve())
     parser.add_argument('folders', nargs='*', type=pathlib.Path)
@@ -148,15 +151,18 @@ def main():
         sys.exit('no meshes found')
     if options.keep:
         options.keep.mkdir(parents=True, exist_ok=True)
-    rng = random.Random(options.seed)
-    jobs = [(options.programs, rng.choice(sources), options.seed * 1_000_003 + i, options.keep) for i in range(options.runs)]
+    if options.intact:
+        jobs = [(options.programs, source, None, options.keep) for source in sources]
+    else:
+        rng = random.Random(options.seed)
+        jobs = [(options.programs, rng.choice(sources), options.seed * 1_000_003 + i, options.keep) for i in range(options.runs)]
     n_failed = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for failures in pool.map(failures_of, jobs):
             for failure in failures:
                 print(failure, flush=True)
             n_failed += len(failures)
-    print(f'{len(jobs)} damaged files, {n_failed} failures')
+    print(f'{len(jobs)} files, {n_failed} failures')
     sys.exit(1 if n_failed else 0)
 
 

@@ -12,6 +12,7 @@
 #include "meshalyzer/mesh/finite_positions.h"
 #include "meshalyzer/spatial/self_intersection.h"
 
+#include <atomic>
 #include <utility>
 
 namespace meshalyzer {
@@ -63,18 +64,22 @@ std::vector<PointName> names_of_contacts(std::span<const FaceSimplex> simplices,
   return names;
 }
 
-/// Returns the crossings in each cluster.
-std::vector<std::vector<PointName>> find_crossings(std::span<const FaceSimplex> simplices,
-                                                   std::span<const FaceCluster> clusters,
-                                                   const NamedPoints& points,
-                                                   const StopQuery& wants_to_stop) {
+/// Returns the crossings in each cluster, or nothing if there are too many, or once it is to stop.
+std::optional<std::vector<std::vector<PointName>>> find_crossings(
+    std::span<const FaceSimplex> simplices, std::span<const FaceCluster> clusters,
+    const NamedPoints& points, const ArrangeLimits& limits) {
   std::vector<std::vector<PointName>> crossings(clusters.size());
+  std::atomic<std::size_t> n_found = 0;
+  const auto are_too_many = [&] { return n_found > limits.max_crossings; };
   parallel_chunks(clusters.size(), kItemsAtOnce, [&](Chunk chunk) {
-    if (wants_to_stop()) return;
-    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      crossings[i] = find_segment_crossings(simplices, clusters[i], points, wants_to_stop);
+    if (limits.wants_to_stop()) return;
+    for (std::size_t i = chunk.begin; i < chunk.end && !are_too_many(); ++i) {
+      crossings[i] = find_segment_crossings(simplices, clusters[i], points, limits.max_crossings,
+                                            limits.wants_to_stop);
+      n_found += crossings[i].size();
     }
   });
+  if (are_too_many() || limits.wants_to_stop()) return std::nullopt;
   return crossings;
 }
 
@@ -85,20 +90,32 @@ std::vector<PointName> names_of_crossings(std::span<const std::vector<PointName>
   return names;
 }
 
-/// Returns the nodes in each cluster, ascending.
+/// The nodes in a cluster.
+struct ClusterNodes {
+  /// Ascending.
+  std::vector<Index> all;
+  /// The number of those that only crossings have made.
+  std::size_t n_of_crossings = 0;
+};
+
+/// Returns the nodes in each cluster.
 ///
 /// @param crossings  #clusters: the crossings in each.
-std::vector<std::vector<Index>> find_nodes(std::span<const FaceCluster> clusters,
-                                           std::span<const std::vector<PointName>> crossings,
-                                           const NamedPoints& crossing_points, const Nodes& nodes) {
-  std::vector<std::vector<Index>> nodes_of(clusters.size());
+std::vector<ClusterNodes> find_nodes(std::span<const FaceCluster> clusters,
+                                     std::span<const std::vector<PointName>> crossings,
+                                     const NamedPoints& crossing_points, const Nodes& nodes) {
+  std::vector<ClusterNodes> nodes_of(clusters.size());
   parallel_chunks(clusters.size(), kItemsAtOnce, [&](Chunk chunk) {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      for (const Index p : clusters[i].points) nodes_of[i].push_back(nodes.of_first[p]);
+      std::vector<Index>& all = nodes_of[i].all;
+      for (const Index p : clusters[i].points) all.push_back(nodes.of_first[p]);
+      sort_unique(all);
+      const std::size_t n_of_contacts = all.size();
       for (const PointName& name : crossings[i]) {
-        nodes_of[i].push_back(nodes.of_second[crossing_points.find(name)]);
+        all.push_back(nodes.of_second[crossing_points.find(name)]);
       }
-      sort_unique(nodes_of[i]);
+      sort_unique(all);
+      nodes_of[i].n_of_crossings = all.size() - n_of_contacts;
     }
   });
   return nodes_of;
@@ -106,22 +123,27 @@ std::vector<std::vector<Index>> find_nodes(std::span<const FaceCluster> clusters
 
 /// Returns a lower bound of the number of pieces. The faces of a cluster are joined through areas,
 /// so that there is a spanning tree of their pieces, along whose edges each adds at most one node
-/// to the three of the first.
-std::size_t least_pieces(std::span<const std::vector<Index>> nodes_of_clusters) {
+/// to the three of the first. A triangulation has one more piece for each node inside, as are all
+/// crossings of a single face: of two segments that cross, only one could lie on its edge.
+std::size_t least_pieces(std::span<const FaceCluster> clusters,
+                         std::span<const ClusterNodes> nodes_of_clusters) {
   std::size_t n_pieces = 0;
-  for (const std::vector<Index>& nodes : nodes_of_clusters) n_pieces += nodes.size() - 2;
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    n_pieces += nodes_of_clusters[i].all.size() - 2;
+    if (clusters[i].faces.size() == 1) n_pieces += nodes_of_clusters[i].n_of_crossings;
+  }
   return n_pieces;
 }
 
 std::vector<ClusterPieces> cut_clusters(const CuttingScene& scene,
                                         std::span<const FaceCluster> clusters,
-                                        std::span<const std::vector<Index>> nodes_of_clusters,
+                                        std::span<const ClusterNodes> nodes_of_clusters,
                                         const StopQuery& wants_to_stop) {
   std::vector<ClusterPieces> pieces(clusters.size());
   parallel_chunks(clusters.size(), kItemsAtOnce, [&](Chunk chunk) {
     if (wants_to_stop()) return;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-      pieces[i] = cut_cluster(scene, clusters[i], nodes_of_clusters[i]);
+      pieces[i] = cut_cluster(scene, clusters[i], nodes_of_clusters[i].all);
     }
   });
   return pieces;
@@ -155,9 +177,9 @@ std::optional<Arrangement> arrange_within(const Soup& soup, std::span<const Inte
   if (most_digit_bytes(soup, names) > limits.max_digit_bytes) return std::nullopt;
   const NamedPoints points(soup, std::move(names));
   const std::vector<FaceCluster> clusters = make_clusters(simplices, pairs, contacts, points);
-  const auto crossings = find_crossings(simplices, clusters, points, wants_to_stop);
-  if (wants_to_stop()) return std::nullopt;
-  names = names_of_crossings(crossings);
+  const auto crossings = find_crossings(simplices, clusters, points, limits);
+  if (!crossings) return std::nullopt;
+  names = names_of_crossings(*crossings);
   if (most_digit_bytes(soup, names) > limits.max_digit_bytes) return std::nullopt;
   const NamedPoints crossing_points(soup, std::move(names));
   Nodes nodes = unite_points(points, crossing_points);
@@ -165,8 +187,8 @@ std::optional<Arrangement> arrange_within(const Soup& soup, std::span<const Inte
       nodes.points.size() - soup.n_vertices() > limits.max_pieces) {
     return std::nullopt;
   }
-  const auto nodes_of_clusters = find_nodes(clusters, crossings, crossing_points, nodes);
-  if (least_pieces(nodes_of_clusters) > limits.max_pieces) return std::nullopt;
+  const auto nodes_of_clusters = find_nodes(clusters, *crossings, crossing_points, nodes);
+  if (least_pieces(clusters, nodes_of_clusters) > limits.max_pieces) return std::nullopt;
 
   const std::vector<Index> flat_faces = find_flat_faces(soup);
   const std::vector<VertexPair> flat_edges = edges_of_faces(soup, flat_faces);

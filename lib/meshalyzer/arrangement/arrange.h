@@ -35,12 +35,15 @@ struct ArrangeLimits {
   /// again of those inside faces, in bytes: points have thousands of digits if some coordinates of
   /// the soup are 1e150 and others 1.
   std::size_t max_digit_bytes = std::numeric_limits<std::size_t>::max();
+  /// The maximum number of times that segments cross each other inside faces. Each may be a point
+  /// of its own, whose exact coordinates take 400 bytes.
+  std::size_t max_crossings = std::numeric_limits<std::size_t>::max();
   /// Called now and then, from any thread; once it returns true, cutting ends.
   StopQuery wants_to_stop = {};
 };
 
 /// Cuts a soup along its self-intersections, within limits. Faces are not even cut if there are too
-/// many points to cut them at: each adds a piece to every face that it lies on.
+/// many points to cut them at: each adds a piece to every face that it lies on, or two inside it.
 ///
 /// @return  The same as arrange(), or nothing if there would be more, or if it was told to stop.
 [[nodiscard]] std::optional<Arrangement> arrange_within(const Soup& soup,

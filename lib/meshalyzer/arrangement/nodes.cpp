@@ -63,12 +63,16 @@ Nodes unite_points(const NamedPoints& first, const NamedPoints& second) {
   Nodes nodes;
   nodes.of_first.resize(first.size());
   nodes.of_second.resize(second.size());
+  std::vector<Index> chosen;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Index i = points[k].number;
-    if (k == 0 || order.compare(points[k - 1], points[k]) != 0) nodes.points.push_back(order[i]);
-    const auto node = static_cast<Index>(nodes.points.size() - 1);
+    if (k == 0 || order.compare(points[k - 1], points[k]) != 0) chosen.push_back(i);
+    const auto node = static_cast<Index>(chosen.size() - 1);
     (i < first.size() ? nodes.of_first[i] : nodes.of_second[i - first.size()]) = node;
   }
+  // Exact points are large, so that room is made for no more of them than there are nodes.
+  nodes.points.reserve(chosen.size());
+  for (const Index i : chosen) nodes.points.push_back(order[i]);
   return nodes;
 }
 

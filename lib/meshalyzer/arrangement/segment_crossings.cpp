@@ -17,8 +17,8 @@ constexpr std::size_t kSegmentsBetweenQuestions = 64;
 class Crossings {
  public:
   Crossings(std::span<const FaceSimplex> simplices, const FaceCluster& cluster,
-            const NamedPoints& points)
-      : simplices_(simplices), axis_(cluster.axis), points_(points) {
+            const NamedPoints& points, std::size_t max_found)
+      : simplices_(simplices), axis_(cluster.axis), points_(points), max_found_(max_found) {
     for (const ClusterSegment& s : cluster.segments) {
       if (s.line == SegmentLine::Edge || s.from == s.to) continue;
       segments_.push_back(s);
@@ -41,6 +41,7 @@ class Crossings {
     const BoxTree tree(boxes_);
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       if (i % kSegmentsBetweenQuestions == 0 && wants_to_stop()) break;
+      if (found_.size() > max_found_) break;
       for (const Index j : tree.meeting(boxes_[i])) {
         if (j > i) look_at(segments_[i], segments_[j]);
       }
@@ -79,6 +80,7 @@ class Crossings {
   std::span<const FaceSimplex> simplices_;
   Axis axis_;
   const NamedPoints& points_;
+  std::size_t max_found_;
   std::vector<ClusterSegment> segments_;
   std::vector<Box3> boxes_;
   std::vector<PointName> found_;
@@ -88,8 +90,9 @@ class Crossings {
 
 std::vector<PointName> find_segment_crossings(std::span<const FaceSimplex> simplices,
                                               const FaceCluster& cluster, const NamedPoints& points,
+                                              std::size_t max_found,
                                               const StopQuery& wants_to_stop) {
-  return Crossings(simplices, cluster, points).find(wants_to_stop);
+  return Crossings(simplices, cluster, points, max_found).find(wants_to_stop);
 }
 
 }  // namespace meshalyzer

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -146,18 +147,22 @@ TEST(Arrange, FacesOfOppositeSidesCancelInOnePiece) {
   EXPECT_EQ(arrangement.sources_of(0)[1], (PieceSource{1, -1}));
 }
 
+/// Three triangles that contain the origin, one in each coordinate plane.
+Soup three_planes() {
+  return shapes::make({{-1, -1, 0},
+                       {3, -1, 0},
+                       {-1, 3, 0},
+                       {0, -1, -1},
+                       {0, 3, -1},
+                       {0, -1, 3},
+                       {-1, 0, -1},
+                       {-1, 0, 3},
+                       {3, 0, -1}},
+                      {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}});
+}
+
 TEST(Arrange, ThreePlanesMeetInOneVertex) {
-  // Three squares' halves through the origin, one in each coordinate plane.
-  const Soup soup = shapes::make({{-1, -1, 0},
-                                  {3, -1, 0},
-                                  {-1, 3, 0},
-                                  {0, -1, -1},
-                                  {0, 3, -1},
-                                  {0, -1, 3},
-                                  {-1, 0, -1},
-                                  {-1, 0, 3},
-                                  {3, 0, -1}},
-                                 {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}});
+  const Soup soup = three_planes();
   const Arrangement arrangement = arrange(soup);
   EXPECT_EQ(test::arrangement_fault(soup, arrangement), "");
   std::size_t n_origins = 0;
@@ -340,6 +345,21 @@ TEST(Arrange, NothingIsReturnedBeyondTheMaximumNumberOfPieces) {
     for (std::size_t max = 0; max < pieces.size(); ++max) {
       EXPECT_FALSE(arrange_within(soup, pairs, {.max_pieces = max})) << max;
     }
+  }
+}
+
+TEST(Arrange, NothingIsReturnedBeyondTheMaximumNumberOfCrossings) {
+  // In each triangle the segments cross in which the other two meet it. Of different size, they
+  // have no point on two edges.
+  Soup soup = three_planes();
+  for (std::size_t v = 3; v < 9; ++v) soup.positions[v] *= v < 6 ? 1.25 : 1.5;
+  const CutMesh cut = build(soup);
+  const std::vector<IntersectingPair> pairs = find_self_intersections(cut, FaceTree(cut));
+  const std::optional<Arrangement> cut_whole = arrange_within(soup, pairs, {.max_crossings = 3});
+  ASSERT_TRUE(cut_whole);
+  EXPECT_EQ(cut_whole->pieces, arrange(soup).pieces);
+  for (std::size_t max = 0; max < 3; ++max) {
+    EXPECT_FALSE(arrange_within(soup, pairs, {.max_crossings = max})) << max;
   }
 }
 

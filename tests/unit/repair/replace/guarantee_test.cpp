@@ -151,6 +151,17 @@ TEST(Guarantee, ClosedSurfaceInAPlaneBecomesAThinSolid) {
   EXPECT_EQ(made_good(parallelogram, to_solid()).n_faces(), 2U * 2 + 8);
 }
 
+TEST(Guarantee, SheetsWhoseThinSolidIntersectsItselfStayWithThatReason) {
+  RepairOptions options = to_solid();
+  // So that what intersects is not cut.
+  options.fixes.erase(DefectCode::SelfIntersection);
+  const Soup faces = shapes::merged(
+      kFace, shapes::make({{0.2, 0.2, -1}, {0.3, 0.2, 1}, {0.2, 0.9, 0.1}}, {{0, 1, 2}}));
+  const RepairResult result = fix_defects(faces, options);
+  EXPECT_EQ(only_mesh(result).triangles, faces.triangles);
+  EXPECT_TRUE(is_noted(result, "as a thin solid it would still intersect itself, in "));
+}
+
 TEST(Guarantee, SheetStaysOneUnlessASolidIsAskedFor) {
   RepairOptions options;
   options.guarantee = true;

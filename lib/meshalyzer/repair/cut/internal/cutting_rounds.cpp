@@ -30,6 +30,9 @@ constexpr std::size_t kPiecesAFace = 10;
 /// The maximum memory for the digits of exact points, see ArrangeLimits. A million pieces of a mesh
 /// whose coordinates have a common scale need two fifths of it, if anything.
 constexpr std::size_t kMaxDigitBytes = std::size_t{1} << 27;
+/// The maximum number of times that segments cross inside faces, unless there may be even more
+/// pieces. Real surfaces have hardly a tenth of it; a hundred faces through one place have as many.
+constexpr std::size_t kMaxCrossings = 1'000'000;
 /// Slivers are new faces thinner than this multiple of the spacing of the grid. If they widen, each
 /// round multiplies their width by a factor, up to a share of the maximum deviation.
 constexpr double kSliverWidth = 2.0;
@@ -242,10 +245,12 @@ void CuttingRounds::cut_once(const CutMesh& cut, const FaceTree& tree, const Pai
 std::shared_ptr<const ArrangedPieces> CuttingRounds::arranged_pieces(const Pairs& pairs) {
   FirstCut* const first = round_ == 0 ? first_cut_ : nullptr;
   if (first != nullptr && *first != nullptr) return *first;
-  std::optional<Arrangement> arrangement = arrange_within(soup_, pairs,
-                                                          {.max_pieces = max_pieces_,
-                                                           .max_digit_bytes = kMaxDigitBytes,
-                                                           .wants_to_stop = input_.wants_to_stop});
+  std::optional<Arrangement> arrangement =
+      arrange_within(soup_, pairs,
+                     {.max_pieces = max_pieces_,
+                      .max_digit_bytes = kMaxDigitBytes,
+                      .max_crossings = std::max(kMaxCrossings, max_pieces_),
+                      .wants_to_stop = input_.wants_to_stop});
   if (!arrangement) return nullptr;
   const auto pieces = std::make_shared<ArrangedPieces>();
   pieces->arrangement = std::move(*arrangement);

@@ -100,11 +100,13 @@ class Guarantee {
   /// @param from_input  If there are any, the trial starts from the input with these passes.
   bool try_pass(const PlannedPass& pass, std::vector<PlannedPass> plan,
                 std::vector<PlannedPass> from_input = {}) {
-    return driver_.run_trial(
-        {.from_input = std::move(from_input),
-         .changes = {pass},
-         .plan = std::move(plan),
-         .is_wanted = [&](const RepairState& state) { return driver_.is_good(state); }});
+    return driver_.run_trial({.from_input = std::move(from_input),
+                              .changes = {pass},
+                              .plan = std::move(plan),
+                              .is_wanted = [&](const RepairState& state) {
+                                n_pairs_of_trial_ = state.mesh().intersecting_pairs().size();
+                                return driver_.is_good(state);
+                              }});
   }
 
   /// Tells whether a union failed only because parts behind holes were kept.
@@ -123,6 +125,8 @@ class Guarantee {
   }
 
   /// Makes thin solids of sheets, if the mesh consists of sheets only.
+  ///
+  /// If the last of them is not good, remembers how often it intersects itself.
   bool thicken() {
     const double left = max_deviation_ - driver_.mesh().deviation();
     const bool do_sheets_intersect = !driver_.mesh().prepared().intersecting_pairs().empty();
@@ -133,7 +137,11 @@ class Guarantee {
       const PlannedPass pass{"thicken sheets", DefectCode::Hole, [&](const PassInput& input) {
                                return thicken_sheets(input, thickness);
                              }};
-      if (!try_pass(pass, plan_with_contacts_joined(options_, tolerances_))) continue;
+      n_pairs_of_trial_ = 0;
+      if (!try_pass(pass, plan_with_contacts_joined(options_, tolerances_))) {
+        n_pairs_of_thin_solid_ = n_pairs_of_trial_;
+        continue;
+      }
       driver_.mesh().raise_deviation(thickness / 2.0);
       notes_.push_back("a surface that encloses nothing was made a solid " + readable(thickness) +
                        " thick");
@@ -303,10 +311,15 @@ class Guarantee {
     return Outcome::Kept;
   }
 
-  void note_failure() {
-    notes_.push_back(
-        "not good, and not replaced: " +
-        (reason_.empty() ? std::string("no replacement was found that is good") : reason_));
+  void note_failure() { notes_.push_back("not good, and not replaced: " + reason_of_failure()); }
+
+  [[nodiscard]] std::string reason_of_failure() const {
+    const PreparedMesh& mesh = driver_.mesh().prepared();
+    if (n_pairs_of_thin_solid_ != 0 && !whole_mesh_as_solid(mesh).any_bounds_solid) {
+      return "it is a sheet, and as a thin solid it would still intersect itself, in " +
+             grouped(n_pairs_of_thin_solid_) + " pairs of faces";
+    }
+    return reason_.empty() ? "no replacement was found that is good" : reason_;
   }
 
   RepairDriver& driver_;
@@ -320,6 +333,9 @@ class Guarantee {
   /// See UnionChoice.
   double offset_share_ = 0.0;
   bool needs_larger_grid_ = false;
+  /// The numbers of intersecting pairs that the last trial of a pass left, and the last thin solid.
+  std::size_t n_pairs_of_trial_ = 0;
+  std::size_t n_pairs_of_thin_solid_ = 0;
   std::string reason_;
   std::vector<std::string> notes_;
 };
