@@ -129,7 +129,7 @@ def failures_of(job):
         failures = []
         for command in commands:
             if wrong := run([str(part) for part in command]):
-                failures.append(f'{source} (seed {seed}): {command[0].name} {wrong}')
+                failures.append(f'{source} ({file.name}): {command[0].name} {wrong}')
         if failures and keep:
             shutil.copy(file, keep)
     return failures

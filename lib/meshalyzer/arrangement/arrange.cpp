@@ -123,8 +123,9 @@ std::vector<ClusterNodes> find_nodes(std::span<const FaceCluster> clusters,
 
 /// Returns a lower bound of the number of pieces. The faces of a cluster are joined through areas,
 /// so that there is a spanning tree of their pieces, along whose edges each adds at most one node
-/// to the three of the first. A triangulation has one more piece for each node inside, as are all
-/// crossings of a single face: of two segments that cross, only one could lie on its edge.
+/// to the three of the first. A triangulation has one more piece for each node inside it. Those
+/// that only crossings have made are inside, if the face is a single one: on its edge, both
+/// segments would lie along that.
 std::size_t least_pieces(std::span<const FaceCluster> clusters,
                          std::span<const ClusterNodes> nodes_of_clusters) {
   std::size_t n_pieces = 0;

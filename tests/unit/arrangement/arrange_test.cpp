@@ -333,10 +333,21 @@ TEST(Arrange, WindingNumbersStay) {
   EXPECT_EQ(test::winding_fault(soup, arrangement, 1000 / test::one_of()), "");
 }
 
+/// Three triangles inside each of which the two segments cross in which the others meet it. Of
+/// different size, they have no point on two edges.
+Soup three_crossings() {
+  Soup soup = three_planes();
+  for (std::size_t v = 3; v < 9; ++v) soup.positions[v] *= v < 6 ? 1.25 : 1.5;
+  return soup;
+}
+
 TEST(Arrange, NothingIsReturnedBeyondTheMaximumNumberOfPieces) {
-  // The second two have four overlapping walls each, whose pieces are of both.
-  for (const Vec3& by : {Vec3(0.1, 0.2, 0.3), Vec3(0.5, 0.5, 0)}) {
-    const Soup soup = shapes::merged(shapes::cube(), shapes::translated(shapes::cube(), by));
+  const auto two_cubes = [](const Vec3& by) {
+    return shapes::merged(shapes::cube(), shapes::translated(shapes::cube(), by));
+  };
+  // The last two have four overlapping walls each, whose pieces are of both.
+  for (const Soup& soup :
+       {three_crossings(), two_cubes({0.1, 0.2, 0.3}), two_cubes({0.5, 0.5, 0})}) {
     const CutMesh cut = build(soup);
     const std::vector<IntersectingPair> pairs = find_self_intersections(cut, FaceTree(cut));
     const std::vector<Triangle> pieces = arrange(soup, pairs).pieces;
@@ -349,10 +360,7 @@ TEST(Arrange, NothingIsReturnedBeyondTheMaximumNumberOfPieces) {
 }
 
 TEST(Arrange, NothingIsReturnedBeyondTheMaximumNumberOfCrossings) {
-  // In each triangle the segments cross in which the other two meet it. Of different size, they
-  // have no point on two edges.
-  Soup soup = three_planes();
-  for (std::size_t v = 3; v < 9; ++v) soup.positions[v] *= v < 6 ? 1.25 : 1.5;
+  const Soup soup = three_crossings();
   const CutMesh cut = build(soup);
   const std::vector<IntersectingPair> pairs = find_self_intersections(cut, FaceTree(cut));
   const std::optional<Arrangement> cut_whole = arrange_within(soup, pairs, {.max_crossings = 3});

@@ -31,7 +31,7 @@ constexpr std::size_t kPiecesAFace = 10;
 /// whose coordinates have a common scale need two fifths of it, if anything.
 constexpr std::size_t kMaxDigitBytes = std::size_t{1} << 27;
 /// The maximum number of times that segments cross inside faces, unless there may be even more
-/// pieces. Real surfaces have hardly a tenth of it; a hundred faces through one place have as many.
+/// pieces: 130 faces that all cross each other have as many.
 constexpr std::size_t kMaxCrossings = 1'000'000;
 /// Slivers are new faces thinner than this multiple of the spacing of the grid. If they widen, each
 /// round multiplies their width by a factor, up to a share of the maximum deviation.
