@@ -35,8 +35,8 @@ struct ArrangeLimits {
   /// again of those inside faces, in bytes: points have thousands of digits if some coordinates of
   /// the soup are 1e150 and others 1.
   std::size_t max_digit_bytes = std::numeric_limits<std::size_t>::max();
-  /// The maximum number of times that segments cross each other inside faces. Each may be a point
-  /// of its own, whose exact coordinates take 400 bytes.
+  /// The maximum number of times that segments cross each other inside faces, added up over the
+  /// faces. Each may be a point of its own, whose exact coordinates take 400 bytes.
   std::size_t max_crossings = std::numeric_limits<std::size_t>::max();
   /// Called now and then, from any thread; once it returns true, cutting ends.
   StopQuery wants_to_stop = {};

@@ -42,8 +42,8 @@ struct CutSurface {
   bool has_pockets = false;
   /// Tells whether thin facets were removed; if not, ThinFacets makes no difference.
   bool has_removed_facets = false;
-  /// Tells whether cutting was given up because there would be too many pieces, or digits of exact
-  /// points.
+  /// Tells whether cutting was given up because there would be too many pieces, crossings, or
+  /// digits of exact points.
   bool has_too_many_pieces = false;
   /// Sets of faces of the input whose parts stay or are dropped together.
   std::vector<std::array<Index, 2>> ties;

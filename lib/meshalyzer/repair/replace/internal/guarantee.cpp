@@ -95,11 +95,13 @@ class Guarantee {
            solids.front().faces.size() != driver_.mesh().prepared().cut().side.faces.size();
   }
 
-  /// Keeps the result of a pass, and of a plan after it, if it is good.
+  /// Keeps the result of a pass, and of a plan after it, if it is good; counts the pairs of its
+  /// faces that intersect.
   ///
   /// @param from_input  If there are any, the trial starts from the input with these passes.
   bool try_pass(const PlannedPass& pass, std::vector<PlannedPass> plan,
                 std::vector<PlannedPass> from_input = {}) {
+    n_pairs_of_trial_ = 0;
     return driver_.run_trial({.from_input = std::move(from_input),
                               .changes = {pass},
                               .plan = std::move(plan),
@@ -137,7 +139,6 @@ class Guarantee {
       const PlannedPass pass{"thicken sheets", DefectCode::Hole, [&](const PassInput& input) {
                                return thicken_sheets(input, thickness);
                              }};
-      n_pairs_of_trial_ = 0;
       if (!try_pass(pass, plan_with_contacts_joined(options_, tolerances_))) {
         n_pairs_of_thin_solid_ = n_pairs_of_trial_;
         continue;
