@@ -14,8 +14,6 @@ namespace {
 
 /// The factor by which a patch may become denser than its surroundings: Liepa's alpha.
 const double kDensity = std::sqrt(2.0);
-/// A patch gets at most about this number of vertices: fairing takes a second for 20,000.
-constexpr std::size_t kMaxNewVertices = 10'000;
 /// Each round splits a triangle once at most, which about halves the edges' lengths in two rounds.
 constexpr std::size_t kMaxSplitRounds = 40;
 constexpr std::size_t kMaxSweeps = 20;
@@ -53,8 +51,8 @@ Diamond diamond_of(const TriMesh& mesh, EdgeHandle e) {
 
 class Refiner {
  public:
-  Refiner(const FillTask& task, WorkingPatch& patch)
-      : task_(task), patch_(patch), mesh_(patch.mesh) {}
+  Refiner(const FillTask& task, std::size_t max_new, WorkingPatch& patch)
+      : task_(task), max_new_(max_new), patch_(patch), mesh_(patch.mesh) {}
 
   void run(const HoleLoop& loop) {
     if (patch_.spacing.empty()) {
@@ -89,7 +87,7 @@ class Refiner {
     // A vertex corresponds to two equilateral triangles, each with an area of sqrt(3) / 4 of the
     // squared edge.
     const double n_expected = area_of(mesh_) / (0.5 * std::sqrt(3.0) * mean_square);
-    const double excess = n_expected / static_cast<double>(kMaxNewVertices);
+    const double excess = n_expected / static_cast<double>(max_new_);
     if (!(excess > 1.0)) return;
     for (double& s : patch_.spacing) s *= std::sqrt(excess);
   }
@@ -99,7 +97,7 @@ class Refiner {
   /// @return Whether there was any.
   bool split_faces() {
     const std::size_t n_faces = mesh_.n_faces();
-    const std::size_t n_most = patch_.names.size() + 2 * kMaxNewVertices;
+    const std::size_t n_most = patch_.names.size() + 2 * max_new_;
     bool has_split = false;
     if (task_.wants_to_stop()) return false;
     for (std::size_t i = 0; i < n_faces && mesh_.n_vertices() < n_most; ++i) {
@@ -178,14 +176,16 @@ class Refiner {
   }
 
   const FillTask& task_;
+  std::size_t max_new_;
   WorkingPatch& patch_;
   TriMesh& mesh_;
 };
 
 }  // namespace
 
-void refine_patch(const FillTask& task, const HoleLoop& loop, WorkingPatch& patch) {
-  Refiner(task, patch).run(loop);
+void refine_patch(const FillTask& task, const HoleLoop& loop, std::size_t max_new,
+                  WorkingPatch& patch) {
+  Refiner(task, max_new, patch).run(loop);
 }
 
 }  // namespace meshalyzer

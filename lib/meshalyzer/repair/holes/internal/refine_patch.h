@@ -3,6 +3,7 @@
 #include "meshalyzer/repair/holes/internal/fill_task.h"
 #include "meshalyzer/repair/holes/internal/hole_loop.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace meshalyzer {
@@ -27,10 +28,12 @@ struct WorkingPatch {
 ///
 /// A patch that was moved since its last refinement is refined further where it has grown.
 ///
-/// No edge is made that the mesh has, and no more than some 50,000 vertices: larger patches stay
-/// coarser than their surroundings. The refinement ends early if the task is to stop.
+/// No edge is made that the mesh has. The refinement ends early if the task is to stop.
 ///
+/// @param max_new  About this number of new vertices is made, and never more than twice as many:
+/// where the patch would need more, it stays coarser than its surroundings.
 /// @complexity  O(n log n) for n triangles.
-void refine_patch(const FillTask& task, const HoleLoop& loop, WorkingPatch& patch);
+void refine_patch(const FillTask& task, const HoleLoop& loop, std::size_t max_new,
+                  WorkingPatch& patch);
 
 }  // namespace meshalyzer

@@ -225,15 +225,16 @@ bool fair_patch(const FillTask& task, const HoleLoop& loop, WorkingPatch& patch)
 
 }  // namespace
 
-std::optional<Patch> smooth_patch(const FillTask& task, const HoleLoop& loop, const Patch& patch) {
+std::optional<Patch> smooth_patch(const FillTask& task, const HoleLoop& loop, const Patch& patch,
+                                  std::size_t max_new) {
   const Soup& soup = task.mesh.soup();
   PatchSoup own = make_soup(soup, patch);
   WorkingPatch working{.mesh = build(own.soup).mesh, .names = std::move(own.vertices)};
   if (working.mesh.n_vertices() != working.names.size()) return std::nullopt;
-  refine_patch(task, loop, working);
+  refine_patch(task, loop, max_new, working);
   if (!fair_patch(task, loop, working)) return std::nullopt;
   // A patch that has bulged is coarser than its surroundings.
-  refine_patch(task, loop, working);
+  refine_patch(task, loop, max_new, working);
   if (!fair_patch(task, loop, working)) return std::nullopt;
 
   Patch result;
