@@ -266,17 +266,25 @@ class CombinationRun {
 
   /// Tells whether there is no result.
   [[nodiscard]] static bool is_given_up(const CombinedSolid& solid) {
-    return solid.outcome == CombineOutcome::TooManyPairs ||
-           solid.outcome == CombineOutcome::Stopped;
+    return solid.outcome != CombineOutcome::Done && solid.outcome != CombineOutcome::Unfinished;
   }
 
   void add_given_up(const CombinedSolid& solid) {
-    const bool is_stopped = solid.outcome == CombineOutcome::Stopped;
-    note(is_stopped ? "nothing is written: it was stopped before it was done"
-                    : "nothing is written: more than " + std::to_string(kMostPairsCombined) +
-                          " pairs of faces intersect, and no more are cut");
     report_.outputs.push_back({});
-    report_.outputs.back().verdict = is_stopped ? "stopped" : "too many intersecting pairs";
+    std::string& verdict = report_.outputs.back().verdict;
+    if (solid.outcome == CombineOutcome::Stopped) {
+      verdict = "stopped";
+      note("nothing is written: it was stopped before it was done");
+    } else if (solid.outcome == CombineOutcome::TooManyPairs) {
+      verdict = "too many intersecting pairs";
+      note("nothing is written: more than " + std::to_string(kMostPairsCombined) +
+           " pairs of faces intersect, and no more are cut");
+    } else {
+      verdict = "too many intersection points";
+      note("nothing is written: where faces intersect, they would be cut at more than " +
+           std::to_string(kMostCrossingsCombined) +
+           " points inside them, or at points with too many digits");
+    }
     be_at_least(ExitCode::NotGood);
   }
 

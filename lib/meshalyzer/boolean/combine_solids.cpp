@@ -32,6 +32,9 @@ constexpr std::size_t kTimesFirstRound = 2;
 /// Rounds that leave this many times more pairs than an earlier one, beside kMorePairsInRounds, are
 /// taken to come to no end.
 constexpr std::size_t kHopelessGrowth = 16;
+/// The maximum memory for the digits of exact points, see ArrangeLimits. Those of a few million
+/// pairs of faces need less if their coordinates have a common scale.
+constexpr std::size_t kMostDigitBytes = std::size_t{1} << 29;
 
 using Pairs = std::vector<IntersectingPair>;
 
@@ -103,7 +106,8 @@ class Combination {
       if (options_.wants_to_stop()) return CombineOutcome::Stopped;
       if (pairs.size() > options_.max_pairs) return CombineOutcome::TooManyPairs;
       result_.n_pairs = pairs.size();
-      if (!cut_pairs(cut, tree, pairs, rule)) return CombineOutcome::Stopped;
+      const CombineOutcome first = cut_pairs(cut, tree, pairs, rule);
+      if (first != CombineOutcome::Done) return first;
     }
     n_operands_ = 1;
     return mend_rounding();
@@ -153,24 +157,33 @@ class Combination {
       }
       n_pairs_left -= pairs.size();
       operand_of_.assign(soup_.n_faces(), 0);
-      if (!cut_pairs(cut, tree, pairs, union_rule())) return CombineOutcome::Stopped;
+      const CombineOutcome outcome = cut_pairs(cut, tree, pairs, union_rule());
+      if (outcome == CombineOutcome::Stopped) return outcome;
+      if (outcome == CombineOutcome::TooManyPoints) {
+        return_to(std::move(*best));
+        return CombineOutcome::Unfinished;
+      }
     }
   }
 
   /// Cuts the soup along its intersecting pairs, and replaces it by the rounded boundary of what is
   /// inside.
-  /// @return  Whether it was not told to stop before.
-  bool cut_pairs(const CutMesh& cut, const FaceTree& tree, const Pairs& pairs,
-                 const InsideRule& rule) {
+  /// @return  Done; or TooManyPoints or Stopped, and then the soup is as it was.
+  CombineOutcome cut_pairs(const CutMesh& cut, const FaceTree& tree, const Pairs& pairs,
+                           const InsideRule& rule) {
     const std::optional<Arrangement> arrangement =
-        arrange_within(soup_, pairs, {.wants_to_stop = options_.wants_to_stop});
-    if (!arrangement) return false;
+        arrange_within(soup_, pairs,
+                       {.max_digit_bytes = kMostDigitBytes,
+                        .max_crossings = options_.max_crossings,
+                        .wants_to_stop = options_.wants_to_stop});
+    if (options_.wants_to_stop()) return CombineOutcome::Stopped;
+    if (!arrangement) return CombineOutcome::TooManyPoints;
     const Cells cells = find_cells(soup_, *arrangement);
-    if (options_.wants_to_stop()) return false;
+    if (options_.wants_to_stop()) return CombineOutcome::Stopped;
     take(*arrangement, find_boundary_pieces({soup_, cut, tree, *arrangement, cells}, operand_of_,
                                             n_operands_, rule));
     ++round_;
-    return true;
+    return CombineOutcome::Done;
   }
 
   /// Replaces the soup by the rounded boundary of a solid.

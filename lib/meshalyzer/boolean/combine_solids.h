@@ -14,6 +14,8 @@ namespace meshalyzer {
 
 /// The default limit on the pairs that are cut; cutting takes about two kilobytes per pair.
 inline constexpr std::size_t kMostPairsCombined = 2'000'000;
+/// The default limit on the crossings that are computed, which take about a kilobyte each.
+inline constexpr std::size_t kMostCrossingsCombined = 4'000'000;
 
 struct CombineOptions {
   /// Rounding moves vertices by at most a share of this length; with 0 only to the nearest doubles.
@@ -21,6 +23,10 @@ struct CombineOptions {
   double max_deviation = 0.0;
   /// The largest number of intersecting pairs of faces that are cut.
   std::size_t max_pairs = kMostPairsCombined;
+  /// The largest number of times that the segments, along which a face meets others, cross each
+  /// other inside it, added up over the faces: it grows with the square of the number of surfaces
+  /// that pass through one place.
+  std::size_t max_crossings = kMostCrossingsCombined;
   /// Called now and then, from any thread; the operation stops once it returns true.
   StopQuery wants_to_stop = {};
 };
@@ -34,6 +40,9 @@ enum class CombineOutcome : std::uint8_t {
   Unfinished,
   /// Nothing was done, because more pairs of faces intersect than may be cut.
   TooManyPairs,
+  /// Nothing was done, because the faces would be cut at more crossings, or at points of more
+  /// digits, than may be computed.
+  TooManyPoints,
   /// The operation was told to stop before it was done.
   Stopped,
 };

@@ -192,6 +192,21 @@ TEST(CombineSolids, TooManyPairsAreNotCut) {
   EXPECT_EQ(left.faces.size(), 24U);
 }
 
+TEST(CombineSolids, FacesThatWouldBeCutAtTooManyCrossingsAreNotCut) {
+  // In each of the six large faces two lines along each of the other plates cross.
+  const std::vector<Soup> plates{shapes::box({-3, -3, -1}, {3, 3, 1}),
+                                 shapes::box({-3, -1, -4}, {3, 1, 4}),
+                                 shapes::box({-1, -4, -4}, {1, 4, 4})};
+  const Soup all = concatenate(plates);
+  const Operands operands = operands_of(all, plates);
+  CombineOptions options{.max_crossings = 100};
+  EXPECT_EQ(combine_solids(operands, union_rule(), options).outcome, CombineOutcome::Done);
+  options.max_crossings = 3;
+  const CombinedSolid left = combine_solids(operands, union_rule(), options);
+  EXPECT_EQ(left.outcome, CombineOutcome::TooManyPoints);
+  EXPECT_EQ(left.faces.size(), all.n_faces());
+}
+
 TEST(CombineSolids, StopsWhenAsked) {
   const std::vector<Soup> meshes{shapes::cube(2), shapes::cube(2, {1, 1, 1})};
   const Soup all = concatenate(meshes);
