@@ -134,8 +134,17 @@ class Session:
     def find(self, selector):
         return self.call("POST", "/element", {"using": "css selector", "value": selector})[ELEMENT]
 
-    def click(self, selector):
-        self.call("POST", f"/element/{self.find(selector)}/click", {})
+    def click(self, selector, seconds=10):
+        """As a person does, who waits until nothing lies over the element: the page may still arrange itself."""
+        end = time.monotonic() + seconds
+        while True:
+            try:
+                self.call("POST", f"/element/{self.find(selector)}/click", {})
+                return
+            except WebDriverError as error:
+                if not str(error).startswith("element click intercepted") or time.monotonic() > end:
+                    raise
+            time.sleep(0.1)
 
     def text(self, selector):
         return self.call("GET", f"/element/{self.find(selector)}/text")
