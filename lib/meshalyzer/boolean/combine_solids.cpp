@@ -275,7 +275,9 @@ std::optional<CombinedSolid> combine_on_grid(const Operands& operands, const Ins
        corners_on_grids(soup, which_intersect(soup), options.max_deviation)) {
     CombinedSolid solid = Combination(operands, positions, options).run(rule);
     solid.largest_move += largest_distance(positions, soup.positions);
-    if (solid.outcome != CombineOutcome::Unfinished) return solid;
+    if (solid.outcome == CombineOutcome::Done || solid.outcome == CombineOutcome::Stopped) {
+      return solid;
+    }
   }
   return std::nullopt;
 }

@@ -193,7 +193,7 @@ TEST(CombineSolids, TooManyPairsAreNotCut) {
 }
 
 TEST(CombineSolids, FacesThatWouldBeCutAtTooManyCrossingsAreNotCut) {
-  // In each of the six large faces two lines along each of the other plates cross.
+  // Inside each of the six large faces two lines of one of the other plates cross two of the other.
   const std::vector<Soup> plates{shapes::box({-3, -3, -1}, {3, 3, 1}),
                                  shapes::box({-3, -1, -4}, {3, 1, 4}),
                                  shapes::box({-1, -4, -4}, {1, 4, 4})};
