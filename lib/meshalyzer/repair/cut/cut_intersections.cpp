@@ -16,9 +16,12 @@
 namespace meshalyzer {
 namespace {
 
+/// The maximum number of pairs for each face, beside those of CutLimits.
+constexpr std::size_t kPairsAFace = 4;
+
 /// How much may be cut.
 struct CutLimits {
-  /// The maximum number of pairs beyond the number of faces: a pair takes about half a millisecond
+  /// The maximum number of pairs beside those for each face: a pair takes up to half a millisecond
   /// in all, and two kilobytes.
   std::size_t more_pairs;
   /// The maximum number of times that cuts may meet each other. It is only an estimate of how long
@@ -68,7 +71,7 @@ double most_crossings(const Soup& soup, const std::vector<IntersectingPair>& pai
 /// Returns the reason why cutting would take too long; empty if it would not.
 std::string reason_against(const PreparedMesh& mesh, const CutLimits& limits) {
   const auto& pairs = mesh.intersecting_pairs();
-  const std::size_t most = limits.more_pairs + mesh.soup().n_faces();
+  const std::size_t most = limits.more_pairs + kPairsAFace * mesh.soup().n_faces();
   if (pairs.size() > most) {
     return grouped(pairs.size()) + " pairs of faces intersect, and no more than " + grouped(most) +
            " are cut";

@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/cut/internal/cut_surface.h"
 
+#include "meshalyzer/arrangement/arrange.h"
 #include "meshalyzer/base/triangle.h"
 #include "support/shapes.h"
 
@@ -12,6 +13,7 @@
 #include <random>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -168,6 +170,16 @@ TEST(CutSurface, PartsThatAreLeftAreNotCutOn) {
   EXPECT_FALSE(surface.has_removed_facets);
 }
 
+bool has_too_many_pieces(const Soup& soup, std::size_t more_pieces) {
+  const TrackedMesh tracked = track_mesh(soup);
+  const PreparedMesh mesh(tracked.soup);
+  const Tolerances tolerances;
+  const RepairLimits limits{.max_deviation = 1.0, .fixed_vertices = {}};
+  return cut_surface({soup, tracked, mesh, tolerances, limits}, {}, {.sheets = Sheets::Cut},
+                     {.more_pieces = more_pieces})
+      .has_too_many_pieces;
+}
+
 TEST(CutSurface, NoMorePiecesAreMadeThanPermitted) {
   // Each of 40 upright triangles crosses 40 others, and is cut into more than 40 pieces.
   Soup soup;
@@ -187,17 +199,36 @@ TEST(CutSurface, NoMorePiecesAreMadeThanPermitted) {
       soup.triangles.push_back({n - 3, n - 2, n - 1});
     }
   }
-  const TrackedMesh tracked = track_mesh(soup);
-  const PreparedMesh mesh(tracked.soup);
-  const Tolerances tolerances;
-  const RepairLimits limits{.max_deviation = 1.0, .fixed_vertices = {}};
-  const auto has_too_many = [&](std::size_t more_pieces) {
-    return cut_surface({soup, tracked, mesh, tolerances, limits}, {}, {.sheets = Sheets::Cut},
-                       {.more_pieces = more_pieces})
-        .has_too_many_pieces;
-  };
-  EXPECT_TRUE(has_too_many(0));
-  EXPECT_FALSE(has_too_many(100'000));
+  EXPECT_TRUE(has_too_many_pieces(soup, 0));
+  EXPECT_FALSE(has_too_many_pieces(soup, 100'000));
+}
+
+/// Twenty copies of a mesh that overlap.
+Soup overlapping_copies(const Soup& mesh) {
+  Soup soup;
+  for (int i = 0; i < 20; ++i) {
+    soup = shapes::merged(std::move(soup), shapes::translated(mesh, {0.06 * i, 0.04 * (i % 3), 0}));
+  }
+  return soup;
+}
+
+TEST(CutSurface, PiecesInsideMayBeTwiceAsManyAsThoseThatStay) {
+  const Soup ball = shapes::icosphere(2);
+  const Soup solids = overlapping_copies(ball);
+  const std::size_t n_pieces = arrange(solids).pieces.size();
+  ASSERT_GT(n_pieces, 10 * solids.n_faces());
+  ASSERT_LT(n_pieces, 20 * solids.n_faces());
+  EXPECT_FALSE(has_too_many_pieces(solids, 0));
+  // All pieces of hemispheres stay.
+  std::vector<Index> upper;
+  for (Index face = 0; face < ball.n_faces(); ++face) {
+    if (centroid_of(corners_of(ball, face)).z() > 0.0) upper.push_back(face);
+  }
+  const Soup sheets = overlapping_copies(shapes::without_faces(ball, upper));
+  const std::size_t n_of_sheets = arrange(sheets).pieces.size();
+  ASSERT_GT(n_of_sheets, 10 * sheets.n_faces());
+  ASSERT_LT(n_of_sheets, 20 * sheets.n_faces());
+  EXPECT_TRUE(has_too_many_pieces(sheets, 0));
 }
 
 TEST(CutSurface, IsGivenUpWhereMovingVerticesHasMultipliedThePairs) {

@@ -68,8 +68,8 @@ enum class ThinFacets : std::uint8_t {
 /// What becomes of the pieces, and how many may be made.
 struct PieceRules {
   ThinFacets thin_facets = ThinFacets::Kept;
-  /// The maximum number of pieces beside a multiple of the faces of the input: every later pass
-  /// would take time for each of them.
+  /// The maximum number of pieces beside a multiple of the faces of the input, which is smaller for
+  /// those that stay: every later pass would take time for each of them.
   std::size_t more_pieces = 100'000;
 };
 

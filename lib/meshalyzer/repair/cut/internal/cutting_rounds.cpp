@@ -25,8 +25,10 @@ constexpr std::size_t kTimesFirstPairs = 2;
 /// so many for each new face: among faces that all lie on each other it would test all pairs.
 constexpr std::size_t kMoreTests = 2'000'000;
 constexpr std::size_t kTestsAFace = 500;
-/// The maximum number of pieces for each face of the input, beside those that the caller allows.
-constexpr std::size_t kPiecesAFace = 10;
+/// The maximum numbers of pieces that are made, and that stay, for each face of the input, beside
+/// those that the caller allows. Where solids overlap, most pieces are inside.
+constexpr std::size_t kPiecesAFace = 20;
+constexpr std::size_t kStayingPiecesAFace = 10;
 /// The maximum memory for the digits of exact points, see ArrangeLimits. A million pieces of a mesh
 /// whose coordinates have a common scale need two fifths of it, if anything.
 constexpr std::size_t kMaxDigitBytes = std::size_t{1} << 27;
@@ -95,6 +97,10 @@ double share_of_pockets(const Arrangement& arrangement, std::span<const PieceCla
   return kept > 0.0 ? pockets / kept : 1.0;
 }
 
+std::size_t n_staying(std::span<const PieceClass> classes) {
+  return static_cast<std::size_t>(std::count_if(classes.begin(), classes.end(), stays));
+}
+
 }  // namespace
 
 CuttingRounds::CuttingRounds(const PassInput& input, const ChangesBefore& changes,
@@ -105,6 +111,7 @@ CuttingRounds::CuttingRounds(const PassInput& input, const ChangesBefore& change
       options_(options),
       is_moved_(!changes.positions.empty()),
       max_pieces_(more_pieces + kPiecesAFace * mesh_.soup().n_faces()),
+      max_staying_pieces_(more_pieces + kStayingPiecesAFace * mesh_.soup().n_faces()),
       first_cut_(first_cut),
       extent_(used_extent(mesh_.soup())),
       n_pairs_of_round_(changes.n_pairs_in_place),
@@ -235,6 +242,8 @@ void CuttingRounds::cut_once(const CutMesh& cut, const FaceTree& tree, const Pai
       select_pieces({soup_, cut, tree, arrangement, cells},
                     components_to_select(arrangement, cells, pairs), options_);
   if (input_.wants_to_stop()) return give_up(pairs);
+  result_.has_too_many_pieces = n_staying(classes) > max_staying_pieces_;
+  if (result_.has_too_many_pieces) return give_up(pairs);
   tie_faces(arrangement, pairs);
   if (round_ == 0) result_.pocket_share = share_of_pockets(arrangement, classes);
   result_.has_pockets = result_.has_pockets || std::find(classes.begin(), classes.end(),

@@ -124,6 +124,7 @@ class CuttingRounds {
   /// Tells whether vertices are elsewhere than in the mesh.
   bool is_moved_;
   std::size_t max_pieces_;
+  std::size_t max_staying_pieces_;
   FirstCut* first_cut_;
   double extent_;
   bool has_pairs_ = true;
