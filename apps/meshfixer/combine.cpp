@@ -5,6 +5,7 @@
 #include "meshalyzer/analysis/goodness.h"
 #include "meshalyzer/base/control_characters.h"
 #include "meshalyzer/base/error.h"
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/boolean/combine_solids.h"
 #include "meshalyzer/boolean/make_disjoint.h"
@@ -160,7 +161,7 @@ class CombinationRun {
     const CutMesh before = build(others);
     const std::size_t n = find_intersections(mesh, FaceTree(mesh), before, FaceTree(before)).size();
     if (n == 0) return;
-    note(std::to_string(n) + " pairs of faces still meet a mesh before it" +
+    note(grouped(n) + " pairs of faces still meet a mesh before it" +
          (stop_.is_made() ? ", since it was stopped before it was done"
                           : ": neither moving vertices nor cutting back parts them within the "
                             "maximum deviation"));
@@ -173,7 +174,7 @@ class CombinationRun {
   /// Notes how a file was parted from the meshes before it.
   void note_parting(const PartedDifference& left) {
     if (left.n_moved > 0) {
-      note(std::to_string(left.n_moved) + " vertices were moved off the meshes before it");
+      note(grouped(left.n_moved) + " vertices were moved off the meshes before it");
     }
     if (left.cut_back > 0.0) {
       note("cut back by at most " + readable(left.cut_back) +
@@ -277,12 +278,12 @@ class CombinationRun {
       note("nothing is written: it was stopped before it was done");
     } else if (solid.outcome == CombineOutcome::TooManyPairs) {
       verdict = "too many intersecting pairs";
-      note("nothing is written: more than " + std::to_string(kMostPairsCombined) +
+      note("nothing is written: more than " + grouped(kMostPairsCombined) +
            " pairs of faces intersect, and no more are cut");
     } else {
       verdict = "too many intersection points";
       note("nothing is written: where faces intersect, they would be cut at more than " +
-           std::to_string(kMostCrossingsCombined) +
+           grouped(kMostCrossingsCombined) +
            " points inside them, or at points with too many digits");
     }
     be_at_least(ExitCode::NotGood);

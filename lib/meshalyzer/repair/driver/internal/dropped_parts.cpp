@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/driver/internal/dropped_parts.h"
 
+#include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/exact/normal.h"
@@ -34,7 +35,7 @@ double area_of(const Soup& soup, const std::vector<Index>& faces) {
 /// Names some faces: "face 7 and 3 more".
 std::string faces_text(const Soup& input, const std::vector<Index>& faces) {
   return "face " + std::to_string(input.face_ids.of(faces.front())) +
-         (faces.size() == 1 ? "" : " and " + std::to_string(faces.size() - 1) + " more");
+         (faces.size() == 1 ? "" : " and " + grouped(faces.size() - 1) + " more");
 }
 
 /// Describes a part by its area and faces: "0.25, with face 7 and 3 more".

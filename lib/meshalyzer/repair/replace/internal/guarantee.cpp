@@ -307,8 +307,8 @@ class Guarantee {
     const auto n_new = made.result.edits.added_faces.size();
     notes_.push_back("what was still broken was replaced by a new surface of " + grouped(n_new) +
                      " faces, " + readable(made.deviation) +
-                     " from the old one at most where it was sampled (" + std::to_string(n_before) +
-                     " -> " + std::to_string(driver_.mesh().tracked().soup.n_faces()) + " faces)");
+                     " from the old one at most where it was sampled (" + grouped(n_before) +
+                     " -> " + grouped(driver_.mesh().tracked().soup.n_faces()) + " faces)");
     return Outcome::Kept;
   }
 
