@@ -29,6 +29,11 @@ function(check_file source module)
     if(NOT target STREQUAL module AND line MATCHES "/internal/")
       message(SEND_ERROR "${source}: '${target}' alone may include its internal headers")
     endif()
+    # Passes do not know what runs them, see "Repair" in doc/architecture.md.
+    if(line MATCHES "/repair/(driver|guarantee)/internal/"
+       AND NOT source MATCHES "/repair/((driver|guarantee)/|fix_defects\\.cpp)")
+      message(SEND_ERROR "${source}: a pass may not include ${line}")
+    endif()
   endforeach()
 endfunction()
 

@@ -1,6 +1,6 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/sort_unique.h"
-#include "meshalyzer/repair/driver/internal/pass_memory.h"
+#include "meshalyzer/repair/internal/pass_memory.h"
 #include "meshalyzer/repair/edits/edits.h"
 #include "meshalyzer/repair/holes/internal/crossing_patches.h"
 #include "meshalyzer/repair/holes/internal/fill_loop.h"

@@ -1,6 +1,6 @@
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/sort_unique.h"
-#include "meshalyzer/repair/driver/internal/pass_memory.h"
+#include "meshalyzer/repair/internal/pass_memory.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/split/internal/check_budget.h"
 #include "meshalyzer/repair/split/internal/contact_places.h"

@@ -1,5 +1,5 @@
 #include "meshalyzer/base/parallel.h"
-#include "meshalyzer/repair/driver/internal/pass_memory.h"
+#include "meshalyzer/repair/internal/pass_memory.h"
 #include "meshalyzer/repair/passes.h"
 #include "support/effort.h"
 #include "support/shapes.h"

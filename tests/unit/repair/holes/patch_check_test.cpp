@@ -1,6 +1,6 @@
 #include "meshalyzer/repair/holes/internal/patch_check.h"
 
-#include "meshalyzer/repair/driver/internal/contact_rule.h"
+#include "meshalyzer/repair/rules/internal/contact_rule.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "meshalyzer/repair/driver/internal/pass_memory.h"
+#include "meshalyzer/repair/internal/pass_memory.h"
 #include "meshalyzer/repair/passes.h"
 #include "support/run_pass.h"
 #include "support/same_soup.h"

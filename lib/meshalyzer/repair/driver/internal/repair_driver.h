@@ -6,7 +6,7 @@
 #include "meshalyzer/repair/driver/internal/final_check.h"
 #include "meshalyzer/repair/driver/internal/measured_mesh.h"
 #include "meshalyzer/repair/driver/internal/operation_names.h"
-#include "meshalyzer/repair/driver/internal/pass_memory.h"
+#include "meshalyzer/repair/internal/pass_memory.h"
 #include "meshalyzer/repair/driver/internal/plan.h"
 #include "meshalyzer/repair/driver/internal/worsening.h"
 #include "meshalyzer/repair/driver/repair_log.h"

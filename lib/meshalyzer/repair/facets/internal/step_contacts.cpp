@@ -2,7 +2,7 @@
 
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/base/triangle.h"
-#include "meshalyzer/repair/driver/internal/contact_rule.h"
+#include "meshalyzer/repair/rules/internal/contact_rule.h"
 #include "meshalyzer/spatial/faces_meeting_box.h"
 
 #include <algorithm>

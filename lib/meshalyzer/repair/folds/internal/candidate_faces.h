@@ -1,6 +1,6 @@
 #pragma once
 
-#include "meshalyzer/repair/driver/internal/contact_rule.h"
+#include "meshalyzer/repair/rules/internal/contact_rule.h"
 
 #include <optional>
 #include <span>

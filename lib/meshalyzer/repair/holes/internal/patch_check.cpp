@@ -1,7 +1,7 @@
 #include "meshalyzer/repair/holes/internal/patch_check.h"
 
 #include "meshalyzer/base/sort_unique.h"
-#include "meshalyzer/repair/driver/internal/contact_rule.h"
+#include "meshalyzer/repair/rules/internal/contact_rule.h"
 #include "meshalyzer/spatial/box_meetings.h"
 #include "meshalyzer/spatial/self_intersection.h"
 #include "meshalyzer/spatial/triangle_contact.h"

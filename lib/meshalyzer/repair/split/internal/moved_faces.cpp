@@ -1,8 +1,8 @@
 #include "meshalyzer/repair/split/internal/moved_faces.h"
 
 #include "meshalyzer/base/triangle.h"
-#include "meshalyzer/repair/driver/internal/contact_rule.h"
-#include "meshalyzer/repair/driver/internal/orientation_rule.h"
+#include "meshalyzer/repair/rules/internal/contact_rule.h"
+#include "meshalyzer/repair/rules/internal/orientation_rule.h"
 #include "meshalyzer/spatial/align_faces.h"
 #include "meshalyzer/spatial/faces_meeting_box.h"
 

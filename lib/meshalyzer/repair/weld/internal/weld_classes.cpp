@@ -1,6 +1,6 @@
 #include "meshalyzer/repair/weld/internal/weld_classes.h"
 
-#include "meshalyzer/repair/driver/internal/merge_rule.h"
+#include "meshalyzer/repair/rules/internal/merge_rule.h"
 
 #include <array>
 #include <numeric>

@@ -1,7 +1,7 @@
 #include "meshalyzer/repair/weld/internal/weld_operations.h"
 
 #include "meshalyzer/base/disjoint_sets.h"
-#include "meshalyzer/repair/driver/internal/merge_rule.h"
+#include "meshalyzer/repair/rules/internal/merge_rule.h"
 
 #include <algorithm>
 #include <array>

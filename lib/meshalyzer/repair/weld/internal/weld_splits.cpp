@@ -4,8 +4,8 @@
 #include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/mesh/vertex_faces.h"
-#include "meshalyzer/repair/driver/internal/merge_rule.h"
-#include "meshalyzer/repair/driver/internal/orientation_rule.h"
+#include "meshalyzer/repair/rules/internal/merge_rule.h"
+#include "meshalyzer/repair/rules/internal/orientation_rule.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "meshalyzer/repair/replace/internal/boundary_loss.h"
+#include "meshalyzer/repair/guarantee/internal/boundary_loss.h"
 
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/mesh/used_box.h"

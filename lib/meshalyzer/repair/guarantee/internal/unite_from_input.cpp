@@ -1,4 +1,4 @@
-#include "meshalyzer/repair/replace/internal/unite_from_input.h"
+#include "meshalyzer/repair/guarantee/internal/unite_from_input.h"
 
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/base/sort_unique.h"

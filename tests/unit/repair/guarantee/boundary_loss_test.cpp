@@ -1,4 +1,4 @@
-#include "meshalyzer/repair/replace/internal/boundary_loss.h"
+#include "meshalyzer/repair/guarantee/internal/boundary_loss.h"
 
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "support/shapes.h"

@@ -1,4 +1,4 @@
-#include "meshalyzer/repair/driver/internal/fixed_vertices.h"
+#include "meshalyzer/repair/rules/internal/fixed_vertices.h"
 
 #include "meshalyzer/topology/border.h"
 #include "meshalyzer/topology/edges.h"

@@ -3,7 +3,7 @@
 #include "meshalyzer/base/types.h"
 #include "meshalyzer/repair/driver/internal/repair_driver.h"
 #include "meshalyzer/repair/driver/options.h"
-#include "meshalyzer/repair/replace/internal/boundary_loss.h"
+#include "meshalyzer/repair/guarantee/internal/boundary_loss.h"
 #include "meshalyzer/repair/replace/internal/shell_choice.h"
 
 #include <cstdint>

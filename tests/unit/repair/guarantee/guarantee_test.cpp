@@ -1,4 +1,4 @@
-#include "meshalyzer/repair/replace/internal/guarantee.h"
+#include "meshalyzer/repair/guarantee/internal/guarantee.h"
 
 #include "support/run_pass.h"
 #include "support/shapes.h"

@@ -1,6 +1,6 @@
-#include "meshalyzer/repair/driver/internal/contact_rule.h"
-#include "meshalyzer/repair/driver/internal/merge_rule.h"
-#include "meshalyzer/repair/driver/internal/orientation_rule.h"
+#include "meshalyzer/repair/rules/internal/contact_rule.h"
+#include "meshalyzer/repair/rules/internal/merge_rule.h"
+#include "meshalyzer/repair/rules/internal/orientation_rule.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "meshalyzer/repair/driver/internal/contact_rule.h"
+#include "meshalyzer/repair/rules/internal/contact_rule.h"
 
 namespace meshalyzer {
 namespace {

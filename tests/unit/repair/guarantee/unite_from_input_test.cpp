@@ -1,4 +1,4 @@
-#include "meshalyzer/repair/replace/internal/unite_from_input.h"
+#include "meshalyzer/repair/guarantee/internal/unite_from_input.h"
 
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/topology/components.h"

@@ -1,4 +1,4 @@
-#include "meshalyzer/repair/driver/internal/orientation_rule.h"
+#include "meshalyzer/repair/rules/internal/orientation_rule.h"
 
 #include "meshalyzer/exact/predicates.h"
 

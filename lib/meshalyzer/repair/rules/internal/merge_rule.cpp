@@ -1,9 +1,9 @@
-#include "meshalyzer/repair/driver/internal/merge_rule.h"
+#include "meshalyzer/repair/rules/internal/merge_rule.h"
 
 #include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/base/runs.h"
 #include "meshalyzer/base/triangle_vertices.h"
-#include "meshalyzer/repair/driver/internal/orientation_rule.h"
+#include "meshalyzer/repair/rules/internal/orientation_rule.h"
 
 #include <algorithm>
 #include <array>
