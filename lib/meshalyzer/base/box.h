@@ -14,4 +14,9 @@ namespace meshalyzer {
   return box.max() / 2 - box.min() / 2;
 }
 
+/// Returns a box grown by a distance on all sides, up to rounding.
+[[nodiscard]] inline Box3 grown(const Box3& box, double by) {
+  return {box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by)};
+}
+
 }  // namespace meshalyzer

@@ -108,8 +108,8 @@ double distance(const Soup& soup, const BoundaryChain& chain, const Vec3& from) 
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < n_edges(chain); ++i) {
     const auto [a, b] = edge_of(chain, i);
-    const Corners edge{soup.positions[a], soup.positions[b], soup.positions[b]};
-    nearest = std::min(nearest, closest_on_triangle(edge, from).distance);
+    const double here = distance_from_segment(soup.positions[a], soup.positions[b], from);
+    nearest = std::min(nearest, here);
   }
   return nearest;
 }

@@ -8,15 +8,15 @@
 #include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/repair/driver/internal/dropped_parts.h"
 #include "meshalyzer/repair/driver/internal/final_check.h"
-#include "meshalyzer/repair/rules/internal/fixed_vertices.h"
 #include "meshalyzer/repair/driver/internal/patch_outcomes.h"
 #include "meshalyzer/repair/driver/internal/plan.h"
 #include "meshalyzer/repair/driver/internal/reason_left.h"
 #include "meshalyzer/repair/driver/internal/repair_driver.h"
 #include "meshalyzer/repair/edits/apply_edits.h"
+#include "meshalyzer/repair/guarantee/internal/guarantee.h"
 #include "meshalyzer/repair/records/internal/keep_largest.h"
 #include "meshalyzer/repair/records/separate.h"
-#include "meshalyzer/repair/guarantee/internal/guarantee.h"
+#include "meshalyzer/repair/rules/internal/fixed_vertices.h"
 #include "meshalyzer/topology/border.h"
 
 #include <algorithm>

@@ -11,7 +11,7 @@ namespace meshalyzer {
 namespace {
 
 /// Returns a box that contains everything within `reach` of another one, in spite of rounding.
-Box3 grown(const Box3& box, double reach) {
+Box3 box_within(double reach, const Box3& box) {
   constexpr double kRounding = 1e-15;
   const Vec3 grow =
       Vec3::Constant(reach) + kRounding * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
@@ -27,7 +27,7 @@ std::vector<NearbyObjects::Candidate> NearbyObjects::within(double reach) {
   // This is a little less than the requested reach: no object that rounding has excluded is nearer.
   constexpr double kGrant = 1.0 - 1e-9;
   given_up_to_ = reach * kGrant;
-  std::vector<Index> near = tree_.meeting(grown(boxes_[object_], reach));
+  std::vector<Index> near = tree_.meeting(box_within(reach, boxes_[object_]));
   std::vector<Index> fresh;
   std::set_difference(near.begin(), near.end(), given_.begin(), given_.end(),
                       std::back_inserter(fresh));

@@ -33,6 +33,12 @@ struct Cone {
 /// The order of the corners changes only the last digits of the distance.
 [[nodiscard]] TrianglePoint closest_on_triangle(const Corners& t, const Vec3& p);
 
+/// Returns the distance of `p` from the segment between `a` and `b`, as exact as that from a
+/// triangle.
+[[nodiscard]] inline double distance_from_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
+  return closest_on_triangle({a, b, b}, p).distance;
+}
+
 /// Returns the closest of those points of a triangle that lie in a cone with its apex at `p`.
 ///
 /// The apex belongs to the cone, so its distance is 0 if it is on the triangle. Points on the side

@@ -1,6 +1,7 @@
 #include "meshalyzer/repair/combine/mend_combined.h"
 
 #include "meshalyzer/base/require.h"
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/boolean/make_disjoint.h"
 #include "meshalyzer/mesh/build.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
@@ -35,6 +36,12 @@ TrackedMesh composed(const TrackedMesh& first, TrackedMesh second) {
     key = outer_key(key, first.vertex_keys, first.n_vertex_keys());
   }
   for (Index& key : second.face_keys) key = outer_key(key, first.face_keys, first.n_face_keys());
+  for (Index& key : second.sheet_cuts) {
+    key = outer_key(key, first.vertex_keys, first.n_vertex_keys());
+  }
+  second.sheet_cuts.insert(second.sheet_cuts.end(), first.sheet_cuts.begin(),
+                           first.sheet_cuts.end());
+  sort_unique(second.sheet_cuts);
   std::vector<Index> vertex_origins = first.vertex_origins;
   for (const Index origin : second.vertex_origins) {
     vertex_origins.push_back(
@@ -85,14 +92,14 @@ MendedMesh repaired(const TrackedMesh& combined, double max_deviation, RepairOpt
 }
 
 /// Parts surfaces that touch, as a repair of `non-manifold` does, and orients them outwards.
-MendedMesh part(TrackedMesh combined, double max_deviation) {
+MendedMesh parted(TrackedMesh combined, double max_deviation) {
   if (is_manifold_and_outward(combined.soup)) return {.mesh = std::move(combined)};
   RepairOptions options;
   options.fixes = {DefectCode::NonManifold, DefectCode::Inward};
-  MendedMesh parted = repaired(combined, max_deviation, std::move(options));
-  parted.is_parted = parted.largest_move > 0.0;
-  parted.is_oriented = !parted.is_parted;
-  return parted;
+  MendedMesh mended = repaired(combined, max_deviation, std::move(options));
+  mended.is_parted = mended.largest_move > 0.0;
+  mended.is_oriented = !mended.is_parted;
+  return mended;
 }
 
 MendedMesh repair_as_solid(const TrackedMesh& combined, const CombineOptions& options) {
@@ -115,10 +122,10 @@ MendedMesh subtracted_again(const MendedMesh& mended, const Soup& others,
   if (left.solid.outcome != CombineOutcome::Done || left.solid.faces.empty()) return mended;
   TrackedMesh mesh = composed(mended.mesh, track_combined(mended.mesh.soup, left.solid));
   number_from_one(mesh);
-  MendedMesh parted = part(std::move(mesh), options.max_deviation);
-  parted.is_subtracted_again = true;
-  parted.largest_move += left.solid.largest_move;
-  return after(mended, std::move(parted));
+  MendedMesh result = parted(std::move(mesh), options.max_deviation);
+  result.is_subtracted_again = true;
+  result.largest_move += left.solid.largest_move;
+  return after(mended, std::move(result));
 }
 
 }  // namespace
@@ -127,10 +134,10 @@ MendedMesh mend_combined(TrackedMesh combined, CombineOutcome outcome, bool is_m
                          const CombineOptions& options) {
   require_length("the maximum deviation", options.max_deviation);
   if (outcome == CombineOutcome::Unfinished) return repair_as_solid(combined, options);
-  MendedMesh parted = part(std::move(combined), options.max_deviation);
-  const bool may_intersect = is_moved || parted.is_mended();
-  if (!may_intersect || is_embedded(parted.mesh.soup)) return parted;
-  return after(parted, repair_as_solid(parted.mesh, options));
+  MendedMesh result = parted(std::move(combined), options.max_deviation);
+  const bool may_intersect = is_moved || result.is_mended();
+  if (!may_intersect || is_embedded(result.mesh.soup)) return result;
+  return after(result, repair_as_solid(result.mesh, options));
 }
 
 MendedMesh keep_off(MendedMesh mended, const Soup& others, const CombineOptions& options) {

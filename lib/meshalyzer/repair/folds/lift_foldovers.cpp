@@ -3,11 +3,11 @@
 #include "meshalyzer/base/triangle_vertices.h"
 #include "meshalyzer/defects/finders.h"
 #include "meshalyzer/exact/normal.h"
-#include "meshalyzer/repair/rules/internal/contact_rule.h"
 #include "meshalyzer/repair/facets/internal/mend_rules.h"
 #include "meshalyzer/repair/facets/internal/step_contacts.h"
 #include "meshalyzer/repair/facets/internal/working_mesh.h"
 #include "meshalyzer/repair/passes.h"
+#include "meshalyzer/repair/rules/internal/contact_rule.h"
 #include "meshalyzer/topology/border.h"
 
 #include <algorithm>

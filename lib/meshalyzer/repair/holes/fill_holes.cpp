@@ -1,6 +1,5 @@
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/sort_unique.h"
-#include "meshalyzer/repair/internal/pass_memory.h"
 #include "meshalyzer/repair/edits/edits.h"
 #include "meshalyzer/repair/holes/internal/crossing_patches.h"
 #include "meshalyzer/repair/holes/internal/fill_loop.h"
@@ -10,6 +9,7 @@
 #include "meshalyzer/repair/holes/internal/patch_check.h"
 #include "meshalyzer/repair/holes/internal/patch_edges.h"
 #include "meshalyzer/repair/holes/internal/rim_bend.h"
+#include "meshalyzer/repair/internal/pass_memory.h"
 #include "meshalyzer/repair/passes.h"
 
 #include <algorithm>

@@ -56,7 +56,7 @@ class WallFinder {
 
   [[nodiscard]] std::vector<Index> find() {
     for (Index s = 0; s < sets_.size(); ++s) {
-      if (sets_[s].cancel_out()) look_at(s);
+      if (sets_[s].cancel_out()) classify_edges(s);
     }
     std::vector<std::uint8_t> is_wall(sets_.size(), 0);
     for (Index s = 0; s < sets_.size(); ++s) is_wall[walls_.find(s)] |= has_closed_edge_[s];
@@ -71,16 +71,16 @@ class WallFinder {
   }
 
  private:
-  void look_at(Index set) {
+  void classify_edges(Index set) {
     const Triangle& t = mesh_.triangle(sets_[set].faces.front());
     for (std::size_t k = 0; k < 3; ++k) {
-      const Rest rest = look_at_edge(set, t[k], t[(k + 1) % 3]);
+      const Rest rest = classify_edge(set, t[k], t[(k + 1) % 3]);
       if (rest == Rest::Closed) has_closed_edge_[set] = 1;
       if (rest == Rest::Otherwise) has_other_edge_[set] = 1;
     }
   }
 
-  [[nodiscard]] Rest look_at_edge(Index set, Index a, Index b) {
+  [[nodiscard]] Rest classify_edge(Index set, Index a, Index b) {
     std::vector<Index> others;
     for (const Index f : mesh_.faces_at(a, b)) {
       const auto candidate = candidate_of_.find(f);
@@ -115,7 +115,7 @@ std::vector<Index> find_inner_walls(const WorkingMesh& mesh, std::span<const Equ
   return WallFinder(mesh, sets).find();
 }
 
-EqualFaces look_at(const Soup& soup, const Defect& defect) {
+EqualFaces equal_faces_of(const Soup& soup, const Defect& defect) {
   EqualFaces set{defect.faces, {}};
   const Triangle& first = soup.triangles[set.faces.front()];
   for (const Index f : set.faces) {
@@ -136,7 +136,7 @@ class DuplicateDropper {
         mesh_(input.tracked.soup, {}, 0.0) {
     is_in_set_.resize(input.tracked.soup.n_faces(), 0);
     for (const Defect& defect : defects) {
-      sets_.push_back(look_at(input.tracked.soup, defect));
+      sets_.push_back(equal_faces_of(input.tracked.soup, defect));
       for (const Index f : defect.faces) is_in_set_[f] = 1;
     }
   }

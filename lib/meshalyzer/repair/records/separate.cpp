@@ -146,6 +146,7 @@ class Extractor {
     part.vertex_origins =
         origins_for(part.vertex_keys, tracked_.n_input_vertices, tracked_.vertex_origins);
     part.face_origins = origins_for(part.face_keys, tracked_.n_input_faces, tracked_.face_origins);
+    part.sheet_cuts = tracked_.sheet_cuts;
     part.soup.format = soup_.format;
     part.soup.positions = picked(soup_.positions, vertices);
     part.soup.triangles = renumbered(picked(soup_.triangles, faces), new_vertex_);

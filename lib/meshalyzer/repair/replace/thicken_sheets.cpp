@@ -81,7 +81,7 @@ std::vector<Index> faces_of_sheet(const Soup& soup, std::vector<Index> faces, bo
   return distinct_faces(soup, faces);
 }
 
-/// Makes a thin solid of each component, in one operation.
+/// Makes a thin solid of each component, each in an operation of its own.
 ///
 /// @param separable  Ascending, see thicken().
 /// @param sheet_of   Returns those faces of a component, by its number and its faces, that become

@@ -1,7 +1,7 @@
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/base/runs.h"
-#include "meshalyzer/repair/rules/internal/fixed_vertices.h"
 #include "meshalyzer/repair/passes.h"
+#include "meshalyzer/repair/rules/internal/fixed_vertices.h"
 #include "meshalyzer/repair/split/internal/copy_vertices.h"
 #include "meshalyzer/repair/split/internal/edge_incidences.h"
 #include "meshalyzer/repair/split/internal/incident_faces.h"

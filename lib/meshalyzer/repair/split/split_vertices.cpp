@@ -1,6 +1,6 @@
 #include "meshalyzer/base/disjoint_sets.h"
-#include "meshalyzer/repair/rules/internal/fixed_vertices.h"
 #include "meshalyzer/repair/passes.h"
+#include "meshalyzer/repair/rules/internal/fixed_vertices.h"
 #include "meshalyzer/repair/split/internal/copy_vertices.h"
 #include "meshalyzer/repair/split/internal/incident_faces.h"
 #include "meshalyzer/topology/manifold.h"

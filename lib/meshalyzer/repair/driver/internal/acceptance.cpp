@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/driver/internal/acceptance.h"
 
+#include "meshalyzer/base/box.h"
 #include "meshalyzer/base/corners.h"
 #include "meshalyzer/repair/driver/internal/changed_places.h"
 #include "meshalyzer/repair/driver/internal/prior_contacts.h"
@@ -125,10 +126,7 @@ class AcceptanceCheck {
   /// Returns the box round a face of the input in which operations may have lost it: an earlier
   /// pass has removed it.
   [[nodiscard]] Box3 surroundings_of(Index input_face) const {
-    Box3 near = box_of_face(rules_.input, input_face);
-    near.min().array() -= rules_.max_deviation;
-    near.max().array() += rules_.max_deviation;
-    return near;
+    return grown(box_of_face(rules_.input, input_face), rules_.max_deviation);
   }
 
   /// Adds `by` for each pair to the balance of the operations that affect either of its faces.

@@ -32,7 +32,7 @@ struct AcceptanceRules {
 };
 
 struct Acceptance {
-  /// #operations: non-zero for each that is rejected.
+  /// #operations: why each is rejected, or Rejection::None.
   std::vector<Rejection> rejections;
 
   [[nodiscard]] bool all_accepted() const;

@@ -184,9 +184,10 @@ double distance_of_corners(const IndexedParts& parts, const Corners& face) {
 double distance_from_edge(const Segment& segment, const Corners& face) {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
-    const Corners edge{face[i], face[(i + 1) % 3], face[(i + 1) % 3]};
-    nearest = std::min(nearest, std::max(closest_on_triangle(edge, segment[0]).distance,
-                                         closest_on_triangle(edge, segment[1]).distance));
+    const Vec3& a = face[i];
+    const Vec3& b = face[(i + 1) % 3];
+    nearest = std::min(nearest, std::max(distance_from_segment(a, b, segment[0]),
+                                         distance_from_segment(a, b, segment[1])));
   }
   return nearest;
 }

@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/driver/internal/searched_surface.h"
 
+#include "meshalyzer/base/box.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/spatial/faces_near.h"
 
@@ -15,9 +16,7 @@ std::vector<Box3> boxes_within(std::vector<Box3> boxes, double distance) {
   for (Box3& box : boxes) {
     const double largest =
         std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-    const double margin = distance * (1.0 + kBeyondRounding) + kBeyondRounding * largest;
-    box.min().array() -= margin;
-    box.max().array() += margin;
+    box = grown(box, distance * (1.0 + kBeyondRounding) + kBeyondRounding * largest);
   }
   return boxes;
 }

@@ -3,11 +3,11 @@
 #include "meshalyzer/base/grouped_digits.h"
 #include "meshalyzer/base/numbers.h"
 #include "meshalyzer/base/sort_unique.h"
-#include "meshalyzer/repair/rules/internal/fixed_vertices.h"
+#include "meshalyzer/repair/guarantee/internal/unite_from_input.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/repair/replace/internal/broken_solids.h"
 #include "meshalyzer/repair/replace/internal/replacements.h"
-#include "meshalyzer/repair/guarantee/internal/unite_from_input.h"
+#include "meshalyzer/repair/rules/internal/fixed_vertices.h"
 
 #include <algorithm>
 #include <array>

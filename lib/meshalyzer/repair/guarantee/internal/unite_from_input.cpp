@@ -316,7 +316,8 @@ class UnionFromInput {
   UnionMemory& memory_;
   /// Whether the holes of sheets are filled.
   FillSheets sheets_ = FillSheets::No;
-  /// What the last union may have lost: the walls that it has removed, or with shells all faces.
+  /// What the last union may have lost: the walls that it has removed, or all faces if parts were
+  /// moved or made shells before.
   FacePieces losable_;
   /// The points at which the last union still touched, and those at which it is joined.
   std::vector<Vec3> touching_;

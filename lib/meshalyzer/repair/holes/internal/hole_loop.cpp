@@ -107,7 +107,7 @@ double distance_from(const Soup& soup, const HoleLoop& loop, const Vec3& point) 
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Vec3& a = soup.positions[loop.vertices[i]];
     const Vec3& b = soup.positions[loop.next(i)];
-    nearest = std::min(nearest, closest_on_triangle({a, b, b}, point).distance);
+    nearest = std::min(nearest, distance_from_segment(a, b, point));
   }
   return nearest;
 }

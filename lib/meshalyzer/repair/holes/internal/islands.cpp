@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/holes/internal/islands.h"
 
+#include "meshalyzer/base/box.h"
 #include "meshalyzer/repair/holes/internal/join_loops.h"
 #include "meshalyzer/spatial/closest_point.h"
 #include "meshalyzer/topology/components.h"
@@ -83,9 +84,9 @@ std::vector<Index> Islands::candidates(std::size_t loop) const {
   return others_in(boxes_[loop], share_of(loop, kReach), loop);
 }
 
-std::vector<Index> Islands::others_in(Box3 box, double distance, std::size_t loop) const {
-  box.min().array() -= distance;
-  box.max().array() += distance;
+std::vector<Index> Islands::others_in(const Box3& of_loop, double distance,
+                                      std::size_t loop) const {
+  const Box3 box = grown(of_loop, distance);
   std::vector<Index> found = tree_.meeting(box);
   std::erase_if(found, [&](Index i) { return i == loop || !box.contains(boxes_[i]); });
   return found;
@@ -112,10 +113,7 @@ double Islands::length_of_gap(std::size_t outer, std::size_t inner) const {
 
 bool Islands::has_nearer_outer_border(std::size_t loop, std::size_t outer) const {
   const double gap = length_of_gap(outer, loop);
-  Box3 box = boxes_[loop];
-  box.min().array() -= gap;
-  box.max().array() += gap;
-  const std::vector<Index> near = tree_.meeting(box);
+  const std::vector<Index> near = tree_.meeting(grown(boxes_[loop], gap));
   return std::any_of(near.begin(), near.end(), [&](Index other) {
     return other != loop && other != outer && components_[other] != components_[loop] &&
            run_against_each_other(other, loop) && length_of_gap(other, loop) < gap;

@@ -43,7 +43,8 @@ class Islands {
   /// Returns the other loops in the box of a loop, enlarged by the maximum distance of lying_on().
   [[nodiscard]] std::vector<Index> candidates(std::size_t loop) const;
   /// Returns the other loops in a box enlarged by a distance.
-  [[nodiscard]] std::vector<Index> others_in(Box3 box, double distance, std::size_t loop) const;
+  [[nodiscard]] std::vector<Index> others_in(const Box3& of_loop, double distance,
+                                             std::size_t loop) const;
   /// Returns those of some loops that are inner borders of another one, all within a distance of
   /// its patch.
   [[nodiscard]] std::vector<std::size_t> inner_borders(std::span<const Index> loops,

@@ -30,7 +30,7 @@ double distance_from_patches(const PassInput& input, const Vec3& point) {
     }
     const Vec3& a = cut.mesh.point(cut.mesh.from_vertex_handle(h));
     const Vec3& b = cut.mesh.point(cut.mesh.to_vertex_handle(h));
-    nearest = std::min(nearest, closest_on_triangle({a, b, b}, point).distance);
+    nearest = std::min(nearest, distance_from_segment(a, b, point));
   }
   return nearest;
 }

@@ -22,8 +22,8 @@ constexpr std::size_t kReweightings = 4;
 /// Cotangents of the angles of needles are clamped to this range.
 constexpr double kLeastWeight = 1e-3;
 constexpr double kGreatestWeight = 1e3;
-/// The multiplications that a factorisation may take at least; a patch of 20,000 new vertices with
-/// six edges each takes a twentieth of them.
+/// A factorisation that certainly takes more multiplications is not made; a patch of 20,000 new
+/// vertices with six edges each takes a twentieth of them.
 constexpr double kMaxMultiplications = 2e8;
 
 using SparseMatrix = Eigen::SparseMatrix<double>;

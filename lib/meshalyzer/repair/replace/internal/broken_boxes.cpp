@@ -1,5 +1,7 @@
 #include "meshalyzer/repair/replace/internal/broken_boxes.h"
 
+#include "meshalyzer/base/box.h"
+#include "meshalyzer/base/triangle.h"
 #include "meshalyzer/repair/replace/internal/broken_solids.h"
 
 #include <algorithm>
@@ -29,12 +31,9 @@ void add_box(Box3 box, std::vector<Box3>& boxes) {
 }  // namespace
 
 std::vector<Box3> boxes_round_broken_faces(const PreparedMesh& mesh, double margin) {
-  const Vec3 all_round = Vec3::Constant(margin);
   std::vector<Box3> boxes;
   for (const Index face : find_broken_faces(mesh)) {
-    Box3 box;
-    for (const Vec3& corner : corners_of(mesh.soup(), face)) box.extend(corner);
-    add_box({box.min() - all_round, box.max() + all_round}, boxes);
+    add_box(grown(box_of(corners_of(mesh.soup(), face)), margin), boxes);
     if (boxes.size() > 16 * kMostBoxes) return {};
   }
   if (boxes.size() > kMostBoxes) boxes.clear();

@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/split/internal/moved_faces.h"
 
+#include "meshalyzer/base/box.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/repair/rules/internal/contact_rule.h"
 #include "meshalyzer/repair/rules/internal/orientation_rule.h"
@@ -24,10 +25,6 @@ constexpr std::size_t kTestsInACheck = 16;
 /// Faces farther apart than this multiple of the reach cannot meet after a move: each coordinate
 /// changes by the reach at most, and rounding of the distance is small beside it.
 constexpr double kApart = 4.0;
-
-Box3 grown(const Box3& box, double by) {
-  return {box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by)};
-}
 
 /// The slabs round a face, each between two parallel planes: one along the face, and one along each
 /// of its edges, upright on the face. All points within a distance of the face lie in all of them.

@@ -118,7 +118,7 @@ class ChainWalk {
 
   /// Returns the distance between the end of another edge and this one.
   [[nodiscard]] double distance_of_end(Index f) const {
-    return closest_on_triangle({start_, end_, end_}, mesh_.positions[to(f)]).distance;
+    return distance_from_segment(start_, end_, mesh_.positions[to(f)]);
   }
 
   /// Returns the edge that continues this one at its end; nothing if there are several.

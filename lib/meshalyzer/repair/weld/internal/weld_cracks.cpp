@@ -89,7 +89,7 @@ class CrackWalk {
     const Vec3& b = mesh_.positions[to];
     const Vec3& p = mesh_.positions[vertex];
     return (p - a).dot(b - a) > 0.0 && (p - b).dot(a - b) > 0.0 &&
-           closest_on_triangle({a, b, b}, p).distance <= mesh_.near.reach();
+           distance_from_segment(a, b, p) <= mesh_.near.reach();
   }
 
   /// Returns the edge of a side behind a vertex; nothing unless there is exactly one.

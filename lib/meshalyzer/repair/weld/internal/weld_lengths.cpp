@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/weld/internal/weld_lengths.h"
 
+#include "meshalyzer/base/box.h"
 #include "meshalyzer/base/disjoint_sets.h"
 #include "meshalyzer/spatial/triangle_distance.h"
 
@@ -71,11 +72,8 @@ WeldDistances::Visited WeldDistances::visit_pairs(std::span<const Index> of, dou
   const std::size_t most = kFewNearEdges + kNearEdgesPerEdge * of.size();
   std::size_t n_near = 0;
   for (const Index a : of) {
-    Box3 near = boxes_[a];
-    // A margin for rounding.
-    near.min().array() -= 1.001 * within;
-    near.max().array() += 1.001 * within;
-    const std::vector<Index> found = tree_.meeting(near);
+    // The thousandth is a margin for rounding.
+    const std::vector<Index> found = tree_.meeting(grown(boxes_[a], 1.001 * within));
     n_near += found.size();
     if (n_near > most) return Visited::TooMany;
     for (const Index b : found) {
@@ -157,9 +155,7 @@ double WeldDistances::joining_distance(Index a, Index b, double below) const {
 }
 
 double WeldDistances::from_edge(Index v, const WeldEdge& edge) const {
-  const Vec3& from = positions_[edge.from];
-  const Vec3& to = positions_[edge.to];
-  return closest_on_triangle({from, to, to}, positions_[v]).distance;
+  return distance_from_segment(positions_[edge.from], positions_[edge.to], positions_[v]);
 }
 
 /// Returns the least of all distances between two edges that is above a length.
