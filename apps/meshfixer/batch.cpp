@@ -11,6 +11,7 @@
 #include "targets.h"
 
 #include <algorithm>
+#include <new>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -27,6 +28,13 @@ struct BatchRun {
   Streams streams;
 };
 
+/// Reports a file that cannot be repaired; the others are.
+ExitCode fail(const BatchRun& run, const std::string& file, const std::string& why) {
+  run.streams.err << why << std::endl;
+  run.report.add_error(file, why);
+  return ExitCode::Failure;
+}
+
 ExitCode repair_one(const BatchRun& run, const std::string& file) {
   Options options = run.options;
   options.input = file;
@@ -42,9 +50,9 @@ ExitCode repair_one(const BatchRun& run, const std::string& file) {
       return ExitCode::Done;
     });
   } catch (const Error& error) {
-    run.streams.err << error.what() << std::endl;
-    run.report.add_error(file, error.what());
-    return ExitCode::Failure;
+    return fail(run, file, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(run, file, file + ": not enough memory");
   }
 }
 

@@ -174,7 +174,8 @@ class CombinationRun {
   /// Notes how a file was parted from the meshes before it.
   void note_parting(const PartedDifference& left) {
     if (left.n_moved > 0) {
-      note(grouped(left.n_moved) + " vertices were moved off the meshes before it");
+      note(counted(left.n_moved, "vertex was", "vertices were") +
+           " moved off the meshes before it");
     }
     if (left.cut_back > 0.0) {
       note("cut back by at most " + readable(left.cut_back) +

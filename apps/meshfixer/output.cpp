@@ -185,7 +185,9 @@ Soup write_output(const Output& output, const std::string& path, Options::Backup
   } else {
     replace_file(path, output.bytes);
   }
-  if (!std::filesystem::is_regular_file(path)) return soup;  // a pipe gives nothing back
+  std::error_code ignored;
+  // A pipe gives nothing back.
+  if (!std::filesystem::is_regular_file(path, ignored)) return soup;
   const FileContent written(path);
   if (written.bytes() != output.bytes) soup = parse_mesh(written.bytes(), path);
   return soup;

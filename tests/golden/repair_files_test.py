@@ -132,6 +132,21 @@ class RepairFiles(unittest.TestCase):
         self.assertEqual(os.listdir(self.folder), ["box.obj"])
         self.assertEqual((self.folder / "box.obj").read_text(), obj())
 
+    @unittest.skipIf("SANITIZED" in os.environ, "sanitizers end the program where there is no memory left")
+    def test_a_file_too_large_for_the_memory_does_not_keep_others_from_being_repaired(self):
+        self.write("box.obj", obj())
+        n = 300_000  # facets, for each of which a repair needs some hundred bytes
+        facets = b"".join(struct.pack("<12fH", *(0, 0, 0), *((i * k) % 1009 for k in range(1, 10)), 0) for i in range(n))
+        self.write("large.stl", bytes(80) + struct.pack("<I", n) + facets)
+        limit = 40 << 20
+        result = subprocess.run([PROGRAM, "--threads", "1", ".", "-o", "fixed"], cwd=self.folder, capture_output=True,
+                                check=False, timeout=60,
+                                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_DATA, (limit, limit)))
+        self.assertEqual(result.returncode, 3)
+        self.assertIn(b"large.stl: not enough memory\n", result.stderr)
+        self.assertIn(b"hole: 1 -> 0\n", result.stdout)
+        self.assertEqual(os.listdir(self.folder / "fixed"), ["box.obj"])
+
     def test_a_pipe_is_written_and_not_read_back(self):
         self.write("box.obj", obj())
         os.mkfifo(self.folder / "pipe.obj")

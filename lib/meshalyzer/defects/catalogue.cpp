@@ -70,7 +70,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
                  "middle of the shortest edge.",
      .fix = "A face that names a vertex twice is dropped; otherwise the short edge is collapsed "
             "to a point. If nothing else is possible, the facet is widened.",
-     .fix_summary = "meshfixer collapses it",
+     .fix_summary = "meshfixer mends it",
      .passes = "mend facets, widen facets",
      .fixed_by_default = true},
     {.code = DefectCode::Slit,
@@ -119,7 +119,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
             "smallest step after which nothing touches, unless the option `keep-contact` is "
             "given.",
      .fix_summary = "meshfixer splits it",
-     .passes = "split edges, split vertices and part contacts",
+     .passes = "split edges, split vertices and part contacts, cut off tips",
      .fixed_by_default = true},
     {.code = DefectCode::VertexNormal,
      .name = "vertex-normal",
@@ -166,7 +166,7 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .fix = "The hole is filled by a patch that intersects nothing. A sheet, which bounds no "
             "solid, is left open unless filling is asked for by name.",
      .fix_summary = "meshfixer fills it; in a sheet, with --fix hole",
-     .passes = "fill holes",
+     .passes = "fill holes, drop fragments",
      .fixed_by_default = true},
     {.code = DefectCode::Flipped,
      .name = "flipped",

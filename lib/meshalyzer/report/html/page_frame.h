@@ -16,7 +16,7 @@ struct Verdict {
   enum class Kind { Good, Bad, None };
   Kind kind = Kind::None;
   std::string text;
-  /// The reasons why it is not good.
+  /// What is listed below the text: the reasons why it is not good, or what else was found.
   std::vector<std::string> reasons = {};
 };
 

@@ -11,10 +11,23 @@
 #include <array>
 #include <cstddef>
 #include <fmt/format.h>
+#include <string>
 #include <vector>
 
 namespace meshalyzer {
 namespace {
+
+/// Counts the defects that remain and were not to be fixed: for the analysis they may be reasons
+/// why the mesh is not good.
+std::vector<std::string> counts_not_asked_for(const RepairReport& report) {
+  std::vector<std::string> counts = counts_of_codes(
+      [&](DefectCode code) {
+        return report.fixes.contains(code) ? 0 : n_remaining(report, {code});
+      },
+      DefectCodes::all());
+  for (std::string& count : counts) count += " (not asked for)";
+  return counts;
+}
 
 Verdict verdict_of(const RepairReport& report) {
   const std::size_t n = n_remaining(report);
@@ -27,7 +40,8 @@ Verdict verdict_of(const RepairReport& report) {
     return {Verdict::Kind::Bad, "Defects may remain: a search ended early"};
   }
   return {Verdict::Kind::Good,
-          report.result.log.steps.empty() ? "Nothing was to be done" : "Repaired"};
+          report.result.log.steps.empty() ? "Nothing was to be done" : "Repaired",
+          counts_not_asked_for(report)};
 }
 
 std::string facts_of(const RepairReport& report) {

@@ -23,8 +23,8 @@ SchemaObject report_object() {
                       {"unreadable", "files that cannot be read, and why; only where there are any",
                        R"("type": "array", "items": {"$ref": "#/$defs/unreadable"})",
                        SchemaMember::Presence::Sometimes},
-                      {"set", "only where a folder was given", schema_reference("set"),
-                       SchemaMember::Presence::Sometimes}}};
+                      {"set", "only for a set: a folder, or several files with -i or -s",
+                       schema_reference("set"), SchemaMember::Presence::Sometimes}}};
 }
 
 void define_unreadable(SchemaDefinitions& schema) {

@@ -77,6 +77,25 @@ TEST(RepairDriver, PassThatTakesTimeForVeryManyPairsIsRunInVainOnce) {
   EXPECT_EQ(count_runs(100, true), 3U);
 }
 
+TEST(RepairDriver, WhatThePassRefusesIsLoggedThoughItsLastRunHasChangedTheMesh) {
+  // All pairs of 270 faces are 36,315: in such a heap a pass does not run until it is done.
+  const Soup soup = star_of_faces(270);
+  RepairLimits limits;
+  limits.max_deviation = 1.0;
+  RepairDriver driver(soup, {}, limits, [](const TrackedMesh&, const CutMesh&) {
+    return std::vector<std::uint8_t>();
+  });
+  const PassFunction move_and_refuse = [](const PassInput& input) {
+    PassResult result = move_last_vertex(input);
+    result.refused.push_back(
+        {.code = DefectCode::SelfIntersection, .face = 0, .reason = "for a reason"});
+    return result;
+  };
+  driver.run_plan({{.name = "move", .run = move_and_refuse}});
+  ASSERT_EQ(driver.log().refusals.size(), 1U);
+  EXPECT_EQ(driver.log().refusals.front().reason, "for a reason");
+}
+
 TEST(RepairDriver, EachPassThatTakesTimeForVeryManyPairsIsRunOnce) {
   const Soup soup = star_of_faces(150);
   RepairDriver driver(soup, {}, RepairLimits(), [](const TrackedMesh&, const CutMesh&) {

@@ -65,6 +65,15 @@ TEST(HtmlReportOfRepair, NothingToDoIsSaid) {
   EXPECT_THAT(html, Not(HasSubstr("id=\"refusals\"")));
 }
 
+TEST(HtmlReportOfRepair, WhatWasNotAskedForAndRemainsIsNamedBesideTheVerdict) {
+  const RepairResult result = result_with_a_step();
+  RepairReport report = sample_report(result);
+  report.meshes.front().remaining = sample_defects();
+  report.fixes = {DefectCode::Flipped};
+  EXPECT_THAT(page_of(report), HasSubstr("Repaired</p>\n<ul class=\"reasons\">"));
+  EXPECT_THAT(page_of(report), HasSubstr("<li>hole: 1 (not asked for)</li>"));
+}
+
 TEST(HtmlReportOfRepair, CountsStandBeforeAndAfter) {
   const RepairResult result = result_with_a_step();
   RepairReport report = sample_report(result);

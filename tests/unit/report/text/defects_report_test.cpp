@@ -58,7 +58,7 @@ TEST(DefectsReport, WhatDoesNotCountIsListedAllTheSame) {
   EXPECT_THAT(text, HasLine("hole: 1"));
   EXPECT_THAT(text, HasLine("defects: 2"));
   EXPECT_THAT(text, HasLine("asked for: 1"));
-  EXPECT_THAT(text, HasLine("fix of hole: fill holes"));
+  EXPECT_THAT(text, HasLine("fix of hole: fill holes, drop fragments"));
   EXPECT_THAT(text, Not(HasSubstr("fix of slit")));
   EXPECT_THAT(text, HasLine("disjoint: component of face 4"));
   EXPECT_THAT(report_of(report, DefectCodes::all()), HasLine("asked for: 2"));

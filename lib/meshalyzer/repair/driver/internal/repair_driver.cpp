@@ -133,20 +133,20 @@ std::vector<CountRise> RepairDriver::rises() const {
 /// banned each time.
 bool RepairDriver::is_worth_trying_banned() const {
   const bool is_nearly_all_banned =
-      banned_.size() >= kManyBanned && banned_.size() > kBannedPerApplied * applied_.size();
+      banned_.size() >= kManyBanned && banned_.size() > kBannedPerApplied * runs_.applied.size();
   return banned_.size() != 0 && !is_nearly_all_banned && n_pairs() < kManyPairs;
 }
 
 void RepairDriver::set_checkpoint() {
   banned_ = {};
   checkpoint_ = checkpoint();
-  applied_.clear();
+  runs_.applied.clear();
 }
 
 bool RepairDriver::run_trial(const Trial& trial) {
   if (!input_counts_) note_input(inventory());
   set_checkpoint();
-  costly_idle_runs_.clear();
+  runs_.costly_idle_runs.clear();
   if (!trial.from_input.empty()) start_from_input(trial.from_input);
   const std::vector<Index> face_keys = mesh_.tracked().face_keys;
   for (const PlannedPass& change : trial.changes) apply_unchecked(change);
@@ -163,18 +163,15 @@ void RepairDriver::start_from_input(const std::vector<PlannedPass>& plan) {
   for (const PlannedPass& pass : plan) names.push_back(pass.name);
   if (start_ && start_->names == names) {
     return_to(start_->made);
-    applied_ = start_->applied;
-    hopeless_ = start_->hopeless;
-    costly_idle_runs_ = start_->costly_idle_runs;
+    runs_ = start_->memory;
     limits_.fixed_vertices = start_->fixed_vertices;
     return;
   }
-  hopeless_.clear();
+  runs_.hopeless.clear();
   return_to_input();
   static_cast<void>(run_rounds(plan));
   if (is_stopped_) return;
-  start_ = {std::move(names), checkpoint(),      applied_,
-            hopeless_,        costly_idle_runs_, limits_.fixed_vertices};
+  start_ = {std::move(names), checkpoint(), runs_, limits_.fixed_vertices};
 }
 
 std::optional<DefectInventory> RepairDriver::run_stage(const std::vector<PlannedPass>& plan,
@@ -185,7 +182,7 @@ std::optional<DefectInventory> RepairDriver::run_stage(const std::vector<Planned
     const bool may_be_given_up =
         gate.on_worse == OnWorse::Leave && settings_.check.unwelded == UnweldedPairs::Count;
     const bool is_given_up = !run_rounds(plan, may_be_given_up);
-    if (applied_.empty()) return std::nullopt;
+    if (runs_.applied.empty()) return std::nullopt;
     if (is_given_up) {
       restart();
       return std::nullopt;
@@ -216,19 +213,19 @@ void RepairDriver::ban(const DefectInventory& before, const DefectInventory& aft
     places.push_back({element.kind, corners_of(mesh_.tracked(), element)});
   }
   if (attempt < kAttemptsByLast) {
-    ban_responsible(applied_, places, Responsible::Last, mesh_.input(), banned_);
+    ban_responsible(runs_.applied, places, Responsible::Last, mesh_.input(), banned_);
   }
   const auto n_more = static_cast<double>(banned_.size() - n_banned);
   const bool are_few_more =
       n_banned >= kManyBanned && n_more < kFewShare * static_cast<double>(n_banned);
   if ((n_more == 0.0 || are_few_more) && attempt < kAttemptsByAll) {
-    ban_responsible(applied_, places, Responsible::All, mesh_.input(), banned_);
+    ban_responsible(runs_.applied, places, Responsible::All, mesh_.input(), banned_);
   }
-  if (banned_.size() == n_banned) banned_.add(applied_.back().pass);
+  if (banned_.size() == n_banned) banned_.add(runs_.applied.back().pass);
 }
 
 void RepairDriver::restart() {
-  hopeless_.clear();
+  runs_.hopeless.clear();
   if (!checkpoint_) return return_to_input();
   return_to(*checkpoint_);
 }
@@ -236,13 +233,13 @@ void RepairDriver::restart() {
 void RepairDriver::return_to(const Checkpoint& checkpoint) {
   mesh_.restore(checkpoint.mesh);
   log_ = checkpoint.log;
-  applied_.clear();
+  runs_.applied.clear();
 }
 
 void RepairDriver::return_to_input() {
   mesh_.return_to_input();
   log_ = {};
-  applied_.clear();
+  runs_.applied.clear();
 }
 
 bool RepairDriver::run_rounds(const std::vector<PlannedPass>& plan, bool may_be_given_up) {
@@ -296,7 +293,7 @@ void RepairDriver::run_unless_idle(const PlannedPass& pass, std::size_t& n_chang
     return;
   }
   const std::size_t n_pairs_before = n_pairs();
-  const std::vector<CostlyIdleRun>& costly = costly_idle_runs_[pass.name];
+  const std::vector<CostlyIdleRun>& costly = runs_.costly_idle_runs[pass.name];
   const auto alike = std::find_if(costly.rbegin(), costly.rend(), [&](const CostlyIdleRun& known) {
     return are_many_alike(n_pairs_before, known.n_pairs);
   });
@@ -328,7 +325,7 @@ void RepairDriver::note_costly_idle_run(const PlannedPass& pass, CostlyIdleRun i
   std::erase_if(idle_run.refusals, [&](const LoggedRefusal& refusal) {
     return refusal.face >= mesh_.tracked().n_input_faces;
   });
-  costly_idle_runs_[pass.name].push_back(std::move(idle_run));
+  runs_.costly_idle_runs[pass.name].push_back(std::move(idle_run));
 }
 
 bool RepairDriver::is_to_stop() {
@@ -389,12 +386,13 @@ bool RepairDriver::run_at(const PlannedPass& pass, double length, RefusedInState
     PassResult result = pass.run(input_of_pass(size, length));
     const bool is_applied = !result.edits.empty() && apply_accepted(pass, result.edits, before);
     has_changed = has_changed || is_applied;
-    if (is_applied && pass.repeat != Repeat::OncePerRound) continue;
+    const bool is_last = i + 1 == max_runs;
+    if (is_applied && pass.repeat != Repeat::OncePerRound && !is_last) continue;
     // One bad step may have caused the rejection of all steps of its operation. What is left after
     // others were applied may have smaller operations, too.
     const bool has_more = !before.rejected.empty() && size != OperationSize::Smallest &&
                           (result.has_smaller_operations || is_applied);
-    if (!has_more) {
+    if (!has_more || is_last) {
       refused = {examined, std::move(result.refused)};
       return has_changed;
     }
@@ -443,8 +441,8 @@ void RepairDriver::skip_known(const PlannedPass& pass, ProposedBefore& before, P
       log_rejection(pass, signature, Rejection::EndsWorse, log_);
     }
     const bool is_rejected = before.rejected.contains(signature);
-    const auto known = hopeless_.find(proposal.hashes[op]);
-    const bool is_hopeless = !is_rejected && known != hopeless_.end();
+    const auto known = runs_.hopeless.find(proposal.hashes[op]);
+    const bool is_hopeless = !is_rejected && known != runs_.hopeless.end();
     if (is_hopeless && before.hopeless.insert(signature).second) {
       log_rejection(pass, signature, known->second, log_);
     }
@@ -468,7 +466,7 @@ void RepairDriver::skip_rejected(const PlannedPass& pass, const Acceptance& acce
     if (proposal.skipped[op] != 0 || rejection == Rejection::None) continue;
     proposal.skipped[op] = 1;
     before.rejected.insert(proposal.signatures[op]);
-    if (is_hopeless_after(rejection)) hopeless_.emplace(proposal.hashes[op], rejection);
+    if (is_hopeless_after(rejection)) runs_.hopeless.emplace(proposal.hashes[op], rejection);
     log_rejection(pass, proposal.signatures[op], rejection, log_);
   }
 }
@@ -493,7 +491,7 @@ void RepairDriver::record(const PlannedPass& pass, Proposal proposal,
   for (std::size_t op = 0; op < applied.size(); ++op) {
     if (proposal.skipped[op] != 0) continue;
     sort_unique(applied[op].vertices);
-    applied_.push_back(std::move(applied[op]));
+    runs_.applied.push_back(std::move(applied[op]));
   }
 }
 

@@ -6,10 +6,10 @@
 #include "meshalyzer/repair/driver/internal/final_check.h"
 #include "meshalyzer/repair/driver/internal/measured_mesh.h"
 #include "meshalyzer/repair/driver/internal/operation_names.h"
-#include "meshalyzer/repair/internal/pass_memory.h"
 #include "meshalyzer/repair/driver/internal/plan.h"
 #include "meshalyzer/repair/driver/internal/worsening.h"
 #include "meshalyzer/repair/driver/repair_log.h"
+#include "meshalyzer/repair/internal/pass_memory.h"
 
 #include <cstdint>
 #include <functional>
@@ -176,14 +176,23 @@ class RepairDriver {
     DefectInventory inventory;
   };
 
+  /// What is known from the runs of passes until now.
+  struct RunMemory {
+    /// The operations applied since the checkpoint.
+    std::vector<AppliedOperation> applied;
+    /// The operations that are not tried again, and the rule that they broke: what else is repaired
+    /// hardly changes that.
+    std::map<OperationHash, Rejection> hopeless;
+    /// By the name of the pass, in order.
+    std::map<std::string_view, std::vector<CostlyIdleRun>> costly_idle_runs;
+  };
+
   /// What some passes make of the input, from which trials start.
   struct StartFromInput {
     /// The names of the passes; those of one name are the same in all trials of a repair.
     std::vector<std::string_view> names;
     Checkpoint made;
-    std::vector<AppliedOperation> applied;
-    std::map<OperationHash, Rejection> hopeless;
-    std::map<std::string_view, std::vector<CostlyIdleRun>> costly_idle_runs;
+    RunMemory memory;
     std::vector<std::uint8_t> fixed_vertices;
   };
 
@@ -259,15 +268,10 @@ class RepairDriver {
   PassMemory memory_;
   bool is_stopped_ = false;
   RepairLog log_;
-  std::vector<AppliedOperation> applied_;
   /// The vertices that a pass has changed since it began with a length, by key.
   std::vector<Index> changed_vertices_;
   BannedOperations banned_;
-  /// By the name of the pass, in order.
-  std::map<std::string_view, std::vector<CostlyIdleRun>> costly_idle_runs_;
-  /// The operations that are not tried again, and the rule that they broke: what else is repaired
-  /// hardly changes that.
-  std::map<OperationHash, Rejection> hopeless_;
+  RunMemory runs_;
   /// The state from which the present stage has started; nothing if that is the input.
   std::optional<Checkpoint> checkpoint_;
   std::optional<StartFromInput> start_;
