@@ -3,11 +3,16 @@
 #include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/base/parallel.h"
 #include "meshalyzer/base/sort_unique.h"
+#include "meshalyzer/exact/predicates.h"
 #include "meshalyzer/spatial/box_tree.h"
 #include "meshalyzer/spatial/ray_parity.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace meshalyzer {
 namespace {
@@ -35,7 +40,29 @@ struct TouchingPart {
   Index part = 0;
   bool seen_inside = false;
   bool seen_outside = false;
+
+  [[nodiscard]] bool is_seen() const { return seen_inside || seen_outside; }
 };
+
+/// Returns the middle of a segment, unless rounding moves it off the segment.
+std::optional<Vec3> exact_middle(const Vec3& a, const Vec3& b) {
+  const Vec3 middle = a / 2 + b / 2;
+  if (!are_collinear(a, b, middle)) return std::nullopt;
+  return middle;
+}
+
+/// Returns points of a triangle, exactly on it: the middles of its edges, and one within.
+std::vector<Vec3> middles_of(const Corners& t) {
+  std::vector<Vec3> middles;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::optional<Vec3> of_edge = exact_middle(t[k], t[(k + 1) % 3]);
+    if (!of_edge) continue;
+    middles.push_back(*of_edge);
+    const std::optional<Vec3> within = exact_middle(*of_edge, t[(k + 2) % 3]);
+    if (within) middles.push_back(*within);
+  }
+  return middles;
+}
 
 bool contains(const std::vector<Index>& sorted, Index x) {
   return std::binary_search(sorted.begin(), sorted.end(), x);
@@ -102,28 +129,38 @@ class Nester {
     return found != contacts_[part].end() && found->part == other;
   }
 
-  /// Locates every vertex of a part relative to the closed parts that it touches without crossing.
+  /// Locates a part relative to the closed parts that it touches without crossing: its vertices,
+  /// and relative to those that all vertices lie on, its middles too.
   [[nodiscard]] std::vector<TouchingPart> look_at_touching(Index part) const {
     std::vector<TouchingPart> others;
-    std::vector<Index> parts;
     for (const Contact& contact : contacts_[part]) {
-      if (!contact.crosses && is_closed(contact.part)) {
-        others.push_back({.part = contact.part});
-        parts.push_back(contact.part);
-      }
+      if (!contact.crosses && is_closed(contact.part)) others.push_back({.part = contact.part});
     }
     if (others.empty()) {
       return others;
     }
-    for (const Index vertex : vertices_of(part)) {
-      const PointLocation place = locate(tree_, input_.parts, tree_.point(vertex), far_x(parts));
-      for (TouchingPart& other : others) {
-        if (!contains(place.on, other.part)) {
-          (contains(place.odd, other.part) ? other.seen_inside : other.seen_outside) = true;
-        }
-      }
+    for (const Index vertex : vertices_of(part)) look_from(tree_.point(vertex), others);
+    const auto unseen = std::stable_partition(
+        others.begin(), others.end(), [](const TouchingPart& other) { return other.is_seen(); });
+    const std::span<TouchingPart> rest(unseen, others.end());
+    if (rest.empty()) return others;
+    for (const Index slot : slots_[part]) {
+      for (const Vec3& point : middles_of(tree_.corners(slot))) look_from(point, rest);
     }
     return others;
+  }
+
+  void look_from(const Vec3& point, std::span<TouchingPart> others) const {
+    double far = -std::numeric_limits<double>::infinity();
+    for (const TouchingPart& other : others) {
+      far = std::max(far, input_.boxes[other.part].max().x());
+    }
+    const PointLocation place = locate(tree_, input_.parts, point, far);
+    for (TouchingPart& other : others) {
+      if (!contains(place.on, other.part)) {
+        (contains(place.odd, other.part) ? other.seen_inside : other.seen_outside) = true;
+      }
+    }
   }
 
   [[nodiscard]] std::vector<Index> vertices_of(Index part) const {

@@ -6,6 +6,7 @@
 #include "support/no_lengths.h"
 #include "support/same_soup.h"
 #include "support/shapes.h"
+#include "unit/repair/overlapping_boxes.h"
 #include "unit/repair/repaired_meshes.h"
 #include "unit/repair/weld/weld_cases.h"
 
@@ -48,6 +49,15 @@ TEST(FixDefects, MeshOfVerticesAloneKeepsThem) {
   const RepairResult result = fix_defects(soup);
   EXPECT_TRUE(same_soup(only_mesh(result), soup));
   EXPECT_TRUE(is_refused(result, OrphanVertex, ""));
+}
+
+TEST(FixDefects, SolidsThatOverlapWithACommonSideBecomeOne) {
+  EXPECT_NEAR(volume_of(only_mesh(fix_defects(boxes_with_a_common_side()))), 3.0, 1e-12);
+}
+
+TEST(FixDefects, HoleFromOneSideToAnotherStaysOne) {
+  EXPECT_NEAR(volume_of(only_mesh(fix_defects(cube_and_hole()))), 24.0, 1e-12);
+  EXPECT_NEAR(volume_of(only_mesh(fix_defects(shapes::flipped(cube_and_hole())))), 24.0, 1e-12);
 }
 
 TEST(FixDefects, PositionThatIsNotFiniteIsRefused) {

@@ -60,6 +60,18 @@ TEST(FindNesting, CubeThatTouchesTheWallFromWithoutIsOutside) {
   EXPECT_EQ(nesting.depth, (std::vector<Index>{0, 0}));
 }
 
+TEST(FindNesting, BoxFromOneWallToAnotherIsInsideThoughAllItsVerticesLieOnWalls) {
+  const Soup box = shapes::box({1, 1, 0}, {2, 2, 3});
+  const Nesting nesting = nested({shapes::cube(3), box}, {{0, 1, false}});
+  EXPECT_EQ(nesting.inside, (std::vector<Index>{kNoIndex, 0}));
+}
+
+TEST(FindNesting, BoxThatFillsAGapIsOutsideThoughAllItsVerticesLieOnWalls) {
+  const Soup walls = shapes::merged(shapes::cube(), shapes::cube(1, {2, 0, 0}));
+  const Nesting nesting = nested({walls, shapes::cube(1, {1, 0, 0})}, {{0, 1, false}});
+  EXPECT_EQ(nesting.depth, (std::vector<Index>{0, 0}));
+}
+
 TEST(FindNesting, PartThatReachesOutIsNotInsideThoughItBeginsThere) {
   const Nesting nesting =
       nested({shapes::cube(3), shapes::cube(2, {2, 2, 2})}, {{0, 1, /*crosses=*/false}});

@@ -1,5 +1,6 @@
 #include "meshalyzer/base/items_by_group.h"
 #include "meshalyzer/base/parallel.h"
+#include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/base/triangle.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/prepared/shells.h"
@@ -239,6 +240,24 @@ std::vector<std::uint8_t> vote_outward(const OutwardQuery& query) {
   return is_wrong;
 }
 
+/// Two components, the lower first.
+using ComponentPair = std::pair<Index, Index>;
+
+/// Returns the pairs of components some of whose faces lie on each other, ascending.
+std::vector<ComponentPair> components_on_each_other(const PreparedMesh& mesh) {
+  const SideTable& side = mesh.cut().side;
+  const std::vector<Index>& component_of = mesh.components().of_face;
+  std::vector<ComponentPair> found;
+  for (const IntersectingPair& pair : mesh.intersecting_pairs()) {
+    if (pair.kind != ContactKind::CoplanarOverlap && pair.kind != ContactKind::Duplicate) continue;
+    const Index a = component_of[side.mesh_face(pair.face_a)];
+    const Index b = component_of[side.mesh_face(pair.face_b)];
+    if (a != b) found.push_back(std::minmax(a, b));
+  }
+  sort_unique(found);
+  return found;
+}
+
 /// Finds the regions that are inside out. A region with a flipped edge is left, because the region
 /// beyond that edge would have to be turned with it.
 class WrongRegions {
@@ -247,7 +266,8 @@ class WrongRegions {
       : input_(input),
         regions_(find_oriented_regions(input.mesh.cut())),
         component_(regions_.count),
-        roles_(regions_.count) {
+        roles_(regions_.count),
+        on_each_other_(components_on_each_other(input.mesh)) {
     const CutMesh& cut = input.mesh.cut();
     const Components& components = input.mesh.components();
     const std::vector<std::uint8_t> is_shell = which_are_shells(cut, components);
@@ -270,19 +290,32 @@ class WrongRegions {
     std::vector<std::uint8_t> is_wrong =
         vote_outward({.input = input_, .regions = regions_, .roles = roles_});
     for (std::size_t p = 0; p < regions_.count; ++p) {
-      if (roles_[p] == RegionRole::Shell) {
-        is_wrong[p] = input_.mesh.shells()[component_[p]].outward.value_or(true) ? 0 : 1;
-      }
+      if (roles_[p] == RegionRole::Shell) is_wrong[p] = is_wrong_shell(component_[p]) ? 1 : 0;
     }
     return is_wrong;
   }
 
  private:
+  /// A shell that lies on the one round it, face on face, is turned with that one. No wall of a
+  /// cavity does so: the two are solids that overlap if they face the same way, else a solid and a
+  /// hole in it.
+  [[nodiscard]] bool is_wrong_shell(Index component) const {
+    const Shell& shell = input_.mesh.shells()[component];
+    const bool is_on_encloser =
+        shell.inside != kNoIndex &&
+        std::binary_search(on_each_other_.begin(), on_each_other_.end(),
+                           ComponentPair(std::minmax(component, shell.inside)));
+    if (is_on_encloser) return is_wrong_shell(shell.inside);
+    return !shell.outward.value_or(true);
+  }
+
   const PassInput& input_;
   Components regions_;
   /// The component and the role of each region.
   std::vector<Index> component_;
   std::vector<RegionRole> roles_;
+  /// See components_on_each_other().
+  std::vector<ComponentPair> on_each_other_;
 };
 
 }  // namespace

@@ -25,6 +25,10 @@ struct EqualFaces {
 
   /// Tells whether equal numbers face each way.
   [[nodiscard]] bool cancel_out() const;
+  /// Tells whether all face the same way.
+  [[nodiscard]] bool are_all_alike() const {
+    return std::find(is_like_first.begin(), is_like_first.end(), 0) == is_like_first.end();
+  }
 };
 
 bool EqualFaces::cancel_out() const {
@@ -124,6 +128,59 @@ EqualFaces equal_faces_of(const Soup& soup, const Defect& defect) {
   return set;
 }
 
+/// Finds sets of faces that all face the same way, each of which closes a surface of its own, as
+/// where two solids that overlap have a side in common: with all of them, as many faces cross an
+/// edge in one direction as in the other, and with one of them not.
+class SharedSides {
+ public:
+  SharedSides(const WorkingMesh& mesh, std::span<const EqualFaces> sets)
+      : mesh_(mesh), sets_(sets), sides_(sets.size()), is_needed_(sets.size(), 0) {
+    for (Index s = 0; s < sets.size(); ++s) {
+      for (const Index f : sets[s].faces) set_of_[f] = s;
+    }
+  }
+
+  /// @return #sets: 1 for those of which no face can go.
+  [[nodiscard]] std::vector<std::uint8_t> find() {
+    for (Index s = 0; s < sets_.size(); ++s) {
+      if (!sets_[s].are_all_alike()) continue;
+      const Triangle& t = mesh_.triangle(sets_[s].faces.front());
+      for (std::size_t k = 0; k < 3; ++k) judge_edge(s, t[k], t[(k + 1) % 3]);
+    }
+    std::vector<std::uint8_t> is_of_needed(sets_.size(), 0);
+    for (Index s = 0; s < sets_.size(); ++s) is_of_needed[sides_.find(s)] |= is_needed_[s];
+    for (Index s = 0; s < sets_.size(); ++s) is_needed_[s] = is_of_needed[sides_.find(s)];
+    return std::move(is_needed_);
+  }
+
+ private:
+  /// Sets that meet at an edge are parts of one side.
+  void judge_edge(Index set, Index a, Index b) {
+    int with_all = 0;
+    int with_one = 0;
+    for (const Index f : mesh_.faces_at(a, b)) {
+      const int step = crosses(mesh_.triangle(f), a, b) ? 1 : -1;
+      with_all += step;
+      const auto other = set_of_.find(f);
+      if (other == set_of_.end()) {
+        with_one += step;
+        continue;
+      }
+      // Nothing is known of what becomes of sets that face both ways.
+      if (!sets_[other->second].are_all_alike()) return;
+      if (sets_[other->second].faces.front() == f) with_one += step;
+      sides_.unite(set, other->second);
+    }
+    if (with_all == 0 && with_one != 0) is_needed_[set] = 1;
+  }
+
+  const WorkingMesh& mesh_;
+  std::span<const EqualFaces> sets_;
+  std::unordered_map<Index, Index> set_of_;
+  DisjointSets sides_;
+  std::vector<std::uint8_t> is_needed_;
+};
+
 /// What is dropped of faces that are closed by themselves.
 enum class PillowFaces : std::uint8_t { All, AllButOneOfEachDirection };
 
@@ -143,10 +200,14 @@ class DuplicateDropper {
 
   [[nodiscard]] PassResult run() {
     const std::vector<Index> wall_of = find_inner_walls(mesh_, sets_);
+    const std::vector<std::uint8_t> is_shared_side = SharedSides(mesh_, sets_).find();
     std::map<Index, std::vector<Index>> walls;
     for (Index s = 0; s < sets_.size(); ++s) {
       if (is_pillow(sets_[s])) {
         keep(dropped_ == PillowFaces::All ? std::vector<Index>() : one_of_each(sets_[s]), sets_[s]);
+      } else if (is_shared_side[s] != 0) {
+        result_.refused.push_back({DefectCode::DuplicateFacet, kNoIndex, sets_[s].faces.front(),
+                                   "it is a side of two solids that overlap, and each needs it"});
       } else if (wall_of[s] == kNoIndex) {
         keep({best_of(sets_[s])}, sets_[s]);
       } else {

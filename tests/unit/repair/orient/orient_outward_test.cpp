@@ -4,6 +4,7 @@
 #include "support/run_pass.h"
 #include "support/same_soup.h"
 #include "support/shapes.h"
+#include "unit/repair/overlapping_boxes.h"
 
 #include <gtest/gtest.h>
 
@@ -77,6 +78,14 @@ TEST(OrientOutward, CrossingCubesPointOutwardEach) {
   const Soup cubes = shapes::merged(shapes::cube(), shapes::cube(1.0, {0.5, 0.25, 0.125}));
   for (const Soup& soup : with_parts_turned(cubes, 2, 12)) {
     EXPECT_TRUE(same_soup(outward(soup), cubes));
+  }
+}
+
+TEST(OrientOutward, ShellThatLiesOnTheOneRoundItIsTurnedWithThatOne) {
+  const Soup overlapping = shapes::merged(shapes::cube(3), shapes::box({0, 0, 0}, {1, 1, 3}));
+  for (const Soup& soup : {overlapping, cube_and_hole()}) {
+    EXPECT_TRUE(same_soup(outward(soup), soup));
+    EXPECT_TRUE(same_soup(outward(shapes::flipped(soup)), soup));
   }
 }
 

@@ -3,6 +3,7 @@
 #include "support/same_soup.h"
 #include "support/shapes.h"
 #include "unit/repair/facets/mended_meshes.h"
+#include "unit/repair/overlapping_boxes.h"
 
 #include <gtest/gtest.h>
 
@@ -130,6 +131,22 @@ TEST(DropDuplicates, WallOfWhichAFaceIsGivenAgainKeepsOneOfEachDirection) {
   const PassRun run = run_pass(soup, drop_duplicates);
   EXPECT_TRUE(same_soup(run.tracked.soup, cubes_sharing_a_side(1.0)));
   EXPECT_EQ(run.refused.size(), 2U);
+}
+
+TEST(DropDuplicates, CommonSideOfOverlappingSolidsIsRefused) {
+  const Soup soup = boxes_with_a_common_side();
+  const PassRun run = run_pass(soup, drop_duplicates);
+  EXPECT_TRUE(same_soup(run.tracked.soup, soup));
+  ASSERT_EQ(run.refused.size(), 2U);
+  EXPECT_EQ(run.refused.front().reason,
+            "it is a side of two solids that overlap, and each needs it");
+}
+
+TEST(DropDuplicates, SolidGivenTwiceIsLeftOnce) {
+  Soup soup = shapes::cube();
+  const std::vector<Triangle> once = soup.triangles;
+  soup.triangles.insert(soup.triangles.end(), once.begin(), once.end());
+  EXPECT_TRUE(same_soup(run_pass(soup, drop_duplicates).tracked.soup, shapes::cube()));
 }
 
 TEST(DropDuplicates, PairInAnOpenPlaceIsNoWall) {
