@@ -60,7 +60,12 @@ struct DistanceQuery {
   double known = 0.0;
   /// If it is given, the points outside of these boxes are known to be within the bound.
   const BoxTree* doubtful = nullptr;
+  /// See DeviationMeter::Repaired.
+  StopQuery wants_to_stop = {};
 
+  [[nodiscard]] bool is_to_stop() const {
+    return question == DistanceQuestion::IsWithin && wants_to_stop();
+  }
   /// Returns the precision with which a distance must be known.
   [[nodiscard]] double near_enough() const {
     return question == DistanceQuestion::IsWithin ? bound : resolution();
@@ -209,6 +214,10 @@ SideResult measure_side(const Side& side, const FaceTree& tree, const ClosestPoi
   parallel_chunks(side.faces.size(), kFacesPerChunk, [&](Chunk chunk) {
     SurfaceDistance meter(tree, closest, query.bound, query.question, known);
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      if (query.is_to_stop()) {
+        distances[i].is_far = true;
+        continue;
+      }
       distances[i] = query.doubtful == nullptr
                          ? meter.measure(side.corners(i))
                          : meter.measure(side.corners(i), side.part(i), *query.doubtful);
@@ -431,7 +440,8 @@ DeviationMeter::Result DeviationMeter::measure_changes(ChangedFaces changes,
                                                        std::span<const InteriorWall> own_walls,
                                                        DistanceQuestion question) const {
   const TrackedMesh& tracked = repaired.tracked;
-  const DistanceQuery query{repaired.bound, question};
+  const DistanceQuery query{
+      .bound = repaired.bound, .question = question, .wants_to_stop = repaired.wants_to_stop};
   Side old_side{input_, tracked.soup, std::move(changes.of_input), {}};
   Side new_side{tracked.soup, input_, std::move(changes.of_repaired), {}};
   // What is near to a point of the input lies within the bound of it. So the point stays near

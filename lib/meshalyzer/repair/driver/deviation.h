@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/prepared/prepared_mesh.h"
 #include "meshalyzer/repair/edits/edits.h"
 #include "meshalyzer/repair/edits/tracked_mesh.h"
@@ -71,6 +72,8 @@ class DeviationMeter {
     /// Tells find_far() what may have changed since the surface was last found to be within the
     /// bound; null if it never was.
     const SurfaceStep* step = nullptr;
+    /// Once it says yes, find_far() takes the faces that are not measured yet for far.
+    StopQuery wants_to_stop = {};
   };
 
   /// The faces that are farther than a bound from the other surface, and the distance of the rest.

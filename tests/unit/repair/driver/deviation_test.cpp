@@ -74,6 +74,21 @@ TEST(DeviationMeter, RaisedPlaneIsFarAllOverWhereTheBoundIsSmaller) {
   EXPECT_GE(result.largest, 0.25);
 }
 
+TEST(DeviationMeter, MeasurementThatIsStoppedTakesForFarWhatIsNotMeasured) {
+  const Soup input = shapes::grid(6, 5);
+  // Only the ends are far.
+  const TrackedMesh tracked = moved(input, {1, 0, 0.25});
+  const PreparedMesh mesh(tracked.soup);
+  const DeviationMeter meter(input);
+  const FarFaces ends = meter.find_far({.tracked = tracked, .mesh = mesh, .bound = 0.4});
+  EXPECT_LT(ends.of_input.size(), 60U);
+  EXPECT_LT(ends.of_repaired.size(), 60U);
+  const FarFaces far = meter.find_far(
+      {.tracked = tracked, .mesh = mesh, .bound = 0.4, .wants_to_stop = [] { return true; }});
+  EXPECT_EQ(far.of_input, face_range(0, 60));
+  EXPECT_EQ(far.of_repaired, face_range(0, 60));
+}
+
 TEST(DeviationMeter, PlaneMovedAlongItselfIsFarOnlyAtItsEnds) {
   // The strip of the old one that the new one leaves, and the other way round; elsewhere both lie
   // over each other, with all faces changed.

@@ -13,6 +13,7 @@ MeasuredMesh::MeasuredMesh(Soup input, const Tolerances& tolerances, double max_
       tolerances_(tolerances),
       max_deviation_(max_deviation),
       max_pairs_(pairs.max_found),
+      wants_to_stop_(pairs.wants_to_stop),
       meter_(std::in_place, input_),
       state_(std::make_shared<RepairState>(track_mesh(input_), tolerances_, std::move(pairs))) {}
 
@@ -105,8 +106,11 @@ AffectedElements MeasuredMesh::apply_unchecked(const Edits& edits) {
 }
 
 void MeasuredMesh::find_lost_faces() {
-  FarFaces far = meter_->find_far(
-      {.tracked = tracked(), .mesh = prepared(), .bound = max_deviation_, .walls = walls_});
+  FarFaces far = meter_->find_far({.tracked = tracked(),
+                                   .mesh = prepared(),
+                                   .bound = max_deviation_,
+                                   .walls = walls_,
+                                   .wants_to_stop = wants_to_stop_});
   lost_ = std::move(far.of_input);
   is_within_ = far.of_repaired.empty();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "meshalyzer/base/stop_query.h"
 #include "meshalyzer/repair/driver/deviation.h"
 #include "meshalyzer/repair/driver/internal/acceptance.h"
 #include "meshalyzer/repair/driver/internal/plan.h"
@@ -21,8 +22,9 @@ namespace meshalyzer {
 class MeasuredMesh {
  public:
   /// @param max_deviation  The distance from the input that checked edits must keep. A length.
-  /// @param pairs          The limits of each search of the whole mesh for intersecting pairs; only
-  ///                       the first one is stopped by its function.
+  /// @param pairs          The limits of each search of the whole mesh for intersecting pairs. Its
+  ///                       function stops only the first one, and the measurements of edits that
+  ///                       are applied unchecked.
   MeasuredMesh(Soup input, const Tolerances& tolerances, double max_deviation, PairLimits pairs);
   MeasuredMesh(const MeasuredMesh&) = delete;
   MeasuredMesh& operator=(const MeasuredMesh&) = delete;
@@ -125,6 +127,7 @@ class MeasuredMesh {
   Tolerances tolerances_;
   double max_deviation_;
   std::size_t max_pairs_;
+  StopQuery wants_to_stop_;
   std::optional<DeviationMeter> meter_;
   std::shared_ptr<const RepairState> state_;
   std::size_t number_ = 1;

@@ -150,7 +150,7 @@ bool RepairDriver::run_trial(const Trial& trial) {
   if (!trial.from_input.empty()) start_from_input(trial.from_input);
   const std::vector<Index> face_keys = mesh_.tracked().face_keys;
   for (const PlannedPass& change : trial.changes) apply_unchecked(change);
-  if (mesh_.tracked().face_keys != face_keys) {
+  if (!is_to_stop() && mesh_.tracked().face_keys != face_keys) {
     static_cast<void>(run_rounds(trial.plan));
     if (!is_stopped_ && trial.is_wanted(mesh_.state())) return true;
   }
