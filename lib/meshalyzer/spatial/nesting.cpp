@@ -133,28 +133,32 @@ class Nester {
   /// and relative to those that all vertices lie on, its middles too.
   [[nodiscard]] std::vector<TouchingPart> look_at_touching(Index part) const {
     std::vector<TouchingPart> others;
+    std::vector<Index> parts;
     for (const Contact& contact : contacts_[part]) {
-      if (!contact.crosses && is_closed(contact.part)) others.push_back({.part = contact.part});
+      if (!contact.crosses && is_closed(contact.part)) {
+        others.push_back({.part = contact.part});
+        parts.push_back(contact.part);
+      }
     }
     if (others.empty()) {
       return others;
     }
-    for (const Index vertex : vertices_of(part)) look_from(tree_.point(vertex), others);
+    const double far = far_x(parts);
+    for (const Index vertex : vertices_of(part)) look_from(tree_.point(vertex), far, others);
     const auto unseen = std::stable_partition(
         others.begin(), others.end(), [](const TouchingPart& other) { return other.is_seen(); });
     const std::span<TouchingPart> rest(unseen, others.end());
     if (rest.empty()) return others;
     for (const Index slot : slots_[part]) {
-      for (const Vec3& point : middles_of(tree_.corners(slot))) look_from(point, rest);
+      for (const Vec3& point : middles_of(tree_.corners(slot))) look_from(point, far, rest);
     }
     return others;
   }
 
-  void look_from(const Vec3& point, std::span<TouchingPart> others) const {
-    double far = -std::numeric_limits<double>::infinity();
-    for (const TouchingPart& other : others) {
-      far = std::max(far, input_.boxes[other.part].max().x());
-    }
+  /// Notes on which side of other parts a point is, unless it is on them.
+  ///
+  /// @param far  The far_x() of these parts, or more.
+  void look_from(const Vec3& point, double far, std::span<TouchingPart> others) const {
     const PointLocation place = locate(tree_, input_.parts, point, far);
     for (TouchingPart& other : others) {
       if (!contains(place.on, other.part)) {

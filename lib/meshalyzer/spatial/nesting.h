@@ -44,9 +44,9 @@ struct Nesting {
 /// vertex.
 ///
 /// Parts that touch without crossing are decided by all vertices that do not lie on the other part:
-/// they must all be inside. If all vertices lie on it, middles of edges and faces decide, as far as
-/// they are numbers: a box may reach through a solid from one side to the other. The answer does
-/// not depend on numbering.
+/// they must all be inside. If all vertices lie on it, as where a box reaches through a solid from
+/// one side to the other, middles of edges and faces decide, of which doubles are exactly on them.
+/// The answer does not depend on numbering.
 ///
 /// @complexity O(#parts log #F + hits) for parts that do not touch; for those that do, times the
 ///             number of their vertices.

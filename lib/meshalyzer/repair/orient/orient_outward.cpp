@@ -243,8 +243,14 @@ std::vector<std::uint8_t> vote_outward(const OutwardQuery& query) {
 /// Two components, the lower first.
 using ComponentPair = std::pair<Index, Index>;
 
-/// Returns the pairs of components some of whose faces lie on each other, ascending.
+/// Returns the pairs of components some of whose faces lie on each other, ascending; nothing if no
+/// component is inside another.
 std::vector<ComponentPair> components_on_each_other(const PreparedMesh& mesh) {
+  const std::vector<Shell>& shells = mesh.shells();
+  if (std::none_of(shells.begin(), shells.end(),
+                   [](const Shell& shell) { return shell.inside != kNoIndex; })) {
+    return {};
+  }
   const SideTable& side = mesh.cut().side;
   const std::vector<Index>& component_of = mesh.components().of_face;
   std::vector<ComponentPair> found;
