@@ -49,7 +49,7 @@ struct Nesting {
 /// The answer does not depend on numbering.
 ///
 /// @complexity O(#parts log #F + hits) for parts that do not touch; for those that do, times the
-///             number of their vertices.
+///             number of their vertices, and of their faces if all vertices lie on the other part.
 [[nodiscard]] Nesting find_nesting(const FaceTree& tree, const NestingInput& input);
 
 }  // namespace meshalyzer

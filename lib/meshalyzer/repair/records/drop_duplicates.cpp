@@ -25,15 +25,20 @@ struct EqualFaces {
 
   /// Tells whether equal numbers face each way.
   [[nodiscard]] bool cancel_out() const;
-  /// Tells whether all face the same way.
-  [[nodiscard]] bool are_all_alike() const {
-    return std::find(is_like_first.begin(), is_like_first.end(), 0) == is_like_first.end();
-  }
+  /// Returns the first face that does not face the same way as the first one; kNoIndex if all do.
+  [[nodiscard]] Index first_opposed() const;
+  [[nodiscard]] bool are_all_alike() const { return first_opposed() == kNoIndex; }
 };
 
 bool EqualFaces::cancel_out() const {
   const auto n_like_first = std::count(is_like_first.begin(), is_like_first.end(), 1);
   return 2 * static_cast<std::size_t>(n_like_first) == faces.size();
+}
+
+Index EqualFaces::first_opposed() const {
+  const auto opposed = std::find(is_like_first.begin(), is_like_first.end(), 0);
+  if (opposed == is_like_first.end()) return kNoIndex;
+  return faces[static_cast<std::size_t>(opposed - is_like_first.begin())];
 }
 
 /// Tells whether a face crosses the edge from a to b in this direction.
@@ -231,12 +236,9 @@ class DuplicateDropper {
   /// Returns the first of those that fit best to their neighbours: that are oriented consistently
   /// with most of the single other faces at their edges.
   [[nodiscard]] Index best_of(const EqualFaces& set) const {
-    const auto opposed = std::find(set.is_like_first.begin(), set.is_like_first.end(), 0);
     // Opposed faces agree with those neighbours with which the first does not.
-    if (opposed == set.is_like_first.end() || agreement_of_first(set) >= 0) {
-      return set.faces.front();
-    }
-    return set.faces[static_cast<std::size_t>(opposed - set.is_like_first.begin())];
+    if (set.are_all_alike() || agreement_of_first(set) >= 0) return set.faces.front();
+    return set.first_opposed();
   }
 
   /// Returns the number of neighbours with which the first face is oriented consistently, less the
@@ -258,9 +260,7 @@ class DuplicateDropper {
 
   /// Returns the first face of each direction of a set that has both.
   [[nodiscard]] static std::vector<Index> one_of_each(const EqualFaces& set) {
-    const auto opposed = std::find(set.is_like_first.begin(), set.is_like_first.end(), 0);
-    return {set.faces.front(),
-            set.faces[static_cast<std::size_t>(opposed - set.is_like_first.begin())]};
+    return {set.faces.front(), set.first_opposed()};
   }
 
   /// Drops all faces of a set but these.

@@ -13,7 +13,6 @@ MeasuredMesh::MeasuredMesh(Soup input, const Tolerances& tolerances, double max_
       tolerances_(tolerances),
       max_deviation_(max_deviation),
       max_pairs_(pairs.max_found),
-      wants_to_stop_(pairs.wants_to_stop),
       meter_(std::in_place, input_),
       state_(std::make_shared<RepairState>(track_mesh(input_), tolerances_, std::move(pairs))) {}
 
@@ -92,7 +91,7 @@ void MeasuredMesh::keep(Trial trial, const Edits& edits) {
   include_patches(edits);
 }
 
-AffectedElements MeasuredMesh::apply_unchecked(const Edits& edits) {
+AffectedElements MeasuredMesh::apply_unchecked(const Edits& edits, const StopQuery& wants_to_stop) {
   // Edits that are not checked are not measured either: the deviation stays as it was before.
   update_deviation();
   TrackedMesh after = apply_edits(tracked(), edits);
@@ -101,16 +100,16 @@ AffectedElements MeasuredMesh::apply_unchecked(const Edits& edits) {
   walls_ = walls_with(edits, std::vector<std::uint8_t>(edits.n_operations, 0));
   replace_state(search_all(std::move(after)));
   include_patches(edits);
-  find_lost_faces();
+  find_lost_faces(wants_to_stop);
   return affected;
 }
 
-void MeasuredMesh::find_lost_faces() {
+void MeasuredMesh::find_lost_faces(const StopQuery& wants_to_stop) {
   FarFaces far = meter_->find_far({.tracked = tracked(),
                                    .mesh = prepared(),
                                    .bound = max_deviation_,
                                    .walls = walls_,
-                                   .wants_to_stop = wants_to_stop_});
+                                   .wants_to_stop = wants_to_stop});
   lost_ = std::move(far.of_input);
   is_within_ = far.of_repaired.empty();
 }

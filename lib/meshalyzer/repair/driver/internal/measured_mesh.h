@@ -22,9 +22,8 @@ namespace meshalyzer {
 class MeasuredMesh {
  public:
   /// @param max_deviation  The distance from the input that checked edits must keep. A length.
-  /// @param pairs          The limits of each search of the whole mesh for intersecting pairs. Its
-  ///                       function stops only the first one, and the measurements of edits that
-  ///                       are applied unchecked.
+  /// @param pairs          The limits of each search of the whole mesh for intersecting pairs; only
+  ///                       the first one is stopped by its function.
   MeasuredMesh(Soup input, const Tolerances& tolerances, double max_deviation, PairLimits pairs);
   MeasuredMesh(const MeasuredMesh&) = delete;
   MeasuredMesh& operator=(const MeasuredMesh&) = delete;
@@ -86,8 +85,10 @@ class MeasuredMesh {
   void keep(Trial trial, const Edits& edits);
   /// Applies edits without checking them.
   ///
-  /// @return The elements that they have affected.
-  AffectedElements apply_unchecked(const Edits& edits);
+  /// @param wants_to_stop  Once it says yes, what they have lost is not measured any more, and they
+  ///                       are to be undone.
+  /// @return               The elements that they have affected.
+  AffectedElements apply_unchecked(const Edits& edits, const StopQuery& wants_to_stop = {});
 
   /// A state that the mesh can return to.
   struct Snapshot {
@@ -116,7 +117,7 @@ class MeasuredMesh {
   /// Measures the deviation if it is not known.
   void update_deviation();
   /// Finds the faces that edits that were applied unchecked have lost.
-  void find_lost_faces();
+  void find_lost_faces(const StopQuery& wants_to_stop);
   /// Lets later edits lie on the hole patches that these edits have added.
   void include_patches(const Edits& edits);
   void replace_state(std::shared_ptr<const RepairState> state);
@@ -127,7 +128,6 @@ class MeasuredMesh {
   Tolerances tolerances_;
   double max_deviation_;
   std::size_t max_pairs_;
-  StopQuery wants_to_stop_;
   std::optional<DeviationMeter> meter_;
   std::shared_ptr<const RepairState> state_;
   std::size_t number_ = 1;

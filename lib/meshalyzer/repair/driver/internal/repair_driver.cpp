@@ -149,7 +149,9 @@ bool RepairDriver::run_trial(const Trial& trial) {
   runs_.costly_idle_runs.clear();
   if (!trial.from_input.empty()) start_from_input(trial.from_input);
   const std::vector<Index> face_keys = mesh_.tracked().face_keys;
-  for (const PlannedPass& change : trial.changes) apply_unchecked(change);
+  for (const PlannedPass& change : trial.changes) {
+    apply_unchecked(change, settings_.pairs.wants_to_stop);
+  }
   if (!is_to_stop() && mesh_.tracked().face_keys != face_keys) {
     static_cast<void>(run_rounds(trial.plan));
     if (!is_stopped_ && trial.is_wanted(mesh_.state())) return true;
@@ -333,14 +335,14 @@ bool RepairDriver::is_to_stop() {
   return is_stopped_;
 }
 
-void RepairDriver::apply_unchecked(const PlannedPass& pass) {
+void RepairDriver::apply_unchecked(const PlannedPass& pass, const StopQuery& wants_to_stop) {
   const std::shared_ptr<const RepairState> before = mesh_.shared_state();
   const PassResult result = pass.run(input_of_pass(OperationSize::Normal, 0.0));
   const std::vector<std::uint8_t> overflows = which_overflow(result.edits);
   const bool any_overflows =
       std::any_of(overflows.begin(), overflows.end(), [](auto o) { return o != 0; });
   if (result.edits.empty() || any_overflows) return;
-  const AffectedElements affected = mesh_.apply_unchecked(result.edits);
+  const AffectedElements affected = mesh_.apply_unchecked(result.edits, wants_to_stop);
   log_edits(std::string(pass.name), pass.code,
             {before->tracked(), result.edits, {}, mesh_.tracked(), affected}, log_);
 }

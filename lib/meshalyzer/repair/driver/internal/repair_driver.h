@@ -78,7 +78,9 @@ class RepairDriver {
 
   /// Runs a pass once and applies all its operations without checking them, because the user asks
   /// for it by name. If one of them would make coordinates overflow, it applies none.
-  void apply_unchecked(const PlannedPass& pass);
+  ///
+  /// @param wants_to_stop  See MeasuredMesh::apply_unchecked().
+  void apply_unchecked(const PlannedPass& pass, const StopQuery& wants_to_stop = {});
 
   /// Changes that are tried, and undone if their result is not wanted.
   struct Trial {
