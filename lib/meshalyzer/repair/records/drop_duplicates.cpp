@@ -90,19 +90,19 @@ class WallFinder {
   }
 
   [[nodiscard]] Rest classify_edge(Index set, Index a, Index b) {
-    std::vector<Index> others;
+    bool is_alone = true;
+    int balance = 0;
     for (const Index f : mesh_.faces_at(a, b)) {
       const auto candidate = candidate_of_.find(f);
       if (candidate == candidate_of_.end()) {
-        others.push_back(f);
+        is_alone = false;
+        balance += crosses(mesh_.triangle(f), a, b) ? 1 : -1;
       } else {
         walls_.unite(set, candidate->second);
       }
     }
-    if (others.empty()) return Rest::None;
-    const bool is_closed = others.size() == 2 && crosses(mesh_.triangle(others[0]), a, b) !=
-                                                     crosses(mesh_.triangle(others[1]), a, b);
-    return is_closed ? Rest::Closed : Rest::Otherwise;
+    if (is_alone) return Rest::None;
+    return balance == 0 ? Rest::Closed : Rest::Otherwise;
   }
 
   const WorkingMesh& mesh_;
@@ -116,8 +116,7 @@ class WallFinder {
 
 /// Finds the walls between touching solids that each set belongs to: sets that cancel out, joined
 /// through edges, without which the rest of the mesh is closed round them. At each edge of a wall
-/// there are two other faces, which cross it in opposite directions, or none, and not none
-/// everywhere.
+/// as many other faces cross it in one direction as in the other, and there are some somewhere.
 ///
 /// @return #sets: the wall of each, from 0; kNoIndex for those that belong to none.
 std::vector<Index> find_inner_walls(const WorkingMesh& mesh, std::span<const EqualFaces> sets) {

@@ -99,6 +99,21 @@ TEST(DropDuplicates, WallOfTwoSolidsIsRefusedWhereItsMiddleIsFarFromAllElse) {
   EXPECT_EQ(run.refused.size(), 1U);
 }
 
+TEST(DropDuplicates, WallOfTwoSolidsStaysWhereAThirdOneTouchesItsRim) {
+  Soup soup = shapes::two_tetrahedra_sharing_face();
+  const auto p = static_cast<Index>(soup.n_vertices());
+  soup.positions.emplace_back(0.3, -1, -0.5);
+  soup.positions.emplace_back(0.3, -1, 0.5);
+  // A tetrahedron at the edge 0-1.
+  for (const Triangle& t :
+       std::vector<Triangle>{{0, 1, p}, {1, 0, p + 1}, {0, p, p + 1}, {1, p + 1, p}}) {
+    soup.triangles.push_back(t);
+  }
+  const PassRun run = run_pass(soup, drop_duplicates);
+  EXPECT_TRUE(same_soup(run.tracked.soup, soup));
+  EXPECT_EQ(run.refused.size(), 1U);
+}
+
 TEST(DropDuplicates, WallWithinTheDeviationGoesAndTheSolidsAreOne) {
   const Soup soup = shapes::two_tetrahedra_sharing_face();
   RepairLimits limits = wide_limits(soup);
