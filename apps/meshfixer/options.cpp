@@ -67,7 +67,7 @@ void declare_actions(OptionTable& table, Options& options, GivenOptions& given) 
   table.option("--no-fix LIST", into(given.no_fix, to_codes), "do not fix these");
   table.flag("--solid", options.repair.solid,
              "make the result a solid: fill holes of sheets too, and drop open fragments that "
-             "enclose nothing, each reported with its area");
+             "enclose nothing and walls that divide the solid, each reported with its area");
   table.flag("--guarantee", options.repair.guarantee,
              "replace the parts that are not good in the end by a new surface within the maximum "
              "deviation, or report that none was found; with --solid, sheets become thin solids "

@@ -14,8 +14,8 @@ namespace meshalyzer {
 ///
 /// Cells are determined by the space between consecutive pieces round an edge. So each
 /// edge-connected component of pieces has cells of its own: if one component lies inside another,
-/// its outer cell is a part of one of the other's. At an edge with only one piece, its two sides
-/// belong to the same cell.
+/// its outer cell is a part of one of the other's. An edge with only one piece joins no cells, so
+/// that a surface with small holes still has an inside.
 struct Cells {
   std::size_t count = 0;
   /// 2 #pieces: the cell in front of each piece, where its normal points, and the one behind it.

@@ -115,11 +115,13 @@ constexpr std::array<CatalogueEntry, kDefectCodes> kCatalogue{{
      .measured = {.before = "", .one = "faces at it", .many = "faces at it"},
      .elements = "The edge or the vertex, the faces there, and its place.",
      .fix = "The mesh is cut at the edge, and its faces are paired by angle so that each solid "
-            "stays closed; each fan gets a vertex of its own. The copies are moved apart by the "
+            "stays closed; a wall that is stored once between two cells is doubled, or dropped "
+            "with the option `solid`; each fan gets a vertex of its own. The copies are moved "
+            "apart by the "
             "smallest step after which nothing touches, unless the option `keep-contact` is "
             "given.",
      .fix_summary = "meshfixer splits it",
-     .passes = "split edges, split vertices and part contacts, cut off tips",
+     .passes = "drop dividing walls, split edges, split vertices and part contacts, cut off tips",
      .fixed_by_default = true},
     {.code = DefectCode::VertexNormal,
      .name = "vertex-normal",

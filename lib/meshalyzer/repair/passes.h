@@ -71,8 +71,13 @@ namespace meshalyzer {
 [[nodiscard]] std::optional<double> next_weld_length(const PassInput& input, double within,
                                                      std::span<const Index> changed);
 
+/// Drops the walls inside a solid that divide it into cells, as find_walls_between_cells() finds
+/// them: the solid becomes one.
+[[nodiscard]] PassResult drop_dividing_walls(const PassInput& input);
+
 /// Cuts the mesh at edges with more than two faces, into sheets that are manifold there: faces are
-/// paired round the edge by angle, so that each solid stays closed.
+/// paired round the edge by angle, so that each solid stays closed. A wall that is stored once
+/// between two cells (see find_walls_between_cells()) gets an opposed copy, one for each cell.
 [[nodiscard]] PassResult split_edges(const PassInput& input);
 
 /// Gives each fan of a vertex with several fans its own copy of the vertex.

@@ -6,6 +6,7 @@
 #include "support/no_lengths.h"
 #include "support/same_soup.h"
 #include "support/shapes.h"
+#include "unit/repair/cell_complex.h"
 #include "unit/repair/overlapping_boxes.h"
 #include "unit/repair/repaired_meshes.h"
 #include "unit/repair/weld/weld_cases.h"
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <random>
 
 namespace meshalyzer {
 namespace {
@@ -58,6 +60,32 @@ TEST(FixDefects, SolidsThatOverlapWithACommonSideBecomeOne) {
 TEST(FixDefects, HoleFromOneSideToAnotherStaysOne) {
   EXPECT_NEAR(volume_of(only_mesh(fix_defects(cube_and_hole()))), 24.0, 1e-12);
   EXPECT_NEAR(volume_of(only_mesh(fix_defects(shapes::flipped(cube_and_hole())))), 24.0, 1e-12);
+}
+
+TEST(FixDefects, CellsThatShareTheirWallsBecomeASolidEach) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 20; ++i) {
+    const CellComplex complex = random_complex({2, 3, 3}, 3, random);
+    const Soup repaired = only_mesh(fix_defects(complex.faces().soup));
+    EXPECT_TRUE(is_good(repaired)) << i;
+    EXPECT_EQ(PreparedMesh(repaired).shells().size(), complex.n_parts()) << i;
+    EXPECT_NEAR(volume_of(repaired), complex.volume(), 1e-9) << i;
+  }
+}
+
+TEST(FixDefects, CellsThatShareTheirWallsAreOneSolidWhereASolidIsMeant) {
+  RepairOptions options;
+  options.solid = true;
+  std::mt19937 random(2);
+  for (int i = 0; i < 20; ++i) {
+    const CellComplex complex = random_complex({2, 3, 3}, 3, random);
+    const RepairResult result = fix_defects(complex.faces().soup, options);
+    EXPECT_TRUE(is_good(only_mesh(result))) << i;
+    EXPECT_EQ(PreparedMesh(only_mesh(result)).shells().size(), 1U) << i;
+    EXPECT_EQ(volume_of(only_mesh(result)), complex.volume()) << i;
+    EXPECT_TRUE(is_noted(result, "dropped, because it divides a solid: a wall of area ")) << i;
+    EXPECT_EQ(result.deviation, 0.0) << i;
+  }
 }
 
 TEST(FixDefects, PositionThatIsNotFiniteIsRefused) {

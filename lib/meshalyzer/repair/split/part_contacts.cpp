@@ -31,6 +31,15 @@ constexpr double kLookupReach = 256.0;
 /// The maximum number of touching units at a place that are compared; the one that needs the
 /// smallest step is moved.
 constexpr std::size_t kUnitsAtOnce = 4;
+/// If at most this fraction of the places could not be parted, they are tried once more, first.
+constexpr double kShareTriedAgain = 0.1;
+
+/// Tells whether vertices that were moved at other places may have taken away the room at those
+/// that could not be parted.
+bool may_be_in_the_way(std::size_t n_failed, std::size_t n_places) {
+  return n_failed > 0 &&
+         static_cast<double>(n_failed) <= kShareTriedAgain * static_cast<double>(n_places);
+}
 
 /// Sets of places that have a face in common: an edge touches until both its ends have moved.
 DisjointSets connect_places(const ContactPlaces& contacts) {
@@ -70,11 +79,14 @@ class Parting {
     }
   }
 
-  [[nodiscard]] PassResult part_all() {
+  /// Parts all places.
+  ///
+  /// @param first  Places that come before all others.
+  [[nodiscard]] PassResult part_all(std::span<const Index> first) {
     DisjointSets connected = connect_places(contacts_);
     std::vector<Index> operation(contacts_.places.size(), kNoIndex);
     CheckBudget budget(contacts_.places.size());
-    for (const Index i : places_in_order()) {
+    for (const Index i : places_in_order(first)) {
       if (input_.wants_to_stop()) break;
       n_checks_left_ = budget.of_next_place();
       const std::vector<Index> moved = part_unless_known(i);
@@ -89,6 +101,9 @@ class Parting {
     return std::move(result_);
   }
 
+  /// Returns the places where not all could be parted, but those where that was known.
+  [[nodiscard]] const std::vector<Index>& failed() const { return failed_; }
+
  private:
   /// A unit, and the positions to which it can move.
   struct Found {
@@ -96,22 +111,25 @@ class Parting {
     Vec3 to;
   };
 
-  /// Returns the numbers of the places, last those that have failed before: others are to have
-  /// their turn while pairs may still be checked.
-  [[nodiscard]] std::vector<Index> places_in_order() const {
+  /// Returns the numbers of the places: the first ones, and last those that have failed before,
+  /// because others are to have their turn while pairs may still be checked.
+  [[nodiscard]] std::vector<Index> places_in_order(std::span<const Index> first) const {
     std::vector<Index> order(contacts_.places.size());
     std::iota(order.begin(), order.end(), Index{0});
     if (memory_) {
       std::stable_partition(order.begin(), order.end(),
                             [&](Index i) { return !memory_->has_failed(keys_[i]); });
     }
+    std::vector<std::uint8_t> is_first(order.size(), 0);
+    for (const Index i : first) is_first[i] = 1;
+    std::stable_partition(order.begin(), order.end(), [&](Index i) { return is_first[i] != 0; });
     return order;
   }
 
   /// Parts the units of a place unless that is known to be in vain; returns the moved vertices.
   std::vector<Index> part_unless_known(Index i) {
     const ContactPlace& place = contacts_.places[i];
-    if (!memory_) return part(place);
+    if (!memory_) return part(i);
     const std::size_t n_checks = n_checks_left_;
     if (const auto n_in_vain = memory_->recall(keys_[i], n_checks)) {
       n_checks_left_ -= *n_in_vain;
@@ -119,7 +137,7 @@ class Parting {
       return {};
     }
     region_.setEmpty();
-    std::vector<Index> moved = part(place);
+    std::vector<Index> moved = part(i);
     if (moved.empty() && !region_.isEmpty()) {
       memory_->note(keys_[i], {.region = region_,
                                .n_checks = n_checks - n_checks_left_,
@@ -130,7 +148,8 @@ class Parting {
 
   /// Moves units of a place until none touches another, as far as possible; returns the moved
   /// vertices.
-  std::vector<Index> part(const ContactPlace& place) {
+  std::vector<Index> part(Index i) {
+    const ContactPlace& place = contacts_.places[i];
     std::vector<Index> moved;
     std::vector<std::array<Index, 2>> contacts = place.contacts;
     std::vector<Index> candidates = units_that_may_move(place);
@@ -138,6 +157,7 @@ class Parting {
       const std::vector<Index> units = next_to_move(candidates, contacts);
       if (units.empty()) {
         refuse(place, contacts.front());
+        failed_.push_back(i);
         break;
       }
       const std::optional<Found> found = find_move(place, units);
@@ -312,6 +332,7 @@ class Parting {
   /// The region of all moves that were considered at the current place.
   Box3 region_;
   PassResult result_;
+  std::vector<Index> failed_;
 };
 
 }  // namespace
@@ -319,7 +340,13 @@ class Parting {
 PassResult part_contacts(const PassInput& input) {
   const ContactPlaces contacts = find_contact_places(input.mesh);
   if (contacts.places.empty()) return {};
-  return Parting(input, contacts).part_all();
+  Parting parting(input, contacts);
+  PassResult result = parting.part_all({});
+  if (!may_be_in_the_way(parting.failed().size(), contacts.places.size())) return result;
+  PassInput without_memory = input;
+  without_memory.memory = nullptr;
+  PassResult other = Parting(without_memory, contacts).part_all(parting.failed());
+  return other.refused.size() < result.refused.size() ? other : result;
 }
 
 }  // namespace meshalyzer

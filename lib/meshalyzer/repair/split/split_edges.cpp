@@ -5,6 +5,7 @@
 #include "meshalyzer/repair/split/internal/copy_vertices.h"
 #include "meshalyzer/repair/split/internal/edge_incidences.h"
 #include "meshalyzer/repair/split/internal/incident_faces.h"
+#include "meshalyzer/repair/split/internal/walls_between_cells.h"
 
 #include <algorithm>
 #include <array>
@@ -20,12 +21,13 @@ namespace {
 /// "Cutting and stitching: converting sets of polygons to manifold surfaces").
 class EdgeCutter {
  public:
-  explicit EdgeCutter(const PassInput& input)
+  /// @param mesh  The mesh of the input, which may have more faces here.
+  EdgeCutter(const PassInput& input, const PreparedMesh& mesh)
       : input_(input),
-        soup_(input.mesh.soup()),
-        incidences_(list_incidences(input.mesh.cut())),
-        incident_(input.mesh.cut(), ends_of_edges(incidences_)),
-        partner_(pair_incidences(input.mesh, incidences_, incident_)),
+        soup_(mesh.soup()),
+        incidences_(list_incidences(mesh.cut())),
+        incident_(mesh.cut(), ends_of_edges(incidences_)),
+        partner_(pair_incidences(mesh, incidences_, incident_)),
         fans_(incident_.n_places(), 0),
         has_too_many_fans_(incident_.size(), 0) {}
 
@@ -153,11 +155,85 @@ class EdgeCutter {
   std::vector<std::uint8_t> has_too_many_fans_;
 };
 
+/// Returns the faces of the walls between cells that may be doubled, ascending.
+std::vector<Index> walls_to_double(const PassInput& input) {
+  std::vector<Index> walls;
+  for (const std::vector<Index>& set : find_walls_between_cells(input.mesh)) {
+    const bool may_come_apart = std::all_of(set.begin(), set.end(), [&](Index face) {
+      const Triangle& t = input.mesh.soup().triangles[face];
+      return std::all_of(t.begin(), t.end(), [&](Index v) { return may_be_copied(input, v); });
+    });
+    if (may_come_apart) walls.insert(walls.end(), set.begin(), set.end());
+  }
+  std::sort(walls.begin(), walls.end());
+  return walls;
+}
+
+Triangle opposed(const Triangle& t) {
+  return {t[0], t[2], t[1]};
+}
+
+/// Splits a mesh with an opposed copy of each of these faces behind its own faces.
+class WallSplitter {
+ public:
+  WallSplitter(const PassInput& input, std::span<const Index> walls)
+      : input_(input), n_faces_(static_cast<Index>(input.mesh.soup().n_faces())), walls_(walls) {}
+
+  [[nodiscard]] PassResult split() {
+    const Soup& soup = input_.mesh.soup();
+    Soup doubled;
+    doubled.positions = soup.positions;
+    doubled.triangles = soup.triangles;
+    for (const Index wall : walls_) doubled.triangles.push_back(opposed(soup.triangles[wall]));
+    const PreparedMesh mesh(doubled);
+    PassResult result = EdgeCutter(input_, mesh).cut();
+    for (Refusal& refusal : result.refused) refusal.face = file_face(refusal.face);
+    add_copies(result.edits);
+    return result;
+  }
+
+ private:
+  [[nodiscard]] Index file_face(Index face) const {
+    return face < n_faces_ ? face : walls_[face - n_faces_];
+  }
+
+  /// Makes added faces of the changed copies, and of those whose originals have changed: each wall
+  /// of which neither has is left as it was.
+  void add_copies(Edits& edits) const {
+    std::vector<std::uint8_t> is_added(walls_.size(), 0);
+    std::vector<Edits::ChangedFace> changed;
+    changed.swap(edits.changed_faces);
+    for (const Edits::ChangedFace& face : changed) {
+      if (face.face < n_faces_) {
+        edits.changed_faces.push_back(face);
+      } else {
+        is_added[face.face - n_faces_] = 1;
+        edits.added_faces.push_back(
+            {.op = face.op, .corners = face.corners, .prototype = file_face(face.face)});
+      }
+    }
+    for (const Edits::ChangedFace& face : edits.changed_faces) {
+      const auto wall = std::lower_bound(walls_.begin(), walls_.end(), face.face);
+      if (wall == walls_.end() || *wall != face.face) continue;
+      if (is_added[static_cast<std::size_t>(wall - walls_.begin())] != 0) continue;
+      edits.added_faces.push_back({.op = face.op,
+                                   .corners = opposed(input_.mesh.soup().triangles[face.face]),
+                                   .prototype = face.face});
+    }
+  }
+
+  const PassInput& input_;
+  Index n_faces_;
+  std::span<const Index> walls_;
+};
+
 }  // namespace
 
 PassResult split_edges(const PassInput& input) {
   if (input.mesh.cut().side.non_manifold_edges.size() == 0) return {};
-  return EdgeCutter(input).cut();
+  const std::vector<Index> walls = walls_to_double(input);
+  if (walls.empty()) return EdgeCutter(input, input.mesh).cut();
+  return WallSplitter(input, walls).split();
 }
 
 }  // namespace meshalyzer

@@ -4,6 +4,7 @@
 #include "support/same_soup.h"
 #include "support/shapes.h"
 #include "support/soups.h"
+#include "unit/repair/cell_complex.h"
 #include "unit/repair/split/split_passes.h"
 #include "unit/repair/voxel_solid.h"
 
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -72,16 +74,39 @@ TEST(SplitEdges, TetrahedraBackToBackOnAFaceThatIsThereTwiceComeApart) {
   EXPECT_EQ(volumes(run.tracked.soup), (std::vector<double>{1.0 / 6, 1.0 / 6}));
 }
 
-TEST(SplitEdges, WallBetweenTwoTetrahedraIsCutOff) {
+TEST(SplitEdges, WallThatIsStoredOnceBetweenTwoTetrahedraIsDoubled) {
   // The wall, face 4 now, is oriented like a side of either.
   for (const Index dropped : {0U, 4U}) {
     const std::array<Index, 1> faces{dropped};
     const Soup soup = shapes::without_faces(shapes::two_tetrahedra_sharing_face(), faces);
     const PassRun run = run_pass(soup, split_edges);
     EXPECT_TRUE(is_manifold(run.tracked.soup));
-    EXPECT_EQ(volumes(run.tracked.soup), (std::vector<double>{0.0, 1.0 / 3}));
-    EXPECT_EQ(n_border_edges(run.tracked.soup), 3U);
+    EXPECT_EQ(volumes(run.tracked.soup), (std::vector<double>{1.0 / 6, 1.0 / 6}));
+    EXPECT_EQ(n_border_edges(run.tracked.soup), 0U);
   }
+}
+
+TEST(SplitEdges, CellsOfAnyComplexComeApart) {
+  std::mt19937 random(5);
+  for (int i = 0; i < 20; ++i) {
+    const CellComplex complex = random_complex({2, 3, 3}, 3, random);
+    const CellComplex::Faces faces = complex.faces();
+    const PassRun run = split(faces.soup);
+    EXPECT_TRUE(is_manifold(run.tracked.soup)) << i;
+    EXPECT_EQ(n_border_edges(run.tracked.soup), 0U) << i;
+    EXPECT_EQ(run.tracked.soup.n_faces(), faces.soup.n_faces() + faces.walls.size()) << i;
+    const std::vector<double> of_parts = volumes(run.tracked.soup);
+    EXPECT_EQ(of_parts.size(), complex.n_parts()) << i;
+    EXPECT_EQ(std::accumulate(of_parts.begin(), of_parts.end(), 0.0), complex.volume()) << i;
+  }
+}
+
+TEST(SplitEdges, WallThatEndsOnTheBorderOfABodyIsNotDoubled) {
+  const std::array<Index, 1> faces{4U};
+  const Soup soup = shapes::without_faces(shapes::two_tetrahedra_sharing_face(), faces);
+  const Triangle wall = soup.triangles[0];
+  const PassRun run = run_pass(soup, split_edges, body_limits(soup, {wall[0], wall[1], wall[2]}));
+  EXPECT_EQ(run.tracked.soup.n_faces(), soup.n_faces());
 }
 
 TEST(SplitEdges, FinOutsideOrInsideACubeIsCutOff) {

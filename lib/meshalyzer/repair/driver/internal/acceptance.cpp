@@ -71,11 +71,11 @@ class AcceptanceCheck {
   void check_contacts() {
     if (after_.affected_pairs().empty()) return;
     const PriorContacts known(before_, affected_);
-    const bool may_touch = rules_.may_create.contains(DefectCode::SelfIntersection);
-    for (const ContactByKey& pair : contacts_by_key(after_, after_.affected_pairs())) {
-      if ((may_touch && pair.kind == ContactKind::Unwelded) || known.were_in_contact(pair)) {
-        continue;
-      }
+    const std::vector<IntersectingPair>& pairs = after_.affected_pairs();
+    const std::vector<ContactByKey> contacts = contacts_by_key(after_, pairs);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const ContactByKey& pair = contacts[i];
+      if (may_be_made(pairs[i]) || known.were_in_contact(pair)) continue;
       reject_for_contact(pair.face_a, pair.face_b, pair.kind, known);
       reject_for_contact(pair.face_b, pair.face_a, pair.kind, known);
     }
@@ -110,6 +110,13 @@ class AcceptanceCheck {
   }
 
  private:
+  /// Tells whether a contact is one of copies at the same places, and these may touch.
+  [[nodiscard]] bool may_be_made(const IntersectingPair& pair) const {
+    if (!rules_.may_create.contains(DefectCode::SelfIntersection)) return false;
+    return pair.kind == ContactKind::Unwelded ||
+           have_equal_corners(after_.tracked().soup, pair.face_a, pair.face_b);
+  }
+
   void reject(std::span<const AffectedElement> entries, Rejection rejection) {
     for (const AffectedElement& entry : entries) rejections_[entry.operation] = rejection;
   }

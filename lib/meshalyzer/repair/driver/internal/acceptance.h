@@ -18,7 +18,7 @@ struct AcceptanceRules {
   const DeviationMeter& meter;
   double max_deviation = 0.0;
   /// The defects that the pass may create, because later passes repair them. Self-intersection
-  /// stands for contact of faces that were cut apart and still coincide.
+  /// stands for contact of faces that were cut apart, or doubled, and still coincide.
   DefectCodes may_create;
   /// See PlannedPass::must_mend.
   bool must_mend = false;

@@ -154,6 +154,7 @@ void append_sheets_inside(const Soup& input, const TrackedMesh& repaired, const 
 void append_dropped_parts(const Soup& input, const TrackedMesh& repaired, const RepairLog& log,
                           std::vector<std::string>& notes) {
   append_dropped(input, log, "drop copies", "it lies on another part: a part", notes);
+  append_dropped(input, log, "drop dividing walls", "it divides a solid: a wall", notes);
   append_dropped(input, log, "drop fragments", "it encloses nothing: a fragment", notes);
   append_sheets_inside(input, repaired, log, notes);
 }

@@ -83,6 +83,7 @@ void plan_fixes_before_cutting(const RepairOptions& options, const Tolerances& t
   plan.add(weld(tolerances.slit));
   plan.add({"drop copies", SelfIntersection, drop_copies});
   plan.add_for({DegenerateFacet, FlatFacet}, {"mend facets", DegenerateFacet, mend_facets, bends});
+  if (options.solid) plan.add({"drop dividing walls", NonManifold, drop_dividing_walls});
   plan.add({"split edges", NonManifold, split_edges, cuts});
   plan.add({"split vertices", NonManifold, split_vertices, cuts});
   plan.add({"orient consistently", Flipped, orient_consistently});
