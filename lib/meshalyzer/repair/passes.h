@@ -32,7 +32,7 @@ namespace meshalyzer {
 [[nodiscard]] PassResult drop_surplus_duplicates(const PassInput& input);
 
 /// Drops copies: components each face of which has its corners at the positions of those of a face
-/// of another component, whatever its direction. Of equal components the first one stays.
+/// of one other component, whatever its direction. Of equal components the first one stays.
 [[nodiscard]] PassResult drop_copies(const PassInput& input);
 
 /// Removes degenerate and flat facets (see find_thin_facets()): drops those that repeat a vertex,
@@ -71,14 +71,17 @@ namespace meshalyzer {
 [[nodiscard]] std::optional<double> next_weld_length(const PassInput& input, double within,
                                                      std::span<const Index> changed);
 
-/// Drops the walls inside a solid that divide it into cells, as find_walls_between_cells() finds
-/// them: the solid becomes one.
+/// Drops the walls that divide a solid into cells, as find_walls_between_cells() finds them: the
+/// cells become one solid.
 [[nodiscard]] PassResult drop_dividing_walls(const PassInput& input);
 
+/// What becomes of walls that are stored once between two cells (see find_walls_between_cells()):
+/// they stay with one of the cells, or get an opposed copy, so that each has its own.
+enum class SharedWalls : std::uint8_t { Left, Doubled };
+
 /// Cuts the mesh at edges with more than two faces, into sheets that are manifold there: faces are
-/// paired round the edge by angle, so that each solid stays closed. A wall that is stored once
-/// between two cells (see find_walls_between_cells()) gets an opposed copy, one for each cell.
-[[nodiscard]] PassResult split_edges(const PassInput& input);
+/// paired round the edge by angle, so that each solid stays closed.
+[[nodiscard]] PassResult split_edges(const PassInput& input, SharedWalls shared);
 
 /// Gives each fan of a vertex with several fans its own copy of the vertex.
 [[nodiscard]] PassResult split_vertices(const PassInput& input);
@@ -119,13 +122,9 @@ namespace meshalyzer {
 /// PassInput::memory, a loop without one is tried again only once a face near it has changed.
 [[nodiscard]] PassFunction hole_filling(const FillOptions& options);
 
-/// Tells whether sheets that intersect something are cut.
-enum class Sheets : std::uint8_t {
-  /// Sheets are left, with all that they intersect.
-  Left,
-  /// Sheets are cut, and stay, except for what lies inside solids.
-  Cut,
-};
+/// Tells whether sheets that intersect something are left, with all that they intersect, or cut;
+/// then they stay, except for what lies inside solids.
+enum class Sheets : std::uint8_t { Left, Cut };
 
 struct CutOptions {
   /// If given, a hole is filled even if every patch for it intersects the mesh, and the patch is

@@ -66,11 +66,33 @@ TEST(FixDefects, CellsThatShareTheirWallsBecomeASolidEach) {
   std::mt19937 random(1);
   for (int i = 0; i < 20; ++i) {
     const CellComplex complex = random_complex({2, 3, 3}, 3, random);
-    const Soup repaired = only_mesh(fix_defects(complex.faces().soup));
+    const Soup soup = complex.faces().soup;
+    const Soup repaired = only_mesh(fix_defects(i % 2 == 0 ? soup : shapes::flipped(soup)));
     EXPECT_TRUE(is_good(repaired)) << i;
     EXPECT_EQ(PreparedMesh(repaired).shells().size(), complex.n_parts()) << i;
     EXPECT_NEAR(volume_of(repaired), complex.volume(), 1e-9) << i;
   }
+}
+
+TEST(FixDefects, EachOfAThousandCellsBecomesASolid) {
+  std::mt19937 random(1);
+  const CellComplex complex = random_complex({10, 10, 10}, 1000000, random);
+  const Soup repaired = only_mesh(fix_defects(complex.faces().soup));
+  EXPECT_TRUE(is_good(repaired));
+  EXPECT_EQ(PreparedMesh(repaired).shells().size(), complex.n_parts());
+}
+
+TEST(FixDefects, WallsStayWhereFacesMayTouchAndWhereNothingMayMove) {
+  CellComplex complex({2, 1, 1});
+  complex.assign({0, 0, 0}, 1);
+  complex.assign({1, 0, 0}, 2);
+  const Soup soup = complex.faces().soup;
+  RepairOptions options;
+  options.contact = Contact::Keep;
+  EXPECT_TRUE(same_soup(only_mesh(fix_defects(soup, options)), soup));
+  options.contact = Contact::Part;
+  options.max_deviation = {0.0, Deviation::Unit::Length};
+  EXPECT_TRUE(same_soup(only_mesh(fix_defects(soup, options)), soup));
 }
 
 TEST(FixDefects, CellsThatShareTheirWallsAreOneSolidWhereASolidIsMeant) {

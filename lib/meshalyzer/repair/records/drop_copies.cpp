@@ -54,16 +54,27 @@ class CopySearch {
     return order;
   }
 
-  /// Tells whether each face of a component coincides with one of another that stays.
+  /// Tells whether each face of a component coincides with one of the same other component, which
+  /// stays. If the faces of several do, as the walls of its neighbours, it is a part of its own.
   [[nodiscard]] bool is_covered(Index component) const {
-    return std::all_of(faces_[component].begin(), faces_[component].end(), [&](Index face) {
-      auto twin = std::lower_bound(twins_.begin(), twins_.end(), std::array{face, Index{0}});
-      for (; twin != twins_.end() && (*twin)[0] == face; ++twin) {
-        const Index other = component_of_[(*twin)[1]];
-        if (other != component && is_copy_[other] == 0) return true;
-      }
-      return false;
+    const std::vector<Index> others = others_at(faces_[component].front());
+    return std::any_of(others.begin(), others.end(), [&](Index other) {
+      return other != component && is_copy_[other] == 0 &&
+             std::all_of(faces_[component].begin(), faces_[component].end(), [&](Index face) {
+               const std::vector<Index> here = others_at(face);
+               return std::find(here.begin(), here.end(), other) != here.end();
+             });
     });
+  }
+
+  /// Returns the components of the faces that coincide with a face.
+  [[nodiscard]] std::vector<Index> others_at(Index face) const {
+    std::vector<Index> others;
+    auto twin = std::lower_bound(twins_.begin(), twins_.end(), std::array{face, Index{0}});
+    for (; twin != twins_.end() && (*twin)[0] == face; ++twin) {
+      others.push_back(component_of_[(*twin)[1]]);
+    }
+    return others;
   }
 
   const Soup& soup_;

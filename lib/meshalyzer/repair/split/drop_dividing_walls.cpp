@@ -8,7 +8,8 @@ namespace meshalyzer {
 
 PassResult drop_dividing_walls(const PassInput& input) {
   PassResult result;
-  for (const std::vector<Index>& walls : find_walls_between_cells(input.mesh)) {
+  const WallsBetweenCells found = find_walls_between_cells(input.mesh, input.wants_to_stop);
+  for (const std::vector<Index>& walls : found.sets) {
     const bool is_held = std::any_of(walls.begin(), walls.end(), [&](Index face) {
       return input.limits.has_fixed_corner(input.tracked, face);
     });

@@ -85,7 +85,7 @@ class Parting {
   [[nodiscard]] PassResult part_all(std::span<const Index> first) {
     DisjointSets connected = connect_places(contacts_);
     std::vector<Index> operation(contacts_.places.size(), kNoIndex);
-    CheckBudget budget(contacts_.places.size());
+    CheckBudget budget(n_moves());
     for (const Index i : places_in_order(first)) {
       if (input_.wants_to_stop()) break;
       n_checks_left_ = budget.of_next_place();
@@ -101,7 +101,7 @@ class Parting {
     return std::move(result_);
   }
 
-  /// Returns the places where not all could be parted, but those where that was known.
+  /// Returns the places where not all could be parted, except those where that was known.
   [[nodiscard]] const std::vector<Index>& failed() const { return failed_; }
 
  private:
@@ -110,6 +110,13 @@ class Parting {
     Index unit = 0;
     Vec3 to;
   };
+
+  /// Returns how many units must move, so that no two are left at any place.
+  [[nodiscard]] std::size_t n_moves() const {
+    std::size_t n = 0;
+    for (const ContactPlace& place : contacts_.places) n += place.units.size() - 1;
+    return n;
+  }
 
   /// Returns the numbers of the places: the first ones, and last those that have failed before,
   /// because others are to have their turn while pairs may still be checked.
@@ -343,9 +350,7 @@ PassResult part_contacts(const PassInput& input) {
   Parting parting(input, contacts);
   PassResult result = parting.part_all({});
   if (!may_be_in_the_way(parting.failed().size(), contacts.places.size())) return result;
-  PassInput without_memory = input;
-  without_memory.memory = nullptr;
-  PassResult other = Parting(without_memory, contacts).part_all(parting.failed());
+  PassResult other = Parting(input, contacts).part_all(parting.failed());
   return other.refused.size() < result.refused.size() ? other : result;
 }
 

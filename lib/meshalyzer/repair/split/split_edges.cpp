@@ -22,9 +22,10 @@ namespace {
 class EdgeCutter {
  public:
   /// @param mesh  The mesh of the input, which may have more faces here.
-  EdgeCutter(const PassInput& input, const PreparedMesh& mesh)
+  /// @param soup  The same mesh, in which faces may be turned.
+  EdgeCutter(const PassInput& input, const PreparedMesh& mesh, const Soup& soup)
       : input_(input),
-        soup_(mesh.soup()),
+        soup_(soup),
         incidences_(list_incidences(mesh.cut())),
         incident_(mesh.cut(), ends_of_edges(incidences_)),
         partner_(pair_incidences(mesh, incidences_, incident_)),
@@ -155,10 +156,11 @@ class EdgeCutter {
   std::vector<std::uint8_t> has_too_many_fans_;
 };
 
-/// Returns the faces of the walls between cells that may be doubled, ascending.
-std::vector<Index> walls_to_double(const PassInput& input) {
+/// Returns the faces of those of the walls that may be doubled, ascending.
+std::vector<Index> walls_to_double(const PassInput& input,
+                                   const std::vector<std::vector<Index>>& sets) {
   std::vector<Index> walls;
-  for (const std::vector<Index>& set : find_walls_between_cells(input.mesh)) {
+  for (const std::vector<Index>& set : sets) {
     const bool may_come_apart = std::all_of(set.begin(), set.end(), [&](Index face) {
       const Triangle& t = input.mesh.soup().triangles[face];
       return std::all_of(t.begin(), t.end(), [&](Index v) { return may_be_copied(input, v); });
@@ -173,20 +175,24 @@ Triangle opposed(const Triangle& t) {
   return {t[0], t[2], t[1]};
 }
 
-/// Splits a mesh with an opposed copy of each of these faces behind its own faces.
+/// Splits a mesh with an opposed copy of each of some walls behind its own faces.
 class WallSplitter {
  public:
   WallSplitter(const PassInput& input, std::span<const Index> walls)
       : input_(input), n_faces_(static_cast<Index>(input.mesh.soup().n_faces())), walls_(walls) {}
 
-  [[nodiscard]] PassResult split() {
+  /// @param inward  Faces that are paired as if they were turned, so that each points out of its
+  ///                cell: then orientations alternate round the edges of walls.
+  [[nodiscard]] PassResult split(std::span<const Index> inward) {
     const Soup& soup = input_.mesh.soup();
     Soup doubled;
     doubled.positions = soup.positions;
     doubled.triangles = soup.triangles;
     for (const Index wall : walls_) doubled.triangles.push_back(opposed(soup.triangles[wall]));
-    const PreparedMesh mesh(doubled);
-    PassResult result = EdgeCutter(input_, mesh).cut();
+    Soup outward = doubled;
+    for (const Index face : inward) outward.triangles[face] = opposed(soup.triangles[face]);
+    const PreparedMesh mesh(outward);
+    PassResult result = EdgeCutter(input_, mesh, doubled).cut();
     for (Refusal& refusal : result.refused) refusal.face = file_face(refusal.face);
     add_copies(result.edits);
     return result;
@@ -229,11 +235,16 @@ class WallSplitter {
 
 }  // namespace
 
-PassResult split_edges(const PassInput& input) {
+PassResult split_edges(const PassInput& input, SharedWalls shared) {
   if (input.mesh.cut().side.non_manifold_edges.size() == 0) return {};
-  const std::vector<Index> walls = walls_to_double(input);
-  if (walls.empty()) return EdgeCutter(input, input.mesh).cut();
-  return WallSplitter(input, walls).split();
+  WallsBetweenCells found;
+  // Without any deviation the copies could not be moved apart.
+  if (shared == SharedWalls::Doubled && input.limits.max_deviation > 0.0) {
+    found = find_walls_between_cells(input.mesh, input.wants_to_stop);
+  }
+  const std::vector<Index> walls = walls_to_double(input, found.sets);
+  if (walls.empty()) return EdgeCutter(input, input.mesh, input.mesh.soup()).cut();
+  return WallSplitter(input, walls).split(found.inward);
 }
 
 }  // namespace meshalyzer

@@ -2,6 +2,7 @@
 #include "meshalyzer/repair/passes.h"
 #include "support/shapes.h"
 #include "support/soups.h"
+#include "unit/repair/split/split_passes.h"
 
 #include <gtest/gtest.h>
 
@@ -249,10 +250,11 @@ std::size_t count_runs_after_split(Index n_faces, OnWorse on_worse) {
     return PassResult();
   };
   using enum DefectCode;
-  driver.run_plan(
-      {{.name = "split edges", .run = split_edges, .may_create = {Hole, SelfIntersection}},
-       {.name = "count", .run = count, .takes_time_for_pairs = true}},
-      on_worse);
+  driver.run_plan({{.name = "split edges",
+                    .run = split_edges_and_walls,
+                    .may_create = {Hole, SelfIntersection}},
+                   {.name = "count", .run = count, .takes_time_for_pairs = true}},
+                  on_worse);
   return n_runs;
 }
 

@@ -63,6 +63,19 @@ TEST(DropCopies, PartsThatCoincideOnlyPartlyStay) {
   EXPECT_EQ(drop_all(shapes::merged(shapes::cube(), shapes::cube(1, {1, 0, 0}))).operations, 0U);
 }
 
+TEST(DropCopies, CellAmongOthersThatTouchAllItsSidesStays) {
+  Soup soup = shapes::cube();
+  for (const Vec3& at : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0),
+                         Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
+    // Mirrored, so that the squares are cut along the same diagonals.
+    Soup other = shapes::flipped(shapes::cube());
+    const auto axis = at.cwiseAbs().maxCoeff() == std::abs(at.x()) ? 0 : at.y() != 0.0 ? 1 : 2;
+    for (Vec3& p : other.positions) p[axis] = at[axis] > 0.0 ? 2.0 - p[axis] : -p[axis];
+    soup = shapes::merged(soup, other);
+  }
+  EXPECT_EQ(drop_all(soup).operations, 0U);
+}
+
 TEST(DropCopies, PartsThatCoverEachOtherAreNotAllDropped) {
   // The second and the third lie on the first, and the third on the second too.
   const Soup sheet = shapes::grid(4, 1);

@@ -8,7 +8,7 @@
 namespace meshalyzer {
 namespace {
 
-/// Returns the number of checks at all places together if each needs so many.
+/// Returns the number of checks at all places together if each has one move and needs so many.
 std::size_t checks_of(std::size_t n_places, std::size_t needed) {
   CheckBudget budget(n_places);
   std::size_t sum = 0;
@@ -37,6 +37,14 @@ TEST(CheckBudget, AFewPlacesHaveManyMore) {
 TEST(CheckBudget, ManyPlacesTogetherHaveAMeanNumber) {
   EXPECT_EQ(checks_of(10'000, 8'000), 300'000U + 512U * 10'000U);
   EXPECT_EQ(checks_of(10'000, 1'000'000), 300'000U + 512U * 10'000U);
+}
+
+TEST(CheckBudget, PlacesOfSeveralMovesHaveMore) {
+  CheckBudget budget(7U * 1'000U);
+  for (std::size_t i = 0; i < 1'000; ++i) {
+    EXPECT_GE(budget.of_next_place(), 3'500U);
+    budget.spend(3'500);
+  }
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <numeric>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -48,13 +49,13 @@ Soup cube_with_triangle(const Vec3& third) {
 TEST(SplitEdges, ManifoldMeshesAreLeft) {
   for (const Soup& soup : {shapes::cube(), shapes::moebius_strip(5), shapes::pillow(), Soup{},
                            shapes::two_tetrahedra_sharing_vertex(), shapes::open_cube()}) {
-    EXPECT_TRUE(same_soup(run_pass(soup, split_edges).tracked.soup, soup));
+    EXPECT_TRUE(same_soup(run_pass(soup, split_edges_and_walls).tracked.soup, soup));
   }
 }
 
 TEST(SplitEdges, TetrahedraWithACommonEdgeComeApart) {
   const Soup soup = shapes::two_tetrahedra_sharing_edge();
-  const PassRun run = run_pass(soup, split_edges);
+  const PassRun run = run_pass(soup, split_edges_and_walls);
   EXPECT_EQ(run.operations, 1U);
   EXPECT_EQ(run.rounds, 1U);
   EXPECT_TRUE(is_cut_version(run.tracked.soup, soup));
@@ -68,7 +69,7 @@ TEST(SplitEdges, TetrahedraWithACommonEdgeComeApart) {
 }
 
 TEST(SplitEdges, TetrahedraBackToBackOnAFaceThatIsThereTwiceComeApart) {
-  const PassRun run = run_pass(shapes::two_tetrahedra_sharing_face(), split_edges);
+  const PassRun run = run_pass(shapes::two_tetrahedra_sharing_face(), split_edges_and_walls);
   EXPECT_EQ(run.operations, 1U);
   EXPECT_TRUE(is_manifold(run.tracked.soup));
   EXPECT_EQ(volumes(run.tracked.soup), (std::vector<double>{1.0 / 6, 1.0 / 6}));
@@ -79,11 +80,21 @@ TEST(SplitEdges, WallThatIsStoredOnceBetweenTwoTetrahedraIsDoubled) {
   for (const Index dropped : {0U, 4U}) {
     const std::array<Index, 1> faces{dropped};
     const Soup soup = shapes::without_faces(shapes::two_tetrahedra_sharing_face(), faces);
-    const PassRun run = run_pass(soup, split_edges);
+    const PassRun run = run_pass(soup, split_edges_and_walls);
     EXPECT_TRUE(is_manifold(run.tracked.soup));
     EXPECT_EQ(volumes(run.tracked.soup), (std::vector<double>{1.0 / 6, 1.0 / 6}));
     EXPECT_EQ(n_border_edges(run.tracked.soup), 0U);
   }
+}
+
+TEST(SplitEdges, WallStaysWithOneCellWhereItIsNotToBeDoubled) {
+  const std::array<Index, 1> faces{4U};
+  const Soup soup = shapes::without_faces(shapes::two_tetrahedra_sharing_face(), faces);
+  const PassRun run =
+      run_pass(soup, [](const PassInput& input) { return split_edges(input, SharedWalls::Left); });
+  EXPECT_TRUE(is_manifold(run.tracked.soup));
+  EXPECT_EQ(volumes(run.tracked.soup), (std::vector<double>{0.0, 1.0 / 3}));
+  EXPECT_EQ(n_border_edges(run.tracked.soup), 3U);
 }
 
 TEST(SplitEdges, CellsOfAnyComplexComeApart) {
@@ -101,18 +112,41 @@ TEST(SplitEdges, CellsOfAnyComplexComeApart) {
   }
 }
 
+TEST(SplitEdges, CellsComeApartWhereverTheirFacesPoint) {
+  std::mt19937 random(6);
+  for (int i = 0; i < 20; ++i) {
+    const CellComplex complex = random_complex({2, 3, 3}, 3, random);
+    CellComplex::Faces faces = complex.faces();
+    for (Triangle& t : faces.soup.triangles) {
+      if (i % 2 == 0 || random() % 2 == 0) std::swap(t[0], t[1]);
+    }
+    const PassRun run = split(faces.soup);
+    EXPECT_TRUE(is_manifold(run.tracked.soup)) << i;
+    EXPECT_EQ(n_border_edges(run.tracked.soup), 0U) << i;
+    EXPECT_EQ(n_components(run.tracked.soup), complex.n_parts()) << i;
+    // Faces keep their direction.
+    for (std::size_t f = 0; f < faces.soup.n_faces(); ++f) {
+      EXPECT_EQ(run.tracked.soup.positions[run.tracked.soup.triangles[f][0]],
+                faces.soup.positions[faces.soup.triangles[f][0]]);
+      EXPECT_EQ(run.tracked.soup.positions[run.tracked.soup.triangles[f][1]],
+                faces.soup.positions[faces.soup.triangles[f][1]]);
+    }
+  }
+}
+
 TEST(SplitEdges, WallThatEndsOnTheBorderOfABodyIsNotDoubled) {
   const std::array<Index, 1> faces{4U};
   const Soup soup = shapes::without_faces(shapes::two_tetrahedra_sharing_face(), faces);
   const Triangle wall = soup.triangles[0];
-  const PassRun run = run_pass(soup, split_edges, body_limits(soup, {wall[0], wall[1], wall[2]}));
+  const PassRun run =
+      run_pass(soup, split_edges_and_walls, body_limits(soup, {wall[0], wall[1], wall[2]}));
   EXPECT_EQ(run.tracked.soup.n_faces(), soup.n_faces());
 }
 
 TEST(SplitEdges, FinOutsideOrInsideACubeIsCutOff) {
   for (const double y : {-1.0, 1.0}) {
     const Soup soup = cube_with_triangle({1, y, 1});
-    const PassRun run = run_pass(soup, split_edges);
+    const PassRun run = run_pass(soup, split_edges_and_walls);
     EXPECT_EQ(run.operations, 1U);
     EXPECT_TRUE(is_manifold(run.tracked.soup));
     EXPECT_EQ(n_border_edges(run.tracked.soup), 3U);
@@ -122,7 +156,7 @@ TEST(SplitEdges, FinOutsideOrInsideACubeIsCutOff) {
 }
 
 TEST(SplitEdges, ThreeFacesOnAnEdgeBecomeTwoAndOne) {
-  const PassRun run = run_pass(shapes::fan_of_three(), split_edges);
+  const PassRun run = run_pass(shapes::fan_of_three(), split_edges_and_walls);
   EXPECT_TRUE(is_manifold(run.tracked.soup));
   EXPECT_EQ(n_components(run.tracked.soup), 2U);
   // The faces are at 0, 135 and 225 degrees: the second goes on from the first as evenly as the
@@ -133,7 +167,7 @@ TEST(SplitEdges, ThreeFacesOnAnEdgeBecomeTwoAndOne) {
 TEST(SplitEdges, BoxesInAChainComeApartLinkByLink) {
   VoxelSolid solid({4, 4, 1});
   for (int i = 0; i < 4; ++i) solid.fill({i, i, 0});
-  const PassRun run = run_pass(solid.surface(), split_edges);
+  const PassRun run = run_pass(solid.surface(), split_edges_and_walls);
   EXPECT_EQ(run.rounds, 1U);
   EXPECT_EQ(volumes(run.tracked.soup), (std::vector<double>{1, 1, 1, 1}));
 }
@@ -143,7 +177,7 @@ TEST(SplitEdges, FourBoxesRoundAnEdgeAreNone) {
   for (int x = 0; x < 2; ++x) {
     for (int y = 0; y < 2; ++y) solid.fill({x, y, 0});
   }
-  EXPECT_EQ(run_pass(solid.surface(), split_edges).operations, 0U);
+  EXPECT_EQ(run_pass(solid.surface(), split_edges_and_walls).operations, 0U);
 }
 
 TEST(SplitEdges, BoxesThatAreJoinedAtBothEndsOfASingleEdgeGetNoEdgeTwice) {
@@ -158,7 +192,7 @@ TEST(SplitEdges, BoxesThatAreJoinedAtBothEndsOfASingleEdgeGetNoEdgeTwice) {
     solid.fill({x, x, 1});
   }
   const Soup soup = solid.surface();
-  const PassRun run = run_pass(soup, split_edges);
+  const PassRun run = run_pass(soup, split_edges_and_walls);
   EXPECT_TRUE(is_manifold(run.tracked.soup));
   EXPECT_EQ(n_border_edges(run.tracked.soup), 0U);
   EXPECT_EQ(run.tracked.soup.n_vertices(), soup.n_vertices() + 2);
@@ -168,18 +202,18 @@ TEST(SplitEdges, BoxesThatAreJoinedAtBothEndsOfASingleEdgeGetNoEdgeTwice) {
 TEST(SplitEdges, SeparatePlacesAreSeparateOperations) {
   const Soup one = shapes::two_tetrahedra_sharing_edge();
   const Soup two = shapes::merged(one, shapes::translated(one, {5, 0, 0}));
-  EXPECT_EQ(run_pass(two, split_edges).operations, 2U);
+  EXPECT_EQ(run_pass(two, split_edges_and_walls).operations, 2U);
 }
 
 TEST(SplitEdges, EdgeWithBothEndsFixedIsRefusedWithOneItIsSplit) {
   const Soup soup = shapes::two_tetrahedra_sharing_edge();
-  const PassRun kept = run_pass(soup, split_edges, body_limits(soup, {0, 3}));
+  const PassRun kept = run_pass(soup, split_edges_and_walls, body_limits(soup, {0, 3}));
   EXPECT_TRUE(same_soup(kept.tracked.soup, soup));
   ASSERT_EQ(kept.refused.size(), 1U);
   EXPECT_EQ(kept.refused[0].code, DefectCode::NonManifold);
   EXPECT_EQ(kept.refused[0].vertex, 0U);
 
-  const PassRun cut = run_pass(soup, split_edges, body_limits(soup, {0}));
+  const PassRun cut = run_pass(soup, split_edges_and_walls, body_limits(soup, {0}));
   EXPECT_EQ(cut.tracked.soup.n_vertices(), soup.n_vertices() + 1);
   EXPECT_EQ(build(cut.tracked.soup).side.non_manifold_edges.size(), 0U);
 }
@@ -195,7 +229,7 @@ TEST(SplitEdges, VertexOfVeryManyFansGetsNoCopies) {
   };
   for (const Index n : {250, 251}) {
     const Soup soup = edges_round_a_vertex(n);
-    const Soup cut = run_pass(soup, split_edges).tracked.soup;
+    const Soup cut = run_pass(soup, split_edges_and_walls).tracked.soup;
     EXPECT_EQ(build(cut).side.non_manifold_edges.size(), 0U);
     const auto n_at_vertex = std::count_if(cut.triangles.begin(), cut.triangles.end(),
                                            [](const Triangle& t) { return t[0] == 0; });
@@ -205,9 +239,9 @@ TEST(SplitEdges, VertexOfVeryManyFansGetsNoCopies) {
 
 TEST(SplitEdges, EdgeWithVeryManyFansAtBothEndsIsRefused) {
   // As all faces go the same way round, no two stay joined.
-  EXPECT_TRUE(run_pass(faces_round_edge(500), split_edges).refused.empty());
+  EXPECT_TRUE(run_pass(faces_round_edge(500), split_edges_and_walls).refused.empty());
   const Soup soup = faces_round_edge(501);
-  const PassRun run = run_pass(soup, split_edges);
+  const PassRun run = run_pass(soup, split_edges_and_walls);
   EXPECT_TRUE(same_soup(run.tracked.soup, soup));
   EXPECT_EQ(run.refused.size(), 1U);
 }
@@ -223,7 +257,7 @@ TEST(SplitEdges, AnySoupIsManifoldAtItsEdgesAtOnce) {
     for (std::uint32_t i = 0; i < 5 + seed % 60; ++i) {
       soup.triangles.push_back({below(random, 12), below(random, 12), below(random, 12)});
     }
-    const PassRun run = run_pass(soup, split_edges);
+    const PassRun run = run_pass(soup, split_edges_and_walls);
     EXPECT_LE(run.rounds, 1U);
     EXPECT_TRUE(is_cut_version(run.tracked.soup, soup));
     EXPECT_EQ(build(run.tracked.soup).side.non_manifold_edges.size(), 0U);

@@ -15,9 +15,13 @@
 
 namespace meshalyzer {
 
+inline PassResult split_edges_and_walls(const PassInput& input) {
+  return split_edges(input, SharedWalls::Doubled);
+}
+
 /// Cuts a mesh wherever it is not manifold, and leaves the copies where they are.
 [[nodiscard]] inline PassRun split(const Soup& soup) {
-  return run_pass(run_pass(soup, split_edges).tracked.soup, split_vertices);
+  return run_pass(run_pass(soup, split_edges_and_walls).tracked.soup, split_vertices);
 }
 
 /// The same, and then moves the copies apart.

@@ -2,7 +2,6 @@
 
 #include "support/shapes.h"
 #include "unit/repair/cell_complex.h"
-#include "unit/repair/voxel_solid.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +16,7 @@ namespace {
 /// Returns the faces of all walls between cells, ascending.
 std::vector<Index> walls_of(const Soup& soup) {
   std::vector<Index> walls;
-  for (const auto& set : find_walls_between_cells(PreparedMesh(soup))) {
+  for (const auto& set : find_walls_between_cells(PreparedMesh(soup), {}).sets) {
     walls.insert(walls.end(), set.begin(), set.end());
   }
   std::sort(walls.begin(), walls.end());
@@ -33,7 +32,7 @@ CellComplex::Faces three_cubes() {
 
 TEST(WallsBetweenCells, WallsThatMeetNowhereAreReturnedApart) {
   const CellComplex::Faces faces = three_cubes();
-  const auto sets = find_walls_between_cells(PreparedMesh(faces.soup));
+  const auto sets = find_walls_between_cells(PreparedMesh(faces.soup), {}).sets;
   ASSERT_EQ(sets.size(), 2U);
   EXPECT_EQ(sets[0], (std::vector<Index>{faces.walls[0], faces.walls[1]}));
   EXPECT_EQ(sets[1], (std::vector<Index>{faces.walls[2], faces.walls[3]}));
@@ -51,21 +50,39 @@ TEST(WallsBetweenCells, AllAreFoundWhereverTheyPoint) {
   }
 }
 
-TEST(WallsBetweenCells, SurfacesThatAreClosedWithoutThemHaveNone) {
-  EXPECT_TRUE(walls_of(shapes::nested_cubes(shapes::InnerShell::Cavity)).empty());
-  EXPECT_TRUE(walls_of(shapes::two_tetrahedra_sharing_face()).empty());
-  // A cavity that has an edge in common with the surface.
-  VoxelSolid solid({3, 3, 3});
+/// A block with a cavity that has an edge in common with a notch in the surface; at one end of the
+/// block is another cell.
+CellComplex block_with_cavity() {
+  CellComplex complex({3, 3, 4});
   for (int x = 0; x < 3; ++x) {
     for (int y = 0; y < 3; ++y) {
-      for (int z = 0; z < 3; ++z) {
+      for (int z = 0; z < 4; ++z) {
         const bool is_cavity = x == 1 && y == 1 && z == 1;
-        const bool is_notch = x == 0 && y == 0;
-        if (!is_cavity && !is_notch) solid.fill({x, y, z});
+        const bool is_notch = x == 0 && y == 0 && z < 3;
+        if (!is_cavity && !is_notch) complex.assign({x, y, z}, z == 3 ? 2 : 1);
       }
     }
   }
-  EXPECT_TRUE(walls_of(solid.surface()).empty());
+  return complex;
+}
+
+TEST(WallsBetweenCells, CavityIsNone) {
+  EXPECT_TRUE(walls_of(shapes::nested_cubes(shapes::InnerShell::Cavity)).empty());
+  CellComplex::Faces faces = block_with_cavity().faces();
+  EXPECT_EQ(walls_of(faces.soup), faces.walls);
+  // A fin, from the edge between the cavity and the notch into the notch.
+  const auto at = [&](const Vec3& p) {
+    const auto& all = faces.soup.positions;
+    return static_cast<Index>(std::find(all.begin(), all.end(), p) - all.begin());
+  };
+  faces.soup.triangles.push_back(
+      {at({1, 1, 1}), at({1, 1, 2}), static_cast<Index>(faces.soup.n_vertices())});
+  faces.soup.positions.emplace_back(0.5, 0.5, 1.5);
+  EXPECT_EQ(walls_of(faces.soup), faces.walls);
+}
+
+TEST(WallsBetweenCells, WallThatIsStoredTwiceIsNone) {
+  EXPECT_TRUE(walls_of(shapes::two_tetrahedra_sharing_face()).empty());
 }
 
 TEST(WallsBetweenCells, WallOfAnOpenCellIsNone) {

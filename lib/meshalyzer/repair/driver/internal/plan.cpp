@@ -65,6 +65,19 @@ CutOptions cut_options(const RepairOptions& options, Sheets sheets) {
   return cut;
 }
 
+/// Returns the pass that splits edges. Where faces may stay in contact, it doubles no walls: what
+/// coincides all over would be cut.
+PlannedPass split(const RepairOptions& options) {
+  using enum DefectCode;
+  const SharedWalls shared =
+      options.contact == Contact::Part ? SharedWalls::Doubled : SharedWalls::Left;
+  return {"split edges",
+          NonManifold,
+          [shared](const PassInput& input) { return split_edges(input, shared); },
+          // A copy of a face is as flat as that, and folded over as far.
+          {Hole, SelfIntersection, Flipped, FlatFacet, DegenerateFacet, Foldover}};
+}
+
 PlannedPass drop(Fragments which) {
   return {"drop fragments", DefectCode::Hole,
           [which](const PassInput& input) { return drop_fragments(input, which); }};
@@ -84,7 +97,7 @@ void plan_fixes_before_cutting(const RepairOptions& options, const Tolerances& t
   plan.add({"drop copies", SelfIntersection, drop_copies});
   plan.add_for({DegenerateFacet, FlatFacet}, {"mend facets", DegenerateFacet, mend_facets, bends});
   if (options.solid) plan.add({"drop dividing walls", NonManifold, drop_dividing_walls});
-  plan.add({"split edges", NonManifold, split_edges, cuts});
+  plan.add(split(options));
   plan.add({"split vertices", NonManifold, split_vertices, cuts});
   plan.add({"orient consistently", Flipped, orient_consistently});
   plan.add({"remove foldovers", Foldover, remove_foldovers, {Hole}});

@@ -11,7 +11,7 @@ namespace meshalyzer {
 /// of faces, which cannot be parted, do not take for ever.
 class CheckBudget {
  public:
-  explicit CheckBudget(std::size_t n_places) : n_left_(kMore + kMeanAPlace * n_places) {}
+  explicit CheckBudget(std::size_t n_moves) : n_left_(kMore + kMeanAMove * n_moves) {}
 
   /// Returns the maximum number of pairs for the next place.
   [[nodiscard]] std::size_t of_next_place() const {
@@ -29,9 +29,9 @@ class CheckBudget {
   static constexpr std::size_t kMostAPlace = 8'192;
   /// The number that those few places have in addition, all together.
   static constexpr std::size_t kMore = 300'000;
-  /// The mean of all places besides. Where faces can be parted, hundreds of places need a hundred
+  /// The mean of all moves besides. Where faces can be parted, hundreds of moves need a hundred
   /// each.
-  static constexpr std::size_t kMeanAPlace = 512;
+  static constexpr std::size_t kMeanAMove = 512;
 
   std::size_t n_left_;
   std::size_t n_more_left_ = kMore;

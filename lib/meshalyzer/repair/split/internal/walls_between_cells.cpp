@@ -7,164 +7,187 @@
 #include "meshalyzer/base/sort_unique.h"
 #include "meshalyzer/exact/exact_volume.h"
 #include "meshalyzer/exact/predicates.h"
-#include "meshalyzer/repair/split/internal/edge_incidences.h"
-#include "meshalyzer/topology/border.h"
 #include "meshalyzer/topology/components.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <utility>
 
 namespace meshalyzer {
 namespace {
 
-/// A side of a triangle, as its two vertices, the lower one first, and the triangle.
-struct WallSide {
+/// An edge of a triangle, as its two vertices, the lower one first, and the triangle.
+struct TriangleEdge {
   std::array<Index, 2> ends{};
   Index triangle = 0;
 };
 
-class WallsBetweenCells {
- public:
-  WallsBetweenCells(const PreparedMesh& mesh, const EdgeIncidences& incidences)
-      : mesh_(mesh), incidences_(incidences) {}
+/// Returns the edges of some triangles, ascending by their ends.
+std::vector<TriangleEdge> edges_of(std::span<const Triangle> triangles) {
+  std::vector<TriangleEdge> edges;
+  for (Index t = 0; t < triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
+      edges.push_back({.ends = {low, high}, .triangle = t});
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const TriangleEdge& a, const TriangleEdge& b) {
+    return std::pair(a.ends, a.triangle) < std::pair(b.ends, b.triangle);
+  });
+  return edges;
+}
 
-  [[nodiscard]] std::vector<std::vector<Index>> find() {
-    faces_ = faces_of_sound_components();
-    if (faces_.empty()) return {};
-    Soup part;
-    part.positions = mesh_.soup().positions;
-    for (const Index face : faces_) part.triangles.push_back(mesh_.soup().triangles[face]);
-    const Cells cells = find_cells(part, arrange(part, {}));
-    return sets_of(part.triangles, find_walls(part, cells));
+/// The faces of the components with an edge of an odd number of faces above two, without those in
+/// which faces intersect or have no area, ascending.
+std::vector<Index> faces_that_may_have_walls(const PreparedMesh& mesh) {
+  const Soup& soup = mesh.soup();
+  const Components components = find_edge_components(mesh.cut());
+  const std::vector<Index> component_of =
+      components_of_file_faces(mesh.cut(), components, soup.n_faces());
+  std::vector<std::uint8_t> is_candidate(components.count, 0);
+  const CutEdges& edges = mesh.cut().side.non_manifold_edges;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto halfedges = edges[i].halfedges;
+    if (halfedges.size() % 2 == 0) continue;
+    is_candidate[components.of(mesh.cut().mesh.face_handle(halfedges[0]))] = 1;
+  }
+  const auto is_in_candidate = [&](Index face) {
+    return component_of[face] != kNoIndex && is_candidate[component_of[face]] != 0;
+  };
+  std::vector<Index> faces;
+  for (Index face = 0; face < soup.n_faces(); ++face) {
+    if (!is_in_candidate(face)) continue;
+    if (are_collinear(corners_of(soup, face))) is_candidate[component_of[face]] = 0;
+    faces.push_back(face);
+  }
+  std::erase_if(faces, [&](Index face) { return !is_in_candidate(face); });
+  if (faces.empty()) return faces;
+  for (const IntersectingPair& pair : mesh.intersecting_pairs()) {
+    is_candidate[component_of[pair.face_a]] = 0;
+    is_candidate[component_of[pair.face_b]] = 0;
+  }
+  if (mesh.was_intersection_search_cut()) return {};
+  std::erase_if(faces, [&](Index face) { return !is_in_candidate(face); });
+  return faces;
+}
+
+/// Finds the walls of components in which no faces intersect or have no area.
+class WallFinderInCells {
+ public:
+  /// @param part  The triangles of these components.
+  WallFinderInCells(const Soup& part, const Cells& cells)
+      : part_(part), edges_(edges_of(part.triangles)), joined_(cells.count), cells_(cells) {
+    // Space goes on round a border.
+    for_each_edge([&](std::span<const TriangleEdge> edge) {
+      if (edge.size() == 1) join_sides(edge.front().triangle);
+    });
+    is_enclosed_ = which_are_enclosed();
+  }
+
+  /// Returns walls and others by triangle.
+  [[nodiscard]] WallsBetweenCells find() {
+    WallsBetweenCells found{.sets = sets_of_walls(), .inward = {}};
+    for (Index t = 0; t < part_.n_faces(); ++t) {
+      if (is_enclosed_[front(t)] != 0 && is_enclosed_[behind(t)] == 0) found.inward.push_back(t);
+    }
+    return found;
   }
 
  private:
-  [[nodiscard]] bool is_odd(std::size_t edge) const { return incidences_.n_faces(edge) % 2 != 0; }
-
-  /// Returns the faces of the components with odd edges in which no faces intersect or have no
-  /// area, ascending.
-  [[nodiscard]] std::vector<Index> faces_of_sound_components() const {
-    const Soup& soup = mesh_.soup();
-    const Components components = find_edge_components(mesh_.cut());
-    const std::vector<Index> component_of =
-        components_of_file_faces(mesh_.cut(), components, soup.n_faces());
-    std::vector<std::uint8_t> is_sound(components.count, 0);
-    for (std::size_t edge = 0; edge < incidences_.size(); ++edge) {
-      if (is_odd(edge)) is_sound[component_of[incidences_.faces[incidences_.begin[edge]]]] = 1;
-    }
-    for (const IntersectingPair& pair : mesh_.intersecting_pairs()) {
-      is_sound[component_of[pair.face_a]] = 0;
-      is_sound[component_of[pair.face_b]] = 0;
-    }
-    if (mesh_.was_intersection_search_cut()) return {};
-    const auto is_in_sound = [&](Index face) {
-      return component_of[face] != kNoIndex && is_sound[component_of[face]] != 0;
-    };
-    std::vector<Index> faces;
-    for (Index face = 0; face < soup.n_faces(); ++face) {
-      if (!is_in_sound(face)) continue;
-      if (are_collinear(corners_of(soup, face))) is_sound[component_of[face]] = 0;
-      faces.push_back(face);
-    }
-    std::erase_if(faces, [&](Index face) { return !is_in_sound(face); });
-    return faces;
-  }
-
-  /// #triangles: 1 for those with different enclosed cells on their sides.
-  [[nodiscard]] std::vector<std::uint8_t> find_walls(const Soup& part, const Cells& cells) const {
-    DisjointSets joined = join_at_borders(cells);
-    const auto front = [&](Index t) { return joined.find(cells.front(t)); };
-    const auto behind = [&](Index t) { return joined.find(cells.behind(t)); };
-    std::vector<ExactVolume> volumes(cells.count);
-    for (Index t = 0; t < part.n_faces(); ++t) {
-      if (front(t) == behind(t)) continue;
-      const auto [a, b, c] = corners_of(part, t);
-      volumes[behind(t)].add(a, b, c);
-      volumes[front(t)].add(a, c, b);
-    }
-    std::vector<std::uint8_t> is_wall(part.n_faces(), 0);
-    for (Index t = 0; t < part.n_faces(); ++t) {
-      is_wall[t] =
-          front(t) != behind(t) && volumes[front(t)].sign() > 0 && volumes[behind(t)].sign() > 0;
-    }
-    return is_wall;
-  }
-
-  /// Joins the cells on the two sides of each face at a border, because space goes on round it.
-  [[nodiscard]] DisjointSets join_at_borders(const Cells& cells) const {
-    DisjointSets joined(cells.count);
-    const CutMesh& cut = mesh_.cut();
-    for (const HalfedgeHandle border : find_border_edges(cut)) {
-      const Index face = cut.side.face(cut.mesh.face_handle(border));
-      const auto found = std::lower_bound(faces_.begin(), faces_.end(), face);
-      if (found == faces_.end() || *found != face) continue;
-      const auto triangle = static_cast<Index>(found - faces_.begin());
-      joined.unite(cells.front(triangle), cells.behind(triangle));
-    }
-    return joined;
-  }
-
-  /// Returns the sets of walls with an odd edge, as faces.
-  [[nodiscard]] std::vector<std::vector<Index>> sets_of(
-      std::span<const Triangle> triangles, std::span<const std::uint8_t> is_wall) const {
-    const std::vector<WallSide> sides = sides_of(triangles, is_wall);
-    DisjointSets together(triangles.size());
-    std::vector<Index> with_odd_edge;
-    for_each_run(std::span(sides), &WallSide::ends, [&](std::span<const WallSide> edge) {
-      for (const WallSide& side : edge) together.unite(edge.front().triangle, side.triangle);
-      if (has_odd_edge_at(edge.front().ends)) with_odd_edge.push_back(edge.front().triangle);
+  [[nodiscard]] std::vector<std::vector<Index>> sets_of_walls() {
+    DisjointSets together(part_.n_faces());
+    std::vector<Index> at_odd_edges;
+    for_each_edge([&](std::span<const TriangleEdge> edge) {
+      Index first = kNoIndex;
+      std::size_t n_between_cells = 0;
+      for (const TriangleEdge& use : edge) {
+        if (front(use.triangle) != behind(use.triangle)) ++n_between_cells;
+        if (!is_wall(use.triangle)) continue;
+        if (first == kNoIndex) first = use.triangle;
+        together.unite(first, use.triangle);
+      }
+      if (first != kNoIndex && n_between_cells % 2 != 0) at_odd_edges.push_back(first);
     });
-    std::vector<Index> number_of(triangles.size(), kNoIndex);
-    std::vector<Index> lowest;
-    for (const Index t : with_odd_edge) lowest.push_back(together.find(t));
-    sort_unique(lowest);
-    for (Index i = 0; i < lowest.size(); ++i) number_of[lowest[i]] = i;
-    std::vector<std::vector<Index>> sets(lowest.size());
-    for (Index t = 0; t < triangles.size(); ++t) {
-      const Index number = number_of[together.find(t)];
-      if (number != kNoIndex) sets[number].push_back(faces_[t]);
+    for (Index& triangle : at_odd_edges) triangle = together.find(triangle);
+    sort_unique(at_odd_edges);
+    std::vector<std::vector<Index>> sets(at_odd_edges.size());
+    for (Index t = 0; t < part_.n_faces(); ++t) {
+      const auto set = std::lower_bound(at_odd_edges.begin(), at_odd_edges.end(), together.find(t));
+      if (set == at_odd_edges.end() || *set != together.find(t)) continue;
+      sets[static_cast<std::size_t>(set - at_odd_edges.begin())].push_back(t);
     }
     return sets;
   }
 
-  /// Returns the sides of the walls, ascending by their ends.
-  [[nodiscard]] static std::vector<WallSide> sides_of(std::span<const Triangle> triangles,
-                                                      std::span<const std::uint8_t> is_wall) {
-    std::vector<WallSide> sides;
-    for (Index t = 0; t < triangles.size(); ++t) {
-      if (is_wall[t] == 0) continue;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto [low, high] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
-        sides.push_back({.ends = {low, high}, .triangle = t});
-      }
+  /// Tells whether there are different enclosed cells on the two sides.
+  [[nodiscard]] bool is_wall(Index triangle) {
+    return front(triangle) != behind(triangle) && is_enclosed_[front(triangle)] != 0 &&
+           is_enclosed_[behind(triangle)] != 0;
+  }
+  [[nodiscard]] Index front(Index triangle) { return joined_.find(cells_.front(triangle)); }
+  [[nodiscard]] Index behind(Index triangle) { return joined_.find(cells_.behind(triangle)); }
+  void join_sides(Index triangle) {
+    joined_.unite(cells_.front(triangle), cells_.behind(triangle));
+  }
+
+  template <typename Body>
+  void for_each_edge(const Body& body) const {
+    for_each_run(std::span(edges_), &TriangleEdge::ends, body);
+  }
+
+  /// #cells, by those that are joined: 1 for those with a positive volume.
+  [[nodiscard]] std::vector<std::uint8_t> which_are_enclosed() {
+    std::vector<ExactVolume> volumes(cells_.count);
+    for (Index t = 0; t < part_.n_faces(); ++t) {
+      if (front(t) == behind(t)) continue;
+      const auto [a, b, c] = corners_of(part_, t);
+      volumes[behind(t)].add(a, b, c);
+      volumes[front(t)].add(a, c, b);
     }
-    std::sort(sides.begin(), sides.end(),
-              [](const WallSide& a, const WallSide& b) { return a.ends < b.ends; });
-    return sides;
+    std::vector<std::uint8_t> is_enclosed;
+    for (const ExactVolume& volume : volumes) is_enclosed.push_back(volume.sign() > 0 ? 1 : 0);
+    return is_enclosed;
   }
 
-  [[nodiscard]] bool has_odd_edge_at(const std::array<Index, 2>& ends) const {
-    const std::size_t edge = incidences_.edge_between(ends[0], ends[1]);
-    return edge < incidences_.size() && incidences_.ends[edge] == ends && is_odd(edge);
-  }
-
-  const PreparedMesh& mesh_;
-  const EdgeIncidences& incidences_;
-  /// The faces of the surfaces with cells, ascending.
-  std::vector<Index> faces_;
+  const Soup& part_;
+  std::vector<TriangleEdge> edges_;
+  DisjointSets joined_;
+  const Cells& cells_;
+  /// #cells: see which_are_enclosed().
+  std::vector<std::uint8_t> is_enclosed_;
 };
+
+bool has_odd_edge(const CutEdges& edges) {
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (edges[i].halfedges.size() % 2 != 0) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
-std::vector<std::vector<Index>> find_walls_between_cells(const PreparedMesh& mesh) {
-  const EdgeIncidences incidences = list_incidences(mesh.cut());
-  for (std::size_t edge = 0; edge < incidences.size(); ++edge) {
-    if (incidences.n_faces(edge) % 2 != 0) return WallsBetweenCells(mesh, incidences).find();
+WallsBetweenCells find_walls_between_cells(const PreparedMesh& mesh,
+                                           const StopQuery& wants_to_stop) {
+  if (!has_odd_edge(mesh.cut().side.non_manifold_edges)) return {};
+  const std::vector<Index> faces = faces_that_may_have_walls(mesh);
+  if (faces.empty()) return {};
+  std::vector<Triangle> triangles;
+  for (const Index face : faces) triangles.push_back(mesh.soup().triangles[face]);
+  const Soup part = compact_soup(mesh.soup().positions, std::move(triangles));
+  const std::optional<Arrangement> uncut =
+      arrange_within(part, {}, {.wants_to_stop = wants_to_stop});
+  if (!uncut || wants_to_stop()) return {};
+  const Cells cells = find_cells(part, *uncut);
+  WallsBetweenCells found = WallFinderInCells(part, cells).find();
+  for (std::vector<Index>& set : found.sets) {
+    for (Index& triangle : set) triangle = faces[triangle];
   }
-  return {};
+  for (Index& triangle : found.inward) triangle = faces[triangle];
+  return found;
 }
 
 }  // namespace meshalyzer
