@@ -65,9 +65,11 @@ void declare_actions(OptionTable& table, Options& options, GivenOptions& given) 
                "fix only these defects, by code: " + names_of(all_defect_codes(), defect_name) +
                    "; or default (all but disjoint and numbering), or all");
   table.option("--no-fix LIST", into(given.no_fix, to_codes), "do not fix these");
-  table.flag("--solid", options.repair.solid,
-             "make the result a solid: fill holes of sheets too, and drop open fragments that "
-             "enclose nothing and walls that divide the solid, each reported with its area");
+  table.flag(
+      "--solid", options.repair.solid,
+      "make the result a solid: fill holes of sheets too, and drop open fragments that "
+      "enclose nothing and walls that divide the solid and are stored once, each reported with "
+      "its area");
   table.flag("--guarantee", options.repair.guarantee,
              "replace the parts that are not good in the end by a new surface within the maximum "
              "deviation, or report that none was found; with --solid, sheets become thin solids "

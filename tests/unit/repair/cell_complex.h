@@ -1,12 +1,11 @@
 #pragma once
 
 #include "meshalyzer/base/disjoint_sets.h"
-#include "meshalyzer/mesh/soup.h"
+#include "unit/repair/unit_squares.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <map>
 #include <random>
 #include <vector>
 
@@ -55,7 +54,7 @@ class CellComplex {
   };
   [[nodiscard]] Faces faces() const {
     Faces faces;
-    std::map<std::array<int, 3>, Index> known;
+    UnitSquares squares;
     for_each_square(
         [&](const std::array<int, 3>& low, const std::array<int, 3>& high, std::size_t axis) {
           const int behind = cell(low);
@@ -63,10 +62,11 @@ class CellComplex {
           if (behind == front) return;
           const bool is_wall = behind != 0 && front != 0;
           const bool is_turned = is_wall ? front < behind : behind == 0;
-          const auto first = static_cast<Index>(faces.soup.n_faces());
+          const auto first = static_cast<Index>(squares.soup().n_faces());
           if (is_wall) faces.walls.insert(faces.walls.end(), {first, first + 1});
-          add_square(high, axis, is_turned, known, faces.soup);
+          squares.add(high, axis, is_turned);
         });
+    faces.soup = squares.soup();
     return faces;
   }
 
@@ -90,22 +90,6 @@ class CellComplex {
         }
       }
     }
-  }
-
-  /// Adds the lower side of a cube along an axis, which faces it unless it is turned.
-  static void add_square(const std::array<int, 3>& cube, std::size_t axis, bool is_turned,
-                         std::map<std::array<int, 3>, Index>& known, Soup& soup) {
-    std::array<Index, 4> quad{};
-    for (std::size_t k = 0; k < 4; ++k) {
-      std::array<int, 3> at = cube;
-      at[(axis + 1) % 3] += (k == 1 || k == 2) ? 1 : 0;
-      at[(axis + 2) % 3] += k >= 2 ? 1 : 0;
-      const auto [place, is_new] = known.try_emplace(at, static_cast<Index>(soup.positions.size()));
-      if (is_new) soup.positions.emplace_back(at[0], at[1], at[2]);
-      quad[is_turned ? 3 - k : k] = place->second;
-    }
-    soup.triangles.push_back({quad[0], quad[1], quad[2]});
-    soup.triangles.push_back({quad[0], quad[2], quad[3]});
   }
 
   std::array<int, 3> size_;

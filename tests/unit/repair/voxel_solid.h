@@ -1,12 +1,10 @@
 #pragma once
 
-#include "meshalyzer/mesh/soup.h"
+#include "unit/repair/unit_squares.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
-#include <utility>
 #include <vector>
 
 namespace meshalyzer {
@@ -39,14 +37,13 @@ class VoxelSolid {
 
   /// Outward.
   [[nodiscard]] Soup surface() const {
-    Soup soup;
-    std::map<std::array<int, 3>, Index> known;
+    UnitSquares squares;
     for (const auto& cell : full_cells()) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (const int side : {0, 1}) add_side(cell, axis, side, known, soup);
+        for (const int side : {0, 1}) add_side(cell, axis, side, squares);
       }
     }
-    return soup;
+    return squares.soup();
   }
 
   /// Returns the number of parts of the cubes that are joined through common squares.
@@ -82,23 +79,11 @@ class VoxelSolid {
     return cell;
   }
 
-  /// The square on a side of a cell, if it is on the surface.
-  void add_side(const std::array<int, 3>& cell, std::size_t axis, int side,
-                std::map<std::array<int, 3>, Index>& known, Soup& soup) const {
+  /// Adds the square on a side of a cell, if it is on the surface.
+  void add_side(std::array<int, 3> cell, std::size_t axis, int side, UnitSquares& squares) const {
     if (is_full(neighbour(cell, axis, side))) return;
-    std::array<Index, 4> quad{};
-    // Counter-clockwise seen from the positive end of the axis; turned on the other side.
-    for (std::size_t k = 0; k < 4; ++k) {
-      std::array<int, 3> at = cell;
-      at[axis] += side;
-      at[(axis + 1) % 3] += (k == 1 || k == 2) ? 1 : 0;
-      at[(axis + 2) % 3] += k >= 2 ? 1 : 0;
-      const auto [place, is_new] = known.try_emplace(at, static_cast<Index>(soup.positions.size()));
-      if (is_new) soup.positions.emplace_back(at[0], at[1], at[2]);
-      quad[side == 1 ? k : 3 - k] = place->second;
-    }
-    soup.triangles.push_back({quad[0], quad[1], quad[2]});
-    soup.triangles.push_back({quad[0], quad[2], quad[3]});
+    cell[axis] += side;
+    squares.add(cell, axis, side == 0);
   }
 
   std::array<int, 3> size_;

@@ -1,4 +1,5 @@
 #include "meshalyzer/repair/passes.h"
+#include "meshalyzer/repair/rules/internal/drop_unmissed_faces.h"
 #include "meshalyzer/topology/components.h"
 
 #include <algorithm>
@@ -57,24 +58,24 @@ class CopySearch {
   /// Tells whether each face of a component coincides with one of the same other component, which
   /// stays. If the faces of several do, as the walls of its neighbours, it is a part of its own.
   [[nodiscard]] bool is_covered(Index component) const {
-    const std::vector<Index> others = others_at(faces_[component].front());
-    return std::any_of(others.begin(), others.end(), [&](Index other) {
+    const std::vector<Index>& faces = faces_[component];
+    return any_twin(faces.front(), [&](Index first_twin) {
+      const Index other = component_of_[first_twin];
+      const auto is_twin_there = [&](Index twin) { return component_of_[twin] == other; };
       return other != component && is_copy_[other] == 0 &&
-             std::all_of(faces_[component].begin(), faces_[component].end(), [&](Index face) {
-               const std::vector<Index> here = others_at(face);
-               return std::find(here.begin(), here.end(), other) != here.end();
-             });
+             std::all_of(faces.begin(), faces.end(),
+                         [&](Index face) { return any_twin(face, is_twin_there); });
     });
   }
 
-  /// Returns the components of the faces that coincide with a face.
-  [[nodiscard]] std::vector<Index> others_at(Index face) const {
-    std::vector<Index> others;
+  /// Tells whether a predicate is true of any of the faces that coincide with a face.
+  template <typename Predicate>
+  [[nodiscard]] bool any_twin(Index face, const Predicate& predicate) const {
     auto twin = std::lower_bound(twins_.begin(), twins_.end(), std::array{face, Index{0}});
     for (; twin != twins_.end() && (*twin)[0] == face; ++twin) {
-      others.push_back(component_of_[(*twin)[1]]);
+      if (predicate((*twin)[1])) return true;
     }
-    return others;
+    return false;
   }
 
   const Soup& soup_;
@@ -86,31 +87,11 @@ class CopySearch {
   std::vector<std::uint8_t> is_copy_;
 };
 
-bool has_fixed_vertex(const PassInput& input, const std::vector<Index>& faces) {
-  return std::any_of(faces.begin(), faces.end(), [&](Index face) {
-    return input.limits.has_fixed_corner(input.tracked, face);
-  });
-}
-
 }  // namespace
 
 PassResult drop_copies(const PassInput& input) {
-  PassResult result;
-  for (const std::vector<Index>& faces : CopySearch(input.mesh).run()) {
-    if (has_fixed_vertex(input, faces)) {
-      result.refused.push_back({.code = DefectCode::SelfIntersection,
-                                .face = faces.front(),
-                                .reason = "it meets a vertex that must stay as it is"});
-      continue;
-    }
-    const Index op = result.edits.begin_operation();
-    for (const Index face : faces) {
-      result.edits.removed_faces.push_back({op, face});
-      // The face that it coincides with stays.
-      result.edits.interior_walls.push_back({op, {corners_of(input.mesh.soup(), face), face}});
-    }
-  }
-  return result;
+  // The faces that they coincide with stay.
+  return drop_unmissed_faces(input, CopySearch(input.mesh).run(), DefectCode::SelfIntersection);
 }
 
 }  // namespace meshalyzer

@@ -351,7 +351,8 @@ PassResult part_contacts(const PassInput& input) {
   PassResult result = parting.part_all({});
   if (!may_be_in_the_way(parting.failed().size(), contacts.places.size())) return result;
   PassResult other = Parting(input, contacts).part_all(parting.failed());
-  return other.refused.size() < result.refused.size() ? other : result;
+  if (other.refused.size() < result.refused.size()) return other;
+  return result;
 }
 
 }  // namespace meshalyzer

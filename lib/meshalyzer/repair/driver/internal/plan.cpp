@@ -67,15 +67,16 @@ CutOptions cut_options(const RepairOptions& options, Sheets sheets) {
 
 /// Returns the pass that splits edges. Where faces may stay in contact, it doubles no walls: what
 /// coincides all over would be cut.
-PlannedPass split(const RepairOptions& options) {
+///
+/// @param may_create  What splitting creates besides copies of walls.
+PlannedPass split(const RepairOptions& options, DefectCodes may_create) {
   using enum DefectCode;
+  // A copy of a face is as flat as that, and folded over as far.
+  for (const DefectCode code : {FlatFacet, DegenerateFacet, Foldover}) may_create.insert(code);
   const SharedWalls shared =
       options.contact == Contact::Part ? SharedWalls::Doubled : SharedWalls::Left;
-  return {"split edges",
-          NonManifold,
-          [shared](const PassInput& input) { return split_edges(input, shared); },
-          // A copy of a face is as flat as that, and folded over as far.
-          {Hole, SelfIntersection, Flipped, FlatFacet, DegenerateFacet, Foldover}};
+  return {"split edges", NonManifold,
+          [shared](const PassInput& input) { return split_edges(input, shared); }, may_create};
 }
 
 PlannedPass drop(Fragments which) {
@@ -97,7 +98,7 @@ void plan_fixes_before_cutting(const RepairOptions& options, const Tolerances& t
   plan.add({"drop copies", SelfIntersection, drop_copies});
   plan.add_for({DegenerateFacet, FlatFacet}, {"mend facets", DegenerateFacet, mend_facets, bends});
   if (options.solid) plan.add({"drop dividing walls", NonManifold, drop_dividing_walls});
-  plan.add(split(options));
+  plan.add(split(options, cuts));
   plan.add({"split vertices", NonManifold, split_vertices, cuts});
   plan.add({"orient consistently", Flipped, orient_consistently});
   plan.add({"remove foldovers", Foldover, remove_foldovers, {Hole}});

@@ -41,20 +41,27 @@ std::vector<TriangleEdge> edges_of(std::span<const Triangle> triangles) {
   return edges;
 }
 
-/// The faces of the components with an edge of an odd number of faces above two, without those in
-/// which faces intersect or have no area, ascending.
-std::vector<Index> faces_that_may_have_walls(const PreparedMesh& mesh) {
+/// Returns a face of each edge with an odd number of faces above two.
+std::vector<FaceHandle> faces_at_odd_edges(const CutMesh& cut) {
+  std::vector<FaceHandle> faces;
+  const CutEdges& edges = cut.side.non_manifold_edges;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto halfedges = edges[i].halfedges;
+    if (halfedges.size() % 2 != 0) faces.push_back(cut.mesh.face_handle(halfedges[0]));
+  }
+  return faces;
+}
+
+/// The faces of the components of some faces, without those in which faces intersect or have no
+/// area, ascending.
+std::vector<Index> faces_that_may_have_walls(const PreparedMesh& mesh,
+                                             std::span<const FaceHandle> at_odd_edges) {
   const Soup& soup = mesh.soup();
   const Components components = find_edge_components(mesh.cut());
   const std::vector<Index> component_of =
       components_of_file_faces(mesh.cut(), components, soup.n_faces());
   std::vector<std::uint8_t> is_candidate(components.count, 0);
-  const CutEdges& edges = mesh.cut().side.non_manifold_edges;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const auto halfedges = edges[i].halfedges;
-    if (halfedges.size() % 2 == 0) continue;
-    is_candidate[components.of(mesh.cut().mesh.face_handle(halfedges[0]))] = 1;
-  }
+  for (const FaceHandle face : at_odd_edges) is_candidate[components.of(face)] = 1;
   const auto is_in_candidate = [&](Index face) {
     return component_of[face] != kNoIndex && is_candidate[component_of[face]] != 0;
   };
@@ -161,19 +168,13 @@ class WallFinderInCells {
   std::vector<std::uint8_t> is_enclosed_;
 };
 
-bool has_odd_edge(const CutEdges& edges) {
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (edges[i].halfedges.size() % 2 != 0) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 WallsBetweenCells find_walls_between_cells(const PreparedMesh& mesh,
                                            const StopQuery& wants_to_stop) {
-  if (!has_odd_edge(mesh.cut().side.non_manifold_edges)) return {};
-  const std::vector<Index> faces = faces_that_may_have_walls(mesh);
+  const std::vector<FaceHandle> at_odd_edges = faces_at_odd_edges(mesh.cut());
+  if (at_odd_edges.empty()) return {};
+  const std::vector<Index> faces = faces_that_may_have_walls(mesh, at_odd_edges);
   if (faces.empty()) return {};
   std::vector<Triangle> triangles;
   for (const Index face : faces) triangles.push_back(mesh.soup().triangles[face]);
