@@ -33,6 +33,11 @@ struct TrackedMesh {
     return std::binary_search(sheet_cuts.begin(), sheet_cuts.end(), vertex_keys[vertex]);
   }
 
+  /// Tells whether both vertices of an edge lie where a sheet was cut.
+  [[nodiscard]] bool is_where_sheet_was_cut(Index a, Index b) const {
+    return is_where_sheet_was_cut(a) && is_where_sheet_was_cut(b);
+  }
+
   /// Returns the input's face that a face of the soup was made of; kNoIndex where it is part of a
   /// hole patch.
   [[nodiscard]] Index origin_of_face(Index face) const { return origin_of_key(face_keys[face]); }

@@ -147,14 +147,14 @@ bool may_join(const PassInput& input) {
 
 PassResult join_contacts(const PassInput& input) {
   if (!may_join(input) || !has_contacts_only(input.mesh)) return {};
-  return unite_with_rods(input,
-                         contact_segments(input.tracked.soup, find_contact_places(input.mesh)));
+  return unite_with_rods(
+      input, contact_segments(input.tracked.soup, find_contact_places(input.tracked, input.mesh)));
 }
 
-std::vector<Vec3> contact_points(const PreparedMesh& mesh) {
+std::vector<Vec3> contact_points(const TrackedMesh& tracked, const PreparedMesh& mesh) {
   std::vector<Vec3> points;
   if (!has_contacts_only(mesh)) return points;
-  for (const ContactPlace& place : find_contact_places(mesh).places) {
+  for (const ContactPlace& place : find_contact_places(tracked, mesh).places) {
     points.push_back(mesh.soup().positions[place.units.front().front()]);
   }
   return points;

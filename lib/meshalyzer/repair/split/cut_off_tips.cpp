@@ -209,7 +209,7 @@ class TipCutter {
 
 PassResult cut_off_tips(const PassInput& input) {
   if (input.limits.groups == Groups::Faces || !(input.limits.max_deviation > 0.0)) return {};
-  const ContactPlaces contacts = find_contact_places(input.mesh);
+  const ContactPlaces contacts = find_contact_places(input.tracked, input.mesh);
   if (contacts.places.empty()) return {};
   return TipCutter(input, contacts).run();
 }

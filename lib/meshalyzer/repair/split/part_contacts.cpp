@@ -345,7 +345,7 @@ class Parting {
 }  // namespace
 
 PassResult part_contacts(const PassInput& input) {
-  const ContactPlaces contacts = find_contact_places(input.mesh);
+  const ContactPlaces contacts = find_contact_places(input.tracked, input.mesh);
   if (contacts.places.empty()) return {};
   Parting parting(input, contacts);
   PassResult result = parting.part_all({});

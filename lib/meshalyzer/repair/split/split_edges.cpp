@@ -28,7 +28,7 @@ class EdgeCutter {
         soup_(soup),
         incidences_(list_incidences(mesh.cut())),
         incident_(mesh.cut(), ends_of_edges(incidences_)),
-        partner_(pair_incidences(mesh, incidences_, incident_)),
+        partner_(pair_incidences(input.tracked, mesh, incidences_, incident_)),
         fans_(incident_.n_places(), 0),
         has_too_many_fans_(incident_.size(), 0) {}
 

@@ -4,6 +4,7 @@
 #include "meshalyzer/repair/orient/bounds_solid.h"
 #include "meshalyzer/repair/passes.h"
 #include "meshalyzer/spatial/self_intersection.h"
+#include "meshalyzer/topology/border.h"
 #include "meshalyzer/topology/components.h"
 #include "support/random_soups.h"
 #include "support/run_pass.h"
@@ -169,6 +170,20 @@ TEST(CutIntersections, SheetsThatCrossAlongTheirEdgesMayEndThere) {
   EXPECT_EQ(run.tracked.soup.n_vertices(), soup.n_vertices());
   EXPECT_EQ(run.tracked.sheet_cuts, (std::vector<Index>{4, 5, 12, 13}));
   EXPECT_FALSE(intersects(fix_defects(soup).meshes[0].tracked.soup));
+}
+
+TEST(CutIntersections, SheetThatCrossesALargerOneIsSplitWithIt) {
+  // The larger one is not kept whole for having fewer borders, with the other ending at it.
+  Soup upright = shapes::grid(1, 1);
+  for (Vec3& p : upright.positions) p = {p.x() * 2.0 + 2.55, 3.7, p.y() * 4.0 - 2.6};
+  const Soup soup = shapes::merged(shapes::grid(8, 8), upright);
+  const RepairResult result = fix_defects(soup);
+  const Soup& repaired = result.meshes[0].tracked.soup;
+  EXPECT_FALSE(intersects(repaired));
+  EXPECT_NEAR(area(repaired), area(soup), 1e-12);
+  // Both become one surface, with a border of 38 edges: where the upright square ends, the surface
+  // goes round it.
+  EXPECT_EQ(find_border_edges(build(repaired)).size(), 38U);
 }
 
 TEST(CutIntersections, SheetsThatLieOneOverTheOtherAreNotTakenForASolid) {

@@ -1,3 +1,4 @@
+#include "meshalyzer/mesh/used_box.h"
 #include "meshalyzer/repair/driver/internal/worsening.h"
 #include "meshalyzer/repair/fix_defects.h"
 #include "support/same_soup.h"
@@ -52,6 +53,21 @@ TEST(FindWorsening, SlitEdgesOfCutSheetsAreExceptedIfPairsFall) {
   EXPECT_TRUE(find_worsening(with_counts(0, 6, 3), after).empty());
   EXPECT_EQ(find_worsening(with_counts(0, 6, 2), after).kinds,
             std::vector{CountedDefect::SlitEdges});
+}
+
+TEST(ListDefective, SlitEdgesOnBothSidesOfACutAreThoseOfACutSheet) {
+  Soup halves = shapes::grid(2, 1);
+  halves = shapes::merged(halves, shapes::translated(halves, {2, 0, 0}));
+  TrackedMesh tracked = track_mesh(halves);
+  const PreparedMesh mesh(halves);
+  const Tolerances tolerances = resolve_tolerances({}, used_box(halves));
+  const auto n_of_cuts = [&] {
+    return list_defective(tracked, mesh, tolerances, UnweldedPairs::Count).n_slits_of_cut_sheets;
+  };
+  EXPECT_EQ(n_of_cuts(), 0U);
+  // The right end of the left half.
+  tracked.sheet_cuts = {2};
+  EXPECT_EQ(n_of_cuts(), 2U);
 }
 
 TEST(FindWorsening, IntersectionsAreWorseWhateverElseFalls) {

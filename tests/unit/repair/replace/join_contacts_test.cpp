@@ -146,7 +146,8 @@ TEST(JoinAtPoints, WithoutPointsNothingIsJoined) {
 
 TEST(ContactPoints, AreWhereFacesTouchAtCopiesOfVertices) {
   const Soup split_up = split(spikes_at_the_origin()).tracked.soup;
-  EXPECT_EQ(contact_points(PreparedMesh(split_up)), std::vector<Vec3>{Vec3(0, 0, 0)});
+  EXPECT_EQ(contact_points(track_mesh(split_up), PreparedMesh(split_up)),
+            std::vector<Vec3>{Vec3(0, 0, 0)});
 }
 
 TEST(ContactPoints, AreNoneWhereSomethingElseIsWrong) {
@@ -154,7 +155,7 @@ TEST(ContactPoints, AreNoneWhereSomethingElseIsWrong) {
   const Soup crossing = shapes::merged(split_up, shapes::translated(split_up, {0.5, 0.25, 0.125}));
   const Soup open = shapes::without_faces(split_up, std::vector<Index>{3});
   for (const Soup& soup : {shapes::cube(), crossing, open}) {
-    EXPECT_TRUE(contact_points(PreparedMesh(soup)).empty());
+    EXPECT_TRUE(contact_points(track_mesh(soup), PreparedMesh(soup)).empty());
   }
 }
 

@@ -1,5 +1,6 @@
 #include "meshalyzer/repair/internal/pass_memory.h"
 #include "meshalyzer/repair/passes.h"
+#include "meshalyzer/repair/split/internal/contact_places.h"
 #include "support/run_pass.h"
 #include "support/same_soup.h"
 #include "support/shapes.h"
@@ -256,6 +257,36 @@ TEST(PartContacts, PlacesAreTriedOnceMoreBeforeOthersThatTookTheirRoom) {
     EXPECT_TRUE(run.refused.empty()) << seed;
     EXPECT_EQ(n_intersecting_pairs(run.tracked.soup), 0U) << seed;
   }
+}
+
+/// A square with two edges in a row through its middle vertex; a sheet above these edges, and one
+/// below, each with vertices of its own.
+Soup sheets_on_both_sides_of_a_square() {
+  Soup halves;
+  for (const double side : {1.0, -1.0}) {
+    const auto first = static_cast<Index>(halves.n_vertices());
+    for (const double x : {0.0, 1.0, 2.0}) halves.positions.emplace_back(x, 1.0, 0.0);
+    halves.positions.emplace_back(1.0, 1.0, side);
+    halves.triangles.push_back({first, first + 1, first + 3});
+    halves.triangles.push_back({first + 1, first + 2, first + 3});
+  }
+  return shapes::merged(shapes::grid(2, 2), halves);
+}
+
+TEST(FindContactPlaces, SidesOfACutSheetMoveApart) {
+  TrackedMesh tracked = track_mesh(sheets_on_both_sides_of_a_square());
+  const PreparedMesh mesh(tracked.soup);
+  // Vertex 4 is in the middle; welding would join 10 and 14 where nothing was cut.
+  const auto units_in_the_middle = [&] {
+    const std::vector<ContactPlace> places = find_contact_places(tracked, mesh).places;
+    const auto middle = std::find_if(places.begin(), places.end(), [](const ContactPlace& place) {
+      return place.units.front().front() == 4;
+    });
+    return middle == places.end() ? std::vector<std::vector<Index>>{} : middle->units;
+  };
+  EXPECT_EQ(units_in_the_middle(), (std::vector<std::vector<Index>>{{4}, {10, 14}}));
+  tracked.sheet_cuts = {3, 4, 5, 9, 10, 11, 13, 14, 15};
+  EXPECT_EQ(units_in_the_middle(), (std::vector<std::vector<Index>>{{4}, {10}, {14}}));
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ class PartingMemoryTest : public ::testing::Test {
 
   TrackedMesh tracked_;
   PreparedMesh prepared_;
-  ContactPlaces contacts_ = find_contact_places(prepared_);
+  ContactPlaces contacts_ = find_contact_places(tracked_, prepared_);
   MovedMesh moved_{prepared_};
 
  private:

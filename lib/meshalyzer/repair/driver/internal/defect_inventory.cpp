@@ -38,10 +38,11 @@ class Inventory {
 
   void add_slits(const Tolerances& tolerances) {
     for (const Defect& slit : find_slits(mesh_, tolerances)) {
-      for (const auto& ends : slit.edges) {
-        add_edge(CountedDefect::SlitEdges, ends);
-        if (cuts_sheet(ends)) ++inventory_.n_slits_of_cut_sheets;
-      }
+      for (const auto& ends : slit.edges) add_edge(CountedDefect::SlitEdges, ends);
+      // The edges on the other side of a cut may have vertices of their own.
+      const bool is_of_cut = std::any_of(slit.edges.begin(), slit.edges.end(),
+                                         [&](const auto& ends) { return cuts_sheet(ends); });
+      if (is_of_cut) inventory_.n_slits_of_cut_sheets += slit.edges.size();
     }
   }
 

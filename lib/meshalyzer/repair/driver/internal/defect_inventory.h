@@ -46,7 +46,8 @@ struct DefectInventory {
   std::array<std::size_t, kCountedDefects> counts{};
   /// Indexed by Attribute: whether the mesh has it.
   std::array<bool, kAttributes> is_yes{};
-  /// The numbers of border edges, and of slit edges, with an end where a sheet was cut.
+  /// The number of border edges with an end where a sheet was cut, and that of the edges of slits
+  /// that have such an edge.
   std::size_t n_borders_of_cut_sheets = 0;
   std::size_t n_slits_of_cut_sheets = 0;
 

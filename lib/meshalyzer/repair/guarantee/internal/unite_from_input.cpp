@@ -157,16 +157,17 @@ class UnionFromInput {
     std::vector<PlannedPass> plan = plan_passes(options_, tolerances_);
     for (PlannedPass& pass : plan_to_join_contacts(options_)) {
       pass.run = [this, join = std::move(pass.run)](const PassInput& input) {
-        return leaves_contacts(input.mesh) ? PassResult{} : join(input);
+        return leaves_contacts(input) ? PassResult{} : join(input);
       };
       plan.push_back(std::move(pass));
     }
     return plan;
   }
 
-  bool leaves_contacts(const PreparedMesh& mesh) {
-    if (!may_leave_contacts_ || mesh.intersecting_pairs().size() < kManyContacts) return false;
-    const std::size_t n_points = contact_points(mesh).size();
+  bool leaves_contacts(const PassInput& input) {
+    const std::size_t n_pairs = input.mesh.intersecting_pairs().size();
+    if (!may_leave_contacts_ || n_pairs < kManyContacts) return false;
+    const std::size_t n_points = contact_points(input.tracked, input.mesh).size();
     const bool leaves = n_points != 0 && n_points <= kMostPointsJoined;
     has_left_contacts_ = has_left_contacts_ || leaves;
     return leaves;
@@ -217,7 +218,7 @@ class UnionFromInput {
 
   bool is_wanted(const RepairState& state) {
     if (!driver_.is_good(state)) {
-      touching_ = contact_points(state.mesh());
+      touching_ = contact_points(state.tracked(), state.mesh());
       return false;
     }
     is_too_far_ = true;

@@ -11,7 +11,10 @@ namespace meshalyzer {
 
 /// Returns the positions at which faces of a closed mesh touch at copies of vertices; none if
 /// anything else is wrong with the mesh.
-[[nodiscard]] std::vector<Vec3> contact_points(const PreparedMesh& mesh);
+///
+/// @param mesh  Prepared from tracked.soup.
+[[nodiscard]] std::vector<Vec3> contact_points(const TrackedMesh& tracked,
+                                               const PreparedMesh& mesh);
 
 /// Unites a mesh whose faces do not intersect with small solids round some of its points. Where
 /// many parts touch at a vertex, such a solid takes the place of the vertex, so that the parts meet

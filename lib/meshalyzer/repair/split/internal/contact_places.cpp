@@ -95,15 +95,19 @@ IncidentFaces incident_faces_of(const PreparedMesh& mesh, const std::vector<Link
   return {mesh.cut(), std::move(vertices)};
 }
 
-/// Lists where the border edges at each vertex end, sorted by position.
-std::vector<std::vector<Vec3>> border_ends(const Soup& soup, const IncidentFaces& incident) {
+/// Lists where the border edges at each vertex end, sorted by position. Those along which sheets
+/// were cut are left out, because joining them would undo the cut.
+std::vector<std::vector<Vec3>> border_ends(const TrackedMesh& tracked,
+                                           const IncidentFaces& incident) {
+  const Soup& soup = tracked.soup;
   std::vector<std::vector<Vec3>> ends(incident.size());
   for (std::size_t entry = 0; entry < incident.size(); ++entry) {
     const std::vector<Spoke> spokes = find_spokes(soup, incident, entry);
     for (std::size_t i = 0; i < spokes.size(); ++i) {
       const bool is_alone = (i == 0 || spokes[i - 1].other != spokes[i].other) &&
                             (i + 1 == spokes.size() || spokes[i + 1].other != spokes[i].other);
-      if (is_alone) ends[entry].push_back(soup.positions[spokes[i].other]);
+      const bool is_cut = tracked.is_where_sheet_was_cut(incident.vertex(entry), spokes[i].other);
+      if (is_alone && !is_cut) ends[entry].push_back(soup.positions[spokes[i].other]);
     }
     std::sort(ends[entry].begin(), ends[entry].end(), lexicographically_less);
   }
@@ -124,9 +128,9 @@ bool have_common(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 }
 
 /// Joins the vertices at one place that border edges at equal positions connect.
-DisjointSets join_weldable(const Soup& soup, const IncidentFaces& incident,
+DisjointSets join_weldable(const TrackedMesh& tracked, const IncidentFaces& incident,
                            const std::vector<Link>& links) {
-  const auto ends = border_ends(soup, incident);
+  const auto ends = border_ends(tracked, incident);
   DisjointSets sets(incident.size());
   for (const auto& [a, b] : links) {
     const std::size_t i = incident.entry_of(a);
@@ -139,9 +143,10 @@ DisjointSets join_weldable(const Soup& soup, const IncidentFaces& incident,
 /// Sorts links and their vertices by place.
 class PlaceMaker {
  public:
-  PlaceMaker(const Soup& soup, const IncidentFaces& incident, const std::vector<Link>& links)
+  PlaceMaker(const TrackedMesh& tracked, const IncidentFaces& incident,
+             const std::vector<Link>& links)
       : incident_(incident),
-        units_(join_weldable(soup, incident, links)),
+        units_(join_weldable(tracked, incident, links)),
         places_(incident.size()) {
     for (const auto& [a, b] : links) places_.unite(entry(a), entry(b));
   }
@@ -197,10 +202,10 @@ class PlaceMaker {
 
 }  // namespace
 
-ContactPlaces find_contact_places(const PreparedMesh& mesh) {
+ContactPlaces find_contact_places(const TrackedMesh& tracked, const PreparedMesh& mesh) {
   const std::vector<Link> links = find_links(mesh);
   IncidentFaces incident = incident_faces_of(mesh, links);
-  std::vector<ContactPlace> places = PlaceMaker(mesh.soup(), incident, links).make(links);
+  std::vector<ContactPlace> places = PlaceMaker(tracked, incident, links).make(links);
   return {.incident = std::move(incident), .places = std::move(places)};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/prepared/prepared_mesh.h"
+#include "meshalyzer/repair/edits/tracked_mesh.h"
 #include "meshalyzer/repair/split/internal/incident_faces.h"
 
 #include <array>
@@ -29,6 +30,9 @@ struct ContactPlaces {
 
 /// Finds the positions where faces touch that would not if vertices at identical positions were
 /// one: pairs of kind Unwelded, and faces that coincide with all three corners.
-[[nodiscard]] ContactPlaces find_contact_places(const PreparedMesh& mesh);
+///
+/// @param mesh  Prepared from tracked.soup.
+[[nodiscard]] ContactPlaces find_contact_places(const TrackedMesh& tracked,
+                                                const PreparedMesh& mesh);
 
 }  // namespace meshalyzer

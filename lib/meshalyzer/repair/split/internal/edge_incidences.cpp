@@ -84,12 +84,15 @@ struct SinglePairings {
   std::vector<std::uint8_t> alternates;
 };
 
-SinglePairings pair_each(const PreparedMesh& mesh, const EdgeIncidences& incidences) {
+SinglePairings pair_each(const TrackedMesh& tracked, const PreparedMesh& mesh,
+                         const EdgeIncidences& incidences) {
   const Soup& soup = mesh.soup();
   const ManifoldComponents components = find_manifold_components(mesh.cut());
   SinglePairings result{.partner = std::vector<Index>(incidences.faces.size(), kNoIndex),
                         .alternates = std::vector<std::uint8_t>(incidences.size(), 0)};
   for (std::size_t edge = 0; edge < incidences.size(); ++edge) {
+    const auto [a, b] = incidences.ends[edge];
+    const bool is_sheet_cut = tracked.is_where_sheet_was_cut(a, b);
     std::vector<FaceAtEdge> faces;
     for (Index incidence = incidences.begin[edge]; incidence < incidences.begin[edge + 1];
          ++incidence) {
@@ -97,8 +100,10 @@ SinglePairings pair_each(const PreparedMesh& mesh, const EdgeIncidences& inciden
           face_at_edge(soup, incidences.ends[edge], incidences.faces[incidence]));
       face.component = components.of_face[mesh.cut().side.mesh_face(incidences.faces[incidence])];
       face.border_share = components.border_share[face.component];
+      // Of sheets that cross, none is to stay whole while others end at it: a sheet whose border
+      // lies within another could not be moved off it.
+      if (is_sheet_cut && face.border_share > 0.0) face.border_share = 1.0;
     }
-    const auto [a, b] = incidences.ends[edge];
     const EdgePairing pairing = pair_round_edge(soup.positions[a], soup.positions[b], faces);
     result.alternates[edge] = pairing.alternates ? 1 : 0;
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -279,9 +284,10 @@ std::vector<Index> ends_of_edges(const EdgeIncidences& incidences) {
   return vertices;
 }
 
-std::vector<Index> pair_incidences(const PreparedMesh& mesh, const EdgeIncidences& incidences,
+std::vector<Index> pair_incidences(const TrackedMesh& tracked, const PreparedMesh& mesh,
+                                   const EdgeIncidences& incidences,
                                    const IncidentFaces& incident) {
-  SinglePairings single = pair_each(mesh, incidences);
+  SinglePairings single = pair_each(tracked, mesh, incidences);
   const auto length = [&](Index edge) {
     const auto [a, b] = incidences.ends[edge];
     return (mesh.soup().positions[a] / 2 - mesh.soup().positions[b] / 2).stableNorm();

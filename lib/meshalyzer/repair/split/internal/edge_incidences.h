@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshalyzer/prepared/prepared_mesh.h"
+#include "meshalyzer/repair/edits/tracked_mesh.h"
 #include "meshalyzer/repair/split/internal/incident_faces.h"
 
 #include <array>
@@ -37,15 +38,18 @@ struct EdgeIncidences {
 /// Returns the vertices at the ends of these edges, ascending.
 [[nodiscard]] std::vector<Index> ends_of_edges(const EdgeIncidences& incidences);
 
-/// Pairs the incidences of each edge as pair_round_edge() does.
+/// Pairs the incidences of each edge as pair_round_edge() does. Where sheets were cut, all
+/// components with a border are equally open.
 ///
 /// A chain of edges runs from one to the next at vertices where two of them meet and each face
 /// continues from one to the other through its fan. It is paired as one of its edges requires: one
 /// where orientations alternate, if any; of several the longest, then the first.
 ///
+/// @param mesh      Has the vertices of tracked.soup, and may have more faces.
 /// @param incident  The faces at the vertices of ends_of_edges().
 /// @return       #incidences: the incidence of the same edge that each is joined to, or kNoIndex.
-[[nodiscard]] std::vector<Index> pair_incidences(const PreparedMesh& mesh,
+[[nodiscard]] std::vector<Index> pair_incidences(const TrackedMesh& tracked,
+                                                 const PreparedMesh& mesh,
                                                  const EdgeIncidences& incidences,
                                                  const IncidentFaces& incident);
 
